@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/curve_parameters.h"
+
+#include <common/mlexception.h>
+
+#include <QStringList>
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace bspline_curve {
+
+namespace {
+
+// ---- layers ----
+
+const MeshModel* onlyLayerWithFaces(const MeshDocument& document) {
+    const MeshModel* found = nullptr;
+    for (const MeshModel& layer : document.meshIterator()) {
+        if (layer.cm.FN() > 0) {
+            if (found != nullptr) {
+                return nullptr;
+            }
+            found = &layer;
+        }
+    }
+    return found;
+}
+
+/// The layer that a curve of this filter was drawn on; null where the layer is no such curve or its
+/// surface is gone.
+const MeshModel* surfaceOfCurve(const MeshDocument& document, const MeshModel& layer) {
+    using Allocator = vcg::tri::Allocator<CMeshO>;
+    const auto handle = Allocator::FindPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute);
+    return Allocator::IsValidHandle(layer.cm, handle)
+               ? document.getMesh(static_cast<unsigned int>(handle()))
+               : nullptr;
+}
+
+/// Null only in an empty document.
+const MeshModel* defaultSurface(const MeshDocument& document) {
+    const MeshModel* current = document.mm();
+    if (current == nullptr || current->cm.FN() > 0) {
+        return current;
+    }
+    if (const MeshModel* surface = surfaceOfCurve(document, *current)) {
+        return surface;
+    }
+    const MeshModel* only = onlyLayerWithFaces(document);
+    return only == nullptr ? current : only;
+}
+
+unsigned int defaultSurfaceLayer(const MeshDocument& document) {
+    const MeshModel* surface = defaultSurface(document);
+    return surface == nullptr ? 0 : static_cast<unsigned int>(surface->id());
+}
+
+double diagonalOf(const MeshDocument& document) {
+    const MeshModel* surface = defaultSurface(document);
+    return surface == nullptr || surface->cm.VN() == 0 ? 1.0 : surface->cm.trBB().Diag();
+}
+
+// ---- enumerations: the choices that the user sees, in the order of the core's enumerators ----
+
+const QStringList kFields = {"none", "quality"};
+const QStringList kFieldCosts = {"x", "x^2", "exp(-x)"};
+const QStringList kPresets = {"default", "paper"};
+// In these the first choice leaves the decision to the preset.
+const QStringList kBendings = {"preset", "geodesic", "ambient"};
+const QStringList kInitialCurves = {"preset", "geodesic fit", "control polygon"};
+const QStringList kQuadratures = {"preset", "cells", "samples"};
+const QStringList kBarrierWidths = {"preset", "full", "tight"};
+const QStringList kDistanceWeights = {"preset", "schedule", "adaptive"};
+const QStringList kInterpolations = {"preset", "constraint", "penalty"};
+const QStringList kKnotRules = {"preset", "energy and distance", "feature function"};
+
+int choiceOf(const RichParameterList& parameters, const QString& name, const QStringList& choices) {
+    const int choice = parameters.getEnum(name);
+    if (choice < 0 || choice >= choices.size()) {
+        throw MLException(QString("%1 must be one of: %2").arg(name, choices.join(", ")));
+    }
+    return choice;
+}
+
+template <typename Enum>
+void overridePreset(
+    Enum& option,
+    const RichParameterList& parameters,
+    const QString& name,
+    const QStringList& choices
+) {
+    const int choice = choiceOf(parameters, name, choices);
+    if (choice > 0) {
+        option = static_cast<Enum>(choice - 1);
+    }
+}
+
+/// A number left at its default leaves the decision to the preset.
+template <typename Number>
+void overridePreset(Number& option, Number value, Number standard) {
+    if (value != standard) {
+        option = value;
+    }
+}
+
+// ---- the parameters, group by group ----
+
+constexpr bool kAdvanced = true;
+
+void addPickParameters(RichParameterList& list, const MeshDocument& document) {
+    const unsigned int surface = defaultSurfaceLayer(document);
+    list.addParam(RichMesh(
+        "surface_layer",
+        surface,
+        &document,
+        "Surface",
+        "The layer with the triangle mesh that the curve is drawn on. Default: the current "
+        "layer; where that has no faces, the layer that it was drawn on if it is a curve of this "
+        "filter, else the only layer with faces."
+    ));
+    list.addParam(RichMesh(
+        "picks_layer",
+        surface,
+        &document,
+        "Picks: layer",
+        "A layer of points without faces; the curve passes through its vertices in their order. "
+        "The surface itself (default): no layer of picks."
+    ));
+    list.addParam(RichFileOpen(
+        "picks_file",
+        "",
+        {"*.pp", "*.json", "*.csv", "*.xyz"},
+        "Picks: file",
+        "A file of picks in world coordinates: .pp as PickPoints saves it, .json {\"picks\": "
+        "[[x, y, z], ...]}, .csv or .xyz with one point a line. Empty: no file."
+    ));
+    list.addParam(RichString(
+        "picks",
+        "",
+        "Picks: coordinates",
+        "Picks as text \"x y z; x y z; ...\" in world coordinates. Empty: no text. Where neither "
+        "text nor file nor layer is given, the points of Edit > PickPoints on the surface are "
+        "used. Picks farther from the surface than 1 % of its diagonal are refused."
+    ));
+    list.addParam(RichBool(
+        "closed",
+        false,
+        "Closed",
+        "On: a closed curve through at least 3 picks. Off: an open curve from the first to the "
+        "last of at least 2 picks, unless the file of picks says that it is closed."
+    ));
+}
+
+void addShapeParameters(RichParameterList& list, const MeshDocument& document) {
+    const SolverOptions options;
+    list.addParam(
+        RichInt("degree", options.degree, "Degree", "Polynomial degree of the spline: 2, 3 or 4.")
+    );
+    list.addParam(RichDynamicFloat(
+        "tension",
+        options.tension,
+        0.0,
+        1.0,
+        "Tension",
+        "From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the "
+        "picks). No unit."
+    ));
+    list.addParam(RichEnum(
+        "field",
+        0,
+        kFields,
+        "Field",
+        "A scalar that draws the curve to where its cost is low. none: no field; quality: the "
+        "per-vertex quality of the surface."
+    ));
+    list.addParam(RichEnum(
+        "field_cost",
+        static_cast<int>(options.fieldCost),
+        kFieldCosts,
+        "Cost of the field",
+        "How a value x of the field is paid for: x, x^2 or exp(-x) (which draws the curve to "
+        "large values)."
+    ));
+    list.addParam(RichFloat(
+        "field_weight",
+        options.fieldWeight,
+        "Weight of the field",
+        "How much the field counts against smoothness, 0 or more: 0 has no effect. In units of 1 "
+        "/ cost."
+    ));
+    list.addParam(RichInt(
+        "samples",
+        0,
+        "Samples",
+        "At least this many vertices at even steps of the spline's parameter, besides those "
+        "where the curve crosses mesh edges and the picks. 0 or more; 0: none."
+    ));
+    list.addParam(RichPercentage(
+        "max_segment_length",
+        0.0,
+        0.0,
+        diagonalOf(document),
+        "Largest segment",
+        "No segment of the polyline is longer than this, in world units. 0: not limited."
+    ));
+}
+
+void addPresetParameters(RichParameterList& list) {
+    const SolverOptions options;
+    const ShellOptions shell;
+    list.addParam(RichEnum(
+        "preset",
+        0,
+        kPresets,
+        "Preset",
+        "default: the settings that measured best; paper: those of the paper (2023), for "
+        "comparison. Every setting below that is left at its default follows the preset.",
+        kAdvanced
+    ));
+    list.addParam(RichEnum(
+        "bending",
+        0,
+        kBendings,
+        "Bending",
+        "What smoothness means. geodesic: only bending within the surface is penalised; ambient: "
+        "all bending, as in the paper.",
+        kAdvanced
+    ));
+    list.addParam(RichFloat(
+        "normal_bending_weight",
+        options.normalBendingWeight,
+        "Weight of normal bending",
+        "Share of the bending along the normal that counts with geodesic bending, above 0 and at "
+        "most 1.",
+        kAdvanced
+    ));
+    list.addParam(RichFloat(
+        "distance_tolerance",
+        options.distanceTolerance,
+        "Distance tolerance",
+        "Largest distance of the spline to the surface, in mean edge lengths, above 0. The "
+        "polyline lies on the surface in any case.",
+        kAdvanced
+    ));
+    list.addParam(RichFloat(
+        "thickness",
+        shell.thickness,
+        "Shell thickness",
+        "Largest distance of the shell around the surface, in which the curve is sought, in mean "
+        "edge lengths, above 0.",
+        kAdvanced
+    ));
+    list.addParam(RichInt(
+        "smoothing_passes",
+        shell.smoothingPasses,
+        "Shell smoothing",
+        "Rounds of averaging of the shell's directions, 0 or more.",
+        kAdvanced
+    ));
+}
+
+void addMethodParameters(RichParameterList& list) {
+    list.addParam(RichEnum(
+        "initial_curve",
+        0,
+        kInitialCurves,
+        "Initial curve",
+        "geodesic fit: a fit to the shortest path through the picks; control polygon: Alg. 2 of "
+        "the paper.",
+        kAdvanced
+    ));
+    list.addParam(RichEnum(
+        "quadrature",
+        0,
+        kQuadratures,
+        "Quadrature",
+        "Where energies are sampled. cells: exactly, cell by cell of the shell; samples: at even "
+        "steps, as in the paper.",
+        kAdvanced
+    ));
+    list.addParam(RichEnum(
+        "barrier_width",
+        0,
+        kBarrierWidths,
+        "Barrier width",
+        "full: the whole shell; tight: narrowed around the current curve, (12) of the paper.",
+        kAdvanced
+    ));
+    list.addParam(RichEnum(
+        "distance_weight",
+        0,
+        kDistanceWeights,
+        "Weight of distance",
+        "schedule: grows from round to round; adaptive: (18) of the paper.",
+        kAdvanced
+    ));
+    list.addParam(RichEnum(
+        "interpolation",
+        0,
+        kInterpolations,
+        "Interpolation",
+        "How the spline is held at the picks. constraint: exactly; penalty: by (9) of the paper.",
+        kAdvanced
+    ));
+    list.addParam(RichEnum(
+        "knot_rule",
+        0,
+        kKnotRules,
+        "Knot rule",
+        "Where knots are inserted. energy and distance: where they help; feature function: "
+        "(19)-(23) of the paper.",
+        kAdvanced
+    ));
+}
+
+void addLimitParameters(RichParameterList& list) {
+    const SolverOptions options;
+    list.addParam(RichInt(
+        "samples_per_span",
+        options.samplesPerSpan,
+        "Samples per span",
+        "Samples per knot span where quadrature is samples, 4 or more.",
+        kAdvanced
+    ));
+    list.addParam(RichInt(
+        "max_rounds",
+        options.maxRounds,
+        "Rounds",
+        "Most rounds of minimisation and knot insertion, 1 or more.",
+        kAdvanced
+    ));
+    list.addParam(RichInt(
+        "max_iterations",
+        options.maxIterations,
+        "Iterations",
+        "Most Newton iterations a round, 1 or more.",
+        kAdvanced
+    ));
+    list.addParam(RichFloat(
+        "minimum_span",
+        options.minimumSpan,
+        "Shortest span",
+        "No knot span is made shorter than this, as a share of the whole, above 0 and at most 0.1.",
+        kAdvanced
+    ));
+}
+
+// ---- reading ----
+
+/// MeshLab keeps a parameter as float even where its scalar is double, so 0.1 arrives as
+/// 0.10000000149. The number that the user typed is the shortest decimal that rounds to that float.
+double typedNumber(Scalarm value) {
+    std::array<char, 32> digits{};
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<float>(value)).ptr;
+    double number = 0.0;
+    std::from_chars(digits.data(), end, number);
+    return number;
+}
+
+SolverOptions readSolverOptions(const RichParameterList& parameters) {
+    const SolverOptions standard;
+    SolverOptions options =
+        choiceOf(parameters, "preset", kPresets) == 1 ? paperPreset() : standard;
+    options.degree = parameters.getInt("degree");
+    options.closed = parameters.getBool("closed");
+    options.tension = typedNumber(parameters.getDynamicFloat("tension"));
+    options.fieldWeight = typedNumber(parameters.getFloat("field_weight"));
+    options.fieldCost = static_cast<FieldCost>(choiceOf(parameters, "field_cost", kFieldCosts));
+
+    overridePreset(options.bending, parameters, "bending", kBendings);
+    overridePreset(options.initialCurve, parameters, "initial_curve", kInitialCurves);
+    overridePreset(options.quadrature, parameters, "quadrature", kQuadratures);
+    overridePreset(options.barrierWidth, parameters, "barrier_width", kBarrierWidths);
+    overridePreset(options.distanceWeight, parameters, "distance_weight", kDistanceWeights);
+    overridePreset(options.interpolation, parameters, "interpolation", kInterpolations);
+    overridePreset(options.knotRule, parameters, "knot_rule", kKnotRules);
+
+    const auto number = [&](double& option, const char* name, double byDefault) {
+        overridePreset(option, typedNumber(parameters.getFloat(name)), byDefault);
+    };
+    const auto count = [&](int& option, const char* name, int byDefault) {
+        overridePreset(option, parameters.getInt(name), byDefault);
+    };
+    number(options.normalBendingWeight, "normal_bending_weight", standard.normalBendingWeight);
+    number(options.distanceTolerance, "distance_tolerance", standard.distanceTolerance);
+    number(options.minimumSpan, "minimum_span", standard.minimumSpan);
+    count(options.samplesPerSpan, "samples_per_span", standard.samplesPerSpan);
+    count(options.maxRounds, "max_rounds", standard.maxRounds);
+    count(options.maxIterations, "max_iterations", standard.maxIterations);
+    return options;
+}
+
+}  // namespace
+
+RichParameterList curveParameters(const MeshDocument& document) {
+    RichParameterList list;
+    addPickParameters(list, document);
+    addShapeParameters(list, document);
+    addPresetParameters(list);
+    addMethodParameters(list);
+    addLimitParameters(list);
+    return list;
+}
+
+CurveRequest readRequest(const RichParameterList& parameters) {
+    CurveRequest request;
+    request.surfaceLayer = parameters.getMeshId("surface_layer");
+    request.picksLayer = parameters.getMeshId("picks_layer");
+    request.picksFile = parameters.getOpenFileName("picks_file").trimmed();
+    request.picksText = parameters.getString("picks").trimmed();
+    request.useQualityField = choiceOf(parameters, "field", kFields) == 1;
+    request.solver = readSolverOptions(parameters);
+    request.shell.thickness = typedNumber(parameters.getFloat("thickness"));
+    request.shell.smoothingPasses = parameters.getInt("smoothing_passes");
+    request.sampling.samples = parameters.getInt("samples");
+    request.sampling.maxSegmentLength = typedNumber(parameters.getAbsPerc("max_segment_length"));
+    return request;
+}
+
+}  // namespace bspline_curve

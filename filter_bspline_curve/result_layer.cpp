@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/result_layer.h"
+
+#include "filter_bspline_curve/curve_parameters.h"
+
+// The metatypes of the host's results (vectors) are declared here.
+#include <common/plugins/interfaces/filter_plugin.h>
+
+namespace bspline_curve {
+
+namespace {
+
+const vcg::Color4b kCurveColour(225, 60, 30, 255);
+
+/// The layer's label without the extension of its file.
+QString nameOf(const MeshModel& layer) {
+    const QString extension = "." + layer.suffixName();
+    const QString label = layer.label();
+    return extension.size() > 1 && label.endsWith(extension)
+               ? label.left(label.size() - extension.size())
+               : label;
+}
+
+/// Weighted mean of a value per corner.
+template <typename Value>
+auto interpolate(const Triangle& face, const Vec3& barycentric, const Value& valueAt)
+    -> decltype(valueAt(0)) {
+    return valueAt(face[0]) * barycentric[0] + valueAt(face[1]) * barycentric[1] +
+           valueAt(face[2]) * barycentric[2];
+}
+
+void addEdges(CMeshO& mesh, bool closed) {
+    const std::size_t count = mesh.vert.size();
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        vcg::tri::Allocator<CMeshO>::AddEdge(mesh, i, i + 1);
+    }
+    if (closed) {
+        vcg::tri::Allocator<CMeshO>::AddEdge(mesh, count - 1, 0);
+    }
+}
+
+/// Positions in the coordinates of the surface's layer, from the layer's own vertices.
+void addVertices(
+    CMeshO& curve, const MeshModel& surface, const LayerMesh& mesh, const SurfacePolyline& polyline
+) {
+    vcg::tri::Allocator<CMeshO>::AddVertices(curve, polyline.surfacePoints.size());
+    const auto layerPosition = [&](int v) {
+        return toVec3(
+            surface.cm.vert[static_cast<std::size_t>(mesh.vertexIds[static_cast<std::size_t>(v)])]
+                .cP()
+        );
+    };
+    for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
+        const auto& [face, barycentric] = polyline.surfacePoints[i];
+        const Triangle& corners = mesh.world.faces[static_cast<std::size_t>(face)];
+        const Vec3 normal = (layerPosition(corners[1]) - layerPosition(corners[0]))
+                                .cross(layerPosition(corners[2]) - layerPosition(corners[0]))
+                                .normalized();
+        curve.vert[i].P() = toPoint3m(interpolate(corners, barycentric, layerPosition));
+        curve.vert[i].N() = toPoint3m(normal);
+        curve.vert[i].C() = kCurveColour;
+    }
+}
+
+void setQuality(
+    CMeshO& curve,
+    const LayerMesh& mesh,
+    const SurfacePolyline& polyline,
+    std::span<const double> field
+) {
+    for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
+        const auto& [face, barycentric] = polyline.surfacePoints[i];
+        curve.vert[i].Q() = field.empty()
+                                ? polyline.parameters[i]
+                                : interpolate(
+                                      mesh.world.faces[static_cast<std::size_t>(face)],
+                                      barycentric,
+                                      [&](int v) { return field[static_cast<std::size_t>(v)]; }
+                                  );
+    }
+}
+
+void setAttributes(CMeshO& curve, const LayerMesh& mesh, const SurfacePolyline& polyline) {
+    using Allocator = vcg::tri::Allocator<CMeshO>;
+    auto faceIndex = Allocator::AddPerVertexAttribute<Scalarm>(curve, "face_index");
+    auto barycentric = Allocator::AddPerVertexAttribute<Point3m>(curve, "barycentric");
+    auto parameter = Allocator::AddPerVertexAttribute<Scalarm>(curve, "t");
+    for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
+        const SurfacePoint& point = polyline.surfacePoints[i];
+        faceIndex[i] = mesh.faceIds[static_cast<std::size_t>(point.face)];
+        barycentric[i] = toPoint3m(point.barycentric);
+        parameter[i] = polyline.parameters[i];
+    }
+}
+
+double lengthOf(const SurfacePolyline& polyline) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < polyline.points.size(); ++i) {
+        length += (polyline.points[i] - polyline.points[i - 1]).norm();
+    }
+    return polyline.closed ? length + (polyline.points.front() - polyline.points.back()).norm()
+                           : length;
+}
+
+QVariant vectorOf(const std::vector<double>& values) {
+    return QVariant::fromValue<Eigen::VectorXd>(
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
+    );
+}
+
+/// x, y, z of each point in turn: hosts keep vectors, but no matrix of n rows.
+QVariant vectorOf(const std::vector<Vec3>& points) {
+    std::vector<double> values;
+    for (const Vec3& p : points) {
+        values.insert(values.end(), {p.x(), p.y(), p.z()});
+    }
+    return vectorOf(values);
+}
+
+QVariant vectorOf(const std::vector<int>& indices) {
+    return vectorOf(std::vector<double>(indices.begin(), indices.end()));
+}
+
+}  // namespace
+
+MeshModel& addCurveLayer(
+    MeshDocument& document,
+    const MeshModel& surface,
+    const LayerMesh& mesh,
+    const Curve& curve,
+    std::span<const double> field
+) {
+    MeshModel& layer = *document.addNewMesh("", nameOf(surface) + " curve", true);
+    layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+    addVertices(layer.cm, surface, mesh, curve.polyline);
+    addEdges(layer.cm, curve.polyline.closed);
+    setQuality(layer.cm, mesh, curve.polyline, field);
+    setAttributes(layer.cm, mesh, curve.polyline);
+    vcg::tri::Allocator<CMeshO>::AddPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() =
+        surface.id();
+    layer.cm.Tr = surface.cm.Tr;
+    vcg::tri::UpdateBounding<CMeshO>::Box(layer.cm);
+    return layer;
+}
+
+std::map<std::string, QVariant> figuresOf(
+    const Curve& curve, const StageSeconds& surfaceSeconds, double seconds
+) {
+    const SolveReport& report = curve.report;
+    return {
+        {"usable", report.usable},
+        {"converged", report.status == SolveStatus::Converged},
+        {"closed", curve.polyline.closed},
+        {"degree", curve.spline.degree},
+        {"vertices", static_cast<int>(curve.polyline.points.size())},
+        {"length", lengthOf(curve.polyline)},
+        {"knots_first", report.knotsFirst},
+        {"knots_last", report.knotsLast},
+        {"max_distance", report.maxDistance},
+        {"max_pick_gap", report.maxPickGap},
+        {"rounds", static_cast<int>(report.rounds.size())},
+        {"newton_iterations", report.newtonIterations},
+        {"seconds", seconds},
+        {"seconds_surface", surfaceSeconds.validate + surfaceSeconds.tree},
+        {"seconds_shell", surfaceSeconds.shell},
+        {"seconds_solve", report.seconds.initial + report.seconds.minimise + report.seconds.knots},
+        {"knots", vectorOf(curve.spline.knots)},
+        {"control_points", vectorOf(curve.spline.controlPoints)},
+        {"pick_parameters", vectorOf(curve.spline.pickParameters)},
+        {"pick_vertices", vectorOf(curve.polyline.picks)},
+    };
+}
+
+std::string logLine(const std::map<std::string, QVariant>& figures) {
+    std::string line;
+    for (const auto& [key, value] : figures) {
+        if (value.canConvert<QString>()) {
+            line += (line.empty() ? "" : " ") + key + "=" + value.toString().toStdString();
+        }
+    }
+    return line;
+}
+
+}  // namespace bspline_curve
