@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace bspline_curve::cli {
+
+/// What the program returns to the shell.
+enum class ExitCode : int {
+    Success = 0,
+    Failure = 1,        ///< bad mesh, picks or file, or a curve that is not usable
+    Usage = 2,          ///< an unknown option, or a value out of its range
+    Interrupted = 130,  ///< Ctrl-C (128 + SIGINT), as shells report it
+};
+
+/// Arguments after the program's name and the verb.
+using Arguments = std::span<const char* const>;
+
+/// Prints one line "bspline_curve: …" to stderr; line ends within become blanks.
+void printError(const std::string& message);
+
+/// The verb without a name: one curve through picks on a mesh.
+[[nodiscard]] ExitCode runCurve(Arguments arguments);
+
+}  // namespace bspline_curve::cli

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bspline_curve MESH --picks FILE --output FILE …: one curve through picks on a mesh.
+#include "cli/command.h"
+#include "cli/curve_options.h"
+#include "cli/interrupt.h"
+#include "cli/progress_bar.h"
+#include "design/curve_designer.h"
+#include "io/atomic_file.h"
+#include "io/curve_writer.h"
+#include "io/field_reader.h"
+#include "io/mesh_reader.h"
+#include "io/picks_reader.h"
+#include "io/report_writer.h"
+#include "surface/input_error.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+class Stopwatch {
+public:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Inputs {
+    MeshFile mesh;
+    std::vector<Vec3> picks;
+    std::vector<double> field;
+    double readSeconds = 0.0;
+};
+
+/// Refuses what could only fail after the work.
+void checkOutputs(const CurveArguments& arguments) {
+    checkCurveExtension(arguments.output);
+    checkWritable(arguments.output);
+    if (!arguments.report.empty()) {
+        checkReportExtension(arguments.report);
+        checkWritable(arguments.report);
+    }
+}
+
+std::vector<double> fieldOf(const CurveArguments& arguments, const MeshFile& mesh) {
+    if (arguments.field.empty()) {
+        return {};
+    }
+    if (arguments.field != "quality") {
+        return readField(arguments.field, mesh.mesh.vertices.size());
+    }
+    if (mesh.quality.empty()) {
+        throw InputError(
+            InputErrorCode::BadField,
+            arguments.mesh.string() +
+                ": has no per-vertex quality of type float or double (only .ply can)"
+        );
+    }
+    return mesh.quality;
+}
+
+/// Sets arguments.solver.closed as well where the picks file asks for it.
+Inputs readInputs(CurveArguments& arguments) {
+    Inputs inputs;
+    PicksFile picks = readPicks(arguments.picks);
+    inputs.picks = std::move(picks.picks);
+    arguments.solver.closed = arguments.solver.closed || picks.closed.value_or(false);
+    const Stopwatch watch;
+    inputs.mesh = readMeshFile(arguments.mesh);
+    inputs.readSeconds = watch.seconds();
+    inputs.field = fieldOf(arguments, inputs.mesh);
+    if (interrupted()) {
+        throw Cancelled();
+    }
+    return inputs;
+}
+
+/// A part [from, to] of the whole bar, and a way out for Ctrl-C.
+Progress progressPart(ProgressBar& bar, double from, double to) {
+    return [&bar, from, to](double fraction, const char* stage) {
+        bar.show(from + (to - from) * fraction, stage);
+        return !interrupted();
+    };
+}
+
+struct Drawn {
+    CurveDesigner designer;
+    Curve curve;
+    RunFigures figures;
+};
+
+/// The first curve, with nothing kept, and its times.
+Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar) {
+    constexpr double kShellShare = 0.6;  // of a cold run; for the bar only
+    const Stopwatch cold;
+    CurveDesigner designer(
+        std::move(inputs.mesh.mesh), arguments.shell, progressPart(bar, 0.0, kShellShare)
+    );
+    const Stopwatch design;
+    Curve curve = designer.design(
+        inputs.picks,
+        arguments.solver,
+        arguments.sampling,
+        inputs.field,
+        progressPart(bar, kShellShare, 1.0)
+    );
+    RunFigures figures;
+    figures.designSeconds = design.seconds();
+    figures.coldSeconds = cold.seconds();
+    figures.readSeconds = inputs.readSeconds;
+    figures.stages = designer.seconds();
+    figures.meshFile = arguments.mesh.string();
+    return {std::move(designer), std::move(curve), figures};
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+/// Median seconds of further curves on the same shell; none where none are asked for.
+std::optional<double> timeWarm(
+    const CurveArguments& arguments,
+    const Inputs& inputs,
+    const CurveDesigner& designer,
+    ProgressBar& bar
+) {
+    std::vector<double> times;
+    for (int i = 0; i < arguments.repeat; ++i) {
+        bar.show(static_cast<double>(i) / arguments.repeat, "repeat");
+        const Stopwatch watch;
+        static_cast<void>(designer.design(
+            inputs.picks,
+            arguments.solver,
+            arguments.sampling,
+            inputs.field,
+            [](double, const char*) { return !interrupted(); }
+        ));
+        times.push_back(watch.seconds());
+    }
+    return times.empty() ? std::nullopt : std::optional(median(std::move(times)));
+}
+
+std::string unusableMessage(const SolveReport& report) {
+    std::ostringstream text;
+    text << "no usable curve (" << name(report.status) << "): " << std::setprecision(3)
+         << "its largest distance from the mesh is " << report.maxDistance
+         << " average edge lengths, it misses a pick by " << report.maxPickGap
+         << " of the diagonal; try more picks, a finer mesh or a larger --distance-tolerance";
+    return text.str();
+}
+
+/// Writes curve and report together: both files appear, or none. Of a curve that is not usable only
+/// the report.
+void writeResults(const CurveArguments& arguments, const Inputs& inputs, const Drawn& drawn) {
+    std::optional<AtomicFile> report;
+    if (!arguments.report.empty()) {
+        report.emplace(
+            arguments.report, reportText(drawn.curve, drawn.designer.surface(), drawn.figures)
+        );
+    }
+    if (drawn.curve.report.usable) {
+        const std::vector<double> quality =
+            inputs.field.empty()
+                ? std::vector<double>()
+                : fieldAlong(drawn.curve.polyline, drawn.designer.surface().faces(), inputs.field);
+        writeCurve(arguments.output, drawn.curve, quality);
+    }
+    if (report) {
+        report->commit();
+    }
+}
+
+ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
+    checkOutputs(arguments);
+    bar.show(0.0, "reading");
+    Inputs inputs = readInputs(arguments);
+    Drawn drawn = drawCold(arguments, inputs, bar);
+    drawn.figures.warmSeconds = timeWarm(arguments, inputs, drawn.designer, bar);
+    bar.clear();
+    writeResults(arguments, inputs, drawn);
+    if (!drawn.curve.report.usable) {
+        printError(unusableMessage(drawn.curve.report));
+        return ExitCode::Failure;
+    }
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+ExitCode runCurve(Arguments words) {
+    auto parsed = parseCurveArguments(words);
+    if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
+        return *code;
+    }
+    catchInterrupts();
+    ProgressBar bar;
+    try {
+        return draw(std::get<CurveArguments>(parsed), bar);
+    } catch (const InputError& error) {
+        bar.clear();
+        printError(error.what());
+        return ExitCode::Failure;
+    } catch (const Cancelled&) {
+        bar.clear();
+        printError("interrupted; nothing was written");
+        return ExitCode::Interrupted;
+    }
+}
+
+}  // namespace bspline_curve::cli

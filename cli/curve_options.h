@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/command.h"
+#include "design/curve.h"
+#include "shell/shell_options.h"
+#include "solver/options.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace bspline_curve::cli {
+
+/// Everything that the command line of one curve says.
+struct CurveArguments {
+    std::filesystem::path mesh, picks, output;
+    std::filesystem::path report;  ///< empty: none asked for
+    std::string field;             ///< empty: none; "quality": the mesh file's; else a file
+    int repeat = 0;                ///< further curves to time
+    SolverOptions solver;  ///< the preset with what was given explicitly; closed where --closed was
+    ShellOptions shell;
+    SamplingOptions sampling;
+};
+
+/// Reads the command line; or, after --help, --version or a wrong one, says how the program ends.
+/// Prints help to stdout and one line about what is wrong to stderr.
+[[nodiscard]] std::variant<CurveArguments, ExitCode> parseCurveArguments(Arguments arguments);
+
+}  // namespace bspline_curve::cli

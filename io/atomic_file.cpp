@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/atomic_file.h"
+
+#include "surface/input_error.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
+    throw InputError(InputErrorCode::UnwritableFile, file.string() + ": " + reason);
+}
+
+[[noreturn]] void refuseErrno(const fs::path& file) {
+    refuse(file, "cannot be written: " + std::generic_category().message(errno));
+}
+
+/// The directory of a file that must not be empty.
+fs::path directoryOf(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// Where a link points to, so that the link stays.
+fs::path behindLinks(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_symlink(fs::symlink_status(file, error))) {
+        return file;
+    }
+    fs::path target = fs::weakly_canonical(file, error);
+    return error ? file : target;
+}
+
+bool isDevice(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    return fs::exists(status) && fs::is_other(status);
+}
+
+void writeAll(int descriptor, const fs::path& file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) {
+            continue;
+        }
+        if (written < 0) {
+            refuseErrno(file);
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+/// Owns an open file for the time of one write.
+class Descriptor {
+public:
+    Descriptor(const fs::path& file, int flags)
+        : value_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {}
+
+    ~Descriptor() {
+        if (value_ >= 0) {
+            ::close(value_);
+        }
+    }
+
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] int value() const { return value_; }
+
+    /// Closes; false where the system reports only now that something was not written.
+    bool close() { return ::close(std::exchange(value_, -1)) == 0; }
+
+private:
+    int value_;
+};
+
+void writeNew(const fs::path& file, const fs::path& named, std::string_view bytes) {
+    Descriptor descriptor(file, O_WRONLY | O_CREAT | O_EXCL);
+    if (descriptor.value() < 0) {
+        refuseErrno(named);
+    }
+    writeAll(descriptor.value(), named, bytes);
+    if (!descriptor.close()) {
+        refuseErrno(named);
+    }
+}
+
+fs::path temporaryBeside(const fs::path& file) {
+    static std::atomic<unsigned> counter{0};
+    std::string name = std::to_string(::getpid());
+    name.append("-").append(std::to_string(counter++)).append(".tmp");
+    // A dot in front hides it: ".curve.ply.1234-0.tmp".
+    fs::path hidden = ".";
+    hidden += file.filename();
+    hidden += ".";
+    hidden += name;
+    return directoryOf(file) / hidden;
+}
+
+}  // namespace
+
+void checkWritable(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (fs::is_directory(status)) {
+        refuse(file, "is a directory, not a file");
+    }
+    if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0) {
+        refuseErrno(file);
+    }
+    const fs::path directory = directoryOf(behindLinks(file));
+    if (!fs::is_directory(directory, error)) {
+        refuse(file, "the directory " + directory.string() + " does not exist");
+    }
+    if (!isDevice(file) && ::access(directory.c_str(), W_OK | X_OK) != 0) {
+        refuseErrno(file);
+    }
+}
+
+AtomicFile::AtomicFile(fs::path file, std::string_view bytes) : file_(behindLinks(file)) {
+    checkWritable(file_);
+    if (isDevice(file_)) {
+        deviceBytes_ = bytes;
+        return;
+    }
+    temporary_ = temporaryBeside(file_);
+    try {
+        writeNew(temporary_, file_, bytes);
+        std::error_code error;
+        if (const fs::file_status old = fs::status(file_, error); fs::exists(old)) {
+            fs::permissions(temporary_, old.permissions(), error);
+        }
+    } catch (...) {
+        removeTemporary();
+        throw;
+    }
+}
+
+AtomicFile::~AtomicFile() {
+    removeTemporary();
+}
+
+void AtomicFile::removeTemporary() {
+    if (!temporary_.empty()) {
+        std::error_code error;
+        fs::remove(temporary_, error);
+        temporary_.clear();
+    }
+}
+
+void AtomicFile::commit() {
+    if (temporary_.empty()) {
+        const Descriptor device(file_, O_WRONLY);
+        if (device.value() < 0) {
+            refuseErrno(file_);
+        }
+        writeAll(device.value(), file_, deviceBytes_);
+        return;
+    }
+    std::error_code error;
+    fs::rename(temporary_, file_, error);
+    if (error) {
+        refuse(file_, "cannot be written: " + error.message());
+    }
+    temporary_.clear();
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace bspline_curve {
+
+struct MeshFile {
+    TriangleMesh mesh;
+    std::vector<double> quality;  ///< one value per vertex, or empty where the file has none
+};
+
+/// A mesh with its per-vertex quality (PLY only), by vcglib's importers: .ply, .obj, .off and .stl.
+/// Coordinates keep the precision of the file; vertices and faces keep its order. Polygons are cut
+/// into triangle fans (quads in an OFF file along the diagonal that vcglib prefers). The vertices
+/// of an STL file that have equal coordinates are made one, in order of first use. Only what the
+/// file says is checked, not whether it is a surface. Throws InputError (UnreadableFile, or
+/// DegenerateFace where a face names a vertex twice), naming file and reason.
+[[nodiscard]] MeshFile readMeshFile(const std::filesystem::path& file);
+
+/// The same without quality.
+[[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file);
+
+}  // namespace bspline_curve

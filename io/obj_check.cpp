@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/mesh_checks.h"
+#include "io/text_parsing.h"
+#include "surface/input_error.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace bspline_curve {
+
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+/// Looks through an OBJ file statement by statement.
+class ObjCheck {
+public:
+    ObjCheck(const std::filesystem::path& file, std::string_view bytes)
+        : file_(file), lines_(bytes) {}
+
+    ExpectedMesh run() {
+        while (lines_.next()) {
+            checkLine(lines_.line());
+        }
+        if (expected_.vertices == 0) {
+            refuseFile(file_, "has no vertices; is it an OBJ mesh?");
+        }
+        if (!repeating_.empty()) {
+            refuseRepeating();
+        }
+        if (highestLineIndex_ > static_cast<long long>(expected_.vertices)) {
+            refuseFile(
+                file_,
+                "a line element names vertex " + std::to_string(highestLineIndex_) + " of " +
+                    std::to_string(expected_.vertices)
+            );
+        }
+        // vcglib takes as many of these colours as there are vertices.
+        if (zbrushColours_ > 0 && zbrushColours_ < expected_.vertices) {
+            refuseFile(file_, "has fewer #MRGB colours than vertices");
+        }
+        return expected_;
+    }
+
+private:
+    void checkLine(std::string_view line) {
+        if (line.starts_with("#MRGB")) {
+            zbrushColours_ += (line.size() - std::min<std::size_t>(line.size(), 6)) / 8;
+        }
+        if (line.empty() || line.front() == '#') {
+            return;
+        }
+        if (line.ends_with('\\')) {
+            refuse("lines continued with a backslash are not supported");
+        }
+        const Words words = splitAtBlanks(line);
+        if (words.empty()) {
+            return;
+        }
+        const std::string_view keyword = words[0];
+        const bool isGeometry =
+            keyword == "v" || keyword == "f" || keyword == "q" || keyword == "l";
+        if (isGeometry && line.front() != keyword.front()) {
+            refuse("a statement must start at the beginning of its line");
+        }
+        if (keyword == "v") {
+            checkVertex(words);
+        } else if (keyword == "f" || keyword == "q") {
+            checkFace(words, keyword == "q");
+        } else if (keyword == "l") {
+            checkLineElement(words);
+        }
+    }
+
+    void checkVertex(const Words& words) {
+        if (words.size() < 4) {
+            refuse("a vertex needs three coordinates");
+        }
+        for (std::size_t k = 1; k < 4; ++k) {
+            if (!parseNumber(words[k])) {
+                refuse(inQuotes(words[k]) + " is not a number");
+            }
+        }
+        ++expected_.vertices;
+    }
+
+    /// `fromZero`: the statement "q" of QOBJ files counts vertices from 0.
+    void checkFace(const Words& words, bool fromZero) {
+        const std::size_t corners = words.size() - 1;
+        if (corners < 3 || (fromZero && corners != 4)) {
+            refuse("a face with " + std::to_string(corners) + " corners");
+        }
+        std::vector<long long> ids;
+        for (std::size_t k = 1; k < words.size(); ++k) {
+            ids.push_back(vertexId(words[k], fromZero));
+        }
+        std::ranges::sort(ids);
+        if (std::ranges::adjacent_find(ids) != ids.end()) {
+            repeating_.push_back(faces_);
+        }
+        ++faces_;
+        expected_.triangles += corners - 2;
+    }
+
+    long long vertexId(std::string_view corner, bool fromZero) {
+        const auto index = parseInteger(corner.substr(0, corner.find('/')));
+        if (!index || (!fromZero && *index == 0)) {
+            refuse(inQuotes(corner) + " is not a vertex index");
+        }
+        const auto known = static_cast<long long>(expected_.vertices);
+        const long long id = fromZero ? *index : *index > 0 ? *index - 1 : known + *index;
+        if (id < 0 || id >= known) {
+            refuse(
+                "the face names vertex " + std::to_string(*index) + ", but " +
+                std::to_string(known) + " are defined before it"
+            );
+        }
+        return id;
+    }
+
+    void checkLineElement(const Words& words) {
+        // vcglib reads the first two indices.
+        for (std::size_t k = 1; k < std::min<std::size_t>(words.size(), 3); ++k) {
+            const auto index = parseInteger(words[k].substr(0, words[k].find('/')));
+            if (!index || *index < 1) {
+                refuse(inQuotes(words[k]) + " is not a vertex index that a line element may have");
+            }
+            highestLineIndex_ = std::max(highestLineIndex_, *index);
+        }
+    }
+
+    [[noreturn]] void refuse(const std::string& reason) const {
+        refuseLine(file_, lines_.number(), reason);
+    }
+
+    [[noreturn]] void refuseRepeating() const {
+        throw InputError(
+            InputErrorCode::DegenerateFace,
+            file_.string() + ": " + std::to_string(repeating_.size()) +
+                " faces name a vertex twice: " + describeElements(repeating_) +
+                "; remove them (MeshLab: Remove Zero Area Faces)",
+            repeating_
+        );
+    }
+
+    const std::filesystem::path& file_;
+    LineReader lines_;
+    ExpectedMesh expected_;
+    std::int64_t faces_ = 0;
+    std::vector<std::int64_t> repeating_;
+    long long highestLineIndex_ = 0;
+    std::size_t zbrushColours_ = 0;
+};
+
+}  // namespace
+
+ExpectedMesh checkObj(const std::filesystem::path& file, std::string_view bytes) {
+    return ObjCheck(file, bytes).run();
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace bspline_curve {
+
+struct PicksFile {
+    std::vector<Vec3> picks;     ///< finite, in the order of the file
+    std::optional<bool> closed;  ///< what the file says about it, if it can
+};
+
+/// Picked points by extension:
+///   .pp    MeshLab's PickPoints (points that are not active are left out)
+///   .json  {"picks": [[x, y, z], …], "closed": true or false}; other keys are left alone
+///   .xyz   x y z per line, more columns are left alone; # starts a comment
+///   .csv   commas, semicolons or tabs; a first line of names chooses the columns x, y, z; with
+///   semicolons decimal
+///          commas may be used
+/// Throws InputError (UnreadableFile) naming file, line (where there are lines) and reason.
+[[nodiscard]] PicksFile readPicks(const std::filesystem::path& file);
+
+/// "x y z; x y z; …", also with line ends for semicolons and with commas between coordinates. Empty
+/// text: no picks. Throws InputError (UnreadableFile) naming the pick, from 0, and what is wrong
+/// with it.
+[[nodiscard]] std::vector<Vec3> parsePicksText(std::string_view text);
+
+}  // namespace bspline_curve

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/report_writer.h"
+
+#include "io/text_parsing.h"
+#include "surface/input_error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace bspline_curve {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double length(const SurfacePolyline& polyline) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < polyline.points.size(); ++i) {
+        sum += (polyline.points[i + 1] - polyline.points[i]).norm();
+    }
+    if (polyline.closed && !polyline.points.empty()) {
+        sum += (polyline.points.front() - polyline.points.back()).norm();
+    }
+    return sum;
+}
+
+Json secondsOf(const SolveReport& report, const RunFigures& figures) {
+    const auto& solve = report.seconds;
+    const double rest = figures.designSeconds - solve.initial - solve.minimise - solve.knots;
+    return {
+        {"cold", figures.coldSeconds},
+        {"warm", figures.warmSeconds ? Json(*figures.warmSeconds) : Json(nullptr)},
+        {"read", figures.readSeconds},
+        {"validate", figures.stages.validate},
+        {"tree", figures.stages.tree},
+        {"shell", figures.stages.shell},
+        {"design", figures.designSeconds},
+        {"initial", solve.initial},
+        {"minimise", solve.minimise},
+        {"knots", solve.knots},
+        {"polyline", std::max(rest, 0.0)},
+    };
+}
+
+Json roundsOf(const SolveReport& report) {
+    Json rounds = Json::array();
+    for (const RoundReport& round : report.rounds) {
+        rounds.push_back({
+            {"alpha", round.alpha},
+            {"beta", round.beta},
+            {"knots", round.knots},
+            {"iterations", round.iterations},
+            {"status", name(round.status)},
+            {"max_distance", round.maxDistance},
+        });
+    }
+    return rounds;
+}
+
+Json iterationsOf(const SolveReport& report) {
+    Json iterations = Json::array();
+    for (const IterationReport& iteration : report.iterations) {
+        iterations.push_back({
+            {"round", iteration.round},
+            {"total", iteration.total},
+            {"internal", iteration.terms.internal},
+            {"external", iteration.terms.external},
+            {"distance", iteration.terms.distance},
+            {"fit", iteration.terms.fit},
+            {"decrement", iteration.decrement},
+            {"step", iteration.step},
+        });
+    }
+    return iterations;
+}
+
+Json meshOf(const Surface& surface, const std::string& file) {
+    return {
+        {"file", file},
+        {"vertices", surface.vertexCount()},
+        {"faces", surface.faceCount()},
+        {"components", surface.componentCount()},
+        {"diagonal", surface.diagonal()},
+        {"average_edge_length", surface.averageEdgeLength()},
+    };
+}
+
+}  // namespace
+
+std::string reportText(const Curve& curve, const Surface& surface, const RunFigures& figures) {
+    const SolveReport& report = curve.report;
+    const Json document = {
+        {"status", name(report.status)},
+        {"usable", report.usable},
+        {"seconds", secondsOf(report, figures)},
+        {"knots_first", report.knotsFirst},
+        {"knots_last", report.knotsLast},
+        {"max_distance", report.maxDistance},
+        {"max_pick_gap", report.maxPickGap},
+        {"newton_iterations", report.newtonIterations},
+        {"curve",
+         {{"closed", curve.polyline.closed},
+          {"degree", curve.spline.degree},
+          {"vertices", curve.polyline.points.size()},
+          {"length", length(curve.polyline)}}},
+        {"mesh", meshOf(surface, figures.meshFile)},
+        {"rounds", roundsOf(report)},
+        {"iterations", iterationsOf(report)},
+    };
+    // A file name may hold bytes that are not UTF-8; they become replacement characters.
+    return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void checkReportExtension(const std::filesystem::path& file) {
+    if (const std::string extension = lowerCaseExtension(file); extension != ".json") {
+        throw InputError(
+            InputErrorCode::UnwritableFile,
+            file.string() + ": the extension " + inQuotes(extension) + " of the report is not .json"
+        );
+    }
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/curve.h"
+#include "design/curve_designer.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace bspline_curve {
+
+/// What a program measured around one curve; all times in seconds.
+struct RunFigures {
+    std::string meshFile;
+    double readSeconds = 0.0;           ///< reading the mesh file
+    double coldSeconds = 0.0;           ///< from arrays in memory to the polyline, nothing kept
+    std::optional<double> warmSeconds;  ///< median of further curves with the shell kept
+    double designSeconds = 0.0;         ///< the part of coldSeconds after the shell
+    StageSeconds stages;
+};
+
+/// The report as JSON: how long each stage took, why the solver stopped, figures of mesh and curve,
+/// every round and every iteration. Lengths in the user's unit, but max_distance in average edge
+/// lengths and max_pick_gap relative to the diagonal. seconds.polyline is what the curve took
+/// beside initial, minimise and knots.
+[[nodiscard]] std::string reportText(
+    const Curve& curve, const Surface& surface, const RunFigures& figures
+);
+
+/// Throws InputError (UnwritableFile) where the extension is not .json.
+void checkReportExtension(const std::filesystem::path& file);
+
+}  // namespace bspline_curve
