@@ -63,16 +63,16 @@ double diagonalOf(const MeshDocument& document) {
 // ---- enumerations: the choices that the user sees, in the order of the core's enumerators ----
 
 const QStringList kFields = {"none", "quality"};
-const QStringList kFieldCosts = {"x", "x^2", "exp(-x)"};
+const QStringList kFieldCosts = {"identity", "square", "exp-minus"};
 const QStringList kPresets = {"default", "paper"};
 // In these the first choice leaves the decision to the preset.
 const QStringList kBendings = {"preset", "geodesic", "ambient"};
-const QStringList kInitialCurves = {"preset", "geodesic fit", "control polygon"};
+const QStringList kInitialCurves = {"preset", "geodesic-fit", "control-polygon"};
 const QStringList kQuadratures = {"preset", "cells", "samples"};
 const QStringList kBarrierWidths = {"preset", "full", "tight"};
 const QStringList kDistanceWeights = {"preset", "schedule", "adaptive"};
 const QStringList kInterpolations = {"preset", "constraint", "penalty"};
-const QStringList kKnotRules = {"preset", "energy and distance", "feature function"};
+const QStringList kKnotRules = {"preset", "energy-and-distance", "feature-function"};
 
 int choiceOf(const RichParameterList& parameters, const QString& name, const QStringList& choices) {
     const int choice = parameters.getEnum(name);
@@ -178,8 +178,8 @@ void addShapeParameters(RichParameterList& list, const MeshDocument& document) {
         static_cast<int>(options.fieldCost),
         kFieldCosts,
         "Cost of the field",
-        "How a value x of the field is paid for: x, x^2 or exp(-x) (which draws the curve to "
-        "large values)."
+        "What a value x of the field costs. identity: x; square: x^2; exp-minus: exp(-x), which "
+        "draws the curve to large values."
     ));
     list.addParam(RichFloat(
         "field_weight",
@@ -243,7 +243,7 @@ void addPresetParameters(RichParameterList& list) {
         kAdvanced
     ));
     list.addParam(RichFloat(
-        "thickness",
+        "shell_thickness",
         shell.thickness,
         "Shell thickness",
         "Largest distance of the shell around the surface, in which the curve is sought, in mean "
@@ -251,7 +251,7 @@ void addPresetParameters(RichParameterList& list) {
         kAdvanced
     ));
     list.addParam(RichInt(
-        "smoothing_passes",
+        "shell_smoothing_passes",
         shell.smoothingPasses,
         "Shell smoothing",
         "Rounds of averaging of the shell's directions, 0 or more.",
@@ -265,7 +265,7 @@ void addMethodParameters(RichParameterList& list) {
         0,
         kInitialCurves,
         "Initial curve",
-        "geodesic fit: a fit to the shortest path through the picks; control polygon: Alg. 2 of "
+        "geodesic-fit: a fit to the shortest path through the picks; control-polygon: Alg. 2 of "
         "the paper.",
         kAdvanced
     ));
@@ -307,7 +307,7 @@ void addMethodParameters(RichParameterList& list) {
         0,
         kKnotRules,
         "Knot rule",
-        "Where knots are inserted. energy and distance: where they help; feature function: "
+        "Where knots are inserted. energy-and-distance: where they help; feature-function: "
         "(19)-(23) of the paper.",
         kAdvanced
     ));
@@ -411,8 +411,8 @@ CurveRequest readRequest(const RichParameterList& parameters) {
     request.picksText = parameters.getString("picks").trimmed();
     request.useQualityField = choiceOf(parameters, "field", kFields) == 1;
     request.solver = readSolverOptions(parameters);
-    request.shell.thickness = typedNumber(parameters.getFloat("thickness"));
-    request.shell.smoothingPasses = parameters.getInt("smoothing_passes");
+    request.shell.thickness = typedNumber(parameters.getFloat("shell_thickness"));
+    request.shell.smoothingPasses = parameters.getInt("shell_smoothing_passes");
     request.sampling.samples = parameters.getInt("samples");
     request.sampling.maxSegmentLength = typedNumber(parameters.getAbsPerc("max_segment_length"));
     return request;

@@ -2,6 +2,7 @@
 #include "filter_bspline_curve/result_layer.h"
 
 #include "filter_bspline_curve/curve_parameters.h"
+#include "io/curve_writer.h"
 
 // The metatypes of the host's results (vectors) are declared here.
 #include <common/plugins/interfaces/filter_plugin.h>
@@ -21,14 +22,6 @@ QString nameOf(const MeshModel& layer) {
                : label;
 }
 
-/// Weighted mean of a value per corner.
-template <typename Value>
-auto interpolate(const Triangle& face, const Vec3& barycentric, const Value& valueAt)
-    -> decltype(valueAt(0)) {
-    return valueAt(face[0]) * barycentric[0] + valueAt(face[1]) * barycentric[1] +
-           valueAt(face[2]) * barycentric[2];
-}
-
 void addEdges(CMeshO& mesh, bool closed) {
     const std::size_t count = mesh.vert.size();
     for (std::size_t i = 0; i + 1 < count; ++i) {
@@ -44,20 +37,13 @@ void addVertices(
     CMeshO& curve, const MeshModel& surface, const LayerMesh& mesh, const SurfacePolyline& polyline
 ) {
     vcg::tri::Allocator<CMeshO>::AddVertices(curve, polyline.surfacePoints.size());
-    const auto layerPosition = [&](int v) {
-        return toVec3(
-            surface.cm.vert[static_cast<std::size_t>(mesh.vertexIds[static_cast<std::size_t>(v)])]
-                .cP()
-        );
-    };
     for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
         const auto& [face, barycentric] = polyline.surfacePoints[i];
-        const Triangle& corners = mesh.world.faces[static_cast<std::size_t>(face)];
-        const Vec3 normal = (layerPosition(corners[1]) - layerPosition(corners[0]))
-                                .cross(layerPosition(corners[2]) - layerPosition(corners[0]))
-                                .normalized();
-        curve.vert[i].P() = toPoint3m(interpolate(corners, barycentric, layerPosition));
-        curve.vert[i].N() = toPoint3m(normal);
+        const int layerFace = mesh.faceIds[static_cast<std::size_t>(face)];
+        const CFaceO& corners = surface.cm.face[static_cast<std::size_t>(layerFace)];
+        curve.vert[i].P() = corners.cP(0) * barycentric[0] + corners.cP(1) * barycentric[1] +
+                            corners.cP(2) * barycentric[2];
+        curve.vert[i].N() = vcg::TriangleNormal(corners).Normalize();
         curve.vert[i].C() = kCurveColour;
     }
 }
@@ -68,15 +54,10 @@ void setQuality(
     const SurfacePolyline& polyline,
     std::span<const double> field
 ) {
-    for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
-        const auto& [face, barycentric] = polyline.surfacePoints[i];
-        curve.vert[i].Q() = field.empty()
-                                ? polyline.parameters[i]
-                                : interpolate(
-                                      mesh.world.faces[static_cast<std::size_t>(face)],
-                                      barycentric,
-                                      [&](int v) { return field[static_cast<std::size_t>(v)]; }
-                                  );
+    const std::vector<double> quality =
+        field.empty() ? polyline.parameters : fieldAlong(polyline, mesh.world.faces, field);
+    for (std::size_t i = 0; i < quality.size(); ++i) {
+        curve.vert[i].Q() = quality[i];
     }
 }
 
@@ -100,6 +81,12 @@ double lengthOf(const SurfacePolyline& polyline) {
     }
     return polyline.closed ? length + (polyline.points.front() - polyline.points.back()).norm()
                            : length;
+}
+
+/// Of one curve on a surface that is ready.
+double secondsOf(const SolveReport& report) {
+    const auto& [path, initial, minimise, knots, polyline] = report.seconds;
+    return path + initial + minimise + knots + polyline;
 }
 
 QVariant vectorOf(const std::vector<double>& values) {
@@ -163,7 +150,7 @@ std::map<std::string, QVariant> figuresOf(
         {"seconds", seconds},
         {"seconds_surface", surfaceSeconds.validate + surfaceSeconds.tree},
         {"seconds_shell", surfaceSeconds.shell},
-        {"seconds_solve", report.seconds.initial + report.seconds.minimise + report.seconds.knots},
+        {"seconds_curve", secondsOf(report)},
         {"knots", vectorOf(curve.spline.knots)},
         {"control_points", vectorOf(curve.spline.controlPoints)},
         {"pick_parameters", vectorOf(curve.spline.pickParameters)},

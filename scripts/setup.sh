@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Set-up shared by scripts/quickstart and scripts/test; sourced. Each function looks first and does only what is missing.
+
+export DEBIAN_FRONTEND=noninteractive
+# A shell of another language must not change what programs print or how they read numbers.
+export LC_ALL=C.UTF-8
+
+build_packages=(
+    ca-certificates cmake ninja-build g++ git dpkg-dev xz-utils python3-venv
+    libeigen3-dev libtet1.5-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev
+    qtbase5-dev libqt5opengl5-dev libglew-dev
+    libgl1 libopengl0 libegl1 libglu1-mesa  # pymeshlab's wheel loads them
+)
+test_packages=(libgtest-dev libbenchmark-dev)
+
+step() { printf '\n== %s\n' "$*"; }
+
+# Installs the Debian packages that are missing, and says which.
+install_packages() {
+    local package missing=()
+    for package in "$@"; do
+        dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
+            missing+=("$package")
+    done
+    if [ ${#missing[@]} -eq 0 ]; then
+        echo "Debian packages: all ${#} are there"
+        return
+    fi
+    echo "Debian packages to install: ${missing[*]}"
+    local as_root=()
+    if [ "$(id -u)" != 0 ]; then
+        command -v sudo >/dev/null || { echo "run as root: apt-get install ${missing[*]}" >&2; return 1; }
+        as_root=(sudo)
+    fi
+    "${as_root[@]}" apt-get update -qq
+    "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+    echo "installed"
+}
+
+# A virtual environment in .cache/venv with the packages of a requirements file; $venv is its directory.
+install_python_packages() {
+    local requirements=$1 stamp wanted
+    venv="$root/.cache/venv"
+    stamp="$venv/$(basename "$requirements").installed"
+    wanted=$(cat "$root"/scripts/requirements*.txt)
+    if [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$wanted" ]; then
+        echo "Python packages: all of $(basename "$requirements") are in .cache/venv"
+        return
+    fi
+    echo "Python packages to install into .cache/venv:"
+    grep -hv -e '^#' -e '^-r' "$requirements" $([ "$(basename "$requirements")" = requirements.txt ] || echo "$root/scripts/requirements.txt") | sed 's/^/  /'
+    [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
+    "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --requirement "$requirements"
+    echo "$wanted" >"$stamp"
+    echo "installed"
+}
+
+# Configures and builds a preset; further arguments go to the configuration.
+build_preset() {
+    local preset=$1
+    shift
+    cmake --preset "$preset" --log-level=WARNING "$@"
+    cmake --build --preset "$preset" --parallel "$(nproc)"
+}
