@@ -12,9 +12,10 @@
 #include "io/picks_reader.h"
 #include "io/report_writer.h"
 #include "surface/input_error.h"
+#include "surface/progress.h"
+#include "surface/stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iomanip>
 #include <optional>
 #include <sstream>
@@ -26,16 +27,6 @@
 namespace bspline_curve::cli {
 
 namespace {
-
-class Stopwatch {
-public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 struct Inputs {
     MeshFile mesh;
@@ -77,9 +68,9 @@ Inputs readInputs(CurveArguments& arguments) {
     PicksFile picks = readPicks(arguments.picks);
     inputs.picks = std::move(picks.picks);
     arguments.solver.closed = arguments.solver.closed || picks.closed.value_or(false);
-    const Stopwatch watch;
+    Stopwatch watch;
     inputs.mesh = readMeshFile(arguments.mesh);
-    inputs.readSeconds = watch.seconds();
+    inputs.readSeconds = watch.lap();
     inputs.field = fieldOf(arguments, inputs.mesh);
     if (interrupted()) {
         throw Cancelled();
@@ -104,11 +95,11 @@ struct Drawn {
 /// The first curve, with nothing kept, and its times.
 Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar) {
     constexpr double kShellShare = 0.6;  // of a cold run; for the bar only
-    const Stopwatch cold;
+    Stopwatch cold;
     CurveDesigner designer(
         std::move(inputs.mesh.mesh), arguments.shell, progressPart(bar, 0.0, kShellShare)
     );
-    const Stopwatch design;
+    Stopwatch design;
     Curve curve = designer.design(
         inputs.picks,
         arguments.solver,
@@ -117,8 +108,8 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
         progressPart(bar, kShellShare, 1.0)
     );
     RunFigures figures;
-    figures.designSeconds = design.seconds();
-    figures.coldSeconds = cold.seconds();
+    figures.designSeconds = design.lap();
+    figures.coldSeconds = cold.lap();
     figures.readSeconds = inputs.readSeconds;
     figures.stages = designer.seconds();
     figures.meshFile = arguments.mesh.string();
@@ -141,7 +132,7 @@ std::optional<double> timeWarm(
     std::vector<double> times;
     for (int i = 0; i < arguments.repeat; ++i) {
         bar.show(static_cast<double>(i) / arguments.repeat, "repeat");
-        const Stopwatch watch;
+        Stopwatch watch;
         static_cast<void>(designer.design(
             inputs.picks,
             arguments.solver,
@@ -149,7 +140,7 @@ std::optional<double> timeWarm(
             inputs.field,
             [](double, const char*) { return !interrupted(); }
         ));
-        times.push_back(watch.seconds());
+        times.push_back(watch.lap());
     }
     return times.empty() ? std::nullopt : std::optional(median(std::move(times)));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mesh_reader.h"
 
-#include "io/mesh_checks.h"
+#include "io/file_checks.h"
 #include "io/text_parsing.h"
 #include "io/vcglib_import.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/mesh_checks.h"
+#include "io/file_checks.h"
 #include "io/text_parsing.h"
 
 #include <vector>

@@ -6,8 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace bspline_curve {
 
 namespace {
@@ -27,7 +25,6 @@ double length(const SurfacePolyline& polyline) {
 
 Json secondsOf(const SolveReport& report, const RunFigures& figures) {
     const auto& solve = report.seconds;
-    const double rest = figures.designSeconds - solve.initial - solve.minimise - solve.knots;
     return {
         {"cold", figures.coldSeconds},
         {"warm", figures.warmSeconds ? Json(*figures.warmSeconds) : Json(nullptr)},
@@ -36,10 +33,11 @@ Json secondsOf(const SolveReport& report, const RunFigures& figures) {
         {"tree", figures.stages.tree},
         {"shell", figures.stages.shell},
         {"design", figures.designSeconds},
+        {"path", solve.path},
         {"initial", solve.initial},
         {"minimise", solve.minimise},
         {"knots", solve.knots},
-        {"polyline", std::max(rest, 0.0)},
+        {"polyline", solve.polyline},
     };
 }
 

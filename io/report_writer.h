@@ -22,8 +22,7 @@ struct RunFigures {
 
 /// The report as JSON: how long each stage took, why the solver stopped, figures of mesh and curve,
 /// every round and every iteration. Lengths in the user's unit, but max_distance in average edge
-/// lengths and max_pick_gap relative to the diagonal. seconds.polyline is what the curve took
-/// beside initial, minimise and knots.
+/// lengths and max_pick_gap relative to the diagonal.
 [[nodiscard]] std::string reportText(
     const Curve& curve, const Surface& surface, const RunFigures& figures
 );

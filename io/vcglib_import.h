@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/mesh_checks.h"
+#include "io/file_checks.h"
 #include "surface/types.h"
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <vector>
 
 // vcglib's importers, kept apart from everything else. Files must have passed their check
-// (mesh_checks.h).
+// (file_checks.h).
 namespace bspline_curve {
 
 struct ImportedMesh {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/report_writer.h"
+
+#include "io/small_curve.h"
+#include "io/temporary_files.h"
+
+#include <nlohmann/json.hpp>
+
+namespace bspline_curve::io_tests {
+
+namespace {
+
+Surface square() {
+    return Surface({{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {0, 4, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+}
+
+nlohmann::json reportOf(const Curve& curve, const RunFigures& figures = {}) {
+    return nlohmann::json::parse(reportText(curve, square(), figures));
+}
+
+}  // namespace
+
+TEST(ReportWriter, WritesEveryFigureUnderItsName) {
+    Curve curve = smallCurve(false);
+    curve.report.knotsFirst = 11;
+    curve.report.knotsLast = 17;
+    curve.report.maxDistance = 0.04;
+    curve.report.maxPickGap = 1e-15;
+    curve.report.newtonIterations = 42;
+    curve.report.rounds = {{10, 1e6, 11, 7, MinimiseStatus::EarlyStop, 0.3}};
+    curve.report.iterations = {{0, 5.0, {1, 2, 3, 4}, 0.5, 1.0}};
+    curve.report.seconds.minimise = 0.25;
+    RunFigures figures;
+    figures.meshFile = "a.ply";
+    figures.coldSeconds = 1.5;
+    figures.stages.shell = 0.75;
+    const auto report = reportOf(curve, figures);
+    EXPECT_EQ(report["status"], name(SolveStatus::Converged));
+    EXPECT_EQ(report["usable"], true);
+    EXPECT_EQ(report["knots_first"], 11);
+    EXPECT_EQ(report["knots_last"], 17);
+    EXPECT_EQ(report["max_distance"], 0.04);
+    EXPECT_EQ(report["max_pick_gap"], 1e-15);
+    EXPECT_EQ(report["newton_iterations"], 42);
+    EXPECT_EQ(report["seconds"]["cold"], 1.5);
+    EXPECT_EQ(report["seconds"]["shell"], 0.75);
+    EXPECT_EQ(report["seconds"]["minimise"], 0.25);
+    EXPECT_EQ(report["rounds"][0]["alpha"], 10);
+    EXPECT_EQ(report["rounds"][0]["status"], name(MinimiseStatus::EarlyStop));
+    EXPECT_EQ(report["iterations"][0]["distance"], 3);
+    EXPECT_EQ(report["mesh"]["file"], "a.ply");
+    EXPECT_EQ(report["mesh"]["vertices"], 4);
+    EXPECT_EQ(report["mesh"]["diagonal"], 5);
+    for (const char* key : {"validate", "tree", "path", "initial", "knots", "polyline"}) {
+        EXPECT_TRUE(report["seconds"].contains(key)) << key;
+    }
+}
+
+TEST(ReportWriter, MeasuresTheCurveWithItsClosingSegment) {
+    const double open = reportOf(smallCurve(false))["curve"]["length"];
+    const double closed = reportOf(smallCurve(true))["curve"]["length"];
+    const auto& points = smallCurve(true).polyline.points;
+    EXPECT_DOUBLE_EQ(closed - open, (points[2] - points[0]).norm());
+    EXPECT_EQ(reportOf(smallCurve(true))["curve"]["vertices"], 3);
+}
+
+TEST(ReportWriter, SaysNullWhereNoWarmTimeWasAskedFor) {
+    EXPECT_TRUE(reportOf(smallCurve(false))["seconds"]["warm"].is_null());
+    RunFigures figures;
+    figures.warmSeconds = 0.125;
+    EXPECT_EQ(reportOf(smallCurve(false), figures)["seconds"]["warm"], 0.125);
+}
+
+TEST(ReportWriter, SurvivesFileNamesThatAreNotUtf8) {
+    RunFigures figures;
+    figures.meshFile = "a\xff.ply";
+    EXPECT_NO_THROW(reportOf(smallCurve(false), figures));
+}
+
+}  // namespace bspline_curve::io_tests
