@@ -19,7 +19,6 @@ struct ExpectedMesh {
     std::size_t vertices = 0;
     std::size_t triangles = 0;            ///< after polygons are cut into fans
     PlyScalar quality = PlyScalar::None;  ///< stored type of a per-vertex quality
-    std::string faceTypes;                ///< stored types of a PLY's index lists, for messages
 };
 
 [[nodiscard]] ExpectedMesh checkPly(const std::filesystem::path& file, std::string_view bytes);

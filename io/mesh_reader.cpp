@@ -62,21 +62,19 @@ void checkImported(
         refuseFile(file, imported.error);
     }
     const TriangleMesh& mesh = imported.mesh;
-    const std::string faceTypes =
-        expected.faceTypes.empty() ? "" : " (index lists of type " + expected.faceTypes + ")";
     if (mesh.vertices.size() != expected.vertices || mesh.faces.size() != expected.triangles) {
         refuseFile(
             file,
             "vcglib could read only " + std::to_string(mesh.vertices.size()) + " of " +
                 std::to_string(expected.vertices) + " vertices and " +
                 std::to_string(mesh.faces.size()) + " of " + std::to_string(expected.triangles) +
-                " triangles" + faceTypes + "; save it again with MeshLab"
+                " triangles; save it again with MeshLab"
         );
     }
     for (const Triangle& face : mesh.faces) {
         for (const int id : face) {
             if (id < 0 || static_cast<std::size_t>(id) >= mesh.vertices.size()) {
-                refuseFile(file, "vcglib read a face of vertices that do not exist" + faceTypes);
+                refuseFile(file, "vcglib read a face of vertices that do not exist");
             }
         }
     }

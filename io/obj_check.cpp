@@ -21,6 +21,9 @@ public:
 
     ExpectedMesh run() {
         while (lines_.next()) {
+            if (lines_.line().find('\0') != std::string_view::npos) {
+                refuse("holds a zero byte; is it a text?");
+            }
             checkLine(lines_.line());
         }
         if (expected_.vertices == 0) {
@@ -61,8 +64,11 @@ private:
         const std::string_view keyword = words[0];
         const bool isGeometry =
             keyword == "v" || keyword == "f" || keyword == "q" || keyword == "l";
-        if (isGeometry && line.front() != keyword.front()) {
-            refuse("a statement must start at the beginning of its line");
+        // vcglib counts the statements by a stricter rule than it reads them by.
+        const std::size_t after = keyword.size();
+        if (isGeometry && (line.front() != keyword.front() ||
+                           (after < line.size() && line[after] != ' ' && line[after] != '\t'))) {
+            refuse("a statement must start at the beginning of its line, and a blank follow it");
         }
         if (keyword == "v") {
             checkVertex(words);

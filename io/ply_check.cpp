@@ -451,7 +451,9 @@ ExpectedMesh checkPly(const std::filesystem::path& file, std::string_view bytes)
     if (indices == nullptr || indices->countType == PlyScalar::None) {
         refuseFile(file, "the faces have no list vertex_indices");
     }
-    expected.faceTypes = nameOf(indices->countType) + " " + nameOf(indices->type);
+    if (isFloating(indices->type)) {
+        refuseFile(file, "the faces' vertex indices are of type " + nameOf(indices->type));
+    }
     DataCheck(file, header, bytes.substr(header.size)).run(expected);
     return expected;
 }

@@ -13,7 +13,7 @@ namespace bspline_curve {
 
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
+constexpr std::string_view kBlanks = " \t\r\n";
 
 template <class Number>
 std::optional<Number> parseWhole(std::string_view token) {

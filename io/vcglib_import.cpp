@@ -28,7 +28,14 @@ class Edge : public vcg::Edge<Types, vcg::edge::VertexRef> {};
 
 class Face : public vcg::Face<Types, vcg::face::VertexRef, vcg::face::BitFlags> {};
 
-class Mesh : public vcg::tri::TriMesh<std::vector<Vertex>, std::vector<Edge>, std::vector<Face>> {};
+class Mesh : public vcg::tri::TriMesh<std::vector<Vertex>, std::vector<Edge>, std::vector<Face>> {
+public:
+    Mesh() = default;
+    Mesh(const Mesh&) = delete;
+    Mesh& operator=(const Mesh&) = delete;
+
+    ~Mesh() override { ClearAttributes(); }  // which vcglib leaves to us
+};
 
 using Allocator = vcg::tri::Allocator<Mesh>;
 

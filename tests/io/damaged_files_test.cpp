@@ -154,10 +154,18 @@ TEST_F(DamagedMesh, WhatVcglibWouldMisreadIsRefused) {
     expectContains(refused("big.ply", big), "big-endian double");
     std::string unusual = kPly + "3 0 1 2\n3 0 2 3\n";
     unusual.replace(unusual.find("uchar int"), 9, "uchar float");
-    expectContains(refused("unusual.ply", unusual), "uchar float");
+    expectContains(refused("unusual.ply", unusual), "type float");
     std::string strips = kPly + "3 0 1 2\n3 0 2 3\n";
     strips.replace(strips.find("element face"), 12, "element tristrips");
     expectContains(refused("strips.ply", strips), "tristrips");
+}
+
+/// Found by RandomDamageNeverCrashes: vcglib counted three vertices here and wrote four.
+TEST_F(DamagedMesh, VerticesThatVcglibDoesNotCountAreRefused) {
+    using namespace std::string_literals;
+    for (const char separator : {'\0', '\r'}) {
+        refused("a.obj", "v 0 0 0\nv"s + separator + " 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\n");
+    }
 }
 
 TEST_F(DamagedMesh, EveryTruncationOfABinaryFileIsRefused) {
