@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The program as a user runs it: every format in and out, options, and what it reports."""
+
+import json
+import os
+import pty
+import signal
+import subprocess
+import time
+
+import made_meshes as meshes
+import numpy as np
+import pytest
+from made_meshes import PICKS
+from curve_files import read_curve, read_ply
+
+DEFAULT = ("plate.ply", "--picks", "picks.json", "--output", "curve.ply")
+
+
+def succeed(process):
+    assert process.returncode == 0, process.stderr
+    assert process.stderr == "", "a pipe shows no progress"
+    assert process.stdout == ""
+
+
+def passes(points, picks, tolerance=1e-9):
+    """Every pick is a point of the curve, and they come in order."""
+    distances = np.linalg.norm(points[None] - np.array(picks)[:, None], axis=2)
+    assert distances.min(1).max() <= tolerance
+    assert (np.diff(distances.argmin(1)) > 0).all()
+
+
+@pytest.mark.parametrize("name", meshes.MESH_WRITERS)
+def test_every_mesh_format_gives_the_same_curve(run, plate, name):
+    succeed(run(*DEFAULT))
+    reference, _, _ = read_curve(plate / "curve.ply")
+    meshes.MESH_WRITERS[name](plate / name, *meshes.plate())
+    succeed(run(name, "--picks", "picks.json", "--output", "other.ply"))
+    points, _, _ = read_curve(plate / "other.ply")
+    passes(points, PICKS, 1e-7)
+    # STL stores floats, in an order of vertices of its own
+    assert len(points) == len(reference) or name.endswith(".stl")
+    if len(points) == len(reference):
+        assert np.abs(points - reference).max() < (1e-5 if name.endswith(".stl") else 1e-12)
+
+
+@pytest.mark.parametrize(
+    "name, text",
+    [
+        ("a.json", json.dumps({"name": "a case", "picks": PICKS, "closed": False})),
+        ("a.xyz", "# picked by hand\n" + "".join("%r %r %r\n" % tuple(p) for p in PICKS)),
+        ("a.csv", "id,x,y,z\n" + "".join("%d,%r,%r,%r\n" % (i, *p) for i, p in enumerate(PICKS))),
+        ("b.csv", "".join("%s;%s;%s\n" % tuple(str(x).replace(".", ",") for x in p) for p in PICKS)),
+        (
+            "a.pp",
+            "<!DOCTYPE PickedPoints>\n<PickedPoints>\n"
+            + "".join(
+                '<point name="%d" active="1" z="%r" x="%r" y="%r"/>\n' % (i, p[2], p[0], p[1])
+                for i, p in enumerate(PICKS)
+            )
+            + '<point name="9" active="0" x="9" y="9" z="9"/>\n</PickedPoints>\n',
+        ),
+    ],
+)
+def test_every_format_of_picks_gives_the_same_curve(run, plate, name, text):
+    succeed(run(*DEFAULT))
+    (plate / name).write_text(text)
+    succeed(run("plate.ply", "--picks", name, "--output", "other.ply"))
+    assert (plate / "other.ply").read_bytes() == (plate / "curve.ply").read_bytes()
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("extension", ["ply", "obj", "json", "PLY"])
+def test_every_output_format_holds_one_chain_through_the_picks(run, plate, extension, closed):
+    output = plate / f"curve.{extension}"
+    succeed(run("plate.ply", "--picks", "picks.json", "--output", output, *(["--closed"] if closed else [])))
+    points, edges, is_closed = read_curve(output.rename(plate / f"curve.{extension.lower()}"))
+    assert is_closed == closed
+    assert len(edges) == len(points) - (not closed)
+    assert np.linalg.norm(points[[b for _, b in edges]] - points[[a for a, _ in edges]], axis=1).min() > 0
+    passes(points, PICKS)
+
+
+def test_points_of_the_curve_lie_where_face_and_barycentrics_say(run, plate):
+    V, F = meshes.plate(height=0.1)
+    meshes.write_ply(plate / "hill.ply", V, F)
+    picks = [V[30].tolist(), V[90].tolist(), V[140].tolist()]
+    (plate / "picks.json").write_text(json.dumps({"picks": picks}))
+    for name in ("curve.ply", "curve.json"):
+        succeed(run("hill.ply", "--picks", "picks.json", "--output", name))
+    vertex = read_ply(plate / "curve.ply")["vertex"]
+    points = np.stack([vertex[name] for name in "xyz"], 1)
+    weights = np.stack([vertex[f"barycentric_{k}"] for k in range(3)], 1)
+    assert weights.min() >= 0 and np.abs(weights.sum(1) - 1).max() < 1e-12
+    assert np.abs((V[F[vertex["face"]]] * weights[:, :, None]).sum(1) - points).max() < 1e-12
+    assert (np.diff(vertex["t"]) > 0).all()
+    passes(points, picks)
+    polyline = json.loads((plate / "curve.json").read_text())["polyline"]
+    assert np.array_equal(polyline["points"], points)
+    assert np.array_equal(polyline["faces"], vertex["face"])
+    assert np.array_equal(polyline["barycentrics"], weights)
+    assert np.array_equal(polyline["t"], vertex["t"])
+
+
+@pytest.mark.parametrize("degree", [2, 3, 4])
+def test_the_spline_in_json_is_complete(run, plate, degree):
+    succeed(run("plate.ply", "--picks", "picks.json", "--output", "curve.json", "--degree", degree))
+    spline = json.loads((plate / "curve.json").read_text())["spline"]
+    assert spline["degree"] == degree
+    assert len(spline["knots"]) == len(spline["control_points"]) + degree + 1
+    assert (np.diff(spline["knots"]) >= 0).all()
+    assert len(spline["pick_parameters"]) == len(PICKS)
+    assert spline["pick_parameters"][0] == 0 and spline["pick_parameters"][-1] == 1
+
+
+def test_the_picks_file_may_ask_for_a_closed_curve(run, plate):
+    (plate / "picks.json").write_text(json.dumps({"picks": PICKS, "closed": True}))
+    succeed(run(*DEFAULT))
+    assert read_curve(plate / "curve.ply")[2]
+
+
+def test_more_samples_and_shorter_segments_refine_the_polyline(run, plate):
+    counts = []
+    for samples in (0, 64, 1000):
+        succeed(run(*DEFAULT, "--samples", samples))
+        counts.append(len(read_curve(plate / "curve.ply")[0]))
+    assert counts[0] < counts[1] < counts[2] and counts[2] >= 1000
+    succeed(run(*DEFAULT, "--samples", 0, "--max-segment-length", 0.01))
+    points, _, _ = read_curve(plate / "curve.ply")
+    assert np.linalg.norm(np.diff(points, axis=0), axis=1).max() <= 0.01 * (1 + 1e-9)
+
+
+def test_tension_one_is_straighter_than_zero_under_both_names(run, plate):
+    length = {}
+    for words in (("--tension", "0"), ("--tension", "1"), ("--lambda", "1")):
+        succeed(run(*DEFAULT, *words))
+        points, _, _ = read_curve(plate / "curve.ply")
+        length[words] = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+    assert length["--tension", "1"] < length["--tension", "0"]
+    assert length["--tension", "1"] == length["--lambda", "1"]
+
+
+@pytest.mark.parametrize("source", ["quality", "field.npy", "field.txt"])
+def test_a_field_pulls_the_curve_and_is_written_along_it(run, plate, source):
+    V, F = meshes.plate()
+    field = (V[:, 1] - 0.5) ** 2
+    meshes.write_ply(plate / "plate.ply", V, F, quality=field)
+    np.save(plate / "field.npy", field)
+    np.savetxt(plate / "field.txt", field, fmt="%.17g")
+    means = []
+    for weight in (0, 1000):
+        succeed(run(*DEFAULT, "--field", source, "--mu", weight, "--samples", 400))
+        vertex = read_ply(plate / "curve.ply")["vertex"]
+        corners = field[F[vertex["face"]]]
+        weights = np.stack([vertex[f"barycentric_{k}"] for k in range(3)], 1)
+        assert np.abs((corners * weights).sum(1) - vertex["quality"]).max() < 1e-12
+        means.append(vertex["quality"].mean())
+    assert means[1] < means[0]
+
+
+def test_without_a_field_there_is_no_quality(run, plate):
+    succeed(run(*DEFAULT))
+    assert "quality" not in read_ply(plate / "curve.ply")["vertex"].dtype.names
+
+
+def test_the_report_holds_times_figures_rounds_and_iterations(run, plate):
+    succeed(run(*DEFAULT, "--report", "report.json", "--repeat", 3))
+    report = json.loads((plate / "report.json").read_text())
+    seconds = report["seconds"]
+    assert seconds["cold"] > 0 and 0 < seconds["warm"] < seconds["cold"]
+    stages = ("validate", "tree", "shell", "path", "initial", "minimise", "knots", "polyline")
+    assert sum(seconds[name] for name in stages) <= seconds["cold"] * 1.05
+    assert report["usable"] is True and isinstance(report["status"], str)
+    assert report["knots_first"] <= report["knots_last"]
+    assert report["max_distance"] <= 0.1 and report["max_pick_gap"] < 1e-9
+    assert len(report["rounds"]) >= 1
+    assert report["newton_iterations"] == sum(r["iterations"] for r in report["rounds"])
+    assert all(i["round"] < len(report["rounds"]) for i in report["iterations"])
+    points, _, _ = read_curve(plate / "curve.ply")
+    assert report["curve"]["vertices"] == len(points)
+    assert report["curve"]["length"] == pytest.approx(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+    assert report["mesh"]["vertices"] == 169 and report["mesh"]["faces"] == 288
+    assert report["mesh"]["diagonal"] == pytest.approx(2**0.5)
+
+
+def test_warm_is_null_unless_repeats_are_asked_for(run, plate):
+    succeed(run(*DEFAULT, "--report", "report.json"))
+    assert json.loads((plate / "report.json").read_text())["seconds"]["warm"] is None
+
+
+def test_explicit_options_win_over_the_preset_whatever_the_order(run, plate):
+    def knots(*words):
+        succeed(run("plate.ply", "--picks", "picks.json", "--output", "curve.json", "--report", "r.json", *words))
+        spline = json.loads((plate / "curve.json").read_text())["spline"]
+        return spline["degree"], spline["knots"], spline["control_points"]
+
+    paper = knots("--preset", "paper")
+    assert paper != knots()
+    assert paper == knots("--preset", "paper", "--degree", "3")
+    assert knots("--degree", "2", "--preset", "paper")[0] == 2
+    assert knots("--preset", "default") == knots()
+
+
+def test_the_same_command_gives_the_same_bytes(run, plate):
+    succeed(run(*DEFAULT))
+    first = (plate / "curve.ply").read_bytes()
+    succeed(run(*DEFAULT))
+    assert (plate / "curve.ply").read_bytes() == first
+
+
+def test_spaces_and_unicode_in_paths(run, plate):
+    folder = plate / "ein Ordner – 曲線"
+    folder.mkdir()
+    (plate / "plate.ply").rename(folder / "Plätte 1.ply")
+    (plate / "picks.json").rename(folder / "punkte ✓.json")
+    succeed(
+        run(
+            folder / "Plätte 1.ply",
+            *("--picks", folder / "punkte ✓.json", "--output", folder / "Kurve 1.ply", "--report", folder / "b c.json"),
+        )
+    )
+    assert read_curve(folder / "Kurve 1.ply")[0].shape[1] == 3
+    assert json.loads((folder / "b c.json").read_text())["mesh"]["file"] == str(folder / "Plätte 1.ply")
+
+
+def test_an_existing_output_is_replaced_and_nothing_else_is_left(run, plate):
+    (plate / "curve.ply").write_text("old")
+    succeed(run(*DEFAULT))
+    assert read_curve(plate / "curve.ply")[0].shape[1] == 3
+    assert sorted(p.name for p in plate.iterdir()) == ["curve.ply", "picks.json", "plate.ply"]
+
+
+def test_help_names_every_option_with_range_and_default(run):
+    process = run("--help")
+    assert process.returncode == 0 and process.stderr == ""
+    for text in ("--picks", "--tension,--lambda", "[0, 1]", "--field-weight,--mu", "--degree", "[2, 4]", "--preset",
+                 "--shell-thickness", "edge lengths", "--max-rounds", "Exit status"):
+        assert text in process.stdout
+
+
+def test_version(run):
+    process = run("--version")
+    assert process.returncode == 0 and process.stdout.startswith("bspline_curve ")
+
+
+def test_the_verb_may_be_written_out(run, plate):
+    succeed(run("curve", *DEFAULT))
+
+
+# ---------------------------------------------------------------- terminal and Ctrl-C
+
+
+def long_run(plate):
+    """A command that takes many seconds."""
+    meshes.write_ply(plate / "plate.ply", *meshes.plate(cells=60, height=0.1))
+    picks = [[0.1, 0.2, 0.0], [0.5, 0.7, 0.1], [0.9, 0.3, 0.03]]
+    V, _ = meshes.plate(cells=60, height=0.1)
+    on_mesh = [V[np.linalg.norm(V - p, axis=1).argmin()].tolist() for p in picks]
+    (plate / "picks.json").write_text(json.dumps({"picks": on_mesh}))
+    return (*DEFAULT, "--repeat", "100000", "--report", "report.json")
+
+
+def test_a_terminal_shows_progress_and_ctrl_c_leaves_no_files(program, plate):
+    terminal, stderr = pty.openpty()
+    process = subprocess.Popen([str(program), *long_run(plate)], cwd=plate, stderr=stderr, stdout=subprocess.DEVNULL)
+    os.close(stderr)
+    text, end = b"", time.monotonic() + 60
+    while b"%" not in text and time.monotonic() < end:
+        text += os.read(terminal, 4096)
+    process.send_signal(signal.SIGINT)
+    try:
+        while block := os.read(terminal, 4096):
+            text += block
+    except OSError:  # the terminal closes with the process
+        pass
+    assert process.wait(timeout=60) == 130
+    assert b"[" in text and b"%" in text
+    assert b"interrupted" in text
+    assert sorted(p.name for p in plate.iterdir()) == ["picks.json", "plate.ply"]
+
+
+def test_a_pipe_shows_no_progress_and_ctrl_c_says_so_in_one_line(program, plate):
+    process = subprocess.Popen(
+        [str(program), *long_run(plate)], cwd=plate, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    time.sleep(1.5)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert out == "" and err.count("\n") == 1 and "interrupted" in err
+    assert sorted(p.name for p in plate.iterdir()) == ["picks.json", "plate.ply"]

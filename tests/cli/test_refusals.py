@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the program refuses: exit status, one line that says what is wrong, and no output."""
+
+import json
+
+import made_meshes as meshes
+import numpy as np
+import pytest
+from made_meshes import PICKS
+
+DEFAULT = ("plate.ply", "--picks", "picks.json", "--output", "curve.ply")
+
+
+@pytest.fixture
+def refused(run, plate):
+    """Runs a command that must fail; checks status, line and that no file came or changed; returns the line."""
+
+    def call(status, *arguments):
+        before = {p.name: p.is_file() and p.read_bytes() for p in plate.iterdir()}
+        process = run(*arguments)
+        assert process.returncode == status, process.stderr
+        assert process.stdout == ""
+        assert process.stderr.count("\n") == 1 and process.stderr.endswith("\n"), process.stderr
+        assert process.stderr.startswith("bspline_curve: ")
+        assert {p.name: p.is_file() and p.read_bytes() for p in plate.iterdir()} == before
+        return process.stderr
+
+    return call
+
+
+# ---------------------------------------------------------------- usage: 2
+
+
+@pytest.mark.parametrize(
+    "words, part",
+    [
+        (("--frobnicate",), "--frobnicate"),
+        (("one too many",), "one too many"),
+        (("--degree", "1"), "--degree"),
+        (("--degree", "5"), "[2, 4]"),
+        (("--degree", "2.5"), "whole number"),
+        (("--degree", "three"), "three"),
+        (("--degree",), "--degree"),
+        (("--tension", "-0.1"), "[0, 1]"),
+        (("--lambda", "1.1"), "[0, 1]"),
+        (("--tension", "nan"), "[0, 1]"),
+        (("--field-weight", "-1"), "--field-weight"),
+        (("--mu", "inf"), "inf"),
+        (("--field-cost", "cube"), "exp-minus"),
+        (("--samples", "-1"), "--samples"),
+        (("--max-segment-length", "-1"), "--max-segment-length"),
+        (("--preset", "papr"), "papr"),
+        (("--repeat", "-1"), "--repeat"),
+        (("--bending", "sideways"), "geodesic"),
+        (("--normal-bending-weight", "0"), "(0, 1]"),
+        (("--distance-tolerance", "0"), "> 0"),
+        (("--minimum-span", "0.2"), "0.1"),
+        (("--max-rounds", "0"), ">= 1"),
+        (("--samples-per-span", "3"), ">= 4"),
+        (("--shell-thickness", "0"), "> 0"),
+    ],
+)
+def test_wrong_options(refused, words, part):
+    assert part in refused(2, *DEFAULT, *words)
+
+
+@pytest.mark.parametrize("left_out", ["plate.ply", "--picks", "--output"])
+def test_missing_options(refused, left_out):
+    words = list(DEFAULT)
+    at = words.index(left_out)
+    del words[at : at + (2 if left_out.startswith("--") else 1)]
+    refused(2, *words)
+
+
+def test_no_arguments_at_all(refused):
+    refused(2)
+
+
+# ---------------------------------------------------------------- files: 1
+
+
+def test_missing_files(refused):
+    assert "none.ply" in refused(1, "none.ply", *DEFAULT[1:])
+    assert "none.json" in refused(1, "plate.ply", "--picks", "none.json", "--output", "curve.ply")
+    assert "none.npy" in refused(1, *DEFAULT, "--field", "none.npy")
+
+
+@pytest.mark.parametrize(
+    "name, content, part",
+    [
+        ("a.ply", b"", "empty"),
+        ("a.txt", b"v 0 0 0\n", ".txt"),
+        ("a.ply", b"hello\n", "ply"),
+        ("a.obj", b"hello\n", "no vertices"),
+        ("a.off", b"hello\n", "OFF"),
+        ("a.stl", b"hello\n", "STL"),
+        ("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "face"),
+        ("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4"),
+        ("a.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", "line 6"),
+    ],
+)
+def test_meshes_that_are_none(refused, plate, name, content, part):
+    (plate / name).write_bytes(content)
+    assert part in refused(1, name, *DEFAULT[1:])
+
+
+def test_truncated_meshes(refused, plate):
+    for name, write in meshes.MESH_WRITERS.items():
+        write(plate / name, *meshes.plate())
+        data = (plate / name).read_bytes()
+        (plate / name).write_bytes(data[: len(data) * 2 // 3])
+        assert name in refused(1, name, *DEFAULT[1:])
+
+
+def defects():
+    V, F = meshes.plate(cells=4)
+    up = V + [0, 0, 1]
+    holed = V.copy()
+    holed[7, 1] = np.nan
+    flipped = F.copy()
+    flipped[5] = flipped[5][::-1]
+    collapsed = V.copy()
+    collapsed[F[3][0]] = collapsed[F[3][1]]
+    far = np.vstack([V, [[0.3, 0.3, 1.0]]])
+    bow = np.vstack([V, [[-1, 0, 0], [-1, -1, 0]]])
+    return {
+        "not a number": (holed, F, "7"),
+        "face without area": (collapsed, F, "area"),
+        "face turned round": (V, flipped, "orient"),
+        "three faces on an edge": (far, np.vstack([F, [F[0][0], F[0][1], len(V)]]), "manifold"),
+        "two fans at a vertex": (bow, np.vstack([F, [0, len(V), len(V) + 1]]), "manifold"),
+        "no faces": (V, F[:0], "faces"),
+        "nothing": (up[:0], F[:0], ""),
+    }
+
+
+@pytest.mark.parametrize("name", defects())
+def test_meshes_with_defects(refused, plate, name):
+    V, F, part = defects()[name]
+    meshes.write_ply(plate / "bad.ply", V, F)
+    assert part in refused(1, "bad.ply", *DEFAULT[1:])
+
+
+def test_a_face_that_names_a_vertex_twice(refused, plate):
+    V, F = meshes.plate(cells=4)
+    F[9] = [F[9][0], F[9][1], F[9][1]]
+    for name in ("a.ply", "a.obj"):
+        meshes.MESH_WRITERS["plate" + name[1:]](plate / name, V, F)
+        assert "9" in refused(1, name, *DEFAULT[1:])
+
+
+@pytest.mark.parametrize(
+    "name, text, part",
+    [
+        ("a.pp", "<PickedPoints>\n<point x='1' y='2'/>\n</PickedPoints>", "line 2"),
+        ("a.pp", "<PickedPoints>", "XML"),
+        ("a.json", "{", "JSON"),
+        ("a.json", '{"picks": [[0, 0]]}', "pick 0"),
+        ("a.json", '{"picks": []}', "no picks"),
+        ("a.xyz", "0 0 0\n0 zero 0\n", "line 2"),
+        ("a.csv", "a,b,c\n0,0,0\n", "line 1"),
+        ("a.csv", "", "empty"),
+        ("a.txt", "0 0 0\n", ".txt"),
+    ],
+)
+def test_picks_files_that_are_none(refused, plate, name, text, part):
+    (plate / name).write_text(text)
+    assert part in refused(1, "plate.ply", "--picks", name, "--output", "curve.ply")
+
+
+@pytest.mark.parametrize(
+    "picks, words, part",
+    [
+        (PICKS[:1], (), "1"),
+        (PICKS[:2], ("--closed",), "3"),
+        ([PICKS[0], [0.5, 0.5, 0.5]], (), "1"),
+        ([PICKS[0], PICKS[1], PICKS[1]], (), "2"),
+        ([PICKS[0], PICKS[1], PICKS[2], PICKS[0]], ("--closed",), "3"),
+    ],
+)
+def test_picks_that_cannot_be_met(refused, plate, picks, words, part):
+    (plate / "picks.json").write_text(json.dumps({"picks": picks}))
+    line = refused(1, *DEFAULT, *words)
+    assert "pick" in line and part in line
+
+
+def test_picks_on_different_components(refused, plate):
+    V, F = meshes.plate(cells=6)
+    meshes.write_ply(plate / "two.ply", np.vstack([V, V + [2, 0, 0]]), np.vstack([F, F + len(V)]))
+    (plate / "picks.json").write_text(json.dumps({"picks": [PICKS[0], [2.5, 0.5, 0.0]]}))
+    assert "component" in refused(1, "two.ply", *DEFAULT[1:])
+
+
+@pytest.mark.parametrize(
+    "output, part",
+    [("none/curve.ply", "does not exist"), ("curve.txt", ".txt"), ("curve", "extension"), ("folder.ply", "directory")],
+)
+def test_outputs_that_cannot_be_written(refused, plate, output, part):
+    (plate / "folder.ply").mkdir()
+    assert part in refused(1, "plate.ply", "--picks", "picks.json", "--output", output)
+    assert "plate" not in refused(1, "none.ply", "--picks", "none.json", "--output", output), "checked before any work"
+
+
+def test_reports_that_cannot_be_written(refused):
+    assert "report.txt" in refused(1, *DEFAULT, "--report", "report.txt")
+    assert "none/r.json" in refused(1, *DEFAULT, "--report", "none/r.json")
+
+
+@pytest.mark.parametrize(
+    "values, part", [(np.zeros(5), "5 values"), (np.full(169, np.nan), "finite"), (np.zeros((169, 2)), "dimension")]
+)
+def test_fields_that_do_not_fit(refused, plate, values, part):
+    np.save(plate / "field.npy", values)
+    assert part in refused(1, *DEFAULT, "--field", "field.npy")
+
+
+def test_quality_of_a_mesh_without(refused):
+    assert "quality" in refused(1, *DEFAULT, "--field", "quality")
+
+
+def test_a_failure_leaves_an_existing_output_as_it_was(refused, plate):
+    (plate / "curve.ply").write_text("precious")
+    refused(1, "none.ply", *DEFAULT[1:])  # the fixture compares all files
+    (plate / "picks.json").write_text(json.dumps({"picks": [[5, 5, 5], PICKS[1]]}))
+    refused(1, *DEFAULT)
+
+
+def test_line_ends_in_names_stay_within_one_line(refused):
+    refused(1, "no\nsuch.ply", *DEFAULT[1:])
