@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/input_error.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace bspline_curve {
+
+std::string describeElements(const std::vector<std::int64_t>& elements) {
+    constexpr std::size_t kNamedElements = 5;
+    const std::size_t named = std::min(elements.size(), kNamedElements);
+    std::string text;
+    for (std::size_t i = 0; i < named; ++i) {
+        text += (i == 0 ? "" : ", ") + std::to_string(elements[i]);
+    }
+    if (named < elements.size()) {
+        text += " and " + std::to_string(elements.size() - named) + " more";
+    }
+    return text;
+}
+
+std::string describeCount(std::size_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void refuseElements(
+    InputErrorCode code,
+    const std::string& what,
+    const std::string& noun,
+    std::vector<std::int64_t> elements,
+    const std::string& remedy
+) {
+    const std::string message =
+        what + " (" + noun + " " + describeElements(elements) + "): " + remedy;
+    throw InputError(code, message, std::move(elements));
+}
+
+std::string describeNumber(double value) {
+    constexpr int kSignificantDigits = 4;
+    std::array<char, 32> text{};
+    const auto [end, error] = std::to_chars(
+        text.data(),
+        text.data() + text.size(),
+        value,
+        std::chars_format::general,
+        kSignificantDigits
+    );
+    return {text.data(), end};
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+
+/// What is wrong with an input; one code per kind of defect, so that callers can tell them apart.
+enum class InputErrorCode {
+    EmptyMesh,
+    NonFiniteCoordinate,
+    IndexOutOfRange,
+    DegenerateFace,
+    NonManifoldEdge,
+    NonManifoldVertex,
+    InconsistentOrientation,
+    SelfIntersection,
+    TooFewPicks,
+    PickTooFar,
+    CoincidentPicks,
+    PicksOnDifferentComponents,
+    NoPath,
+    BadField,
+    BadOption,
+    UnreadableFile,
+    UnwritableFile,
+    NoShell,
+};
+
+/// The one exception that bad input raises: what is wrong, where, and what to do about it.
+class InputError : public std::runtime_error {
+public:
+    InputError(
+        InputErrorCode code, const std::string& message, std::vector<std::int64_t> elements = {}
+    )
+        : std::runtime_error(message), code_(code), elements_(std::move(elements)) {}
+
+    [[nodiscard]] InputErrorCode code() const { return code_; }
+
+    /// Ids of the faces, vertices or picks concerned, ascending; every one, not only those in the
+    /// message.
+    [[nodiscard]] const std::vector<std::int64_t>& elements() const { return elements_; }
+
+private:
+    InputErrorCode code_;
+    std::vector<std::int64_t> elements_;
+};
+
+/// "3, 17, 20, 21, 25 and 12 more": the first ids of a list, for messages.
+[[nodiscard]] std::string describeElements(const std::vector<std::int64_t>& elements);
+
+/// "1 face", "17 faces": a count and its noun (or the start of its sentence), for messages.
+[[nodiscard]] std::string describeCount(
+    std::size_t count, const std::string& one, const std::string& many
+);
+
+/// Throws an InputError with the message "<what> (<noun> <first elements>): <remedy>".
+[[noreturn]] void refuseElements(
+    InputErrorCode code,
+    const std::string& what,
+    const std::string& noun,
+    std::vector<std::int64_t> elements,
+    const std::string& remedy
+);
+
+/// "12.4": a length with four significant digits, for messages; the same in every locale.
+[[nodiscard]] std::string describeNumber(double value);
+
+}  // namespace bspline_curve

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/mesh_checks.h"
+
+#include "surface/input_error.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bspline_curve {
+
+namespace {
+
+using Elements = std::vector<std::int64_t>;
+
+/// Indices in [0, count) for which isBad holds.
+template <class Predicate>
+Elements collect(std::size_t count, const Predicate& isBad) {
+    Elements bad;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (isBad(i)) {
+            bad.push_back(static_cast<std::int64_t>(i));
+        }
+    }
+    return bad;
+}
+
+bool isUsable(const Vec3& point) {
+    // A NaN compares false.
+    return std::abs(point[0]) <= kLargestCoordinate && std::abs(point[1]) <= kLargestCoordinate &&
+           std::abs(point[2]) <= kLargestCoordinate;
+}
+
+bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c) {
+    constexpr double kRelativeTolerance = 0x1p-48;
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const double longestEdge =
+        std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()}));
+    const double largestCoordinate = std::max(
+        {a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>(), c.lpNorm<Eigen::Infinity>()}
+    );
+    return ab.cross(ac).norm() > kRelativeTolerance * longestEdge * largestCoordinate;
+}
+
+}  // namespace
+
+void checkArrays(const TriangleMesh& mesh) {
+    // Half-edges are numbered with an int.
+    constexpr auto kLargestFaceCount =
+        static_cast<std::size_t>(std::numeric_limits<int>::max() / 3);
+    if (mesh.faces.empty()) {
+        throw InputError(
+            InputErrorCode::EmptyMesh,
+            "the mesh has no faces: choose a triangle mesh, not a point cloud or an empty layer"
+        );
+    }
+    if (mesh.faces.size() > kLargestFaceCount || mesh.vertices.size() > kLargestFaceCount) {
+        throw InputError(
+            InputErrorCode::IndexOutOfRange,
+            "the mesh has more than " + std::to_string(kLargestFaceCount) +
+                " faces or vertices: simplify it first"
+        );
+    }
+
+    Elements bad =
+        collect(mesh.vertices.size(), [&](std::size_t v) { return !isUsable(mesh.vertices[v]); });
+    if (!bad.empty()) {
+        refuseElements(
+            InputErrorCode::NonFiniteCoordinate,
+            describeCount(bad.size(), "vertex has", "vertices have") +
+                " a coordinate that is not a finite number below 1e60",
+            "vertices",
+            bad,
+            "delete them with the faces around them, then use MeshLab's filter 'Close Holes'"
+        );
+    }
+
+    const auto vertexCount = static_cast<int>(mesh.vertices.size());
+    bad = collect(mesh.faces.size(), [&](std::size_t f) {
+        const Triangle& face = mesh.faces[f];
+        return std::ranges::any_of(face, [&](int vertex) {
+            return vertex < 0 || vertex >= vertexCount;
+        });
+    });
+    if (!bad.empty()) {
+        refuseElements(
+            InputErrorCode::IndexOutOfRange,
+            describeCount(bad.size(), "face names", "faces name") + " a vertex outside of 0 to " +
+                std::to_string(vertexCount - 1),
+            "faces",
+            bad,
+            "write the mesh again with the program that made it"
+        );
+    }
+}
+
+void checkFacesHaveArea(const TriangleMesh& mesh) {
+    const auto corner = [&](std::size_t face, std::size_t k) -> const Vec3& {
+        return mesh.vertices[static_cast<std::size_t>(mesh.faces[face][k])];
+    };
+    // Equal corners have no area either, so one test finds repeated vertices as well.
+    const Elements bad = collect(mesh.faces.size(), [&](std::size_t f) {
+        return !hasArea(corner(f, 0), corner(f, 1), corner(f, 2));
+    });
+    if (!bad.empty()) {
+        refuseElements(
+            InputErrorCode::DegenerateFace,
+            describeCount(bad.size(), "face has", "faces have") + " a repeated vertex or no area",
+            "faces",
+            bad,
+            "remove them with MeshLab's filters 'Merge Close Vertices' and 'Remove Zero Area Faces'"
+        );
+    }
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+namespace bspline_curve {
+
+/// Coordinates beyond this size count as not finite: their products would overflow in the exact
+/// predicates.
+inline constexpr double kLargestCoordinate = 1e60;
+
+/// Checks the arrays of a mesh: it has faces, every coordinate is finite (unreferenced vertices
+/// too), every index names a vertex.
+/// Throws InputError: EmptyMesh, NonFiniteCoordinate (vertices), IndexOutOfRange (faces). O(n).
+void checkArrays(const TriangleMesh& mesh);
+
+/// Checks that every face has three different vertices and an area that rounding cannot undo: twice
+/// the area exceeds 2^-48 (16 ulps) x longest edge x largest coordinate. Below that, the height of
+/// the triangle is less than the error that storing its corners has made, so that the direction of
+/// its normal means nothing; above it, the area is positive in exact arithmetic too.
+/// Throws InputError: DegenerateFace (faces). Expects checked arrays. O(n).
+void checkFacesHaveArea(const TriangleMesh& mesh);
+
+}  // namespace bspline_curve

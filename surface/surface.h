@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// A validated, immutable triangle surface: finite, oriented, two-manifold, every face with area.
+/// Boundaries, several components and unreferenced vertices are allowed. Whether it crosses itself
+/// is not part of the validation (see self_intersection.h), since that only matters where the curve
+/// goes.
+class Surface {
+public:
+    /// Validates and takes over a mesh. O(n log n) time.
+    /// Throws InputError (EmptyMesh, NonFiniteCoordinate, IndexOutOfRange, DegenerateFace,
+    /// NonManifoldEdge, InconsistentOrientation, NonManifoldVertex, checked in this order), naming
+    /// the count, the first element ids, and what to do.
+    explicit Surface(TriangleMesh mesh);
+
+    [[nodiscard]] const std::vector<Vec3>& vertices() const { return mesh_.vertices; }
+
+    [[nodiscard]] const std::vector<Triangle>& faces() const { return mesh_.faces; }
+
+    [[nodiscard]] int vertexCount() const { return static_cast<int>(mesh_.vertices.size()); }
+
+    [[nodiscard]] int faceCount() const { return static_cast<int>(mesh_.faces.size()); }
+
+    /// For each face its neighbours: entry k lies across the edge opposite to the face's vertex k;
+    /// -1 on the boundary.
+    [[nodiscard]] const std::vector<Triangle>& faceNeighbours() const { return faceNeighbours_; }
+
+    /// Connected component of each face (faces that share an edge), numbered from 0 in order of
+    /// first face.
+    [[nodiscard]] const std::vector<int>& faceComponents() const { return faceComponents_; }
+
+    [[nodiscard]] int componentCount() const { return componentCount_; }
+
+    /// Faces around a vertex in counter-clockwise order; at a boundary vertex from the first face
+    /// (no neighbour clockwise) to the last. Empty for an unreferenced vertex. A view into one
+    /// shared array.
+    struct FaceRange {
+        const int* first;
+        const int* last;
+
+        [[nodiscard]] const int* begin() const { return first; }
+
+        [[nodiscard]] const int* end() const { return last; }
+
+        [[nodiscard]] int size() const { return static_cast<int>(last - first); }
+
+        [[nodiscard]] bool empty() const { return first == last; }
+    };
+
+    [[nodiscard]] FaceRange facesAround(int vertex) const {
+        return {
+            vertexFaces_.data() + vertexFaceOffsets_[static_cast<std::size_t>(vertex)],
+            vertexFaces_.data() + vertexFaceOffsets_[static_cast<std::size_t>(vertex) + 1]
+        };
+    }
+
+    [[nodiscard]] bool isBoundaryVertex(int vertex) const {
+        return isBoundaryVertex_[static_cast<std::size_t>(vertex)] != 0;
+    }
+
+    /// Length of the diagonal of the axis-aligned box of the referenced vertices.
+    [[nodiscard]] double diagonal() const { return diagonal_; }
+
+    /// Mean length of all edges, each counted once.
+    [[nodiscard]] double averageEdgeLength() const { return averageEdgeLength_; }
+
+    [[nodiscard]] Vec3 position(const SurfacePoint& point) const;
+    /// Unit normal of a face, right-handed.
+    [[nodiscard]] Vec3 faceNormal(int face) const;
+
+private:
+    TriangleMesh mesh_;
+    std::vector<Triangle> faceNeighbours_;
+    std::vector<int> faceComponents_;
+    int componentCount_ = 0;
+    std::vector<int> vertexFaceOffsets_;
+    std::vector<int> vertexFaces_;
+    std::vector<char> isBoundaryVertex_;
+    double diagonal_ = 0.0;
+    double averageEdgeLength_ = 0.0;
+};
+
+}  // namespace bspline_curve

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/input_error.h"
+
+#include <gtest/gtest.h>
+
+namespace bspline_curve {
+namespace {
+
+TEST(InputError, NamesAtMostFiveElementsAndCountsTheRest) {
+    EXPECT_EQ(describeElements({}), "");
+    EXPECT_EQ(describeElements({7}), "7");
+    EXPECT_EQ(describeElements({3, 17, 20, 21, 25}), "3, 17, 20, 21, 25");
+    EXPECT_EQ(describeElements({3, 17, 20, 21, 25, 26, 27}), "3, 17, 20, 21, 25 and 2 more");
+}
+
+TEST(InputError, CountsInSingularAndPlural) {
+    EXPECT_EQ(describeCount(1, "face", "faces"), "1 face");
+    EXPECT_EQ(describeCount(17, "face", "faces"), "17 faces");
+}
+
+TEST(InputError, WritesNumbersWithFourSignificantDigits) {
+    EXPECT_EQ(describeNumber(12.4), "12.4");
+    EXPECT_EQ(describeNumber(1.0 / 3.0), "0.3333");
+    EXPECT_EQ(describeNumber(-1.23456789e-7), "-1.235e-07");
+}
+
+TEST(InputError, CarriesCodeMessageAndAllElements) {
+    const InputError error(InputErrorCode::PickTooFar, "too far", {1, 2, 3, 4, 5, 6});
+    EXPECT_EQ(error.code(), InputErrorCode::PickTooFar);
+    EXPECT_STREQ(error.what(), "too far");
+    EXPECT_EQ(error.elements(), (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6}));
+}
+
+}  // namespace
+}  // namespace bspline_curve
