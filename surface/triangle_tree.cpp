@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/triangle_tree.h"
+
+#include "surface/closest_point.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+constexpr int kMortonBitsPerAxis = 21;
+
+/// Spreads the lower 21 bits: bit i moves to bit 3 i.
+std::uint64_t spreadBits(std::uint64_t x) {
+    x &= 0x1fffffU;
+    x = (x | x << 32U) & 0x001f00000000ffffU;
+    x = (x | x << 16U) & 0x001f0000ff0000ffU;
+    x = (x | x << 8U) & 0x100f00f00f00f00fU;
+    x = (x | x << 4U) & 0x10c30c30c30c30c3U;
+    x = (x | x << 2U) & 0x1249249249249249U;
+    return x;
+}
+
+/// Position of a point of the cube [0, 2^21)^3 on the Morton curve.
+std::uint64_t mortonCode(const Vec3& cell) {
+    return spreadBits(static_cast<std::uint64_t>(cell[0])) << 2U |
+           spreadBits(static_cast<std::uint64_t>(cell[1])) << 1U |
+           spreadBits(static_cast<std::uint64_t>(cell[2]));
+}
+
+}  // namespace
+
+TriangleTree::TriangleTree(
+    const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles
+)
+    : vertices_(vertices), triangles_(triangles) {
+    if (triangles.empty()) {
+        return;
+    }
+    const std::vector<Key> keys = sortedKeys();
+    order_.reserve(keys.size());
+    for (const Key& key : keys) {
+        order_.push_back(key.triangle);
+    }
+    nodes_.reserve(keys.size());
+    build(keys, 0, keys.size());
+    nodes_.shrink_to_fit();
+}
+
+/// The triangles along a Morton curve through the centres of their boxes.
+std::vector<TriangleTree::Key> TriangleTree::sortedKeys() const {
+    const auto centre = [&](std::size_t i) -> Vec3 {
+        const Box box = boxOf(static_cast<int>(i));
+        return 0.5 * box.low + 0.5 * box.high;
+    };
+    Vec3 low = centre(0);
+    Vec3 high = low;
+    for (std::size_t i = 1; i < triangles_.size(); ++i) {
+        low = low.cwiseMin(centre(i));
+        high = high.cwiseMax(centre(i));
+    }
+    const double extent = (high - low).maxCoeff();
+    constexpr double kCells = (1U << static_cast<unsigned>(kMortonBitsPerAxis)) - 1U;
+
+    std::vector<Key> keys(triangles_.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const Vec3 cell = extent > 0.0 ? Vec3((centre(i) - low) / extent * kCells) : Vec3::Zero();
+        keys[i] = {.morton = mortonCode(cell), .triangle = static_cast<int>(i)};
+    }
+    std::ranges::sort(keys);
+    return keys;
+}
+
+/// Builds the subtree of a range of the order; returns its root.
+int TriangleTree::build(const std::vector<Key>& keys, std::size_t first, std::size_t last) {
+    const std::size_t index = nodes_.size();
+    nodes_.emplace_back();
+    if (last - first <= kLeafSize) {
+        Box box = boxOf(order_[first]);
+        for (std::size_t i = first + 1; i < last; ++i) {
+            box.extend(boxOf(order_[i]));
+        }
+        nodes_[index] = {
+            .box = box,
+            .first = static_cast<int>(first),
+            .count = static_cast<int>(last - first),
+        };
+        return static_cast<int>(index);
+    }
+
+    // Split where the highest bit changes that the range does not share: that halves a cell of
+    // space. Equal codes are halved by number.
+    std::size_t middle = first + (last - first) / 2;
+    const std::uint64_t difference = keys[first].morton ^ keys[last - 1].morton;
+    if (difference != 0) {
+        const std::uint64_t bit = std::bit_floor(difference);
+        const auto split = std::partition_point(
+            keys.begin() + static_cast<std::ptrdiff_t>(first),
+            keys.begin() + static_cast<std::ptrdiff_t>(last),
+            [bit](const Key& key) { return (key.morton & bit) == 0; }
+        );
+        middle = static_cast<std::size_t>(split - keys.begin());
+    }
+    const int left = build(keys, first, middle);
+    const int right = build(keys, middle, last);
+    Box box = node(left).box;
+    box.extend(node(right).box);
+    nodes_[index] = {.box = box, .first = right, .count = 0};
+    return static_cast<int>(index);
+}
+
+/// One search for the closest point, nearest boxes first.
+struct TriangleTree::ClosestSearch {
+    const TriangleTree& tree;
+    const Vec3& query;
+    Closest best;
+    /// Boxes farther than the limit are skipped. It exceeds the best distance by the slack, more
+    /// than the rounding of positions, so that what is skipped never decides a tie.
+    double slack;
+    double squaredLimit = std::numeric_limits<double>::infinity();
+
+    ClosestSearch(const TriangleTree& searched, const Vec3& point) : tree(searched), query(point) {
+        constexpr double kPositionRounding = 16.0 * std::numeric_limits<double>::epsilon();
+        const Box& whole = tree.node(0).box;
+        slack =
+            kPositionRounding * (whole.low.cwiseAbs().maxCoeff() +
+                                 whole.high.cwiseAbs().maxCoeff() + query.cwiseAbs().maxCoeff());
+        best.squaredDistance = squaredLimit;
+    }
+
+    [[nodiscard]] double squaredDistanceTo(const Box& box) const {
+        return (box.low - query).cwiseMax(query - box.high).cwiseMax(0.0).squaredNorm();
+    }
+
+    void visitLeaf(const Node& leaf) {
+        for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
+            const int triangle = tree.order_[static_cast<std::size_t>(i)];
+            const ClosestPointOnTriangle candidate = closestPointOnTriangle(
+                tree.vertices_, tree.triangles_[static_cast<std::size_t>(triangle)], query
+            );
+            if (candidate.squaredDistance < best.squaredDistance ||
+                (candidate.squaredDistance == best.squaredDistance && triangle < best.point.face)) {
+                best.point = {.face = triangle, .barycentric = candidate.barycentric};
+                best.position = candidate.position;
+                best.squaredDistance = candidate.squaredDistance;
+                const double limit = std::sqrt(best.squaredDistance) + slack;
+                squaredLimit = limit * limit;
+            }
+        }
+    }
+
+    void run() {
+        struct Pending {
+            int node;
+            double squaredDistance;
+        };
+
+        // Depth: at most one level per Morton bit (63) and per halving of equal codes (31); each
+        // level leaves one sibling pending.
+        constexpr std::size_t kStackSize = 128;
+        std::array<Pending, kStackSize> stack;
+        std::size_t stackSize = 0;
+        const auto pending = [&](int i) {
+            return Pending{.node = i, .squaredDistance = squaredDistanceTo(tree.node(i).box)};
+        };
+        stack[stackSize++] = pending(0);
+        while (stackSize > 0) {
+            const Pending current = stack[--stackSize];
+            if (current.squaredDistance > squaredLimit) {
+                continue;
+            }
+            const Node& here = tree.node(current.node);
+            if (here.isLeaf()) {
+                visitLeaf(here);
+                continue;
+            }
+            Pending nearer = pending(current.node + 1);
+            Pending farther = pending(here.first);
+            if (farther.squaredDistance < nearer.squaredDistance) {
+                std::swap(nearer, farther);
+            }
+            stack[stackSize++] = farther;
+            stack[stackSize++] = nearer;
+        }
+    }
+};
+
+TriangleTree::Closest TriangleTree::closestPoint(const Vec3& query) const {
+    if (nodes_.empty()) {
+        return {};
+    }
+    ClosestSearch search(*this, query);
+    search.run();
+    return search.best;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace bspline_curve {
+
+/// A hierarchy of axis-aligned boxes over triangles, for closest points and for pairs of triangles
+/// that may intersect. Keeps a copy of nothing but the boxes; the arrays must outlive it.
+/// About 50 bytes per triangle.
+class TriangleTree {
+public:
+    /// Expects finite coordinates and valid indices; triangles without area are allowed.
+    /// O(n log n). The result is the same on every platform (ties broken by index).
+    TriangleTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
+
+    struct Closest {
+        SurfacePoint point;  ///< face -1 where the tree is empty
+        Vec3 position = Vec3::Zero();
+        double squaredDistance = 0.0;
+    };
+
+    /// The closest point of all triangles; of several equally close triangles the one with the
+    /// lowest index. Accurate to rounding (see closestPointOnTriangle). O(log n) near the surface.
+    [[nodiscard]] Closest closestPoint(const Vec3& query) const;
+
+    /// Calls visit(i, j), i < j, once for every pair of triangles whose boxes overlap (touching
+    /// counts). The order is the same on every platform.
+    template <class Visitor>
+    void forEachOverlappingPair(const Visitor& visit) const;
+
+private:
+    static constexpr int kLeafSize = 4;
+
+    struct Box {
+        Vec3 low, high;
+
+        [[nodiscard]] bool overlaps(const Box& other) const {
+            return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
+                   other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+        }
+
+        void extend(const Box& other) {
+            low = low.cwiseMin(other.low);
+            high = high.cwiseMax(other.high);
+        }
+    };
+
+    /// Nodes are in depth-first order: the left child of an inner node follows it.
+    struct Node {
+        Box box;
+        int first = 0, count = 0;  ///< leaf: range of order_; inner: count 0, first = right child
+
+        [[nodiscard]] bool isLeaf() const { return count > 0; }
+    };
+
+    /// Position on a space-filling curve, and the triangle that has it.
+    struct Key {
+        std::uint64_t morton;
+        int triangle;
+        auto operator<=>(const Key&) const = default;
+    };
+
+    struct ClosestSearch;
+
+    [[nodiscard]] std::vector<Key> sortedKeys() const;
+    int build(const std::vector<Key>& keys, std::size_t first, std::size_t last);
+
+    [[nodiscard]] const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+
+    [[nodiscard]] Box boxOf(int triangle) const {
+        const Triangle& corners = triangles_[static_cast<std::size_t>(triangle)];
+        const Vec3& a = vertices_[static_cast<std::size_t>(corners[0])];
+        const Vec3& b = vertices_[static_cast<std::size_t>(corners[1])];
+        const Vec3& c = vertices_[static_cast<std::size_t>(corners[2])];
+        return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+    }
+
+    template <class Visitor>
+    void visitLeafPair(int a, int b, const Visitor& visit) const;
+
+    const std::vector<Vec3>& vertices_;
+    const std::vector<Triangle>& triangles_;
+    std::vector<int> order_;
+    std::vector<Node> nodes_;
+};
+
+template <class Visitor>
+void TriangleTree::forEachOverlappingPair(const Visitor& visit) const {
+    if (nodes_.empty()) {
+        return;
+    }
+
+    // A pair of nodes whose triangles are still to be compared; a == b: those of one node.
+    struct NodePair {
+        int a, b;
+    };
+
+    std::vector<NodePair> pending{{0, 0}};
+    const auto push = [&](int a, int b) {
+        if (node(a).box.overlaps(node(b).box)) {
+            pending.push_back({a, b});
+        }
+    };
+    while (!pending.empty()) {
+        const auto [a, b] = pending.back();
+        pending.pop_back();
+        if (node(a).isLeaf() && node(b).isLeaf()) {
+            visitLeafPair(a, b, visit);
+        } else if (a == b) {
+            const int left = a + 1;
+            const int right = node(a).first;
+            push(left, right);
+            pending.push_back({right, right});
+            pending.push_back({left, left});
+        } else {
+            // Open the larger one of the two.
+            const auto squaredSize = [&](int i) {
+                return (node(i).box.high - node(i).box.low).squaredNorm();
+            };
+            const bool openA =
+                node(b).isLeaf() || (!node(a).isLeaf() && squaredSize(a) >= squaredSize(b));
+            const int opened = openA ? a : b;
+            const int kept = openA ? b : a;
+            push(node(opened).first, kept);
+            push(opened + 1, kept);
+        }
+    }
+}
+
+template <class Visitor>
+void TriangleTree::visitLeafPair(int a, int b, const Visitor& visit) const {
+    const int countA = node(a).count;
+    const int countB = node(b).count;
+    const int* const trianglesA = order_.data() + node(a).first;
+    const int* const trianglesB = order_.data() + node(b).first;
+    std::array<Box, kLeafSize> boxesB;
+    for (int j = 0; j < countB; ++j) {
+        boxesB[static_cast<std::size_t>(j)] = boxOf(trianglesB[j]);
+    }
+    for (int i = 0; i < countA; ++i) {
+        const Box boxA = boxOf(trianglesA[i]);
+        for (int j = a == b ? i + 1 : 0; j < countB; ++j) {
+            if (boxA.overlaps(boxesB[static_cast<std::size_t>(j)])) {
+                visit(
+                    std::min(trianglesA[i], trianglesB[j]), std::max(trianglesA[i], trianglesB[j])
+                );
+            }
+        }
+    }
+}
+
+}  // namespace bspline_curve
