@@ -113,7 +113,7 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
     figures.readSeconds = inputs.readSeconds;
     figures.stages = designer.seconds();
     figures.meshFile = arguments.mesh.string();
-    return {std::move(designer), std::move(curve), figures};
+    return {.designer = std::move(designer), .curve = std::move(curve), .figures = figures};
 }
 
 double median(std::vector<double> values) {
@@ -192,8 +192,8 @@ ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
 
 }  // namespace
 
-ExitCode runCurve(Arguments words) {
-    auto parsed = parseCurveArguments(words);
+ExitCode runCurve(Arguments arguments) {
+    auto parsed = parseCurveArguments(arguments);
     if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
         return *code;
     }

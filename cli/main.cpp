@@ -18,7 +18,7 @@ struct Verb {
 };
 
 // A first argument that is none of these is a mesh, or an option of `curve`.
-constexpr std::array kVerbs{Verb{"curve", runCurve}};
+constexpr std::array kVerbs{Verb{.name = "curve", .run = runCurve}};
 
 ExitCode run(Arguments arguments) {
     const auto isNamed = [&](const Verb& verb) {

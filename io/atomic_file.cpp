@@ -37,7 +37,7 @@ fs::path behindLinks(const fs::path& file) {
     if (!fs::is_symlink(fs::symlink_status(file, error))) {
         return file;
     }
-    fs::path target = fs::weakly_canonical(file, error);
+    const fs::path target = fs::weakly_canonical(file, error);
     return error ? file : target;
 }
 
@@ -127,7 +127,7 @@ void checkWritable(const fs::path& file) {
     }
 }
 
-AtomicFile::AtomicFile(fs::path file, std::string_view bytes) : file_(behindLinks(file)) {
+AtomicFile::AtomicFile(const fs::path& file, std::string_view bytes) : file_(behindLinks(file)) {
     checkWritable(file_);
     if (isDevice(file_)) {
         deviceBytes_ = bytes;

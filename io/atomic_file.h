@@ -13,7 +13,7 @@ namespace bspline_curve {
 class AtomicFile {
 public:
     /// Throws InputError (UnwritableFile).
-    AtomicFile(std::filesystem::path file, std::string_view bytes);
+    AtomicFile(const std::filesystem::path& file, std::string_view bytes);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace bspline_curve {
 
@@ -42,7 +43,12 @@ std::string_view npyEntry(const path& file, std::string_view header, std::string
         refuseFile(file, "the .npy header has no " + std::string(key));
     }
     const std::string_view value = trimmed(header.substr(at + label.size()));
-    const char end = value.starts_with('(') ? ')' : value.starts_with('\'') ? '\'' : ',';
+    char end = ',';
+    if (value.starts_with('(')) {
+        end = ')';
+    } else if (value.starts_with('\'')) {
+        end = '\'';
+    }
     return value.substr(0, value.find(end, 1));
 }
 
@@ -91,7 +97,7 @@ std::vector<double> readNpy(const path& file, std::string_view bytes) {
         );
     }
     const std::size_t available = (bytes.size() - start) / (isFloat ? 4 : 8);
-    if (available < static_cast<std::size_t>(*count)) {
+    if (std::cmp_less(available, *count)) {
         refuseFile(
             file,
             "is truncated: " + std::to_string(available) + " of " + std::to_string(*count) +

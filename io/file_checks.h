@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,7 +13,17 @@
 // where a face repeats a vertex) naming file and place.
 namespace bspline_curve {
 
-enum class PlyScalar { None, Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
+enum class PlyScalar : std::uint8_t {
+    None,
+    Int8,
+    UInt8,
+    Int16,
+    UInt16,
+    Int32,
+    UInt32,
+    Float,
+    Double
+};
 
 /// What the importer must find.
 struct ExpectedMesh {

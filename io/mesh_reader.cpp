@@ -104,7 +104,7 @@ MeshFile readMeshFile(const std::filesystem::path& file) {
         expected = checkStl(file, bytes);
         imported = importStl(file);
     } else {
-        CheckedOff off = checkOff(file, bytes);
+        const CheckedOff off = checkOff(file, bytes);
         expected = off.expected;
         imported = importOffText(off.text);
     }
@@ -115,7 +115,7 @@ MeshFile readMeshFile(const std::filesystem::path& file) {
     if (extension == ".stl") {
         imported.mesh = welded(imported.mesh);
     }
-    return {std::move(imported.mesh), std::move(imported.quality)};
+    return {.mesh = std::move(imported.mesh), .quality = std::move(imported.quality)};
 }
 
 TriangleMesh readMesh(const std::filesystem::path& file) {

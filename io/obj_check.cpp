@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -32,7 +33,7 @@ public:
         if (!repeating_.empty()) {
             refuseRepeating();
         }
-        if (highestLineIndex_ > static_cast<long long>(expected_.vertices)) {
+        if (std::cmp_greater(highestLineIndex_, expected_.vertices)) {
             refuseFile(
                 file_,
                 "a line element names vertex " + std::to_string(highestLineIndex_) + " of " +
@@ -115,7 +116,10 @@ private:
             refuse(inQuotes(corner) + " is not a vertex index");
         }
         const auto known = static_cast<long long>(expected_.vertices);
-        const long long id = fromZero ? *index : *index > 0 ? *index - 1 : known + *index;
+        long long id = *index;  // from 0, as QOBJ counts
+        if (!fromZero) {
+            id = *index > 0 ? *index - 1 : known + *index;
+        }
         if (id < 0 || id >= known) {
             refuse(
                 "the face names vertex " + std::to_string(*index) + ", but " +

@@ -68,7 +68,7 @@ private:
         faces_ = count(words[1]);
     }
 
-    std::size_t count(std::string_view word) const {
+    [[nodiscard]] std::size_t count(std::string_view word) const {
         const auto value = parseInteger(word);
         if (!value || *value < 0 || *value > 0x7fffffff) {
             refuse(inQuotes(word) + " is not a count");

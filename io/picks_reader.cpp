@@ -167,9 +167,11 @@ public:
 
 private:
     void chooseSeparator(std::string_view line) {
-        separator_ = line.find(';') != std::string_view::npos    ? ';'
-                     : line.find('\t') != std::string_view::npos ? '\t'
-                                                                 : ',';
+        if (line.find(';') != std::string_view::npos) {
+            separator_ = ';';
+        } else if (line.find('\t') != std::string_view::npos) {
+            separator_ = '\t';
+        }
     }
 
     /// A first line with a word that is no number is a header.

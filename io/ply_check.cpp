@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/file_checks.h"
+#include "io/ply_header.h"
 #include "io/text_parsing.h"
 #include "surface/input_error.h"
 
@@ -7,200 +8,22 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <utility>
 #include <vector>
 
 namespace bspline_curve {
 
 namespace {
 
-struct Property {
-    std::string name;
-    PlyScalar type = PlyScalar::None;
-    PlyScalar countType = PlyScalar::None;  ///< None: not a list
-};
-
-struct Element {
-    std::string name;
-    std::size_t count = 0;
-    std::vector<Property> properties;
-};
-
-enum class Format { Ascii, LittleEndian, BigEndian };
-
-struct Header {
-    Format format = Format::Ascii;
-    std::vector<Element> elements;
-    std::size_t size = 0;  ///< in bytes; the data follow
-};
-
-constexpr std::array<std::pair<std::string_view, PlyScalar>, 16> kTypeNames{{
-    {"char", PlyScalar::Int8},
-    {"int8", PlyScalar::Int8},
-    {"uchar", PlyScalar::UInt8},
-    {"uint8", PlyScalar::UInt8},
-    {"short", PlyScalar::Int16},
-    {"int16", PlyScalar::Int16},
-    {"ushort", PlyScalar::UInt16},
-    {"uint16", PlyScalar::UInt16},
-    {"int", PlyScalar::Int32},
-    {"int32", PlyScalar::Int32},
-    {"uint", PlyScalar::UInt32},
-    {"uint32", PlyScalar::UInt32},
-    {"float", PlyScalar::Float},
-    {"float32", PlyScalar::Float},
-    {"double", PlyScalar::Double},
-    {"float64", PlyScalar::Double},
-}};
-
-PlyScalar typeNamed(std::string_view name) {
-    const auto* const found =
-        std::ranges::find(kTypeNames, name, &std::pair<std::string_view, PlyScalar>::first);
-    return found == kTypeNames.end() ? PlyScalar::None : found->second;
-}
-
-std::string nameOf(PlyScalar type) {
-    const auto* const found =
-        std::ranges::find(kTypeNames, type, &std::pair<std::string_view, PlyScalar>::second);
-    return found == kTypeNames.end() ? "none" : std::string(found->first);
-}
-
-std::size_t sizeOf(PlyScalar type) {
-    switch (type) {
-        case PlyScalar::None:
-            return 0;
-        case PlyScalar::Int8:
-        case PlyScalar::UInt8:
-            return 1;
-        case PlyScalar::Int16:
-        case PlyScalar::UInt16:
-            return 2;
-        case PlyScalar::Int32:
-        case PlyScalar::UInt32:
-        case PlyScalar::Float:
-            return 4;
-        case PlyScalar::Double:
-            return 8;
-    }
-    return 0;
-}
-
-bool isFloating(PlyScalar type) {
-    return type == PlyScalar::Float || type == PlyScalar::Double;
-}
-
-// ---------------------------------------------------------------- header
-
-class HeaderReader {
-public:
-    HeaderReader(const std::filesystem::path& file, std::string_view bytes)
-        : file_(file), bytes_(bytes) {}
-
-    Header run() {
-        if (!bytes_.starts_with("ply\n") && !bytes_.starts_with("ply\r\n")) {
-            refuseFile(file_, "is not a PLY file (it does not start with \"ply\")");
-        }
-        bool ended = false;
-        while (!ended) {
-            ended = readLine();
-        }
-        if (!formatSeen_) {
-            refuseFile(file_, "the PLY header names no format");
-        }
-        return std::move(header_);
-    }
-
-private:
-    /// Takes one line; true at the last.
-    bool readLine() {
-        const std::size_t end = bytes_.find('\n', header_.size);
-        if (end == std::string_view::npos) {
-            refuseFile(file_, "the PLY header does not end");
-        }
-        const auto words = splitAtBlanks(bytes_.substr(header_.size, end - header_.size));
-        header_.size = end + 1;
-        ++line_;
-        if (words.empty()) {
-            refuse("an empty line in the header");
-        }
-        if (words[0] == "format") {
-            readFormat(words);
-        } else if (words[0] == "element") {
-            readElement(words);
-        } else if (words[0] == "property") {
-            readProperty(words);
-        }
-        return words[0] == "end_header";
-    }
-
-    void readFormat(const std::vector<std::string_view>& words) {
-        const std::string_view name = words.size() > 1 ? words[1] : std::string_view();
-        if (name == "ascii") {
-            header_.format = Format::Ascii;
-        } else if (name == "binary_little_endian") {
-            header_.format = Format::LittleEndian;
-        } else if (name == "binary_big_endian") {
-            header_.format = Format::BigEndian;
-        } else {
-            refuse("unknown format " + inQuotes(name));
-        }
-        formatSeen_ = true;
-    }
-
-    void readElement(const std::vector<std::string_view>& words) {
-        const auto count = parseInteger(words.size() == 3 ? words[2] : std::string_view());
-        if (!count || *count < 0 || *count > 0x7fffffff) {
-            refuse("an element needs a name and a count");
-        }
-        const auto same = [&](const Element& element) { return element.name == words[1]; };
-        if (std::ranges::any_of(header_.elements, same)) {
-            refuse("the element " + inQuotes(words[1]) + " comes twice");
-        }
-        header_.elements.push_back({std::string(words[1]), static_cast<std::size_t>(*count), {}});
-    }
-
-    void readProperty(const std::vector<std::string_view>& words) {
-        const bool isList = words.size() > 1 && words[1] == "list";
-        if (header_.elements.empty() || words.size() != (isList ? 5U : 3U)) {
-            refuse("a property that belongs nowhere or is not complete");
-        }
-        Property property;
-        property.name = words.back();
-        property.type = typeNamed(words[words.size() - 2]);
-        property.countType = isList ? typeNamed(words[2]) : PlyScalar::None;
-        if (property.type == PlyScalar::None ||
-            (isList && (property.countType == PlyScalar::None || isFloating(property.countType)))) {
-            refuse("unknown type in " + inQuotes(words[1]) + " … " + inQuotes(property.name));
-        }
-        header_.elements.back().properties.push_back(std::move(property));
-    }
-
-    [[noreturn]] void refuse(const std::string& reason) const { refuseLine(file_, line_, reason); }
-
-    const std::filesystem::path& file_;
-    std::string_view bytes_;
-    Header header_;
-    std::size_t line_ = 0;
-    bool formatSeen_ = false;
-};
-
-const Property* find(const Element& element, std::string_view name) {
-    const auto found = std::ranges::find(element.properties, name, &Property::name);
-    return found == element.properties.end() ? nullptr : &*found;
-}
-
-// ---------------------------------------------------------------- data
-
 /// Runs over the numbers of the data part. Where one is missing or is not a number, `failed` stays
 /// true.
 class DataCursor {
 public:
-    DataCursor(std::string_view data, Format format) : data_(data), format_(format) {}
+    DataCursor(std::string_view data, PlyFormat format) : data_(data), format_(format) {}
 
     [[nodiscard]] bool failed() const { return failed_; }
 
     void skip(PlyScalar type) {
-        if (format_ == Format::Ascii) {
+        if (format_ == PlyFormat::Ascii) {
             static_cast<void>(number(type));
         } else {
             static_cast<void>(take(sizeOf(type)));
@@ -211,7 +34,7 @@ public:
     void skipBytes(std::size_t count) { static_cast<void>(take(count)); }
 
     double number(PlyScalar type) {
-        if (format_ == Format::Ascii) {
+        if (format_ == PlyFormat::Ascii) {
             return asciiNumber(type);
         }
         switch (type) {
@@ -273,7 +96,7 @@ private:
         }
         std::array<char, sizeof(Number)> copy{};
         std::ranges::copy(bytes, copy.begin());
-        if (format_ == Format::BigEndian) {
+        if (format_ == PlyFormat::BigEndian) {
             std::ranges::reverse(copy);
         }
         std::memcpy(&value, copy.data(), sizeof value);
@@ -281,18 +104,18 @@ private:
     }
 
     std::string_view data_;
-    Format format_;
+    PlyFormat format_;
     bool failed_ = false;
 };
 
 class DataCheck {
 public:
-    DataCheck(const std::filesystem::path& file, const Header& header, std::string_view data)
+    DataCheck(const std::filesystem::path& file, const PlyHeader& header, std::string_view data)
         : file_(file), header_(header), cursor_(data, header.format) {}
 
     void run(ExpectedMesh& expected) {
         vertices_ = static_cast<double>(expected.vertices);
-        for (const Element& element : header_.elements) {
+        for (const PlyElement& element : header_.elements) {
             checkElement(element);
         }
         expected.triangles = triangles_;
@@ -308,13 +131,14 @@ public:
     }
 
 private:
-    void checkElement(const Element& element) {
-        const bool hasList = std::ranges::any_of(element.properties, [](const Property& property) {
-            return property.countType != PlyScalar::None;
-        });
-        if (!hasList && header_.format != Format::Ascii) {
+    void checkElement(const PlyElement& element) {
+        const bool hasList =
+            std::ranges::any_of(element.properties, [](const PlyProperty& property) {
+                return property.countType != PlyScalar::None;
+            });
+        if (!hasList && header_.format != PlyFormat::Ascii) {
             std::size_t size = 0;
-            for (const Property& property : element.properties) {
+            for (const PlyProperty& property : element.properties) {
                 size += sizeOf(property.type);
             }
             cursor_.skipBytes(size * element.count);
@@ -322,14 +146,14 @@ private:
             return;
         }
         for (std::size_t i = 0; i < element.count; ++i) {
-            for (const Property& property : element.properties) {
+            for (const PlyProperty& property : element.properties) {
                 checkProperty(element, property, i);
             }
             refuseIfFailed(element, i);
         }
     }
 
-    void checkProperty(const Element& element, const Property& property, std::size_t i) {
+    void checkProperty(const PlyElement& element, const PlyProperty& property, std::size_t i) {
         if (property.countType == PlyScalar::None) {
             cursor_.skip(property.type);
             return;
@@ -373,7 +197,7 @@ private:
         }
     }
 
-    void refuseIfFailed(const Element& element, std::size_t i) const {
+    void refuseIfFailed(const PlyElement& element, std::size_t i) const {
         if (!cursor_.failed()) {
             return;
         }
@@ -386,7 +210,7 @@ private:
     }
 
     const std::filesystem::path& file_;
-    const Header& header_;
+    const PlyHeader& header_;
     DataCursor cursor_;
     double vertices_ = 0.0;
     std::size_t triangles_ = 0;
@@ -396,41 +220,41 @@ private:
 
 // ---------------------------------------------------------------- what vcglib needs of the header
 
-ExpectedMesh expectVertices(const std::filesystem::path& file, const Header& header) {
-    const auto vertex = std::ranges::find(header.elements, "vertex", &Element::name);
+ExpectedMesh expectVertices(const std::filesystem::path& file, const PlyHeader& header) {
+    const auto vertex = std::ranges::find(header.elements, "vertex", &PlyElement::name);
     if (vertex == header.elements.end() || vertex->count == 0) {
         refuseFile(file, "has no vertices");
     }
     ExpectedMesh expected;
     expected.vertices = vertex->count;
     for (const char* name : {"x", "y", "z"}) {
-        const Property* const property = find(*vertex, name);
+        const PlyProperty* const property = findProperty(*vertex, name);
         if (property == nullptr || !isFloating(property->type)) {
             refuseFile(
                 file, std::string("the vertices have no ") + name + " of type float or double"
             );
         }
-        if (header.format == Format::BigEndian && property->type == PlyScalar::Double) {
+        if (header.format == PlyFormat::BigEndian && property->type == PlyScalar::Double) {
             refuseFile(
                 file, "big-endian double coordinates are not supported; save it little-endian"
             );
         }
     }
-    const Property* const quality = find(*vertex, "quality");
+    const PlyProperty* const quality = findProperty(*vertex, "quality");
     if (quality != nullptr && isFloating(quality->type) &&
-        (header.format != Format::BigEndian || quality->type == PlyScalar::Float)) {
+        (header.format != PlyFormat::BigEndian || quality->type == PlyScalar::Float)) {
         expected.quality = quality->type;
     }
     return expected;
 }
 
-void checkElementsKnown(const std::filesystem::path& file, const Header& header) {
-    for (const Element& element : header.elements) {
+void checkElementsKnown(const std::filesystem::path& file, const PlyHeader& header) {
+    for (const PlyElement& element : header.elements) {
         if (element.name == "tristrips" || element.name == "range_grid") {
             refuseFile(file, "has " + inQuotes(element.name) + ", not faces; save it as triangles");
         }
-        if (element.name == "edge" &&
-            (find(element, "vertex1") == nullptr || find(element, "vertex2") == nullptr)) {
+        if (element.name == "edge" && (findProperty(element, "vertex1") == nullptr ||
+                                       findProperty(element, "vertex2") == nullptr)) {
             refuseFile(file, "its edges have no vertex1 and vertex2");
         }
     }
@@ -439,15 +263,15 @@ void checkElementsKnown(const std::filesystem::path& file, const Header& header)
 }  // namespace
 
 ExpectedMesh checkPly(const std::filesystem::path& file, std::string_view bytes) {
-    const Header header = HeaderReader(file, bytes).run();
+    const PlyHeader header = readPlyHeader(file, bytes);
     ExpectedMesh expected = expectVertices(file, header);
     checkElementsKnown(file, header);
-    const auto face = std::ranges::find(header.elements, "face", &Element::name);
+    const auto face = std::ranges::find(header.elements, "face", &PlyElement::name);
     if (face == header.elements.end() || face->count == 0) {
         refuseFile(file, "has no faces");
     }
-    const Property* indices = find(*face, "vertex_indices");
-    indices = indices != nullptr ? indices : find(*face, "vertex_index");
+    const PlyProperty* indices = findProperty(*face, "vertex_indices");
+    indices = indices != nullptr ? indices : findProperty(*face, "vertex_index");
     if (indices == nullptr || indices->countType == PlyScalar::None) {
         refuseFile(file, "the faces have no list vertex_indices");
     }

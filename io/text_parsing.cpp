@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <fstream>
+#include <memory>
 #include <system_error>
 
 namespace bspline_curve {
@@ -21,8 +22,9 @@ std::optional<Number> parseWhole(std::string_view token) {
         token.remove_prefix(1);
     }
     Number value{};
-    const char* const end = token.data() + token.size();
-    const auto [stop, error] = std::from_chars(token.data(), end, value);
+    const char* const begin = std::to_address(token.begin());
+    const char* const end = begin + token.size();
+    const auto [stop, error] = std::from_chars(begin, end, value);
     if (error != std::errc() || stop != end) {
         return std::nullopt;
     }
