@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/curve_designer.h"
+
+#include "design/guide_path.h"
+#include "design/strict_polyline.h"
+#include "shell/shell_builder.h"
+#include "solver/solve.h"
+#include "surface/input_error.h"
+#include "surface/picks.h"
+#include "surface/stopwatch.h"
+#include "surface/triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+struct CurveDesigner::State {
+    State(TriangleMesh mesh, const ShellOptions& options, const Progress& progress)
+        : surface(std::move(mesh)),
+          validated(watch.lap()),
+          tree(surface.vertices(), surface.faces()),
+          treeBuilt(watch.lap()),
+          base(makeShellBase(surface, options.smoothingPasses)),
+          build(buildShell(base, options, progress)) {
+        seconds = {validated, treeBuilt, watch.lap()};
+    }
+
+    Stopwatch watch;
+    Surface surface;
+    double validated;
+    TriangleTree tree;
+    double treeBuilt;
+    ShellBase base;
+    ShellBuild build;
+    StageSeconds seconds;
+
+    [[nodiscard]] CurveProblem makeProblem(
+        const SolverOptions& options,
+        std::vector<PickConstraint> picks,
+        std::span<const double> field
+    ) const;
+    [[nodiscard]] std::vector<double> fieldOnPillars(std::span<const double> field) const;
+    void refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const;
+    [[nodiscard]] SplineData exportSpline(
+        const SplineCurve& curve, const CurveProblem& problem
+    ) const;
+};
+
+std::vector<double> CurveDesigner::State::fieldOnPillars(std::span<const double> field) const {
+    if (field.empty()) {
+        return {};
+    }
+    if (field.size() != surface.vertices().size()) {
+        throw InputError(
+            InputErrorCode::BadField,
+            "the field has " + std::to_string(field.size()) + " values for " +
+                std::to_string(surface.vertices().size()) + " vertices: give one value per vertex"
+        );
+    }
+    std::vector<std::int64_t> bad;
+    for (std::size_t v = 0; v < field.size(); ++v) {
+        if (!std::isfinite(field[v])) {
+            bad.push_back(static_cast<std::int64_t>(v));
+        }
+    }
+    if (!bad.empty()) {
+        throw InputError(
+            InputErrorCode::BadField,
+            "the field is not finite at " + std::to_string(bad.size()) + " vertices (" +
+                describeElements(bad) + "): give a number there",
+            bad
+        );
+    }
+    std::vector<double> values(field.begin(), field.end());
+    for (const int origin : base.ghostOrigin) {
+        values.push_back(field[at(origin)]);
+    }
+    return values;
+}
+
+void CurveDesigner::State::refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const {
+    const std::vector<int>& blocked = build.report.blockedFaces;
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        if (std::binary_search(blocked.begin(), blocked.end(), picks[i].face)) {
+            throw InputError(
+                InputErrorCode::SelfIntersection,
+                "pick " + std::to_string(i) + " lies in face " + std::to_string(picks[i].face) +
+                    ", where the surface crosses itself or folds onto itself: move the pick, or "
+                    "repair the "
+                    "mesh there",
+                {picks[i].face}
+            );
+        }
+    }
+}
+
+CurveProblem CurveDesigner::State::makeProblem(
+    const SolverOptions& options, std::vector<PickConstraint> picks, std::span<const double> field
+) const {
+    CurveProblem problem;
+    problem.shell = &build.shell;
+    problem.base = &base;
+    problem.picks = std::move(picks);
+    problem.field = fieldOnPillars(field);
+    problem.options = options;
+    problem.averageEdgeLength = surface.averageEdgeLength() / base.frame.scale;
+    for (std::size_t i = 0; i + 1 < problem.picks.size(); ++i) {
+        problem.chordLength += (problem.picks[i + 1].position - problem.picks[i].position).norm();
+    }
+    if (options.closed) {
+        problem.chordLength +=
+            (problem.picks.front().position - problem.picks.back().position).norm();
+    }
+    return problem;
+}
+
+SplineData CurveDesigner::State::exportSpline(
+    const SplineCurve& curve, const CurveProblem& problem
+) const {
+    SplineData data;
+    data.degree = curve.space.degree();
+    data.closed = curve.space.closed();
+    data.knots = curve.space.knotVector();
+    const int repeated = data.closed ? data.degree : 0;
+    for (int i = 0; i < curve.space.controlCount() + repeated; ++i) {
+        const int c = i % curve.space.controlCount();
+        data.controlPoints.push_back(base.frame.toUser(curve.controls.row(c).transpose()));
+    }
+    for (const PickConstraint& pick : problem.picks) {
+        data.pickParameters.push_back(pick.parameter);
+    }
+    return data;
+}
+
+CurveDesigner::CurveDesigner(
+    TriangleMesh mesh, const ShellOptions& options, const Progress& progress
+)
+    : state_(std::make_unique<State>(std::move(mesh), options, progress)) {}
+
+CurveDesigner::~CurveDesigner() = default;
+CurveDesigner::CurveDesigner(CurveDesigner&&) noexcept = default;
+CurveDesigner& CurveDesigner::operator=(CurveDesigner&&) noexcept = default;
+
+const Surface& CurveDesigner::surface() const {
+    return state_->surface;
+}
+
+const StageSeconds& CurveDesigner::seconds() const {
+    return state_->seconds;
+}
+
+Curve CurveDesigner::design(
+    const std::vector<Vec3>& picks,
+    const SolverOptions& options,
+    const SamplingOptions& sampling,
+    std::span<const double> field,
+    const Progress& progress
+) const {
+    options.validate();
+    sampling.validate();
+    Stopwatch watch;
+    const State& state = *state_;
+    const std::vector<SurfacePoint> located =
+        locatePicks(state.surface, state.tree, picks, options.closed);
+    state.refuseBlockedPicks(located);
+    PickPath path = makePickPath(
+        state.surface, state.base, located, options.closed, state.build.report.blockedFaces
+    );
+    CurveProblem problem = state.makeProblem(options, std::move(path.picks), field);
+    problem.progress = progress;
+    const double pathSeconds = watch.lap();
+
+    const Solution solution = solve(problem, path.guide);
+    watch.lap();
+
+    Curve curve;
+    const ShadowCurve shadow(problem, solution.curve.space, solution.curve.controls);
+    curve.polyline = makeStrictPolyline(state.surface, problem, shadow, sampling);
+    curve.spline = state.exportSpline(solution.curve, problem);
+    curve.report = solution.report;
+    curve.report.seconds.path = pathSeconds;
+    curve.report.seconds.polyline = watch.lap();
+    report(progress, 1.0, "done");
+    return curve;
+}
+
+SurfacePolyline CurveDesigner::resample(const Curve& curve, const SamplingOptions& sampling) const {
+    sampling.validate();
+    const State& state = *state_;
+    const SplineData& data = curve.spline;
+    const auto degree = static_cast<std::ptrdiff_t>(data.degree);
+    const SplineSpace space(
+        data.degree,
+        data.closed,
+        std::vector<double>(data.knots.begin() + degree, data.knots.end() - degree)
+    );
+    ControlPoints controls(space.controlCount(), 3);
+    for (int c = 0; c < space.controlCount(); ++c) {
+        controls.row(c) = state.base.frame.toUnit(data.controlPoints[at(c)]).transpose();
+    }
+    std::vector<PickConstraint> picks;
+    for (std::size_t i = 0; i < data.pickParameters.size(); ++i) {
+        const SurfacePoint& point = curve.polyline.surfacePoints[at(curve.polyline.picks[i])];
+        picks.push_back({point, state.base.position(point), data.pickParameters[i]});
+    }
+    SolverOptions options;
+    options.degree = data.degree;
+    options.closed = data.closed;
+    const CurveProblem problem = state.makeProblem(options, std::move(picks), {});
+    return makeStrictPolyline(
+        state.surface, problem, ShadowCurve(problem, space, controls), sampling
+    );
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/curve.h"
+#include "shell/shell_options.h"
+#include "solver/options.h"
+#include "surface/progress.h"
+#include "surface/surface.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+
+struct StageSeconds {
+    double validate = 0.0, tree = 0.0, shell = 0.0;  ///< once per surface
+};
+
+/// Draws curves on one surface; keeps what can be used again for the next curve (tree, shell).
+class CurveDesigner {
+public:
+    /// Validates the mesh and builds the shell. Throws InputError, Cancelled.
+    explicit CurveDesigner(
+        TriangleMesh mesh, const ShellOptions& options = {}, const Progress& progress = {}
+    );
+    ~CurveDesigner();
+    CurveDesigner(CurveDesigner&&) noexcept;
+    CurveDesigner& operator=(CurveDesigner&&) noexcept;
+
+    /// One curve through the picks (user's unit). `field` holds one finite value per vertex, or is
+    /// empty. Throws InputError, Cancelled. A curve that did not reach its tolerance is returned,
+    /// with report.usable == false.
+    [[nodiscard]] Curve design(
+        const std::vector<Vec3>& picks,
+        const SolverOptions& options = {},
+        const SamplingOptions& sampling = {},
+        std::span<const double> field = {},
+        const Progress& progress = {}
+    ) const;
+
+    /// The polyline of a curve of this designer at another sampling, without solving again.
+    [[nodiscard]] SurfacePolyline resample(
+        const Curve& curve, const SamplingOptions& sampling
+    ) const;
+
+    [[nodiscard]] const Surface& surface() const;
+    [[nodiscard]] const StageSeconds& seconds() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace bspline_curve

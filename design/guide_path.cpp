@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/guide_path.h"
+
+#include "surface/geodesic_path.h"
+#include "surface/input_error.h"
+
+#include <optional>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+[[noreturn]] void throwNoPath(
+    std::size_t from, std::size_t to, const std::vector<int>& blockedFaces
+) {
+    std::string message = "no way along the surface from pick " + std::to_string(from) +
+                          " to pick " + std::to_string(to);
+    std::vector<std::int64_t> elements(blockedFaces.begin(), blockedFaces.end());
+    if (blockedFaces.empty()) {
+        throw InputError(InputErrorCode::NoPath, message + ": move a pick", std::move(elements));
+    }
+    message += " that avoids the " + std::to_string(blockedFaces.size()) +
+               " faces where the surface crosses itself or folds (faces " +
+               describeElements(elements) +
+               "): repair them (in MeshLab: Select Self Intersecting Faces, delete, Close Holes), "
+               "or move a pick";
+    throw InputError(InputErrorCode::SelfIntersection, message, std::move(elements));
+}
+
+}  // namespace
+
+PickPath makePickPath(
+    const Surface& surface,
+    const ShellBase& base,
+    const std::vector<SurfacePoint>& picks,
+    bool closed,
+    const std::vector<int>& blockedFaces
+) {
+    std::vector<char> blocked;
+    if (!blockedFaces.empty()) {
+        blocked.assign(at(surface.faceCount()), 0);
+        for (const int f : blockedFaces) {
+            blocked[at(f)] = 1;
+        }
+    }
+    GeodesicPathFinder finder(surface, std::move(blocked));
+    PickPath result;
+    double length = 0.0;
+    const auto add = [&](const SurfacePoint& point) {
+        const Vec3 position = base.position(point);
+        if (!result.guide.points.empty()) {
+            length += (position - result.guide.points.back().position).norm();
+        }
+        result.guide.points.push_back({length, point, position});
+    };
+    const std::size_t intervals = closed ? picks.size() : picks.size() - 1;
+    for (std::size_t i = 0; i < intervals; ++i) {
+        const std::size_t next = (i + 1) % picks.size();
+        const std::optional<GeodesicPath> path = finder.find(picks[i], picks[next]);
+        if (!path) {
+            throwNoPath(i, next, blockedFaces);
+        }
+        for (std::size_t k = 0; k < path->points.size(); ++k) {
+            // A path starts where the one before ended, but perhaps in another of the faces that
+            // hold the pick.
+            add(path->points[k]);
+            if (k == 0) {
+                result.picks.push_back(
+                    {path->points[0], result.guide.points.back().position, length}
+                );
+            }
+        }
+        if (i + 1 == intervals && !closed) {
+            const GuidePath::Point& last = result.guide.points.back();
+            result.picks.push_back({last.point, last.position, length});
+        }
+    }
+    for (GuidePath::Point& point : result.guide.points) {
+        point.parameter /= length;
+    }
+    for (PickConstraint& pick : result.picks) {
+        pick.parameter /= length;
+    }
+    result.guide.points.back().parameter = 1.0;
+    if (!closed) {
+        result.picks.back().parameter = 1.0;
+    }
+    return result;
+}
+
+}  // namespace bspline_curve

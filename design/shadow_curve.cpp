@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/shadow_curve.h"
+
+#include "solver/curve_tracer.h"
+#include "surface/surface_point.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// Clears rounding: a point that a cell holds has coordinates in [0, 1] up to the cell's tolerance.
+Vec3 clamped(Vec3 barycentric) {
+    barycentric = barycentric.cwiseMax(0.0);
+    return barycentric / barycentric.sum();
+}
+
+}  // namespace
+
+ShadowCurve::ShadowCurve(
+    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+)
+    : problem_(problem), space_(space), controls_(controls) {
+    const auto parameter = [&](int span, double tau) {
+        return space.breaks()[bspline_curve::at(span)] + tau * space.spanLength(span);
+    };
+    const int spans = traceCurve(
+        problem,
+        space,
+        controls,
+        [&](int span, const PolynomialCurve&, const ShellCell& cell, double, double tau1) {
+            pieces_.push_back({parameter(span, tau1), span, cell.tet});
+        },
+        [&](int span,
+            const PolynomialCurve& curve,
+            const ShellCell& from,
+            const ShellCell& to,
+            double tau,
+            int) {
+            if (from.prism == to.prism) {
+                return;
+            }
+            Vec3 shadow = from.shadow(curve.at(tau));
+            const Triangle& face = problem_.base->faces[bspline_curve::at(from.prism)];
+            const Triangle& other = problem_.base->faces[bspline_curve::at(to.prism)];
+            for (int corner = 0; corner < 3; ++corner) {
+                if (cornerOf(other, face[bspline_curve::at(corner)]) < 0) {
+                    shadow[corner] = 0.0;
+                }
+            }
+            crossings_.push_back({parameter(span, tau), toSurface(from.prism, clamped(shadow))});
+        }
+    );
+    if (spans != space.spanCount()) {
+        throw std::logic_error(
+            "the shadow was asked of a spline that leaves its shell on span " +
+            std::to_string(spans)
+        );
+    }
+}
+
+SurfacePoint ShadowCurve::toSurface(int prism, const Vec3& shadow) const {
+    const ShellBase& base = *problem_.base;
+    if (!problem_.shell->isGhost(prism)) {
+        return {prism, shadow};
+    }
+    // A ghost triangle collapses onto the boundary edge that it grew from.
+    int face = prism;
+    while (problem_.shell->isGhost(face)) {
+        face = base.faceNeighbours[bspline_curve::at(face)][2];
+    }
+    SurfacePoint point{face, Vec3::Zero()};
+    for (int corner = 0; corner < 3; ++corner) {
+        const int vertex =
+            base.surfaceVertex(base.faces[bspline_curve::at(prism)][bspline_curve::at(corner)]);
+        point.barycentric[cornerOf(base.faces[bspline_curve::at(face)], vertex)] += shadow[corner];
+    }
+    return point;
+}
+
+SurfacePoint ShadowCurve::at(double t) const {
+    const auto found =
+        std::lower_bound(pieces_.begin(), pieces_.end(), t, [](const Piece& piece, double value) {
+            return piece.end < value;
+        });
+    const Piece& piece = found == pieces_.end() ? pieces_.back() : *found;
+    const double tau =
+        (t - space_.breaks()[bspline_curve::at(piece.span)]) / space_.spanLength(piece.span);
+    const ShellCell cell(*problem_.shell, piece.tet);
+    return toSurface(
+        cell.prism, clamped(cell.shadow(space_.polynomial(controls_, piece.span).at(tau)))
+    );
+}
+
+}  // namespace bspline_curve

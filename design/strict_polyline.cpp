@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/strict_polyline.h"
+
+#include "surface/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bspline_curve {
+namespace {
+
+// Vertices nearer to a mesh edge or vertex than this (barycentric) lie on it.
+constexpr double kSnap = 1e-9;
+// Vertices nearer than this to each other (relative to the diagonal) are one.
+constexpr double kCoincident = 1e-10;
+// A segment is halved at most this often to meet the maximal length.
+constexpr int kMaxHalvings = 24;
+
+struct Vertex {
+    double parameter;
+    SurfacePoint point;
+    Vec3 position;
+    int pick;  // -1: none
+};
+
+class PolylineMaker {
+public:
+    PolylineMaker(const Surface& surface, const CurveProblem& problem, const ShadowCurve& shadow)
+        : surface_(surface), problem_(problem), shadow_(shadow) {}
+
+    SurfacePolyline make(const SamplingOptions& sampling) {
+        collect(sampling.samples);
+        removeCoincident();
+        if (sampling.maxSegmentLength > 0.0) {
+            limitLengths(sampling.maxSegmentLength);
+        }
+        SurfacePolyline line;
+        line.closed = problem_.options.closed;
+        if (line.closed) {
+            vertices_.pop_back();  // the first pick once more
+        }
+        line.picks.resize(problem_.picks.size());
+        for (const Vertex& vertex : vertices_) {
+            if (vertex.pick >= 0) {
+                line.picks[static_cast<std::size_t>(vertex.pick)] =
+                    static_cast<int>(line.points.size());
+            }
+            line.surfacePoints.push_back(vertex.point);
+            line.points.push_back(vertex.position);
+            line.parameters.push_back(vertex.parameter);
+        }
+        return line;
+    }
+
+private:
+    [[nodiscard]] Vertex makeVertex(
+        double parameter, const SurfacePoint& point, int pick = -1
+    ) const {
+        const SurfacePoint exact = pick >= 0 ? point : snapped(point, kSnap);
+        return {parameter, exact, surface_.position(exact), pick};
+    }
+
+    void collect(int samples) {
+        for (std::size_t i = 0; i < problem_.picks.size(); ++i) {
+            vertices_.push_back(makeVertex(
+                problem_.picks[i].parameter, problem_.picks[i].point, static_cast<int>(i)
+            ));
+        }
+        if (problem_.options.closed) {
+            vertices_.push_back(makeVertex(1.0, problem_.picks[0].point, 0));
+        }
+        for (const ShadowCurve::Crossing& crossing : shadow_.crossings()) {
+            vertices_.push_back(makeVertex(crossing.parameter, crossing.point));
+        }
+        for (int i = 1; i < samples; ++i) {
+            const double t = static_cast<double>(i) / samples;
+            vertices_.push_back(makeVertex(t, shadow_.at(t)));
+        }
+        std::stable_sort(vertices_.begin(), vertices_.end(), [](const Vertex& a, const Vertex& b) {
+            return a.parameter < b.parameter;
+        });
+    }
+
+    // Drops vertices that coincide with the one before or after and are not needed to stay in one
+    // face; picks stay.
+    void removeCoincident() {
+        const double near = kCoincident * surface_.diagonal();
+        std::vector<Vertex> kept;
+        for (std::size_t i = 0; i < vertices_.size(); ++i) {
+            const Vertex& vertex = vertices_[i];
+            if (!kept.empty() && (vertex.position - kept.back().position).norm() <= near) {
+                if (vertex.pick < 0) {
+                    if (i + 1 == vertices_.size() ||
+                        commonFace(surface_, kept.back().point, vertices_[i + 1].point) >= 0 ||
+                        vertex.position == kept.back().position) {
+                        continue;
+                    }
+                } else if (kept.back().pick < 0 && kept.size() >= 2 &&
+                           commonFace(surface_, kept[kept.size() - 2].point, vertex.point) >= 0) {
+                    kept.back() = vertex;
+                    continue;
+                }
+            }
+            kept.push_back(vertex);
+        }
+        vertices_.swap(kept);
+    }
+
+    void limitLengths(double longest) {
+        std::vector<Vertex> finer{vertices_.front()};
+        for (std::size_t i = 1; i < vertices_.size(); ++i) {
+            halve(finer, vertices_[i], longest, 0);
+        }
+        vertices_.swap(finer);
+    }
+
+    // Appends `to` after finer.back(), with vertices between where the segment is too long.
+    void halve(std::vector<Vertex>& finer, const Vertex& to, double longest, int depth) {
+        const Vertex from = finer.back();
+        if ((to.position - from.position).norm() > longest && depth < kMaxHalvings) {
+            const double t = 0.5 * (from.parameter + to.parameter);
+            const Vertex middle = makeVertex(t, shadow_.at(t));
+            if (commonFace(surface_, from.point, middle.point) >= 0 &&
+                commonFace(surface_, middle.point, to.point) >= 0) {
+                halve(finer, middle, longest, depth + 1);
+                halve(finer, to, longest, depth + 1);
+                return;
+            }
+        }
+        finer.push_back(to);
+    }
+
+    const Surface& surface_;
+    const CurveProblem& problem_;
+    const ShadowCurve& shadow_;
+    std::vector<Vertex> vertices_;
+};
+
+}  // namespace
+
+SurfacePolyline makeStrictPolyline(
+    const Surface& surface,
+    const CurveProblem& problem,
+    const ShadowCurve& shadow,
+    const SamplingOptions& sampling
+) {
+    return PolylineMaker(surface, problem, shadow).make(sampling);
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/curve.h"
+#include "design/shadow_curve.h"
+#include "surface/surface.h"
+
+namespace bspline_curve {
+
+/// The polyline strictly on the surface (end of Sect. 4.4): crossings of edges, picks and samples
+/// of the shadow. Consecutive vertices always share a face. O(n log n) in the number of vertices.
+[[nodiscard]] SurfacePolyline makeStrictPolyline(
+    const Surface& surface,
+    const CurveProblem& problem,
+    const ShadowCurve& shadow,
+    const SamplingOptions& sampling
+);
+
+}  // namespace bspline_curve

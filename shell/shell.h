@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+#include <array>
+#include <vector>
+
+namespace bspline_curve {
+
+/// The broken line bottom-middle-top at a vertex of the shell's middle surface S_M; f is -1, 0, 1
+/// on its points.
+struct Pillar {
+    Vec3 bottom, middle, top;
+};
+
+/// A prism of two slabs over one middle triangle. Slots 0, 1, 2 are its pillars in ascending order
+/// of their index, which is the rank that the split into tetrahedra follows, so that neighbours
+/// agree on the diagonals.
+struct Prism {
+    std::array<int, 3> pillars{};
+    /// Prism across the wall opposite to slot k; -1 where the shell ends.
+    std::array<int, 3> neighbours{};
+    /// Slot k is vertex faceCorner[k] of the face.
+    std::array<signed char, 3> faceCorner{};
+    /// Which wall of neighbours[k] is shared with wall k.
+    std::array<signed char, 3> neighbourWalls{};
+    /// +1 where the slots run counter-clockwise seen from the top, else -1.
+    signed char orientation = 1;
+};
+
+/// One vertex of a tetrahedron of the split: a pillar's slot, and whether it lies on the outer
+/// surface (top or bottom) instead of the middle.
+struct SplitVertex {
+    signed char slot;
+    bool outer;
+};
+
+/// The split of a slab [Ma Mb Mc Uc], [Ma Mb Uc Ub], [Ma Ua Ub Uc], from the middle outwards.
+inline constexpr std::array<std::array<SplitVertex, 4>, 3> kSlabSplit = {
+    {{{{0, false}, {1, false}, {2, false}, {2, true}}},
+     {{{0, false}, {1, false}, {2, true}, {1, true}}},
+     {{{0, false}, {0, true}, {1, true}, {2, true}}}}
+};
+
+inline constexpr int kTetrahedraPerPrism = 6;
+
+/// A shell: prisms around the surface, every one split into six tetrahedra, with a piecewise affine
+/// f in [-1, 1] (paper, Sect. 4.1; Jiang et al. 2020). Coordinates are in the shell's frame: the
+/// surface's box centred at the origin, its diagonal 1. Tetrahedron ids are 6 * prism + 3 * slab +
+/// k with slab 0 = top, 1 = bottom.
+///
+/// This first form has one prism per face of the surface (prism i over face i, ghost prisms after
+/// them), so the surface lies at f = 0. Curves reach it through cell(), neighbour() and locate()
+/// alone.
+class Shell {
+public:
+    Shell(std::vector<Pillar> pillars, std::vector<Prism> prisms, int surfaceFaceCount);
+
+    [[nodiscard]] const std::vector<Pillar>& pillars() const { return pillars_; }
+
+    [[nodiscard]] const std::vector<Prism>& prisms() const { return prisms_; }
+
+    [[nodiscard]] int tetrahedronCount() const {
+        return static_cast<int>(prisms_.size()) * kTetrahedraPerPrism;
+    }
+
+    /// Ghost prisms continue the shell half an edge beyond a boundary, so that a curve may swing
+    /// out a little on its way to a minimum; the surface has no face there.
+    [[nodiscard]] bool isGhost(int prism) const { return prism >= surfaceFaceCount_; }
+
+    [[nodiscard]] int surfaceFaceCount() const { return surfaceFaceCount_; }
+
+    /// Tetrahedron across the face opposite to vertex k of tetrahedron `tet`; -1 where the shell
+    /// ends.
+    [[nodiscard]] int neighbour(int tet, int k) const;
+
+    /// A tetrahedron that holds a point of the surface.
+    [[nodiscard]] int locate(const SurfacePoint& point) const;
+
+    /// The point at height w in [-1, 1] of the fibre through a point of the surface.
+    [[nodiscard]] Vec3 lift(const SurfacePoint& point, double w) const;
+
+    [[nodiscard]] Vec3 position(int tet, int k) const;
+
+private:
+    std::vector<Pillar> pillars_;
+    std::vector<Prism> prisms_;
+    int surfaceFaceCount_;
+};
+
+}  // namespace bspline_curve

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/shell_base.h"
+
+#include "shell/pillar_directions.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace bspline_curve {
+namespace {
+
+// A weighted average is kept as direction where it sees every face at least this well.
+constexpr double kGoodAverageCosine = 0.3;
+// How often, and how far towards its ring's mean, a singular vertex moves.
+constexpr int kMaxMoves = 60;
+constexpr double kMoveFraction = 0.25;
+// Width of the ghost strip in local mean edge lengths, and how often it is halved where it folds.
+constexpr double kGhostWidth = 0.5;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+struct VertexStar {
+    std::vector<Vec3> normals;
+    std::vector<Vec3> areaNormals;
+};
+
+class BaseBuilder {
+public:
+    BaseBuilder(const Surface& surface, ShellBase& base) : surface_(surface), base_(base) {}
+
+    void placeVertices() {
+        Eigen::AlignedBox3d box;
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            if (!surface_.facesAround(v).empty()) {
+                box.extend(surface_.vertices()[at(v)]);
+            }
+        }
+        base_.frame = {box.center(), surface_.diagonal()};
+        base_.surfaceVertexCount = surface_.vertexCount();
+        base_.surfaceFaceCount = surface_.faceCount();
+        base_.vertices.reserve(surface_.vertices().size());
+        for (const Vec3& vertex : surface_.vertices()) {
+            base_.vertices.push_back(base_.frame.toUnit(vertex));
+        }
+        base_.faces = surface_.faces();
+        base_.faceNeighbours = surface_.faceNeighbours();
+    }
+
+    void measureEdges() {
+        base_.edgeLengths.assign(base_.vertices.size(), 0.0);
+        std::vector<int> counts(base_.vertices.size(), 0);
+        for (const Triangle& face : base_.faces) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int a = face[k];
+                const int b = face[(k + 1) % 3];
+                const double length = (base_.vertices[at(a)] - base_.vertices[at(b)]).norm();
+                for (const int v : {a, b}) {
+                    base_.edgeLengths[at(v)] += length;
+                    ++counts[at(v)];
+                }
+            }
+        }
+        for (std::size_t v = 0; v < counts.size(); ++v) {
+            base_.edgeLengths[v] /= std::max(1, counts[v]);
+        }
+    }
+
+    // Directions of all vertices; a vertex that none sees moves towards its ring's mean until one
+    // does.
+    void findDirections() {
+        base_.directions.assign(base_.vertices.size(), Vec3::UnitZ());
+        std::vector<int> unseen;
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            if (!surface_.facesAround(v).empty() && !findDirection(v)) {
+                unseen.push_back(v);
+            }
+        }
+        std::vector<char> moved(base_.vertices.size(), 0);
+        for (int round = 0; round < kMaxMoves && !unseen.empty(); ++round) {
+            unseen = moveVertices(unseen, moved);
+        }
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            if (moved[at(v)] != 0) {
+                base_.movedVertices.push_back(v);
+            }
+        }
+        base_.unseenVertices = unseen;
+    }
+
+    // Averages directions over the ring, each kept only where the smallest cosine does not suffer.
+    void smoothDirections(int passes) {
+        std::vector<Vec3> next;
+        for (int pass = 0; pass < passes; ++pass) {
+            next = base_.directions;
+            for (int v = 0; v < surface_.vertexCount(); ++v) {
+                if (surface_.facesAround(v).empty()) {
+                    continue;
+                }
+                Vec3 sum = Vec3::Zero();
+                for (const int f : surface_.facesAround(v)) {
+                    for (const int corner : base_.faces[at(f)]) {
+                        sum += base_.directions[at(corner)];
+                    }
+                }
+                const double length = sum.norm();
+                if (length < kLeastPillarCosine) {
+                    continue;
+                }
+                sum /= length;
+                gatherNormals(v);
+                const double now = leastCosine(base_.directions[at(v)], star_.normals);
+                if (leastCosine(sum, star_.normals) >= std::min(now, kSmoothEnoughCosine)) {
+                    next[at(v)] = sum;
+                }
+            }
+            base_.directions.swap(next);
+        }
+    }
+
+private:
+    // Smoothing may cost a pillar some of its view as long as it keeps this much.
+    static constexpr double kSmoothEnoughCosine = 0.8;
+
+    void gatherNormals(int v) {
+        star_.normals.clear();
+        star_.areaNormals.clear();
+        for (const int f : surface_.facesAround(v)) {
+            const Triangle& face = base_.faces[at(f)];
+            const Vec3 normal =
+                (base_.vertices[at(face[1])] - base_.vertices[at(face[0])])
+                    .cross(base_.vertices[at(face[2])] - base_.vertices[at(face[0])]);
+            star_.areaNormals.push_back(normal);
+            star_.normals.push_back(normal.normalized());
+        }
+    }
+
+    bool findDirection(int v) {
+        gatherNormals(v);
+        Vec3 average = Vec3::Zero();
+        for (std::size_t i = 0; i < star_.normals.size(); ++i) {
+            average += cornerAngle(surface_.facesAround(v).begin()[i], v) * star_.normals[i];
+        }
+        const double length = average.norm();
+        if (length > 0.0 && leastCosine(average / length, star_.normals) >= kGoodAverageCosine) {
+            base_.directions[at(v)] = average / length;
+            return true;
+        }
+        base_.directions[at(v)] = directionOfLeastAngle(star_.normals);
+        return leastCosine(base_.directions[at(v)], star_.normals) >= kLeastPillarCosine;
+    }
+
+    [[nodiscard]] double cornerAngle(int f, int v) const {
+        const Triangle& face = base_.faces[at(f)];
+        const std::size_t k = face[0] == v ? 0 : (face[1] == v ? 1 : 2);
+        const Vec3 a = base_.vertices[at(face[(k + 1) % 3])] - base_.vertices[at(v)];
+        const Vec3 b = base_.vertices[at(face[(k + 2) % 3])] - base_.vertices[at(v)];
+        return std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+
+    // One step of all unseen vertices; returns those that are unseen now, ascending.
+    std::vector<int> moveVertices(const std::vector<int>& unseen, std::vector<char>& moved) {
+        std::vector<Vec3> targets;
+        std::vector<int> touched;
+        for (const int v : unseen) {
+            Vec3 sum = Vec3::Zero();
+            int count = 0;
+            for (const int f : surface_.facesAround(v)) {
+                for (const int corner : base_.faces[at(f)]) {
+                    touched.push_back(corner);
+                    if (corner != v) {
+                        sum += base_.vertices[at(corner)];
+                        ++count;
+                    }
+                }
+            }
+            targets.emplace_back(sum / count);
+        }
+        for (std::size_t i = 0; i < unseen.size(); ++i) {
+            Vec3& p = base_.vertices[at(unseen[i])];
+            p += kMoveFraction * (targets[i] - p);
+            moved[at(unseen[i])] = 1;
+        }
+        std::sort(touched.begin(), touched.end());
+        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+        std::vector<int> still;
+        for (const int v : touched) {
+            if (!findDirection(v)) {
+                still.push_back(v);
+            }
+        }
+        return still;
+    }
+
+    const Surface& surface_;
+    ShellBase& base_;
+    VertexStar star_;
+};
+
+// Grows the ghost strip: each boundary edge gets a quad, each boundary vertex one ghost.
+class GhostBuilder {
+public:
+    GhostBuilder(const Surface& surface, ShellBase& base) : surface_(surface), base_(base) {}
+
+    void build() {
+        collectBoundary();
+        placeGhosts();
+        addFaces();
+    }
+
+private:
+    struct BoundaryEdge {
+        int face, from, to;  // in the face's own order
+    };
+
+    void collectBoundary() {
+        nextEdge_.assign(base_.vertices.size(), -1);
+        previousEdge_.assign(base_.vertices.size(), -1);
+        for (int f = 0; f < surface_.faceCount(); ++f) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (surface_.faceNeighbours()[at(f)][k] >= 0) {
+                    continue;
+                }
+                const Triangle& face = surface_.faces()[at(f)];
+                const int from = face[(k + 1) % 3];
+                const int to = face[(k + 2) % 3];
+                nextEdge_[at(from)] = static_cast<int>(edges_.size());
+                previousEdge_[at(to)] = static_cast<int>(edges_.size());
+                edges_.push_back({f, from, to});
+            }
+        }
+    }
+
+    [[nodiscard]] Vec3 outward(const BoundaryEdge& edge) const {
+        const Vec3 normal = base_.directions[at(edge.from)] + base_.directions[at(edge.to)];
+        return (base_.vertices[at(edge.to)] - base_.vertices[at(edge.from)])
+            .cross(normal)
+            .normalized();
+    }
+
+    void placeGhosts() {
+        ghostOf_.assign(base_.vertices.size(), -1);
+        for (const BoundaryEdge& edge : edges_) {
+            const int v = edge.from;
+            if (previousEdge_[at(v)] < 0) {
+                continue;
+            }
+            const Vec3 sum = outward(edge) + outward(edges_[at(previousEdge_[at(v)])]);
+            const double length = sum.norm();
+            const Vec3 direction = length > 0.0 ? Vec3(sum / length) : outward(edge);
+            ghostOf_[at(v)] = static_cast<int>(base_.vertices.size());
+            base_.ghostOrigin.push_back(v);
+            base_.vertices.push_back(
+                base_.vertices[at(v)] + kGhostWidth * base_.edgeLengths[at(v)] * direction
+            );
+            base_.directions.push_back(base_.directions[at(v)]);
+            base_.edgeLengths.push_back(base_.edgeLengths[at(v)]);
+        }
+    }
+
+    // The quad beyond edge from->to is (to, from, from') and (to, from', to'). It is left out, and
+    // the shell ends at that edge, where it would stand on its head (narrow notches).
+    void addFaces() {
+        std::vector<int> firstFace(edges_.size(), -1);
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            const BoundaryEdge& edge = edges_[e];
+            const int fromGhost = ghostOf_[at(edge.from)];
+            const int toGhost = ghostOf_[at(edge.to)];
+            const Triangle inner = {edge.to, edge.from, fromGhost};
+            const Triangle outer = {edge.to, fromGhost, toGhost};
+            if (fromGhost < 0 || toGhost < 0 || !isUpright(inner) || !isUpright(outer)) {
+                continue;
+            }
+            const int f = static_cast<int>(base_.faces.size());
+            firstFace[e] = f;
+            base_.faces.push_back(inner);
+            base_.faces.push_back(outer);
+            base_.faceNeighbours.push_back({-1, f + 1, edge.face});
+            base_.faceNeighbours.push_back({-1, -1, f});
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Triangle& face = base_.faces[at(edge.face)];
+                if (face[(k + 1) % 3] == edge.from && face[(k + 2) % 3] == edge.to) {
+                    base_.faceNeighbours[at(edge.face)][k] = f;
+                }
+            }
+        }
+        // Neighbouring quads share the edge from a boundary vertex to its ghost.
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            const int after = nextEdge_[at(edges_[e].to)];
+            if (firstFace[e] >= 0 && after >= 0 && firstFace[at(after)] >= 0) {
+                base_.faceNeighbours[at(firstFace[e] + 1)][1] = firstFace[at(after)];
+                base_.faceNeighbours[at(firstFace[at(after)])][0] = firstFace[e] + 1;
+            }
+        }
+    }
+
+    [[nodiscard]] bool isUpright(const Triangle& face) const {
+        if (face[2] < 0) {
+            return false;
+        }
+        const Vec3 normal = (base_.vertices[at(face[1])] - base_.vertices[at(face[0])])
+                                .cross(base_.vertices[at(face[2])] - base_.vertices[at(face[0])]);
+        const double length = normal.norm();
+        return std::all_of(face.begin(), face.end(), [&](int v) {
+            return normal.dot(base_.directions[at(v)]) > kLeastPillarCosine * length;
+        });
+    }
+
+    const Surface& surface_;
+    ShellBase& base_;
+    std::vector<BoundaryEdge> edges_;
+    std::vector<int> nextEdge_, previousEdge_, ghostOf_;
+};
+
+}  // namespace
+
+ShellBase makeShellBase(const Surface& surface, int smoothingPasses) {
+    ShellBase base;
+    BaseBuilder builder(surface, base);
+    builder.placeVertices();
+    builder.findDirections();
+    builder.measureEdges();
+    builder.smoothDirections(smoothingPasses);
+    GhostBuilder(surface, base).build();
+    return base;
+}
+
+}  // namespace bspline_curve

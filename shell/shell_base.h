@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/surface.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// Rigid-scale frame of the shell: unit = (user - centre) / scale.
+struct ShellFrame {
+    Vec3 centre = Vec3::Zero();
+    double scale = 1.0;
+
+    [[nodiscard]] Vec3 toUnit(const Vec3& user) const { return (user - centre) / scale; }
+
+    [[nodiscard]] Vec3 toUser(const Vec3& unit) const { return unit * scale + centre; }
+};
+
+/// What the shell is built around: the surface in the shell's frame, with the same connectivity, a
+/// few vertices moved so that every vertex sees all its faces from some direction, and a strip of
+/// ghost faces beyond each boundary.
+struct ShellBase {
+    ShellFrame frame;
+    std::vector<Vec3> vertices;            ///< those of the surface, then ghosts
+    std::vector<Triangle> faces;           ///< those of the surface, then ghosts
+    std::vector<Triangle> faceNeighbours;  ///< as Surface::faceNeighbours, over all faces
+    std::vector<Vec3> directions;          ///< unit pillar direction of each vertex
+    /// Mean length of the edges at each vertex; 0 at unreferenced ones.
+    std::vector<double> edgeLengths;
+    int surfaceVertexCount = 0, surfaceFaceCount = 0;
+    std::vector<int>
+        ghostOrigin;  ///< boundary vertex that ghost vertex surfaceVertexCount + i grew from
+    std::vector<int>
+        movedVertices;  ///< vertices of the surface that had to move (singular vertices)
+    std::vector<int> unseenVertices;  ///< vertices that got no direction all the same
+
+    [[nodiscard]] Vec3 position(const SurfacePoint& point) const {
+        const Triangle& face = faces[static_cast<std::size_t>(point.face)];
+        return point.barycentric[0] * vertices[static_cast<std::size_t>(face[0])] +
+               point.barycentric[1] * vertices[static_cast<std::size_t>(face[1])] +
+               point.barycentric[2] * vertices[static_cast<std::size_t>(face[2])];
+    }
+
+    /// The vertex of the surface behind a vertex: itself, or the boundary vertex that a ghost grew
+    /// from.
+    [[nodiscard]] int surfaceVertex(int vertex) const {
+        return vertex < surfaceVertexCount
+                   ? vertex
+                   : ghostOrigin[static_cast<std::size_t>(vertex - surfaceVertexCount)];
+    }
+};
+
+/// Smallest cosine between a pillar direction and the normals of the faces around it that is
+/// accepted.
+inline constexpr double kLeastPillarCosine = 0.05;
+
+/// Moves singular vertices, adds ghosts, finds and smooths directions. O(n).
+[[nodiscard]] ShellBase makeShellBase(const Surface& surface, int smoothingPasses);
+
+}  // namespace bspline_curve

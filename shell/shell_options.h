@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace bspline_curve {
+
+struct ShellOptions {
+    /// Largest distance of top and bottom from the surface, in mean lengths of the edges at each
+    /// vertex, > 0.
+    double thickness = 0.75;
+    /// Rounds of averaging of the pillar directions, >= 0.
+    int smoothingPasses = 3;
+
+    /// Throws InputError (BadOption).
+    void validate() const;
+};
+
+}  // namespace bspline_curve

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/shell.h"
+#include "shell/shell_base.h"
+#include "solver/options.h"
+#include "surface/progress.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// A pick in the shell's frame, with the parameter at which the curve passes it.
+struct PickConstraint {
+    SurfacePoint point;
+    Vec3 position;
+    double parameter = 0.0;  ///< t_ki; 0 for the first
+};
+
+/// One curve to solve for: the shell, the picks, the field; all in the shell's frame.
+struct CurveProblem {
+    const Shell* shell = nullptr;
+    const ShellBase* base = nullptr;
+    std::vector<PickConstraint> picks;
+    std::vector<double> field;  ///< one value per pillar, or empty
+    SolverOptions options;
+    double chordLength = 0.0;        ///< L of (4)
+    double averageEdgeLength = 0.0;  ///< in the shell's frame
+    Progress progress;
+};
+
+}  // namespace bspline_curve

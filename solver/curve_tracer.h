@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/polynomial_trace.h"
+#include "solver/curve_problem.h"
+#include "solver/spline_space.h"
+
+#include <optional>
+
+namespace bspline_curve {
+
+/// The cell at the start of a curve, found by walking from the first pick, near which every curve
+/// starts. Nothing where that walk leaves the shell.
+[[nodiscard]] inline std::optional<TraceState> startOfCurve(
+    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+) {
+    const PickConstraint& first = problem.picks.front();
+    TraceState state{ShellCell(*problem.shell, problem.shell->locate(first.point)), 0};
+    PolynomialCurve line;
+    line.degree = 1;
+    line.coefficients[0] = first.position;
+    line.coefficients[1] = space.polynomial(controls, 0).coefficients[0] - first.position;
+    const bool inside = tracePolynomial(
+        *problem.shell,
+        line,
+        1.0,
+        state,
+        [](const ShellCell&, double, double) {},
+        [](const ShellCell&, const ShellCell&, double, int) {}
+    );
+    return inside ? std::optional(state) : std::nullopt;
+}
+
+/// Traces a whole spline: onPiece(span, curve, cell, tau0, tau1), onCrossing(span, curve, from, to,
+/// tau, k). Returns the number of spans traced to their end; fewer than all where the curve leaves
+/// the shell.
+template <class OnPiece, class OnCrossing>
+int traceCurve(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    OnPiece&& onPiece,
+    OnCrossing&& onCrossing
+) {
+    std::optional<TraceState> state = startOfCurve(problem, space, controls);
+    if (!state) {
+        return 0;
+    }
+    for (int span = 0; span < space.spanCount(); ++span) {
+        const PolynomialCurve curve = space.polynomial(controls, span);
+        const bool inside = tracePolynomial(
+            *problem.shell,
+            curve,
+            1.0,
+            *state,
+            [&](const ShellCell& cell, double tau0, double tau1) {
+                onPiece(span, curve, cell, tau0, tau1);
+            },
+            [&](const ShellCell& from, const ShellCell& to, double tau, int k) {
+                onCrossing(span, curve, from, to, tau, k);
+            }
+        );
+        if (!inside) {
+            return span;
+        }
+    }
+    return space.spanCount();
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/curve_problem.h"
+#include "solver/spline_space.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// A way along the surface through all picks, by parameter: what the first spline follows.
+struct GuidePath {
+    struct Point {
+        double parameter;  ///< ascending in [0, 1]
+        SurfacePoint point;
+        Vec3 position;  ///< in the shell's frame
+    };
+
+    std::vector<Point> points;  ///< closed: ends where it starts, with parameter 1
+};
+
+struct SplineCurve {
+    SplineSpace space;
+    ControlPoints controls;
+};
+
+/// The first spline, made as the options say. Throws InputError (NoShell).
+[[nodiscard]] SplineCurve makeFirstCurve(const CurveProblem& problem, const GuidePath& guide);
+
+/// First spline by least squares: follows the guide path, passes all picks, lies in the shell.
+/// Spans that leave the shell are halved and the fit repeated. Throws InputError (NoShell) where no
+/// fit stays inside.
+[[nodiscard]] SplineCurve fitGuidePath(const CurveProblem& problem, const GuidePath& guide);
+
+}  // namespace bspline_curve

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/knot_insertion.h"
+
+#include "solver/barrier.h"
+#include "solver/curve_tracer.h"
+#include "solver/minimiser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// Spans that together promise this share of the gain are halved at once: 0.7 costs twice the
+// rounds, 1.0 more knots.
+constexpr double kShareOfGain = 0.9;
+// The barrier in the feature function is cut off here, below its pole.
+constexpr double kHighest = 0.999;
+
+std::vector<double> halveSpans(
+    const SplineSpace& space, const std::vector<char>& marked, double minimumSpan
+) {
+    std::vector<double> breaks{space.breaks().front()};
+    for (int span = 0; span < space.spanCount(); ++span) {
+        if (marked[at(span)] != 0 && 0.5 * space.spanLength(span) >= minimumSpan) {
+            breaks.push_back(0.5 * (space.breaks()[at(span)] + space.breaks()[at(span) + 1]));
+        }
+        breaks.push_back(space.breaks()[at(span) + 1]);
+    }
+    return breaks;
+}
+
+}  // namespace
+
+KnotDemand predictGain(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    const EnergyWeights& weights,
+    const BendingDirections& directions
+) {
+    KnotDemand gain;
+    gain.perSpan.assign(at(space.spanCount()), 0.0);
+    const SplineSpace fine(
+        space.degree(),
+        space.closed(),
+        halveSpans(space, std::vector<char>(at(space.spanCount()), 1), 0.0)
+    );
+    const ControlPoints fineControls = refine(space, controls, fine);
+    const std::vector<InterpolationRow> rows = interpolationRows(fine, problem.picks);
+    CurveEnergy energy(problem, fine, rows);
+    SplineSystem system(fine, rows);
+    EnergyDerivatives derivatives;
+    if (problem.options.bending == Bending::Geodesic) {
+        std::optional<BendingDirections> resampled = energy.directionsAlong(fineControls);
+        if (!resampled) {
+            return gain;
+        }
+        for (BendingDirections::Sample& sample : resampled->samples) {
+            sample.direction = directions.at(sample.parameter);
+        }
+        energy.setDirections(*resampled);
+    }
+    if (!energy.evaluate(fineControls, weights, derivatives).inside) {
+        return gain;
+    }
+    // Negative kinks can make the finer Hessian nearly singular, and the promise without bound:
+    // leave them out.
+    for (SpanMatrix& block : derivatives.negativeKinks) {
+        block.setZero();
+    }
+    const std::optional<Eigen::VectorXd> step =
+        newtonStep(system, derivatives, problem.options.interpolation, fineControls);
+    if (!step) {
+        return gain;
+    }
+    gain.total = -0.5 * derivatives.gradient.dot(*step);
+    // The fall is half the step's energy norm, which the spans share.
+    SpanVector local(3 * fine.basisCount());
+    for (int span = 0; span < fine.spanCount(); ++span) {
+        for (int j = 0; j < fine.basisCount(); ++j) {
+            local.segment<3>(3 * j) =
+                step->segment<3>(3 * static_cast<Eigen::Index>(fine.control(span, j)));
+        }
+        gain.perSpan[at(span / 2)] += 0.5 * local.dot(derivatives.hessian[at(span)] * local);
+    }
+    return gain;
+}
+
+std::vector<double> halveLargest(
+    const SplineSpace& space, const KnotDemand& gain, double minimumSpan
+) {
+    std::vector<int> order(gain.perSpan.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        return gain.perSpan[at(a)] > gain.perSpan[at(b)];
+    });
+    const double sum = std::accumulate(gain.perSpan.begin(), gain.perSpan.end(), 0.0);
+    std::vector<char> marked(gain.perSpan.size(), 0);
+    double reached = 0.0;
+    for (const int span : order) {
+        if (reached >= kShareOfGain * sum || gain.perSpan[at(span)] <= 0.0) {
+            break;
+        }
+        reached += gain.perSpan[at(span)];
+        marked[at(span)] = 1;
+    }
+    return halveSpans(space, marked, minimumSpan);
+}
+
+KnotDemand featureFunction(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    const EnergyWeights& weights
+) {
+    KnotDemand feature;
+    feature.perSpan.assign(at(space.spanCount()), 0.0);
+    const double tension = problem.options.tension;
+    const auto onPiece = [&](int span,
+                             const PolynomialCurve& curve,
+                             const ShellCell& cell,
+                             double tau0,
+                             double tau1) {
+        const double length = space.spanLength(span);
+        const double tau = 0.5 * (tau0 + tau1);
+        const Triangle& face = problem.base->faces[at(cell.prism)];
+        // Within a cell the shadow is an affine image of the curve, so are its derivatives.
+        const auto shadowOf = [&](const Vec3& derivative) {
+            Vec3 image = Vec3::Zero();
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                image += cell.shadowGradients[corner].dot(derivative) *
+                         problem.base->vertices[at(face[corner])];
+            }
+            return image;
+        };
+        const Vec3 first = curve.derivativeAt(tau) / length;
+        const Vec3 second = curve.secondDerivativeAt(tau) / (length * length);
+        const double height =
+            std::min(std::abs(cell.height(curve.at(tau))), kHighest * weights.barrierWidth);
+        feature.perSpan[at(span)] += (tau1 - tau0) * length *
+                                     (tension * (first - shadowOf(first)).squaredNorm() +
+                                      (1.0 - tension) * (second - shadowOf(second)).squaredNorm() +
+                                      weights.alpha * barrierValue(height, weights.barrierWidth));
+    };
+    traceCurve(
+        problem,
+        space,
+        controls,
+        onPiece,
+        [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
+    );
+    feature.total = std::accumulate(feature.perSpan.begin(), feature.perSpan.end(), 0.0);
+    return feature;
+}
+
+std::vector<double> insertByFeature(
+    const SplineSpace& space, const KnotDemand& feature, double minimumSpan
+) {
+    const double average = feature.total / space.spanCount();  // (21), (22) with r = 1
+    std::vector<double> breaks{space.breaks().front()};
+    for (int span = 0; span < space.spanCount(); ++span) {
+        const double length = space.spanLength(span);
+        const int wanted =
+            average > 0.0 ? static_cast<int>(feature.perSpan[at(span)] / average) : 0;
+        const int allowed = static_cast<int>(length / minimumSpan) - 1;
+        const int count = std::clamp(wanted, 0, std::max(0, allowed));
+        for (int i = 1; i <= count; ++i) {
+            breaks.push_back(space.breaks()[at(span)] + length * i / (count + 1));
+        }
+        breaks.push_back(space.breaks()[at(span) + 1]);
+    }
+    return breaks;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace bspline_curve {
+
+/// What to bend (4): the whole second derivative, as in the paper, or only the part that the
+/// surface does not force.
+enum class Bending { Geodesic, Ambient };
+/// c(x) of the field term (5).
+enum class FieldCost { Identity, Square, ExpMinus };
+/// How the first spline is made: a fit to the geodesic through the picks, or Alg. 2 of the paper.
+enum class InitialCurve { GeodesicFit, ControlPolygon };
+/// Where the integrals are sampled: exactly cell by cell, or at evenly spaced parameters (14)-(16).
+enum class Quadrature { Cells, Samples };
+/// Upper bound h of the barrier (11): 1, or tightened around the current curve by (12).
+enum class BarrierWidth { Full, Tight };
+/// Weight alpha of E_dist: a geometric schedule, or (18).
+enum class DistanceWeight { Schedule, Adaptive };
+/// How picks are interpolated: eliminated as linear constraints, or the penalty E_fit (9) with
+/// weight beta.
+enum class Interpolation { Constraint, Penalty };
+/// Which spans get knots: those where energy or distance asks for them, or the feature function
+/// (19)-(23).
+enum class KnotRule { EnergyAndDistance, FeatureFunction };
+
+/// Options of one curve. The defaults are what measured best; paperPreset() is what the paper says.
+struct SolverOptions {
+    int degree = 3;            ///< polynomial degree (the paper's k), 2, 3 or 4
+    bool closed = false;       ///< a periodic curve through the picks; at least 3 picks
+    double tension = 0.0;      ///< lambda of (4), in [0, 1]: 0 smooth, 1 straight
+    double fieldWeight = 1.0;  ///< mu of (7), >= 0; has no effect without a field
+    FieldCost fieldCost = FieldCost::Identity;
+
+    double distanceTolerance = 0.1;  ///< epsilon of (3), in average edge lengths, > 0
+    Bending bending = Bending::Geodesic;
+    double normalBendingWeight =
+        0.05;  ///< delta: share of normal bending kept by Bending::Geodesic, in (0, 1]
+    InitialCurve initialCurve = InitialCurve::GeodesicFit;
+    Quadrature quadrature = Quadrature::Cells;
+    int samplesPerSpan = 24;  ///< evenly spaced samples per knot span for Quadrature::Samples, >= 4
+    BarrierWidth barrierWidth = BarrierWidth::Full;
+    DistanceWeight distanceWeight = DistanceWeight::Schedule;
+    Interpolation interpolation = Interpolation::Constraint;
+    KnotRule knotRule = KnotRule::EnergyAndDistance;
+    int maxRounds = 24;       ///< rounds of minimisation and knot insertion, >= 1
+    int maxIterations = 100;  ///< Newton iterations per round, >= 1
+    double minimumSpan =
+        1e-4;  ///< epsilon_int of (23): no knot span shorter than this, in (0, 0.1]
+
+    /// Throws InputError (BadOption) naming field, value and rule.
+    void validate() const;
+};
+
+/// The settings of the paper (2023), for comparison; degree, closed, tension and field stay at
+/// their defaults.
+[[nodiscard]] SolverOptions paperPreset();
+
+}  // namespace bspline_curve

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/solve_report.h"
+
+namespace bspline_curve {
+
+const char* name(SolveStatus status) {
+    switch (status) {
+        case SolveStatus::Converged:
+            return "converged";
+        case SolveStatus::DistanceReached:
+            return "distance reached";
+        case SolveStatus::KnotLimit:
+            return "knot limit";
+        case SolveStatus::RoundLimit:
+            return "round limit";
+        case SolveStatus::Cancelled:
+            return "cancelled";
+    }
+    return "unknown";
+}
+
+const char* name(MinimiseStatus status) {
+    switch (status) {
+        case MinimiseStatus::Converged:
+            return "converged";
+        case MinimiseStatus::EarlyStop:
+            return "early stop";
+        case MinimiseStatus::LineSearchStalled:
+            return "line search stalled";
+        case MinimiseStatus::IterationLimit:
+            return "iteration limit";
+        case MinimiseStatus::NotPositive:
+            return "not positive definite";
+    }
+    return "unknown";
+}
+
+}  // namespace bspline_curve

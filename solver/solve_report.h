@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+
+/// Why a minimisation or the whole solve stopped.
+enum class SolveStatus {
+    Converged,        ///< within tolerance, and more knots no longer change the result
+    DistanceReached,  ///< max distance below tolerance, but the last minimisation did not converge
+    KnotLimit,        ///< no knot may be inserted any more (23), distance still above tolerance
+    RoundLimit,       ///< rounds used up, distance still above tolerance
+    Cancelled,        ///< the progress callback asked to stop
+};
+
+enum class MinimiseStatus { Converged, EarlyStop, LineSearchStalled, IterationLimit, NotPositive };
+
+[[nodiscard]] const char* name(SolveStatus status);
+[[nodiscard]] const char* name(MinimiseStatus status);
+
+/// The four terms of (7), unweighted, and their weights.
+struct EnergyTerms {
+    double internal = 0.0, external = 0.0, distance = 0.0, fit = 0.0;
+};
+
+struct IterationReport {
+    int round = 0;
+    double total = 0.0;  ///< weighted sum (7)
+    EnergyTerms terms;
+    double decrement = 0.0;  ///< Newton decrement, half the squared norm, in units of the energy
+    double step = 0.0;       ///< accepted step length in (0, 1]
+};
+
+struct RoundReport {
+    double alpha = 0.0, beta = 0.0;
+    int knots = 0;
+    int iterations = 0;
+    MinimiseStatus status = MinimiseStatus::Converged;
+    double maxDistance = 0.0;  ///< in average edge lengths
+};
+
+/// How a curve came about: what every stage did and why it stopped.
+struct SolveReport {
+    SolveStatus status = SolveStatus::RoundLimit;
+    /// True where the curve may be used: it passes all picks and lies within the tolerance of the
+    /// surface.
+    bool usable = false;
+    int knotsFirst = 0, knotsLast = 0;  ///< length of the knot vector, end knots with multiplicity
+    double maxDistance = 0.0;  ///< largest distance of spline and surface, in average edge lengths
+    double maxPickGap = 0.0;   ///< largest |P(t_ki) - x_i|, relative to the diagonal
+    int newtonIterations = 0;
+    std::vector<RoundReport> rounds;
+    std::vector<IterationReport> iterations;
+
+    struct Seconds {
+        double path = 0.0, initial = 0.0, minimise = 0.0, knots = 0.0, polyline = 0.0;
+    } seconds;
+};
+
+}  // namespace bspline_curve

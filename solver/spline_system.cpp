@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/spline_system.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// The multipliers have converged when the constraints hold to rounding, relative to the step.
+constexpr double kConstraintAccuracy = 1e-15;
+constexpr int kMaxMultiplierSteps = 4;
+
+}  // namespace
+
+std::vector<InterpolationRow> interpolationRows(
+    const SplineSpace& space, const std::vector<PickConstraint>& picks
+) {
+    std::vector<InterpolationRow> rows;
+    for (const PickConstraint& pick : picks) {
+        const int span = space.spanAt(pick.parameter);
+        const double tau = (pick.parameter - space.breaks()[at(span)]) / space.spanLength(span);
+        rows.push_back({span, space.basisAt(span, tau), pick.position});
+    }
+    return rows;
+}
+
+SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows)
+    : space_(space), rows_(std::move(rows)) {
+    const int unknowns = 3 * space.controlCount();
+    const int size = 3 * space.basisCount();
+    const auto unknownOf = [&](int span, int i) { return 3 * space.control(span, i / 3) + i % 3; };
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int span = 0; span < space.spanCount(); ++span) {
+        for (int i = 0; i < size; ++i) {
+            for (int j = 0; j < size; ++j) {
+                const int row = unknownOf(span, i);
+                const int column = unknownOf(span, j);
+                if (row >= column) {
+                    entries.emplace_back(row, column, 1.0);
+                }
+            }
+        }
+    }
+    matrix_.resize(unknowns, unknowns);
+    matrix_.setFromTriplets(entries.begin(), entries.end());
+    factor_.analyzePattern(matrix_);
+
+    slots_.reserve(at(space.spanCount() * size * size));
+    for (int span = 0; span < space.spanCount(); ++span) {
+        for (int j = 0; j < size; ++j) {
+            for (int i = 0; i < size; ++i) {
+                const int row = unknownOf(span, i);
+                const int column = unknownOf(span, j);
+                if (row < column) {
+                    slots_.push_back(-1);
+                    continue;
+                }
+                const int* first = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
+                const int* last = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
+                slots_.push_back(
+                    static_cast<int>(std::lower_bound(first, last, row) - matrix_.innerIndexPtr())
+                );
+            }
+        }
+    }
+}
+
+void SplineSystem::addBlock(int span, const SpanMatrix& block) {
+    const int size = 3 * space_.basisCount();
+    const int* slot = slots_.data() + static_cast<std::ptrdiff_t>(span) * size * size;
+    double* values = matrix_.valuePtr();
+    for (int j = 0; j < size; ++j) {
+        for (int i = 0; i < size; ++i, ++slot) {
+            if (*slot >= 0) {
+                values[*slot] += block(i, j);
+            }
+        }
+    }
+}
+
+bool SplineSystem::factorise(const std::vector<SpanMatrix>& blocks, double fitWeight) {
+    std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        addBlock(span, blocks[at(span)]);
+    }
+    largestDiagonal_ = matrix_.diagonal().maxCoeff();
+    const int size = 3 * space_.basisCount();
+    for (const InterpolationRow& row : rows_) {
+        SpanMatrix block = SpanMatrix::Zero(size, size);
+        for (int i = 0; i < size; ++i) {
+            for (int j = i % 3; j < size; j += 3) {
+                block(i, j) = fitWeight * row.values[at(i / 3)] * row.values[at(j / 3)];
+            }
+        }
+        addBlock(row.span, block);
+    }
+    factor_.factorize(matrix_);
+    return factor_.info() == Eigen::Success;
+}
+
+Eigen::VectorXd SplineSystem::applyConstraints(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd result(3 * static_cast<Eigen::Index>(rows_.size()));
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        Vec3 sum = Vec3::Zero();
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            sum += rows_[r].values[at(j)] * x.segment<3>(3 * space_.control(rows_[r].span, j));
+        }
+        result.segment<3>(3 * static_cast<Eigen::Index>(r)) = sum;
+    }
+    return result;
+}
+
+void SplineSystem::addTransposed(const Eigen::VectorXd& multipliers, Eigen::VectorXd& out) const {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            out.segment<3>(3 * space_.control(rows_[r].span, j)) +=
+                rows_[r].values[at(j)] * multipliers.segment<3>(3 * static_cast<Eigen::Index>(r));
+        }
+    }
+}
+
+Eigen::VectorXd SplineSystem::residual(const ControlPoints& controls) const {
+    Eigen::VectorXd result =
+        applyConstraints(Eigen::Map<const Eigen::VectorXd>(controls.data(), controls.size()));
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        result.segment<3>(3 * static_cast<Eigen::Index>(r)) -= rows_[r].target;
+    }
+    return result;
+}
+
+Eigen::VectorXd SplineSystem::constrainedStep(
+    const Eigen::VectorXd& gradient, const Eigen::VectorXd& residual, double fitWeight
+) const {
+    Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(residual.size());
+    Eigen::VectorXd step;
+    for (int i = 0; i < kMaxMultiplierSteps; ++i) {
+        Eigen::VectorXd right = -gradient;
+        addTransposed(-multipliers - fitWeight * residual, right);
+        step = factor_.solve(right);
+        const Eigen::VectorXd violation = applyConstraints(step) + residual;
+        multipliers += fitWeight * violation;
+        if (violation.lpNorm<Eigen::Infinity>() <=
+            kConstraintAccuracy * std::max(1.0, step.lpNorm<Eigen::Infinity>())) {
+            break;
+        }
+    }
+    return step;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/curve_problem.h"
+#include "solver/spline_space.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace bspline_curve {
+
+inline constexpr int kMaxSpanUnknowns = 3 * kMaxBasis;
+
+/// A dense symmetric block of one span: unknown 3 j + axis is that axis of the j-th control point
+/// of the span.
+using SpanMatrix = Eigen::Matrix<
+    double,
+    Eigen::Dynamic,
+    Eigen::Dynamic,
+    Eigen::ColMajor,
+    kMaxSpanUnknowns,
+    kMaxSpanUnknowns>;
+using SpanVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSpanUnknowns, 1>;
+
+/// One row of the interpolation constraints: sum_j values[j] * control(span, j) = target.
+struct InterpolationRow {
+    int span = 0;
+    SplineSpace::BasisValues values{};
+    Vec3 target;
+};
+
+[[nodiscard]] std::vector<InterpolationRow> interpolationRows(
+    const SplineSpace& space, const std::vector<PickConstraint>& picks
+);
+
+/// The Newton system of a spline: a banded (cyclic when closed) sparse matrix whose pattern is
+/// analysed once per knot vector, and the interpolation constraints.
+class SplineSystem {
+public:
+    SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows);
+
+    /// Sums span blocks into the matrix and factorises it, after adding `fitWeight` A^T A (A: the
+    /// interpolation rows). False where the result is not positive definite.
+    [[nodiscard]] bool factorise(const std::vector<SpanMatrix>& blocks, double fitWeight);
+
+    /// Solution of the factorised system.
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
+        return factor_.solve(right);
+    }
+
+    /// The step d that minimises d^T H d / 2 + gradient^T d under A d = -residual, by the method of
+    /// multipliers with the factorised H + fitWeight A^T A: two or three solves.
+    [[nodiscard]] Eigen::VectorXd constrainedStep(
+        const Eigen::VectorXd& gradient, const Eigen::VectorXd& residual, double fitWeight
+    ) const;
+
+    /// A x - target.
+    [[nodiscard]] Eigen::VectorXd residual(const ControlPoints& controls) const;
+    [[nodiscard]] Eigen::VectorXd applyConstraints(const Eigen::VectorXd& x) const;
+    void addTransposed(const Eigen::VectorXd& multipliers, Eigen::VectorXd& out) const;
+
+    [[nodiscard]] const std::vector<InterpolationRow>& rows() const { return rows_; }
+
+    /// Largest diagonal entry of the blocks last summed, before A^T A was added.
+    [[nodiscard]] double largestDiagonal() const { return largestDiagonal_; }
+
+private:
+    using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+    void addBlock(int span, const SpanMatrix& block);
+
+    const SplineSpace& space_;
+    std::vector<InterpolationRow> rows_;
+    Matrix matrix_;
+    std::vector<int> slots_;  // position in matrix_'s values of each lower entry of each span
+                              // block, -1 for upper ones
+    Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
+    double largestDiagonal_ = 0.0;
+};
+
+}  // namespace bspline_curve

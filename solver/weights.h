@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/curve_energy.h"
+
+namespace bspline_curve {
+
+/// Weights for the first round: from the terms of the first curve.
+[[nodiscard]] EnergyWeights firstWeights(const SolverOptions& options, double largestHeight);
+
+/// Weights for the next round, from the terms at the end of this one. `near`: the curve is within
+/// its tolerance of the surface already, so the schedule for alpha stands still.
+[[nodiscard]] EnergyWeights nextWeights(
+    const SolverOptions& options,
+    const EnergyWeights& now,
+    const EnergyTerms& terms,
+    double mu,
+    double largestHeight,
+    bool near
+);
+
+}  // namespace bspline_curve

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/strip_unfolding.h"
+
+#include "surface/surface_point.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace bspline_curve {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+// Portals of the strip in the plane, and the two end points.
+struct Unfolding {
+    std::vector<Vec2> left, right;
+    Vec2 start, goal;
+};
+
+// The apex of a triangle over the base from a to b (2D), on its left, from the 3D triangle.
+Vec2 unfoldApex(const Vec2& a, const Vec2& b, const Vec3& a3, const Vec3& b3, const Vec3& c3) {
+    const Vec3 base = b3 - a3;
+    const double squared = base.squaredNorm();
+    const double along = base.dot(c3 - a3) / squared;
+    const double above = base.cross(c3 - a3).norm() / squared;
+    const Vec2 e = b - a;
+    return a + along * e + above * Vec2(-e.y(), e.x());
+}
+
+Vec2 place(const Vec3& barycentric, const std::array<Vec2, 3>& corners) {
+    return barycentric[0] * corners[0] + barycentric[1] * corners[1] + barycentric[2] * corners[2];
+}
+
+class Unfolder {
+public:
+    Unfolder(const Surface& surface, const std::vector<int>& strip, StripPath& path)
+        : surface_(surface), strip_(strip), path_(path) {}
+
+    Unfolding run(const SurfacePoint& start, const SurfacePoint& goal) {
+        Unfolding result;
+        // The first face lies in the plane with corner 0 at the origin and corner 1 on the x axis.
+        const Triangle& first = face(0);
+        corners_[0] = Vec2::Zero();
+        corners_[1] = Vec2((position(first[1]) - position(first[0])).norm(), 0.0);
+        corners_[2] = unfoldApex(
+            corners_[0], corners_[1], position(first[0]), position(first[1]), position(first[2])
+        );
+        result.start = place(start.barycentric, corners_);
+        for (std::size_t i = 0; i + 1 < strip_.size(); ++i) {
+            step(i, result);
+        }
+        result.goal = place(goal.barycentric, corners_);
+        return result;
+    }
+
+private:
+    [[nodiscard]] const Triangle& face(std::size_t i) const {
+        return surface_.faces()[at(strip_[i])];
+    }
+
+    [[nodiscard]] const Vec3& position(int vertex) const { return surface_.vertices()[at(vertex)]; }
+
+    // Crosses from face i to face i + 1: records the portal, places the new corner.
+    void step(std::size_t i, Unfolding& result) {
+        const Triangle& here = face(i);
+        const Triangle& there = face(i + 1);
+        std::size_t k = 0;
+        while (surface_.faceNeighbours()[at(strip_[i])][k] != strip_[i + 1]) {
+            ++k;
+        }
+        // Leaving a counter-clockwise face over the edge from corner k+1 to k+2, that edge runs
+        // from right to left.
+        const std::size_t r = (k + 1) % 3;
+        const std::size_t l = (k + 2) % 3;
+        result.left.push_back(corners_[l]);
+        result.right.push_back(corners_[r]);
+        path_.lefts.push_back(here[l]);
+        path_.rights.push_back(here[r]);
+        std::array<Vec2, 3> next;
+        const int cl = cornerOf(there, here[l]);
+        const int cr = cornerOf(there, here[r]);
+        const int apex = 3 - cl - cr;
+        next[at(cl)] = corners_[l];
+        next[at(cr)] = corners_[r];
+        next[at(apex)] = unfoldApex(
+            corners_[l],
+            corners_[r],
+            position(here[l]),
+            position(here[r]),
+            position(there[at(apex)])
+        );
+        corners_ = next;
+    }
+
+    const Surface& surface_;
+    const std::vector<int>& strip_;
+    StripPath& path_;
+    std::array<Vec2, 3> corners_;
+};
+
+struct FunnelCorner {
+    Vec2 position;
+    std::size_t portal;
+    bool onLeft;
+};
+
+// The corners of the shortest path, in order, without its ends. No portal may touch the start or
+// the goal.
+class Funnel {
+public:
+    explicit Funnel(const Unfolding& unfolding) : u_(unfolding), apex_(unfolding.start) {}
+
+    std::vector<FunnelCorner> pullTight() {
+        const std::size_t count = u_.left.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            // The right side narrows to the left; where it would pass the left side, that side's
+            // end is a corner.
+            if (!right_ || cross(*right_ - apex_, u_.right[i] - apex_) >= 0.0) {
+                if (left_ && cross(*left_ - apex_, u_.right[i] - apex_) >= 0.0) {
+                    i = turnAt(*left_, leftPortal_, true);
+                    continue;
+                }
+                right_ = u_.right[i];
+                rightPortal_ = i;
+            }
+            if (!left_ || cross(*left_ - apex_, u_.left[i] - apex_) <= 0.0) {
+                if (right_ && cross(*right_ - apex_, u_.left[i] - apex_) <= 0.0) {
+                    i = turnAt(*right_, rightPortal_, false);
+                    continue;
+                }
+                left_ = u_.left[i];
+                leftPortal_ = i;
+            }
+            // Narrowed to the last portal: does the goal lie in the funnel?
+            while (i + 1 == count) {
+                if (left_ && cross(*left_ - apex_, u_.goal - apex_) >= 0.0) {
+                    i = turnAt(*left_, leftPortal_, true);
+                } else if (right_ && cross(*right_ - apex_, u_.goal - apex_) <= 0.0) {
+                    i = turnAt(*right_, rightPortal_, false);
+                } else {
+                    return corners_;
+                }
+            }
+        }
+        return corners_;
+    }
+
+private:
+    // Restarts the funnel at a corner; returns the last portal that touches it.
+    std::size_t turnAt(Vec2 corner, std::size_t portal, bool onLeft) {
+        corners_.push_back({corner, portal, onLeft});
+        apex_ = corner;
+        left_.reset();
+        right_.reset();
+        const std::vector<Vec2>& side = onLeft ? u_.left : u_.right;
+        while (portal + 1 < side.size() && side[portal + 1] == corner) {
+            ++portal;
+        }
+        return portal;
+    }
+
+    const Unfolding& u_;
+    Vec2 apex_;
+    std::optional<Vec2> left_, right_;
+    std::size_t leftPortal_ = 0, rightPortal_ = 0;
+    std::vector<FunnelCorner> corners_;
+};
+
+}  // namespace
+
+StripPath shortestPathInStrip(
+    const Surface& surface,
+    const std::vector<int>& strip,
+    const SurfacePoint& start,
+    const SurfacePoint& goal
+) {
+    StripPath path;
+    const Unfolding u = Unfolder(surface, strip, path).run(start, goal);
+    const std::vector<FunnelCorner> corners = Funnel(u).pullTight();
+
+    const std::size_t count = u.left.size();
+    path.crossings.assign(count, 0.5);
+    Vec2 from = u.start;
+    std::size_t portal = 0;
+    for (std::size_t c = 0; c <= corners.size(); ++c) {
+        const Vec2 to = c < corners.size() ? corners[c].position : u.goal;
+        const std::size_t end = c < corners.size() ? corners[c].portal : count;
+        for (; portal < end; ++portal) {
+            // Where the segment crosses left + s (right - left).
+            const Vec2 edge = u.right[portal] - u.left[portal];
+            const double denominator = cross(edge, to - from);
+            const double s =
+                denominator != 0.0 ? cross(from - u.left[portal], to - from) / denominator : 0.0;
+            path.crossings[portal] = std::min(1.0, std::max(0.0, s));
+        }
+        if (c == corners.size()) {
+            break;
+        }
+        path.crossings[portal++] = corners[c].onLeft ? 0.0 : 1.0;
+        const Vec2 next = c + 1 < corners.size() ? corners[c + 1].position : u.goal;
+        const double turn = std::atan2(cross(to - from, next - to), (to - from).dot(next - to));
+        path.corners.push_back(
+            {corners[c].portal,
+             corners[c].onLeft ? path.lefts[corners[c].portal] : path.rights[corners[c].portal],
+             std::abs(turn)}
+        );
+        from = to;
+    }
+    return path;
+}
+
+}  // namespace bspline_curve

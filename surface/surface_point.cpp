@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/surface_point.h"
+
+#include <algorithm>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+std::vector<int> facesHolding(const Surface& surface, const SurfacePoint& point) {
+    const Triangle& face = surface.faces()[at(point.face)];
+    std::vector<int> faces;
+    int zeros = 0;
+    int zeroCorner = 0;
+    int liveCorner = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (point.barycentric[k] <= kOnEdgeBarycentric) {
+            ++zeros;
+            zeroCorner = k;
+        } else {
+            liveCorner = k;
+        }
+    }
+    if (zeros == 2) {
+        const Surface::FaceRange around = surface.facesAround(face[at(liveCorner)]);
+        faces.assign(around.begin(), around.end());
+    } else {
+        faces.push_back(point.face);
+        if (zeros == 1 && surface.faceNeighbours()[at(point.face)][at(zeroCorner)] >= 0) {
+            faces.push_back(surface.faceNeighbours()[at(point.face)][at(zeroCorner)]);
+        }
+    }
+    std::sort(faces.begin(), faces.end());
+    return faces;
+}
+
+SurfacePoint inFace(const Surface& surface, const SurfacePoint& point, int face) {
+    if (point.face == face) {
+        return point;
+    }
+    SurfacePoint result{face, Vec3::Zero()};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int corner = cornerOf(surface.faces()[at(face)], surface.faces()[at(point.face)][k]);
+        if (corner >= 0) {
+            result.barycentric[corner] = point.barycentric[static_cast<Eigen::Index>(k)];
+        }
+    }
+    result.barycentric /= result.barycentric.sum();
+    return result;
+}
+
+int commonFace(const Surface& surface, const SurfacePoint& a, const SurfacePoint& b) {
+    const std::vector<int> facesA = facesHolding(surface, a);
+    const std::vector<int> facesB = facesHolding(surface, b);
+    const auto found =
+        std::find_first_of(facesA.begin(), facesA.end(), facesB.begin(), facesB.end());
+    return found == facesA.end() ? -1 : *found;
+}
+
+SurfacePoint snapped(const SurfacePoint& point, double tolerance) {
+    SurfacePoint result = point;
+    for (int k = 0; k < 3; ++k) {
+        if (result.barycentric[k] <= tolerance) {
+            result.barycentric[k] = 0.0;
+        }
+    }
+    result.barycentric /= result.barycentric.sum();
+    return result;
+}
+
+}  // namespace bspline_curve

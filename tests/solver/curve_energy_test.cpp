@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/curve_energy.h"
+
+#include "problem_fixture.h"
+#include "support/meshes.h"
+
+#include <Eigen/Cholesky>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace bspline_curve {
+namespace {
+
+struct Case {
+    int degree;
+    bool closed;
+    FieldCost cost;
+};
+
+// Changes a direction so that it leaves the curve at the picks in place. There the curve lies
+// exactly in the middle surface, at the end of a span, and the quadrature has a kink.
+void keepPicks(
+    ControlPoints& direction, const SplineSpace& space, const std::vector<InterpolationRow>& rows
+) {
+    Eigen::MatrixXd constraints =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), space.controlCount());
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        for (int j = 0; j < space.basisCount(); ++j) {
+            constraints(static_cast<Eigen::Index>(r), space.control(rows[r].span, j)) +=
+                rows[r].values[static_cast<std::size_t>(j)];
+        }
+    }
+    const Eigen::MatrixXd violation = constraints * direction;
+    direction -=
+        constraints.transpose() * (constraints * constraints.transpose()).ldlt().solve(violation);
+}
+
+class CurveEnergyDerivatives : public testing::TestWithParam<Case> {};
+
+// Central differences of the energy along random directions of the control points against the
+// gradient, and of the gradient against the Hessian. On a noisy sphere the curve crosses hundreds
+// of walls.
+TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
+    const Case& c = GetParam();
+    SolverOptions options;
+    options.degree = c.degree;
+    options.closed = c.closed;
+    options.tension = 0.3;
+    options.fieldWeight = 2.0;
+    options.fieldCost = c.cost;
+    test_support::ProblemFixture fixture(
+        test_support::withNoise(test_support::icosphere(3), 0.01, 7),
+        {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}},
+        options
+    );
+    std::vector<double> field;
+    for (const Vec3& v : fixture.surface().vertices()) {
+        field.push_back(std::sin(3.0 * v.x()) + v.y() * v.z());
+    }
+    fixture.setField(field);
+    const SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide());
+    const std::vector<InterpolationRow> rows =
+        interpolationRows(curve.space, fixture.problem().picks);
+    CurveEnergy energy(fixture.problem(), curve.space, rows);
+    const std::optional<BendingDirections> directions = energy.directionsAlong(curve.controls);
+    ASSERT_TRUE(directions.has_value());
+    energy.setDirections(*directions);
+    const EnergyWeights weights{20.0, 5.0, 1.0};
+
+    EnergyDerivatives derivatives;
+    ASSERT_TRUE(energy.evaluate(curve.controls, weights, derivatives).inside);
+    std::mt19937_64 random(11);
+    std::normal_distribution<double> normal;
+    for (int trial = 0; trial < 5; ++trial) {
+        ControlPoints direction(curve.controls.rows(), 3);
+        for (Eigen::Index i = 0; i < direction.size(); ++i) {
+            direction.data()[i] = normal(random);
+        }
+        keepPicks(direction, curve.space, rows);
+        const Eigen::Map<const Eigen::VectorXd> flat(direction.data(), direction.size());
+        const double predicted = derivatives.gradient.dot(flat);
+        const double h = 1e-7;
+        const double up = energy.evaluate(curve.controls + h * direction, weights).total;
+        const double down = energy.evaluate(curve.controls - h * direction, weights).total;
+        EXPECT_NEAR(predicted, (up - down) / (2.0 * h), 1e-6 * std::abs(predicted) + 1e-5)
+            << "trial " << trial;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    AllKinds,
+    CurveEnergyDerivatives,
+    testing::Values(
+        Case{2, false, FieldCost::Identity},
+        Case{3, false, FieldCost::Square},
+        Case{4, false, FieldCost::ExpMinus},
+        Case{3, true, FieldCost::Identity},
+        Case{2, true, FieldCost::Square},
+        Case{4, true, FieldCost::Identity}
+    )
+);
+
+}  // namespace
+}  // namespace bspline_curve

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/guide_path.h"
+#include "shell/shell_builder.h"
+#include "solver/initial_curve.h"
+#include "surface/surface.h"
+
+#include <memory>
+#include <vector>
+
+namespace bspline_curve::test_support {
+
+/// Everything that a curve problem points to, built the way CurveDesigner does.
+class ProblemFixture {
+public:
+    ProblemFixture(TriangleMesh mesh, const std::vector<Vec3>& picks, const SolverOptions& options);
+
+    [[nodiscard]] const CurveProblem& problem() const { return problem_; }
+
+    [[nodiscard]] CurveProblem& problem() { return problem_; }
+
+    [[nodiscard]] const GuidePath& guide() const { return guide_; }
+
+    [[nodiscard]] const Surface& surface() const { return *surface_; }
+
+    /// One value per vertex of the surface.
+    void setField(const std::vector<double>& field);
+
+private:
+    std::unique_ptr<Surface> surface_;
+    std::unique_ptr<ShellBase> base_;
+    std::unique_ptr<ShellBuild> build_;
+    GuidePath guide_;
+    CurveProblem problem_;
+};
+
+}  // namespace bspline_curve::test_support
