@@ -153,6 +153,7 @@ void addPickParameters(RichParameterList& list, const MeshDocument& document) {
 
 void addShapeParameters(RichParameterList& list, const MeshDocument& document) {
     const SolverOptions options;
+    const SamplingOptions sampling;
     list.addParam(
         RichInt("degree", options.degree, "Degree", "Polynomial degree of the spline: 2, 3 or 4.")
     );
@@ -190,14 +191,14 @@ void addShapeParameters(RichParameterList& list, const MeshDocument& document) {
     ));
     list.addParam(RichInt(
         "samples",
-        0,
+        sampling.samples,
         "Samples",
         "At least this many vertices at even steps of the spline's parameter, besides those "
         "where the curve crosses mesh edges and the picks. 0 or more; 0: none."
     ));
     list.addParam(RichPercentage(
         "max_segment_length",
-        0.0,
+        sampling.maxSegmentLength,
         0.0,
         diagonalOf(document),
         "Largest segment",

@@ -133,6 +133,8 @@ def scan_batch(ids, corners, low, offsets, size, depth, face_at, bary_at):
     inside = (bary.min(-1) >= -1e-9) & (bary.sum(-1) > 0.5)
     inside &= (pixels >= 0).all(-1) & (pixels[..., 0] < width) & (pixels[..., 1] < height)
     row, column = np.nonzero(inside)
+    if len(row) == 0:
+        return
     at = pixels[row, column]
     index = at[:, 1] * width + at[:, 0]
     bary = bary[row, column]
@@ -201,10 +203,10 @@ def shade(normals, toward_viewer, lit, colours):
 
 
 def turned_away(screen, faces):
-    """-1 for triangles seen from behind (both sides of an open surface are shown), else 1."""
+    """Which triangles are seen from behind."""
     a, b, c = (screen[faces[:, k], :2] for k in range(3))
     area = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
-    return np.where(area > 0, -1.0, 1.0)  # y points down on the screen
+    return area > 0  # y points down on the screen
 
 
 def render(shapes, frame, size, supersampling):
@@ -221,7 +223,11 @@ def render(shapes, frame, size, supersampling):
     scale = 0.9 * min(width / (high - low)[0], height / (high - low)[1])
     centre = (low + high)[:2] / 2
     screen = np.c_[(seen[:, 0] - centre[0]) * scale + width / 2, (centre[1] - seen[:, 1]) * scale + height / 2, seen[:, 2]]
-    face_at, bary, depth = scan(screen, faces, (width, height))
+    away = turned_away(screen, faces)
+    # At an outline a triangle turned away is as near as its neighbour; it must not win by a rounding error.
+    apart = screen[faces].reshape(-1, 3)
+    apart[np.repeat(away, 3), 2] -= 0.003 * (high - low).max()
+    face_at, bary, depth = scan(apart, np.arange(len(apart)).reshape(-1, 3), (width, height))
 
     ramp = np.linspace(0, 1, height)[:, None, None]
     image = np.broadcast_to(BACKGROUND[0] * (1 - ramp) + BACKGROUND[1] * ramp, (height, width, 3)).copy()
@@ -229,7 +235,7 @@ def render(shapes, frame, size, supersampling):
     corner, weight = faces[face_at[hit]], bary[hit][..., None]
     mix = lambda values: (values[corner] * weight).sum(1)
     view_normals = normalised(mix(normals)) @ frame.T
-    view_normals *= turned_away(screen, faces)[face_at[hit]][:, None]
+    view_normals[away[face_at[hit]]] *= -1  # both sides of an open surface are shown
     diagonal = np.linalg.norm(high - low)
     light = np.array([-0.45, 0.75, 0.65]) @ frame
     lit = shadow(mix(vertices), faces, vertices, light, diagonal)

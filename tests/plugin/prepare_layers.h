@@ -3,14 +3,20 @@
 
 #include <common/plugins/interfaces/filter_plugin.h>
 
-/// Leaves points on the current layer as the PickPoints tool does.
-class LeavePickedPointsPlugin : public QObject, public FilterPlugin {
+/// Filters for the tests only: they bring the current layer into states that only MeshLab's window
+/// reaches.
+///   leave_picked_points  leaves points on the layer as the PickPoints tool does
+///   delete_in_place      marks the first faces as deleted, and unreferenced vertices, without
+///   compacting the arrays
+class PrepareLayersPlugin : public QObject, public FilterPlugin {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
     Q_INTERFACES(FilterPlugin)
 
 public:
-    LeavePickedPointsPlugin();
+    enum Filter : ActionIDType { LeavePickedPoints, ConvertWithDeleted };
+
+    PrepareLayersPlugin();
 
     [[nodiscard]] QString pluginName() const override;
     [[nodiscard]] QString filterName(ActionIDType filter) const override;
