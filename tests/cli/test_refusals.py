@@ -126,9 +126,9 @@ def defects():
     return {
         "not a number": (holed, F, "7"),
         "face without area": (collapsed, F, "area"),
-        "face turned round": (V, flipped, "orient"),
-        "three faces on an edge": (far, np.vstack([F, [F[0][0], F[0][1], len(V)]]), "manifold"),
-        "two fans at a vertex": (bow, np.vstack([F, [0, len(V), len(V) + 1]]), "manifold"),
+        "face turned round": (V, flipped, "turned"),
+        "three faces on an edge": (far, np.vstack([F, [F[0][1], F[0][2], len(V)]]), "edge"),
+        "two fans at a vertex": (bow, np.vstack([F, [0, len(V), len(V) + 1]]), "vertex"),
         "no faces": (V, F[:0], "faces"),
         "nothing": (up[:0], F[:0], ""),
     }
