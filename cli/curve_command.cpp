@@ -145,12 +145,16 @@ std::optional<double> timeWarm(
     return times.empty() ? std::nullopt : std::optional(median(std::move(times)));
 }
 
-std::string unusableMessage(const SolveReport& report) {
+std::string unusableMessage(const CurveArguments& arguments, const SolveReport& report) {
+    constexpr double kMissed = 1e-9;  // of the diagonal; constraints are met to rounding
     std::ostringstream text;
-    text << "no usable curve (" << name(report.status) << "): " << std::setprecision(3)
-         << "its largest distance from the mesh is " << report.maxDistance
-         << " average edge lengths, it misses a pick by " << report.maxPickGap
-         << " of the diagonal; try more picks, a finer mesh or a larger --distance-tolerance";
+    text << std::setprecision(3) << "no usable curve (" << name(report.status)
+         << "): its largest distance from the mesh is " << report.maxDistance
+         << " average edge lengths, the tolerance " << arguments.solver.distanceTolerance;
+    if (report.maxPickGap > kMissed) {
+        text << "; it misses a pick by " << report.maxPickGap << " of the diagonal";
+    }
+    text << "; try more picks, a finer mesh or a larger --distance-tolerance";
     return text.str();
 }
 
@@ -184,7 +188,7 @@ ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
     bar.clear();
     writeResults(arguments, inputs, drawn);
     if (!drawn.curve.report.usable) {
-        printError(unusableMessage(drawn.curve.report));
+        printError(unusableMessage(arguments, drawn.curve.report));
         return ExitCode::Failure;
     }
     return ExitCode::Success;
