@@ -3,6 +3,7 @@
 
 #include "design/guide_path.h"
 #include "design/strict_polyline.h"
+#include "shell/shell_boundary.h"
 #include "shell/shell_builder.h"
 #include "solver/solve.h"
 #include "surface/input_error.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -180,7 +182,18 @@ Curve CurveDesigner::design(
     problem.progress = progress;
     const double pathSeconds = watch.lap();
 
+    std::optional<ShellBoundary> boundary;
+    if (options.quadrature == Quadrature::Samples) {
+        problem.boundary = &boundary.emplace(state.build.shell);
+    }
     const Solution solution = solve(problem, path.guide);
+    if (!std::isfinite(solution.report.maxDistance)) {
+        throw InputError(
+            InputErrorCode::NoShell,
+            std::string("the curve left the shell and did not find back (") +
+                name(solution.report.status) + "): use the default preset, or add picks"
+        );
+    }
     watch.lap();
 
     Curve curve;

@@ -10,6 +10,8 @@
 
 namespace bspline_curve {
 
+class ShellBoundary;
+
 /// A pick in the shell's frame, with the parameter at which the curve passes it.
 struct PickConstraint {
     SurfacePoint point;
@@ -21,6 +23,7 @@ struct PickConstraint {
 struct CurveProblem {
     const Shell* shell = nullptr;
     const ShellBase* base = nullptr;
+    const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     std::vector<PickConstraint> picks;
     std::vector<double> field;  ///< one value per pillar, or empty
     SolverOptions options;

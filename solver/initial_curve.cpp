@@ -123,7 +123,9 @@ bool spanIsInside(
 }  // namespace
 
 SplineCurve makeFirstCurve(const CurveProblem& problem, const GuidePath& guide) {
-    return fitGuidePath(problem, guide);
+    return problem.options.initialCurve == InitialCurve::GeodesicFit
+               ? fitGuidePath(problem, guide)
+               : makeControlPolygon(problem, guide);
 }
 
 SplineCurve fitGuidePath(const CurveProblem& problem, const GuidePath& guide) {

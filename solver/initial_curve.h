@@ -32,4 +32,9 @@ struct SplineCurve {
 /// fit stays inside.
 [[nodiscard]] SplineCurve fitGuidePath(const CurveProblem& problem, const GuidePath& guide);
 
+/// First spline by Alg. 2 of the paper: its control polygon runs in turn to the top and to the
+/// bottom of the shell over the picks, with midpoints of the guide path where a segment would leave
+/// the shell. It may leave the shell all the same (the paper's eta, see integrateSamples).
+[[nodiscard]] SplineCurve makeControlPolygon(const CurveProblem& problem, const GuidePath& guide);
+
 }  // namespace bspline_curve

@@ -57,7 +57,8 @@ KnotDemand predictGain(
     SplineSystem system(fine, rows);
     EnergyDerivatives derivatives;
     if (problem.options.bending == Bending::Geodesic) {
-        std::optional<BendingDirections> resampled = energy.directionsAlong(fineControls);
+        std::optional<BendingDirections> resampled =
+            bendingDirectionsAlong(problem, fine, fineControls);
         if (!resampled) {
             return gain;
         }

@@ -4,6 +4,7 @@
 #include "solver/curve_energy.h"
 #include "solver/knot_insertion.h"
 #include "solver/minimiser.h"
+#include "solver/span_distances.h"
 #include "solver/weights.h"
 #include "surface/stopwatch.h"
 
@@ -73,7 +74,12 @@ public:
                 break;
             }
             const EnergyWeights next = nextWeights(
-                options_, weights_, result.value.terms, fieldWeight(), largestHeight, isNear()
+                options_,
+                weights_,
+                result.value.terms,
+                fieldWeight(problem_),
+                largestHeight,
+                isNear()
             );
             if (noKnots && next.alpha <= weights_.alpha && !isNear()) {
                 report_.status = SolveStatus::KnotLimit;
@@ -88,10 +94,6 @@ public:
 
 private:
     [[nodiscard]] bool isNear() const { return distance_ < tolerance_; }
-
-    [[nodiscard]] double fieldWeight() const {
-        return problem_.field.empty() ? 0.0 : options_.fieldWeight;
-    }
 
     [[nodiscard]] int knotCount() const {
         return static_cast<int>(curve_.space.knotVector().size());
@@ -125,7 +127,8 @@ private:
         if (options_.bending == Bending::Ambient) {
             return;
         }
-        std::optional<BendingDirections> fresh = stage_->energy.directionsAlong(curve_.controls);
+        std::optional<BendingDirections> fresh =
+            bendingDirectionsAlong(problem_, curve_.space, curve_.controls);
         if (!fresh) {
             return;
         }
@@ -142,7 +145,7 @@ private:
 
     // Updates the distance to the surface; returns the largest relative height.
     double measure() {
-        const SpanDistances distances = stage_->energy.measure(curve_.controls);
+        const SpanDistances distances = measureDistances(problem_, curve_.space, curve_.controls);
         distance_ = distances.largest();
         return distances.largestHeight;
     }
@@ -218,10 +221,27 @@ private:
         measure();
     }
 
+    // A penalty leaves gaps at the picks: one constrained step closes them.
+    void meetPicks() {
+        EnergyDerivatives derivatives;
+        if (!stage_->energy.evaluate(curve_.controls, weights_, derivatives).inside) {
+            return;
+        }
+        const std::optional<Eigen::VectorXd> step =
+            newtonStep(stage_->system, derivatives, Interpolation::Constraint, curve_.controls);
+        if (step) {
+            Eigen::Map<Eigen::VectorXd>(curve_.controls.data(), curve_.controls.size()) += *step;
+            measure();
+        }
+    }
+
     void finish() {
         report_.knotsLast = knotCount();
-        report_.maxDistance = distance_ / problem_.averageEdgeLength;
         report_.maxPickGap = stage_->system.residual(curve_.controls).lpNorm<Eigen::Infinity>();
+        if (options_.interpolation == Interpolation::Penalty) {
+            meetPicks();
+        }
+        report_.maxDistance = distance_ / problem_.averageEdgeLength;
         report_.usable = isNear();
         report_.seconds.minimise += watch_.lap();
     }

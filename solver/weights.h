@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/curve_energy.h"
+#include "solver/energy_weights.h"
+#include "solver/options.h"
+#include "solver/solve_report.h"
 
 namespace bspline_curve {
 

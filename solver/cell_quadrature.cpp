@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/curve_tracer.h"
+#include "solver/gauss_rule.h"
+#include "solver/quadrature.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// A curve that grazes a wall has a kink term without bound; this is the least |n . P'| / |P'| that
+// counts.
+constexpr double kLeastCrossingCosine = 0.05;
+
+// At a wall the integrand keeps its value and its gradient jumps along the wall's normal; moving
+// the curve moves the crossing, which gives the second derivative q (n . dP)^2 with q = jump / |n .
+// P'|.
+void addKink(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const EnergyWeights& weights,
+    const ShellCell& from,
+    const ShellCell& to,
+    const Vec3& normal,
+    const PolynomialCurve& curve,
+    int span,
+    double tau,
+    EnergyDerivatives& derivatives
+) {
+    const Vec3 p = curve.at(tau);
+    const double jump = (CellIntegrand(problem, weights, to).gradient(p) -
+                         CellIntegrand(problem, weights, from).gradient(p))
+                            .dot(normal);
+    const Vec3 velocity = curve.derivativeAt(tau) / space.spanLength(span);
+    const double speed =
+        std::max(std::abs(normal.dot(velocity)), kLeastCrossingCosine * velocity.norm());
+    if (speed > 0.0 && jump != 0.0) {
+        auto& blocks = jump > 0.0 ? derivatives.hessian : derivatives.negativeKinks;
+        addRankOne(
+            blocks[at(span)], space.basisAt(span, tau), normal, jump / speed, space.basisCount()
+        );
+    }
+}
+
+}  // namespace
+
+bool integrateCells(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    const EnergyWeights& weights,
+    EnergyTerms& terms,
+    EnergyDerivatives* derivatives
+) {
+    bool belowBarrier = true;
+    const auto onPiece =
+        [&](
+            int span, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1
+        ) {
+            const CellIntegrand integrand(problem, weights, cell);
+            const double length = (tau1 - tau0) * space.spanLength(span);
+            for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
+                const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
+                const double weight = kGaussWeights[i] * length;
+                const Vec3 p = curve.at(tau);
+                belowBarrier &=
+                    derivatives == nullptr
+                        ? integrand.add(p, weight, terms)
+                        : integrand.add(
+                              p, weight, terms, *derivatives, space, span, space.basisAt(span, tau)
+                          );
+            }
+        };
+    const auto onCrossing = [&](int span,
+                                const PolynomialCurve& curve,
+                                const ShellCell& from,
+                                const ShellCell& to,
+                                double tau,
+                                int k) {
+        if (derivatives != nullptr) {
+            const Vec3 normal = -from.gradients[at(k)].normalized();
+            addKink(problem, space, weights, from, to, normal, curve, span, tau, *derivatives);
+        }
+    };
+    return traceCurve(problem, space, controls, onPiece, onCrossing) == space.spanCount() &&
+           belowBarrier;
+}
+
+}  // namespace bspline_curve

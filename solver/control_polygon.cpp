@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/initial_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// Intervals of the way shorter than this are not halved any more: the polygon may then leave the
+// shell, which the sampled energy can bear.
+constexpr double kShortestInterval = 1e-3;
+// How near to top and bottom the control points lie: on them, rounding would decide the side.
+constexpr double kControlHeight = 0.98;
+
+struct ControlVertex {
+    double parameter;  // along the guide
+    SurfacePoint point;
+    Vec3 position;
+};
+
+SurfacePoint guidePoint(const GuidePath& guide, double t) {
+    const auto above = std::lower_bound(
+        guide.points.begin(), guide.points.end(), t, [](const GuidePath::Point& p, double value) {
+            return p.parameter < value;
+        }
+    );
+    // The nearer of the guide's own points: Mid() of Alg. 2 is a vertex of the path as well.
+    if (above == guide.points.begin()) {
+        return above->point;
+    }
+    if (above == guide.points.end()) {
+        return guide.points.back().point;
+    }
+    return t - (above - 1)->parameter < above->parameter - t ? (above - 1)->point : above->point;
+}
+
+class PolygonMaker {
+public:
+    PolygonMaker(const CurveProblem& problem, const GuidePath& guide)
+        : problem_(problem), guide_(guide) {}
+
+    // Alg. 2: picks in turn to top and bottom; between two of them the middle of the way is added
+    // until the segments stay in the shell.
+    std::vector<ControlVertex> make() {
+        const std::vector<PickConstraint>& picks = problem_.picks;
+        polygon_.push_back({0.0, picks[0].point, picks[0].position});
+        for (std::size_t i = 1; i < picks.size(); ++i) {
+            const bool last = i + 1 == picks.size() && !problem_.options.closed;
+            connect(picks[i].parameter, picks[i].point, last, picks[i].position);
+        }
+        if (problem_.options.closed) {
+            connect(1.0, picks[0].point, true, picks[0].position);
+            polygon_.pop_back();
+        }
+        return polygon_;
+    }
+
+private:
+    void connect(
+        double parameter, const SurfacePoint& point, bool onSurface, const Vec3& position
+    ) {
+        const ControlVertex from = polygon_.back();
+        ControlVertex to = {
+            parameter, point, onSurface ? position : problem_.shell->lift(point, height())
+        };
+        if (parameter - from.parameter > kShortestInterval && leavesShell(from, to)) {
+            const double middle = 0.5 * (from.parameter + parameter);
+            const SurfacePoint between = guidePoint(guide_, middle);
+            connect(middle, between, false, Vec3::Zero());
+            connect(parameter, point, onSurface, position);
+            return;
+        }
+        polygon_.push_back(to);
+        top_ = !top_;
+    }
+
+    [[nodiscard]] double height() const { return top_ ? kControlHeight : -kControlHeight; }
+
+    [[nodiscard]] bool leavesShell(const ControlVertex& from, const ControlVertex& to) const {
+        // From the surface up to the control point along its fibre, then along the segment.
+        TraceState state{ShellCell(*problem_.shell, problem_.shell->locate(from.point)), 0};
+        const auto walk = [&](const Vec3& a, const Vec3& b) {
+            PolynomialCurve line;
+            line.degree = 1;
+            line.coefficients[0] = a;
+            line.coefficients[1] = b - a;
+            return tracePolynomial(
+                *problem_.shell,
+                line,
+                1.0,
+                state,
+                [](const ShellCell&, double, double) {},
+                [](const ShellCell&, const ShellCell&, double, int) {}
+            );
+        };
+        return !walk(problem_.shell->lift(from.point, 0.0), from.position) ||
+               !walk(from.position, to.position);
+    }
+
+    const CurveProblem& problem_;
+    const GuidePath& guide_;
+    std::vector<ControlVertex> polygon_;
+    bool top_ = true;
+};
+
+// Breaks such that the averages of `degree` consecutive knots (the places where control points act)
+// follow the parameters of the control points.
+std::vector<double> averagedBreaks(
+    const std::vector<ControlVertex>& polygon, int degree, bool closed
+) {
+    std::vector<double> breaks{0.0};
+    const int n = static_cast<int>(polygon.size());
+    const int inner = closed ? n - 1 : n - degree - 1;
+    for (int i = 1; i <= inner; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < degree; ++j) {
+            // Closed: centred on control point i; open: controls i .. i + degree - 1.
+            const int c = closed ? i - degree / 2 + j : i + j;
+            const int wrapped = (c % n + n) % n;
+            const double turn = closed ? std::floor(static_cast<double>(c) / n) : 0.0;
+            sum += polygon[at(wrapped)].parameter + turn;
+        }
+        breaks.push_back(sum / degree);
+    }
+    breaks.push_back(1.0);
+    return breaks;
+}
+
+}  // namespace
+
+SplineCurve makeControlPolygon(const CurveProblem& problem, const GuidePath& guide) {
+    const int degree = problem.options.degree;
+    const bool closed = problem.options.closed;
+    std::vector<ControlVertex> polygon = PolygonMaker(problem, guide).make();
+    // Few picks in a thick shell: a spline needs degree + 1 control points.
+    while (static_cast<int>(polygon.size()) < degree + 1 + (closed ? 1 : 0)) {
+        std::vector<ControlVertex> finer;
+        const std::size_t segments = polygon.size() - (closed ? 0 : 1);
+        for (std::size_t i = 0; i < segments; ++i) {
+            const double end = i + 1 < polygon.size() ? polygon[i + 1].parameter : 1.0;
+            const double middle = 0.5 * (polygon[i].parameter + end);
+            const SurfacePoint point = guidePoint(guide, middle);
+            finer.push_back(polygon[i]);
+            finer.push_back({middle, point, problem.shell->lift(point, 0.0)});
+        }
+        if (!closed) {
+            finer.push_back(polygon.back());
+        }
+        polygon.swap(finer);
+    }
+    SplineSpace space(degree, closed, averagedBreaks(polygon, degree, closed));
+    ControlPoints controls(space.controlCount(), 3);
+    for (int c = 0; c < space.controlCount(); ++c) {
+        // Closed: basis function c acts around break c - (degree - 1) / 2.
+        const int source =
+            closed ? (c - (degree - 1) / 2 + space.controlCount()) % space.controlCount() : c;
+        controls.row(c) = polygon[at(source)].position.transpose();
+    }
+    return {std::move(space), std::move(controls)};
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/energy_derivatives.h"
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+void EnergyDerivatives::reset(const SplineSpace& space) {
+    const int size = 3 * space.basisCount();
+    gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space.controlCount()));
+    hessian.assign(at(space.spanCount()), SpanMatrix::Zero(size, size));
+    negativeKinks.assign(at(space.spanCount()), SpanMatrix::Zero(size, size));
+}
+
+void addRankOne(
+    SpanMatrix& block,
+    const SplineSpace::BasisValues& basis,
+    const Vec3& direction,
+    double scale,
+    int basisCount
+) {
+    std::array<double, kMaxSpanUnknowns> v{};
+    const int size = 3 * basisCount;
+    for (int j = 0; j < basisCount; ++j) {
+        for (int axis = 0; axis < 3; ++axis) {
+            v[at(3 * j + axis)] = basis[at(j)] * direction[axis];
+        }
+    }
+    double* data = block.data();
+    for (int j = 0; j < size; ++j) {
+        const double factor = scale * v[at(j)];
+        for (int i = 0; i < size; ++i) {
+            data[j * size + i] += factor * v[at(i)];
+        }
+    }
+}
+
+void addGradient(
+    Eigen::VectorXd& gradient,
+    const SplineSpace& space,
+    int span,
+    const SplineSpace::BasisValues& basis,
+    const Vec3& force
+) {
+    for (int j = 0; j < space.basisCount(); ++j) {
+        gradient.segment<3>(3 * space.control(span, j)) += basis[at(j)] * force;
+    }
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace bspline_curve {
+
+/// Weights of (7) during one minimisation.
+struct EnergyWeights {
+    double alpha = 1.0;         ///< of E_dist
+    double beta = 0.0;          ///< of E_fit; 0 where the picks are constraints
+    double barrierWidth = 1.0;  ///< h of (11)
+};
+
+}  // namespace bspline_curve

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/internal_energy.h"
+
+#include "solver/curve_tracer.h"
+#include "solver/gauss_rule.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// Integral over a span of the product of derivatives (of one order) of two basis functions,
+// exactly.
+double derivativeProduct(const SplineSpace& space, int span, int j1, int j2, int order) {
+    const SplineSpace::BasisMatrix& table = space.basis(span);
+    const auto falling = [order](int m) {
+        double factor = 1.0;
+        for (int i = 0; i < order; ++i) {
+            factor *= m - i;
+        }
+        return factor;
+    };
+    double sum = 0.0;
+    for (int a = order; a <= space.degree(); ++a) {
+        for (int b = order; b <= space.degree(); ++b) {
+            sum += falling(a) * falling(b) * table(j1, a) * table(j2, b) / (a + b - 2 * order + 1);
+        }
+    }
+    return sum * std::pow(space.spanLength(span), 1 - 2 * order);
+}
+
+}  // namespace
+
+Vec3 BendingDirections::at(double parameter) const {
+    const auto above = std::upper_bound(
+        samples.begin(), samples.end(), parameter, [](double value, const Sample& sample) {
+            return value < sample.parameter;
+        }
+    );
+    if (above == samples.begin() || above == samples.end()) {
+        return above == samples.end() ? samples.back().direction : samples.front().direction;
+    }
+    const Sample& before = *(above - 1);
+    const double gap = above->parameter - before.parameter;
+    const double s = gap > 0.0 ? (parameter - before.parameter) / gap : 0.0;
+    return ((1.0 - s) * before.direction + s * above->direction).normalized();
+}
+
+std::optional<BendingDirections> bendingDirectionsAlong(
+    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+) {
+    BendingDirections result;
+    const int spans = traceCurve(
+        problem,
+        space,
+        controls,
+        [&](
+            int span, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1
+        ) {
+            for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
+                const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
+                result.samples.push_back(
+                    {space.breaks()[at(span)] + tau * space.spanLength(span),
+                     kGaussWeights[i] * (tau1 - tau0) * space.spanLength(span),
+                     fibreAt(*problem.shell, cell.prism, cell.shadow(curve.at(tau))).normalized()}
+                );
+            }
+        },
+        [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
+    );
+    if (spans != space.spanCount()) {
+        return std::nullopt;
+    }
+    return result;
+}
+
+InternalEnergy::InternalEnergy(const CurveProblem& problem, const SplineSpace& space)
+    : problem_(problem), space_(space) {
+    const int n = space.basisCount();
+    const double tension = problem.options.tension;
+    const double scale = 2.0 / (problem.chordLength * problem.chordLength);
+    ambient_.assign(at(space.spanCount()), SpanMatrix::Zero(3 * n, 3 * n));
+    for (int span = 0; span < space.spanCount(); ++span) {
+        for (int j1 = 0; j1 < n; ++j1) {
+            for (int j2 = 0; j2 < n; ++j2) {
+                const double value =
+                    scale * (tension * derivativeProduct(space, span, j1, j2, 1) +
+                             (1.0 - tension) * derivativeProduct(space, span, j1, j2, 2));
+                for (int axis = 0; axis < 3; ++axis) {
+                    ambient_[at(span)](3 * j1 + axis, 3 * j2 + axis) = value;
+                }
+            }
+        }
+    }
+    internal_ = ambient_;
+}
+
+void InternalEnergy::setDirections(const BendingDirections& directions) {
+    internal_ = ambient_;
+    const double scale = -2.0 / (problem_.chordLength * problem_.chordLength) *
+                         (1.0 - problem_.options.tension) *
+                         (1.0 - problem_.options.normalBendingWeight);
+    int span = 0;
+    for (const BendingDirections::Sample& sample : directions.samples) {
+        while (span + 1 < space_.spanCount() && sample.parameter > space_.breaks()[at(span) + 1]) {
+            ++span;
+        }
+        const double tau = (sample.parameter - space_.breaks()[at(span)]) / space_.spanLength(span);
+        addRankOne(
+            internal_[at(span)],
+            space_.basisDerivativeAt(span, tau, 2),
+            sample.direction,
+            scale * sample.weight,
+            space_.basisCount()
+        );
+    }
+}
+
+double InternalEnergy::add(const ControlPoints& controls, EnergyDerivatives* derivatives) const {
+    const int n = space_.basisCount();
+    double energy = 0.0;
+    SpanVector x(3 * n);
+    SpanVector hx(3 * n);
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        for (int j = 0; j < n; ++j) {
+            x.segment<3>(3 * j) = controls.row(space_.control(span, j)).transpose();
+        }
+        hx.noalias() = internal_[at(span)] * x;
+        energy += 0.5 * x.dot(hx);
+        if (derivatives != nullptr) {
+            for (int j = 0; j < n; ++j) {
+                derivatives->gradient.segment<3>(3 * space_.control(span, j)) +=
+                    hx.segment<3>(3 * j);
+            }
+            derivatives->hessian[at(span)] += internal_[at(span)];
+        }
+    }
+    return energy;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/curve_problem.h"
+#include "solver/energy_derivatives.h"
+#include "solver/energy_weights.h"
+#include "solver/solve_report.h"
+
+namespace bspline_curve {
+
+/// An affine function of the position in one cell.
+struct AffineForm {
+    Vec3 gradient = Vec3::Zero();
+    double offset = 0.0;
+
+    [[nodiscard]] double at(const Vec3& p) const { return gradient.dot(p) + offset; }
+};
+
+/// The integrand of E_dist and E_ext in one cell: the barrier of the relative height, the barrier
+/// of how far a point lies beyond a boundary (ghost cells), and the cost of the field at the
+/// shadow.
+class CellIntegrand {
+public:
+    /// `heightScale` is the paper's eta: heights count this much of their value.
+    CellIntegrand(
+        const CurveProblem& problem,
+        const EnergyWeights& weights,
+        const ShellCell& cell,
+        double heightScale = 1.0
+    );
+
+    /// Adds `weight` times the integrand at p to the terms; false where p is on or above the
+    /// barrier.
+    [[nodiscard]] bool add(const Vec3& p, double weight, EnergyTerms& terms) const;
+
+    /// The same with derivatives, for a point that depends on the control points of a span by
+    /// `basis`.
+    [[nodiscard]] bool add(
+        const Vec3& p,
+        double weight,
+        EnergyTerms& terms,
+        EnergyDerivatives& derivatives,
+        const SplineSpace& space,
+        int span,
+        const SplineSpace::BasisValues& basis
+    ) const;
+
+    /// Gradient of the weighted integrand at p.
+    [[nodiscard]] Vec3 gradient(const Vec3& p) const;
+
+private:
+    EnergyWeights weights_;
+    double mu_;
+    FieldCost cost_;
+    AffineForm height_, beyond_, field_;
+    bool hasBeyond_ = false;
+};
+
+/// The weight of the field: mu of (7), or 0 without a field.
+[[nodiscard]] double fieldWeight(const CurveProblem& problem);
+
+}  // namespace bspline_curve

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/shell_boundary.h"
+#include "solver/curve_tracer.h"
+#include "solver/quadrature.h"
+
+#include <array>
+
+namespace bspline_curve {
+namespace {
+
+// eta of the paper's Sect. 4.2.
+constexpr double kHeightScale = 0.99;
+// Two Gauss points on each of the M segments of (14)-(16).
+constexpr std::array<double, 2> kPairNodes = {0.21132486540518712, 0.78867513459481288};
+
+// Follows samples of a curve through the shell, from each to the next by a straight walk, and back
+// in through the nearest point of the boundary where the curve was outside.
+class SampleWalker {
+public:
+    SampleWalker(
+        const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+    )
+        : problem_(problem), here_(problem.picks.front().position) {
+        state_.cell = ShellCell(*problem.shell, problem.shell->locate(problem.picks.front().point));
+        moveTo(space.polynomial(controls, 0).coefficients[0]);
+    }
+
+    void moveTo(const Vec3& p) {
+        if (!outside_ && walk(here_, p)) {
+            here_ = p;
+            return;
+        }
+        const ShellBoundary::Nearest nearest = problem_.boundary->nearest(p);
+        state_ = {ShellCell(*problem_.shell, nearest.tet), 0};
+        // Inside where the walk from the boundary ends inside.
+        outside_ = !walk(nearest.position, p);
+        if (outside_) {
+            state_ = {ShellCell(*problem_.shell, nearest.tet), 0};
+        }
+        here_ = outside_ ? nearest.position : p;
+    }
+
+    [[nodiscard]] const ShellCell& cell() const { return state_.cell; }
+
+    [[nodiscard]] bool outside() const { return outside_; }
+
+    /// The sample itself, or its nearest point of the boundary.
+    [[nodiscard]] const Vec3& position() const { return here_; }
+
+private:
+    bool walk(const Vec3& from, const Vec3& to) {
+        PolynomialCurve line;
+        line.degree = 1;
+        line.coefficients[0] = from;
+        line.coefficients[1] = to - from;
+        return tracePolynomial(
+            *problem_.shell,
+            line,
+            1.0,
+            state_,
+            [](const ShellCell&, double, double) {},
+            [](const ShellCell&, const ShellCell&, double, int) {}
+        );
+    }
+
+    const CurveProblem& problem_;
+    TraceState state_;
+    Vec3 here_;
+    bool outside_ = false;
+};
+
+}  // namespace
+
+bool integrateSamples(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    const EnergyWeights& weights,
+    EnergyTerms& terms,
+    EnergyDerivatives* derivatives
+) {
+    SampleWalker walker(problem, space, controls);
+    const int segments = problem.options.samplesPerSpan;
+    bool belowBarrier = true;
+    for (int span = 0; span < space.spanCount(); ++span) {
+        const PolynomialCurve curve = space.polynomial(controls, span);
+        const double weight = 0.5 * space.spanLength(span) / segments;
+        for (int i = 0; i < 2 * segments; ++i) {
+            const double tau = (i / 2 + kPairNodes[static_cast<std::size_t>(i % 2)]) / segments;
+            walker.moveTo(curve.at(tau));
+            const CellIntegrand integrand(problem, weights, walker.cell(), kHeightScale);
+            // Outside, the terms are those of the boundary point and do not change with the sample.
+            belowBarrier &= derivatives == nullptr || walker.outside()
+                                ? integrand.add(walker.position(), weight, terms)
+                                : integrand.add(
+                                      walker.position(),
+                                      weight,
+                                      terms,
+                                      *derivatives,
+                                      space,
+                                      span,
+                                      space.basisAt(span, tau)
+                                  );
+        }
+    }
+    return belowBarrier;
+}
+
+}  // namespace bspline_curve
