@@ -352,7 +352,7 @@ void addLimitParameters(RichParameterList& list) {
 /// 0.10000000149. The number that the user typed is the shortest decimal that rounds to that float.
 double typedNumber(Scalarm value) {
     std::array<char, 32> digits{};
-    const auto end =
+    const char* const end =
         std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<float>(value)).ptr;
     double number = 0.0;
     std::from_chars(digits.data(), end, number);

@@ -2,10 +2,11 @@
 """README's example runs as it stands there, and its options are those of the filter and the program."""
 import re
 import subprocess
+import sys
 from pathlib import Path
 
-import pymeshlab
 import pytest
+from curves import FILTER
 
 README = (Path(__file__).resolve().parents[2] / "README.md").read_text()
 
@@ -15,11 +16,12 @@ def help_text(program):
     return subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout
 
 
-def parameters(capfd):
-    from curves import FILTER
-
-    pymeshlab.print_filter_parameter_list(FILTER)
-    return re.findall(r"^\t(\w+) : ", capfd.readouterr().out, re.M)
+@pytest.fixture(scope="module")
+def parameters(plugin_path):
+    """Names of the filter's parameters, as the host prints them."""
+    code = f"import pymeshlab; pymeshlab.load_plugin({str(plugin_path)!r}); pymeshlab.print_filter_parameter_list({FILTER!r})"
+    printed = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+    return re.findall(r"^\t(\w+) : ", printed, re.M)
 
 
 def test_the_python_example_runs(capsys):
@@ -29,13 +31,12 @@ def test_the_python_example_runs(capsys):
     assert capsys.readouterr().out.startswith("True ")
 
 
-def test_every_parameter_of_the_filter_is_explained(capfd):
-    names = parameters(capfd)
-    assert len(names) > 20
-    assert [name for name in names if f"`{name}`" not in README] == []
+def test_every_parameter_of_the_filter_is_explained(parameters):
+    assert len(parameters) > 20
+    assert [name for name in parameters if f"`{name}`" not in README] == []
 
 
-def test_the_program_has_the_filters_options(capfd, help_text):
+def test_the_program_has_the_filters_options(parameters, help_text):
     only_in_the_filter = {"surface_layer", "picks_layer", "picks_file"}
-    names = set(parameters(capfd)) - only_in_the_filter
+    names = set(parameters) - only_in_the_filter
     assert [name for name in names if "--" + name.replace("_", "-") not in help_text] == []
