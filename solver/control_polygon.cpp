@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/initial_curve.h"
+#include "solver/span_distances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +43,9 @@ SurfacePoint guidePoint(const GuidePath& guide, double t) {
 
 class PolygonMaker {
 public:
-    PolygonMaker(const CurveProblem& problem, const GuidePath& guide)
-        : problem_(problem), guide_(guide) {}
+    // No interval of the way between two control points is longer than `longest`.
+    PolygonMaker(const CurveProblem& problem, const GuidePath& guide, double longest)
+        : problem_(problem), guide_(guide), longest_(longest) {}
 
     // Alg. 2: picks in turn to top and bottom; between two of them the middle of the way is added
     // until the segments stay in the shell.
@@ -69,7 +71,8 @@ private:
         ControlVertex to = {
             parameter, point, onSurface ? position : problem_.shell->lift(point, height())
         };
-        if (parameter - from.parameter > kShortestInterval && leavesShell(from, to)) {
+        const double interval = parameter - from.parameter;
+        if (interval > longest_ || (interval > kShortestInterval && leavesShell(from, to))) {
             const double middle = 0.5 * (from.parameter + parameter);
             const SurfacePoint between = guidePoint(guide_, middle);
             connect(middle, between, false, Vec3::Zero());
@@ -105,6 +108,7 @@ private:
 
     const CurveProblem& problem_;
     const GuidePath& guide_;
+    double longest_;
     std::vector<ControlVertex> polygon_;
     bool top_ = true;
 };
@@ -132,12 +136,10 @@ std::vector<double> averagedBreaks(
     return breaks;
 }
 
-}  // namespace
-
-SplineCurve makeControlPolygon(const CurveProblem& problem, const GuidePath& guide) {
+SplineCurve splineOf(const CurveProblem& problem, const GuidePath& guide, double longest) {
     const int degree = problem.options.degree;
     const bool closed = problem.options.closed;
-    std::vector<ControlVertex> polygon = PolygonMaker(problem, guide).make();
+    std::vector<ControlVertex> polygon = PolygonMaker(problem, guide, longest).make();
     // Few picks in a thick shell: a spline needs degree + 1 control points.
     while (static_cast<int>(polygon.size()) < degree + 1 + (closed ? 1 : 0)) {
         std::vector<ControlVertex> finer;
@@ -163,6 +165,21 @@ SplineCurve makeControlPolygon(const CurveProblem& problem, const GuidePath& gui
         controls.row(c) = polygon[at(source)].position.transpose();
     }
     return {std::move(space), std::move(controls)};
+}
+
+}  // namespace
+
+SplineCurve makeControlPolygon(const CurveProblem& problem, const GuidePath& guide) {
+    // A polygon inside the shell does not keep the curve inside, since a thin shell is not convex:
+    // shorter segments do.
+    double longest = 1.0;
+    SplineCurve curve = splineOf(problem, guide, longest);
+    while (!std::isfinite(measureDistances(problem, curve.space, curve.controls).largest()) &&
+           longest > kShortestInterval) {
+        longest *= 0.5;
+        curve = splineOf(problem, guide, longest);
+    }
+    return curve;
 }
 
 }  // namespace bspline_curve

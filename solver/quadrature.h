@@ -20,9 +20,8 @@ namespace bspline_curve {
     EnergyDerivatives* derivatives
 );
 
-/// The same at evenly spaced parameters (15), (16), as in the paper: points outside the shell count
-/// as their nearest point of its boundary, heights are scaled by eta = 0.99. Needs
-/// problem.boundary. False only where a point lies on or above a tight barrier.
+/// The same at evenly spaced parameters (15), (16), as in the paper. Needs problem.boundary. False
+/// where a sample leaves the shell and EnergyWeights::outsideAllowed is not set, or the barrier.
 [[nodiscard]] bool integrateSamples(
     const CurveProblem& problem,
     const SplineSpace& space,

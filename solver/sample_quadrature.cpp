@@ -88,7 +88,11 @@ bool integrateSamples(
         for (int i = 0; i < 2 * segments; ++i) {
             const double tau = (i / 2 + kPairNodes[static_cast<std::size_t>(i % 2)]) / segments;
             walker.moveTo(curve.at(tau));
-            const CellIntegrand integrand(problem, weights, walker.cell(), kHeightScale);
+            if (walker.outside() && !weights.outsideAllowed) {
+                return false;
+            }
+            const double scale = weights.outsideAllowed ? kHeightScale : 1.0;
+            const CellIntegrand integrand(problem, weights, walker.cell(), scale);
             // Outside, the terms are those of the boundary point and do not change with the sample.
             belowBarrier &= derivatives == nullptr || walker.outside()
                                 ? integrand.add(walker.position(), weight, terms)

@@ -39,6 +39,7 @@ EnergyWeights firstWeights(const SolverOptions& options, double largestHeight) {
     weights.alpha = options.distanceWeight == DistanceWeight::Schedule ? kFirstAlpha : kAlphaMin;
     weights.beta = options.interpolation == Interpolation::Constraint ? 0.0 : kFirstBeta;
     weights.barrierWidth = barrierWidth(options, largestHeight);
+    weights.outsideAllowed = largestHeight >= 1.0;
     return weights;
 }
 
@@ -62,6 +63,7 @@ EnergyWeights nextWeights(
         next.beta = adaptive(others, terms.fit, kBetaMin, kBetaMax);
     }
     next.barrierWidth = barrierWidth(options, largestHeight);
+    next.outsideAllowed = largestHeight >= 1.0;
     return next;
 }
 

@@ -7,7 +7,8 @@
 
 namespace bspline_curve {
 
-/// Weights for the first round: from the terms of the first curve.
+/// Weights for the first round. `largestHeight` is that of the first curve, 1 where it leaves the
+/// shell.
 [[nodiscard]] EnergyWeights firstWeights(const SolverOptions& options, double largestHeight);
 
 /// Weights for the next round, from the terms at the end of this one. `near`: the curve is within
