@@ -45,7 +45,7 @@ double bracketedRoot(const double* c, int degree, double a, double b) {
         }
         const double slope = evaluate(d.data(), degree - 1, s);
         double next = slope < 0.0 ? s - value / slope : a - 1.0;
-        if (!(next > a && next < b)) {
+        if (next <= a || next >= b) {
             next = 0.5 * (a + b);
         }
         if (std::abs(next - s) <= 1e-15 * b || b - a <= 1e-15 * b) {

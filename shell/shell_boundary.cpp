@@ -2,6 +2,25 @@
 #include "shell/shell_boundary.h"
 
 namespace bspline_curve {
+namespace {
+
+// The face of a tetrahedron opposite to its vertex k, in the boundary's vertices.
+Triangle faceOpposite(const Prism& prism, int inPrism, int k) {
+    const auto& split = kSlabSplit[static_cast<std::size_t>(inPrism % 3)];
+    const int outerLevel = inPrism < 3 ? 2 : 0;
+    Triangle triangle{};
+    std::size_t count = 0;
+    for (int j = 0; j < 4; ++j) {
+        const SplitVertex& vertex = split[static_cast<std::size_t>(j)];
+        if (j != k) {
+            triangle[count++] = 3 * prism.pillars[static_cast<std::size_t>(vertex.slot)] +
+                                (vertex.outer ? outerLevel : 1);
+        }
+    }
+    return triangle;
+}
+
+}  // namespace
 
 ShellBoundary::ShellBoundary(const Shell& shell) {
     // Vertices: bottom, middle and top of each pillar.
@@ -9,24 +28,12 @@ ShellBoundary::ShellBoundary(const Shell& shell) {
         vertices_.insert(vertices_.end(), {pillar.bottom, pillar.middle, pillar.top});
     }
     for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
-        const int inPrism = tet % kTetrahedraPerPrism;
-        const auto& split = kSlabSplit[static_cast<std::size_t>(inPrism % 3)];
         const Prism& prism = shell.prisms()[static_cast<std::size_t>(tet / kTetrahedraPerPrism)];
-        for (int k = 0; k < 4; ++k) {
-            if (prism.orientation == 0 || shell.neighbour(tet, k) >= 0) {
-                continue;
+        for (int k = 0; k < 4 && prism.orientation != 0; ++k) {
+            if (shell.neighbour(tet, k) < 0) {
+                triangles_.push_back(faceOpposite(prism, tet % kTetrahedraPerPrism, k));
+                tets_.push_back(tet);
             }
-            Triangle triangle{};
-            std::size_t count = 0;
-            for (std::size_t j = 0; j < 4; ++j) {
-                if (static_cast<int>(j) != k) {
-                    const int level = split[j].outer ? (inPrism < 3 ? 2 : 0) : 1;
-                    triangle[count++] =
-                        3 * prism.pillars[static_cast<std::size_t>(split[j].slot)] + level;
-                }
-            }
-            triangles_.push_back(triangle);
-            tets_.push_back(tet);
         }
     }
     tree_ = std::make_unique<TriangleTree>(vertices_, triangles_);

@@ -17,6 +17,16 @@ std::size_t at(int index) {
 // counts.
 constexpr double kLeastCrossingCosine = 0.05;
 
+// Where a curve passes from one cell into the next.
+struct WallCrossing {
+    const ShellCell& from;
+    const ShellCell& to;
+    int face;  // of `from`, by the opposite vertex
+    const PolynomialCurve& curve;
+    int span;
+    double tau;
+};
+
 // At a wall the integrand keeps its value and its gradient jumps along the wall's normal; moving
 // the curve moves the crossing, which gives the second derivative q (n . dP)^2 with q = jump / |n .
 // P'|.
@@ -24,25 +34,26 @@ void addKink(
     const CurveProblem& problem,
     const SplineSpace& space,
     const EnergyWeights& weights,
-    const ShellCell& from,
-    const ShellCell& to,
-    const Vec3& normal,
-    const PolynomialCurve& curve,
-    int span,
-    double tau,
+    const WallCrossing& crossing,
     EnergyDerivatives& derivatives
 ) {
-    const Vec3 p = curve.at(tau);
-    const double jump = (CellIntegrand(problem, weights, to).gradient(p) -
-                         CellIntegrand(problem, weights, from).gradient(p))
+    const Vec3 normal = -crossing.from.gradients[at(crossing.face)].normalized();
+    const Vec3 p = crossing.curve.at(crossing.tau);
+    const double jump = (CellIntegrand(problem, weights, crossing.to).gradient(p) -
+                         CellIntegrand(problem, weights, crossing.from).gradient(p))
                             .dot(normal);
-    const Vec3 velocity = curve.derivativeAt(tau) / space.spanLength(span);
+    const Vec3 velocity =
+        crossing.curve.derivativeAt(crossing.tau) / space.spanLength(crossing.span);
     const double speed =
         std::max(std::abs(normal.dot(velocity)), kLeastCrossingCosine * velocity.norm());
     if (speed > 0.0 && jump != 0.0) {
         auto& blocks = jump > 0.0 ? derivatives.hessian : derivatives.negativeKinks;
         addRankOne(
-            blocks[at(span)], space.basisAt(span, tau), normal, jump / speed, space.basisCount()
+            blocks[at(crossing.span)],
+            space.basisAt(crossing.span, crossing.tau),
+            normal,
+            jump / speed,
+            space.basisCount()
         );
     }
 }
@@ -83,8 +94,7 @@ bool integrateCells(
                                 double tau,
                                 int k) {
         if (derivatives != nullptr) {
-            const Vec3 normal = -from.gradients[at(k)].normalized();
-            addKink(problem, space, weights, from, to, normal, curve, span, tau, *derivatives);
+            addKink(problem, space, weights, {from, to, k, curve, span, tau}, *derivatives);
         }
     };
     return traceCurve(problem, space, controls, onPiece, onCrossing) == space.spanCount() &&

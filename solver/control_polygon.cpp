@@ -68,7 +68,7 @@ private:
         double parameter, const SurfacePoint& point, bool onSurface, const Vec3& position
     ) {
         const ControlVertex from = polygon_.back();
-        ControlVertex to = {
+        const ControlVertex to = {
             parameter, point, onSurface ? position : problem_.shell->lift(point, height())
         };
         const double interval = parameter - from.parameter;

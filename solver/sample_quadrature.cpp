@@ -86,7 +86,8 @@ bool integrateSamples(
         const PolynomialCurve curve = space.polynomial(controls, span);
         const double weight = 0.5 * space.spanLength(span) / segments;
         for (int i = 0; i < 2 * segments; ++i) {
-            const double tau = (i / 2 + kPairNodes[static_cast<std::size_t>(i % 2)]) / segments;
+            const int segment = i / 2;
+            const double tau = (segment + kPairNodes[static_cast<std::size_t>(i % 2)]) / segments;
             walker.moveTo(curve.at(tau));
             if (walker.outside() && !weights.outsideAllowed) {
                 return false;
