@@ -115,6 +115,24 @@ struct FunnelCorner {
     bool onLeft;
 };
 
+// A portal that makes a smaller angle with the path (its sine) lies along it: the crossing is lost
+// in rounding, and any point of the portal is on the path up to the square of the angle.
+constexpr double kAlong = 1e-7;
+
+// Where the path from `from` to `to` crosses the portal from left to right: 0 at its left end, 1 at
+// its right. On a portal along the path: as near to the last crossing as can be, so that the path
+// does not turn back.
+double crossingOf(
+    const Vec2& left, const Vec2& right, const Vec2& from, const Vec2& to, const Vec2& last
+) {
+    const Vec2 edge = right - left;
+    const double denominator = cross(edge, to - from);
+    const double s = std::abs(denominator) > kAlong * edge.norm() * (to - from).norm()
+                         ? cross(from - left, to - from) / denominator
+                         : edge.dot(last - left) / edge.squaredNorm();
+    return std::min(1.0, std::max(0.0, s));
+}
+
 // The corners of the shortest path, in order, without its ends. No portal may touch the start or
 // the goal.
 class Funnel {
@@ -192,17 +210,15 @@ StripPath shortestPathInStrip(
     const std::size_t count = u.left.size();
     path.crossings.assign(count, 0.5);
     Vec2 from = u.start;
+    Vec2 last = u.start;
     std::size_t portal = 0;
     for (std::size_t c = 0; c <= corners.size(); ++c) {
         const Vec2 to = c < corners.size() ? corners[c].position : u.goal;
         const std::size_t end = c < corners.size() ? corners[c].portal : count;
         for (; portal < end; ++portal) {
-            // Where the segment crosses left + s (right - left).
-            const Vec2 edge = u.right[portal] - u.left[portal];
-            const double denominator = cross(edge, to - from);
-            const double s =
-                denominator != 0.0 ? cross(from - u.left[portal], to - from) / denominator : 0.0;
-            path.crossings[portal] = std::min(1.0, std::max(0.0, s));
+            const double s = crossingOf(u.left[portal], u.right[portal], from, to, last);
+            path.crossings[portal] = s;
+            last = (1.0 - s) * u.left[portal] + s * u.right[portal];
         }
         if (c == corners.size()) {
             break;
@@ -216,6 +232,7 @@ StripPath shortestPathInStrip(
              std::abs(turn)}
         );
         from = to;
+        last = to;
     }
     return path;
 }
