@@ -13,7 +13,7 @@ std::size_t at(int index) {
 
 // The multipliers have converged when the constraints hold to rounding, relative to the step.
 constexpr double kConstraintAccuracy = 1e-15;
-constexpr int kMaxMultiplierSteps = 4;
+constexpr int kMaxMultiplierSteps = 12;
 
 }  // namespace
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/options.h"
+
+#include "surface/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Expects that a value is refused by a message that names field and value.
+template <class Value>
+void expectRefused(
+    Value SolverOptions::* field, Value value, const std::string& name, const std::string& shown
+) {
+    SolverOptions options;
+    options.*field = value;
+    try {
+        options.validate();
+        ADD_FAILURE() << name << " = " << value << " was accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), InputErrorCode::BadOption);
+        EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find(shown), std::string::npos) << error.what();
+    }
+}
+
+template <class Value>
+void expectAccepted(Value SolverOptions::* field, Value value) {
+    SolverOptions options;
+    options.*field = value;
+    EXPECT_NO_THROW(options.validate()) << value;
+}
+
+TEST(SolverOptionsValidation, AcceptsDefaultsAndThePaper) {
+    EXPECT_NO_THROW(SolverOptions().validate());
+    EXPECT_NO_THROW(paperPreset().validate());
+}
+
+TEST(SolverOptionsValidation, ChecksWholeNumbers) {
+    for (const int degree : {2, 3, 4}) {
+        expectAccepted(&SolverOptions::degree, degree);
+    }
+    for (const int degree : {-3, 0, 1, 5}) {
+        expectRefused(&SolverOptions::degree, degree, "degree", std::to_string(degree));
+    }
+    expectAccepted(&SolverOptions::samplesPerSpan, 4);
+    expectRefused(&SolverOptions::samplesPerSpan, 3, "samples per span", "3");
+    expectAccepted(&SolverOptions::maxRounds, 1);
+    expectRefused(&SolverOptions::maxRounds, 0, "maximal rounds", "0");
+    expectAccepted(&SolverOptions::maxIterations, 1);
+    expectRefused(&SolverOptions::maxIterations, -1, "maximal iterations", "-1");
+}
+
+TEST(SolverOptionsValidation, ChecksNumbers) {
+    expectAccepted(&SolverOptions::tension, 0.0);
+    expectAccepted(&SolverOptions::tension, 1.0);
+    expectRefused(&SolverOptions::tension, -0.5, "tension", "-0.5");
+    expectRefused(&SolverOptions::tension, 1.5, "tension", "1.5");
+    expectAccepted(&SolverOptions::fieldWeight, 0.0);
+    expectRefused(&SolverOptions::fieldWeight, -2.0, "field weight", "-2");
+    expectRefused(&SolverOptions::fieldWeight, kInfinity, "field weight", "inf");
+    expectRefused(&SolverOptions::distanceTolerance, 0.0, "distance tolerance", "0");
+    expectRefused(&SolverOptions::distanceTolerance, kInfinity, "distance tolerance", "inf");
+    expectAccepted(&SolverOptions::normalBendingWeight, 1.0);
+    expectRefused(&SolverOptions::normalBendingWeight, 0.0, "normal bending weight", "0");
+    expectRefused(&SolverOptions::normalBendingWeight, 1.25, "normal bending weight", "1.25");
+    expectAccepted(&SolverOptions::minimumSpan, 0.1);
+    expectRefused(&SolverOptions::minimumSpan, 0.0, "minimum span", "0");
+    expectRefused(&SolverOptions::minimumSpan, 0.25, "minimum span", "0.25");
+}
+
+TEST(SolverOptionsValidation, RefusesNotANumber) {
+    expectRefused(&SolverOptions::tension, kNotANumber, "tension", "nan");
+    expectRefused(&SolverOptions::fieldWeight, kNotANumber, "field weight", "nan");
+    expectRefused(&SolverOptions::distanceTolerance, kNotANumber, "distance tolerance", "nan");
+    expectRefused(&SolverOptions::normalBendingWeight, kNotANumber, "normal bending weight", "nan");
+    expectRefused(&SolverOptions::minimumSpan, kNotANumber, "minimum span", "nan");
+}
+
+}  // namespace
+}  // namespace bspline_curve
