@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves whose answer is known: interpolating splines on a plane, great circles on a sphere.
+#include "cubic_interpolation.h"
+#include "curve_checks.h"
+#include "support/meshes.h"
+#include "support/random.h"
+
+#include <Eigen/Geometry>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+const std::vector<Vec3> kOpenPicks = {
+    {0.1, 0.25, 0}, {0.33, 0.7, 0}, {0.6, 0.35, 0}, {0.72, 0.66, 0}, {0.9, 0.5, 0}
+};
+const std::vector<Vec3> kClosedPicks = {
+    {0.3, 0.25, 0}, {0.71, 0.32, 0}, {0.8, 0.66, 0}, {0.52, 0.6, 0}, {0.2, 0.7, 0}
+};
+
+double largestDifference(const SplineData& spline, const CubicInterpolation& expected) {
+    double largest = 0.0;
+    for (int i = 0; i <= 200; ++i) {
+        const double t = i / 200.0;
+        largest = std::max(largest, (pointOfSpline(spline, t) - expected.at(t)).norm());
+    }
+    return largest;
+}
+
+class Plates : public testing::TestWithParam<std::string> {
+protected:
+    [[nodiscard]] static CurveDesigner designer() {
+        if (GetParam() == "Coarse") {
+            return CurveDesigner(plate(5, 7));
+        }
+        if (GetParam() == "Fine") {
+            return CurveDesigner(plate(40, 40));
+        }
+        return CurveDesigner(jitteredPlate(20, 20, 0.25, 5));
+    }
+};
+
+TEST_P(Plates, OpenCurvesWithoutTensionAreNaturalCubicSplines) {
+    const CurveDesigner plates = designer();
+    const Curve curve = goodCurve(plates, kOpenPicks);
+    const auto expected = CubicInterpolation::natural(curve.spline.pickParameters, kOpenPicks);
+    EXPECT_LT(largestDifference(curve.spline, expected), 1e-6);
+}
+
+TEST_P(Plates, ClosedCurvesWithoutTensionArePeriodicCubicSplines) {
+    const CurveDesigner plates = designer();
+    const Curve curve = goodCurve(plates, kClosedPicks, closedOptions());
+    const auto expected = CubicInterpolation::periodic(curve.spline.pickParameters, kClosedPicks);
+    EXPECT_LT(largestDifference(curve.spline, expected), 1e-6);
+}
+
+TEST_P(Plates, ThreePicksAreEnoughForAPeriodicCubicSpline) {
+    const CurveDesigner plates = designer();
+    const std::vector<Vec3> picks = {{0.3, 0.3, 0}, {0.75, 0.4, 0}, {0.45, 0.72, 0}};
+    const Curve curve = goodCurve(plates, picks, closedOptions());
+    const auto expected = CubicInterpolation::periodic(curve.spline.pickParameters, picks);
+    EXPECT_LT(largestDifference(curve.spline, expected), 1e-6);
+}
+
+TEST_P(Plates, TwoPicksGiveTheirSegmentWithoutMoreKnots) {
+    const CurveDesigner plates = designer();
+    const Curve curve = goodCurve(plates, {{0.1, 0.25, 0}, {0.9, 0.61, 0}});
+    for (int i = 0; i <= 200; ++i) {
+        const double t = i / 200.0;
+        const Vec3 expected = Vec3(0.1, 0.25, 0) + t * Vec3(0.8, 0.36, 0);
+        EXPECT_LT((pointOfSpline(curve.spline, t) - expected).norm(), 1e-6) << "t = " << t;
+    }
+    EXPECT_LE(curve.report.knotsLast, 16);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Plates, testing::Values("Coarse", "Fine", "Jittered"), [](const auto& testInfo) {
+        return testInfo.param;
+    }
+);
+
+// By symmetry a smooth curve through points of one great circle is that circle.
+TEST(Spheres, ClosedCurvesThroughAGreatCircleAreThatCircle) {
+    Random random(3);
+    const CurveDesigner sphere(icosphere(4));
+    const Eigen::Quaterniond turn(random.isometry(0.0).rotation());
+    std::vector<Vec3> picks;
+    for (const double angle : {0.1, 1.3, 2.9, 4.0, 5.2}) {
+        picks.emplace_back(turn * Vec3(std::cos(angle), std::sin(angle), 0.0));
+    }
+    const Curve curve = sphere.design(picks, closedOptions());
+    EXPECT_TRUE(curve.report.usable);
+    expectStrict(sphere.surface(), curve.polyline);
+    const Vec3 axis = turn * Vec3::UnitZ();
+    const double tolerance = 0.1 * sphere.surface().averageEdgeLength();
+    for (const Vec3& p : curve.polyline.points) {
+        EXPECT_LT(std::abs(p.dot(axis)), tolerance);
+    }
+    EXPECT_NEAR(length(curve.polyline), 2.0 * std::numbers::pi, 0.01);
+}
+
+}  // namespace
+}  // namespace bspline_curve
