@@ -132,6 +132,11 @@ double firstExit(const double* coefficients, int degree, double end) {
     if (c[0] + std::min(0.0, c[1] * end) - whole.value >= 0.0) {
         return end;
     }
+    // Rising, and the higher terms never eat up the rise: |c_2| s^2 + ... <= c_1 s for all s up to
+    // end.
+    if (c[0] >= 0.0 && c[1] * end >= whole.value) {
+        return end;
+    }
     if (c[0] < 0.0) {
         return 0.0;  // outside already: walk on
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bspline_curve {
 
@@ -61,6 +62,27 @@ inline constexpr double kCellTolerance = 1e-10;
 /// negative already.
 [[nodiscard]] double firstExit(const double* coefficients, int degree, double end);
 
+/// A barycentric coordinate of a cell along a curve: a polynomial.
+struct CellCoordinate {
+    std::array<double, kMaxPolynomialDegree + 1> coefficients{};
+
+    CellCoordinate() = default;
+
+    CellCoordinate(const ShellCell& cell, int k, const PolynomialCurve& curve) {
+        const Vec3& gradient = cell.gradients[static_cast<std::size_t>(k)];
+        for (std::size_t j = 0; j <= static_cast<std::size_t>(curve.degree); ++j) {
+            coefficients[j] = gradient.dot(curve.coefficients[j]);
+        }
+        coefficients[0] += cell.offsets[static_cast<std::size_t>(k)];
+    }
+
+    /// Where the tangent at 0 reaches zero; infinite where it does not fall.
+    [[nodiscard]] double linearExit() const {
+        return coefficients[1] < 0.0 ? -coefficients[0] / coefficients[1]
+                                     : std::numeric_limits<double>::infinity();
+    }
+};
+
 /// Cuts p(s), s in [0, end], exactly where it passes from one tetrahedron into the next, starting
 /// in state.cell. Calls onPiece(cell, s0, s1) for each piece in order and onCrossing(from, to, s,
 /// k) between two pieces, k being the vertex of `from` opposite to the face crossed. Returns true
@@ -81,17 +103,22 @@ bool tracePolynomial(
     while (true) {
         const PolynomialCurve here = s == 0.0 ? curve : curve.shifted(s);
         const ShellCell& cell = state.cell;
+        std::array<CellCoordinate, 4> lambda;
+        int nearest = 0;
+        for (int k = 0; k < 4; ++k) {
+            lambda[static_cast<std::size_t>(k)] = CellCoordinate(cell, k, here);
+            if (lambda[static_cast<std::size_t>(k)].linearExit() <
+                lambda[static_cast<std::size_t>(nearest)].linearExit()) {
+                nearest = k;
+            }
+        }
+        // The face that the tangent leaves by first bounds the search for the others.
         double exit = end - s;
         int exitFace = -1;
-        for (int k = 0; k < 4; ++k) {
-            std::array<double, kMaxPolynomialDegree + 1> lambda;
-            const auto kk = static_cast<std::size_t>(k);
-            for (int j = 0; j <= here.degree; ++j) {
-                lambda[static_cast<std::size_t>(j)] =
-                    cell.gradients[kk].dot(here.coefficients[static_cast<std::size_t>(j)]);
-            }
-            lambda[0] += cell.offsets[kk];
-            const double candidate = firstExit(lambda.data(), here.degree, exit);
+        for (int i = 0; i < 4; ++i) {
+            const int k = (nearest + i) % 4;
+            const CellCoordinate& coordinate = lambda[static_cast<std::size_t>(k)];
+            const double candidate = firstExit(coordinate.coefficients.data(), here.degree, exit);
             if (candidate < exit) {
                 exit = candidate;
                 exitFace = k;

@@ -73,18 +73,22 @@ bool integrateCells(
         [&](
             int span, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1
         ) {
-            const CellIntegrand integrand(problem, weights, cell);
+            CellIntegrand integrand(problem, weights, cell);
             const double length = (tau1 - tau0) * space.spanLength(span);
             for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
                 const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
                 const double weight = kGaussWeights[i] * length;
                 const Vec3 p = curve.at(tau);
-                belowBarrier &=
-                    derivatives == nullptr
-                        ? integrand.add(p, weight, terms)
-                        : integrand.add(
-                              p, weight, terms, *derivatives, space, span, space.basisAt(span, tau)
-                          );
+                if (derivatives == nullptr) {
+                    belowBarrier &= integrand.add(p, weight, terms);
+                } else {
+                    const SplineSpace::BasisValues basis = space.basisAt(span, tau);
+                    belowBarrier &=
+                        integrand.add(p, weight, terms, space, span, basis, derivatives->gradient);
+                }
+            }
+            if (derivatives != nullptr) {
+                integrand.flush(derivatives->hessian[at(span)], space.basisCount());
             }
         };
     const auto onCrossing = [&](int span,

@@ -4,6 +4,7 @@
 #include "solver/spline_space.h"
 #include "solver/spline_system.h"
 
+#include <array>
 #include <vector>
 
 namespace bspline_curve {
@@ -28,6 +29,27 @@ void addRankOne(
     double scale,
     int basisCount
 );
+
+/// Sum of scale b b^T over points whose basis values are b: the part of many rank-one terms with
+/// one direction that differs between them.
+class BasisProducts {
+public:
+    void add(const SplineSpace::BasisValues& basis, double scale, int basisCount) {
+        for (int i = 0; i < basisCount; ++i) {
+            const double factor = scale * basis[static_cast<std::size_t>(i)];
+            for (int j = 0; j < basisCount; ++j) {
+                sums_[static_cast<std::size_t>(i * kMaxBasis + j)] +=
+                    factor * basis[static_cast<std::size_t>(j)];
+            }
+        }
+    }
+
+    /// block += sums (x) direction direction^T.
+    void addTo(SpanMatrix& block, const Vec3& direction, int basisCount) const;
+
+private:
+    std::array<double, static_cast<std::size_t>(kMaxBasis) * kMaxBasis> sums_{};
+};
 
 /// gradient += basis (x) force on the control points of a span.
 void addGradient(

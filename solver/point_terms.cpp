@@ -87,14 +87,13 @@ bool CellIntegrand::add(
     const Vec3& p,
     double weight,
     EnergyTerms& terms,
-    EnergyDerivatives& derivatives,
     const SplineSpace& space,
     int span,
-    const SplineSpace::BasisValues& basis
-) const {
+    const SplineSpace::BasisValues& basis,
+    Eigen::VectorXd& gradient
+) {
     Vec3 force = Vec3::Zero();
-    SpanMatrix& hessian = derivatives.hessian[at(span)];
-    const auto addBarrier = [&](const AffineForm& form, double width) {
+    const auto addBarrier = [&](const AffineForm& form, double width, BasisProducts& products) {
         const double x = form.at(p);
         if (std::abs(x) >= width) {
             return false;
@@ -102,28 +101,31 @@ bool CellIntegrand::add(
         const Barrier g = barrier(x, width);
         terms.distance += weight * g.value;
         force += weight * weights_.alpha * g.slope * form.gradient;
-        addRankOne(
-            hessian, basis, form.gradient, weight * weights_.alpha * g.curvature, space.basisCount()
-        );
+        products.add(basis, weight * weights_.alpha * g.curvature, space.basisCount());
         return true;
     };
-    if (!addBarrier(height_, weights_.barrierWidth) || (hasBeyond_ && !addBarrier(beyond_, 1.0))) {
+    if (!addBarrier(height_, weights_.barrierWidth, heightProducts_) ||
+        (hasBeyond_ && !addBarrier(beyond_, 1.0, beyondProducts_))) {
         return false;
     }
     if (mu_ > 0.0) {
         const FieldCostValue c = fieldCost(cost_, field_.at(p));
         terms.external += weight * c.value;
         force += weight * mu_ * c.slope * field_.gradient;
-        addRankOne(
-            hessian,
-            basis,
-            field_.gradient,
-            weight * mu_ * std::max(0.0, c.curvature),
-            space.basisCount()
-        );
+        fieldProducts_.add(basis, weight * mu_ * std::max(0.0, c.curvature), space.basisCount());
     }
-    addGradient(derivatives.gradient, space, span, basis, force);
+    addGradient(gradient, space, span, basis, force);
     return true;
+}
+
+void CellIntegrand::flush(SpanMatrix& hessian, int basisCount) const {
+    heightProducts_.addTo(hessian, height_.gradient, basisCount);
+    if (hasBeyond_) {
+        beyondProducts_.addTo(hessian, beyond_.gradient, basisCount);
+    }
+    if (mu_ > 0.0) {
+        fieldProducts_.addTo(hessian, field_.gradient, basisCount);
+    }
 }
 
 Vec3 CellIntegrand::gradient(const Vec3& p) const {

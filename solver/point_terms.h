@@ -33,17 +33,20 @@ public:
     /// barrier.
     [[nodiscard]] bool add(const Vec3& p, double weight, EnergyTerms& terms) const;
 
-    /// The same with derivatives, for a point that depends on the control points of a span by
-    /// `basis`.
+    /// The same with derivatives by the control points of a span, on which the point depends by
+    /// `basis`; second derivatives are collected until flush().
     [[nodiscard]] bool add(
         const Vec3& p,
         double weight,
         EnergyTerms& terms,
-        EnergyDerivatives& derivatives,
         const SplineSpace& space,
         int span,
-        const SplineSpace::BasisValues& basis
-    ) const;
+        const SplineSpace::BasisValues& basis,
+        Eigen::VectorXd& gradient
+    );
+
+    /// Adds the second derivatives collected to the block of the span.
+    void flush(SpanMatrix& hessian, int basisCount) const;
 
     /// Gradient of the weighted integrand at p.
     [[nodiscard]] Vec3 gradient(const Vec3& p) const;
@@ -52,7 +55,10 @@ private:
     EnergyWeights weights_;
     double mu_;
     FieldCost cost_;
+    // Constant gradients in the cell, so the second derivatives of all points in it share their
+    // directions.
     AffineForm height_, beyond_, field_;
+    BasisProducts heightProducts_, beyondProducts_, fieldProducts_;
     bool hasBeyond_ = false;
 };
 

@@ -93,19 +93,19 @@ bool integrateSamples(
                 return false;
             }
             const double scale = weights.outsideAllowed ? kHeightScale : 1.0;
-            const CellIntegrand integrand(problem, weights, walker.cell(), scale);
+            CellIntegrand integrand(problem, weights, walker.cell(), scale);
             // Outside, the terms are those of the boundary point and do not change with the sample.
-            belowBarrier &= derivatives == nullptr || walker.outside()
-                                ? integrand.add(walker.position(), weight, terms)
-                                : integrand.add(
-                                      walker.position(),
-                                      weight,
-                                      terms,
-                                      *derivatives,
-                                      space,
-                                      span,
-                                      space.basisAt(span, tau)
-                                  );
+            if (derivatives == nullptr || walker.outside()) {
+                belowBarrier &= integrand.add(walker.position(), weight, terms);
+                continue;
+            }
+            const SplineSpace::BasisValues basis = space.basisAt(span, tau);
+            belowBarrier &= integrand.add(
+                walker.position(), weight, terms, space, span, basis, derivatives->gradient
+            );
+            integrand.flush(
+                derivatives->hessian[static_cast<std::size_t>(span)], space.basisCount()
+            );
         }
     }
     return belowBarrier;
