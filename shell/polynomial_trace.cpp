@@ -97,6 +97,27 @@ int signChanges(const double* c, int degree, double end, double* roots) {
     return found;
 }
 
+// Root of a polynomial that falls all the way from c[0] >= 0 to a negative value at `reach`:
+// Newton, a handful of steps from the root of the tangent.
+double rootOfFalling(const double* c, int degree, double reach) {
+    constexpr int kMaxSteps = 8;
+    double s = std::min(reach, c[0] / -c[1]);
+    for (int step = 0; step < kMaxSteps; ++step) {
+        double value = c[degree];
+        double slope = 0.0;
+        for (int j = degree; j-- > 0;) {
+            slope = slope * s + value;
+            value = value * s + c[j];
+        }
+        const double next = std::clamp(s - value / slope, 0.0, reach);
+        if (std::abs(next - s) <= 1e-15 * reach) {
+            return next;
+        }
+        s = next;
+    }
+    return s;
+}
+
 // Slow but sure: the first sign change after which the polynomial is negative.
 double firstExitByIsolation(const double* c, int degree, double end) {
     std::array<double, kMaxPolynomialDegree + 1> roots{};
@@ -137,34 +158,18 @@ double firstExit(const double* coefficients, int degree, double end) {
     if (c[0] >= 0.0 && c[1] * end >= whole.value) {
         return end;
     }
-    if (c[0] < 0.0) {
+    if (c[0] < 0.0 || (c[0] == 0.0 && c[1] < 0.0)) {
         return 0.0;  // outside already: walk on
     }
     // The common case, an almost straight piece: monotone up to its root.
     if (c[1] < 0.0) {
         const double reach = std::min(end, 2.0 * c[0] / -c[1]);
-        const HigherTerms near = boundHigherTerms(c.data(), degree, reach);
-        if (c[1] + near.derivative < 0.0) {
-            if (evaluate(c.data(), degree, reach) < 0.0) {
-                double s = std::min(reach, c[0] / -c[1]);
-                for (int iteration = 0; iteration < 8; ++iteration) {
-                    double value = c[static_cast<std::size_t>(degree)];
-                    double slope = 0.0;
-                    for (int j = degree; j-- > 0;) {
-                        slope = slope * s + value;
-                        value = value * s + c[static_cast<std::size_t>(j)];
-                    }
-                    const double next = std::clamp(s - value / slope, 0.0, reach);
-                    if (std::abs(next - s) <= 1e-15 * reach) {
-                        return next;
-                    }
-                    s = next;
-                }
-                return s;
-            }
-            if (reach == end) {
-                return end;
-            }
+        const bool falls = c[1] + boundHigherTerms(c.data(), degree, reach).derivative < 0.0;
+        if (falls && evaluate(c.data(), degree, reach) < 0.0) {
+            return rootOfFalling(c.data(), degree, reach);
+        }
+        if (falls && reach == end) {
+            return end;
         }
     }
     return firstExitByIsolation(c.data(), degree, end);

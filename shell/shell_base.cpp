@@ -254,7 +254,7 @@ private:
             const Vec3 direction = length > 0.0 ? Vec3(sum / length) : outward(edge);
             ghostOf_[at(v)] = static_cast<int>(base_.vertices.size());
             base_.ghostOrigin.push_back(v);
-            base_.vertices.push_back(
+            base_.vertices.emplace_back(
                 base_.vertices[at(v)] + kGhostWidth * base_.edgeLengths[at(v)] * direction
             );
             base_.directions.push_back(base_.directions[at(v)]);
