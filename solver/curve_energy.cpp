@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/curve_energy.h"
 
+#include <cmath>
+
 namespace bspline_curve {
 namespace {
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
+
+// Enough of the field's term to stop at rounding where it is all there is.
+constexpr double kFieldShare = 1e-6;
 
 }  // namespace
 
@@ -27,8 +32,11 @@ EnergyValue CurveEnergy::evaluate(
     }
     value.terms.internal = internal_.add(controls, derivatives);
     value.terms.fit = addFit(controls, weights, derivatives);
-    value.total = value.terms.internal + fieldWeight(problem_) * value.terms.external +
-                  weights.alpha * value.terms.distance + weights.beta * value.terms.fit;
+    const double field = fieldWeight(problem_) * value.terms.external;
+    const double others = value.terms.internal + weights.alpha * value.terms.distance +
+                          weights.beta * value.terms.fit;
+    value.total = others + field;
+    value.scale = others + kFieldShare * std::abs(field);
     return value;
 }
 

@@ -5,6 +5,7 @@
 #include "surface/input_error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace bspline_curve {
@@ -15,6 +16,9 @@ std::size_t at(int index) {
 }
 
 constexpr int kMaxFits = 16;
+// A first curve that comes nearer to the top or the bottom than this is fitted again with more
+// spans: close to the pole of the barrier, Newton's method stalls at once.
+constexpr double kHighestStart = 0.9;
 // Samples of the guide per span: more than the unknowns of a span, few enough to be cheap.
 constexpr int kSamplesPerSpan = 16;
 // Weight of the bending regulariser against the squared distance, in units of the span length to
@@ -99,7 +103,7 @@ ControlPoints fit(const CurveProblem& problem, const GuidePath& guide, const Spl
     return controls;
 }
 
-// Whether the curve stays in the shell on a span, starting from the guide's own cell.
+// Whether the curve stays well inside the shell on a span, starting from the guide's own cell.
 bool spanIsInside(
     const CurveProblem& problem,
     const GuidePath& guide,
@@ -114,10 +118,17 @@ bool spanIsInside(
     line.degree = 1;
     line.coefficients[0] = near.position;
     line.coefficients[1] = curve.coefficients[0] - near.position;
+    double highest = 0.0;
+    const auto measure = [&](const ShellCell& cell, double tau0, double tau1) {
+        for (const double tau : {tau0, 0.5 * (tau0 + tau1), tau1}) {
+            highest = std::max(highest, std::abs(cell.height(curve.at(tau))));
+        }
+    };
     const auto ignorePiece = [](const ShellCell&, double, double) {};
     const auto ignoreCrossing = [](const ShellCell&, const ShellCell&, double, int) {};
     return tracePolynomial(*problem.shell, line, 1.0, state, ignorePiece, ignoreCrossing) &&
-           tracePolynomial(*problem.shell, curve, 1.0, state, ignorePiece, ignoreCrossing);
+           tracePolynomial(*problem.shell, curve, 1.0, state, measure, ignoreCrossing) &&
+           highest < kHighestStart;
 }
 
 }  // namespace

@@ -22,12 +22,16 @@ constexpr double kShareOfGain = 0.9;
 // The barrier in the feature function is cut off here, below its pole.
 constexpr double kHighest = 0.999;
 
+bool canHalve(const SplineSpace& space, int span, double minimumSpan) {
+    return 0.5 * space.spanLength(span) >= minimumSpan;
+}
+
 std::vector<double> halveSpans(
     const SplineSpace& space, const std::vector<char>& marked, double minimumSpan
 ) {
     std::vector<double> breaks{space.breaks().front()};
     for (int span = 0; span < space.spanCount(); ++span) {
-        if (marked[at(span)] != 0 && 0.5 * space.spanLength(span) >= minimumSpan) {
+        if (marked[at(span)] != 0 && canHalve(space, span, minimumSpan)) {
             breaks.push_back(0.5 * (space.breaks()[at(span)] + space.breaks()[at(span) + 1]));
         }
         breaks.push_back(space.breaks()[at(span) + 1]);
@@ -81,6 +85,10 @@ KnotDemand predictGain(
         return gain;
     }
     gain.total = -0.5 * derivatives.gradient.dot(*step);
+    for (int c = 0; c < fine.controlCount(); ++c) {
+        gain.largestMove =
+            std::max(gain.largestMove, step->segment<3>(3 * static_cast<Eigen::Index>(c)).norm());
+    }
     // The fall is half the step's energy norm, which the spans share.
     SpanVector local(3 * fine.basisCount());
     for (int span = 0; span < fine.spanCount(); ++span) {
@@ -96,16 +104,21 @@ KnotDemand predictGain(
 std::vector<double> halveLargest(
     const SplineSpace& space, const KnotDemand& gain, double minimumSpan
 ) {
-    std::vector<int> order(gain.perSpan.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<int> order;
+    double sum = 0.0;
+    for (int span = 0; span < space.spanCount(); ++span) {
+        if (canHalve(space, span, minimumSpan) && gain.perSpan[at(span)] > 0.0) {
+            order.push_back(span);
+            sum += gain.perSpan[at(span)];
+        }
+    }
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
         return gain.perSpan[at(a)] > gain.perSpan[at(b)];
     });
-    const double sum = std::accumulate(gain.perSpan.begin(), gain.perSpan.end(), 0.0);
     std::vector<char> marked(gain.perSpan.size(), 0);
     double reached = 0.0;
     for (const int span : order) {
-        if (reached >= kShareOfGain * sum || gain.perSpan[at(span)] <= 0.0) {
+        if (reached >= kShareOfGain * sum) {
             break;
         }
         reached += gain.perSpan[at(span)];

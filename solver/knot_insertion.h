@@ -11,6 +11,8 @@ namespace bspline_curve {
 struct KnotDemand {
     double total = 0.0;
     std::vector<double> perSpan;
+    /// How far the most mobile control point of the refined curve would go (predictGain only).
+    double largestMove = 0.0;
 };
 
 /// Predicts by one Newton step in the space with all spans halved how much the energy would fall,

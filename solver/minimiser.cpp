@@ -64,6 +64,10 @@ MinimiseResult minimise(
 
     for (int iteration = 0; iteration < options.maxIterations; ++iteration) {
         result.value = energy.evaluate(controls, weights, derivatives);
+        if (!result.value.inside) {
+            result.status = MinimiseStatus::Outside;
+            return result;
+        }
         const std::optional<Eigen::VectorXd> step =
             newtonStep(system, derivatives, interpolation, controls);
         if (!step) {
@@ -76,7 +80,7 @@ MinimiseResult minimise(
         entry.terms = result.value.terms;
         entry.decrement = -0.5 * slope;
 
-        if (entry.decrement <= options.decrementTolerance * std::abs(result.value.total)) {
+        if (entry.decrement <= options.decrementTolerance * result.value.scale) {
             result.iterations.push_back(entry);
             result.status = MinimiseStatus::Converged;
             return result;

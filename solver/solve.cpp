@@ -33,6 +33,32 @@ constexpr int kMaxRefreshes = 6;
 // two states.
 constexpr double kRoughBlend = 0.5;
 
+// ... or move it by less than this share of the distance of two picks, and less than the tolerance.
+constexpr double kMoveShare = 5e-3;
+
+// E_int of straight lines between the picks: the tension term of no curve is less. Corners that are
+// cut at lambda = 1 are a few per cent of it, and would not be seen beside it.
+double straightEnergy(const CurveProblem& problem) {
+    const std::size_t count = problem.picks.size();
+    double sum = 0.0;
+    for (std::size_t i = 1; i < count + (problem.options.closed ? 1 : 0); ++i) {
+        const PickConstraint& from = problem.picks[i - 1];
+        const PickConstraint& to = problem.picks[i % count];
+        const double end = i < count ? to.parameter : 1.0;
+        sum += (to.position - from.position).squaredNorm() / (end - from.parameter);
+    }
+    return problem.options.tension * sum / (problem.chordLength * problem.chordLength);
+}
+
+double shortestPickDistance(const CurveProblem& problem) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < problem.picks.size(); ++i) {
+        shortest =
+            std::min(shortest, (problem.picks[i].position - problem.picks[i - 1].position).norm());
+    }
+    return shortest;
+}
+
 // What belongs to one knot vector.
 struct Stage {
     Stage(const CurveProblem& problem, const SplineSpace& space)
@@ -52,7 +78,9 @@ public:
           options_(problem.options),
           curve_(makeFirstCurve(problem, guide)),
           stage_(std::make_unique<Stage>(problem, curve_.space)),
-          tolerance_(options_.distanceTolerance * problem.averageEdgeLength) {
+          tolerance_(options_.distanceTolerance * problem.averageEdgeLength),
+          restingMove_(std::min(tolerance_, kMoveShare * shortestPickDistance(problem))),
+          straightFloor_(straightEnergy(problem)) {
         report_.seconds.initial = watch_.lap();
         report_.knotsFirst = knotCount();
     }
@@ -67,7 +95,7 @@ public:
             const MinimiseResult result = minimiseOnce(kRoughDecrement);
             const double largestHeight = measure();
             addRound(result);
-            std::vector<double> breaks = chooseBreaks(result.value.total);
+            std::vector<double> breaks = chooseBreaks(result.value.scale);
             const bool noKnots = breaks == curve_.space.breaks();
             if (isNear() && noKnots) {
                 rest();
@@ -117,6 +145,9 @@ private:
             entry.round = round_;
             report_.iterations.push_back(entry);
         }
+        if (options_.interpolation == Interpolation::Constraint) {
+            stage_->system.meetConstraints(curve_.controls);  // rounding of many steps
+        }
         report_.newtonIterations += static_cast<int>(result.iterations.size());
         report_.seconds.minimise += watch_.lap();
         return result;
@@ -165,9 +196,10 @@ private:
         if (options_.knotRule == KnotRule::EnergyAndDistance) {
             const KnotDemand gain =
                 predictGain(problem_, curve_.space, curve_.controls, weights_, directions_);
-            return gain.total < kNegligibleGain * energy
-                       ? curve_.space.breaks()
-                       : halveLargest(curve_.space, gain, options_.minimumSpan);
+            const bool settled = gain.total < kNegligibleGain * (energy - straightFloor_) ||
+                                 gain.largestMove < restingMove_;
+            return settled ? curve_.space.breaks()
+                           : halveLargest(curve_.space, gain, options_.minimumSpan);
         }
         const KnotDemand feature =
             featureFunction(problem_, curve_.space, curve_.controls, weights_);
@@ -255,6 +287,8 @@ private:
     BendingDirections directions_;
     SolveReport report_;
     double tolerance_;
+    double restingMove_;     // more knots change nothing where they move the curve less than this
+    double straightFloor_;   // what no knot can save of E_int
     double distance_ = 0.0;  // of curve and surface, in the shell's frame
     double feature_ = 0.0;   // (19) of the round before
     int round_ = 0;

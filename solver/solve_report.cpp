@@ -31,6 +31,8 @@ const char* name(MinimiseStatus status) {
             return "iteration limit";
         case MinimiseStatus::NotPositive:
             return "not positive definite";
+        case MinimiseStatus::Outside:
+            return "outside the shell";
     }
     return "unknown";
 }

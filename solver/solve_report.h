@@ -15,7 +15,14 @@ enum class SolveStatus {
     Cancelled,        ///< the progress callback asked to stop
 };
 
-enum class MinimiseStatus { Converged, EarlyStop, LineSearchStalled, IterationLimit, NotPositive };
+enum class MinimiseStatus {
+    Converged,
+    EarlyStop,
+    LineSearchStalled,
+    IterationLimit,
+    NotPositive,
+    Outside
+};
 
 [[nodiscard]] const char* name(SolveStatus status);
 [[nodiscard]] const char* name(MinimiseStatus status);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/spline_system.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <utility>
 
@@ -122,6 +124,20 @@ void SplineSystem::addTransposed(const Eigen::VectorXd& multipliers, Eigen::Vect
                 rows_[r].values[at(j)] * multipliers.segment<3>(3 * static_cast<Eigen::Index>(r));
         }
     }
+}
+
+void SplineSystem::meetConstraints(ControlPoints& controls) const {
+    const auto count = static_cast<Eigen::Index>(rows_.size());
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(count, space_.controlCount());
+    for (Eigen::Index r = 0; r < count; ++r) {
+        const InterpolationRow& row = rows_[static_cast<std::size_t>(r)];
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            a(r, space_.control(row.span, j)) += row.values[at(j)];
+        }
+    }
+    const Eigen::VectorXd flat = residual(controls);
+    const Eigen::Map<const ControlPoints> gaps(flat.data(), count, 3);
+    controls -= a.transpose() * (a * a.transpose()).ldlt().solve(gaps);
 }
 
 Eigen::VectorXd SplineSystem::residual(const ControlPoints& controls) const {

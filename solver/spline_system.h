@@ -56,6 +56,9 @@ public:
         const Eigen::VectorXd& gradient, const Eigen::VectorXd& residual, double fitWeight
     ) const;
 
+    /// Moves the control points as little as possible so that the constraints hold to rounding.
+    void meetConstraints(ControlPoints& controls) const;
+
     /// A x - target.
     [[nodiscard]] Eigen::VectorXd residual(const ControlPoints& controls) const;
     [[nodiscard]] Eigen::VectorXd applyConstraints(const Eigen::VectorXd& x) const;
