@@ -110,12 +110,12 @@ double rootOfFalling(const double* c, int degree, double reach) {
             value = value * s + c[j];
         }
         const double next = std::clamp(s - value / slope, 0.0, reach);
-        if (std::abs(next - s) <= 1e-15 * reach) {
+        if (std::abs(next - s) <= 1e-14 * reach) {
             return next;
         }
         s = next;
     }
-    return s;
+    return bracketedRoot(c, degree, 0.0, reach);  // nearly a double root
 }
 
 // Slow but sure: the first sign change after which the polynomial is negative.
