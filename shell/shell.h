@@ -25,7 +25,8 @@ struct Prism {
     std::array<signed char, 3> faceCorner{};
     /// Which wall of neighbours[k] is shared with wall k.
     std::array<signed char, 3> neighbourWalls{};
-    /// +1 where the slots run counter-clockwise seen from the top, else -1.
+    /// +1 where the slots run counter-clockwise seen from the top, -1 where clockwise; 0 for a
+    /// blocked face, which keeps its place but has no prism and no neighbours.
     signed char orientation = 1;
 };
 

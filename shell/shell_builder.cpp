@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_builder.h"
 
-#include "surface/input_error.h"
+#include "shell/nested_components.h"
+#include "shell/pillar_reach.h"
 #include "surface/predicates.h"
 #include "surface/self_intersection.h"
 #include "surface/triangle_tree.h"
 
 #include <algorithm>
-#include <string>
+#include <utility>
 
 namespace bspline_curve {
 namespace {
 
 constexpr double kInvertedShrink = 0.6;
 constexpr double kIntersectingShrink = 0.5;
-// After this many shrinks (a length of 1e-9 edges) a place counts as impossible and its faces are
-// blocked.
-constexpr int kMaxOrientationRounds = 40;
-constexpr int kMaxIntersectionRounds = 30;
+// Pillars shorter than this share of the wanted length shrink no more: where that does not help,
+// faces are blocked.
+constexpr double kLeastShare = 1e-9;
+
+// Layers of points: tips above and below, middles.
+constexpr int kTop = 0;
+constexpr int kBottom = 1;
+constexpr int kMiddle = 2;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -38,17 +43,28 @@ Prism makePrism(const Triangle& face) {
     return prism;
 }
 
+// Which pillars are meant, above and below.
+using PillarMarks = std::array<std::vector<char>, 2>;
+
+// A triangle of the shell's boundary: each corner is a vertex of the base in a layer.
+struct BoundaryTriangle {
+    int face = -1;
+    std::array<int, 3> vertices{};
+    std::array<int, 3> layers{};
+};
+
 class Builder {
 public:
     Builder(const ShellBase& base, const ShellOptions& options) : base_(base) {
         const std::size_t n = base.vertices.size();
-        for (auto& layer : lengths_) {
-            layer.resize(n);
+        for (const int side : {kTop, kBottom}) {
             for (std::size_t v = 0; v < n; ++v) {
-                layer[v] = options.thickness * base.edgeLengths[v];
+                lengths_[at(side)].push_back(options.thickness * base.edgeLengths[v]);
             }
         }
-        tips_.resize(2 * n);
+        wantedLengths_ = lengths_[0];
+        keepPillarsApart(base, lengths_);
+        layers_ = {base.vertices, base.vertices, base.vertices};
         for (std::size_t v = 0; v < n; ++v) {
             placeTips(v);
         }
@@ -57,6 +73,7 @@ public:
             prisms_.push_back(makePrism(face));
         }
         blocked_.assign(base.faces.size(), 0);
+        changed_.assign(n, 1);
         std::vector<char> unseen(n, 0);
         for (const int v : base.unseenVertices) {
             unseen[at(v)] = 1;
@@ -70,71 +87,56 @@ public:
 
     // Shrinks pillars until every tetrahedron is positive. Only prisms with a pillar that changed
     // are tested again.
-    void uprightAll(std::vector<char> changed) {
+    void uprightAll() {
+        std::vector<char> everChanged = changed_;
         for (int round = 0;; ++round) {
-            std::vector<char> shrinkTop(base_.vertices.size(), 0);
-            std::vector<char> shrinkBottom(base_.vertices.size(), 0);
+            PillarMarks marks = noPillars();
             bool any = false;
             for (std::size_t f = 0; f < prisms_.size(); ++f) {
                 const Prism& prism = prisms_[f];
-                if (blocked_[f] != 0 ||
-                    (changed[at(prism.pillars[0])] | changed[at(prism.pillars[1])] |
-                     changed[at(prism.pillars[2])]) == 0) {
-                    continue;
-                }
-                for (const int slab : {0, 1}) {
-                    if (slabIsUpright(prism, slab)) {
-                        continue;
-                    }
-                    if (round >= kMaxOrientationRounds) {
-                        blocked_[f] = 1;
-                        continue;
-                    }
-                    any = true;
-                    for (const int v : prism.pillars) {
-                        (slab == 0 ? shrinkTop : shrinkBottom)[at(v)] = 1;
+                const bool isDirty =
+                    std::any_of(prism.pillars.begin(), prism.pillars.end(), [&](int v) {
+                        return changed_[at(v)] != 0;
+                    });
+                for (const int slab : {kTop, kBottom}) {
+                    if (isDirty && blocked_[f] == 0 && !slabIsUpright(prism, slab)) {
+                        any = true;
+                        if (!markForShrinking(marks, slab, prism.pillars)) {
+                            block(static_cast<int>(f), everChanged);
+                        }
                     }
                 }
             }
             report_.orientationRounds = std::max(report_.orientationRounds, round);
             if (!any) {
-                return;
+                break;
             }
-            changed = shrink(shrinkTop, shrinkBottom, kInvertedShrink);
+            shrink(marks, kInvertedShrink);
+            for (std::size_t v = 0; v < changed_.size(); ++v) {
+                everChanged[v] = static_cast<char>(everChanged[v] | changed_[v]);
+            }
         }
+        changed_ = std::move(everChanged);
     }
 
-    // Shrinks pillars until top and bottom intersect neither themselves nor each other.
+    // Shrinks pillars until the boundary of the shell intersects itself nowhere and no component
+    // lies inside of another one.
     void separateAll(const Progress& progress) {
-        std::vector<char> changed(base_.vertices.size(), 1);
         for (int round = 0;; ++round) {
             // Most builds need a handful of rounds, each with less to do than the one before.
             bspline_curve::report(progress, 1.0 - 0.7 / (round + 1.0), "separating top and bottom");
-            const std::vector<std::pair<int, int>> pairs = intersectingPairs(changed);
+            PillarMarks marks = noPillars();
+            std::vector<char> freed(base_.vertices.size(), 0);
             report_.intersectionRounds = round;
-            if (pairs.empty()) {
+            if (!markIntersecting(marks, freed) && !markNested(marks, freed)) {
                 return;
             }
-            std::vector<char> shrinkTop(base_.vertices.size(), 0);
-            std::vector<char> shrinkBottom(base_.vertices.size(), 0);
-            for (const auto& [i, j] : pairs) {
-                const int f = faceOf(i);
-                const int g = faceOf(j);
-                if (f != g &&
-                    trianglesIntersect(base_.vertices, base_.faces[at(f)], base_.faces[at(g)])) {
-                    block(f, g, true);
-                } else if (round >= kMaxIntersectionRounds) {
-                    block(f, g, false);
-                } else {
-                    for (const int triangle : {i, j}) {
-                        for (const int v : base_.faces[at(faceOf(triangle))]) {
-                            (isTop(triangle) ? shrinkTop : shrinkBottom)[at(v)] = 1;
-                        }
-                    }
-                }
+            shrink(marks, kIntersectingShrink);
+            // Where a face is blocked, its neighbours have new walls.
+            for (std::size_t v = 0; v < freed.size(); ++v) {
+                changed_[v] = static_cast<char>(changed_[v] | freed[v]);
             }
-            changed = shrink(shrinkTop, shrinkBottom, kIntersectingShrink);
-            uprightAll(changed);
+            uprightAll();
         }
     }
 
@@ -142,14 +144,17 @@ public:
         connect();
         std::vector<Pillar> pillars(base_.vertices.size());
         for (std::size_t v = 0; v < pillars.size(); ++v) {
-            pillars[v] = {tips_[pillars.size() + v], base_.vertices[v], tips_[v]};
+            pillars[v] = {layers_[kBottom][v], layers_[kMiddle][v], layers_[kTop][v]};
         }
-        for (std::size_t f = 0; f < at(base_.surfaceFaceCount); ++f) {
-            if (blocked_[f] != 0) {
+        for (std::size_t f = 0; f < blocked_.size(); ++f) {
+            if (blocked_[f] == 0) {
+                continue;
+            }
+            prisms_[f].orientation = 0;
+            if (!isGhost(static_cast<int>(f))) {
                 report_.blockedFaces.push_back(static_cast<int>(f));
             }
         }
-        std::sort(report_.selfIntersections.begin(), report_.selfIntersections.end());
         return {
             Shell(std::move(pillars), std::move(prisms_), base_.surfaceFaceCount),
             std::move(report_)
@@ -157,29 +162,20 @@ public:
     }
 
 private:
-    // Triangles 0 .. #F-1 are the top, #F .. 2#F-1 the bottom; tips likewise.
-    [[nodiscard]] int faceOf(int triangle) const {
-        const int count = static_cast<int>(base_.faces.size());
-        return triangle < count ? triangle : triangle - count;
-    }
-
-    [[nodiscard]] bool isTop(int triangle) const {
-        return triangle < static_cast<int>(base_.faces.size());
-    }
+    [[nodiscard]] bool isGhost(int face) const { return face >= base_.surfaceFaceCount; }
 
     void placeTips(std::size_t v) {
-        tips_[v] = base_.vertices[v] + lengths_[0][v] * base_.directions[v];
-        tips_[base_.vertices.size() + v] = base_.vertices[v] - lengths_[1][v] * base_.directions[v];
+        layers_[kTop][v] = base_.vertices[v] + lengths_[kTop][v] * base_.directions[v];
+        layers_[kBottom][v] = base_.vertices[v] - lengths_[kBottom][v] * base_.directions[v];
     }
 
     [[nodiscard]] bool slabIsUpright(const Prism& prism, int slab) const {
-        const std::size_t offset = slab == 0 ? 0 : base_.vertices.size();
-        const int wanted = slab == 0 ? prism.orientation : -prism.orientation;
+        const int wanted = slab == kTop ? prism.orientation : -prism.orientation;
         for (const auto& split : kSlabSplit) {
             std::array<const Vec3*, 4> p{};
             for (std::size_t k = 0; k < 4; ++k) {
                 const std::size_t v = at(prism.pillars[static_cast<std::size_t>(split[k].slot)]);
-                p[k] = split[k].outer ? &tips_[offset + v] : &base_.vertices[v];
+                p[k] = &layers_[at(split[k].outer ? slab : kMiddle)][v];
             }
             if (orientationSign(*p[0], *p[1], *p[2], *p[3]) != wanted) {
                 return false;
@@ -188,71 +184,189 @@ private:
         return true;
     }
 
-    std::vector<char> shrink(
-        const std::vector<char>& top, const std::vector<char>& bottom, double factor
-    ) {
-        std::vector<char> changed(base_.vertices.size(), 0);
-        for (std::size_t v = 0; v < changed.size(); ++v) {
-            if (top[v] != 0) {
-                lengths_[0][v] *= factor;
+    // ---- Shrinking ----
+
+    [[nodiscard]] PillarMarks noPillars() const {
+        return {
+            std::vector<char>(base_.vertices.size(), 0), std::vector<char>(base_.vertices.size(), 0)
+        };
+    }
+
+    [[nodiscard]] bool canShrink(int v, int side) const {
+        return lengths_[at(side)][at(v)] > kLeastShare * wantedLengths_[at(v)];
+    }
+
+    // Whether any of the half pillars could be marked.
+    bool markForShrinking(PillarMarks& marks, int side, const std::array<int, 3>& vertices) const {
+        bool any = false;
+        for (const int v : vertices) {
+            if (canShrink(v, side)) {
+                marks[at(side)][at(v)] = 1;
+                any = true;
             }
-            if (bottom[v] != 0) {
-                lengths_[1][v] *= factor;
+        }
+        return any;
+    }
+
+    bool markForShrinking(PillarMarks& marks, const BoundaryTriangle& triangle) const {
+        bool any = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int side = triangle.layers[k];
+            if (side != kMiddle && canShrink(triangle.vertices[k], side)) {
+                marks[at(side)][at(triangle.vertices[k])] = 1;
+                any = true;
             }
-            if (top[v] != 0 || bottom[v] != 0) {
-                changed[v] = 1;
+        }
+        return any;
+    }
+
+    void shrink(const PillarMarks& marks, double factor) {
+        for (std::size_t v = 0; v < changed_.size(); ++v) {
+            changed_[v] = static_cast<char>(marks[kTop][v] | marks[kBottom][v]);
+            for (const int side : {kTop, kBottom}) {
+                if (marks[at(side)][v] != 0) {
+                    lengths_[at(side)][v] *= factor;
+                }
+            }
+            if (changed_[v] != 0) {
                 placeTips(v);
             }
         }
-        return changed;
     }
 
-    // Intersecting pairs of top and bottom triangles of which at least one has a changed pillar.
-    [[nodiscard]] std::vector<std::pair<int, int>> intersectingPairs(
-        const std::vector<char>& changed
-    ) const {
-        const std::size_t n = base_.vertices.size();
-        const int faceCount = static_cast<int>(base_.faces.size());
-        std::vector<Triangle> triangles;
-        std::vector<int> ids;
-        std::vector<char> dirty;
-        triangles.reserve(2 * at(faceCount));
-        for (int triangle = 0; triangle < 2 * faceCount; ++triangle) {
-            const std::size_t f = at(faceOf(triangle));
+    // ---- Separation ----
+
+    // The boundary: top and bottom, and the walls where the shell ends, split like their prism.
+    [[nodiscard]] std::vector<BoundaryTriangle> boundary() const {
+        std::vector<BoundaryTriangle> triangles;
+        triangles.reserve(2 * prisms_.size());
+        for (std::size_t f = 0; f < prisms_.size(); ++f) {
             if (blocked_[f] != 0) {
                 continue;
             }
-            Triangle corners = base_.faces[f];
-            char isDirty = 0;
-            for (int& v : corners) {
-                isDirty = static_cast<char>(isDirty | changed[at(v)]);
-                v += isTop(triangle) ? 0 : static_cast<int>(n);
+            const int face = static_cast<int>(f);
+            const Prism& prism = prisms_[f];
+            for (const int side : {kTop, kBottom}) {
+                triangles.push_back({face, prism.pillars, {side, side, side}});
             }
-            triangles.push_back(corners);
-            ids.push_back(triangle);
-            dirty.push_back(isDirty);
+            for (std::size_t slot = 0; slot < 3; ++slot) {
+                const int there =
+                    base_.faceNeighbours[f][static_cast<std::size_t>(prism.faceCorner[slot])];
+                if (there >= 0 && blocked_[at(there)] == 0) {
+                    continue;
+                }
+                const auto [low, high] =
+                    std::minmax(prism.pillars[(slot + 1) % 3], prism.pillars[(slot + 2) % 3]);
+                for (const int side : {kTop, kBottom}) {
+                    triangles.push_back({face, {low, high, high}, {kMiddle, kMiddle, side}});
+                    triangles.push_back({face, {low, high, low}, {kMiddle, side, side}});
+                }
+            }
+        }
+        return triangles;
+    }
+
+    [[nodiscard]] bool isDirty(const BoundaryTriangle& triangle) const {
+        return std::any_of(triangle.vertices.begin(), triangle.vertices.end(), [&](int v) {
+            return changed_[at(v)] != 0;
+        });
+    }
+
+    // Intersecting pairs of boundary triangles of which at least one has a changed pillar.
+    [[nodiscard]] std::vector<std::pair<int, int>> intersectingPairs(
+        const std::vector<BoundaryTriangle>& triangles
+    ) const {
+        std::vector<Vec3> points;
+        points.reserve(3 * base_.vertices.size());
+        for (const std::vector<Vec3>& layer : layers_) {
+            points.insert(points.end(), layer.begin(), layer.end());
+        }
+        const int n = static_cast<int>(base_.vertices.size());
+        std::vector<Triangle> corners;
+        std::vector<char> dirty;
+        corners.reserve(triangles.size());
+        dirty.reserve(triangles.size());
+        for (const BoundaryTriangle& t : triangles) {
+            corners.push_back(
+                {t.layers[0] * n + t.vertices[0],
+                 t.layers[1] * n + t.vertices[1],
+                 t.layers[2] * n + t.vertices[2]}
+            );
+            dirty.push_back(static_cast<char>(isDirty(t)));
         }
         std::vector<std::pair<int, int>> pairs;
-        const TriangleTree tree(tips_, triangles);
+        const TriangleTree tree(points, corners);
         tree.forEachOverlappingPair([&](int i, int j) {
             if ((dirty[at(i)] | dirty[at(j)]) != 0 &&
-                trianglesIntersect(tips_, triangles[at(i)], triangles[at(j)])) {
-                pairs.emplace_back(ids[at(i)], ids[at(j)]);
+                trianglesIntersect(points, corners[at(i)], corners[at(j)])) {
+                pairs.emplace_back(i, j);
             }
         });
         std::sort(pairs.begin(), pairs.end());
         return pairs;
     }
 
-    void block(int f, int g, bool surfaceIntersects) {
-        blocked_[at(f)] = blocked_[at(g)] = 1;
-        if (surfaceIntersects && f < base_.surfaceFaceCount && g < base_.surfaceFaceCount) {
-            const std::pair<int, int> pair = std::minmax(f, g);
-            if (std::find(
-                    report_.selfIntersections.begin(), report_.selfIntersections.end(), pair
-                ) == report_.selfIntersections.end()) {
-                report_.selfIntersections.push_back(pair);
+    // Marks pillars where the boundary intersects itself, blocks faces where shrinking cannot help.
+    bool markIntersecting(PillarMarks& marks, std::vector<char>& freed) {
+        const std::vector<BoundaryTriangle> triangles = boundary();
+        const std::vector<std::pair<int, int>> pairs = intersectingPairs(triangles);
+        for (const auto& [i, j] : pairs) {
+            const BoundaryTriangle& first = triangles[at(i)];
+            const BoundaryTriangle& second = triangles[at(j)];
+            if (first.face != second.face &&
+                trianglesIntersect(
+                    base_.vertices, base_.faces[at(first.face)], base_.faces[at(second.face)]
+                )) {
+                blockCrossingFaces(freed);
+                continue;
             }
+            const bool canShrinkFirst = markForShrinking(marks, first);
+            const bool canShrinkSecond = markForShrinking(marks, second);
+            if (!canShrinkFirst && !canShrinkSecond) {
+                blockPair(first.face, second.face, freed);
+            }
+        }
+        return !pairs.empty();
+    }
+
+    bool markNested(PillarMarks& marks, std::vector<char>& freed) {
+        const std::vector<NestedVertex> nested =
+            findNestedComponents(layers_, prisms_, base_.faceNeighbours, blocked_);
+        for (const NestedVertex& found : nested) {
+            if (!markForShrinking(marks, found.slab, prisms_[at(found.prism)].pillars)) {
+                block(found.prism, freed);
+            }
+        }
+        return !nested.empty();
+    }
+
+    // All of them, once: not only those whose prisms are thin enough to show it.
+    void blockCrossingFaces(std::vector<char>& freed) {
+        if (std::exchange(crossingsAreBlocked_, true)) {
+            return;
+        }
+        for (const auto& [f, g] : findSelfIntersections(base_.vertices, base_.faces)) {
+            blockPair(f, g, freed);
+            if (!isGhost(f) && !isGhost(g)) {
+                report_.selfIntersections.emplace_back(f, g);
+            }
+        }
+    }
+
+    // A ghost gives way to the surface.
+    void blockPair(int f, int g, std::vector<char>& freed) {
+        const bool onlyGhosts = isGhost(f) != isGhost(g);
+        for (const int face : {f, g}) {
+            if (!onlyGhosts || isGhost(face)) {
+                block(face, freed);
+            }
+        }
+    }
+
+    void block(int face, std::vector<char>& freed) {
+        blocked_[at(face)] = 1;
+        for (const int v : base_.faces[at(face)]) {
+            freed[at(v)] = 1;
         }
     }
 
@@ -282,37 +396,24 @@ private:
     }
 
     const ShellBase& base_;
-    std::array<std::vector<double>, 2> lengths_;  // of top and bottom half pillars
-    std::vector<Vec3> tips_;                      // top of every vertex, then bottom
+    std::array<std::vector<double>, 2> lengths_;  // of half pillars, above and below
+    std::vector<double> wantedLengths_;
+    PillarLayers layers_;
     std::vector<Prism> prisms_;
     std::vector<char> blocked_;
+    std::vector<char> changed_;  // pillars that are not tested yet
+    bool crossingsAreBlocked_ = false;
     ShellBuildReport report_;
 };
 
 }  // namespace
-
-void ShellOptions::validate() const {
-    if (!(thickness > 0.0)) {
-        throw InputError(
-            InputErrorCode::BadOption,
-            "shell thickness is " + std::to_string(thickness) +
-                ", but must be above 0 (mean edge lengths)"
-        );
-    }
-    if (smoothingPasses < 0) {
-        throw InputError(
-            InputErrorCode::BadOption,
-            "smoothing passes are " + std::to_string(smoothingPasses) + ", but must not be negative"
-        );
-    }
-}
 
 ShellBuild buildShell(
     const ShellBase& base, const ShellOptions& options, const Progress& progress
 ) {
     options.validate();
     Builder builder(base, options);
-    builder.uprightAll(std::vector<char>(base.vertices.size(), 1));
+    builder.uprightAll();
     builder.separateAll(progress);
     return builder.finish();
 }

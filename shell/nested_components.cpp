@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/nested_components.h"
+
+#include "surface/predicates.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+struct Components {
+    std::vector<int> componentOf;  // of each prism, -1 where blocked
+    std::vector<int> vertices;     // one of each component
+};
+
+Components findComponents(
+    const std::vector<Prism>& prisms,
+    const std::vector<Triangle>& faceNeighbours,
+    const std::vector<char>& blocked
+) {
+    Components result;
+    result.componentOf.assign(prisms.size(), -1);
+    std::vector<int> pending;
+    for (std::size_t start = 0; start < prisms.size(); ++start) {
+        if (blocked[start] != 0 || result.componentOf[start] >= 0) {
+            continue;
+        }
+        const int component = static_cast<int>(result.vertices.size());
+        result.vertices.push_back(prisms[start].pillars[0]);
+        result.componentOf[start] = component;
+        pending.assign(1, static_cast<int>(start));
+        while (!pending.empty()) {
+            const int f = pending.back();
+            pending.pop_back();
+            for (const int there : faceNeighbours[at(f)]) {
+                if (there >= 0 && blocked[at(there)] == 0 && result.componentOf[at(there)] < 0) {
+                    result.componentOf[at(there)] = component;
+                    pending.push_back(there);
+                }
+            }
+        }
+    }
+    return result;
+}
+
+// Whether the closed slab holds the middle of a vertex that is none of its own.
+bool slabHolds(const PillarLayers& layers, const Prism& prism, int slab, int vertex) {
+    if (std::find(prism.pillars.begin(), prism.pillars.end(), vertex) != prism.pillars.end()) {
+        return false;
+    }
+    const int wanted = slab == 0 ? prism.orientation : -prism.orientation;
+    const Vec3& point = layers[2][at(vertex)];
+    return std::any_of(kSlabSplit.begin(), kSlabSplit.end(), [&](const auto& split) {
+        std::array<const Vec3*, 4> corners{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            corners[k] =
+                &layers[split[k].outer ? at(slab) : 2][at(prism.pillars[at(split[k].slot)])];
+        }
+        for (const Vec3*& corner : corners) {
+            const Vec3* const kept = std::exchange(corner, &point);
+            if (orientationSign(*corners[0], *corners[1], *corners[2], *corners[3]) == -wanted) {
+                return false;
+            }
+            corner = kept;
+        }
+        return true;
+    });
+}
+
+}  // namespace
+
+std::vector<NestedVertex> findNestedComponents(
+    const PillarLayers& layers,
+    const std::vector<Prism>& prisms,
+    const std::vector<Triangle>& faceNeighbours,
+    const std::vector<char>& blocked
+) {
+    const Components components = findComponents(prisms, faceNeighbours, blocked);
+    std::vector<NestedVertex> nested;
+    if (components.vertices.size() < 2) {
+        return nested;
+    }
+    // The vertices of the components along x; each slab looks at those in its range.
+    std::vector<std::pair<double, int>> sorted;
+    for (std::size_t c = 0; c < components.vertices.size(); ++c) {
+        sorted.emplace_back(layers[2][at(components.vertices[c])].x(), static_cast<int>(c));
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t f = 0; f < prisms.size(); ++f) {
+        if (blocked[f] != 0) {
+            continue;
+        }
+        for (const int slab : {0, 1}) {
+            const auto x = [&](int slot, std::size_t layer) {
+                return layers[layer][at(prisms[f].pillars[at(slot)])].x();
+            };
+            const auto [low, high] = std::minmax(
+                {x(0, 2), x(1, 2), x(2, 2), x(0, at(slab)), x(1, at(slab)), x(2, at(slab))}
+            );
+            for (auto next = std::lower_bound(sorted.begin(), sorted.end(), std::pair(low, 0));
+                 next != sorted.end() && next->first <= high;
+                 ++next) {
+                const int vertex = components.vertices[at(next->second)];
+                if (next->second != components.componentOf[f] &&
+                    slabHolds(layers, prisms[f], slab, vertex)) {
+                    nested.push_back({vertex, static_cast<int>(f), slab});
+                }
+            }
+        }
+    }
+    return nested;
+}
+
+}  // namespace bspline_curve

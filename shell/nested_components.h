@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/shell.h"
+
+#include <array>
+#include <vector>
+
+namespace bspline_curve {
+
+/// Pillars of a shell under construction: tips above and below (layers 0, 1) and middles (2).
+using PillarLayers = std::array<std::vector<Vec3>, 3>;
+
+/// A vertex of one component of the shell that lies in a slab (0 above, 1 below) of another one.
+struct NestedVertex {
+    int vertex, prism, slab;
+};
+
+/// Finds components inside of others, given that no boundaries intersect: then one vertex of each
+/// component stands for all. `faceNeighbours` as in ShellBase; prisms with a nonzero `blocked` are
+/// left out. Exact. O(n) for one component, O(n log c + hits) for c.
+[[nodiscard]] std::vector<NestedVertex> findNestedComponents(
+    const PillarLayers& layers,
+    const std::vector<Prism>& prisms,
+    const std::vector<Triangle>& faceNeighbours,
+    const std::vector<char>& blocked
+);
+
+}  // namespace bspline_curve

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/shell_builder.h"
+
+#include "built_shell.h"
+#include "shell/pillar_directions.h"
+#include "shell/shell_boundary.h"
+#include "support/meshes.h"
+#include "surface/input_error.h"
+#include "surface/self_intersection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// ---- Thickness ----
+
+TEST(ShellBuilder, MakesPillarsAsLongAsAskedWhereNothingIsInTheWay) {
+    const BuiltShell built(plate(6, 5), {.thickness = 0.75});
+    for (int v = 0; v < built.surface.vertexCount(); ++v) {
+        const Pillar& pillar = built.shell().pillars()[at(v)];
+        const double wanted = 0.75 * built.base.edgeLengths[at(v)];
+        EXPECT_NEAR((pillar.top - pillar.middle).norm(), wanted, 1e-15);
+        EXPECT_NEAR((pillar.bottom - pillar.middle).norm(), wanted, 1e-15);
+    }
+}
+
+TEST(ShellBuilder, SeparatesParallelPlates) {
+    for (const double gap : {0.5, 0.02, 1e-5}) {
+        for (const int cells : {3, 24}) {
+            SCOPED_TRACE("gap " + std::to_string(gap) + ", cells " + std::to_string(cells));
+            const BuiltShell built(parallelPlates(cells, gap));
+            EXPECT_TRUE(built.check().passed()) << describe(built.check());
+            EXPECT_TRUE(built.blockedFaces().empty());
+            const int half = built.surface.vertexCount() / 2;
+            double highestBelow = -1.0;
+            double lowestAbove = 1.0;
+            for (int v = 0; v < half; ++v) {
+                highestBelow = std::max(highestBelow, built.shell().pillars()[at(v)].top.z());
+                lowestAbove =
+                    std::min(lowestAbove, built.shell().pillars()[at(half + v)].bottom.z());
+            }
+            EXPECT_LT(highestBelow, lowestAbove);
+            // Most of the gap is used, or all that was asked for.
+            const double unitGap = gap / built.surface.diagonal();
+            EXPECT_GT(
+                built.shell().pillars()[0].top.z() - built.shell().pillars()[0].middle.z(),
+                std::min(0.3 * unitGap, 0.7 * built.base.edgeLengths[0])
+            );
+        }
+    }
+}
+
+TEST(ShellBuilder, SeparatesAFineSheetOverACoarseOne) {
+    // The fine sheet fits between the pillars of the coarse one.
+    Eigen::Isometry3d above = Eigen::Isometry3d::Identity();
+    above.translation() = Vec3(0.4, 0.32, 0.02);
+    const BuiltShell built(joined(plate(2, 2), transformed(plate(5, 5), above, 0.03)));
+    EXPECT_TRUE(built.check().passed()) << describe(built.check());
+    EXPECT_TRUE(built.blockedFaces().empty());
+}
+
+TEST(ShellBuilder, SeparatesAComponentInsideOfAPrism) {
+    const BuiltShell built(sphereWithSatellite());
+    EXPECT_TRUE(built.check().passed()) << describe(built.check());
+    EXPECT_TRUE(built.blockedFaces().empty());
+    // The slab of face 0 ends below the satellite; elsewhere it is as thick as ever.
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0.0;
+    for (int v = 0; v < 12; ++v) {
+        const Pillar& pillar = built.shell().pillars()[at(v)];
+        const double length = (pillar.top - pillar.middle).norm() / built.base.edgeLengths[at(v)];
+        shortest = std::min(shortest, length);
+        longest = std::max(longest, length);
+    }
+    EXPECT_LT(shortest, 0.4);
+    EXPECT_NEAR(longest, 0.75, 1e-12);
+}
+
+TEST(ShellBuilder, LeavesAFoldedSheetWhole) {
+    for (const double gap : {0.2, 0.02, 0.002}) {
+        for (const int columns : {11, 60}) {
+            SCOPED_TRACE("gap " + std::to_string(gap) + ", columns " + std::to_string(columns));
+            const BuiltShell built(foldedSheet(columns, 5, gap));
+            EXPECT_TRUE(built.check().passed()) << describe(built.check());
+            EXPECT_TRUE(built.blockedFaces().empty());
+        }
+    }
+}
+
+TEST(ShellBuilder, LeavesAFlatBoxWhole) {
+    for (const double height : {0.1, 0.01, 1e-4}) {
+        SCOPED_TRACE("height " + std::to_string(height));
+        const BuiltShell built(box(24, Vec3(1.0, 1.0, height)));
+        EXPECT_TRUE(built.check().passed()) << describe(built.check());
+        EXPECT_TRUE(built.blockedFaces().empty());
+    }
+}
+
+// ---- Blocked faces ----
+
+// In the shell's frame: faces that just touch may come apart by rounding.
+std::set<int> crossingFaces(const BuiltShell& built) {
+    std::set<int> faces;
+    for (const auto& [f, g] : findSelfIntersections(built.base.vertices, built.surface.faces())) {
+        faces.insert({f, g});
+    }
+    return faces;
+}
+
+TEST(ShellBuilder, BlocksTheFacesWhereTheSurfaceCrossesItselfAndReportsThem) {
+    for (const int level : {0, 1, 2}) {
+        TriangleMesh mesh = crossingPlates();
+        for (int i = 0; i < level; ++i) {
+            mesh = midpointSubdivide(mesh);
+        }
+        SCOPED_TRACE("subdivisions " + std::to_string(level));
+        const BuiltShell built(mesh);
+        const std::set<int> crossing = crossingFaces(built);
+        EXPECT_EQ(
+            std::set<int>(built.blockedFaces().begin(), built.blockedFaces().end()), crossing
+        );
+        EXPECT_EQ(
+            built.build.report.selfIntersections,
+            findSelfIntersections(built.base.vertices, built.surface.faces())
+        );
+        EXPECT_TRUE(built.check().passed()) << describe(built.check());
+    }
+}
+
+TEST(ShellBuilder, BlocksFacesThatOnlyJustCross) {
+    // A cone whose tip pierces a plate by little: no layers of theirs need to cross there.
+    const TriangleMesh cone{
+        .vertices = {{0.52, 0.51, -0.001}, {0.3, 0.3, 0.9}, {0.8, 0.35, 0.9}, {0.5, 0.8, 0.9}},
+        .faces = {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}}
+    };
+    const BuiltShell built(joined(plate(4, 4), cone));
+    const std::set<int> crossing = crossingFaces(built);
+    EXPECT_GE(crossing.size(), 4U);
+    EXPECT_EQ(std::set<int>(built.blockedFaces().begin(), built.blockedFaces().end()), crossing);
+    EXPECT_TRUE(built.check().passed()) << describe(built.check());
+}
+
+TEST(ShellBuilder, BlocksSheetsThatLieOnEachOther) {
+    const BuiltShell built(parallelPlates(4, 0.0));
+    EXPECT_EQ(static_cast<int>(built.blockedFaces().size()), built.surface.faceCount());
+    EXPECT_TRUE(built.check().passed()) << describe(built.check());
+}
+
+TEST(ShellBuilder, LetsGhostsGiveWayToTheSurface) {
+    // The edge of the first plate ends just before the second one: its ghosts would cross it.
+    Eigen::Isometry3d upright(Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY()));
+    upright.pretranslate(Vec3(1.02, 0.0, 0.47));
+    const BuiltShell built(joined(plate(4, 4), transformed(plate(4, 4), upright)));
+    EXPECT_TRUE(built.blockedFaces().empty());
+    EXPECT_TRUE(built.check().passed()) << describe(built.check());
+    const auto& prisms = built.shell().prisms();
+    EXPECT_TRUE(std::any_of(prisms.begin() + built.surface.faceCount(), prisms.end(), [](auto& p) {
+        return p.orientation == 0;
+    }));
+}
+
+// ---- Singular vertices ----
+
+TEST(ShellBase, MovesASingularVertexUntilADirectionExists) {
+    const BuiltShell built(plateWithSingularVertex());
+    const int singular = 4 * 9 + 4;
+    std::vector<Vec3> normals;
+    for (const int f : built.surface.facesAround(singular)) {
+        normals.push_back(built.surface.faceNormal(f));
+    }
+    ASSERT_LT(leastCosine(directionOfLeastAngle(normals), normals), kLeastPillarCosine);
+
+    EXPECT_FALSE(built.base.movedVertices.empty());
+    EXPECT_TRUE(built.base.unseenVertices.empty());
+    EXPECT_TRUE(built.blockedFaces().empty());
+    EXPECT_TRUE(built.check().passed()) << describe(built.check());
+    for (int f = 0; f < built.surface.faceCount(); ++f) {
+        const Triangle& face = built.base.faces[at(f)];
+        const Vec3 normal =
+            (built.base.vertices[at(face[1])] - built.base.vertices[at(face[0])])
+                .cross(built.base.vertices[at(face[2])] - built.base.vertices[at(face[0])])
+                .normalized();
+        for (const int v : face) {
+            EXPECT_GT(normal.dot(built.base.directions[at(v)]), 0.99 * kLeastPillarCosine);
+        }
+    }
+}
+
+TEST(ShellBase, NamesTheVerticesThatGetNoDirection) {
+    const BuiltShell built(tennisBallVertex());
+    std::vector<Vec3> normals;
+    for (int f = 0; f < built.surface.faceCount(); ++f) {
+        normals.push_back(built.surface.faceNormal(f));
+    }
+    ASSERT_LT(leastCosine(directionOfLeastAngle(normals), normals), 0.0);
+    EXPECT_EQ(built.base.unseenVertices, std::vector<int>{0});
+    EXPECT_EQ(static_cast<int>(built.blockedFaces().size()), built.surface.faceCount());
+    EXPECT_TRUE(built.check().passed()) << describe(built.check());
+}
+
+TEST(ShellBase, MovesNothingElse) {
+    const BuiltShell built(plateWithSingularVertex());
+    const std::vector<int>& moved = built.base.movedVertices;
+    EXPECT_TRUE(std::is_sorted(moved.begin(), moved.end()));
+    for (int v = 0; v < built.surface.vertexCount(); ++v) {
+        const bool hasMoved =
+            built.base.vertices[at(v)] != built.base.frame.toUnit(built.surface.vertices()[at(v)]);
+        EXPECT_TRUE(!hasMoved || std::binary_search(moved.begin(), moved.end(), v))
+            << "vertex " << v;
+    }
+    EXPECT_TRUE(BuiltShell(box(4)).base.movedVertices.empty());
+}
+
+// ---- Ghosts ----
+
+TEST(ShellBase, GrowsGhostsBeyondEveryBoundaryEdge) {
+    for (const auto& [mesh, boundaryEdges] :
+         {std::pair(plate(6, 5), 22), {openCylinder(16, 5), 32}, {icosphere(1), 0}}) {
+        const BuiltShell built(mesh);
+        const ShellBase& base = built.base;
+        EXPECT_EQ(base.surfaceVertexCount, built.surface.vertexCount());
+        EXPECT_EQ(base.surfaceFaceCount, built.surface.faceCount());
+        EXPECT_EQ(static_cast<int>(base.ghostOrigin.size()), boundaryEdges);
+        EXPECT_EQ(
+            static_cast<int>(base.faces.size()), built.surface.faceCount() + 2 * boundaryEdges
+        );
+        for (int f = 0; f < built.surface.faceCount(); ++f) {
+            EXPECT_FALSE(built.shell().isGhost(f));
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (built.surface.faceNeighbours()[at(f)][k] < 0) {
+                    EXPECT_GE(base.faceNeighbours[at(f)][k], built.surface.faceCount());
+                }
+            }
+        }
+    }
+}
+
+TEST(ShellBase, CollapsesGhostsToTheBoundary) {
+    const BuiltShell built(withNoise(openCylinder(16, 5), 0.03, 7));
+    const ShellBase& base = built.base;
+    for (int v = 0; v < static_cast<int>(base.vertices.size()); ++v) {
+        const int origin = base.surfaceVertex(v);
+        if (v < base.surfaceVertexCount) {
+            EXPECT_EQ(origin, v);
+        } else {
+            EXPECT_TRUE(built.surface.isBoundaryVertex(origin));
+            EXPECT_NEAR(
+                (base.vertices[at(v)] - base.vertices[at(origin)]).norm(),
+                0.5 * base.edgeLengths[at(origin)],
+                1e-12
+            );
+        }
+    }
+    for (std::size_t f = at(base.surfaceFaceCount); f < base.faces.size(); ++f) {
+        std::set<int> origins;
+        for (const int v : base.faces[f]) {
+            origins.insert(base.surfaceVertex(v));
+        }
+        EXPECT_EQ(origins.size(), 2U) << "ghost face " << f;
+    }
+}
+
+// ---- The boundary of a shell ----
+
+TEST(ShellBoundary, FindsTheNearestPointOfTopAndBottom) {
+    const BuiltShell built(icosphere(2));
+    const ShellBoundary boundary(built.shell());
+    for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0.3, -0.7, 0.2), Vec3(-1, 1, 1)}) {
+        const Vec3 outside = 3.0 * direction.normalized();
+        const ShellBoundary::Nearest above = boundary.nearest(outside);
+        const ShellCell cell(built.shell(), above.tet);
+        EXPECT_NEAR(cell.insideness(above.position), 0.0, 1e-12);
+        EXPECT_NEAR(cell.height(above.position), 1.0, 1e-12);
+        const ShellBoundary::Nearest below = boundary.nearest(1e-3 * direction);
+        EXPECT_NEAR(ShellCell(built.shell(), below.tet).height(below.position), -1.0, 1e-12);
+    }
+}
+
+TEST(ShellBoundary, KnowsNoBlockedPrisms) {
+    const BuiltShell built(crossingPlates());
+    const ShellBoundary boundary(built.shell());
+    const std::vector<int>& blocked = built.blockedFaces();
+    ASSERT_FALSE(blocked.empty());
+    for (const int f : blocked) {
+        const ShellBoundary::Nearest nearest =
+            boundary.nearest(built.base.position({f, Vec3::Constant(1.0 / 3.0)}));
+        EXPECT_FALSE(
+            std::binary_search(blocked.begin(), blocked.end(), nearest.tet / kTetrahedraPerPrism)
+        );
+    }
+}
+
+// ---- The same again ----
+
+TEST(ShellBuilder, BuildsTheSameShellTwice) {
+    for (const NamedMesh& named : shellMeshes()) {
+        SCOPED_TRACE(named.name);
+        const BuiltShell first(named.mesh);
+        const BuiltShell second(named.mesh);
+        ASSERT_EQ(first.shell().pillars().size(), second.shell().pillars().size());
+        for (std::size_t v = 0; v < first.shell().pillars().size(); ++v) {
+            const Pillar& a = first.shell().pillars()[v];
+            const Pillar& b = second.shell().pillars()[v];
+            EXPECT_EQ(a.bottom, b.bottom);
+            EXPECT_EQ(a.middle, b.middle);
+            EXPECT_EQ(a.top, b.top);
+        }
+        ASSERT_EQ(first.shell().prisms().size(), second.shell().prisms().size());
+        for (std::size_t i = 0; i < first.shell().prisms().size(); ++i) {
+            EXPECT_EQ(first.shell().prisms()[i].pillars, second.shell().prisms()[i].pillars);
+            EXPECT_EQ(first.shell().prisms()[i].neighbours, second.shell().prisms()[i].neighbours);
+        }
+    }
+}
+
+TEST(ShellBuilder, StopsWhereItIsCancelled) {
+    const Surface surface(icosphere(2));
+    const ShellBase base = makeShellBase(surface, 3);
+    EXPECT_THROW(
+        static_cast<void>(buildShell(base, {}, [](double, const char*) { return false; })),
+        Cancelled
+    );
+}
+
+// ---- Options ----
+
+TEST(ShellOptions, RefusesValuesOutOfRange) {
+    const auto codeOf = [](const ShellOptions& options) {
+        try {
+            options.validate();
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("must"), std::string::npos) << error.what();
+            return error.code();
+        }
+        ADD_FAILURE() << "accepted thickness " << options.thickness << ", smoothing passes "
+                      << options.smoothingPasses;
+        return InputErrorCode::EmptyMesh;
+    };
+    for (const double thickness :
+         {0.0, -1.0, 1001.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        EXPECT_EQ(codeOf({.thickness = thickness}), InputErrorCode::BadOption);
+    }
+    EXPECT_EQ(codeOf({.smoothingPasses = -1}), InputErrorCode::BadOption);
+    EXPECT_NO_THROW(ShellOptions().validate());
+    EXPECT_NO_THROW((ShellOptions{.thickness = 0.01, .smoothingPasses = 0}.validate()));
+}
+
+TEST(ShellBuilder, RefusesBadOptions) {
+    const Surface surface(plate(2, 2));
+    const ShellBase base = makeShellBase(surface, 3);
+    EXPECT_THROW(static_cast<void>(buildShell(base, {.thickness = -1.0})), InputError);
+}
+
+}  // namespace
+}  // namespace bspline_curve
