@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/pillar_directions.h"
+
+#include "support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using test_support::Random;
+
+Vec3 randomDirection(Random& random) {
+    while (true) {
+        const Vec3 p = random.point(-1.0, 1.0);
+        if (p.norm() > 0.1 && p.norm() < 1.0) {
+            return p.normalized();
+        }
+    }
+}
+
+// The best direction of many, refined by steps that halve where they fail.
+double searchedCosine(const std::vector<Vec3>& normals, Random& random) {
+    Vec3 best = Vec3::UnitZ();
+    double cosine = leastCosine(best, normals);
+    const auto offer = [&](const Vec3& candidate) {
+        const double found = leastCosine(candidate, normals);
+        if (found > cosine) {
+            cosine = found;
+            best = candidate;
+            return true;
+        }
+        return false;
+    };
+    for (int i = 0; i < 2000; ++i) {
+        offer(randomDirection(random));
+    }
+    for (double step = 0.1; step > 1e-8; step *= 0.5) {
+        for (int i = 0; i < 60; ++i) {
+            offer((best + step * randomDirection(random)).normalized());
+        }
+    }
+    return cosine;
+}
+
+// Normals within an angle of a random axis.
+std::vector<Vec3> randomNormals(int count, double angle, Random& random) {
+    const Vec3 axis = randomDirection(random);
+    std::vector<Vec3> normals;
+    while (static_cast<int>(normals.size()) < count) {
+        const Vec3 normal = randomDirection(random);
+        if (normal.dot(axis) >= std::cos(angle)) {
+            normals.push_back(normal);
+        }
+    }
+    return normals;
+}
+
+TEST(DirectionOfLeastAngle, IsAsGoodAsAnySearchFinds) {
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const std::vector<Vec3> normals =
+            randomNormals(random.integer(1, 12), random.uniform(0.3, 3.0), random);
+        const Vec3 direction = directionOfLeastAngle(normals);
+        EXPECT_NEAR(direction.norm(), 1.0, 1e-12);
+        const double searched = searchedCosine(normals, random);
+        if (searched > 1e-6) {
+            EXPECT_GE(leastCosine(direction, normals), searched - 1e-12);
+        } else {
+            EXPECT_LE(leastCosine(direction, normals), 1e-6);
+        }
+    }
+}
+
+TEST(DirectionOfLeastAngle, IsTheOnlyNormal) {
+    const Vec3 normal = Vec3(1, 2, 3).normalized();
+    EXPECT_EQ(directionOfLeastAngle(std::vector<Vec3>{normal}), normal);
+    const std::vector<Vec3> thrice(3, normal);
+    EXPECT_NEAR(leastCosine(directionOfLeastAngle(thrice), thrice), 1.0, 1e-15);
+}
+
+TEST(DirectionOfLeastAngle, IsTheBisectorOfTwo) {
+    const std::vector<Vec3> normals = {Vec3::UnitX(), Vec3::UnitY()};
+    EXPECT_LT((directionOfLeastAngle(normals) - Vec3(1, 1, 0).normalized()).norm(), 1e-15);
+}
+
+TEST(DirectionOfLeastAngle, IsTheDiagonalOfACorner) {
+    const std::vector<Vec3> normals = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    EXPECT_LT((directionOfLeastAngle(normals) - Vec3(1, 1, 1).normalized()).norm(), 1e-15);
+}
+
+TEST(DirectionOfLeastAngle, SeesASteepConeFromItsAxis) {
+    for (const int count : {3, 4, 7, 40}) {
+        std::vector<Vec3> normals;
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2.0 * M_PI * i / count;
+            normals.push_back(Vec3(std::cos(angle), std::sin(angle), 0.1).normalized());
+        }
+        EXPECT_LT((directionOfLeastAngle(normals) - Vec3::UnitZ()).norm(), 1e-12);
+    }
+}
+
+TEST(DirectionOfLeastAngle, IsAUnitVectorThatSeesNothingWhereNoneDoes) {
+    const std::vector<std::vector<Vec3>> cases = {
+        {Vec3::UnitX(), -Vec3::UnitX()},
+        {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY()},
+        {Vec3::UnitX(),
+         -Vec3::UnitX(),
+         Vec3::UnitY(),
+         -Vec3::UnitY(),
+         Vec3::UnitZ(),
+         -Vec3::UnitZ()},
+        {Vec3(1, 1, 1).normalized(),
+         Vec3(1, -1, -1).normalized(),
+         Vec3(-1, 1, -1).normalized(),
+         Vec3(-1, -1, 1).normalized()}
+    };
+    for (const std::vector<Vec3>& normals : cases) {
+        const Vec3 direction = directionOfLeastAngle(normals);
+        EXPECT_NEAR(direction.norm(), 1.0, 1e-12);
+        EXPECT_LE(leastCosine(direction, normals), 1e-15);
+    }
+}
+
+TEST(DirectionOfLeastAngle, DoesNotDependOnTheOrderOfTheNormals) {
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        std::vector<Vec3> normals = randomNormals(6, 1.2, random);
+        const Vec3 direction = directionOfLeastAngle(normals);
+        std::rotate(normals.begin(), normals.begin() + random.integer(0, 5), normals.end());
+        EXPECT_LT((directionOfLeastAngle(normals) - direction).norm(), 1e-9);
+    }
+}
+
+TEST(LeastCosine, IsTheSmallest) {
+    EXPECT_EQ(leastCosine(Vec3::UnitX(), {}), 1.0);
+    const std::vector<Vec3> normals = {Vec3::UnitX(), Vec3(0.6, 0.8, 0.0), Vec3(0.8, 0.0, 0.6)};
+    EXPECT_EQ(leastCosine(Vec3::UnitX(), normals), 0.6);
+}
+
+}  // namespace
+}  // namespace bspline_curve
