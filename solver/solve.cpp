@@ -33,21 +33,20 @@ constexpr int kMaxRefreshes = 6;
 // two states.
 constexpr double kRoughBlend = 0.5;
 
-// ... or move it by less than this share of the distance of two picks, and less than the tolerance.
+// ... or, where there is tension, move it by less than this share of the distance of two picks, and
+// less than the tolerance: a corner at a pick gains by the same share however fine the knots.
 constexpr double kMoveShare = 5e-3;
 
-// E_int of straight lines between the picks: the tension term of no curve is less. Corners that are
-// cut at lambda = 1 are a few per cent of it, and would not be seen beside it.
-double straightEnergy(const CurveProblem& problem) {
-    const std::size_t count = problem.picks.size();
-    double sum = 0.0;
-    for (std::size_t i = 1; i < count + (problem.options.closed ? 1 : 0); ++i) {
-        const PickConstraint& from = problem.picks[i - 1];
-        const PickConstraint& to = problem.picks[i % count];
-        const double end = i < count ? to.parameter : 1.0;
-        sum += (to.position - from.position).squaredNorm() / (end - from.parameter);
+// E_int of the geodesics between the picks: the tension term of no curve on the surface is less.
+// Corners that are cut at lambda = 1 are a few per cent of it, and would not be seen beside it.
+// Parameters follow the length of the guide.
+double tensionFloor(const CurveProblem& problem, const GuidePath& guide) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < guide.points.size(); ++i) {
+        length += (guide.points[i].position - guide.points[i - 1].position).norm();
     }
-    return problem.options.tension * sum / (problem.chordLength * problem.chordLength);
+    const double ratio = length / problem.chordLength;
+    return problem.options.tension * ratio * ratio;
 }
 
 double shortestPickDistance(const CurveProblem& problem) {
@@ -80,7 +79,7 @@ public:
           stage_(std::make_unique<Stage>(problem, curve_.space)),
           tolerance_(options_.distanceTolerance * problem.averageEdgeLength),
           restingMove_(std::min(tolerance_, kMoveShare * shortestPickDistance(problem))),
-          straightFloor_(straightEnergy(problem)) {
+          tensionFloor_(tensionFloor(problem, guide)) {
         report_.seconds.initial = watch_.lap();
         report_.knotsFirst = knotCount();
     }
@@ -196,8 +195,8 @@ private:
         if (options_.knotRule == KnotRule::EnergyAndDistance) {
             const KnotDemand gain =
                 predictGain(problem_, curve_.space, curve_.controls, weights_, directions_);
-            const bool settled = gain.total < kNegligibleGain * (energy - straightFloor_) ||
-                                 gain.largestMove < restingMove_;
+            const bool settled = gain.total < kNegligibleGain * (energy - tensionFloor_) ||
+                                 (tensionFloor_ > 0.0 && gain.largestMove < restingMove_);
             return settled ? curve_.space.breaks()
                            : halveLargest(curve_.space, gain, options_.minimumSpan);
         }
@@ -288,7 +287,7 @@ private:
     SolveReport report_;
     double tolerance_;
     double restingMove_;     // more knots change nothing where they move the curve less than this
-    double straightFloor_;   // what no knot can save of E_int
+    double tensionFloor_;    // what no knot can save of E_int
     double distance_ = 0.0;  // of curve and surface, in the shell's frame
     double feature_ = 0.0;   // (19) of the round before
     int round_ = 0;

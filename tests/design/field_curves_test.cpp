@@ -88,5 +88,40 @@ TEST_F(Valley, WithoutWeightTheFieldChangesNothing) {
     EXPECT_LT(largestGap(with.spline, without.spline), 1e-9);
 }
 
+// Only differences of a field matter where c(x) = x; also below zero.
+class FieldOnASphere : public testing::Test {
+protected:
+    [[nodiscard]] Curve curveWith(const std::function<double(const Vec3&)>& field) const {
+        return designer_.design(picks_, {}, {}, sampled(mesh_, field));
+    }
+
+    TriangleMesh mesh_ = withNoise(icosphere(3), 0.01, 23);
+    CurveDesigner designer_{mesh_};
+    std::vector<Vec3> picks_ = {mesh_.vertices[5], mesh_.vertices[100], mesh_.vertices[400]};
+};
+
+TEST_F(FieldOnASphere, ConstantFieldsChangeNothing) {
+    const Curve reference = designer_.design(picks_);
+    for (const double constant : {0.0, 1.0, 1000.0, -1000.0}) {
+        const Curve curve = curveWith([&](const Vec3&) { return constant; });
+        EXPECT_LT(largestGap(curve.spline, reference.spline), 1e-9)
+            << "constant " << constant << ", " << curve.report.knotsLast << " instead of "
+            << reference.report.knotsLast << " knots, " << name(curve.report.status);
+    }
+}
+
+TEST_F(FieldOnASphere, ConstantsAddedToTheFieldChangeNothing) {
+    const auto height = [](const Vec3& v) { return v.z(); };
+    const Curve reference = curveWith(height);
+    const double epsilon = 0.1 * designer_.surface().averageEdgeLength();
+    for (const double constant : {1.0, 1000.0, -1000.0}) {
+        const Curve curve = curveWith([&](const Vec3& v) { return height(v) + constant; });
+        EXPECT_TRUE(curve.report.usable);
+        EXPECT_LT(largestGap(curve.spline, reference.spline), epsilon)
+            << "constant " << constant << ", " << curve.report.knotsLast << " instead of "
+            << reference.report.knotsLast << " knots, " << name(curve.report.status);
+    }
+}
+
 }  // namespace
 }  // namespace bspline_curve

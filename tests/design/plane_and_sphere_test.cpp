@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves whose answer is known: interpolating splines on a plane, great circles on a sphere.
+// Curves whose answer is known: interpolating splines and straight lines on a plane, great circles
+// on a sphere.
 #include "cubic_interpolation.h"
 #include "curve_checks.h"
 #include "support/meshes.h"
@@ -81,11 +82,80 @@ TEST_P(Plates, TwoPicksGiveTheirSegmentWithoutMoreKnots) {
     EXPECT_LE(curve.report.knotsLast, 16);
 }
 
+// Share of the pick distance by which a polyline strays from the segments between its picks.
+double straying(const Curve& curve, const std::vector<Vec3>& picks) {
+    const SurfacePolyline& line = curve.polyline;
+    double largest = 0.0;
+    const std::size_t intervals = picks.size() - (line.closed ? 0 : 1);
+    for (std::size_t i = 0; i < intervals; ++i) {
+        const Vec3& a = picks[i];
+        const Vec3& b = picks[(i + 1) % picks.size()];
+        const int end =
+            i + 1 < picks.size() ? line.picks[i + 1] : static_cast<int>(line.points.size());
+        for (int j = line.picks[i]; j < end; ++j) {
+            const Vec3& p = line.points[static_cast<std::size_t>(j)];
+            largest = std::max(largest, distanceToSegment(p, a, b) / (b - a).norm());
+        }
+    }
+    return largest;
+}
+
+TEST_P(Plates, OpenCurvesWithFullTensionAreSegments) {
+    const CurveDesigner plates = designer();
+    SolverOptions options;
+    options.tension = 1.0;
+    const Curve curve = goodCurve(plates, kOpenPicks, options);
+    EXPECT_LT(straying(curve, kOpenPicks), 0.01) << curve.report.knotsLast << " knots";
+}
+
+TEST_P(Plates, ClosedCurvesWithFullTensionAreSegments) {
+    const CurveDesigner plates = designer();
+    SolverOptions options = closedOptions();
+    options.tension = 1.0;
+    const Curve curve = goodCurve(plates, kClosedPicks, options);
+    EXPECT_LT(straying(curve, kClosedPicks), 0.01) << curve.report.knotsLast << " knots";
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, Plates, testing::Values("Coarse", "Fine", "Jittered"), [](const auto& testInfo) {
         return testInfo.param;
     }
 );
+
+// Angle between a point and the great circle through two others.
+double angleToGreatCircle(const Vec3& p, const Vec3& a, const Vec3& b) {
+    return std::abs(std::asin(p.normalized().dot(a.cross(b).normalized())));
+}
+
+// A spline rounds the corner at a pick, as on the plane: the same 1 % of the pick distance. Between
+// picks, polyhedron and sphere differ by far less (sagitta: 1e-3 at 4 subdivisions).
+TEST(Spheres, CurvesWithFullTensionAreGreatCircles) {
+    const std::vector<Vec3> picks = {
+        Vec3(1, 0.1, 0.05).normalized(),
+        Vec3(0.1, 1, 0.3).normalized(),
+        Vec3(-0.5, 0.3, 1).normalized(),
+        Vec3(-0.4, -1, 0.6).normalized()
+    };
+    for (const int subdivisions : {4, 5}) {
+        const CurveDesigner sphere(icosphere(subdivisions));
+        SolverOptions options;
+        options.tension = 1.0;
+        const Curve curve = sphere.design(picks, options);
+        EXPECT_TRUE(curve.report.usable);
+        expectStrict(sphere.surface(), curve.polyline);
+        double largest = 0.0;
+        for (std::size_t i = 0; i + 1 < picks.size(); ++i) {
+            const double distance = std::acos(picks[i].dot(picks[i + 1]));
+            for (int j = curve.polyline.picks[i]; j < curve.polyline.picks[i + 1]; ++j) {
+                const Vec3& p = curve.polyline.points[static_cast<std::size_t>(j)];
+                largest =
+                    std::max(largest, angleToGreatCircle(p, picks[i], picks[i + 1]) / distance);
+            }
+        }
+        EXPECT_LT(largest, 0.01) << subdivisions << " subdivisions, " << curve.report.knotsLast
+                                 << " knots";
+    }
+}
 
 // By symmetry a smooth curve through points of one great circle is that circle.
 TEST(Spheres, ClosedCurvesThroughAGreatCircleAreThatCircle) {

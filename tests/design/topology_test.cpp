@@ -145,7 +145,7 @@ TEST(Topology, TwoPicksMayLieInOneFace) {
 
 TEST(Topology, PicksMayBeVeryClose) {
     const CurveDesigner designer(plate(10, 10));
-    for (const double gap : {1e-2, 1e-3}) {
+    for (const double gap : {1e-2, 1e-3, 1e-4, 1e-6}) {
         SCOPED_TRACE("gap " + std::to_string(gap));
         static_cast<void>(goodCurve(
             designer, {{0.1, 0.3, 0}, {0.5, 0.62, 0}, {0.5 + gap, 0.62, 0}, {0.9, 0.4, 0}}
