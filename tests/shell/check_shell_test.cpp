@@ -3,9 +3,13 @@
 
 #include "built_shell.h"
 #include "support/meshes.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,6 +36,30 @@ INSTANTIATE_TEST_SUITE_P(
         return instance.param.name;
     }
 );
+
+// Heavy noise makes folds, singular vertices and surfaces that cross themselves: faces are blocked,
+// and what remains is valid.
+TEST(CheckShell, PassesWhateverTheNoise) {
+    int blocked = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const std::vector<TriangleMesh> meshes = {
+            icosphere(2),
+            plate(10, 10),
+            torus(20, 10),
+            openCylinder(14, 6),
+            joined(icosphere(2), icosphere(1, 0.9))
+        };
+        const TriangleMesh& mesh = meshes[seed % meshes.size()];
+        const double amplitude = std::pow(10.0, random.uniform(-3.0, -0.4));
+        const double thickness = std::pow(10.0, random.uniform(-1.0, 0.7));
+        const BuiltShell built(withNoise(mesh, amplitude, seed), {.thickness = thickness});
+        EXPECT_TRUE(built.check().passed()) << describe(built.check());
+        blocked += static_cast<int>(built.blockedFaces().size());
+    }
+    EXPECT_GT(blocked, 0);
+}
 
 // Shells with one defect each: the invariant that it breaks must say so.
 class CheckShellOnDamage : public testing::Test {

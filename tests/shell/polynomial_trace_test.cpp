@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -137,6 +138,10 @@ struct TraceCase {
     NamedMesh mesh;
     int degree;
 };
+
+std::ostream& operator<<(std::ostream& stream, const TraceCase& c) {
+    return stream << c.mesh << " degree " << c.degree;
+}
 
 class TracePolynomial : public testing::TestWithParam<TraceCase> {};
 
