@@ -12,7 +12,7 @@
 
 namespace bspline_curve {
 
-/// How an invariant of the shell (docs: shell, invariants 1-4) fared.
+/// How an invariant of the shell fared.
 struct InvariantCheck {
     std::string_view name;
     bool holds = true;
