@@ -176,6 +176,8 @@ public:
 
 private:
     // Restarts the funnel at a corner; returns the last portal that touches it.
+    // The corner is a copy: it may be the very side that is reset here.
+    // NOLINTNEXTLINE(performance-unnecessary-value-param)
     std::size_t turnAt(Vec2 corner, std::size_t portal, bool onLeft) {
         corners_.push_back({corner, portal, onLeft});
         apex_ = corner;

@@ -92,7 +92,8 @@ TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
     CurveEnergy energy(fixture.problem(), curve.space, rows);
-    const std::optional<BendingDirections> directions = bendingDirectionsAlong(fixture.problem(), curve.space, curve.controls);
+    const std::optional<BendingDirections> directions =
+        bendingDirectionsAlong(fixture.problem(), curve.space, curve.controls);
     ASSERT_TRUE(directions.has_value());
     energy.setDirections(*directions);
     const EnergyWeights weights{20.0, 5.0, 1.0};
