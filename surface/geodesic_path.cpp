@@ -99,6 +99,7 @@ std::vector<int> GeodesicPathFinder::openFacesHolding(const SurfacePoint& point)
     return faces;
 }
 
+// NOLINTNEXTLINE(readability-function-size, readability-function-cognitive-complexity)
 std::optional<GeodesicPathFinder::Strip> GeodesicPathFinder::findStrip(
     const SurfacePoint& start, const SurfacePoint& goal
 ) {
@@ -214,6 +215,7 @@ bool GeodesicPathFinder::rerouteAround(int vertex, std::size_t portal, Strip& st
     return true;
 }
 
+// NOLINTNEXTLINE(readability-function-size, readability-function-cognitive-complexity)
 std::optional<GeodesicPath> GeodesicPathFinder::find(
     const SurfacePoint& start, const SurfacePoint& goal
 ) {
