@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace bspline_curve {
 namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
 
 // What lies across the face opposite to vertex k of tetrahedron i of a slab.
 enum class Across : signed char { Tetrahedron, OtherSlab, WallLower, WallUpper, Outside };
@@ -43,6 +48,41 @@ Shell::Shell(std::vector<Pillar> pillars, std::vector<Prism> prisms, int surface
     : pillars_(std::move(pillars)),
       prisms_(std::move(prisms)),
       surfaceFaceCount_(surfaceFaceCount) {}
+
+Shell::Shell(
+    std::vector<Pillar> pillars,
+    std::vector<Prism> prisms,
+    SurfaceTracks tracks,
+    std::shared_ptr<const ShellBase> base
+)
+    : pillars_(std::move(pillars)),
+      prisms_(std::move(prisms)),
+      surfaceFaceCount_(base->surfaceFaceCount),
+      tracks_(std::move(tracks)),
+      base_(std::move(base)) {
+    prismOffsets_.assign(base_->faces.size() + 1, 0);
+    for (const int face : tracks_.faces) {
+        ++prismOffsets_[at(face) + 1];
+    }
+    std::partial_sum(prismOffsets_.begin(), prismOffsets_.end(), prismOffsets_.begin());
+    std::vector<int> next(prismOffsets_.begin(), prismOffsets_.end() - 1);
+    facePrisms_.resize(tracks_.faces.size());
+    for (std::size_t prism = 0; prism < prisms_.size(); ++prism) {
+        for (const int face : facesOf(static_cast<int>(prism))) {
+            facePrisms_[at(next[at(face)]++)] = static_cast<int>(prism);
+        }
+    }
+}
+
+std::span<const int> Shell::facesOf(int prism) const {
+    const int first = tracks_.offsets[at(prism)];
+    return {tracks_.faces.data() + first, at(tracks_.offsets[at(prism) + 1] - first)};
+}
+
+std::span<const int> Shell::prismsOf(int face) const {
+    const int first = prismOffsets_[at(face)];
+    return {facePrisms_.data() + first, at(prismOffsets_[at(face) + 1] - first)};
+}
 
 int Shell::neighbour(int tet, int k) const {
     const int prism = tet / kTetrahedraPerPrism;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/shell_base.h"
 #include "surface/types.h"
 
 #include <array>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -21,8 +24,8 @@ struct Prism {
     std::array<int, 3> pillars{};
     /// Prism across the wall opposite to slot k; -1 where the shell ends.
     std::array<int, 3> neighbours{};
-    /// Slot k is vertex faceCorner[k] of the face.
-    std::array<signed char, 3> faceCorner{};
+    /// Shells of full resolution: slot k is vertex faceCorner[k] of the face.
+    std::array<signed char, 3> faceCorner = {0, 1, 2};
     /// Which wall of neighbours[k] is shared with wall k.
     std::array<signed char, 3> neighbourWalls{};
     /// +1 where the slots run counter-clockwise seen from the top, -1 where clockwise; 0 for a
@@ -46,17 +49,45 @@ inline constexpr std::array<std::array<SplitVertex, 4>, 3> kSlabSplit = {
 
 inline constexpr int kTetrahedraPerPrism = 6;
 
+/// Which faces of the base meet which prisms of a simplified shell. Every prism lists all faces
+/// that meet it; a listed face may miss it.
+struct SurfaceTracks {
+    /// Faces of prism i: faces[offsets[i]] to faces[offsets[i + 1]], ascending.
+    std::vector<int> offsets, faces;
+};
+
 /// A shell: prisms around the surface, every one split into six tetrahedra, with a piecewise affine
 /// f in [-1, 1] (paper, Sect. 4.1; Jiang et al. 2020). Coordinates are in the shell's frame: the
 /// surface's box centred at the origin, its diagonal 1. Tetrahedron ids are 6 * prism + 3 * slab +
 /// k with slab 0 = top, 1 = bottom.
 ///
-/// This first form has one prism per face of the surface (prism i over face i, ghost prisms after
-/// them), so the surface lies at f = 0. Curves reach it through cell(), neighbour() and locate()
-/// alone.
+/// A shell of full resolution has one prism per face of the base (prism i over face i, ghost prisms
+/// after the others), so the surface lies at f = 0. A simplified shell has few and thick prisms,
+/// each of which knows the faces of the base that meet it; the surface lies at a height f = w_S(u,
+/// v) of its own over every point (u, v) of the middle.
 class Shell {
 public:
+    /// A shell of full resolution.
     Shell(std::vector<Pillar> pillars, std::vector<Prism> prisms, int surfaceFaceCount);
+
+    /// A simplified shell around the surface of `base`.
+    Shell(
+        std::vector<Pillar> pillars,
+        std::vector<Prism> prisms,
+        SurfaceTracks tracks,
+        std::shared_ptr<const ShellBase> base
+    );
+
+    /// Whether the surface is the middle of the shell, with prism i over face i.
+    [[nodiscard]] bool isFullResolution() const { return base_ == nullptr; }
+
+    /// Faces of the base that may meet a prism of a simplified shell, ascending.
+    [[nodiscard]] std::span<const int> facesOf(int prism) const;
+
+    /// Prisms of a simplified shell that a face of the base may meet, ascending.
+    [[nodiscard]] std::span<const int> prismsOf(int face) const;
+
+    [[nodiscard]] const SurfaceTracks& tracks() const { return tracks_; }
 
     [[nodiscard]] const std::vector<Pillar>& pillars() const { return pillars_; }
 
@@ -88,6 +119,9 @@ private:
     std::vector<Pillar> pillars_;
     std::vector<Prism> prisms_;
     int surfaceFaceCount_;
+    SurfaceTracks tracks_;
+    std::vector<int> prismOffsets_, facePrisms_;  // tracks_ the other way round
+    std::shared_ptr<const ShellBase> base_;
 };
 
 }  // namespace bspline_curve
