@@ -2,6 +2,7 @@
 #include "surface/triangle_tree.h"
 
 #include "surface/closest_point.h"
+#include "surface/spatial_order.h"
 
 #include <bit>
 #include <cmath>
@@ -10,30 +11,6 @@
 
 namespace bspline_curve {
 
-namespace {
-
-constexpr int kMortonBitsPerAxis = 21;
-
-/// Spreads the lower 21 bits: bit i moves to bit 3 i.
-std::uint64_t spreadBits(std::uint64_t x) {
-    x &= 0x1fffffU;
-    x = (x | x << 32U) & 0x001f00000000ffffU;
-    x = (x | x << 16U) & 0x001f0000ff0000ffU;
-    x = (x | x << 8U) & 0x100f00f00f00f00fU;
-    x = (x | x << 4U) & 0x10c30c30c30c30c3U;
-    x = (x | x << 2U) & 0x1249249249249249U;
-    return x;
-}
-
-/// Position of a point of the cube [0, 2^21)^3 on the Morton curve.
-std::uint64_t mortonCode(const Vec3& cell) {
-    return spreadBits(static_cast<std::uint64_t>(cell[0])) << 2U |
-           spreadBits(static_cast<std::uint64_t>(cell[1])) << 1U |
-           spreadBits(static_cast<std::uint64_t>(cell[2]));
-}
-
-}  // namespace
-
 TriangleTree::TriangleTree(
     const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles
 )
@@ -41,42 +18,21 @@ TriangleTree::TriangleTree(
     if (triangles.empty()) {
         return;
     }
-    const std::vector<Key> keys = sortedKeys();
+    const std::vector<MortonKey> keys = spatialOrder(triangles.size(), [&](std::size_t i) -> Vec3 {
+        const Box box = boxOf(static_cast<int>(i));
+        return 0.5 * box.low + 0.5 * box.high;
+    });
     order_.reserve(keys.size());
-    for (const Key& key : keys) {
-        order_.push_back(key.triangle);
+    for (const MortonKey& key : keys) {
+        order_.push_back(key.index);
     }
     nodes_.reserve(keys.size());
     build(keys, 0, keys.size());
     nodes_.shrink_to_fit();
 }
 
-/// The triangles along a Morton curve through the centres of their boxes.
-std::vector<TriangleTree::Key> TriangleTree::sortedKeys() const {
-    const auto centre = [&](std::size_t i) -> Vec3 {
-        const Box box = boxOf(static_cast<int>(i));
-        return 0.5 * box.low + 0.5 * box.high;
-    };
-    Vec3 low = centre(0);
-    Vec3 high = low;
-    for (std::size_t i = 1; i < triangles_.size(); ++i) {
-        low = low.cwiseMin(centre(i));
-        high = high.cwiseMax(centre(i));
-    }
-    const double extent = (high - low).maxCoeff();
-    constexpr double kCells = (1U << static_cast<unsigned>(kMortonBitsPerAxis)) - 1U;
-
-    std::vector<Key> keys(triangles_.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        const Vec3 cell = extent > 0.0 ? Vec3((centre(i) - low) / extent * kCells) : Vec3::Zero();
-        keys[i] = {.morton = mortonCode(cell), .triangle = static_cast<int>(i)};
-    }
-    std::ranges::sort(keys);
-    return keys;
-}
-
 /// Builds the subtree of a range of the order; returns its root.
-int TriangleTree::build(const std::vector<Key>& keys, std::size_t first, std::size_t last) {
+int TriangleTree::build(const std::vector<MortonKey>& keys, std::size_t first, std::size_t last) {
     const std::size_t index = nodes_.size();
     nodes_.emplace_back();
     if (last - first <= kLeafSize) {
@@ -95,13 +51,13 @@ int TriangleTree::build(const std::vector<Key>& keys, std::size_t first, std::si
     // Split where the highest bit changes that the range does not share: that halves a cell of
     // space. Equal codes are halved by number.
     std::size_t middle = first + (last - first) / 2;
-    const std::uint64_t difference = keys[first].morton ^ keys[last - 1].morton;
+    const std::uint64_t difference = keys[first].code ^ keys[last - 1].code;
     if (difference != 0) {
         const std::uint64_t bit = std::bit_floor(difference);
         const auto split = std::partition_point(
             keys.begin() + static_cast<std::ptrdiff_t>(first),
             keys.begin() + static_cast<std::ptrdiff_t>(last),
-            [bit](const Key& key) { return (key.morton & bit) == 0; }
+            [bit](const MortonKey& key) { return (key.code & bit) == 0; }
         );
         middle = static_cast<std::size_t>(split - keys.begin());
     }

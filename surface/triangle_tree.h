@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/spatial_order.h"
 #include "surface/types.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace bspline_curve {
@@ -60,17 +60,9 @@ private:
         [[nodiscard]] bool isLeaf() const { return count > 0; }
     };
 
-    /// Position on a space-filling curve, and the triangle that has it.
-    struct Key {
-        std::uint64_t morton;
-        int triangle;
-        auto operator<=>(const Key&) const = default;
-    };
-
     struct ClosestSearch;
 
-    [[nodiscard]] std::vector<Key> sortedKeys() const;
-    int build(const std::vector<Key>& keys, std::size_t first, std::size_t last);
+    int build(const std::vector<MortonKey>& keys, std::size_t first, std::size_t last);
 
     [[nodiscard]] const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
 

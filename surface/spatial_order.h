@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace bspline_curve {
+
+/// Position on a Morton curve, and the element that has it.
+struct MortonKey {
+    std::uint64_t code;
+    int index;
+    auto operator<=>(const MortonKey&) const = default;
+};
+
+/// Morton code of a point of the cube from `low`, `extent` wide, in 2^21 cells per axis.
+[[nodiscard]] std::uint64_t mortonCode(const Vec3& point, const Vec3& low, double extent);
+
+/// Keys of the elements 0 to count - 1, whose positions centreOf(i) gives, along a Morton curve
+/// through their bounding cube; elements in one cell by index. The same on every platform.
+/// O(n log n).
+template <class CentreOf>
+[[nodiscard]] std::vector<MortonKey> spatialOrder(std::size_t count, const CentreOf& centreOf) {
+    std::vector<MortonKey> keys(count);
+    if (count == 0) {
+        return keys;
+    }
+    Vec3 low = centreOf(0);
+    Vec3 high = low;
+    for (std::size_t i = 1; i < count; ++i) {
+        const Vec3 centre = centreOf(i);
+        low = low.cwiseMin(centre);
+        high = high.cwiseMax(centre);
+    }
+    const double extent = (high - low).maxCoeff();
+    for (std::size_t i = 0; i < count; ++i) {
+        keys[i] = {.code = mortonCode(centreOf(i), low, extent), .index = static_cast<int>(i)};
+    }
+    std::ranges::sort(keys);
+    return keys;
+}
+
+}  // namespace bspline_curve
