@@ -318,6 +318,16 @@ private:
 
 }  // namespace
 
+double longestSideOf(const ShellBase& base) {
+    Eigen::AlignedBox3d box;
+    for (std::size_t f = 0; f < at(base.surfaceFaceCount); ++f) {
+        for (const int v : base.faces[f]) {
+            box.extend(base.vertices[at(v)]);
+        }
+    }
+    return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+}
+
 ShellBase makeShellBase(const Surface& surface, int smoothingPasses) {
     ShellBase base;
     BaseBuilder builder(surface, base);

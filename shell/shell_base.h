@@ -55,6 +55,9 @@ struct ShellBase {
 /// accepted.
 inline constexpr double kLeastPillarCosine = 0.05;
 
+/// Longest side of the box of the surface's faces, in the shell's frame.
+[[nodiscard]] double longestSideOf(const ShellBase& base);
+
 /// Moves singular vertices, adds ghosts, finds and smooths directions. O(n).
 [[nodiscard]] ShellBase makeShellBase(const Surface& surface, int smoothingPasses);
 

@@ -11,7 +11,7 @@ namespace bspline_curve {
 /// surface's box.
 struct SimplifyOptions {
     /// Largest distance between top and bottom along a pillar, in (0, 1].
-    double thickness = 0.12;
+    double thickness = 0.135;
     /// Middle edges shorter than this are collapsed where the invariants allow it, in (0, 1].
     double edgeLength = 1.0;
 

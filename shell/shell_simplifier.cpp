@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/shell_simplifier.h"
+
+#include "shell/simplify/export_shell.h"
+#include "shell/simplify/operations.h"
+#include "shell/simplify/tracked_surface.h"
+#include "surface/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+// The shell that the simplifier starts from, in mean edge lengths at each vertex.
+constexpr double kStartThickness = 0.5;
+// Target edge lengths of the stages: the first in mean edges, then each by this factor.
+constexpr double kFirstStage = 1.6;
+constexpr double kStageFactor = 1.5;
+// Half pillars are at most this share of the target edge length of a stage.
+constexpr double kThicknessShare = 0.5;
+// The stages end where one removes less than this share of the prisms.
+constexpr double kLeastProgress = 0.01;
+constexpr int kMaxStages = 60;
+// Size of the grid's cells in target edge lengths: prisms then lie in about two cells per axis.
+constexpr double kCellSize = 2.0;
+
+// Mean length of the middle edges of all prisms.
+double meanEdgeOf(const ShellEditor& editor) {
+    double total = 0.0;
+    for (int prism = 0; prism < editor.complex().prismIdCount(); ++prism) {
+        const Triangle& p = editor.complex().pillarsOf(prism);
+        total += editor.middleLength(p[0], p[1]) + editor.middleLength(p[1], p[2]) +
+                 editor.middleLength(p[2], p[0]);
+    }
+    return total / (3.0 * std::max(1, editor.complex().prismCount()));
+}
+
+void simplify(
+    ShellEditor& editor,
+    std::vector<std::pair<int, int>> creaseEdges,
+    double longestSide,
+    const SimplifyOptions& options,
+    const Progress& progress
+) {
+    Creases creases(std::move(creaseEdges), editor.pillarCount());
+    Thickener thickener(editor);
+    Collapser collapser(editor, creases);
+    Relaxer relaxer(editor, creases);
+    const double reach = 0.5 * options.thickness * longestSide;
+    const double longest = options.edgeLength * longestSide;
+    double length = kFirstStage * meanEdgeOf(editor);
+    double done = 0.0;
+    for (int stage = 0; stage < kMaxStages && editor.complex().prismCount() > 0; ++stage) {
+        // A stage removes about half of what is left, and costs as much as the one before.
+        const double after = done + 0.3 * (1.0 - done);
+        const Progress part = partOf(progress, done, after);
+        report(part, 0.0, "simplifying the shell");
+        done = after;
+        const int before = editor.complex().prismCount();
+        editor.rebuildGrid(kCellSize * length);
+        if (stage > 0) {
+            thickener.run(std::min(reach, kThicknessShare * length));
+        }
+        collapser.run(std::min(length, longest), part);
+        flipEdges(editor, creases);
+        relaxer.run();
+        const int removed = before - editor.complex().prismCount();
+        if (kThicknessShare * length >= reach && removed < kLeastProgress * before) {
+            break;
+        }
+        length *= kStageFactor;
+    }
+    thickener.run(reach);
+    report(progress, 1.0, "simplifying the shell");
+}
+
+}  // namespace
+
+void SimplifyOptions::validate() const {
+    const auto check = [](double value, const char* name) {
+        if (!(value > 0.0 && value <= 1.0)) {
+            throw InputError(
+                InputErrorCode::BadOption,
+                std::string(name) + " is " + std::to_string(value) + ": give a number in (0, 1]"
+            );
+        }
+    };
+    check(thickness, "the target thickness of the simplified shell");
+    check(edgeLength, "the target edge length of the simplified shell");
+}
+
+ShellBuild buildSimplifiedShell(
+    const std::shared_ptr<const ShellBase>& base,
+    const ShellOptions& start,
+    const SimplifyOptions& options,
+    const Progress& progress
+) {
+    options.validate();
+    constexpr double kStartShare = 0.1;  // of the whole time
+    const TrackedSurface surface(*base);
+    ShellOptions thin = start;
+    thin.thickness = std::min(start.thickness, kStartThickness);
+    const Progress startPart = partOf(progress, 0.0, kStartShare);
+    ShellBuild build = buildShell(surface.base, thin, startPart);
+    const Progress restPart = partOf(progress, kStartShare, 1.0);
+    ShellEditor editor(surface, build.shell);
+    build.shell = Shell({}, {}, 0);  // a large one, and no longer needed
+    simplify(editor, surface.creases, longestSideOf(surface.base), options, restPart);
+    build.shell = exportShell(editor, base);
+    for (int& face : build.report.blockedFaces) {
+        face = surface.originalFaces[static_cast<std::size_t>(face)];
+    }
+    std::ranges::sort(build.report.blockedFaces);
+    for (auto& [f, g] : build.report.selfIntersections) {
+        const auto [low, high] = std::minmax(
+            {surface.originalFaces[static_cast<std::size_t>(f)],
+             surface.originalFaces[static_cast<std::size_t>(g)]}
+        );
+        f = low;
+        g = high;
+    }
+    std::ranges::sort(build.report.selfIntersections);
+    return build;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/simplify/layer_grid.h"
+
+#include "shell/simplify/tracked_surface.h"
+#include "surface/self_intersection.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace bspline_curve {
+namespace {
+
+// The frame's coordinates are above this.
+constexpr double kLowest = -4.0;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+Triangle layerOf(const Triangle& pillars, Level level) {
+    return {pointOf(pillars[0], level), pointOf(pillars[1], level), pointOf(pillars[2], level)};
+}
+
+}  // namespace
+
+LayerGrid::Box LayerGrid::boxOf(const Triangle& points) const {
+    const Vec3& a = complex_.points[at(points[0])];
+    const Vec3& b = complex_.points[at(points[1])];
+    const Vec3& c = complex_.points[at(points[2])];
+    Box box;
+    for (int k = 0; k < 3; ++k) {
+        box.low[at(k)] = static_cast<float>(std::min({a[k], b[k], c[k]})) - kFloatMargin;
+        box.high[at(k)] = static_cast<float>(std::max({a[k], b[k], c[k]})) + kFloatMargin;
+    }
+    return box;
+}
+
+LayerGrid::LayerBoxes LayerGrid::layerBoxesOf(const Triangle& pillars) const {
+    return {boxOf(layerOf(pillars, Level::Top)), boxOf(layerOf(pillars, Level::Bottom))};
+}
+
+LayerGrid::CellRange LayerGrid::cellsOf(const Box& box) const {
+    CellRange cells;
+    constexpr double kHighest = std::numeric_limits<std::int16_t>::max();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto cell = [&](float x) {
+            return static_cast<std::int16_t>(
+                std::clamp((static_cast<double>(x) - kLowest) * inverseCellSize_, 0.0, kHighest)
+            );
+        };
+        cells.low[k] = cell(box.low[k]);
+        cells.high[k] = cell(box.high[k]);
+    }
+    return cells;
+}
+
+std::size_t LayerGrid::slotOf(int x, int y, int z) const {
+    const auto hash = static_cast<std::uint32_t>(x) * 73856093U ^
+                      static_cast<std::uint32_t>(y) * 19349663U ^
+                      static_cast<std::uint32_t>(z) * 83492791U;
+    return hash & (heads_.size() - 1);
+}
+
+void LayerGrid::enter(int item, const CellRange& cells, const CellRange* known) {
+    for (int x = cells.low[0]; x <= cells.high[0]; ++x) {
+        for (int y = cells.low[1]; y <= cells.high[1]; ++y) {
+            for (int z = cells.low[2]; z <= cells.high[2]; ++z) {
+                if (known != nullptr && x >= known->low[0] && x <= known->high[0] &&
+                    y >= known->low[1] && y <= known->high[1] && z >= known->low[2] &&
+                    z <= known->high[2]) {
+                    continue;
+                }
+                int& head = heads_[slotOf(x, y, z)];
+                entries_.push_back({item, head});
+                head = static_cast<int>(entries_.size()) - 1;
+            }
+        }
+    }
+}
+
+void LayerGrid::rebuild(double cellSize) {
+    const auto ids = at(complex_.prismIdCount());
+    inverseCellSize_ = 1.0 / cellSize;
+    heads_.assign(std::bit_ceil(at(complex_.prismCount()) + endWalls_.size() + 1), -1);
+    entries_.clear();
+    boxes_.resize(ids);
+    cells_.resize(ids);
+    isEntered_.assign(ids, 0);
+    stamps_.assign(ids, 0);
+    wallStamps_.assign(endWalls_.size(), 0);
+    stamp_ = 0;
+    for (int prism = 0; prism < complex_.prismIdCount(); ++prism) {
+        if (complex_.isAlive(prism)) {
+            insert(prism);
+        }
+    }
+    wallBoxes_.clear();
+    for (std::size_t i = 0; i < endWalls_.size(); ++i) {
+        wallBoxes_.push_back(boxOf(endWalls_[i]));
+        enter(-1 - static_cast<int>(i), cellsOf(wallBoxes_.back()), nullptr);
+    }
+}
+
+void LayerGrid::insert(int prism) {
+    const std::size_t i = at(prism);
+    boxes_[i] = layerBoxesOf(complex_.pillarsOf(prism));
+    CellRange cells = cellsOf(boxes_[i][0].joined(boxes_[i][1]));
+    if (isEntered_[i] != 0) {
+        const CellRange known = cells_[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            cells.low[k] = std::min(cells.low[k], known.low[k]);
+            cells.high[k] = std::max(cells.high[k], known.high[k]);
+        }
+        enter(prism, cells, &known);
+    } else {
+        enter(prism, cells, nullptr);
+        isEntered_[i] = 1;
+    }
+    cells_[i] = cells;
+}
+
+bool LayerGrid::meetsPrism(
+    const Triangle& pillars,
+    const LayerBoxes& boxes,
+    const Triangle& other,
+    const LayerBoxes& otherBoxes
+) const {
+    constexpr std::array<Level, 2> kLayers = {Level::Top, Level::Bottom};
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) {
+            if (boxes[i].overlaps(otherBoxes[j]) &&
+                trianglesIntersect(
+                    complex_.points, layerOf(pillars, kLayers[i]), layerOf(other, kLayers[j])
+                )) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool LayerGrid::meetsWall(const Triangle& pillars, const LayerBoxes& boxes, int wall) const {
+    const Wall& corners = endWalls_[at(wall)];
+    const Box& box = wallBoxes_[at(wall)];
+    return (boxes[0].overlaps(box) &&
+            trianglesIntersect(complex_.points, layerOf(pillars, Level::Top), corners)) ||
+           (boxes[1].overlaps(box) &&
+            trianglesIntersect(complex_.points, layerOf(pillars, Level::Bottom), corners));
+}
+
+bool LayerGrid::meetsOthers(const Triangle& pillars, const LayerBoxes& boxes) {
+    const CellRange cells = cellsOf(boxes[0].joined(boxes[1]));
+    for (int x = cells.low[0]; x <= cells.high[0]; ++x) {
+        for (int y = cells.low[1]; y <= cells.high[1]; ++y) {
+            for (int z = cells.low[2]; z <= cells.high[2]; ++z) {
+                for (int i = heads_[slotOf(x, y, z)]; i >= 0; i = entries_[at(i)].next) {
+                    const int item = entries_[at(i)].item;
+                    if (item < 0) {
+                        const int wall = -1 - item;
+                        if (std::exchange(wallStamps_[at(wall)], stamp_) != stamp_ &&
+                            meetsWall(pillars, boxes, wall)) {
+                            return true;
+                        }
+                    } else if (stamps_[at(item)] < stamp_ && complex_.isAlive(item)) {
+                        stamps_[at(item)] = stamp_;
+                        if (meetsPrism(
+                                pillars, boxes, complex_.pillarsOf(item), boxes_[at(item)]
+                            )) {
+                            return true;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    return false;
+}
+
+bool LayerGrid::collides(std::span<const Triangle> prisms, std::span<const int> replaced) {
+    freshBoxes_.clear();
+    for (std::size_t i = 0; i < prisms.size(); ++i) {
+        freshBoxes_.push_back(layerBoxesOf(prisms[i]));
+        for (std::size_t j = 0; j < i; ++j) {
+            if (meetsPrism(prisms[i], freshBoxes_[i], prisms[j], freshBoxes_[j])) {
+                return true;
+            }
+        }
+    }
+    const int first = stamp_;
+    stamp_ += static_cast<int>(prisms.size());
+    for (const int prism : replaced) {
+        stamps_[at(prism)] = stamp_;
+    }
+    const int last = std::exchange(stamp_, first);
+    bool collides = false;
+    for (std::size_t i = 0; i < prisms.size() && !collides; ++i) {
+        ++stamp_;
+        collides = meetsOthers(prisms[i], freshBoxes_[i]);
+    }
+    stamp_ = last;
+    return collides;
+}
+
+}  // namespace bspline_curve

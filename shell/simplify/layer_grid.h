@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/simplify/prism_complex.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+
+/// Finds where top and bottom of new prisms meet those of other prisms, or the walls where the
+/// shell ends: a hashed grid over the boxes of the prisms.
+class LayerGrid {
+public:
+    /// A wall where the shell ends: points of the complex. These walls stay as they are.
+    using Wall = Triangle;
+
+    LayerGrid(const PrismComplex& complex, std::vector<Wall> endWalls)
+        : complex_(complex), endWalls_(std::move(endWalls)) {}
+
+    /// Enters all prisms anew, in cells of the given size.
+    void rebuild(double cellSize);
+
+    /// Enters a prism; an id may be entered again with other pillars.
+    void insert(int prism);
+
+    /// Whether top and bottom of the prisms meet each other, those of another prism than the
+    /// replaced ones, or an end wall (exact; pairs that share a pillar included).
+    [[nodiscard]] bool collides(std::span<const Triangle> prisms, std::span<const int> replaced);
+
+private:
+    struct Box {
+        std::array<float, 3> low{}, high{};
+
+        [[nodiscard]] bool overlaps(const Box& other) const {
+            return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
+                   other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+        }
+
+        [[nodiscard]] Box joined(const Box& other) const {
+            Box box;
+            for (std::size_t k = 0; k < 3; ++k) {
+                box.low[k] = std::min(low[k], other.low[k]);
+                box.high[k] = std::max(high[k], other.high[k]);
+            }
+            return box;
+        }
+    };
+
+    // Cells from low to high along each axis.
+    struct CellRange {
+        std::array<std::int16_t, 3> low{}, high{};
+    };
+
+    struct Entry {
+        int item;  // prism, or -1 - wall
+        int next;
+    };
+
+    // Boxes of top and bottom of a prism.
+    using LayerBoxes = std::array<Box, 2>;
+
+    [[nodiscard]] Box boxOf(const Triangle& points) const;
+    [[nodiscard]] LayerBoxes layerBoxesOf(const Triangle& pillars) const;
+    [[nodiscard]] CellRange cellsOf(const Box& box) const;
+    [[nodiscard]] std::size_t slotOf(int x, int y, int z) const;
+    void enter(int item, const CellRange& cells, const CellRange* known);
+    [[nodiscard]] bool meetsOthers(const Triangle& pillars, const LayerBoxes& boxes);
+    [[nodiscard]] bool meetsPrism(
+        const Triangle& pillars,
+        const LayerBoxes& boxes,
+        const Triangle& other,
+        const LayerBoxes& otherBoxes
+    ) const;
+    [[nodiscard]] bool meetsWall(const Triangle& pillars, const LayerBoxes& boxes, int wall) const;
+
+    const PrismComplex& complex_;
+    std::vector<Wall> endWalls_;
+    std::vector<LayerBoxes> boxes_;  // of each prism as entered
+    std::vector<Box> wallBoxes_;
+    std::vector<CellRange> cells_;  // that each prism was ever entered in
+    std::vector<char> isEntered_;
+    std::vector<int> heads_;
+    std::vector<Entry> entries_;
+    double inverseCellSize_ = 1.0;
+    std::vector<LayerBoxes> freshBoxes_;
+    std::vector<int> stamps_, wallStamps_;  // of the query that met the item last
+    int stamp_ = 0;
+};
+
+}  // namespace bspline_curve

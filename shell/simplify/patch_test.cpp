@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/simplify/patch_test.h"
+
+#include "shell/shell.h"
+#include "surface/predicates.h"
+#include "surface/self_intersection.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace bspline_curve {
+namespace {
+
+// Faces keep below this share of the way from the middle to top and bottom.
+constexpr double kSurfaceMargin = 0.85;
+
+// Least cosine between the half pillars of a tetrahedron and the normals of the faces that meet it.
+constexpr float kLeastCosine = 0.03F + kFloatMargin;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+std::array<float, 3> toFloat(const Vec3& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+using TetCorners = std::array<const Vec3*, 4>;
+using FaceCorners = std::array<const Vec3*, 3>;
+
+// How far apart a tetrahedron and a triangle are along an axis, in units of the axis' length in the
+// 1-norm; negative where they overlap.
+double gapAlong(const Vec3& axis, const TetCorners& tet, const FaceCorners& face) {
+    double lowA = std::numeric_limits<double>::infinity();
+    double highA = -lowA;
+    double lowB = lowA;
+    double highB = -lowA;
+    const Vec3& origin = *tet[0];
+    for (const Vec3* p : tet) {
+        const double x = axis.dot(*p - origin);
+        lowA = std::min(lowA, x);
+        highA = std::max(highA, x);
+    }
+    for (const Vec3* p : face) {
+        const double x = axis.dot(*p - origin);
+        lowB = std::min(lowB, x);
+        highB = std::max(highB, x);
+    }
+    const double size = axis.cwiseAbs().sum();
+    return size > 0.0 ? std::max(lowB - highA, lowA - highB) / size
+                      : -std::numeric_limits<double>::infinity();
+}
+
+// The largest gap along the axes that separate disjoint ones, or the first above `enough`.
+double largestGap(const TetCorners& tet, const FaceCorners& face, double enough) {
+    constexpr std::array<std::array<int, 2>, 6> kEdges = {
+        {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}
+    };
+    constexpr std::array<Triangle, 4> kFaces = {{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+    const std::array<Vec3, 3> edges = {
+        *face[1] - *face[0], *face[2] - *face[1], *face[0] - *face[2]
+    };
+    double gap = gapAlong(edges[0].cross(edges[1]), tet, face);
+    for (std::size_t i = 0; i < 4 && gap <= enough; ++i) {
+        const Vec3& origin = *tet[at(kFaces[i][0])];
+        const Vec3 normal =
+            (*tet[at(kFaces[i][1])] - origin).cross(*tet[at(kFaces[i][2])] - origin);
+        gap = std::max(gap, gapAlong(normal, tet, face));
+    }
+    for (std::size_t i = 0; i < 18 && gap <= enough; ++i) {
+        const std::array<int, 2>& e = kEdges[i / 3];
+        const Vec3 along = *tet[at(e[1])] - *tet[at(e[0])];
+        gap = std::max(gap, gapAlong(along.cross(edges[i % 3]), tet, face));
+    }
+    return gap;
+}
+
+// Whether the plane through three of the points has the tetrahedron on one side and the triangle on
+// the other, so that they touch at most in a common edge (exact).
+bool touchAlong(const std::array<const Vec3*, 7>& points, const std::array<std::size_t, 3>& plane) {
+    std::array<int, 7> sides{};
+    for (std::size_t i = 0; i < 7; ++i) {
+        const bool isOn = i == plane[0] || i == plane[1] || i == plane[2];
+        sides[i] = isOn ? 0
+                        : orientationSign(
+                              *points[plane[0]], *points[plane[1]], *points[plane[2]], *points[i]
+                          );
+    }
+    const auto [lowTet, highTet] = std::minmax({sides[0], sides[1], sides[2], sides[3]});
+    const auto [lowFace, highFace] = std::minmax({sides[4], sides[5], sides[6]});
+    const bool apart = (lowTet >= 0 && highFace <= 0) || (highTet <= 0 && lowFace >= 0);
+    const auto onPlane = std::count(sides.begin(), sides.begin() + 4, 0);
+    return apart && lowTet != highTet && (onPlane < 3 || lowFace != highFace);
+}
+
+// Whether a tetrahedron and a triangle that touch do so at most in a common edge (exact; false
+// where no plane through three of their corners shows it).
+bool touchInEdge(const TetCorners& tet, const FaceCorners& face) {
+    const std::array<const Vec3*, 7> points = {
+        tet[0], tet[1], tet[2], tet[3], face[0], face[1], face[2]
+    };
+    for (std::size_t i = 0; i < 7; ++i) {
+        for (std::size_t j = i + 1; j < 7; ++j) {
+            for (std::size_t k = j + 1; k < 7; ++k) {
+                if (touchAlong(points, {i, j, k})) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+// Whether a tetrahedron and a triangle have at most an edge in common. Where that is so, the fibres
+// in the tetrahedron pass the triangle nowhere.
+bool areApart(const TetCorners& tet, const FaceCorners& face) {
+    // Rounding of gaps is below the first; a gap below minus the second is an overlap.
+    constexpr double kRounding = 1e-14;
+    constexpr double kTouching = 1e-12;
+    const double gap = largestGap(tet, face, kRounding);
+    return gap > kRounding || (gap > -kTouching && touchInEdge(tet, face));
+}
+
+}  // namespace
+
+bool PatchTest::isUpright(const Triangle& pillars) const {
+    const Triangle slots = slotsOf(pillars);
+    const std::size_t first = slots[0] == pillars[0] ? 0 : (slots[0] == pillars[1] ? 1 : 2);
+    const int orientation = pillars[(first + 1) % 3] == slots[1] ? 1 : -1;
+    for (const Level outer : {Level::Top, Level::Bottom}) {
+        const int wanted = outer == Level::Top ? orientation : -orientation;
+        for (const auto& split : kSlabSplit) {
+            std::array<const Vec3*, 4> p{};
+            for (std::size_t k = 0; k < 4; ++k) {
+                p[k] = &complex_.point(
+                    slots[at(split[k].slot)], split[k].outer ? outer : Level::Middle
+                );
+            }
+            if (orientationSign(*p[0], *p[1], *p[2], *p[3]) != wanted) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+PatchTest::Sides PatchTest::sidesOf(const Triangle& slots, const Triangle& pillars) const {
+    Sides sides;
+    std::array<Vec3, 9> points;
+    for (int k = 0; k < 3; ++k) {
+        for (int level = 0; level < 3; ++level) {
+            points[at(3 * k + level)] = complex_.points[at(3 * pillars[at(k)] + level)];
+        }
+    }
+    const auto middle = [&](std::size_t k) -> const Vec3& { return points[3 * (k % 3) + 1]; };
+    const auto whole = [&](std::size_t k) -> Vec3 {
+        return points[3 * (k % 3) + 2] - points[3 * (k % 3)];
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 normal = (middle(k + 1) - middle(k)).cross(whole(k) + whole(k + 1)).normalized();
+        double reach = -std::numeric_limits<double>::infinity();
+        for (const Vec3& p : points) {
+            reach = std::max(reach, normal.dot(p));
+        }
+        const std::array<float, 3> n = toFloat(normal);
+        sides.walls[k] = {n[0], n[1], n[2], static_cast<float>(reach) + kFloatMargin};
+    }
+    for (const int side : {2, 0}) {
+        std::array<Vec3, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] =
+                middle(k) +
+                kSurfaceMargin * (points[3 * k + static_cast<std::size_t>(side)] - middle(k));
+        }
+        const Vec3 normal = (side == 2 ? 1.0 : -1.0) *
+                            (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+        const std::array<float, 3> n = toFloat(normal);
+        (side == 2 ? sides.top : sides.bottom) = {
+            n[0], n[1], n[2], static_cast<float>(normal.dot(corners[0])) - kFloatMargin
+        };
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& m = complex_.point(slots[k], Level::Middle);
+        sides.halves[k] = toFloat((complex_.point(slots[k], Level::Top) - m).normalized());
+        sides.halves[3 + k] = toFloat((m - complex_.point(slots[k], Level::Bottom)).normalized());
+    }
+    return sides;
+}
+
+bool PatchTest::isBeyond(int face, const Plane& wall) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (wall.at(toFloat(surface_.corner(face, k))) <= 0.0F) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool PatchTest::meetsTetrahedron(int face, const Triangle& slots, int slab, int tet) const {
+    std::array<const Vec3*, 4> corners{};
+    const Level outer = slab == 0 ? Level::Top : Level::Bottom;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const SplitVertex vertex = kSlabSplit[at(tet)][k];
+        corners[k] = &complex_.point(slots[at(vertex.slot)], vertex.outer ? outer : Level::Middle);
+    }
+    return !areApart(
+        corners, {&surface_.corner(face, 0), &surface_.corner(face, 1), &surface_.corner(face, 2)}
+    );
+}
+
+bool PatchTest::isSeen(int face, const Triangle& slots, const Sides& sides) const {
+    const std::array<float, 3>& normal = surface_.bounds[at(face)].normal;
+    for (int half = 0; half < 6; ++half) {
+        // The fibres of a tetrahedron run along the half pillar that it holds.
+        if (dot(normal, sides.halves[at(half)]) < kLeastCosine &&
+            meetsTetrahedron(face, slots, half / 3, 2 - half % 3)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool PatchTest::meetsLayer(int face, const Triangle& slots, Level level) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& middle = complex_.point(slots[k], Level::Middle);
+        scratch_[k] = middle + kSurfaceMargin * (complex_.point(slots[k], level) - middle);
+        scratch_[3 + k] = surface_.corner(face, k);
+    }
+    return trianglesIntersect(scratch_, {0, 1, 2}, {3, 4, 5});
+}
+
+bool PatchTest::accepts(std::span<const Triangle> prisms, std::span<const int> faces) {
+    tracked_.clear();
+    trackedFirst_.assign(1, 0);
+    for (const Triangle& pillars : prisms) {
+        const Triangle slots = slotsOf(pillars);
+        const Sides sides = sidesOf(slots, pillars);
+        for (const int face : faces) {
+            const FaceBound& bound = surface_.bounds[at(face)];
+            const float d0 = sides.walls[0].at(bound.centre);
+            const float d1 = sides.walls[1].at(bound.centre);
+            const float d2 = sides.walls[2].at(bound.centre);
+            const float farthest = std::max({d0, d1, d2});
+            if (farthest > bound.radius ||
+                (farthest > -bound.radius && ((d0 > 0.0F && isBeyond(face, sides.walls[0])) ||
+                                              (d1 > 0.0F && isBeyond(face, sides.walls[1])) ||
+                                              (d2 > 0.0F && isBeyond(face, sides.walls[2]))))) {
+                continue;
+            }
+            if (!isSeen(face, slots, sides) ||
+                (sides.top.at(bound.centre) > -bound.radius &&
+                 meetsLayer(face, slots, Level::Top)) ||
+                (sides.bottom.at(bound.centre) > -bound.radius &&
+                 meetsLayer(face, slots, Level::Bottom))) {
+                return false;
+            }
+            tracked_.push_back(face);
+        }
+        trackedFirst_.push_back(static_cast<int>(tracked_.size()));
+    }
+    return true;
+}
+
+}  // namespace bspline_curve

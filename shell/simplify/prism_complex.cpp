@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/simplify/prism_complex.h"
+
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+void PrismComplex::reserve(int prismCount) {
+    pillarsOf_.reserve(at(prismCount));
+    nextCorners_.reserve(3 * at(prismCount));
+    tracks_.reserve(at(prismCount));
+    trackPool_.reserve(at(prismCount));
+}
+
+int PrismComplex::addPrism(const Triangle& pillars, std::span<const int> faces) {
+    int prism = prismIdCount();
+    if (freeIds_.empty()) {
+        pillarsOf_.push_back(pillars);
+        nextCorners_.insert(nextCorners_.end(), 3, -1);
+        tracks_.emplace_back();
+    } else {
+        prism = freeIds_.back();
+        freeIds_.pop_back();
+        pillarsOf_[at(prism)] = pillars;
+    }
+    for (int k = 0; k < 3; ++k) {
+        int& first = firstCorners_[at(pillars[at(k)])];
+        nextCorners_[at(3 * prism + k)] = std::exchange(first, 3 * prism + k);
+    }
+    ++prismCount_;
+    tracks_[at(prism)] = {};
+    setFaces(prism, faces);
+    return prism;
+}
+
+void PrismComplex::removePrism(int prism) {
+    for (int k = 0; k < 3; ++k) {
+        unlink(pillarsOf_[at(prism)][at(k)], 3 * prism + k);
+    }
+    pillarsOf_[at(prism)] = {-1, -1, -1};
+    usedPool_ -= at(tracks_[at(prism)].count);
+    tracks_[at(prism)] = {};
+    freeIds_.push_back(prism);
+    --prismCount_;
+}
+
+void PrismComplex::setFaces(int prism, std::span<const int> faces) {
+    Track& track = tracks_[at(prism)];
+    usedPool_ += faces.size() - at(track.count);
+    if (faces.size() > at(track.count)) {
+        track.first = static_cast<int>(trackPool_.size());
+        trackPool_.insert(trackPool_.end(), faces.begin(), faces.end());
+    } else {
+        std::ranges::copy(faces, trackPool_.begin() + track.first);
+    }
+    track.count = static_cast<int>(faces.size());
+    if (trackPool_.size() > 2 * usedPool_ + 4096) {
+        compactPool();
+    }
+}
+
+void PrismComplex::unlink(int pillar, int corner) {
+    int* link = &firstCorners_[at(pillar)];
+    while (*link != corner) {
+        link = &nextCorners_[at(*link)];
+    }
+    *link = nextCorners_[at(corner)];
+}
+
+void PrismComplex::compactPool() {
+    std::vector<int> pool;
+    pool.reserve(usedPool_ + usedPool_ / 2);
+    for (Track& track : tracks_) {
+        const auto first = trackPool_.begin() + track.first;
+        track.first = static_cast<int>(pool.size());
+        pool.insert(pool.end(), first, first + track.count);
+    }
+    trackPool_.swap(pool);
+}
+
+}  // namespace bspline_curve

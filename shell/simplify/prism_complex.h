@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace bspline_curve {
+
+/// Where a point stands on its pillar.
+enum class Level : signed char { Bottom = 0, Middle = 1, Top = 2 };
+
+/// Index of a pillar's point in PrismComplex::points.
+[[nodiscard]] inline int pointOf(int pillar, Level level) {
+    return 3 * pillar + static_cast<int>(level);
+}
+
+/// The pillars of a prism in the order of the split.
+[[nodiscard]] inline Triangle slotsOf(Triangle pillars) {
+    std::ranges::sort(pillars);
+    return pillars;
+}
+
+/// The prisms of a shell while it is being simplified: plain arrays, prisms that come and go, for
+/// each pillar the prisms around it, for each prism the faces of the surface that meet it.
+class PrismComplex {
+public:
+    explicit PrismComplex(int pillarCount)
+        : firstCorners_(static_cast<std::size_t>(pillarCount), -1) {}
+
+    std::vector<Vec3> points;  ///< see pointOf
+
+    [[nodiscard]] const Vec3& point(int pillar, Level level) const {
+        return points[static_cast<std::size_t>(pointOf(pillar, level))];
+    }
+
+    /// Ids run from 0 to here; some are free.
+    [[nodiscard]] int prismIdCount() const { return static_cast<int>(pillarsOf_.size()); }
+
+    [[nodiscard]] int prismCount() const { return prismCount_; }
+
+    [[nodiscard]] bool isAlive(int prism) const {
+        return pillarsOf_[static_cast<std::size_t>(prism)][0] >= 0;
+    }
+
+    /// Pillars of a prism, counter-clockwise seen from the top.
+    [[nodiscard]] const Triangle& pillarsOf(int prism) const {
+        return pillarsOf_[static_cast<std::size_t>(prism)];
+    }
+
+    [[nodiscard]] std::span<const int> facesOf(int prism) const {
+        const Track& track = tracks_[static_cast<std::size_t>(prism)];
+        return {trackPool_.data() + track.first, static_cast<std::size_t>(track.count)};
+    }
+
+    void reserve(int prismCount);
+
+    int addPrism(const Triangle& pillars, std::span<const int> faces);
+    void removePrism(int prism);
+    void setFaces(int prism, std::span<const int> faces);
+
+    /// Appends the prisms around a pillar, newest first.
+    void appendPrismsAround(int pillar, std::vector<int>& prisms) const {
+        for (int c = firstCorners_[static_cast<std::size_t>(pillar)]; c >= 0;
+             c = nextCorners_[static_cast<std::size_t>(c)]) {
+            prisms.push_back(c / 3);
+        }
+    }
+
+    [[nodiscard]] bool hasPrisms(int pillar) const {
+        return firstCorners_[static_cast<std::size_t>(pillar)] >= 0;
+    }
+
+private:
+    struct Track {
+        int first = 0, count = 0;
+    };
+
+    void unlink(int pillar, int corner);
+    void compactPool();
+
+    std::vector<Triangle> pillarsOf_;
+    std::vector<int>
+        firstCorners_;              // of each pillar: a corner (3 * prism + k) of a prism around it
+    std::vector<int> nextCorners_;  // of each corner: the next one at the same pillar
+    std::vector<Track> tracks_;
+    std::vector<int> trackPool_;
+    std::vector<int> freeIds_;
+    std::size_t usedPool_ = 0;
+    int prismCount_ = 0;
+};
+
+}  // namespace bspline_curve

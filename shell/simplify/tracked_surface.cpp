@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/simplify/tracked_surface.h"
+
+#include "shell/simplify/crease_edges.h"
+#include "surface/spatial_order.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+// Normals of needles thinner than this (area by squared longest edge) are mostly rounding.
+constexpr double kLeastShape = 1e-9;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+FaceBound boundOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+    FaceBound bound;
+    const Vec3 centre = (a + b + c) / 3.0;
+    const double radius = std::max({(a - centre).norm(), (b - centre).norm(), (c - centre).norm()});
+    const Vec3 normal = (b - a).cross(c - a);
+    const double length = normal.norm();
+    const double longest =
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    for (int k = 0; k < 3; ++k) {
+        bound.centre[at(k)] = static_cast<float>(centre[k]);
+        bound.normal[at(k)] =
+            length > kLeastShape * longest ? static_cast<float>(normal[k] / length) : 0.0F;
+    }
+    bound.radius = static_cast<float>(radius) + kFloatMargin;
+    return bound;
+}
+
+// Indices along a space-filling curve, those with isLast after the others.
+template <class CentreOf, class IsLast>
+std::vector<int> orderOf(std::size_t count, const CentreOf& centreOf, const IsLast& isLast) {
+    std::vector<int> order;
+    order.reserve(count);
+    const std::vector<MortonKey> keys = spatialOrder(count, centreOf);
+    for (const bool last : {false, true}) {
+        for (const MortonKey& key : keys) {
+            if (isLast(key.index) == last) {
+                order.push_back(key.index);
+            }
+        }
+    }
+    return order;
+}
+
+std::vector<int> inverseOf(const std::vector<int>& order) {
+    std::vector<int> inverse(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        inverse[at(order[i])] = static_cast<int>(i);
+    }
+    return inverse;
+}
+
+}  // namespace
+
+TrackedSurface::TrackedSurface(const ShellBase& original) {
+    creases = findCreases(original);
+    std::vector<char> onCrease(original.vertices.size(), 0);
+    for (const auto& [a, b] : creases) {
+        onCrease[at(a)] = onCrease[at(b)] = 1;
+    }
+    const std::vector<int> vertices = orderOf(
+        original.vertices.size(),
+        [&](std::size_t v) -> const Vec3& { return original.vertices[v]; },
+        [&](int v) { return onCrease[at(v)] != 0; }
+    );
+    originalFaces = orderOf(
+        original.faces.size(),
+        [&](std::size_t f) -> const Vec3& { return original.vertices[at(original.faces[f][0])]; },
+        [&](int f) { return f >= original.surfaceFaceCount; }
+    );
+    const std::vector<int> vertexNumbers = inverseOf(vertices);
+    const std::vector<int> faceNumbers = inverseOf(originalFaces);
+
+    base.frame = original.frame;
+    base.surfaceVertexCount = original.surfaceVertexCount;
+    base.surfaceFaceCount = original.surfaceFaceCount;
+    for (const int v : vertices) {
+        base.vertices.push_back(original.vertices[at(v)]);
+        base.directions.push_back(original.directions[at(v)]);
+        base.edgeLengths.push_back(original.edgeLengths[at(v)]);
+    }
+    for (const int f : originalFaces) {
+        const Triangle& face = original.faces[at(f)];
+        const Triangle& near = original.faceNeighbours[at(f)];
+        const auto neighbour = [&](std::size_t k) {
+            return near[k] < 0 ? -1 : faceNumbers[at(near[k])];
+        };
+        base.faces.push_back(
+            {vertexNumbers[at(face[0])], vertexNumbers[at(face[1])], vertexNumbers[at(face[2])]}
+        );
+        base.faceNeighbours.push_back({neighbour(0), neighbour(1), neighbour(2)});
+        bounds.push_back(boundOf(
+            original.vertices[at(face[0])],
+            original.vertices[at(face[1])],
+            original.vertices[at(face[2])]
+        ));
+    }
+    for (const int v : original.unseenVertices) {
+        base.unseenVertices.push_back(vertexNumbers[at(v)]);
+    }
+    for (auto& [a, b] : creases) {
+        const auto [low, high] = std::minmax(vertexNumbers[at(a)], vertexNumbers[at(b)]);
+        a = low;
+        b = high;
+    }
+    std::ranges::sort(creases);
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/shell_base.h"
+
+#include <array>
+#include <vector>
+
+namespace bspline_curve {
+
+/// What the tests of the simplifier ask of a face most often, in one half of a cache line.
+struct FaceBound {
+    std::array<float, 3> centre{};
+    float radius = 0.0F;  ///< of a ball about the centre that holds the face, rounding included
+    /// Unit normal; zero where rounding leaves no direction (needles), so that no pillar sees it.
+    std::array<float, 3> normal{};
+    float padding = 0.0F;
+};
+
+/// Margin that covers the rounding of FaceBound and of tests in single precision, in the shell's
+/// frame (coordinates up to 1/2 in size).
+inline constexpr float kFloatMargin = 1e-6F;
+
+/// A base renumbered along a space-filling curve, so that what is near in space is near in memory.
+/// Vertices on creases come last: the split of prisms into tetrahedra follows the vertex numbers,
+/// and its cells next to the middle run along the pillar that comes last.
+class TrackedSurface {
+public:
+    explicit TrackedSurface(const ShellBase& original);
+
+    [[nodiscard]] const Vec3& corner(int face, std::size_t k) const {
+        return base
+            .vertices[static_cast<std::size_t>(base.faces[static_cast<std::size_t>(face)][k])];
+    }
+
+    /// Renumbered; ghost faces last. Without what only surface points need (ghost origins, moved
+    /// vertices).
+    ShellBase base;
+    std::vector<int> originalFaces;            ///< face of the original base for each face
+    std::vector<std::pair<int, int>> creases;  ///< edges, low vertex first, ascending
+    std::vector<FaceBound> bounds;
+};
+
+}  // namespace bspline_curve
