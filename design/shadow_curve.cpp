@@ -34,7 +34,7 @@ ShadowCurve::ShadowCurve(
         space,
         controls,
         [&](int span, const PolynomialCurve&, const ShellCell& cell, double, double tau1) {
-            pieces_.push_back({parameter(span, tau1), span, cell.tet});
+            pieces_.push_back({parameter(span, tau1), span, cell.tet, cell.foot, cell.face});
         },
         [&](int span,
             const PolynomialCurve& curve,
@@ -42,18 +42,18 @@ ShadowCurve::ShadowCurve(
             const ShellCell& to,
             double tau,
             int) {
-            if (from.prism == to.prism) {
+            if (from.face == to.face) {
                 return;
             }
             Vec3 shadow = from.shadow(curve.at(tau));
-            const Triangle& face = problem_.base->faces[bspline_curve::at(from.prism)];
-            const Triangle& other = problem_.base->faces[bspline_curve::at(to.prism)];
+            const Triangle& face = problem_.base->faces[bspline_curve::at(from.face)];
+            const Triangle& other = problem_.base->faces[bspline_curve::at(to.face)];
             for (int corner = 0; corner < 3; ++corner) {
                 if (cornerOf(other, face[bspline_curve::at(corner)]) < 0) {
                     shadow[corner] = 0.0;
                 }
             }
-            crossings_.push_back({parameter(span, tau), toSurface(from.prism, clamped(shadow))});
+            crossings_.push_back({parameter(span, tau), toSurface(from.face, clamped(shadow))});
         }
     );
     if (spans != space.spanCount()) {
@@ -64,21 +64,21 @@ ShadowCurve::ShadowCurve(
     }
 }
 
-SurfacePoint ShadowCurve::toSurface(int prism, const Vec3& shadow) const {
+SurfacePoint ShadowCurve::toSurface(int face, const Vec3& shadow) const {
     const ShellBase& base = *problem_.base;
-    if (!problem_.shell->isGhost(prism)) {
-        return {prism, shadow};
+    if (!problem_.shell->isGhost(face)) {
+        return {face, shadow};
     }
     // A ghost triangle collapses onto the boundary edge that it grew from.
-    int face = prism;
-    while (problem_.shell->isGhost(face)) {
-        face = base.faceNeighbours[bspline_curve::at(face)][2];
+    int inner = face;
+    while (problem_.shell->isGhost(inner)) {
+        inner = base.faceNeighbours[bspline_curve::at(inner)][2];
     }
-    SurfacePoint point{face, Vec3::Zero()};
+    SurfacePoint point{inner, Vec3::Zero()};
     for (int corner = 0; corner < 3; ++corner) {
         const int vertex =
-            base.surfaceVertex(base.faces[bspline_curve::at(prism)][bspline_curve::at(corner)]);
-        point.barycentric[cornerOf(base.faces[bspline_curve::at(face)], vertex)] += shadow[corner];
+            base.surfaceVertex(base.faces[bspline_curve::at(face)][bspline_curve::at(corner)]);
+        point.barycentric[cornerOf(base.faces[bspline_curve::at(inner)], vertex)] += shadow[corner];
     }
     return point;
 }
@@ -91,9 +91,9 @@ SurfacePoint ShadowCurve::at(double t) const {
     const Piece& piece = found == pieces_.end() ? pieces_.back() : *found;
     const double tau =
         (t - space_.breaks()[bspline_curve::at(piece.span)]) / space_.spanLength(piece.span);
-    const ShellCell cell(*problem_.shell, piece.tet);
+    const ShellCell cell(*problem_.shell, piece.tet, piece.foot, piece.face);
     return toSurface(
-        cell.prism, clamped(cell.shadow(space_.polynomial(controls_, piece.span).at(tau)))
+        cell.face, clamped(cell.shadow(space_.polynomial(controls_, piece.span).at(tau)))
     );
 }
 

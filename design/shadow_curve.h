@@ -32,10 +32,10 @@ private:
     struct Piece {
         double end;  ///< parameter
         int span;
-        int tet;
+        int tet, foot, face;
     };
 
-    [[nodiscard]] SurfacePoint toSurface(int prism, const Vec3& shadow) const;
+    [[nodiscard]] SurfacePoint toSurface(int face, const Vec3& shadow) const;
 
     const CurveProblem& problem_;
     const SplineSpace& space_;

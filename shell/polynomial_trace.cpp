@@ -175,4 +175,36 @@ double firstExit(const double* coefficients, int degree, double end) {
     return firstExitByIsolation(c.data(), degree, end);
 }
 
+CellExit firstExitOf(const ShellCell& cell, const PolynomialCurve& curve, double end) {
+    std::array<WallPolynomial, ShellCell::kMaxWalls> walls;
+    int nearest = 0;
+    double nearestExit = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < cell.wallCount; ++k) {
+        WallPolynomial& wall = walls[static_cast<std::size_t>(k)];
+        wall.set(cell.walls[static_cast<std::size_t>(k)], curve);
+        const double linear = wall.linearExit();
+        if (linear < nearestExit) {
+            nearestExit = linear;
+            nearest = k;
+        }
+    }
+    // The wall that the tangent leaves by first bounds the search for the others.
+    CellExit exit{end, -1};
+    for (int i = 0; i < cell.wallCount; ++i) {
+        const int k = nearest + i < cell.wallCount ? nearest + i : nearest + i - cell.wallCount;
+        const double candidate =
+            firstExit(walls[static_cast<std::size_t>(k)].coefficients.data(), curve.degree, exit.s);
+        if (candidate < exit.s) {
+            exit = {candidate, k};
+        }
+    }
+    return exit;
+}
+
+bool walkStraight(const Shell& shell, const Vec3& from, const Vec3& to, TraceState& state) {
+    const PolynomialCurve line{.degree = 1, .coefficients = {from, to - from}};
+    const auto ignore = [](const auto&...) {};
+    return tracePolynomial(shell, line, 1.0, state, ignore, ignore);
+}
+
 }  // namespace bspline_curve

@@ -53,8 +53,8 @@ struct TraceState {
     int stalled = 0;
 };
 
-/// A tetrahedron holds points whose barycentric coordinates are above minus this: rounding of the
-/// affine maps of a cell whose height is 1e-4 of the diagonal, with a margin.
+/// A cell holds points whose wall forms are above minus this: rounding of the affine maps of a cell
+/// whose height is 1e-4 of the diagonal, with a margin.
 inline constexpr double kCellTolerance = 1e-10;
 
 /// First parameter in (0, end] where p(s) + tolerance changes from non-negative to negative; `end`
@@ -62,18 +62,15 @@ inline constexpr double kCellTolerance = 1e-10;
 /// negative already.
 [[nodiscard]] double firstExit(const double* coefficients, int degree, double end);
 
-/// A barycentric coordinate of a cell along a curve: a polynomial.
-struct CellCoordinate {
-    std::array<double, kMaxPolynomialDegree + 1> coefficients{};
+/// A wall form of a cell along a curve: a polynomial.
+struct WallPolynomial {
+    std::array<double, kMaxPolynomialDegree + 1> coefficients;
 
-    CellCoordinate() = default;
-
-    CellCoordinate(const ShellCell& cell, int k, const PolynomialCurve& curve) {
-        const Vec3& gradient = cell.gradients[static_cast<std::size_t>(k)];
+    void set(const AffineForm& wall, const PolynomialCurve& curve) {
         for (std::size_t j = 0; j <= static_cast<std::size_t>(curve.degree); ++j) {
-            coefficients[j] = gradient.dot(curve.coefficients[j]);
+            coefficients[j] = wall.gradient.dot(curve.coefficients[j]);
         }
-        coefficients[0] += cell.offsets[static_cast<std::size_t>(k)];
+        coefficients[0] += wall.offset;
     }
 
     /// Where the tangent at 0 reaches zero; infinite where it does not fall.
@@ -83,11 +80,19 @@ struct CellCoordinate {
     }
 };
 
-/// Cuts p(s), s in [0, end], exactly where it passes from one tetrahedron into the next, starting
-/// in state.cell. Calls onPiece(cell, s0, s1) for each piece in order and onCrossing(from, to, s,
-/// k) between two pieces, k being the vertex of `from` opposite to the face crossed. Returns true
-/// at the end with state.cell holding p(end); false where the curve leaves the shell. Costs about
-/// 0.1 us per piece.
+/// Where a curve leaves a cell.
+struct CellExit {
+    double s;
+    int wall;  ///< -1: nowhere up to s
+};
+
+/// First exit of a curve from a cell in [0, end]; s = 0 where it is outside already.
+[[nodiscard]] CellExit firstExitOf(const ShellCell& cell, const PolynomialCurve& curve, double end);
+
+/// Cuts p(s), s in [0, end], exactly where it passes from one cell into the next, starting in
+/// state.cell. Calls onPiece(cell, s0, s1) for each piece in order and onCrossing(from, to, s,
+/// wall) between two pieces, with the wall of `from` that is crossed. Returns true at the end with
+/// state.cell holding p(end); false where the curve leaves the shell. Costs about 0.1 us per piece.
 template <class OnPiece, class OnCrossing>
 bool tracePolynomial(
     const Shell& shell,
@@ -98,51 +103,37 @@ bool tracePolynomial(
     OnCrossing&& onCrossing
 ) {
     // A walk that turns this often at one parameter goes round in a circle.
-    constexpr int kMaxStalled = 64;
+    constexpr int kMaxStalled = 128;
     double s = 0.0;
+    ShellCell after;
     while (true) {
-        const PolynomialCurve here = s == 0.0 ? curve : curve.shifted(s);
         const ShellCell& cell = state.cell;
-        std::array<CellCoordinate, 4> lambda;
-        int nearest = 0;
-        for (int k = 0; k < 4; ++k) {
-            lambda[static_cast<std::size_t>(k)] = CellCoordinate(cell, k, here);
-            if (lambda[static_cast<std::size_t>(k)].linearExit() <
-                lambda[static_cast<std::size_t>(nearest)].linearExit()) {
-                nearest = k;
-            }
-        }
-        // The face that the tangent leaves by first bounds the search for the others.
-        double exit = end - s;
-        int exitFace = -1;
-        for (int i = 0; i < 4; ++i) {
-            const int k = (nearest + i) % 4;
-            const CellCoordinate& coordinate = lambda[static_cast<std::size_t>(k)];
-            const double candidate = firstExit(coordinate.coefficients.data(), here.degree, exit);
-            if (candidate < exit) {
-                exit = candidate;
-                exitFace = k;
-            }
-        }
-        const double next = exitFace < 0 ? end : s + exit;
+        const CellExit exit = firstExitOf(cell, s == 0.0 ? curve : curve.shifted(s), end - s);
+        const double next = exit.wall < 0 ? end : s + exit.s;
         if (next > s) {
             onPiece(cell, s, next);
             state.stalled = 0;
-        } else if (exitFace >= 0 && ++state.stalled > kMaxStalled) {
+        } else if (exit.wall >= 0 && ++state.stalled > kMaxStalled) {
             return false;
         }
-        if (exitFace < 0) {
+        if (exit.wall < 0) {
             return true;
         }
-        const int neighbour = shell.neighbour(cell.tet, exitFace);
-        if (neighbour < 0) {
+        const Entry entry = after.enter(shell, cell, exit.wall);
+        if (entry == Entry::Outside) {
             return false;
         }
-        const ShellCell after(shell, neighbour);
-        onCrossing(cell, after, next, exitFace);
+        if (entry == Entry::Lost) {
+            after = ShellCell(shell, after.tet, curve.at(next));
+        }
+        onCrossing(cell, after, next, exit.wall);
         state.cell = after;
         s = next;
     }
 }
+
+/// Walks from one point to another in a straight line, starting in state.cell. Returns whether the
+/// walk stays in the shell; state.cell then holds `to`, and its shadow is M_S(to).
+bool walkStraight(const Shell& shell, const Vec3& from, const Vec3& to, TraceState& state);
 
 }  // namespace bspline_curve

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -41,6 +44,13 @@ constexpr std::array<std::array<Adjacency, 4>, 3> kAdjacency = {
 // The tetrahedron of a slab that holds the lower and the upper half of the wall opposite to a slot.
 constexpr std::array<int, 3> kBehindLowerWall = {0, 0, 1};
 constexpr std::array<int, 3> kBehindUpperWall = {1, 2, 2};
+
+// Which half of the wall opposite to a slot a tetrahedron of a slab touches. Tetrahedra 0, 1 and 2
+// meet the walls opposite to slots 2, 1 and 0 in the diagonal or in the outer edge alone, where
+// they are as good as their neighbour.
+constexpr std::array<std::array<bool, 3>, 3> kTouchesUpperHalf = {
+    {{false, false, false}, {true, false, false}, {true, true, true}}
+};
 
 }  // namespace
 
@@ -84,12 +94,21 @@ std::span<const int> Shell::prismsOf(int face) const {
     return {facePrisms_.data() + first, at(prismOffsets_[at(face) + 1] - first)};
 }
 
+std::vector<int> Shell::blockedFaces() const {
+    std::vector<int> blocked;
+    for (int face = 0; face < surfaceFaceCount_; ++face) {
+        if (isBlocked(face)) {
+            blocked.push_back(face);
+        }
+    }
+    return blocked;
+}
+
 int Shell::neighbour(int tet, int k) const {
     const int prism = tet / kTetrahedraPerPrism;
     const int inPrism = tet % kTetrahedraPerPrism;
     const int slab = inPrism / 3;
-    const Adjacency adjacency =
-        kAdjacency[static_cast<std::size_t>(inPrism % 3)][static_cast<std::size_t>(k)];
+    const Adjacency adjacency = kAdjacency[at(inPrism % 3)][at(k)];
     switch (adjacency.kind) {
         case Across::Outside:
             return -1;
@@ -102,7 +121,7 @@ int Shell::neighbour(int tet, int k) const {
             break;
     }
     const auto wall = static_cast<std::size_t>(adjacency.target);
-    const Prism& here = prisms_[static_cast<std::size_t>(prism)];
+    const Prism& here = prisms_[at(prism)];
     const int there = here.neighbours[wall];
     if (there < 0) {
         return -1;
@@ -113,32 +132,106 @@ int Shell::neighbour(int tet, int k) const {
     return there * kTetrahedraPerPrism + slab * 3 + inSlab;
 }
 
+int Shell::wallOf(int tet, int k) {
+    const Adjacency adjacency = kAdjacency[at(tet % 3)][at(k)];
+    return adjacency.kind == Across::WallLower || adjacency.kind == Across::WallUpper
+               ? adjacency.target
+               : -1;
+}
+
+int Shell::neighbourBehind(int tet, int wall) const {
+    const Prism& here = prisms_[at(tet / kTetrahedraPerPrism)];
+    const auto wallThere = static_cast<std::size_t>(here.neighbourWalls[at(wall)]);
+    const int slab = tet % kTetrahedraPerPrism / 3;
+    const int inSlab = kTouchesUpperHalf[at(tet % 3)][at(wall)] ? kBehindUpperWall[wallThere]
+                                                                : kBehindLowerWall[wallThere];
+    return here.neighbours[at(wall)] * kTetrahedraPerPrism + slab * 3 + inSlab;
+}
+
 int Shell::locate(const SurfacePoint& point) const {
-    return point.face * kTetrahedraPerPrism;
+    if (isBlocked(point.face)) {
+        return -1;
+    }
+    if (isFullResolution()) {
+        return point.face * kTetrahedraPerPrism;
+    }
+    const Vec3 p = base_->position(point);
+    int best = -1;
+    double deepest = -std::numeric_limits<double>::infinity();
+    std::array<AffineForm, 4> lambda;
+    for (const int prism : prismsOf(point.face)) {
+        for (int tet = prism * kTetrahedraPerPrism; tet < (prism + 1) * kTetrahedraPerPrism;
+             ++tet) {
+            barycentrics(tet, lambda.data());
+            const double depth = std::min(
+                std::min(lambda[0].at(p), lambda[1].at(p)),
+                std::min(lambda[2].at(p), lambda[3].at(p))
+            );
+            if (depth > deepest) {
+                deepest = depth;
+                best = tet;
+            }
+        }
+    }
+    return best;
 }
 
 Vec3 Shell::lift(const SurfacePoint& point, double w) const {
-    const Prism& prism = prisms_[static_cast<std::size_t>(point.face)];
-    std::array<double, 3> beta{};
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-        beta[slot] = point.barycentric[prism.faceCorner[slot]];
+    Vec3 beta = Vec3::Zero();
+    if (isFullResolution()) {
+        const Prism& prism = prisms_[at(point.face)];
+        for (std::size_t slot = 0; slot < 3; ++slot) {
+            beta[static_cast<Eigen::Index>(slot)] = point.barycentric[prism.faceCorner[slot]];
+        }
+        return onFibre(point.face, beta, w);
     }
+    const int tet = locate(point);
+    const Vec3 p = base_->position(point);
+    std::array<AffineForm, 4> lambda;
+    barycentrics(tet, lambda.data());
+    for (std::size_t k = 0; k < 4; ++k) {
+        beta[kSlabSplit[at(tet % 3)][k].slot] += lambda[k].at(p);
+    }
+    beta = beta.cwiseMax(0.0);  // rounding, next to a wall
+    return onFibre(tet / kTetrahedraPerPrism, beta / beta.sum(), w);
+}
+
+Vec3 Shell::onFibre(int prism, const Vec3& beta, double w) const {
     // In the reference slab the fibre over beta rises from the middle through the tetrahedra whose
     // outer vertices are c, then c and b, then all three: outer weight goes to slot c first, up to
     // beta_c, then to b, then to a.
     double rest = std::abs(w);
-    std::array<double, 3> outer{};
-    for (std::size_t slot = 3; slot-- > 0;) {
+    Vec3 outer;
+    for (int slot = 3; slot-- > 0;) {
         outer[slot] = std::min(rest, beta[slot]);
         rest -= outer[slot];
     }
     Vec3 result = Vec3::Zero();
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-        const Pillar& pillar = pillars_[static_cast<std::size_t>(prism.pillars[slot])];
+    for (int slot = 0; slot < 3; ++slot) {
+        const Pillar& pillar = pillars_[at(prisms_[at(prism)].pillars[at(slot)])];
         result += (beta[slot] - outer[slot]) * pillar.middle +
                   outer[slot] * (w >= 0.0 ? pillar.top : pillar.bottom);
     }
     return result;
+}
+
+void Shell::barycentrics(int tet, AffineForm* forms) const {
+    const Vec3 origin = position(tet, 0);
+    const Vec3 e1 = position(tet, 1) - origin;
+    const Vec3 e2 = position(tet, 2) - origin;
+    const Vec3 e3 = position(tet, 3) - origin;
+    const Vec3 n1 = e2.cross(e3);
+    const Vec3 n2 = e3.cross(e1);
+    const Vec3 n3 = e1.cross(e2);
+    const double inverseVolume = 1.0 / e1.dot(n1);
+    forms[1].gradient = inverseVolume * n1;
+    forms[2].gradient = inverseVolume * n2;
+    forms[3].gradient = inverseVolume * n3;
+    forms[0].gradient = -(forms[1].gradient + forms[2].gradient + forms[3].gradient);
+    for (int k = 1; k < 4; ++k) {
+        forms[k].offset = -forms[k].gradient.dot(origin);
+    }
+    forms[0].offset = 1.0 - forms[1].offset - forms[2].offset - forms[3].offset;
 }
 
 Vec3 Shell::position(int tet, int k) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/affine_form.h"
 #include "shell/shell_base.h"
 #include "surface/types.h"
 
@@ -97,25 +98,63 @@ public:
         return static_cast<int>(prisms_.size()) * kTetrahedraPerPrism;
     }
 
-    /// Ghost prisms continue the shell half an edge beyond a boundary, so that a curve may swing
-    /// out a little on its way to a minimum; the surface has no face there.
-    [[nodiscard]] bool isGhost(int prism) const { return prism >= surfaceFaceCount_; }
+    /// Ghost faces continue the surface half an edge beyond a boundary, and the shell with it, so
+    /// that a curve may swing out a little on its way to a minimum; the surface has no face there.
+    [[nodiscard]] bool isGhost(int face) const { return face >= surfaceFaceCount_; }
 
     [[nodiscard]] int surfaceFaceCount() const { return surfaceFaceCount_; }
+
+    /// Whether no prism holds a face of the base: curves cannot pass it.
+    [[nodiscard]] bool isBlocked(int face) const {
+        const auto f = static_cast<std::size_t>(face);
+        return isFullResolution() ? prisms_[f].orientation == 0
+                                  : prismOffsets_[f] == prismOffsets_[f + 1];
+    }
+
+    /// The faces of the surface, ghosts left out, that are blocked, ascending. O(n).
+    [[nodiscard]] std::vector<int> blockedFaces() const;
+
+    /// The base of a simplified shell.
+    [[nodiscard]] const ShellBase& base() const { return *base_; }
 
     /// Tetrahedron across the face opposite to vertex k of tetrahedron `tet`; -1 where the shell
     /// ends.
     [[nodiscard]] int neighbour(int tet, int k) const;
 
-    /// A tetrahedron that holds a point of the surface.
+    /// The wall of the prism (by the opposite slot) that holds the face of tetrahedron `tet`
+    /// opposite to its vertex k; -1 where that face is none of a wall.
+    [[nodiscard]] static int wallOf(int tet, int k);
+
+    /// Tetrahedron behind a wall of the prism that has a neighbour there, seen from a tetrahedron
+    /// that touches the wall: in a face, or only in an edge.
+    [[nodiscard]] int neighbourBehind(int tet, int wall) const;
+
+    /// Tetrahedra next to `tet` along the fibre: towards the middle of the shell or through it, and
+    /// away from it (below top and bottom only).
+    [[nodiscard]] static int below(int tet) {
+        const int slab = tet % kTetrahedraPerPrism / 3;
+        return tet % 3 > 0 ? tet - 1 : tet + (slab == 0 ? 3 : -3);
+    }
+
+    [[nodiscard]] static int above(int tet) { return tet + 1; }
+
+    /// A tetrahedron that holds a point of the surface: of the prisms that know its face, the one
+    /// that it is deepest in. -1 where the face is blocked. About 1 us in a simplified shell.
     [[nodiscard]] int locate(const SurfacePoint& point) const;
 
-    /// The point at height w in [-1, 1] of the fibre through a point of the surface.
+    /// The point at f = w, w in [-1, 1], of the fibre through a point of the surface. The face must
+    /// not be blocked.
     [[nodiscard]] Vec3 lift(const SurfacePoint& point, double w) const;
 
     [[nodiscard]] Vec3 position(int tet, int k) const;
 
+    /// Writes the four barycentric coordinates of a tetrahedron as forms of the position. About 20
+    /// ns.
+    void barycentrics(int tet, AffineForm* forms) const;
+
 private:
+    [[nodiscard]] Vec3 onFibre(int prism, const Vec3& beta, double w) const;
+
     std::vector<Pillar> pillars_;
     std::vector<Prism> prisms_;
     int surfaceFaceCount_;

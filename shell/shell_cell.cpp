@@ -1,72 +1,261 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_cell.h"
 
-#include <Eigen/Geometry>
+#include "shell/shell_base.h"
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace bspline_curve {
+namespace {
 
-ShellCell::ShellCell(const Shell& shell, int tetrahedron)
-    : tet(tetrahedron), prism(tetrahedron / kTetrahedraPerPrism) {
-    const std::array<Vec3, 4> v = {
-        shell.position(tet, 0),
-        shell.position(tet, 1),
-        shell.position(tet, 2),
-        shell.position(tet, 3)
-    };
-    const Vec3 e1 = v[1] - v[0];
-    const Vec3 e2 = v[2] - v[0];
-    const Vec3 e3 = v[3] - v[0];
-    const Vec3 n1 = e2.cross(e3);
-    const Vec3 n2 = e3.cross(e1);
-    const Vec3 n3 = e1.cross(e2);
-    const double inverseVolume = 1.0 / e1.dot(n1);
-    gradients[1] = inverseVolume * n1;
-    gradients[2] = inverseVolume * n2;
-    gradients[3] = inverseVolume * n3;
-    gradients[0] = -(gradients[1] + gradients[2] + gradients[3]);
-    for (std::size_t k = 1; k < 4; ++k) {
-        offsets[k] = -gradients[k].dot(v[0]);
-    }
-    offsets[0] = 1.0 - offsets[1] - offsets[2] - offsets[3];
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
 
-    const Prism& p = shell.prisms()[static_cast<std::size_t>(prism)];
-    const int inPrism = tet % kTetrahedraPerPrism;
-    const double side = inPrism < 3 ? 1.0 : -1.0;
-    heightGradient.setZero();
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-        shadowGradients[corner].setZero();
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-        const SplitVertex vertex = kSlabSplit[static_cast<std::size_t>(inPrism % 3)][k];
-        const auto corner =
-            static_cast<std::size_t>(p.faceCorner[static_cast<std::size_t>(vertex.slot)]);
-        shadowGradients[corner] += gradients[k];
-        shadowOffsets[corner] += offsets[k];
-        if (vertex.outer) {
-            heightGradient += side * gradients[k];
-            heightOffset += side * offsets[k];
-        }
+double sideOf(int tet) {
+    return tet % kTetrahedraPerPrism < 3 ? 1.0 : -1.0;
+}
+
+// What the barycentric coordinates of a tetrahedron say of the prism, by kSlabSplit.
+struct PrismForms {
+    std::array<AffineForm, 2> beta;  // of slots 1 and 2
+    AffineForm height;
+};
+
+PrismForms prismForms(const AffineForm* lambda, int tet) {
+    const double side = sideOf(tet);
+    switch (tet % 3) {
+        case 0:
+            return {{lambda[1], lambda[2] + lambda[3]}, side * lambda[3]};
+        case 1:
+            return {{lambda[1] + lambda[3], lambda[2]}, side * (lambda[2] + lambda[3])};
+        default:
+            return {{lambda[2], lambda[3]}, side * (lambda[1] + lambda[2] + lambda[3])};
     }
 }
 
+AffineForm one() {
+    return {Vec3::Zero(), 1.0};
+}
+
+}  // namespace
+
+ShellCell::ShellCell(const Shell& shell, int tetrahedron) {
+    setTetrahedron(shell, tetrahedron);
+    face = prism;
+    wallCount = kFirstFaceWall;
+    const Prism& p = shell.prisms()[at(prism)];
+    const std::array<AffineForm, 3> beta = {one() - beta_[0] - beta_[1], beta_[0], beta_[1]};
+    for (std::size_t slot = 0; slot < 3; ++slot) {
+        walls[at(kFirstFaceWall + p.faceCorner[slot])] = beta[slot];
+    }
+}
+
+ShellCell::ShellCell(const Shell& shell, int tetrahedron, int footTetrahedron, int baseFace) {
+    if (shell.isFullResolution()) {
+        *this = ShellCell(shell, tetrahedron);
+        return;
+    }
+    setTetrahedron(shell, tetrahedron);
+    setFoot(shell, footTetrahedron);
+    if (!setFace(shell, baseFace)) {
+        throw std::logic_error(
+            "tetrahedron " + std::to_string(foot) + " sees face " + std::to_string(face) +
+            " from behind"
+        );
+    }
+    compose();
+}
+
+ShellCell::ShellCell(const Shell& shell, const SurfacePoint& point) {
+    const int located = shell.locate(point);
+    if (located < 0) {
+        throw std::logic_error("face " + std::to_string(point.face) + " has no prism");
+    }
+    *this = ShellCell(shell, located, located, point.face);
+}
+
+ShellCell::ShellCell(const Shell& shell, int tetrahedron, const Vec3& p) {
+    if (shell.isFullResolution()) {
+        *this = ShellCell(shell, tetrahedron);
+        return;
+    }
+    setTetrahedron(shell, tetrahedron);
+    double best = -std::numeric_limits<double>::infinity();
+    int bestFoot = -1;
+    int bestFace = -1;
+    for (int i = 0; i < kTetrahedraPerPrism; ++i) {
+        setFoot(shell, prism * kTetrahedraPerPrism + i);
+        for (const int candidate : shell.facesOf(prism)) {
+            if (!setFace(shell, candidate)) {
+                continue;
+            }
+            compose();
+            double smallest = std::numeric_limits<double>::infinity();
+            for (int wall = kFirstFaceWall; wall < wallCount; ++wall) {
+                smallest = std::min(smallest, walls[at(wall)].at(p));
+            }
+            if (smallest > best) {
+                best = smallest;
+                bestFoot = foot;
+                bestFace = candidate;
+            }
+        }
+    }
+    *this = ShellCell(shell, tetrahedron, bestFoot, bestFace);
+}
+
+Entry ShellCell::enter(const Shell& shell, const ShellCell& from, int wall) {
+    if (shell.isFullResolution()) {
+        const int next = shell.neighbour(from.tet, wall);
+        if (next < 0) {
+            return Entry::Outside;
+        }
+        *this = ShellCell(shell, next);
+        return Entry::Entered;
+    }
+    *this = from;
+    bool faces = true;
+    if (wall < kFirstFaceWall) {
+        const int next = shell.neighbour(from.tet, wall);
+        if (next < 0) {
+            return Entry::Outside;
+        }
+        setTetrahedron(shell, next);
+        if (prism != from.prism) {
+            setFoot(shell, shell.neighbourBehind(from.foot, Shell::wallOf(from.tet, wall)));
+            faces = setFace(shell, face);
+        }
+    } else if (wall < kFootFalls) {
+        const int next = shell.base().faceNeighbours[at(face)][at(wall - kFirstFaceWall)];
+        if (next < 0 || shell.isBlocked(next)) {
+            return Entry::Outside;
+        }
+        faces = setFace(shell, next);
+    } else {
+        setFoot(shell, wall == kFootFalls ? Shell::below(foot) : Shell::above(foot));
+        faces = setFace(shell, face);
+    }
+    if (!faces) {
+        return Entry::Lost;
+    }
+    compose();
+    return Entry::Entered;
+}
+
 double ShellCell::insideness(const Vec3& p) const {
-    double smallest = gradients[0].dot(p) + offsets[0];
-    for (std::size_t k = 1; k < 4; ++k) {
-        smallest = std::min(smallest, gradients[k].dot(p) + offsets[k]);
+    double smallest = walls[0].at(p);
+    for (int k = 1; k < wallCount; ++k) {
+        smallest = std::min(smallest, walls[at(k)].at(p));
     }
     return smallest;
 }
 
-Vec3 fibreAt(const Shell& shell, int prism, const Vec3& shadow) {
-    const Prism& p = shell.prisms()[static_cast<std::size_t>(prism)];
-    Vec3 direction = Vec3::Zero();
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-        const Pillar& pillar = shell.pillars()[static_cast<std::size_t>(p.pillars[slot])];
-        direction += shadow[p.faceCorner[slot]] * (pillar.top - pillar.bottom);
+void ShellCell::setTetrahedron(const Shell& shell, int tetrahedron) {
+    tet = tetrahedron;
+    prism = tetrahedron / kTetrahedraPerPrism;
+    shell.barycentrics(tet, walls.data());
+    const PrismForms forms = prismForms(walls.data(), tet);
+    beta_ = forms.beta;
+    height = forms.height;
+}
+
+void ShellCell::setFoot(const Shell& shell, int tetrahedron) {
+    foot = tetrahedron;
+    if (foot == tet) {
+        footBeta_ = beta_;
+        footHeight_ = height;
+        return;
     }
-    return direction;
+    std::array<AffineForm, 4> lambda;
+    shell.barycentrics(foot, lambda.data());
+    const PrismForms forms = prismForms(lambda.data(), foot);
+    footBeta_ = forms.beta;
+    footHeight_ = forms.height;
+}
+
+// Puts a face into the coordinates of the foot; false where it is not seen from above.
+bool ShellCell::setFace(const Shell& shell, int newFace) {
+    face = newFace;
+    const ShellBase& base = shell.base();
+    const Triangle& corners = base.faces[at(face)];
+    const Vec3& origin = base.vertices[at(corners[0])];
+    const Vec3 edge1 = base.vertices[at(corners[1])] - origin;
+    const Vec3 edge2 = base.vertices[at(corners[2])] - origin;
+    const std::array<double, 2> d1 = {
+        footBeta_[0].gradient.dot(edge1), footBeta_[1].gradient.dot(edge1)
+    };
+    const std::array<double, 2> d2 = {
+        footBeta_[0].gradient.dot(edge2), footBeta_[1].gradient.dot(edge2)
+    };
+    const double area = d1[0] * d2[1] - d1[1] * d2[0];
+    if (area * shell.prisms()[at(prism)].orientation <= 0.0) {
+        return false;
+    }
+    const double inverse = 1.0 / area;
+    chart_.origin = {footBeta_[0].at(origin), footBeta_[1].at(origin)};
+    chart_.originHeight = footHeight_.at(origin);
+    chart_.barycentric[0] = {inverse * d2[1], -inverse * d2[0]};
+    chart_.barycentric[1] = {-inverse * d1[1], inverse * d1[0]};
+    const double rise1 = footHeight_.gradient.dot(edge1);
+    const double rise2 = footHeight_.gradient.dot(edge2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        chart_.height[i] = rise1 * chart_.barycentric[0][i] + rise2 * chart_.barycentric[1][i];
+    }
+    return true;
+}
+
+// The forms that follow from tetrahedron, foot and face.
+void ShellCell::compose() {
+    AffineForm beta1 = beta_[0];
+    AffineForm beta2 = beta_[1];
+    beta1.offset -= chart_.origin[0];
+    beta2.offset -= chart_.origin[1];
+    AffineForm* const shadow = walls.data() + kFirstFaceWall;
+    for (std::size_t i = 0; i < 2; ++i) {
+        shadow[i + 1] = chart_.barycentric[i][0] * beta1 + chart_.barycentric[i][1] * beta2;
+    }
+    shadow[0] = one() - shadow[1] - shadow[2];
+    surfaceHeight = chart_.height[0] * beta1 + chart_.height[1] * beta2;
+    surfaceHeight.offset += chart_.originHeight;
+
+    // Where the foot ends, going along the fibre: see kSlabSplit.
+    const AffineForm outward = sideOf(foot) * surfaceHeight;
+    const AffineForm upper = beta_[0] + beta_[1];
+    wallCount = kMaxWalls;
+    switch (foot % 3) {
+        case 0:
+            walls[kFootFalls] = outward;
+            walls[kFootRises] = beta_[1] - outward;
+            break;
+        case 1:
+            walls[kFootFalls] = outward - beta_[1];
+            walls[kFootRises] = upper - outward;
+            break;
+        default:
+            walls[kFootFalls] = outward - upper;
+            wallCount = kFootRises;  // the surface does not reach top or bottom
+    }
+}
+
+Vec3 directionAt(const Shell& shell, const ShellBase& base, const SurfacePoint& shadow) {
+    Vec3 direction = Vec3::Zero();
+    if (shell.isFullResolution()) {
+        const Prism& prism = shell.prisms()[at(shadow.face)];
+        for (std::size_t slot = 0; slot < 3; ++slot) {
+            const Pillar& pillar = shell.pillars()[at(prism.pillars[slot])];
+            direction += shadow.barycentric[prism.faceCorner[slot]] * (pillar.top - pillar.bottom);
+        }
+    } else {
+        const Triangle& face = base.faces[at(shadow.face)];
+        for (int corner = 0; corner < 3; ++corner) {
+            direction += shadow.barycentric[corner] * base.directions[at(face[at(corner)])];
+        }
+    }
+    return direction.normalized();
 }
 
 }  // namespace bspline_curve

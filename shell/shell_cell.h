@@ -1,51 +1,116 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/affine_form.h"
 #include "shell/shell.h"
 
 namespace bspline_curve {
 
-/// One tetrahedron of the shell with its affine maps: everything that a curve needs to know while
-/// it is inside. All gradients are exact and constant in the cell. Built in about 30 ns, holds no
-/// pointer.
-struct ShellCell {
-    int tet = -1;
-    int prism = -1;
-
-    /// Barycentric coordinate k of a point p of the tetrahedron is gradients[k] . p + offsets[k].
-    std::array<Vec3, 4> gradients;
-    std::array<double, 4> offsets{};
-
-    /// f (10): the signed relative height w, in [-1, 1].
-    Vec3 heightGradient;
-    double heightOffset = 0.0;
-
-    /// Barycentric coordinates of the shadow M_S(p), in the order of the face's vertices.
-    std::array<Vec3, 3> shadowGradients;
-    std::array<double, 3> shadowOffsets{};
-
-    ShellCell() = default;
-    ShellCell(const Shell& shell, int tet);
-
-    [[nodiscard]] double height(const Vec3& p) const {
-        return heightGradient.dot(p) + heightOffset;
-    }
-
-    /// Barycentric coordinates of the shadow in its face (ghost prisms: in the ghost triangle).
-    [[nodiscard]] Vec3 shadow(const Vec3& p) const {
-        return {
-            shadowGradients[0].dot(p) + shadowOffsets[0],
-            shadowGradients[1].dot(p) + shadowOffsets[1],
-            shadowGradients[2].dot(p) + shadowOffsets[2]
-        };
-    }
-
-    /// Smallest barycentric coordinate: >= 0 where the cell holds p.
-    [[nodiscard]] double insideness(const Vec3& p) const;
+/// What a curve finds across a wall of a cell.
+enum class Entry {
+    Entered,
+    Outside,  ///< the shell ends there, or the surface in it
+    Lost      ///< the fibres of the new cell miss its face: only by rounding, next to an edge
 };
 
-/// The fibre direction at a shadow: bottom to top, interpolated between the pillars, not
-/// normalised.
-[[nodiscard]] Vec3 fibreAt(const Shell& shell, int prism, const Vec3& shadow);
+/// A piece of the shell in which everything that a curve needs to know is affine in the position p:
+/// barycentric coordinates, height, and the shadow M_S(p). Holds no pointer.
+///
+/// In a shell of full resolution it is a tetrahedron, bounded by four walls. In a simplified shell
+/// it is the part of a tetrahedron whose points have their shadow in one face of the base, and in
+/// one tetrahedron of the same prism, the foot: the height of the surface is affine there. It is
+/// bounded by up to nine walls: the four of the tetrahedron, the three edges of the face, and the
+/// heights that separate the foot from the tetrahedra below and above. Every wall is an affine form
+/// that is positive inside.
+///
+/// Built in about 30 ns in a shell of full resolution.
+struct ShellCell {
+    static constexpr int kMaxWalls = 9;
+    /// Walls 0 to 3 are opposite to the vertices of the tetrahedron; these to the face's.
+    static constexpr int kFirstFaceWall = 4;
+    /// Beyond these the surface is nearer to the middle, or farther from it, than in the foot.
+    static constexpr int kFootFalls = 7, kFootRises = 8;
+
+    int tet = -1;
+    int prism = -1;
+    int foot = -1;  ///< tetrahedron that holds the shadow; -1 in a shell of full resolution
+    int face = -1;  ///< of the base, ghosts included, that holds the shadow
+    int wallCount = 0;
+
+    /// The first wallCount bound the cell. Forms 4 to 6 are the barycentric coordinates of the
+    /// shadow even where they bound nothing (full resolution).
+    std::array<AffineForm, kMaxWalls> walls;
+    AffineForm height;         ///< f, in [-1, 1]
+    AffineForm surfaceHeight;  ///< f at the shadow; 0 in a shell of full resolution
+
+    ShellCell() = default;
+    /// The cell of a tetrahedron of a shell of full resolution.
+    ShellCell(const Shell& shell, int tetrahedron);
+    /// A cell of a simplified shell: of a tetrahedron, a foot in the same prism, and a face.
+    ShellCell(const Shell& shell, int tetrahedron, int footTetrahedron, int baseFace);
+    /// A cell that holds a point of the surface, in either form. The point's face must have a
+    /// prism. A point on an edge or a vertex is in several cells; one is chosen.
+    ShellCell(const Shell& shell, const SurfacePoint& point);
+    /// The cell of a point of a tetrahedron, in either form: a search of all faces of its prism.
+    ShellCell(const Shell& shell, int tetrahedron, const Vec3& p);
+
+    /// Makes this the cell across a wall of another one. Only what changes is computed: 10 ns for
+    /// another face, 60 ns for another prism.
+    [[nodiscard]] Entry enter(const Shell& shell, const ShellCell& from, int wall);
+
+    /// The form of the shadow's barycentric coordinate at a vertex of the face.
+    [[nodiscard]] const AffineForm& shadowForm(std::size_t corner) const {
+        return walls[static_cast<std::size_t>(kFirstFaceWall) + corner];
+    }
+
+    /// M_S(p): the barycentric coordinates of the shadow in its face (beyond a boundary: in the
+    /// ghost face).
+    [[nodiscard]] Vec3 shadow(const Vec3& p) const {
+        return {shadowForm(0).at(p), shadowForm(1).at(p), shadowForm(2).at(p)};
+    }
+
+    /// d: the height relative to the surface; 0 on it, -1 at the bottom, 1 at the top. In place of
+    /// (10), whose second derivative jumps at the surface, a Moebius map of [-1, 1].
+    [[nodiscard]] double relativeHeight(const Vec3& p) const {
+        const double w = height.at(p);
+        const double surface = surfaceHeight.at(p);
+        return (w - surface) / (1.0 - w * surface);
+    }
+
+    /// Smallest wall form: >= 0 where the cell holds p.
+    [[nodiscard]] double insideness(const Vec3& p) const;
+
+private:
+    void setTetrahedron(const Shell& shell, int tetrahedron);
+    void setFoot(const Shell& shell, int tetrahedron);
+    [[nodiscard]] bool setFace(const Shell& shell, int newFace);
+    void compose();
+
+    // Barycentrics of the prism, of slots 1 and 2, at p; with the height they are those of the
+    // shadow as well.
+    std::array<AffineForm, 2> beta_;
+    // The same of the foot, extended beyond it, and its height.
+    std::array<AffineForm, 2> footBeta_;
+    AffineForm footHeight_;
+
+    // The face in the coordinates (beta_1, beta_2): those of its first vertex, and how the
+    // barycentrics of the other two and the height of the surface grow with them.
+    struct Chart {
+        std::array<double, 2> origin{};
+        std::array<std::array<double, 2>, 2> barycentric{};
+        std::array<double, 2> height{};
+        double originHeight = 0.0;
+    };
+
+    Chart chart_;
+};
+
+/// The direction of the surface at a shadow, of unit length: what bending along the surface does
+/// not count. In a shell of full resolution the fibre from bottom to top, interpolated between the
+/// pillars (so longer ones count more, which makes it depend less on the triangulation); in a
+/// simplified one, whose fibres are those of a coarser surface, the directions of the base.
+[[nodiscard]] Vec3 directionAt(
+    const Shell& shell, const ShellBase& base, const SurfacePoint& shadow
+);
 
 }  // namespace bspline_curve

@@ -21,7 +21,7 @@ constexpr double kLeastCrossingCosine = 0.05;
 struct WallCrossing {
     const ShellCell& from;
     const ShellCell& to;
-    int face;  // of `from`, by the opposite vertex
+    int wall;  // of `from`
     const PolynomialCurve& curve;
     int span;
     double tau;
@@ -37,7 +37,7 @@ void addKink(
     const WallCrossing& crossing,
     EnergyDerivatives& derivatives
 ) {
-    const Vec3 normal = -crossing.from.gradients[at(crossing.face)].normalized();
+    const Vec3 normal = -crossing.from.walls[at(crossing.wall)].gradient.normalized();
     const Vec3 p = crossing.curve.at(crossing.tau);
     const double jump = (CellIntegrand(problem, weights, crossing.to).gradient(p) -
                          CellIntegrand(problem, weights, crossing.from).gradient(p))
@@ -96,9 +96,9 @@ bool integrateCells(
                                 const ShellCell& from,
                                 const ShellCell& to,
                                 double tau,
-                                int k) {
+                                int wall) {
         if (derivatives != nullptr) {
-            addKink(problem, space, weights, {from, to, k, curve, span, tau}, *derivatives);
+            addKink(problem, space, weights, {from, to, wall, curve, span, tau}, *derivatives);
         }
     };
     return traceCurve(problem, space, controls, onPiece, onCrossing) == space.spanCount() &&

@@ -87,23 +87,10 @@ private:
 
     [[nodiscard]] bool leavesShell(const ControlVertex& from, const ControlVertex& to) const {
         // From the surface up to the control point along its fibre, then along the segment.
-        TraceState state{ShellCell(*problem_.shell, problem_.shell->locate(from.point)), 0};
-        const auto walk = [&](const Vec3& a, const Vec3& b) {
-            PolynomialCurve line;
-            line.degree = 1;
-            line.coefficients[0] = a;
-            line.coefficients[1] = b - a;
-            return tracePolynomial(
-                *problem_.shell,
-                line,
-                1.0,
-                state,
-                [](const ShellCell&, double, double) {},
-                [](const ShellCell&, const ShellCell&, double, int) {}
-            );
-        };
-        return !walk(problem_.shell->lift(from.point, 0.0), from.position) ||
-               !walk(from.position, to.position);
+        TraceState state{ShellCell(*problem_.shell, from.point)};
+        const Vec3 onSurface = problem_.base->position(from.point);
+        return !walkStraight(*problem_.shell, onSurface, from.position, state) ||
+               !walkStraight(*problem_.shell, from.position, to.position, state);
     }
 
     const CurveProblem& problem_;
@@ -149,7 +136,7 @@ SplineCurve splineOf(const CurveProblem& problem, const GuidePath& guide, double
             const double middle = 0.5 * (polygon[i].parameter + end);
             const SurfacePoint point = guidePoint(guide, middle);
             finer.push_back(polygon[i]);
-            finer.push_back({middle, point, problem.shell->lift(point, 0.0)});
+            finer.push_back({middle, point, problem.base->position(point)});
         }
         if (!closed) {
             finer.push_back(polygon.back());

@@ -25,7 +25,7 @@ struct CurveProblem {
     const ShellBase* base = nullptr;
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     std::vector<PickConstraint> picks;
-    std::vector<double> field;  ///< one value per pillar, or empty
+    std::vector<double> field;  ///< one value per vertex of the base, or empty
     SolverOptions options;
     double chordLength = 0.0;        ///< L of (4)
     double averageEdgeLength = 0.0;  ///< in the shell's frame

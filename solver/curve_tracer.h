@@ -15,25 +15,15 @@ namespace bspline_curve {
     const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
 ) {
     const PickConstraint& first = problem.picks.front();
-    TraceState state{ShellCell(*problem.shell, problem.shell->locate(first.point)), 0};
-    PolynomialCurve line;
-    line.degree = 1;
-    line.coefficients[0] = first.position;
-    line.coefficients[1] = space.polynomial(controls, 0).coefficients[0] - first.position;
-    const bool inside = tracePolynomial(
-        *problem.shell,
-        line,
-        1.0,
-        state,
-        [](const ShellCell&, double, double) {},
-        [](const ShellCell&, const ShellCell&, double, int) {}
-    );
-    return inside ? std::optional(state) : std::nullopt;
+    TraceState state{ShellCell(*problem.shell, first.point)};
+    const Vec3 start = space.polynomial(controls, 0).coefficients[0];
+    return walkStraight(*problem.shell, first.position, start, state) ? std::optional(state)
+                                                                      : std::nullopt;
 }
 
 /// Traces a whole spline: onPiece(span, curve, cell, tau0, tau1), onCrossing(span, curve, from, to,
-/// tau, k). Returns the number of spans traced to their end; fewer than all where the curve leaves
-/// the shell.
+/// tau, wall). Returns the number of spans traced to their end; fewer than all where the curve
+/// leaves the shell.
 template <class OnPiece, class OnCrossing>
 int traceCurve(
     const CurveProblem& problem,
@@ -56,8 +46,8 @@ int traceCurve(
             [&](const ShellCell& cell, double tau0, double tau1) {
                 onPiece(span, curve, cell, tau0, tau1);
             },
-            [&](const ShellCell& from, const ShellCell& to, double tau, int k) {
-                onCrossing(span, curve, from, to, tau, k);
+            [&](const ShellCell& from, const ShellCell& to, double tau, int wall) {
+                onCrossing(span, curve, from, to, tau, wall);
             }
         );
         if (!inside) {

@@ -40,20 +40,16 @@ void addRankOne(
     }
 }
 
-void BasisProducts::addTo(SpanMatrix& block, const Vec3& direction, int basisCount) const {
-    std::array<double, 9> outer{};
-    for (int a = 0; a < 3; ++a) {
-        for (int b = 0; b < 3; ++b) {
-            outer[at(3 * a + b)] = direction[a] * direction[b];
-        }
-    }
+void BasisProducts::addOuter(
+    SpanMatrix& block, const Eigen::Matrix3d& outer, int basisCount
+) const {
     double* column = block.data();
     for (int j = 0; j < basisCount; ++j) {
         for (int b = 0; b < 3; ++b, column += 3 * static_cast<std::ptrdiff_t>(basisCount)) {
             for (int i = 0; i < basisCount; ++i) {
                 const double factor = sums_[at(i * kMaxBasis + j)];
                 for (int a = 0; a < 3; ++a) {
-                    column[3 * i + a] += factor * outer[at(3 * a + b)];
+                    column[3 * i + a] += factor * outer(a, b);
                 }
             }
         }

@@ -45,9 +45,19 @@ public:
     }
 
     /// block += sums (x) direction direction^T.
-    void addTo(SpanMatrix& block, const Vec3& direction, int basisCount) const;
+    void addTo(SpanMatrix& block, const Vec3& direction, int basisCount) const {
+        addOuter(block, direction * direction.transpose(), basisCount);
+    }
+
+    /// block += sums (x) (a b^T + b a^T).
+    void addTo(SpanMatrix& block, const Vec3& a, const Vec3& b, int basisCount) const {
+        const Eigen::Matrix3d outer = a * b.transpose();
+        addOuter(block, outer + outer.transpose(), basisCount);
+    }
 
 private:
+    void addOuter(SpanMatrix& block, const Eigen::Matrix3d& outer, int basisCount) const;
+
     std::array<double, static_cast<std::size_t>(kMaxBasis) * kMaxBasis> sums_{};
 };
 

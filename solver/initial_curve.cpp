@@ -113,20 +113,15 @@ bool spanIsInside(
 ) {
     const PolynomialCurve curve = space.polynomial(controls, span);
     const GuidePath::Point& near = guide.points[guideIndex(guide, space.breaks()[at(span)])];
-    TraceState state{ShellCell(*problem.shell, problem.shell->locate(near.point)), 0};
-    PolynomialCurve line;
-    line.degree = 1;
-    line.coefficients[0] = near.position;
-    line.coefficients[1] = curve.coefficients[0] - near.position;
+    TraceState state{ShellCell(*problem.shell, near.point)};
     double highest = 0.0;
     const auto measure = [&](const ShellCell& cell, double tau0, double tau1) {
         for (const double tau : {tau0, 0.5 * (tau0 + tau1), tau1}) {
-            highest = std::max(highest, std::abs(cell.height(curve.at(tau))));
+            highest = std::max(highest, std::abs(cell.relativeHeight(curve.at(tau))));
         }
     };
-    const auto ignorePiece = [](const ShellCell&, double, double) {};
     const auto ignoreCrossing = [](const ShellCell&, const ShellCell&, double, int) {};
-    return tracePolynomial(*problem.shell, line, 1.0, state, ignorePiece, ignoreCrossing) &&
+    return walkStraight(*problem.shell, near.position, curve.coefficients[0], state) &&
            tracePolynomial(*problem.shell, curve, 1.0, state, measure, ignoreCrossing) &&
            highest < kHighestStart;
 }

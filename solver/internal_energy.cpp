@@ -67,7 +67,9 @@ std::optional<BendingDirections> bendingDirectionsAlong(
                 result.samples.push_back(
                     {space.breaks()[at(span)] + tau * space.spanLength(span),
                      kGaussWeights[i] * (tau1 - tau0) * space.spanLength(span),
-                     fibreAt(*problem.shell, cell.prism, cell.shadow(curve.at(tau))).normalized()}
+                     directionAt(
+                         *problem.shell, *problem.base, {cell.face, cell.shadow(curve.at(tau))}
+                     )}
                 );
             }
         },

@@ -10,7 +10,7 @@
 namespace bspline_curve {
 
 /// The directions that bending along the surface does not count, sampled along a curve by
-/// parameter: fibres at the shadow. They stay fixed during a minimisation, so that E_int is
+/// parameter: directionAt the shadow. They stay fixed during a minimisation, so that E_int is
 /// quadratic.
 struct BendingDirections {
     struct Sample {

@@ -143,12 +143,12 @@ KnotDemand featureFunction(
                              double tau1) {
         const double length = space.spanLength(span);
         const double tau = 0.5 * (tau0 + tau1);
-        const Triangle& face = problem.base->faces[at(cell.prism)];
+        const Triangle& face = problem.base->faces[at(cell.face)];
         // Within a cell the shadow is an affine image of the curve, so are its derivatives.
         const auto shadowOf = [&](const Vec3& derivative) {
             Vec3 image = Vec3::Zero();
             for (std::size_t corner = 0; corner < 3; ++corner) {
-                image += cell.shadowGradients[corner].dot(derivative) *
+                image += cell.shadowForm(corner).gradient.dot(derivative) *
                          problem.base->vertices[at(face[corner])];
             }
             return image;
@@ -156,7 +156,7 @@ KnotDemand featureFunction(
         const Vec3 first = curve.derivativeAt(tau) / length;
         const Vec3 second = curve.secondDerivativeAt(tau) / (length * length);
         const double height =
-            std::min(std::abs(cell.height(curve.at(tau))), kHighest * weights.barrierWidth);
+            std::min(std::abs(cell.relativeHeight(curve.at(tau))), kHighest * weights.barrierWidth);
         feature.perSpan[at(span)] += (tau1 - tau0) * length *
                                      (tension * (first - shadowOf(first)).squaredNorm() +
                                       (1.0 - tension) * (second - shadowOf(second)).squaredNorm() +

@@ -17,11 +17,10 @@ std::size_t at(int index) {
 // The field I(M_S(p)) in a cell.
 AffineForm fieldForm(const CurveProblem& problem, const ShellCell& cell) {
     AffineForm form;
-    const Triangle& face = problem.base->faces[at(cell.prism)];
+    const Triangle& face = problem.base->faces[at(cell.face)];
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const double value = problem.field[at(face[corner])];
-        form.gradient += value * cell.shadowGradients[corner];
-        form.offset += value * cell.shadowOffsets[corner];
+        form += value * cell.shadowForm(corner);
     }
     return form;
 }
@@ -29,11 +28,10 @@ AffineForm fieldForm(const CurveProblem& problem, const ShellCell& cell) {
 // How far p lies beyond the boundary in a ghost cell: 0 at the boundary, 1 at the outer rim.
 AffineForm beyondForm(const CurveProblem& problem, const ShellCell& cell) {
     AffineForm form;
-    const Triangle& face = problem.base->faces[at(cell.prism)];
+    const Triangle& face = problem.base->faces[at(cell.face)];
     for (std::size_t corner = 0; corner < 3; ++corner) {
         if (face[corner] >= problem.base->surfaceVertexCount) {
-            form.gradient += cell.shadowGradients[corner];
-            form.offset += cell.shadowOffsets[corner];
+            form += cell.shadowForm(corner);
         }
     }
     return form;
@@ -54,8 +52,13 @@ CellIntegrand::CellIntegrand(
     : weights_(weights),
       mu_(fieldWeight(problem)),
       cost_(problem.options.fieldCost),
-      height_{heightScale * cell.heightGradient, heightScale * cell.heightOffset},
-      hasBeyond_(problem.shell->isGhost(cell.prism)) {
+      height_(cell.height),
+      heightScale_(heightScale),
+      hasSurfaceHeight_(!problem.shell->isFullResolution()),
+      hasBeyond_(problem.shell->isGhost(cell.face)) {
+    if (hasSurfaceHeight_) {
+        surfaceHeight_ = cell.surfaceHeight;
+    }
     if (hasBeyond_) {
         beyond_ = beyondForm(problem, cell);
     }
@@ -64,8 +67,31 @@ CellIntegrand::CellIntegrand(
     }
 }
 
+CellIntegrand::RelativeHeight CellIntegrand::relativeHeightAt(const Vec3& p) const {
+    RelativeHeight result;
+    const double w = height_.at(p);
+    result.byHeight = heightScale_;
+    if (!hasSurfaceHeight_) {
+        result.value = heightScale_ * w;
+        return result;
+    }
+    // d = (w - v) / (1 - w v) with v the height of the surface.
+    const double v = surfaceHeight_.at(p);
+    const double inverse = 1.0 / (1.0 - w * v);
+    const double square = heightScale_ * inverse * inverse;
+    const double byHeight = (1.0 - v * v) * square;
+    const double bySurface = -(1.0 - w * w) * square;
+    result.value = heightScale_ * (w - v) * inverse;
+    result.byHeight = byHeight;
+    result.bySurface = bySurface;
+    result.byHeightTwice = 2.0 * v * inverse * byHeight;
+    result.byBoth = 2.0 * (w - v) * inverse * square;
+    result.bySurfaceTwice = 2.0 * w * inverse * bySurface;
+    return result;
+}
+
 bool CellIntegrand::add(const Vec3& p, double weight, EnergyTerms& terms) const {
-    const double height = height_.at(p);
+    const double height = relativeHeightAt(p).value;
     if (std::abs(height) >= weights_.barrierWidth) {
         return false;
     }
@@ -92,27 +118,43 @@ bool CellIntegrand::add(
     const SplineSpace::BasisValues& basis,
     Eigen::VectorXd& gradient
 ) {
-    Vec3 force = Vec3::Zero();
-    const auto addBarrier = [&](const AffineForm& form, double width, BasisProducts& products) {
-        const double x = form.at(p);
-        if (std::abs(x) >= width) {
+    const int n = space.basisCount();
+    const RelativeHeight d = relativeHeightAt(p);
+    if (std::abs(d.value) >= weights_.barrierWidth) {
+        return false;
+    }
+    const Barrier g = barrier(d.value, weights_.barrierWidth);
+    const double slope = weight * weights_.alpha * g.slope;
+    const double curvature = weight * weights_.alpha * g.curvature;
+    terms.distance += weight * g.value;
+    Vec3 force = slope * d.byHeight * height_.gradient;
+    if (hasSurfaceHeight_) {
+        force += slope * d.bySurface * surfaceHeight_.gradient;
+        heightProducts_.add(
+            basis, curvature * d.byHeight * d.byHeight + slope * d.byHeightTwice, n
+        );
+        mixedProducts_.add(basis, curvature * d.byHeight * d.bySurface + slope * d.byBoth, n);
+        surfaceProducts_.add(
+            basis, curvature * d.bySurface * d.bySurface + slope * d.bySurfaceTwice, n
+        );
+    } else {
+        heightProducts_.add(basis, curvature * d.byHeight * d.byHeight, n);
+    }
+    if (hasBeyond_) {
+        const double beyond = beyond_.at(p);
+        if (std::abs(beyond) >= 1.0) {
             return false;
         }
-        const Barrier g = barrier(x, width);
-        terms.distance += weight * g.value;
-        force += weight * weights_.alpha * g.slope * form.gradient;
-        products.add(basis, weight * weights_.alpha * g.curvature, space.basisCount());
-        return true;
-    };
-    if (!addBarrier(height_, weights_.barrierWidth, heightProducts_) ||
-        (hasBeyond_ && !addBarrier(beyond_, 1.0, beyondProducts_))) {
-        return false;
+        const Barrier b = barrier(beyond, 1.0);
+        terms.distance += weight * b.value;
+        force += weight * weights_.alpha * b.slope * beyond_.gradient;
+        beyondProducts_.add(basis, weight * weights_.alpha * b.curvature, n);
     }
     if (mu_ > 0.0) {
         const FieldCostValue c = fieldCost(cost_, field_.at(p));
         terms.external += weight * c.value;
         force += weight * mu_ * c.slope * field_.gradient;
-        fieldProducts_.add(basis, weight * mu_ * std::max(0.0, c.curvature), space.basisCount());
+        fieldProducts_.add(basis, weight * mu_ * std::max(0.0, c.curvature), n);
     }
     addGradient(gradient, space, span, basis, force);
     return true;
@@ -120,6 +162,10 @@ bool CellIntegrand::add(
 
 void CellIntegrand::flush(SpanMatrix& hessian, int basisCount) const {
     heightProducts_.addTo(hessian, height_.gradient, basisCount);
+    if (hasSurfaceHeight_) {
+        mixedProducts_.addTo(hessian, height_.gradient, surfaceHeight_.gradient, basisCount);
+        surfaceProducts_.addTo(hessian, surfaceHeight_.gradient, basisCount);
+    }
     if (hasBeyond_) {
         beyondProducts_.addTo(hessian, beyond_.gradient, basisCount);
     }
@@ -130,9 +176,13 @@ void CellIntegrand::flush(SpanMatrix& hessian, int basisCount) const {
 
 Vec3 CellIntegrand::gradient(const Vec3& p) const {
     Vec3 sum = Vec3::Zero();
-    const double height = height_.at(p);
-    if (std::abs(height) < weights_.barrierWidth) {
-        sum += weights_.alpha * barrier(height, weights_.barrierWidth).slope * height_.gradient;
+    const RelativeHeight d = relativeHeightAt(p);
+    if (std::abs(d.value) < weights_.barrierWidth) {
+        const double slope = weights_.alpha * barrier(d.value, weights_.barrierWidth).slope;
+        sum += slope * d.byHeight * height_.gradient;
+        if (hasSurfaceHeight_) {
+            sum += slope * d.bySurface * surfaceHeight_.gradient;
+        }
     }
     if (hasBeyond_ && beyond_.at(p) < 1.0) {
         sum += weights_.alpha * barrier(beyond_.at(p), 1.0).slope * beyond_.gradient;

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/shell_cell.h"
 #include "solver/curve_problem.h"
 #include "solver/energy_derivatives.h"
 #include "solver/energy_weights.h"
 #include "solver/solve_report.h"
 
 namespace bspline_curve {
-
-/// An affine function of the position in one cell.
-struct AffineForm {
-    Vec3 gradient = Vec3::Zero();
-    double offset = 0.0;
-
-    [[nodiscard]] double at(const Vec3& p) const { return gradient.dot(p) + offset; }
-};
 
 /// The integrand of E_dist and E_ext in one cell: the barrier of the relative height, the barrier
 /// of how far a point lies beyond a boundary (ghost cells), and the cost of the field at the
@@ -52,14 +45,25 @@ public:
     [[nodiscard]] Vec3 gradient(const Vec3& p) const;
 
 private:
+    // The height d relative to the surface and its derivatives by w and w_S.
+    struct RelativeHeight {
+        double value = 0.0;
+        double byHeight = 1.0, bySurface = 0.0;
+        double byHeightTwice = 0.0, byBoth = 0.0, bySurfaceTwice = 0.0;
+    };
+
+    [[nodiscard]] RelativeHeight relativeHeightAt(const Vec3& p) const;
+
     EnergyWeights weights_;
     double mu_;
     FieldCost cost_;
     // Constant gradients in the cell, so the second derivatives of all points in it share their
     // directions.
-    AffineForm height_, beyond_, field_;
-    BasisProducts heightProducts_, beyondProducts_, fieldProducts_;
-    bool hasBeyond_ = false;
+    AffineForm height_, surfaceHeight_, beyond_, field_;
+    BasisProducts heightProducts_, mixedProducts_, surfaceProducts_;
+    BasisProducts beyondProducts_, fieldProducts_;
+    double heightScale_;
+    bool hasSurfaceHeight_, hasBeyond_;
 };
 
 /// The weight of the field: mu of (7), or 0 without a field.

@@ -6,7 +6,7 @@
 namespace bspline_curve {
 
 /// E_dist (8) and E_ext (5) of a curve, cell by cell: every span is cut exactly where it passes
-/// from one tetrahedron into the next, so that the integrand is smooth on each piece and the energy
+/// from one cell into the next, so that the integrand is smooth on each piece and the energy
 /// C1 in the control points, and the whole curve is checked for lying in the shell. Adds to the
 /// terms and, where given, the derivatives; the Hessian holds the second derivative of the barrier,
 /// Gauss-Newton for c(I), and the kinks at the walls. False where the curve leaves the shell or the

@@ -21,7 +21,7 @@ public:
         const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
     )
         : problem_(problem), here_(problem.picks.front().position) {
-        state_.cell = ShellCell(*problem.shell, problem.shell->locate(problem.picks.front().point));
+        state_.cell = ShellCell(*problem.shell, problem.picks.front().point);
         moveTo(space.polynomial(controls, 0).coefficients[0]);
     }
 
@@ -31,11 +31,12 @@ public:
             return;
         }
         const ShellBoundary::Nearest nearest = problem_.boundary->nearest(p);
-        state_ = {ShellCell(*problem_.shell, nearest.tet), 0};
+        const TraceState entry{ShellCell(*problem_.shell, nearest.tet, nearest.position)};
+        state_ = entry;
         // Inside where the walk from the boundary ends inside.
         outside_ = !walk(nearest.position, p);
         if (outside_) {
-            state_ = {ShellCell(*problem_.shell, nearest.tet), 0};
+            state_ = entry;
         }
         here_ = outside_ ? nearest.position : p;
     }
@@ -49,18 +50,7 @@ public:
 
 private:
     bool walk(const Vec3& from, const Vec3& to) {
-        PolynomialCurve line;
-        line.degree = 1;
-        line.coefficients[0] = from;
-        line.coefficients[1] = to - from;
-        return tracePolynomial(
-            *problem_.shell,
-            line,
-            1.0,
-            state_,
-            [](const ShellCell&, double, double) {},
-            [](const ShellCell&, const ShellCell&, double, int) {}
-        );
+        return walkStraight(*problem_.shell, from, to, state_);
     }
 
     const CurveProblem& problem_;

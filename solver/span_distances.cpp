@@ -27,9 +27,9 @@ SpanDistances measureDistances(
     result.distance.assign(at(space.spanCount()), 0.0);
     const auto measureAt = [&](int span, const ShellCell& cell, const Vec3& p) {
         const Vec3 shadow = cell.shadow(p);
-        const double height = cell.height(p);
+        const double height = cell.relativeHeight(p);
         Vec3 onSurface = Vec3::Zero();
-        const Triangle& face = problem.base->faces[at(cell.prism)];
+        const Triangle& face = problem.base->faces[at(cell.face)];
         for (int corner = 0; corner < 3; ++corner) {
             // A ghost vertex stands for the boundary vertex that it grew from.
             onSurface += shadow[corner] *

@@ -88,7 +88,7 @@ Trace traced(const Shell& shell, const PolynomialCurve& curve, double end, int f
             EXPECT_EQ(shell.neighbour(from.tet, k), to.tet);
             if (s > 0.0) {
                 // On the face, if the walk did not just turn about an edge.
-                EXPECT_LT(from.gradients[at(k)].dot(curve.at(s)) + from.offsets[at(k)], 1e-9);
+                EXPECT_LT(from.walls[at(k)].at(curve.at(s)), 1e-9);
             }
         }
     );
@@ -230,11 +230,13 @@ protected:
                 EXPECT_TRUE(trace.inside) << "from tetrahedron " << tet << ", degree " << degree;
                 const Vec3 end = to + lift;
                 EXPECT_NEAR(
-                    (built_.base.position({trace.last.prism, trace.last.shadow(end)}) - to).norm(),
+                    (built_.base.position({trace.last.face, trace.last.shadow(end)}) - to).norm(),
                     0.0,
                     1e-9
                 );
-                EXPECT_NEAR(trace.last.height(end), trace.last.heightGradient.z() * height, 1e-9);
+                EXPECT_NEAR(
+                    trace.last.height.at(end), trace.last.height.gradient.z() * height, 1e-9
+                );
             }
             EXPECT_GT(starts, 0);
         }
@@ -324,7 +326,7 @@ TEST(TraceFromTheMiddle, StartsOnTheSurfaceToEitherSide) {
             };
             const Trace trace = traced(shell, up, 1.0, shell.locate(point));
             EXPECT_TRUE(trace.inside);
-            EXPECT_NEAR(trace.last.height(up.at(1.0)), w, 1e-9);
+            EXPECT_NEAR(trace.last.height.at(up.at(1.0)), w, 1e-9);
         }
     }
 }

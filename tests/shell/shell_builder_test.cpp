@@ -284,9 +284,9 @@ TEST(ShellBoundary, FindsTheNearestPointOfTopAndBottom) {
         const ShellBoundary::Nearest above = boundary.nearest(outside);
         const ShellCell cell(built.shell(), above.tet);
         EXPECT_NEAR(cell.insideness(above.position), 0.0, 1e-12);
-        EXPECT_NEAR(cell.height(above.position), 1.0, 1e-12);
+        EXPECT_NEAR(cell.height.at(above.position), 1.0, 1e-12);
         const ShellBoundary::Nearest below = boundary.nearest(1e-3 * direction);
-        EXPECT_NEAR(ShellCell(built.shell(), below.tet).height(below.position), -1.0, 1e-12);
+        EXPECT_NEAR(ShellCell(built.shell(), below.tet).height.at(below.position), -1.0, 1e-12);
     }
 }
 

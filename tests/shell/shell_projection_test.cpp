@@ -36,8 +36,9 @@ double roundingOf(const Shell& shell) {
     double largest = 0.0;
     for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
         if (shell.prisms()[at(tet / kTetrahedraPerPrism)].orientation != 0) {
-            for (const Vec3& gradient : ShellCell(shell, tet).gradients) {
-                largest = std::max(largest, gradient.norm());
+            const ShellCell cell(shell, tet);
+            for (int k = 0; k < cell.wallCount; ++k) {
+                largest = std::max(largest, cell.walls[at(k)].gradient.norm());
             }
         }
     }
@@ -111,7 +112,7 @@ TEST_P(ShellProjection, UndoesLifting) {
         worstShadow = std::max(
             worstShadow, (state.cell.shadow(lifted) - point.barycentric).cwiseAbs().maxCoeff()
         );
-        worstHeight = std::max(worstHeight, std::abs(state.cell.height(lifted) - w));
+        worstHeight = std::max(worstHeight, std::abs(state.cell.height.at(lifted) - w));
     }
     EXPECT_LT(worstShadow, roundingOf(shell));
     EXPECT_LT(worstHeight, roundingOf(shell));
@@ -143,9 +144,9 @@ TEST_P(ShellProjection, AgreesAcrossEveryFace) {
             for (int j = 0; j < 3; ++j) {
                 p += weights[j] * shell.position(tet, (k + 1 + j) % 4);
             }
-            worstHeight = std::max(worstHeight, std::abs(here.height(p) - there.height(p)));
-            const Vec3 shadowHere = built.base.position({here.prism, here.shadow(p)});
-            const Vec3 shadowThere = built.base.position({there.prism, there.shadow(p)});
+            worstHeight = std::max(worstHeight, std::abs(here.height.at(p) - there.height.at(p)));
+            const Vec3 shadowHere = built.base.position({here.face, here.shadow(p)});
+            const Vec3 shadowThere = built.base.position({there.face, there.shadow(p)});
             worstShadow = std::max(worstShadow, (shadowHere - shadowThere).norm());
         }
     }
@@ -176,11 +177,11 @@ TEST_F(ShellCellMaps, AreThoseOfTheCorners) {
             const Vec3 corner = shell_.position(tet, k);
             const SplitVertex split = kSlabSplit[at(inPrism % 3)][at(k)];
             const double height = split.outer ? (inPrism < 3 ? 1.0 : -1.0) : 0.0;
-            EXPECT_NEAR(cell.height(corner), height, 1e-12);
+            EXPECT_NEAR(cell.height.at(corner), height, 1e-12);
             EXPECT_NEAR(cell.shadow(corner)[prism.faceCorner[at(split.slot)]], 1.0, 1e-12);
             EXPECT_NEAR(cell.shadow(corner).cwiseAbs().sum(), 1.0, 1e-11);
             EXPECT_NEAR(cell.insideness(corner), 0.0, 1e-12);
-            EXPECT_NEAR(cell.gradients[at(k)].dot(corner) + cell.offsets[at(k)], 1.0, 1e-12);
+            EXPECT_NEAR(cell.walls[at(k)].at(corner), 1.0, 1e-12);
         }
     }
 }
@@ -206,7 +207,7 @@ TEST_F(ShellCellMaps, InterpolateBetweenTheCorners) {
             height += split.outer ? weights[k] * (tet % kTetrahedraPerPrism < 3 ? 1.0 : -1.0) : 0.0;
             shadow[shell_.prisms()[at(cell.prism)].faceCorner[at(split.slot)]] += weights[k];
         }
-        EXPECT_NEAR(cell.height(p), height, 1e-12);
+        EXPECT_NEAR(cell.height.at(p), height, 1e-12);
         EXPECT_LT((cell.shadow(p) - shadow).norm(), 1e-12);
         EXPECT_NEAR(cell.insideness(p), weights.minCoeff(), 1e-12);
     }
@@ -222,15 +223,17 @@ TEST_F(ShellCellMaps, HaveTheGradientsOfTheirDifferences) {
         const Vec3 p = random.point(-0.5, 0.5);
         for (int axis = 0; axis < 3; ++axis) {
             const Vec3 offset = step * Vec3::Unit(axis);
-            const double scale = cell.heightGradient.norm() + cell.gradients[0].norm();
+            const double scale = cell.height.gradient.norm() + cell.walls[0].gradient.norm();
             EXPECT_NEAR(
-                (cell.height(p + offset) - cell.height(p - offset)) / (2.0 * step),
-                cell.heightGradient[axis],
+                (cell.height.at(p + offset) - cell.height.at(p - offset)) / (2.0 * step),
+                cell.height.gradient[axis],
                 1e-11 * scale
             );
             const Vec3 change = (cell.shadow(p + offset) - cell.shadow(p - offset)) / (2.0 * step);
             for (int corner = 0; corner < 3; ++corner) {
-                EXPECT_NEAR(change[corner], cell.shadowGradients[at(corner)][axis], 1e-11 * scale);
+                EXPECT_NEAR(
+                    change[corner], cell.shadowForm(at(corner)).gradient[axis], 1e-11 * scale
+                );
             }
         }
     }
@@ -248,10 +251,10 @@ TEST_F(ShellCellMaps, KeepTheShadowAlongTheFibre) {
                     continue;
                 }
                 const Vec3 fibre = shell_.position(tet, j) - shell_.position(tet, k);
-                for (const Vec3& gradient : cell.shadowGradients) {
-                    EXPECT_NEAR(gradient.dot(fibre), 0.0, 1e-12);
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    EXPECT_NEAR(cell.shadowForm(corner).gradient.dot(fibre), 0.0, 1e-12);
                 }
-                EXPECT_NEAR(std::abs(cell.heightGradient.dot(fibre)), 1.0, 1e-12);
+                EXPECT_NEAR(std::abs(cell.height.gradient.dot(fibre)), 1.0, 1e-12);
             }
         }
     }
@@ -260,14 +263,16 @@ TEST_F(ShellCellMaps, KeepTheShadowAlongTheFibre) {
 TEST_F(ShellCellMaps, BlendFibresBetweenThePillars) {
     for (int i = 0; i < static_cast<int>(shell_.prisms().size()); ++i) {
         const Prism& prism = shell_.prisms()[at(i)];
-        Vec3 mean = Vec3::Zero();
+        Vec3 sum = Vec3::Zero();
         for (std::size_t slot = 0; slot < 3; ++slot) {
             const Pillar& pillar = shell_.pillars()[at(prism.pillars[slot])];
             const Vec3 fibre = pillar.top - pillar.bottom;
-            mean += fibre / 3.0;
-            EXPECT_EQ(fibreAt(shell_, i, Vec3::Unit(prism.faceCorner[slot])), fibre);
+            sum += fibre;
+            const SurfacePoint vertex{i, Vec3::Unit(prism.faceCorner[slot])};
+            EXPECT_EQ(directionAt(shell_, built_.base, vertex), fibre.normalized());
         }
-        EXPECT_LT((fibreAt(shell_, i, Vec3::Constant(1.0 / 3.0)) - mean).norm(), 1e-15);
+        const Vec3 middle = directionAt(shell_, built_.base, {i, Vec3::Constant(1.0 / 3.0)});
+        EXPECT_LT((middle - sum.normalized()).norm(), 1e-15);
     }
 }
 
