@@ -175,7 +175,9 @@ double firstExit(const double* coefficients, int degree, double end) {
     return firstExitByIsolation(c.data(), degree, end);
 }
 
-CellExit firstExitOf(const ShellCell& cell, const PolynomialCurve& curve, double end) {
+CellExit firstExitOf(
+    const ShellCell& cell, const PolynomialCurve& curve, double end, unsigned ignoredWalls
+) {
     std::array<WallPolynomial, ShellCell::kMaxWalls> walls;
     int nearest = 0;
     double nearestExit = std::numeric_limits<double>::infinity();
@@ -192,6 +194,9 @@ CellExit firstExitOf(const ShellCell& cell, const PolynomialCurve& curve, double
     CellExit exit{end, -1};
     for (int i = 0; i < cell.wallCount; ++i) {
         const int k = nearest + i < cell.wallCount ? nearest + i : nearest + i - cell.wallCount;
+        if ((ignoredWalls >> static_cast<unsigned>(k) & 1U) != 0) {
+            continue;
+        }
         const double candidate =
             firstExit(walls[static_cast<std::size_t>(k)].coefficients.data(), curve.degree, exit.s);
         if (candidate < exit.s) {

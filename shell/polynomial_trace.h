@@ -86,8 +86,11 @@ struct CellExit {
     int wall;  ///< -1: nowhere up to s
 };
 
-/// First exit of a curve from a cell in [0, end]; s = 0 where it is outside already.
-[[nodiscard]] CellExit firstExitOf(const ShellCell& cell, const PolynomialCurve& curve, double end);
+/// First exit of a curve from a cell in [0, end]; s = 0 where it is outside already. Bit k of
+/// `ignoredWalls` leaves wall k out.
+[[nodiscard]] CellExit firstExitOf(
+    const ShellCell& cell, const PolynomialCurve& curve, double end, unsigned ignoredWalls
+);
 
 /// Cuts p(s), s in [0, end], exactly where it passes from one cell into the next, starting in
 /// state.cell. Calls onPiece(cell, s0, s1) for each piece in order and onCrossing(from, to, s,
@@ -105,10 +108,12 @@ bool tracePolynomial(
     // A walk that turns this often at one parameter goes round in a circle.
     constexpr int kMaxStalled = 128;
     double s = 0.0;
+    unsigned ignoredWalls = 0;
     ShellCell after;
     while (true) {
         const ShellCell& cell = state.cell;
-        const CellExit exit = firstExitOf(cell, s == 0.0 ? curve : curve.shifted(s), end - s);
+        const CellExit exit =
+            firstExitOf(cell, s == 0.0 ? curve : curve.shifted(s), end - s, ignoredWalls);
         const double next = exit.wall < 0 ? end : s + exit.s;
         if (next > s) {
             onPiece(cell, s, next);
@@ -123,12 +128,23 @@ bool tracePolynomial(
         if (entry == Entry::Outside) {
             return false;
         }
+        s = next;
         if (entry == Entry::Lost) {
-            after = ShellCell(shell, after.tet, curve.at(next));
+            // Where faces and tetrahedra end together, as over a crease, another wall comes first.
+            const std::optional<ShellCell> found =
+                ShellCell::find(shell, after.tet, curve.at(next));
+            if (!found) {
+                return false;
+            }
+            after = *found;
+            if (after.isSame(cell)) {
+                ignoredWalls |= 1U << static_cast<unsigned>(exit.wall);
+                continue;
+            }
         }
         onCrossing(cell, after, next, exit.wall);
         state.cell = after;
-        s = next;
+        ignoredWalls = 0;
     }
 }
 

@@ -52,6 +52,9 @@ constexpr std::array<std::array<bool, 3>, 3> kTouchesUpperHalf = {
     {{false, false, false}, {true, false, false}, {true, true, true}}
 };
 
+// A tetrahedron holds points whose barycentric coordinates are above minus this: rounding.
+constexpr double kHoldingDepth = 1e-12;
+
 }  // namespace
 
 Shell::Shell(std::vector<Pillar> pillars, std::vector<Prism> prisms, int surfaceFaceCount)
@@ -156,8 +159,13 @@ int Shell::locate(const SurfacePoint& point) const {
         return point.face * kTetrahedraPerPrism;
     }
     const Vec3 p = base_->position(point);
+    const Triangle& face = base_->faces[at(point.face)];
+    const Vec3& corner = base_->vertices[at(face[0])];
+    const Vec3 normal = (base_->vertices[at(face[1])] - corner)
+                            .cross(base_->vertices[at(face[2])] - corner)
+                            .normalized();
     int best = -1;
-    double deepest = -std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
     std::array<AffineForm, 4> lambda;
     for (const int prism : prismsOf(point.face)) {
         for (int tet = prism * kTetrahedraPerPrism; tet < (prism + 1) * kTetrahedraPerPrism;
@@ -167,8 +175,11 @@ int Shell::locate(const SurfacePoint& point) const {
                 std::min(lambda[0].at(p), lambda[1].at(p)),
                 std::min(lambda[2].at(p), lambda[3].at(p))
             );
-            if (depth > deepest) {
-                deepest = depth;
+            // Cosines lie above -1, so a tetrahedron that holds the point comes first.
+            const double score =
+                depth >= -kHoldingDepth ? fibre(tet).normalized().dot(normal) : depth - 1.0;
+            if (score > highest) {
+                highest = score;
                 best = tet;
             }
         }
@@ -194,6 +205,13 @@ Vec3 Shell::lift(const SurfacePoint& point, double w) const {
     }
     beta = beta.cwiseMax(0.0);  // rounding, next to a wall
     return onFibre(tet / kTetrahedraPerPrism, beta / beta.sum(), w);
+}
+
+Vec3 Shell::fibre(int tet) const {
+    const Prism& prism = prisms_[at(tet / kTetrahedraPerPrism)];
+    const Pillar& pillar = pillars_[at(prism.pillars[at(2 - tet % 3)])];
+    return tet % kTetrahedraPerPrism < 3 ? pillar.top - pillar.middle
+                                         : pillar.middle - pillar.bottom;
 }
 
 Vec3 Shell::onFibre(int prism, const Vec3& beta, double w) const {

@@ -138,8 +138,9 @@ public:
 
     [[nodiscard]] static int above(int tet) { return tet + 1; }
 
-    /// A tetrahedron that holds a point of the surface: of the prisms that know its face, the one
-    /// that it is deepest in. -1 where the face is blocked. About 1 us in a simplified shell.
+    /// A tetrahedron that holds a point of the surface: of those that do, in the prisms that know
+    /// its face, the one whose fibres see the face best; the deepest one where rounding leaves
+    /// none. -1 where the face is blocked. About 1 us in a simplified shell.
     [[nodiscard]] int locate(const SurfacePoint& point) const;
 
     /// The point at f = w, w in [-1, 1], of the fibre through a point of the surface. The face must
@@ -147,6 +148,9 @@ public:
     [[nodiscard]] Vec3 lift(const SurfacePoint& point, double w) const;
 
     [[nodiscard]] Vec3 position(int tet, int k) const;
+
+    /// Direction of the fibres in a tetrahedron, upwards: a half pillar.
+    [[nodiscard]] Vec3 fibre(int tet) const;
 
     /// Writes the four barycentric coordinates of a tetrahedron as forms of the position. About 20
     /// ns.

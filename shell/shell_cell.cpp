@@ -78,34 +78,29 @@ ShellCell::ShellCell(const Shell& shell, const SurfacePoint& point) {
     *this = ShellCell(shell, located, located, point.face);
 }
 
-ShellCell::ShellCell(const Shell& shell, int tetrahedron, const Vec3& p) {
+std::optional<ShellCell> ShellCell::find(const Shell& shell, int tetrahedron, const Vec3& p) {
     if (shell.isFullResolution()) {
-        *this = ShellCell(shell, tetrahedron);
-        return;
+        return ShellCell(shell, tetrahedron);
     }
-    setTetrahedron(shell, tetrahedron);
+    std::optional<ShellCell> found;
     double best = -std::numeric_limits<double>::infinity();
-    int bestFoot = -1;
-    int bestFace = -1;
+    ShellCell cell;
+    cell.setTetrahedron(shell, tetrahedron);
     for (int i = 0; i < kTetrahedraPerPrism; ++i) {
-        setFoot(shell, prism * kTetrahedraPerPrism + i);
-        for (const int candidate : shell.facesOf(prism)) {
-            if (!setFace(shell, candidate)) {
+        cell.setFoot(shell, cell.prism * kTetrahedraPerPrism + i);
+        for (const int candidate : shell.facesOf(cell.prism)) {
+            if (!cell.setFace(shell, candidate)) {
                 continue;
             }
-            compose();
-            double smallest = std::numeric_limits<double>::infinity();
-            for (int wall = kFirstFaceWall; wall < wallCount; ++wall) {
-                smallest = std::min(smallest, walls[at(wall)].at(p));
-            }
-            if (smallest > best) {
-                best = smallest;
-                bestFoot = foot;
-                bestFace = candidate;
+            cell.compose();
+            const double inside = cell.insideness(p, kFirstFaceWall);
+            if (inside > best) {
+                best = inside;
+                found = cell;
             }
         }
     }
-    *this = ShellCell(shell, tetrahedron, bestFoot, bestFace);
+    return found;
 }
 
 Entry ShellCell::enter(const Shell& shell, const ShellCell& from, int wall) {
@@ -146,9 +141,9 @@ Entry ShellCell::enter(const Shell& shell, const ShellCell& from, int wall) {
     return Entry::Entered;
 }
 
-double ShellCell::insideness(const Vec3& p) const {
-    double smallest = walls[0].at(p);
-    for (int k = 1; k < wallCount; ++k) {
+double ShellCell::insideness(const Vec3& p, int firstWall) const {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int k = firstWall; k < wallCount; ++k) {
         smallest = std::min(smallest, walls[at(k)].at(p));
     }
     return smallest;

@@ -4,13 +4,16 @@
 #include "shell/affine_form.h"
 #include "shell/shell.h"
 
+#include <optional>
+
 namespace bspline_curve {
 
 /// What a curve finds across a wall of a cell.
 enum class Entry {
     Entered,
     Outside,  ///< the shell ends there, or the surface in it
-    Lost      ///< the fibres of the new cell miss its face: only by rounding, next to an edge
+    Lost  ///< the fibres of the new cell see its face from behind: the curve does not pass there,
+          ///< but through the edge in which several walls meet
 };
 
 /// A piece of the shell in which everything that a curve needs to know is affine in the position p:
@@ -51,8 +54,13 @@ struct ShellCell {
     /// A cell that holds a point of the surface, in either form. The point's face must have a
     /// prism. A point on an edge or a vertex is in several cells; one is chosen.
     ShellCell(const Shell& shell, const SurfacePoint& point);
-    /// The cell of a point of a tetrahedron, in either form: a search of all faces of its prism.
-    ShellCell(const Shell& shell, int tetrahedron, const Vec3& p);
+    /// The cell of a point of a tetrahedron, in either form: a search of all faces of its prism,
+    /// about 0.1 us each. Where the fibre through the point misses them (beyond the rim of the
+    /// surface) the nearest cell; nothing where the prism has no face that its fibres see from
+    /// above.
+    [[nodiscard]] static std::optional<ShellCell> find(
+        const Shell& shell, int tetrahedron, const Vec3& p
+    );
 
     /// Makes this the cell across a wall of another one. Only what changes is computed: 10 ns for
     /// another face, 60 ns for another prism.
@@ -77,8 +85,12 @@ struct ShellCell {
         return (w - surface) / (1.0 - w * surface);
     }
 
-    /// Smallest wall form: >= 0 where the cell holds p.
-    [[nodiscard]] double insideness(const Vec3& p) const;
+    [[nodiscard]] bool isSame(const ShellCell& other) const {
+        return tet == other.tet && foot == other.foot && face == other.face;
+    }
+
+    /// Smallest form of the walls, or of those from firstWall on: >= 0 where the cell holds p.
+    [[nodiscard]] double insideness(const Vec3& p, int firstWall = 0) const;
 
 private:
     void setTetrahedron(const Shell& shell, int tetrahedron);

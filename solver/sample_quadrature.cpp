@@ -4,6 +4,7 @@
 #include "solver/quadrature.h"
 
 #include <array>
+#include <optional>
 
 namespace bspline_curve {
 namespace {
@@ -31,12 +32,17 @@ public:
             return;
         }
         const ShellBoundary::Nearest nearest = problem_.boundary->nearest(p);
-        const TraceState entry{ShellCell(*problem_.shell, nearest.tet, nearest.position)};
-        state_ = entry;
+        const std::optional<ShellCell> entry =
+            ShellCell::find(*problem_.shell, nearest.tet, nearest.position);
+        if (!entry) {
+            outside_ = true;  // no face there: the sample before stands for this one
+            return;
+        }
+        state_ = {*entry};
         // Inside where the walk from the boundary ends inside.
         outside_ = !walk(nearest.position, p);
         if (outside_) {
-            state_ = entry;
+            state_ = {*entry};
         }
         here_ = outside_ ? nearest.position : p;
     }

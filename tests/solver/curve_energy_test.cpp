@@ -26,7 +26,21 @@ struct Case {
     int degree;
     bool closed;
     FieldCost cost;
+    bool simplified = false;
 };
+
+const std::vector<Vec3> kPicks = {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}};
+
+test_support::ProblemFixture makeFixture(const Case& c, const SolverOptions& options) {
+    const TriangleMesh fine = test_support::withNoise(test_support::icosphere(3), 0.01, 7);
+    if (c.simplified) {
+        const test_support::CoarseShellCase coarse{
+            "NoisySphere", fine, test_support::icosphere(1), 0.3
+        };
+        return {coarse, kPicks, options};
+    }
+    return {fine, kPicks, options};
+}
 
 // Changes a direction so that it leaves the curve at the picks in place. There the curve lies
 // exactly in the middle surface, at the end of a span, and the quadrature has a kink.
@@ -78,11 +92,7 @@ TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
     options.tension = 0.3;
     options.fieldWeight = 2.0;
     options.fieldCost = c.cost;
-    test_support::ProblemFixture fixture(
-        test_support::withNoise(test_support::icosphere(3), 0.01, 7),
-        {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}},
-        options
-    );
+    test_support::ProblemFixture fixture = makeFixture(c, options);
     std::vector<double> field;
     for (const Vec3& v : fixture.surface().vertices()) {
         field.push_back(std::sin(3.0 * v.x()) + v.y() * v.z());
@@ -137,7 +147,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"OpenQuartic", 4, false, FieldCost::ExpMinus},
         Case{"ClosedCubic", 3, true, FieldCost::Identity},
         Case{"ClosedQuadratic", 2, true, FieldCost::Square},
-        Case{"ClosedQuartic", 4, true, FieldCost::Identity}
+        Case{"ClosedQuartic", 4, true, FieldCost::Identity},
+        Case{"SimplifiedQuadratic", 2, false, FieldCost::Identity, true},
+        Case{"SimplifiedCubic", 3, false, FieldCost::Square, true},
+        Case{"SimplifiedClosedCubic", 3, true, FieldCost::Identity, true},
+        Case{"SimplifiedClosedQuartic", 4, true, FieldCost::ExpMinus, true}
     )
 );
 

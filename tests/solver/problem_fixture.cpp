@@ -11,24 +11,34 @@ namespace bspline_curve::test_support {
 ProblemFixture::ProblemFixture(
     TriangleMesh mesh, const std::vector<Vec3>& picks, const SolverOptions& options
 )
-    : surface_(std::make_unique<Surface>(std::move(mesh))) {
-    const ShellOptions shellOptions;
-    base_ = std::make_unique<ShellBase>(makeShellBase(*surface_, shellOptions.smoothingPasses));
-    build_ = std::make_unique<ShellBuild>(buildShell(*base_, shellOptions));
-    const TriangleTree tree(surface_->vertices(), surface_->faces());
+    : ProblemFixture(std::make_unique<CoarseShell>(std::move(mesh)), picks, options) {}
+
+ProblemFixture::ProblemFixture(
+    const CoarseShellCase& coarse, const std::vector<Vec3>& picks, const SolverOptions& options
+)
+    : ProblemFixture(
+          std::make_unique<CoarseShell>(coarse.fine, coarse.coarse, coarse.height), picks, options
+      ) {}
+
+ProblemFixture::ProblemFixture(
+    std::unique_ptr<CoarseShell> shell, const std::vector<Vec3>& picks, const SolverOptions& options
+)
+    : shell_(std::move(shell)) {
+    const Surface& surface = shell_->surface;
+    const TriangleTree tree(surface.vertices(), surface.faces());
     PickPath path = makePickPath(
-        *surface_,
-        *base_,
-        locatePicks(*surface_, tree, picks, options.closed),
+        surface,
+        *shell_->base,
+        locatePicks(surface, tree, picks, options.closed),
         options.closed,
-        build_->report.blockedFaces
+        shell_->shell.blockedFaces()
     );
     guide_ = std::move(path.guide);
-    problem_.shell = &build_->shell;
-    problem_.base = base_.get();
+    problem_.shell = &shell_->shell;
+    problem_.base = shell_->base.get();
     problem_.picks = std::move(path.picks);
     problem_.options = options;
-    problem_.averageEdgeLength = surface_->averageEdgeLength() / base_->frame.scale;
+    problem_.averageEdgeLength = surface.averageEdgeLength() / shell_->base->frame.scale;
     for (std::size_t i = 0; i + 1 < problem_.picks.size(); ++i) {
         problem_.chordLength +=
             (problem_.picks[i + 1].position - problem_.picks[i].position).norm();
@@ -41,7 +51,7 @@ ProblemFixture::ProblemFixture(
 
 void ProblemFixture::setField(const std::vector<double>& field) {
     problem_.field = field;
-    for (const int origin : base_->ghostOrigin) {
+    for (const int origin : shell_->base->ghostOrigin) {
         problem_.field.push_back(field[static_cast<std::size_t>(origin)]);
     }
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "design/guide_path.h"
-#include "shell/shell_builder.h"
 #include "solver/initial_curve.h"
+#include "support/coarse_shell.h"
 #include "surface/surface.h"
 
 #include <memory>
@@ -16,21 +16,30 @@ class ProblemFixture {
 public:
     ProblemFixture(TriangleMesh mesh, const std::vector<Vec3>& picks, const SolverOptions& options);
 
+    /// The same in a simplified shell over a coarse mesh (CoarseShell).
+    ProblemFixture(
+        const CoarseShellCase& coarse, const std::vector<Vec3>& picks, const SolverOptions& options
+    );
+
     [[nodiscard]] const CurveProblem& problem() const { return problem_; }
 
     [[nodiscard]] CurveProblem& problem() { return problem_; }
 
     [[nodiscard]] const GuidePath& guide() const { return guide_; }
 
-    [[nodiscard]] const Surface& surface() const { return *surface_; }
+    [[nodiscard]] const Surface& surface() const { return shell_->surface; }
 
     /// One value per vertex of the surface.
     void setField(const std::vector<double>& field);
 
 private:
-    std::unique_ptr<Surface> surface_;
-    std::unique_ptr<ShellBase> base_;
-    std::unique_ptr<ShellBuild> build_;
+    ProblemFixture(
+        std::unique_ptr<CoarseShell> shell,
+        const std::vector<Vec3>& picks,
+        const SolverOptions& options
+    );
+
+    std::unique_ptr<CoarseShell> shell_;
     GuidePath guide_;
     CurveProblem problem_;
 };
