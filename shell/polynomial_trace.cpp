@@ -101,6 +101,7 @@ int signChanges(const double* c, int degree, double end, double* roots) {
 // Newton, a handful of steps from the root of the tangent.
 double rootOfFalling(const double* c, int degree, double reach) {
     constexpr int kMaxSteps = 8;
+    constexpr double kLastStep = 1e-9;
     double s = std::min(reach, c[0] / -c[1]);
     for (int step = 0; step < kMaxSteps; ++step) {
         double value = c[degree];
@@ -110,7 +111,8 @@ double rootOfFalling(const double* c, int degree, double reach) {
             value = value * s + c[j];
         }
         const double next = std::clamp(s - value / slope, 0.0, reach);
-        if (std::abs(next - s) <= 1e-14 * reach) {
+        // The step after one this small would be its square.
+        if (std::abs(next - s) <= kLastStep * reach) {
             return next;
         }
         s = next;
@@ -130,6 +132,66 @@ double firstExitByIsolation(const double* c, int degree, double end) {
         }
     }
     return end;
+}
+
+// Whether a polynomial cannot fall below -kCellTolerance before `end`, by the sum of its terms.
+template <int Degree>
+bool staysInside(const double* c, double end) {
+    double higher = 0.0;
+    double power = end;
+    for (int j = 2; j <= Degree; ++j) {
+        power *= end;
+        higher += std::abs(c[j]) * power;
+    }
+    return c[0] + kCellTolerance + std::min(0.0, c[1] * end) - higher >= 0.0;
+}
+
+template <int Degree>
+CellExit firstExitOfDegree(
+    const ShellCell& cell, const PolynomialCurve& curve, double end, unsigned ignoredWalls
+) {
+    // The curve by axes and the walls along it, coefficients side by side in an even number, so
+    // that two are computed at once.
+    constexpr std::size_t kCount = (Degree + 2) / 2 * 2;
+    using Coefficients = std::array<double, kCount>;
+    std::array<Coefficients, 3> axes{};
+    for (std::size_t j = 0; j <= Degree; ++j) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            axes[axis][j] = curve.coefficients[j][static_cast<Eigen::Index>(axis)];
+        }
+    }
+    std::array<Coefficients, ShellCell::kMaxWalls> walls;
+    int nearest = 0;
+    double nearestExit = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < cell.wallCount; ++k) {
+        const AffineForm& form = cell.walls[static_cast<std::size_t>(k)];
+        Coefficients& wall = walls[static_cast<std::size_t>(k)];
+        for (std::size_t j = 0; j < kCount; ++j) {
+            wall[j] = form.gradient.x() * axes[0][j] + form.gradient.y() * axes[1][j] +
+                      form.gradient.z() * axes[2][j];
+        }
+        wall[0] += form.offset;
+        // Where the tangent leaves.
+        if (wall[1] < 0.0 && -wall[0] > nearestExit * wall[1]) {
+            nearestExit = -wall[0] / wall[1];
+            nearest = k;
+        }
+    }
+    // The wall that the tangent leaves by first bounds the search for the others.
+    CellExit exit{end, -1};
+    for (int i = 0; i < cell.wallCount; ++i) {
+        const int k = nearest + i < cell.wallCount ? nearest + i : nearest + i - cell.wallCount;
+        const Coefficients& wall = walls[static_cast<std::size_t>(k)];
+        if ((ignoredWalls >> static_cast<unsigned>(k) & 1U) != 0 ||
+            staysInside<Degree>(wall.data(), exit.s)) {
+            continue;
+        }
+        const double candidate = firstExit(wall.data(), Degree, exit.s);
+        if (candidate < exit.s) {
+            exit = {candidate, k};
+        }
+    }
+    return exit;
 }
 
 }  // namespace
@@ -178,32 +240,16 @@ double firstExit(const double* coefficients, int degree, double end) {
 CellExit firstExitOf(
     const ShellCell& cell, const PolynomialCurve& curve, double end, unsigned ignoredWalls
 ) {
-    std::array<WallPolynomial, ShellCell::kMaxWalls> walls;
-    int nearest = 0;
-    double nearestExit = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < cell.wallCount; ++k) {
-        WallPolynomial& wall = walls[static_cast<std::size_t>(k)];
-        wall.set(cell.walls[static_cast<std::size_t>(k)], curve);
-        const double linear = wall.linearExit();
-        if (linear < nearestExit) {
-            nearestExit = linear;
-            nearest = k;
-        }
+    switch (curve.degree) {
+        case 1:
+            return firstExitOfDegree<1>(cell, curve, end, ignoredWalls);
+        case 2:
+            return firstExitOfDegree<2>(cell, curve, end, ignoredWalls);
+        case 3:
+            return firstExitOfDegree<3>(cell, curve, end, ignoredWalls);
+        default:
+            return firstExitOfDegree<4>(cell, curve, end, ignoredWalls);
     }
-    // The wall that the tangent leaves by first bounds the search for the others.
-    CellExit exit{end, -1};
-    for (int i = 0; i < cell.wallCount; ++i) {
-        const int k = nearest + i < cell.wallCount ? nearest + i : nearest + i - cell.wallCount;
-        if ((ignoredWalls >> static_cast<unsigned>(k) & 1U) != 0) {
-            continue;
-        }
-        const double candidate =
-            firstExit(walls[static_cast<std::size_t>(k)].coefficients.data(), curve.degree, exit.s);
-        if (candidate < exit.s) {
-            exit = {candidate, k};
-        }
-    }
-    return exit;
 }
 
 bool walkStraight(const Shell& shell, const Vec3& from, const Vec3& to, TraceState& state) {

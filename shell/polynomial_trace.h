@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <utility>
 
 namespace bspline_curve {
 
@@ -62,24 +63,6 @@ inline constexpr double kCellTolerance = 1e-10;
 /// negative already.
 [[nodiscard]] double firstExit(const double* coefficients, int degree, double end);
 
-/// A wall form of a cell along a curve: a polynomial.
-struct WallPolynomial {
-    std::array<double, kMaxPolynomialDegree + 1> coefficients;
-
-    void set(const AffineForm& wall, const PolynomialCurve& curve) {
-        for (std::size_t j = 0; j <= static_cast<std::size_t>(curve.degree); ++j) {
-            coefficients[j] = wall.gradient.dot(curve.coefficients[j]);
-        }
-        coefficients[0] += wall.offset;
-    }
-
-    /// Where the tangent at 0 reaches zero; infinite where it does not fall.
-    [[nodiscard]] double linearExit() const {
-        return coefficients[1] < 0.0 ? -coefficients[0] / coefficients[1]
-                                     : std::numeric_limits<double>::infinity();
-    }
-};
-
 /// Where a curve leaves a cell.
 struct CellExit {
     double s;
@@ -109,41 +92,48 @@ bool tracePolynomial(
     constexpr int kMaxStalled = 128;
     double s = 0.0;
     unsigned ignoredWalls = 0;
-    ShellCell after;
+    // The cells of the two sides of a crossing, in turn.
+    ShellCell other;
+    ShellCell* here = &state.cell;
+    ShellCell* after = &other;
+    const auto stopHere = [&](bool inside) {
+        if (here != &state.cell) {
+            state.cell = *here;
+        }
+        return inside;
+    };
     while (true) {
-        const ShellCell& cell = state.cell;
         const CellExit exit =
-            firstExitOf(cell, s == 0.0 ? curve : curve.shifted(s), end - s, ignoredWalls);
+            firstExitOf(*here, s == 0.0 ? curve : curve.shifted(s), end - s, ignoredWalls);
         const double next = exit.wall < 0 ? end : s + exit.s;
         if (next > s) {
-            onPiece(cell, s, next);
+            onPiece(std::as_const(*here), s, next);
             state.stalled = 0;
         } else if (exit.wall >= 0 && ++state.stalled > kMaxStalled) {
-            return false;
+            return stopHere(false);
         }
         if (exit.wall < 0) {
-            return true;
-        }
-        const Entry entry = after.enter(shell, cell, exit.wall);
-        if (entry == Entry::Outside) {
-            return false;
+            return stopHere(true);
         }
         s = next;
+        const Entry entry = after->enter(shell, *here, exit.wall);
+        if (entry == Entry::Outside) {
+            return stopHere(false);
+        }
         if (entry == Entry::Lost) {
             // Where faces and tetrahedra end together, as over a crease, another wall comes first.
-            const std::optional<ShellCell> found =
-                ShellCell::find(shell, after.tet, curve.at(next));
+            const std::optional<ShellCell> found = ShellCell::find(shell, after->tet, curve.at(s));
             if (!found) {
-                return false;
+                return stopHere(false);
             }
-            after = *found;
-            if (after.isSame(cell)) {
+            if (found->isSame(*here)) {
                 ignoredWalls |= 1U << static_cast<unsigned>(exit.wall);
                 continue;
             }
+            *after = *found;
         }
-        onCrossing(cell, after, next, exit.wall);
-        state.cell = after;
+        onCrossing(std::as_const(*here), std::as_const(*after), s, exit.wall);
+        std::swap(here, after);
         ignoredWalls = 0;
     }
 }

@@ -234,10 +234,18 @@ Vec3 Shell::onFibre(int prism, const Vec3& beta, double w) const {
 }
 
 void Shell::barycentrics(int tet, AffineForm* forms) const {
-    const Vec3 origin = position(tet, 0);
-    const Vec3 e1 = position(tet, 1) - origin;
-    const Vec3 e2 = position(tet, 2) - origin;
-    const Vec3 e3 = position(tet, 3) - origin;
+    const Prism& prism = prisms_[at(tet / kTetrahedraPerPrism)];
+    const int inPrism = tet % kTetrahedraPerPrism;
+    const auto& split = kSlabSplit[at(inPrism % 3)];
+    const Vec3 Pillar::*const tip = inPrism < 3 ? &Pillar::top : &Pillar::bottom;
+    const auto corner = [&](std::size_t k) -> const Vec3& {
+        const Pillar& pillar = pillars_[at(prism.pillars[at(split[k].slot)])];
+        return split[k].outer ? pillar.*tip : pillar.middle;
+    };
+    const Vec3& origin = corner(0);
+    const Vec3 e1 = corner(1) - origin;
+    const Vec3 e2 = corner(2) - origin;
+    const Vec3 e3 = corner(3) - origin;
     const Vec3 n1 = e2.cross(e3);
     const Vec3 n2 = e3.cross(e1);
     const Vec3 n3 = e1.cross(e2);

@@ -45,13 +45,7 @@ AffineForm one() {
 
 ShellCell::ShellCell(const Shell& shell, int tetrahedron) {
     setTetrahedron(shell, tetrahedron);
-    face = prism;
-    wallCount = kFirstFaceWall;
-    const Prism& p = shell.prisms()[at(prism)];
-    const std::array<AffineForm, 3> beta = {one() - beta_[0] - beta_[1], beta_[0], beta_[1]};
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-        walls[at(kFirstFaceWall + p.faceCorner[slot])] = beta[slot];
-    }
+    shadowInOwnPrism(shell);
 }
 
 ShellCell::ShellCell(const Shell& shell, int tetrahedron, int footTetrahedron, int baseFace) {
@@ -104,37 +98,45 @@ std::optional<ShellCell> ShellCell::find(const Shell& shell, int tetrahedron, co
 }
 
 Entry ShellCell::enter(const Shell& shell, const ShellCell& from, int wall) {
-    if (shell.isFullResolution()) {
-        const int next = shell.neighbour(from.tet, wall);
-        if (next < 0) {
-            return Entry::Outside;
-        }
-        *this = ShellCell(shell, next);
-        return Entry::Entered;
-    }
-    *this = from;
-    bool faces = true;
     if (wall < kFirstFaceWall) {
         const int next = shell.neighbour(from.tet, wall);
         if (next < 0) {
             return Entry::Outside;
         }
         setTetrahedron(shell, next);
-        if (prism != from.prism) {
-            setFoot(shell, shell.neighbourBehind(from.foot, Shell::wallOf(from.tet, wall)));
-            faces = setFace(shell, face);
+        if (shell.isFullResolution()) {
+            shadowInOwnPrism(shell);
+            return Entry::Entered;
         }
-    } else if (wall < kFootFalls) {
-        const int next = shell.base().faceNeighbours[at(face)][at(wall - kFirstFaceWall)];
-        if (next < 0 || shell.isBlocked(next)) {
+        if (prism == from.prism) {
+            foot = from.foot;
+            footBeta_ = from.footBeta_;
+            footHeight_ = from.footHeight_;
+            face = from.face;
+            chart_ = from.chart_;
+        } else {
+            setFoot(shell, shell.neighbourBehind(from.foot, Shell::wallOf(from.tet, wall)));
+            if (!setFace(shell, from.face)) {
+                return Entry::Lost;
+            }
+        }
+        compose();
+        return Entry::Entered;
+    }
+    copyTetrahedron(from);
+    int nextFace = from.face;
+    if (wall < kFootFalls) {
+        nextFace = shell.base().faceNeighbours[at(from.face)][at(wall - kFirstFaceWall)];
+        if (nextFace < 0 || shell.isBlocked(nextFace)) {
             return Entry::Outside;
         }
-        faces = setFace(shell, next);
+        foot = from.foot;
+        footBeta_ = from.footBeta_;
+        footHeight_ = from.footHeight_;
     } else {
-        setFoot(shell, wall == kFootFalls ? Shell::below(foot) : Shell::above(foot));
-        faces = setFace(shell, face);
+        setFoot(shell, wall == kFootFalls ? Shell::below(from.foot) : Shell::above(from.foot));
     }
-    if (!faces) {
+    if (!setFace(shell, nextFace)) {
         return Entry::Lost;
     }
     compose();
@@ -156,6 +158,24 @@ void ShellCell::setTetrahedron(const Shell& shell, int tetrahedron) {
     const PrismForms forms = prismForms(walls.data(), tet);
     beta_ = forms.beta;
     height = forms.height;
+}
+
+void ShellCell::copyTetrahedron(const ShellCell& other) {
+    tet = other.tet;
+    prism = other.prism;
+    std::copy_n(other.walls.begin(), kFirstFaceWall, walls.begin());
+    beta_ = other.beta_;
+    height = other.height;
+}
+
+// Full resolution: the prism's barycentric coordinates are those of the shadow.
+void ShellCell::shadowInOwnPrism(const Shell& shell) {
+    face = prism;
+    wallCount = kFirstFaceWall;
+    const std::array<signed char, 3>& corner = shell.prisms()[at(prism)].faceCorner;
+    walls[at(kFirstFaceWall + corner[0])] = one() - beta_[0] - beta_[1];
+    walls[at(kFirstFaceWall + corner[1])] = beta_[0];
+    walls[at(kFirstFaceWall + corner[2])] = beta_[1];
 }
 
 void ShellCell::setFoot(const Shell& shell, int tetrahedron) {

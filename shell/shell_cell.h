@@ -62,8 +62,8 @@ struct ShellCell {
         const Shell& shell, int tetrahedron, const Vec3& p
     );
 
-    /// Makes this the cell across a wall of another one. Only what changes is computed: 10 ns for
-    /// another face, 60 ns for another prism.
+    /// Makes this the cell across a wall of another cell of the same shell. Only what changes is
+    /// computed: 10 ns for another face, 60 ns for another prism.
     [[nodiscard]] Entry enter(const Shell& shell, const ShellCell& from, int wall);
 
     /// The form of the shadow's barycentric coordinate at a vertex of the face.
@@ -94,6 +94,8 @@ struct ShellCell {
 
 private:
     void setTetrahedron(const Shell& shell, int tetrahedron);
+    void copyTetrahedron(const ShellCell& other);
+    void shadowInOwnPrism(const Shell& shell);
     void setFoot(const Shell& shell, int tetrahedron);
     [[nodiscard]] bool setFace(const Shell& shell, int newFace);
     void compose();
