@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shell itself: tetrahedra, its boundary, its components, and the links between its prisms.
+#include "shell/check/checked_shell.h"
+#include "surface/self_intersection.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+class DisjointSets {
+public:
+    explicit DisjointSets(std::size_t count) : parents_(count) {
+        std::iota(parents_.begin(), parents_.end(), 0);
+    }
+
+    int find(int i) {
+        while (parents_[at(i)] != i) {
+            parents_[at(i)] = parents_[at(parents_[at(i)])];
+            i = parents_[at(i)];
+        }
+        return i;
+    }
+
+    // The smallest element stands for its set.
+    void unite(int i, int j) {
+        const auto [low, high] = std::minmax({find(i), find(j)});
+        parents_[at(high)] = low;
+    }
+
+private:
+    std::vector<int> parents_;
+};
+
+// Range of a prism along the x axis.
+std::pair<double, double> extentOf(const CheckedShell& shell, int prism) {
+    const double first = shell.point(CheckedShell::kLevels * shell.prism(prism).pillars[0]).x();
+    std::pair<double, double> extent(first, first);
+    for (const int pillar : shell.prism(prism).pillars) {
+        for (int level = 0; level < CheckedShell::kLevels; ++level) {
+            const double x = shell.point(CheckedShell::kLevels * pillar + level).x();
+            extent = {std::min(extent.first, x), std::max(extent.second, x)};
+        }
+    }
+    return extent;
+}
+
+bool prismHolds(const CheckedShell& shell, int prism, int point) {
+    for (int inPrism = 0; inPrism < kTetrahedraPerPrism; ++inPrism) {
+        const int tet = kTetrahedraPerPrism * prism + inPrism;
+        const std::array<int, 4> points = shell.tetPoints(tet);
+        if (std::find(points.begin(), points.end(), point) != points.end()) {
+            continue;  // components may touch in a pillar
+        }
+        bool inside = true;
+        for (std::size_t k = 0; k < 4 && inside; ++k) {
+            std::array<int, 4> replaced = points;
+            replaced[k] = point;
+            inside = shell.volumeSign(replaced) * shell.handedness(tet) >= 0;
+        }
+        if (inside) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::pair<int, int> wallPillars(const Prism& p, int wall) {
+    return std::minmax(p.pillars[at((wall + 1) % 3)], p.pillars[at((wall + 2) % 3)]);
+}
+
+// Ranks, orientation, and walls that lead there and back between the same pillars.
+bool prismAgrees(const CheckedShell& shell, int i) {
+    const Prism& p = shell.prism(i);
+    if (p.orientation != shell.slotParity(i) || (p.orientation != 1 && p.orientation != -1) ||
+        p.pillars[0] >= p.pillars[1] || p.pillars[1] >= p.pillars[2]) {
+        return false;
+    }
+    for (int wall = 0; wall < 3; ++wall) {
+        const int there = p.neighbours[at(wall)];
+        const int wallThere = p.neighbourWalls[at(wall)];
+        if (there == -1) {
+            continue;
+        }
+        if (there < 0 || there >= shell.prismCount() || there == i || wallThere < 0 ||
+            wallThere > 2 || shell.prism(there).neighbours[at(wallThere)] != i ||
+            shell.prism(there).neighbourWalls[at(wallThere)] != wall ||
+            wallPillars(p, wall) != wallPillars(shell.prism(there), wallThere)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+void checkTetrahedra(const CheckedShell& shell, Violations violations) {
+    for (int tet = 0; tet < shell.shell().tetrahedronCount(); ++tet) {
+        if (shell.isPresent(tet / kTetrahedraPerPrism) &&
+            shell.volumeSign(shell.tetPoints(tet)) * shell.handedness(tet) <= 0) {
+            violations.add({tet});
+        }
+    }
+}
+
+void checkLayers(const CheckedShell& shell, Violations violations) {
+    std::vector<Triangle> triangles;
+    std::vector<int> prisms;
+    for (const TetFace& face : shell.boundary()) {
+        triangles.push_back(face.points);
+        prisms.push_back(face.tet / kTetrahedraPerPrism);
+    }
+    for (const auto& [i, j] : findSelfIntersections(shell.points(), triangles)) {
+        violations.add({prisms[at(i)], prisms[at(j)]});
+    }
+}
+
+// One point of each component must not lie in another one: with separate layers that stands for
+// all.
+void checkComponents(const CheckedShell& shell, Violations violations) {
+    DisjointSets sets(at(shell.prismCount()));
+    shell.forEachFace([&](std::size_t first, std::size_t count) {
+        for (std::size_t i = 1; i < count; ++i) {
+            sets.unite(
+                shell.faces()[first].tet / kTetrahedraPerPrism,
+                shell.faces()[first + i].tet / kTetrahedraPerPrism
+            );
+        }
+    });
+
+    struct Query {
+        double x;
+        int point, component;
+    };
+
+    std::vector<Query> queries;
+    for (int i = 0; i < shell.prismCount(); ++i) {
+        if (shell.isPresent(i) && sets.find(i) == i) {
+            const int point =
+                CheckedShell::kLevels * shell.prism(i).pillars[0] + CheckedShell::Middle;
+            queries.push_back({shell.point(point).x(), point, i});
+        }
+    }
+    if (queries.size() < 2) {
+        return;
+    }
+    std::sort(queries.begin(), queries.end(), [](const Query& a, const Query& b) {
+        return std::pair(a.x, a.point) < std::pair(b.x, b.point);
+    });
+    for (int i = 0; i < shell.prismCount(); ++i) {
+        if (!shell.isPresent(i)) {
+            continue;
+        }
+        const auto [low, high] = extentOf(shell, i);
+        auto query = std::lower_bound(
+            queries.begin(), queries.end(), low, [](const Query& q, double x) { return q.x < x; }
+        );
+        for (; query != queries.end() && query->x <= high; ++query) {
+            if (query->component != sets.find(i) && prismHolds(shell, i, query->point)) {
+                violations.add({query->point / CheckedShell::kLevels, i});
+            }
+        }
+    }
+}
+
+void checkNeighbours(const CheckedShell& shell, Violations violations) {
+    std::vector<char> agrees(at(shell.prismCount()), 1);
+    for (int i = 0; i < shell.prismCount(); ++i) {
+        agrees[at(i)] = static_cast<char>(!shell.isPresent(i) || prismAgrees(shell, i));
+    }
+    // Equal faces of tetrahedra are across from each other, and no others are.
+    std::vector<char> meets = agrees;
+    shell.forEachFace([&](std::size_t first, std::size_t count) {
+        for (std::size_t i = first; i < first + count; ++i) {
+            const TetFace& face = shell.faces()[i];
+            const int owner = face.tet / kTetrahedraPerPrism;
+            if (agrees[at(owner)] == 0) {
+                continue;  // its walls cannot be crossed
+            }
+            const int expected = count == 2 ? shell.faces()[first + (i == first ? 1 : 0)].tet : -1;
+            if (count > 2 || shell.shell().neighbour(face.tet, face.k) != expected) {
+                meets[at(owner)] = 0;
+            }
+        }
+    });
+    for (int i = 0; i < shell.prismCount(); ++i) {
+        if (meets[at(i)] == 0) {
+            violations.add({i});
+        }
+    }
+}
+
+}  // namespace bspline_curve

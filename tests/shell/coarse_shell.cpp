@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coarse_shell.h"
+
+#include "support/meshes.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace bspline_curve::test_support {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
+    std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+    for (const Triangle& face : mesh.faces) {
+        const Vec3& a = mesh.vertices[at(face[0])];
+        const Vec3 normal =
+            (mesh.vertices[at(face[1])] - a).cross(mesh.vertices[at(face[2])] - a).normalized();
+        for (const int v : face) {
+            normals[at(v)] += normal;
+        }
+    }
+    for (Vec3& normal : normals) {
+        normal.normalize();
+    }
+    return normals;
+}
+
+std::vector<Prism> prismsOver(const std::vector<Triangle>& faces) {
+    std::vector<Prism> prisms;
+    std::map<std::pair<int, int>, std::pair<int, int>> wallOf;  // by pillars: prism, wall
+    for (const Triangle& face : faces) {
+        Prism prism;
+        prism.pillars = face;
+        std::sort(prism.pillars.begin(), prism.pillars.end());
+        prism.neighbours.fill(-1);
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (face[k] == prism.pillars[0]) {
+                prism.orientation = face[(k + 1) % 3] == prism.pillars[1] ? 1 : -1;
+            }
+        }
+        const int index = static_cast<int>(prisms.size());
+        prisms.push_back(prism);
+        for (int wall = 0; wall < 3; ++wall) {
+            const auto edge =
+                std::minmax(prism.pillars[at((wall + 1) % 3)], prism.pillars[at((wall + 2) % 3)]);
+            const auto [entry, isNew] = wallOf.try_emplace(edge, index, wall);
+            if (!isNew) {
+                const auto [there, wallThere] = entry->second;
+                prisms[at(index)].neighbours[at(wall)] = there;
+                prisms[at(index)].neighbourWalls[at(wall)] = static_cast<signed char>(wallThere);
+                prisms[at(there)].neighbours[at(wallThere)] = index;
+                prisms[at(there)].neighbourWalls[at(wallThere)] = static_cast<signed char>(wall);
+            }
+        }
+    }
+    return prisms;
+}
+
+Vec3 bump(const Vec3& p, double amplitude) {
+    return amplitude * Vec3(
+                           std::sin(5.0 * p.y() + p.z()),
+                           std::sin(4.0 * p.z() + p.x()),
+                           std::sin(6.0 * p.x() + 3.0 * p.y())
+                       );
+}
+
+TriangleMesh shifted(TriangleMesh mesh, const Vec3& by) {
+    for (Vec3& vertex : mesh.vertices) {
+        vertex += by;
+    }
+    return mesh;
+}
+
+}  // namespace
+
+CoarseShell::CoarseShell(const TriangleMesh& middle, TriangleMesh fine, double halfThickness)
+    : surface(std::make_shared<const Surface>(std::move(fine))),
+      base(std::make_shared<const ShellBase>(makeShellBase(*surface, 3))),
+      prisms(prismsOver(middle.faces)) {
+    const std::vector<Vec3> normals = vertexNormals(middle);
+    for (std::size_t v = 0; v < middle.vertices.size(); ++v) {
+        const Vec3 reach = halfThickness * normals[v];
+        pillars.push_back(
+            {base->frame.toUnit(middle.vertices[v] - reach),
+             base->frame.toUnit(middle.vertices[v]),
+             base->frame.toUnit(middle.vertices[v] + reach)}
+        );
+    }
+    track();
+}
+
+Shell CoarseShell::shell() const {
+    return {pillars, prisms, tracks, base};
+}
+
+ShellCheck CoarseShell::check(const ShellCheckOptions& options) const {
+    return checkShell(*surface, *base, shell(), blockedFaces, options);
+}
+
+void CoarseShell::track() {
+    std::vector<Eigen::AlignedBox3d> faceBoxes(base->faces.size());
+    for (std::size_t f = 0; f < faceBoxes.size(); ++f) {
+        for (const int v : base->faces[f]) {
+            faceBoxes[f].extend(base->vertices[at(v)]);
+        }
+    }
+    tracks = {.offsets = {0}, .faces = {}};
+    for (const Prism& prism : prisms) {
+        Eigen::AlignedBox3d box;
+        for (const int pillar : prism.pillars) {
+            for (const Vec3& p : {
+                     pillars[at(pillar)].bottom, pillars[at(pillar)].middle, pillars[at(pillar)].top
+                 }) {
+                box.extend(p);
+            }
+        }
+        for (int f = 0; f < static_cast<int>(faceBoxes.size()); ++f) {
+            if (faceBoxes[at(f)].intersects(box) &&
+                !std::binary_search(blockedFaces.begin(), blockedFaces.end(), f)) {
+                tracks.faces.push_back(f);
+            }
+        }
+        tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));
+    }
+}
+
+bool CoarseShell::forget(int prism, int face) {
+    const auto first = tracks.faces.begin() + tracks.offsets[at(prism)];
+    const auto last = tracks.faces.begin() + tracks.offsets[at(prism) + 1];
+    const auto entry = std::find(first, last, face);
+    if (entry == last) {
+        return false;
+    }
+    tracks.faces.erase(entry);
+    for (std::size_t i = at(prism) + 1; i < tracks.offsets.size(); ++i) {
+        --tracks.offsets[i];
+    }
+    return true;
+}
+
+int CoarseShell::faceInside(int prism) const {
+    Vec3 centre = Vec3::Zero();
+    for (const int pillar : prisms[at(prism)].pillars) {
+        centre += pillars[at(pillar)].middle / 3.0;
+    }
+    int nearest = -1;
+    double distance = std::numeric_limits<double>::infinity();
+    for (int f = 0; f < base->surfaceFaceCount; ++f) {
+        const double here = (base->position({f, Vec3::Constant(1.0 / 3.0)}) - centre).norm();
+        if (here < distance) {
+            distance = here;
+            nearest = f;
+        }
+    }
+    return nearest;
+}
+
+TriangleMesh displaced(
+    TriangleMesh mesh, int subdivisions, const std::function<Vec3(const Vec3&)>& displacement
+) {
+    for (int i = 0; i < subdivisions; ++i) {
+        mesh = midpointSubdivide(mesh);
+    }
+    for (Vec3& vertex : mesh.vertices) {
+        vertex += displacement(vertex);
+    }
+    return mesh;
+}
+
+CoarseShell coarseSphere(int level, int subdivisions) {
+    // Chords of the icosahedron are up to 0.205 below the sphere.
+    return {icosphere(level), icosphere(level + subdivisions), level == 0 ? 0.3 : 0.15};
+}
+
+CoarseShell coarsePlate() {
+    const TriangleMesh fine =
+        displaced(plate(4, 4), 2, [](const Vec3& p) { return bump(p, 0.03); });
+    return {shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, 0.0)), fine, 0.2};
+}
+
+CoarseShell flatPlate() {
+    return {shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, 0.0)), plate(8, 8), 0.2};
+}
+
+CoarseShell coarseTorus() {
+    const TriangleMesh middle = torus(16, 8);
+    return {middle, displaced(middle, 2, [](const Vec3& p) { return bump(p, 0.01); }), 0.08};
+}
+
+CoarseShell coarseBox() {
+    const TriangleMesh middle = box(2);
+    const auto displacement = [](const Vec3& p) -> Vec3 {
+        // None at the edges: faces beyond a crease cannot be seen.
+        const Vec3 q = p.cwiseProduct(Vec3::Ones() - p);
+        return (q[0] * q[1] + q[1] * q[2] + q[2] * q[0]) * bump(p, 0.5);
+    };
+    return {middle, displaced(middle, 3, displacement), 0.1};
+}
+
+std::ostream& operator<<(std::ostream& stream, const NamedCoarseShell& named) {
+    return stream << named.name;
+}
+
+std::vector<NamedCoarseShell> coarseShells() {
+    return {
+        {"Sphere", [] { return coarseSphere(); }},
+        {"CoarserSphere", [] { return coarseSphere(0, 3); }},
+        {"Plate", coarsePlate},
+        {"FlatPlate", flatPlate},
+        {"Torus", coarseTorus},
+        {"Box", coarseBox},
+    };
+}
+
+}  // namespace bspline_curve::test_support
