@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/shell_cache.h"
+
+#include "io/byte_stream.h"
+#include "io/shell_file.h"
+#include "surface/input_error.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kExtension = ".shell";
+// A temporary file of this age was left behind by a process that was ended while it wrote.
+constexpr std::chrono::hours kLeftBehind{1};
+
+// Sixteen hexadecimal digits.
+std::string inHexadecimal(std::uint64_t value) {
+    constexpr std::size_t kDigits = 16;
+    std::array<char, kDigits> digits{};
+    char* const end = std::to_chars(digits.data(), digits.data() + kDigits, value, 16).ptr;
+    const std::string text(digits.data(), end);
+    return std::string(kDigits - text.size(), '0') + text;
+}
+
+// A path from the environment; nothing where the variable is not set or empty.
+std::optional<fs::path> pathFrom(const char* variable) {
+    const char* const value = std::getenv(variable);
+    return value == nullptr || *value == '\0' ? std::nullopt : std::optional<fs::path>(value);
+}
+
+void removeIfOld(const fs::path& file, fs::file_time_type lastUse) {
+    if (fs::file_time_type::clock::now() - lastUse > kLeftBehind) {
+        std::error_code error;
+        fs::remove(file, error);
+    }
+}
+
+struct Entry {
+    fs::file_time_type lastUse;
+    fs::path file;
+    std::uint64_t bytes;
+};
+
+// The shells of a folder; what vanishes meanwhile is left out.
+std::vector<Entry> entriesIn(const fs::path& directory) {
+    std::vector<Entry> entries;
+    std::error_code error;
+    fs::directory_iterator item(directory, error);
+    for (; !error && item != fs::directory_iterator(); item.increment(error)) {
+        std::error_code gone;
+        const fs::path& file = item->path();
+        const fs::file_time_type lastUse = fs::last_write_time(file, gone);
+        const std::uint64_t bytes = gone ? 0 : fs::file_size(file, gone);
+        if (gone || !item->is_regular_file(gone)) {
+            continue;
+        }
+        if (file.extension() == kExtension) {
+            entries.push_back({lastUse, file, bytes});
+        } else if (file.extension() == ".tmp") {
+            removeIfOld(file, lastUse);
+        }
+    }
+    return entries;
+}
+
+}  // namespace
+
+ShellCache::ShellCache(fs::path directory, std::uint64_t sizeLimitBytes)
+    : directory_(std::move(directory)), sizeLimitBytes_(sizeLimitBytes) {}
+
+std::optional<fs::path> ShellCache::defaultDirectory() {
+    if (std::getenv("BSPLINE_CURVE_CACHE") != nullptr) {
+        const auto chosen = pathFrom("BSPLINE_CURVE_CACHE");
+        return chosen ? std::optional(*chosen / "shells") : std::nullopt;
+    }
+    // A relative path there is to be ignored (XDG Base Directory Specification).
+    if (const auto cache = pathFrom("XDG_CACHE_HOME"); cache && cache->is_absolute()) {
+        return *cache / "bspline_curve" / "shells";
+    }
+    if (const auto home = pathFrom("HOME")) {
+        return *home / ".cache" / "bspline_curve" / "shells";
+    }
+    return std::nullopt;
+}
+
+fs::path ShellCache::entryOf(const Surface& surface, std::string_view parameters) const {
+    std::string name = inHexadecimal(surfaceChecksum(surface));
+    name.append("-").append(inHexadecimal(checksumOf(parameters))).append(kExtension);
+    return directory_ / name;
+}
+
+ShellCache::Found ShellCache::find(
+    const Surface& surface,
+    const std::shared_ptr<const ShellBase>& base,
+    std::string_view parameters
+) const {
+    const fs::path entry = entryOf(surface, parameters);
+    std::error_code error;
+    if (!fs::exists(entry, error)) {
+        return {};
+    }
+    try {
+        Found found{.build = loadShell(entry, surface, base, parameters), .note = {}};
+        // Where that fails the entry only looks older than it is.
+        fs::last_write_time(entry, fs::file_time_type::clock::now(), error);
+        return found;
+    } catch (const InputError& reason) {
+        if (!fs::exists(entry, error)) {
+            return {};  // another process has deleted it
+        }
+        const bool isRemoved = fs::remove(entry, error);
+        return {
+            .build = std::nullopt,
+            .note = std::string("the stored shell was not used") +
+                    (isRemoved || !error ? " and deleted: " : ": ") + reason.what()
+        };
+    }
+}
+
+std::string ShellCache::store(
+    const Surface& surface,
+    const ShellBase& base,
+    std::string_view parameters,
+    const ShellBuild& build
+) const {
+    std::error_code error;
+    fs::create_directories(directory_, error);
+    if (error) {
+        return "the shell was not stored: " + directory_.string() + ": " + error.message();
+    }
+    const fs::path entry = entryOf(surface, parameters);
+    try {
+        saveShell(entry, surface, base, parameters, build);
+    } catch (const InputError& reason) {
+        return std::string("the shell was not stored: ") + reason.what();
+    }
+    const std::uint64_t bytes = fs::file_size(entry, error);
+    evict();
+    if (!error && bytes > sizeLimitBytes_) {
+        return "the shell was not stored: it is larger than the limit of the cache";
+    }
+    return {};
+}
+
+void ShellCache::evict() const {
+    std::vector<Entry> entries = entriesIn(directory_);
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.lastUse, a.file) < std::tie(b.lastUse, b.file);
+    });
+    std::uint64_t total = 0;
+    for (const Entry& entry : entries) {
+        total += entry.bytes;
+    }
+    for (const Entry& entry : entries) {
+        if (total <= sizeLimitBytes_) {
+            return;
+        }
+        std::error_code error;
+        fs::remove(entry.file, error);
+        total -= entry.bytes;
+    }
+}
+
+}  // namespace bspline_curve
