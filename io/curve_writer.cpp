@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/curve_writer.h"
 
+#include "io/append_binary.h"
 #include "io/atomic_file.h"
 #include "io/text_parsing.h"
 #include "surface/input_error.h"
@@ -9,11 +10,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <utility>
 
 namespace bspline_curve {
@@ -35,14 +34,6 @@ std::vector<std::pair<std::size_t, std::size_t>> segments(const SurfacePolyline&
         result.emplace_back(count - 1, 0);
     }
     return result;
-}
-
-template <class Number>
-void appendBinary(std::string& bytes, Number value) {
-    static_assert(std::endian::native == std::endian::little);
-    std::array<char, sizeof value> copy{};
-    std::memcpy(copy.data(), &value, sizeof value);
-    bytes.append(copy.data(), copy.size());
 }
 
 std::string plyBytes(const Curve& curve, Quality quality) {

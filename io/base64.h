@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace bspline_curve {
+
+/// Bytes as text (RFC 4648, with padding, without line ends).
+[[nodiscard]] std::string base64(std::string_view bytes);
+
+}  // namespace bspline_curve

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/shell_writer.h"
+
+#include "io/base64.h"
+#include "io/shell_cells.h"
+#include "io/shell_report.h"
+#include "io/temporary_files.h"
+#include "support/meshes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <map>
+#include <numeric>
+
+namespace bspline_curve::io_tests {
+
+namespace {
+
+struct Built {
+    explicit Built(TriangleMesh mesh)
+        : surface(std::move(mesh)), base(makeShellBase(surface, 3)), build(buildShell(base, {})) {}
+
+    [[nodiscard]] ShellCells cells() const { return makeShellCells(build.shell, base.frame); }
+
+    Surface surface;
+    ShellBase base;
+    ShellBuild build;
+};
+
+double volume(const ShellCells& cells, const std::array<int, 4>& tet) {
+    const auto point = [&](std::size_t k) {
+        return cells.points[static_cast<std::size_t>(tet[k])];
+    };
+    return (point(1) - point(0)).cross(point(2) - point(0)).dot(point(3) - point(0)) / 6.0;
+}
+
+/// One prism per pair of pillars given: the square [0, 2] x [0, 1] with pillars of two lengths.
+Shell twoPrisms(double left, double right) {
+    const auto pillar = [&](double x, double y, double length) {
+        return Pillar{{x, y, -0.5 * length}, {x, y, 0.0}, {x, y, 0.5 * length}};
+    };
+    const std::vector<Pillar> pillars = {
+        pillar(0, 0, left), pillar(0, 1, left), pillar(2, 0, right), pillar(2, 1, right)
+    };
+    Prism first;
+    first.pillars = {0, 1, 2};
+    first.neighbours = {1, -1, -1};
+    first.orientation = -1;
+    Prism second;
+    second.pillars = {1, 2, 3};
+    second.neighbours = {-1, -1, 0};
+    second.orientation = -1;
+    return {pillars, {first, second}, 2};
+}
+
+Surface twoByOne() {
+    return Surface({{{0, 0, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}}, {{0, 2, 1}, {1, 2, 3}}});
+}
+
+/// A locale that writes 1.5 as 1,5 and 1000 as 1.000.
+class CommaLocale {
+public:
+    CommaLocale() : before_(std::locale::global(std::locale(std::locale(), new Comma))) {}
+
+    ~CommaLocale() { std::locale::global(before_); }
+
+    CommaLocale(const CommaLocale&) = delete;
+    CommaLocale& operator=(const CommaLocale&) = delete;
+
+private:
+    struct Comma : std::numpunct<char> {
+        [[nodiscard]] char do_decimal_point() const override { return ','; }
+
+        [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+
+        [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+    };
+
+    std::locale before_;
+};
+
+}  // namespace
+
+TEST(Base64, WritesTheExamplesOfItsStandard) {
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foo"), "Zm9v");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(base64(std::string("\0\xff\xfe", 3)), "AP/+");
+}
+
+TEST(ShellCells, TetrahedraArePositiveAndConforming) {
+    const auto grown = Built(test_support::plate(4, 3));
+    const auto closed = Built(test_support::torus(12, 8));
+    for (const Built* const built : {&grown, &closed}) {
+        const ShellCells cells = built->cells();
+        std::map<std::array<int, 3>, int> uses;
+        for (const auto& tet : cells.tetrahedra) {
+            EXPECT_GT(volume(cells, tet), 0.0);
+            for (std::size_t k = 0; k < 4; ++k) {
+                std::array<int, 3> face = {tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
+                std::ranges::sort(face);
+                ++uses[face];
+            }
+        }
+        std::map<int, int> counts;
+        for (const auto& [face, count] : uses) {
+            ++counts[count];
+        }
+        EXPECT_EQ(counts.rbegin()->first, 2);
+        if (built == &closed) {
+            // Only top and bottom are outside.
+            EXPECT_EQ(counts[1], 2 * built->surface.faceCount());
+        }
+    }
+}
+
+TEST(ShellCells, LiveInTheUsersCoordinatesWithTheSurfaceInTheMiddle) {
+    Eigen::Isometry3d far = Eigen::Isometry3d::Identity();
+    far.translation() = Vec3(100, 200, -50);
+    const Built built(test_support::transformed(test_support::icosphere(2), far, 7.0));
+    const ShellCells cells = built.cells();
+    ASSERT_EQ(cells.layers.size(), 3 * built.surface.faces().size());
+    for (std::size_t f = 0; f < built.surface.faces().size(); ++f) {
+        Vec3 middle = Vec3::Zero();
+        Vec3 top = Vec3::Zero();
+        Vec3 face = Vec3::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto pointOf = [&](std::size_t layer) {
+                return static_cast<std::size_t>(cells.layers[3 * f + layer][k]);
+            };
+            EXPECT_EQ(ShellCells::height(static_cast<int>(pointOf(0))), 1);
+            EXPECT_EQ(ShellCells::height(static_cast<int>(pointOf(1))), 0);
+            EXPECT_EQ(ShellCells::height(static_cast<int>(pointOf(2))), -1);
+            top += cells.points[pointOf(0)];
+            middle += cells.points[pointOf(1)];
+            face += built.surface.vertices()[static_cast<std::size_t>(built.surface.faces()[f][k])];
+        }
+        EXPECT_LT((middle - face).norm(), 1e-11);
+        EXPECT_GT((top - middle).dot(built.surface.faceNormal(static_cast<int>(f))), 0.0);
+    }
+}
+
+TEST(ShellCells, GhostsAreFlaggedAndBlockedFacesLeftOut) {
+    const Built plate(test_support::plate(4, 3));
+    const ShellCells cells = plate.cells();
+    const auto isGhost = [&](std::size_t i) {
+        return cells.prisms[i] >= plate.surface.faceCount();
+    };
+    ASSERT_GT(cells.prisms.size(), plate.surface.faces().size());
+    for (std::size_t i = 0; i < cells.prisms.size(); ++i) {
+        EXPECT_EQ(cells.ghost[i] != 0, isGhost(i));
+    }
+
+    const Built crossing(test_support::crossingPlates());
+    const std::vector<int>& blocked = crossing.build.report.blockedFaces;
+    ASSERT_FALSE(blocked.empty());
+    const ShellCells rest = crossing.cells();
+    for (const int prism : rest.prisms) {
+        EXPECT_FALSE(std::ranges::binary_search(blocked, prism));
+    }
+    EXPECT_EQ(rest.tetrahedra.size(), 6 * rest.prisms.size());
+}
+
+TEST(ShellCells, OfASimplifiedShellGhostsAreThePrismsThatNoFaceOfTheSurfaceMeets) {
+    auto base = std::make_shared<ShellBase>(makeShellBase(twoByOne(), 0));
+    ASSERT_EQ(base->surfaceFaceCount, 2);
+    base->faces.push_back({0, 1, 2});  // a ghost
+    const Shell plain = twoPrisms(1.0, 1.0);
+    const SurfaceTracks tracks{.offsets = {0, 2, 3}, .faces = {0, 2, 2}};
+    const Shell shell(plain.pillars(), plain.prisms(), tracks, base);
+    EXPECT_FALSE(isGhostPrism(shell, 0));
+    EXPECT_TRUE(isGhostPrism(shell, 1));
+}
+
+TEST(ShellWriter, WritesTheSameBytesInEveryLocale) {
+    const Built built(test_support::icosphere(3));  // 1,280 faces: a thousands separator would show
+    for (const char* const name : {"a.vtu", "a.msh", "a.PLY"}) {
+        const std::string plain = shellBytes(name, built.build.shell, built.base.frame);
+        const CommaLocale comma;
+        EXPECT_EQ(shellBytes(name, built.build.shell, built.base.frame), plain) << name;
+    }
+}
+
+TEST(ShellWriter, RefusesOtherExtensions) {
+    const std::string line = refusal(
+        [] {
+            checkShellExtension("shell.vtk");
+            return 0;
+        },
+        InputErrorCode::UnwritableFile
+    );
+    expectContains(line, ".vtk");
+    expectContains(line, ".vtu");
+}
+
+TEST(ShellReport, ThicknessIsRelativeToTheLongestSideAndCountsEachPillarOnce) {
+    const ShellThickness thickness =
+        measureThickness(twoByOne(), {.centre = Vec3::Zero(), .scale = 4.0}, twoPrisms(0.1, 0.3));
+    // In the frame's unit the longest side, 2, is 0.5.
+    EXPECT_DOUBLE_EQ(thickness.mean, 0.4);
+    EXPECT_DOUBLE_EQ(thickness.min, 0.2);
+    EXPECT_DOUBLE_EQ(thickness.p5, 0.2);
+}
+
+TEST(ShellReport, ThePercentileIsInterpolated) {
+    const Shell shell = [] {
+        const Shell plain = twoPrisms(0.1, 0.3);
+        std::vector<Pillar> pillars = plain.pillars();
+        pillars[1].top = pillars[1].middle + Vec3(0, 0, 0.15);  // 0.2 long
+        return Shell(pillars, plain.prisms(), 2);
+    }();
+    const ShellThickness thickness = measureThickness(twoByOne(), {.scale = 2.0}, shell);
+    EXPECT_NEAR(thickness.p5, 0.1 + 0.05 * 3 * 0.1, 1e-15);
+    EXPECT_NEAR(thickness.min, 0.1, 1e-15);
+}
+
+TEST(ShellReport, WritesEveryFigureUnderItsName) {
+    const Built built(test_support::plate(4, 3));
+    ShellRunFigures figures;
+    figures.meshFile = "a.ply";
+    figures.seconds.cpu = 0.5;
+    figures.seconds.read = 0.25;
+    figures.peakMemoryBytes = 1000000;
+    ShellCheck check;
+    check.transversalSurface.holds = false;
+    check.transversalSurface.violations = 12;
+    check.transversalSurface.firstIds = {3, 4};
+    const auto report = nlohmann::json::parse(shellReportText(
+        {.surface = built.surface, .base = built.base, .build = built.build, .check = &check},
+        figures
+    ));
+    EXPECT_EQ(report["shell"], "full");
+    EXPECT_EQ(report["faces"], 24);
+    EXPECT_EQ(report["prisms"], built.build.shell.prisms().size());
+    EXPECT_EQ(report["ghost_prisms"], built.build.shell.prisms().size() - 24);
+    EXPECT_EQ(report["blocked_faces"], 0);
+    EXPECT_EQ(report["moved_vertices"], 0);
+    EXPECT_EQ(report["mesh"]["boundary_edges"], 14);
+    EXPECT_EQ(report["mesh"]["components"], 1);
+    EXPECT_EQ(report["mesh"]["file"], "a.ply");
+    EXPECT_EQ(report["seconds"]["cpu"], 0.5);
+    EXPECT_EQ(report["seconds"]["read"], 0.25);
+    EXPECT_EQ(report["peak_memory_bytes"], 1000000);
+    EXPECT_EQ(report["check"].size(), check.invariants().size());
+    EXPECT_EQ(report["check"]["positive tetrahedra"]["holds"], true);
+    EXPECT_EQ(report["check"]["transversal surface"]["holds"], false);
+    EXPECT_EQ(report["check"]["transversal surface"]["violations"], 12);
+    EXPECT_EQ(report["check"]["transversal surface"]["first_ids"], (std::vector<int>{3, 4}));
+    const auto unchecked = nlohmann::json::parse(shellReportText(
+        {.surface = built.surface, .base = built.base, .build = built.build}, figures
+    ));
+    EXPECT_TRUE(unchecked["check"].is_null());
+}
+
+}  // namespace bspline_curve::io_tests
