@@ -9,8 +9,8 @@ namespace bspline_curve::cli {
 /// What the program returns to the shell.
 enum class ExitCode : int {
     Success = 0,
-    Failure = 1,        ///< bad mesh, picks or file, or a curve that is not usable
-    Usage = 2,          ///< an unknown option, or a value out of its range
+    Failure = 1,  ///< bad mesh, picks or file, a curve that is not usable, a shell that is wrong
+    Usage = 2,    ///< an unknown option, or a value out of its range
     Interrupted = 130,  ///< Ctrl-C (128 + SIGINT), as shells report it
 };
 
@@ -22,5 +22,8 @@ void printError(const std::string& message);
 
 /// The verb without a name: one curve through picks on a mesh.
 [[nodiscard]] ExitCode runCurve(Arguments arguments);
+
+/// The verb shell: the shell of a mesh, to look at, to check and to use elsewhere.
+[[nodiscard]] ExitCode runShell(Arguments arguments);
 
 }  // namespace bspline_curve::cli

@@ -4,6 +4,7 @@
 #include "cli/curve_options.h"
 #include "cli/interrupt.h"
 #include "cli/progress_bar.h"
+#include "cli/verb.h"
 #include "design/curve_designer.h"
 #include "io/atomic_file.h"
 #include "io/curve_writer.h"
@@ -76,14 +77,6 @@ Inputs readInputs(CurveArguments& arguments) {
         throw Cancelled();
     }
     return inputs;
-}
-
-/// A part [from, to] of the whole bar, and a way out for Ctrl-C.
-Progress progressPart(ProgressBar& bar, double from, double to) {
-    return [&bar, from, to](double fraction, const char* stage) {
-        bar.show(from + (to - from) * fraction, stage);
-        return !interrupted();
-    };
 }
 
 struct Drawn {
@@ -201,19 +194,7 @@ ExitCode runCurve(Arguments arguments) {
     if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
         return *code;
     }
-    catchInterrupts();
-    ProgressBar bar;
-    try {
-        return draw(std::get<CurveArguments>(parsed), bar);
-    } catch (const InputError& error) {
-        bar.clear();
-        printError(error.what());
-        return ExitCode::Failure;
-    } catch (const Cancelled&) {
-        bar.clear();
-        printError("interrupted; nothing was written");
-        return ExitCode::Interrupted;
-    }
+    return runVerb([&](ProgressBar& bar) { return draw(std::get<CurveArguments>(parsed), bar); });
 }
 
 }  // namespace bspline_curve::cli

@@ -2,6 +2,8 @@
 #include "cli/curve_options.h"
 
 #include "cli/option_table.h"
+#include "cli/shell_options.h"
+#include "cli/verb.h"
 #include "surface/input_error.h"
 
 namespace bspline_curve::cli {
@@ -177,21 +179,6 @@ void addEffort(OptionTable<SolverOptions>& table) {
     table.number("--max-iterations", &S::maxIterations, atLeast(1), "Newton iterations per round");
 }
 
-void addShell(OptionTable<ShellOptions>& table) {
-    table.number(
-        "--shell-thickness",
-        &ShellOptions::thickness,
-        moreThan(0.0),
-        "Largest distance of the shell's top and bottom from the mesh, in mean edge lengths"
-    );
-    table.number(
-        "--shell-smoothing-passes",
-        &ShellOptions::smoothingPasses,
-        atLeast(0),
-        "Rounds of averaging of the shell's directions"
-    );
-}
-
 /// The command line of one curve, and what was given on it.
 class CurveParser {
 public:
@@ -210,7 +197,7 @@ public:
             ->capture_default_str();
         addModel(advanced_);
         addEffort(advanced_);
-        addShell(shell_);
+        addShellOptions(shell_);
     }
 
     /// Throws CLI::ParseError, InputError (BadOption).
@@ -228,25 +215,15 @@ public:
         return arguments_;
     }
 
-    /// Prints help, version or what is wrong.
-    [[nodiscard]] ExitCode explain(const CLI::ParseError& error) const {
-        if (error.get_exit_code() == 0) {
-            static_cast<void>(app_.exit(error));
-            return ExitCode::Success;
-        }
-        // CLI11 speaks of what is missing first; what is not known tells more.
-        const std::vector<std::string> unknown = app_.remaining();
-        const std::string reason =
-            unknown.empty() ? std::string(error.what()) : "unknown argument " + unknown.front();
-        printError(reason + " (bspline_curve --help lists the options)");
-        return ExitCode::Usage;
-    }
+    [[nodiscard]] const CLI::App& app() const { return app_; }
 
 private:
     CLI::App app_{
         "Draws a smooth B-spline curve through picked points on a triangle mesh and writes it as "
         "a\n"
-        "polyline whose every segment lies in one face.\n\n"
+        "polyline whose every segment lies in one face. The verb \"curve\" may go before the "
+        "mesh;\n"
+        "the other verb is \"shell\": bspline_curve shell --help.\n\n"
         "Exit status: 0 done; 1 bad mesh, picks or file, or no usable curve; 2 wrong usage;\n"
         "130 interrupted by Ctrl-C. No output is written unless the status is 0.\n",
         "bspline_curve"
@@ -266,7 +243,7 @@ std::variant<CurveArguments, ExitCode> parseCurveArguments(Arguments arguments) 
     try {
         return parser.parse(arguments);
     } catch (const CLI::ParseError& error) {
-        return parser.explain(error);
+        return explainParseError(parser.app(), error);
     } catch (const InputError& error) {
         printError(error.what());
         return ExitCode::Usage;

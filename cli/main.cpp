@@ -18,7 +18,9 @@ struct Verb {
 };
 
 // A first argument that is none of these is a mesh, or an option of `curve`.
-constexpr std::array kVerbs{Verb{.name = "curve", .run = runCurve}};
+constexpr std::array kVerbs{
+    Verb{.name = "curve", .run = runCurve}, Verb{.name = "shell", .run = runShell}
+};
 
 ExitCode run(Arguments arguments) {
     const auto isNamed = [&](const Verb& verb) {

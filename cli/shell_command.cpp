@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bspline_curve shell MESH --output FILE …: the shell of a mesh.
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/process_figures.h"
+#include "cli/progress_bar.h"
+#include "cli/shell_options.h"
+#include "cli/verb.h"
+#include "io/atomic_file.h"
+#include "io/mesh_reader.h"
+#include "io/report_writer.h"
+#include "io/shell_report.h"
+#include "io/shell_writer.h"
+#include "shell/shell_builder.h"
+#include "surface/input_error.h"
+#include "surface/progress.h"
+#include "surface/stopwatch.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+/// Refuses what could only fail after the work.
+void checkOutputs(const ShellArguments& arguments) {
+    if (!arguments.output.empty()) {
+        checkShellExtension(arguments.output);
+        checkWritable(arguments.output);
+    }
+    if (!arguments.report.empty()) {
+        checkReportExtension(arguments.report);
+        checkWritable(arguments.report);
+    }
+}
+
+struct Built {
+    Surface surface;
+    std::shared_ptr<const ShellBase> base;
+    ShellBuild build;
+};
+
+/// Validates the mesh and builds its shell, one stage after the other.
+Built buildStages(
+    TriangleMesh mesh, const ShellArguments& arguments, ShellRunFigures& figures, ProgressBar& bar
+) {
+    constexpr double kBuildStart = 0.1;  // for the bar only
+    const double cpuBefore = processCpuSeconds();
+    Stopwatch whole;
+    Stopwatch watch;
+    bar.show(0.0, "validating");
+    Surface surface(std::move(mesh));
+    figures.seconds.validate = watch.lap();
+    auto base =
+        std::make_shared<const ShellBase>(makeShellBase(surface, arguments.shell.smoothingPasses));
+    figures.seconds.base = watch.lap();
+    ShellBuild build = buildShell(*base, arguments.shell, progressPart(bar, kBuildStart, 1.0));
+    figures.seconds.shell = watch.lap();
+    figures.seconds.wall = whole.lap();
+    figures.seconds.cpu = processCpuSeconds() - cpuBefore;
+    figures.peakMemoryBytes = peakMemoryBytes();
+    return {.surface = std::move(surface), .base = std::move(base), .build = std::move(build)};
+}
+
+void refuseEmptyShell(const Built& built) {
+    const bool hasPrism = std::ranges::any_of(built.build.shell.prisms(), [](const Prism& prism) {
+        return prism.orientation != 0;
+    });
+    if (!hasPrism) {
+        throw InputError(
+            InputErrorCode::NoShell,
+            "no face got a prism: the surface crosses itself or folds onto itself everywhere, so "
+            "repair it with MeshLab's filters 'Remove Duplicate Faces' and 'Merge Close Vertices'"
+        );
+    }
+}
+
+std::string failureMessage(const ShellCheck& check) {
+    std::string text = "the shell is wrong:";
+    const char* separator = " ";
+    for (const InvariantCheck* const invariant : check.invariants()) {
+        if (!invariant->holds) {
+            const std::vector<std::int64_t> ids(
+                invariant->firstIds.begin(), invariant->firstIds.end()
+            );
+            text.append(separator).append(invariant->name).append(" violated ");
+            text += describeCount(static_cast<std::size_t>(invariant->violations), "time", "times");
+            text += " (first ids " + describeElements(ids) + ")";
+            separator = "; ";
+        }
+    }
+    return text + "; please send the mesh to the authors";
+}
+
+/// Writes shell and report together: both files appear, or none. Of a shell that is wrong only the
+/// report.
+void writeResults(
+    const ShellArguments& arguments,
+    const Built& built,
+    const std::optional<ShellCheck>& check,
+    ShellRunFigures& figures
+) {
+    Stopwatch watch;
+    std::optional<AtomicFile> output;
+    std::optional<AtomicFile> report;
+    if (!arguments.output.empty() && (!check || check->passed())) {
+        output.emplace(
+            arguments.output, shellBytes(arguments.output, built.build.shell, built.base->frame)
+        );
+    }
+    figures.seconds.write = watch.lap();
+    if (!arguments.report.empty()) {
+        report.emplace(
+            arguments.report,
+            shellReportText(
+                {.surface = built.surface,
+                 .base = *built.base,
+                 .build = built.build,
+                 .check = check ? &*check : nullptr},
+                figures
+            )
+        );
+    }
+    if (output) {
+        output->commit();
+    }
+    if (report) {
+        report->commit();
+    }
+}
+
+ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
+    checkOutputs(arguments);
+    ShellRunFigures figures;
+    figures.meshFile = arguments.mesh.string();
+    bar.show(0.0, "reading");
+    Stopwatch watch;
+    TriangleMesh mesh = readMesh(arguments.mesh);
+    figures.seconds.read = watch.lap();
+    if (interrupted()) {
+        throw Cancelled();
+    }
+    const Built built = buildStages(std::move(mesh), arguments, figures, bar);
+    refuseEmptyShell(built);
+    std::optional<ShellCheck> check;
+    if (arguments.check) {
+        bar.show(1.0, "checking");
+        watch.lap();
+        check = checkShell(
+            built.surface, *built.base, built.build.shell, built.build.report.blockedFaces
+        );
+        figures.seconds.check = watch.lap();
+        if (interrupted()) {
+            throw Cancelled();
+        }
+    }
+    bar.clear();
+    writeResults(arguments, built, check, figures);
+    if (check && !check->passed()) {
+        printError(failureMessage(*check));
+        return ExitCode::Failure;
+    }
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+ExitCode runShell(Arguments arguments) {
+    const auto parsed = parseShellArguments(arguments);
+    if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
+        return *code;
+    }
+    return runVerb([&](ProgressBar& bar) { return build(std::get<ShellArguments>(parsed), bar); });
+}
+
+}  // namespace bspline_curve::cli

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/shell_options.h"
+
+#include "cli/verb.h"
+#include "surface/input_error.h"
+
+namespace bspline_curve::cli {
+
+namespace {
+
+constexpr const char* kAdvanced = "Advanced options";
+
+void addFiles(CLI::App& app, ShellArguments& arguments) {
+    app.add_option("MESH", arguments.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
+        ->required()
+        ->type_name("");
+    app.add_option(
+           "--output",
+           arguments.output,
+           "Shell to write: .vtu or .msh (tetrahedra with f in [-1, 1]) or .ply (top, middle and "
+           "bottom as triangles); may be left out with --report or --check"
+    )
+        ->type_name("FILE");
+    app.add_option(
+           "--report",
+           arguments.report,
+           "Write counts, thickness, times and memory as .json; also of a shell that is wrong"
+    )
+        ->type_name("FILE.json");
+    app.add_flag(
+        "--check",
+        arguments.check,
+        "Check every invariant of the shell with exact predicates and code of its own; exit "
+        "status 1 where one does not hold"
+    );
+}
+
+/// The command line of one shell, and what was given on it.
+class ShellParser {
+public:
+    ShellParser() {
+        addFiles(app_, arguments_);
+        addShellOptions(shell_);
+    }
+
+    /// Throws CLI::ParseError, InputError (BadOption).
+    ShellArguments parse(Arguments words) {
+        // CLI11 takes them in reverse order.
+        app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        if (arguments_.output.empty() && arguments_.report.empty() && !arguments_.check) {
+            throw CLI::RequiredError("one of --output, --report, --check");
+        }
+        shell_.apply(arguments_.shell);
+        arguments_.shell.validate();
+        return arguments_;
+    }
+
+    [[nodiscard]] const CLI::App& app() const { return app_; }
+
+private:
+    CLI::App app_{
+        "Builds the shell of a triangle mesh: prisms around the surface, every one split into six\n"
+        "tetrahedra, with a piecewise affine f that is -1 at the bottom, 0 in the middle, 1 at the "
+        "top.\n\n"
+        "Exit status: 0 done; 1 bad mesh or file, or a check failed; 2 wrong usage; 130 "
+        "interrupted\n"
+        "by Ctrl-C. No output is written unless the status is 0.\n",
+        "bspline_curve shell"
+    };
+    ShellArguments arguments_;
+    OptionTable<ShellOptions> shell_{app_, kAdvanced};
+};
+
+}  // namespace
+
+void addShellOptions(OptionTable<ShellOptions>& table) {
+    table.number(
+        "--shell-thickness",
+        &ShellOptions::thickness,
+        moreThan(0.0),
+        "Largest distance of the shell's top and bottom from the mesh, in mean edge lengths"
+    );
+    table.number(
+        "--shell-smoothing-passes",
+        &ShellOptions::smoothingPasses,
+        atLeast(0),
+        "Rounds of averaging of the shell's directions"
+    );
+}
+
+std::variant<ShellArguments, ExitCode> parseShellArguments(Arguments arguments) {
+    ShellParser parser;
+    try {
+        return parser.parse(arguments);
+    } catch (const CLI::ParseError& error) {
+        return explainParseError(parser.app(), error);
+    } catch (const InputError& error) {
+        printError(error.what());
+        return ExitCode::Usage;
+    }
+}
+
+}  // namespace bspline_curve::cli

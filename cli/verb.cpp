@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/verb.h"
+
+#include "cli/interrupt.h"
+#include "surface/input_error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace bspline_curve::cli {
+
+ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work) {
+    catchInterrupts();
+    ProgressBar bar;
+    try {
+        return work(bar);
+    } catch (const InputError& error) {
+        bar.clear();
+        printError(error.what());
+        return ExitCode::Failure;
+    } catch (const Cancelled&) {
+        bar.clear();
+        printError("interrupted; nothing was written");
+        return ExitCode::Interrupted;
+    }
+}
+
+Progress progressPart(ProgressBar& bar, double from, double to) {
+    return [&bar, from, to](double fraction, const char* stage) {
+        bar.show(from + (to - from) * fraction, stage);
+        return !interrupted();
+    };
+}
+
+ExitCode explainParseError(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+        static_cast<void>(app.exit(error));
+        return ExitCode::Success;
+    }
+    // CLI11 speaks of what is missing first; what is not known tells more.
+    const std::vector<std::string> unknown = app.remaining();
+    const std::string reason =
+        unknown.empty() ? std::string(error.what()) : "unknown argument " + unknown.front();
+    printError(reason + " (" + app.get_name() + " --help lists the options)");
+    return ExitCode::Usage;
+}
+
+}  // namespace bspline_curve::cli

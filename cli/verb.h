@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/command.h"
+#include "cli/progress_bar.h"
+#include "surface/progress.h"
+
+#include <functional>
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
+
+// What the verbs share.
+namespace bspline_curve::cli {
+
+/// Does the work of a verb; what it throws becomes one line on stderr and an exit code. From here
+/// on the first Ctrl-C cancels.
+[[nodiscard]] ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work);
+
+/// A part [from, to] of the whole bar, and a way out for Ctrl-C.
+[[nodiscard]] Progress progressPart(ProgressBar& bar, double from, double to);
+
+/// Prints help, version or what is wrong with a command line.
+[[nodiscard]] ExitCode explainParseError(const CLI::App& app, const CLI::ParseError& error);
+
+}  // namespace bspline_curve::cli

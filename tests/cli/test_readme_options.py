@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""README's option table of the verb shell and the program's help name the same options and defaults."""
+
+import re
+from pathlib import Path
+
+README = (Path(__file__).resolve().parents[2] / "README.md").read_text()
+
+
+def helped(run, *verb):
+    """Option -> default ("" where there is none), as the help has them."""
+    text = run(*verb, "--help").stdout
+    return dict(re.findall(r"^  (?:-h,)?(--[\w-]+)[\w,-]*(?: [^\s=]+=(\S+))?", text, re.M))
+
+
+def test_the_table_of_the_verb_shell_is_the_help(run):
+    section = re.search(r"### Shells\n(.*?)\n## ", README, re.S)[1]
+    rows = re.findall(r"^\| `(--[\w-]+)`[^|]*\| ([^|]*) \|", section, re.M)
+    options = helped(run, "shell")
+    del options["--help"]
+    assert sorted(name for name, _ in rows) == sorted(options)
+    for name, default in rows:
+        assert default == options[name] or (options[name] == "" and default in ("none", "off")), name
