@@ -33,8 +33,9 @@ bool isUsable(const Vec3& point) {
            std::abs(point[2]) <= kLargestCoordinate;
 }
 
+}  // namespace
+
 bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c) {
-    constexpr double kRelativeTolerance = 0x1p-48;
     const Vec3 ab = b - a;
     const Vec3 ac = c - a;
     const double longestEdge =
@@ -42,10 +43,8 @@ bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double largestCoordinate = std::max(
         {a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>(), c.lpNorm<Eigen::Infinity>()}
     );
-    return ab.cross(ac).norm() > kRelativeTolerance * longestEdge * largestCoordinate;
+    return ab.cross(ac).norm() > kRelativeArea * longestEdge * largestCoordinate;
 }
-
-}  // namespace
 
 void checkArrays(const TriangleMesh& mesh) {
     // Half-edges are numbered with an int.

@@ -14,6 +14,12 @@ inline constexpr double kLargestCoordinate = 1e60;
 /// Throws InputError: EmptyMesh, NonFiniteCoordinate (vertices), IndexOutOfRange (faces). O(n).
 void checkArrays(const TriangleMesh& mesh);
 
+/// Least height of a triangle, relative to its largest coordinate: 16 ulps.
+inline constexpr double kRelativeArea = 0x1p-48;
+
+/// Whether a triangle has an area that rounding cannot undo; see checkFacesHaveArea.
+[[nodiscard]] bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// Checks that every face has three different vertices and an area that rounding cannot undo: twice
 /// the area exceeds 2^-48 (16 ulps) x longest edge x largest coordinate. Below that, the height of
 /// the triangle is less than the error that storing its corners has made, so that the direction of

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/repair.h"
+
+#include "surface/input_error.h"
+#include "surface/mesh_checks.h"
+#include "surface/repair_steps.h"
+
+#include <numeric>
+
+namespace bspline_curve {
+
+bool RepairReport::isEmpty() const {
+    return count() == 0;
+}
+
+int RepairReport::count() const {
+    return static_cast<int>(
+        mergedVertices.size() + removedDegenerateFaces.size() + splitFaces.size() +
+        removedDuplicateFaces.size() + reversedFaces.size() + cutEdges.size() +
+        duplicatedVertices.size()
+    );
+}
+
+std::string RepairReport::summary() const {
+    std::string text;
+    const auto add = [&](std::size_t count, const char* one, const char* many) {
+        if (count > 0) {
+            text += (text.empty() ? "" : ", ") + describeCount(count, one, many);
+        }
+    };
+    add(mergedVertices.size(), "vertex merged", "vertices merged");
+    add(removedDegenerateFaces.size(), "face without area removed", "faces without area removed");
+    add(splitFaces.size(), "face beside them split", "faces beside them split");
+    add(removedDuplicateFaces.size(), "duplicate face removed", "duplicate faces removed");
+    add(reversedFaces.size(), "face turned over", "faces turned over");
+    add(cutEdges.size(), "edge cut", "edges cut");
+    add(duplicatedVertices.size(), "vertex duplicated", "vertices duplicated");
+    return text;
+}
+
+SurfacePoint MeshRepair::toOrigin(const SurfacePoint& point) const {
+    const auto found = changedCorners.find(point.face);
+    return {
+        .face = faceOrigins[static_cast<std::size_t>(point.face)],
+        .barycentric = found == changedCorners.end() ? point.barycentric
+                                                     : Vec3(found->second * point.barycentric)
+    };
+}
+
+MeshRepair repairMesh(TriangleMesh mesh) {
+    checkArrays(mesh);
+    MeshRepair repair;
+    repair.mesh = std::move(mesh);
+    repair.vertexOrigins.resize(repair.mesh.vertices.size());
+    std::iota(repair.vertexOrigins.begin(), repair.vertexOrigins.end(), 0);
+    repair.faceOrigins.resize(repair.mesh.faces.size());
+    std::iota(repair.faceOrigins.begin(), repair.faceOrigins.end(), 0);
+
+    repair_steps::removeDegenerateFaces(repair);
+    repair_steps::removeDuplicateFaces(repair);
+    repair_steps::Joints joints = repair_steps::joinAndOrient(repair);
+    repair_steps::splitVertices(repair, std::move(joints));
+    return repair;
+}
+
+}  // namespace bspline_curve

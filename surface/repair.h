@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+
+/// What repairMesh changed; ids are those of the mesh that it was given, ascending.
+struct RepairReport {
+    /// Vertices and what they were merged into: ends of edges without length.
+    std::vector<std::pair<int, int>> mergedVertices;
+    /// Faces with a repeated vertex or no area.
+    std::vector<int> removedDegenerateFaces;
+    /// Faces across the long side of a flat one, whose third vertex they were split at.
+    std::vector<int> splitFaces;
+    /// Faces with the same three vertices as an earlier one.
+    std::vector<int> removedDuplicateFaces;
+    /// Faces turned over, the smaller part of each patch.
+    std::vector<int> reversedFaces;
+    /// Edges where faces were parted, by their vertices.
+    std::vector<std::array<int, 2>> cutEdges;
+
+    struct DuplicatedVertex {
+        int vertex;
+        std::vector<int> copies;  ///< ids in the result; one part of the surface keeps `vertex`
+    };
+
+    std::vector<DuplicatedVertex> duplicatedVertices;
+
+    [[nodiscard]] bool isEmpty() const;
+    /// Number of changes, each entry of each list counted once.
+    [[nodiscard]] int count() const;
+    /// "2 vertices duplicated, 1 edge cut": what was done, for messages; empty where nothing was.
+    [[nodiscard]] std::string summary() const;
+};
+
+/// A repaired mesh and where its parts come from. Vertices keep their ids, copies follow them;
+/// faces keep their order, but those after a removed one move up.
+struct MeshRepair {
+    TriangleMesh mesh;
+    std::vector<int> vertexOrigins;  ///< #V: vertex of the given mesh
+    std::vector<int> faceOrigins;    ///< #F: face of the given mesh
+    /// For faces that were reversed or split: column k is corner k in barycentric coordinates of
+    /// the origin.
+    std::map<int, Eigen::Matrix3d> changedCorners;
+    RepairReport report;
+
+    /// The same point as face and barycentric coordinates of the given mesh.
+    [[nodiscard]] SurfacePoint toOrigin(const SurfacePoint& point) const;
+
+    /// A value per vertex of the given mesh, carried over to the copies.
+    template <class Value>
+    [[nodiscard]] std::vector<Value> carriedOver(const std::vector<Value>& values) const {
+        std::vector<Value> result;
+        result.reserve(vertexOrigins.size());
+        for (const int origin : vertexOrigins) {
+            result.push_back(values[static_cast<std::size_t>(origin)]);
+        }
+        return result;
+    }
+};
+
+/// Makes a mesh one that Surface accepts, with no more than rounding of its coordinates:
+///   faces without area are removed; their short edge is merged, or the face across the long edge
+///   is split, so that no gap stays;
+///   of faces with the same vertices only the first stays;
+///   where more than two faces meet in an edge, the pairs that bend least stay joined, the others
+///   are parted; parts that share a vertex only get a vertex each;
+///   patches are oriented by the majority of their faces.
+/// The same input gives the same result. O(n log n).
+/// Throws InputError: as checkArrays; InconsistentOrientation, where the surface is one-sided.
+[[nodiscard]] MeshRepair repairMesh(TriangleMesh mesh);
+
+}  // namespace bspline_curve

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces without area and faces that are there twice.
+#include "surface/mesh_checks.h"
+#include "surface/repair_steps.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace bspline_curve::repair_steps {
+
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+bool repeatsVertex(const Triangle& face) {
+    return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+}
+
+/// Takes faces out of the mesh; the others keep their order.
+void eraseFaces(MeshRepair& repair, const std::vector<char>& isErased) {
+    std::map<int, Eigen::Matrix3d> changed;
+    int kept = 0;
+    for (int f = 0; f < static_cast<int>(repair.mesh.faces.size()); ++f) {
+        if (isErased[at(f)] != 0) {
+            continue;
+        }
+        repair.mesh.faces[at(kept)] = repair.mesh.faces[at(f)];
+        repair.faceOrigins[at(kept)] = repair.faceOrigins[at(f)];
+        if (const auto found = repair.changedCorners.find(f);
+            found != repair.changedCorners.end()) {
+            changed[kept] = found->second;
+        }
+        ++kept;
+    }
+    repair.mesh.faces.resize(at(kept));
+    repair.faceOrigins.resize(at(kept));
+    repair.changedCorners = std::move(changed);
+}
+
+/// One round over the faces without area that are there. A split can be in the way of another one,
+/// which then waits for the next round.
+class DegenerateRound {
+public:
+    explicit DegenerateRound(MeshRepair& repair) : repair_(repair), mesh_(repair.mesh) {
+        isErased_.assign(mesh_.faces.size(), 0);
+        isTouched_.assign(mesh_.faces.size(), 0);
+        for (int f = 0; f < static_cast<int>(mesh_.faces.size()); ++f) {
+            if (!hasArea(f)) {
+                flat_.push_back(f);
+            }
+        }
+    }
+
+    [[nodiscard]] bool hasWork() const { return !flat_.empty(); }
+
+    /// `last`: what cannot be split away is removed all the same. Returns whether anything changed.
+    bool run(bool last) {
+        if (!mergeShortEdges()) {
+            splitAcrossLongEdges(last);
+        }
+        eraseFaces(repair_, isErased_);
+        return hasChanged_;
+    }
+
+private:
+    [[nodiscard]] const Vec3& corner(int face, int k) const {
+        return mesh_.vertices[at(mesh_.faces[at(face)][at(k % 3)])];
+    }
+
+    [[nodiscard]] double sideLength(int face, int k) const {
+        return (corner(face, k + 1) - corner(face, k + 2)).norm();
+    }
+
+    [[nodiscard]] bool hasArea(int f) const {
+        return bspline_curve::hasArea(corner(f, 0), corner(f, 1), corner(f, 2));
+    }
+
+    void erase(int face) {
+        isErased_[at(face)] = 1;
+        hasChanged_ = true;
+        repair_.report.removedDegenerateFaces.push_back(repair_.faceOrigins[at(face)]);
+    }
+
+    /// Merges the ends of edges that are no longer than rounding; every face on them goes. Returns
+    /// whether there was any such face.
+    bool mergeShortEdges() {
+        std::vector<int> target(mesh_.vertices.size());
+        std::iota(target.begin(), target.end(), 0);
+        const auto find = [&](int v) {
+            while (target[at(v)] != v) {
+                v = target[at(v)] = target[at(target[at(v)])];
+            }
+            return v;
+        };
+        for (const int f : flat_) {
+            for (int k = 0; k < 3; ++k) {
+                const double size = std::max(
+                    corner(f, k + 1).lpNorm<Eigen::Infinity>(),
+                    corner(f, k + 2).lpNorm<Eigen::Infinity>()
+                );
+                if (sideLength(f, k) <= 2.0 * kRelativeArea * size) {
+                    const int a = find(mesh_.faces[at(f)][at((k + 1) % 3)]);
+                    const int b = find(mesh_.faces[at(f)][at((k + 2) % 3)]);
+                    target[at(std::max(a, b))] = std::min(a, b);
+                }
+            }
+        }
+        bool hasMerged = false;
+        for (int f = 0; f < static_cast<int>(mesh_.faces.size()); ++f) {
+            for (int& v : mesh_.faces[at(f)]) {
+                v = find(v);
+            }
+            if (repeatsVertex(mesh_.faces[at(f)])) {
+                erase(f);
+                hasMerged = true;
+            }
+        }
+        for (int v = 0; v < static_cast<int>(target.size()); ++v) {
+            if (find(v) != v) {
+                repair_.report.mergedVertices.emplace_back(v, find(v));
+            }
+        }
+        return hasMerged;
+    }
+
+    /// Every face that is left has its vertex `top` on its longest side.
+    void splitAcrossLongEdges(bool last) {
+        sides_ = sortedSides(mesh_.faces);
+        for (const int f : flat_) {
+            if (isTouched_[at(f)] != 0) {
+                continue;
+            }
+            int top = 0;
+            for (int k = 1; k < 3; ++k) {
+                top = sideLength(f, k) > sideLength(f, top) ? k : top;
+            }
+            const std::span<const Side> edge = sidesBetween(
+                mesh_.faces[at(f)][at((top + 1) % 3)], mesh_.faces[at(f)][at((top + 2) % 3)]
+            );
+            const bool isAtBoundary = edge.size() == 1;
+            const bool isSplit = edge.size() == 2 && split(f, top, edge[edge[0].face == f ? 1 : 0]);
+            if (!isSplit && (isAtBoundary || last)) {
+                isTouched_[at(f)] = 1;
+                erase(f);
+            }
+        }
+    }
+
+    [[nodiscard]] std::span<const Side> sidesBetween(int a, int b) const {
+        const std::pair<int, int> edge = std::minmax(a, b);
+        const auto first = std::ranges::lower_bound(sides_, edge, {}, [](const Side& side) {
+            return std::pair(side.low, side.high);
+        });
+        auto last = first;
+        while (last != sides_.end() && std::pair(last->low, last->high) == edge) {
+            ++last;
+        }
+        return {first, last};
+    }
+
+    /// Splits the face across the long side of a flat one at the vertex on that side; one half
+    /// takes the place of the flat face. Returns whether that is possible now.
+    bool split(int flat, int top, const Side& across) {
+        const int other = across.face;
+        const Triangle whole = mesh_.faces[at(other)];
+        const int c = mesh_.faces[at(flat)][at(top)];
+        const int s = whole[at((across.k + 1) % 3)];
+        const int t = whole[at((across.k + 2) % 3)];
+        const int d = whole[at(across.k)];
+        const auto has = [&](const Triangle& face) {
+            return bspline_curve::hasArea(
+                mesh_.vertices[at(face[0])],
+                mesh_.vertices[at(face[1])],
+                mesh_.vertices[at(face[2])]
+            );
+        };
+        const Triangle first = {s, c, d};
+        const Triangle second = {c, t, d};
+        const std::pair<int, int> newEdge = std::minmax(c, d);
+        const bool isFree = isTouched_[at(other)] == 0 && c != d && !newEdges_.contains(newEdge) &&
+                            sidesBetween(c, d).empty();
+        if (!isFree || !has(first) || !has(second)) {
+            return false;
+        }
+        newEdges_.insert(newEdge);
+        isTouched_[at(flat)] = isTouched_[at(other)] = 1;
+        hasChanged_ = true;
+        repair_.report.removedDegenerateFaces.push_back(repair_.faceOrigins[at(flat)]);
+        repair_.report.splitFaces.push_back(repair_.faceOrigins[at(other)]);
+        // Where the corners of both halves lie in the origin of the whole.
+        const auto found = repair_.changedCorners.find(other);
+        const Eigen::Matrix3d corners = found == repair_.changedCorners.end()
+                                            ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                                            : found->second;
+        const Vec3 inS = corners.col((across.k + 1) % 3);
+        const Vec3 inT = corners.col((across.k + 2) % 3);
+        const Vec3 along = mesh_.vertices[at(t)] - mesh_.vertices[at(s)];
+        const double share = std::clamp(
+            (mesh_.vertices[at(c)] - mesh_.vertices[at(s)]).dot(along) / along.squaredNorm(),
+            0.0,
+            1.0
+        );
+        const Vec3 inC = (1.0 - share) * inS + share * inT;
+        repair_.changedCorners[other] << inS, inC, corners.col(across.k);
+        repair_.changedCorners[flat] << inC, inT, corners.col(across.k);
+        repair_.faceOrigins[at(flat)] = repair_.faceOrigins[at(other)];
+        mesh_.faces[at(other)] = first;
+        mesh_.faces[at(flat)] = second;
+        return true;
+    }
+
+    MeshRepair& repair_;
+    TriangleMesh& mesh_;
+    std::vector<int> flat_;
+    std::vector<char> isErased_, isTouched_;
+    std::vector<Side> sides_;
+    std::set<std::pair<int, int>> newEdges_;
+    bool hasChanged_ = false;
+};
+
+}  // namespace
+
+std::vector<Side> sortedSides(const std::vector<Triangle>& faces) {
+    std::vector<Side> sides;
+    sides.reserve(3 * faces.size());
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const int a = faces[at(f)][at((k + 1) % 3)];
+            const int b = faces[at(f)][at((k + 2) % 3)];
+            sides.push_back({std::min(a, b), std::max(a, b), f, k});
+        }
+    }
+    std::ranges::sort(sides);
+    return sides;
+}
+
+void removeDegenerateFaces(MeshRepair& repair) {
+    for (bool last = false;;) {
+        DegenerateRound round(repair);
+        if (!round.hasWork()) {
+            break;
+        }
+        last = !round.run(last);
+    }
+    std::ranges::sort(repair.report.removedDegenerateFaces);
+    std::ranges::sort(repair.report.mergedVertices);
+    std::vector<int>& splits = repair.report.splitFaces;
+    std::ranges::sort(splits);
+    splits.erase(std::ranges::unique(splits).begin(), splits.end());
+}
+
+void removeDuplicateFaces(MeshRepair& repair) {
+    std::vector<std::pair<Triangle, int>> entries;  // by corners, ascending
+    for (int f = 0; f < static_cast<int>(repair.mesh.faces.size()); ++f) {
+        entries.emplace_back(repair.mesh.faces[at(f)], f);
+        std::ranges::sort(entries.back().first);
+    }
+    std::ranges::sort(entries);
+    std::vector<char> isErased(entries.size(), 0);
+    for (std::size_t i = 1; i < entries.size(); ++i) {
+        const auto& [corners, face] = entries[i];
+        if (corners == entries[i - 1].first) {
+            isErased[at(face)] = 1;
+            repair.report.removedDuplicateFaces.push_back(repair.faceOrigins[at(face)]);
+        }
+    }
+    std::ranges::sort(repair.report.removedDuplicateFaces);
+    eraseFaces(repair, isErased);
+}
+
+}  // namespace bspline_curve::repair_steps

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which faces belong to one sheet, which way it looks, and where sheets are parted.
+#include "surface/input_error.h"
+#include "surface/repair_steps.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numeric>
+
+namespace bspline_curve::repair_steps {
+
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Sets of faces that are joined, with the side that each looks to.
+class Patches {
+public:
+    explicit Patches(std::size_t faces) : parents_(faces), isTurned_(faces, 0) {
+        std::iota(parents_.begin(), parents_.end(), 0);
+    }
+
+    struct Place {
+        int root;
+        bool isTurned;  ///< against the root
+    };
+
+    [[nodiscard]] Place find(int face) {
+        // Once to the root, and once more to make the way short.
+        bool isTurned = false;
+        int root = face;
+        while (parents_[at(root)] != root) {
+            isTurned = isTurned != (isTurned_[at(root)] != 0);
+            root = parents_[at(root)];
+        }
+        bool rest = isTurned;
+        while (parents_[at(face)] != root && face != root) {
+            const int next = parents_[at(face)];
+            const bool nextRest = rest != (isTurned_[at(face)] != 0);
+            parents_[at(face)] = root;
+            isTurned_[at(face)] = static_cast<char>(rest);
+            face = next;
+            rest = nextRest;
+        }
+        return {root, isTurned};
+    }
+
+    /// Joins two faces, `areOpposed`: only one of them must be turned. Returns whether the faces
+    /// joined so far allow it. The lowest face is the root of its set.
+    bool join(int a, int b, bool areOpposed) {
+        const Place placeA = find(a);
+        const Place placeB = find(b);
+        const bool isTurned = (placeA.isTurned != placeB.isTurned) != areOpposed;
+        if (placeA.root == placeB.root) {
+            return !isTurned;
+        }
+        const auto [low, high] = std::minmax(placeA.root, placeB.root);
+        parents_[at(high)] = low;
+        isTurned_[at(high)] = static_cast<char>(isTurned);
+        return true;
+    }
+
+private:
+    std::vector<int> parents_;
+    std::vector<char> isTurned_;
+};
+
+/// Two faces that could go on into each other at an edge.
+struct Pairing {
+    bool areOpposed;
+    double bend;  ///< 1 - cosine between the normals; 0 where flat
+    Side a, b;
+    auto operator<=>(const Pairing&) const = default;
+};
+
+class Joiner {
+public:
+    explicit Joiner(MeshRepair& repair)
+        : repair_(repair),
+          faces_(repair.mesh.faces),
+          patches_(faces_.size()),
+          joints_(faces_.size(), Triangle{-1, -1, -1}),
+          sides_(sortedSides(faces_)) {}
+
+    Joints run() {
+        joinPlainEdges();
+        forEachEdge(sides_, [&](std::span<const Side> edge) {
+            if (edge.size() > 2) {
+                joinCrowdedEdge(edge);
+            }
+        });
+        orient();
+        return std::move(joints_);
+    }
+
+private:
+    void link(const Side& a, const Side& b) {
+        joints_[at(a.face)][at(a.k)] = b.face;
+        joints_[at(b.face)][at(b.k)] = a.face;
+    }
+
+    void joinPlainEdges() {
+        std::vector<std::int64_t> conflicting;
+        forEachEdge(sides_, [&](std::span<const Side> edge) {
+            if (edge.size() == 2) {
+                link(edge[0], edge[1]);
+                const bool areOpposed = leadsUp(faces_, edge[0]) == leadsUp(faces_, edge[1]);
+                if (!patches_.join(edge[0].face, edge[1].face, areOpposed)) {
+                    conflicting.push_back(repair_.faceOrigins[at(edge[0].face)]);
+                    conflicting.push_back(repair_.faceOrigins[at(edge[1].face)]);
+                }
+            }
+        });
+        if (!conflicting.empty()) {
+            std::ranges::sort(conflicting);
+            conflicting.erase(std::ranges::unique(conflicting).begin(), conflicting.end());
+            refuseElements(
+                InputErrorCode::InconsistentOrientation,
+                "the surface is one-sided like a Moebius strip and has no orientation",
+                "found at faces",
+                conflicting,
+                "cut it open along the edges between these faces"
+            );
+        }
+    }
+
+    [[nodiscard]] Vec3 normal(int face) const {
+        const Triangle& corners = faces_[at(face)];
+        const std::vector<Vec3>& vertices = repair_.mesh.vertices;
+        const Vec3 ab = (vertices[at(corners[1])] - vertices[at(corners[0])]).normalized();
+        const Vec3 ac = (vertices[at(corners[2])] - vertices[at(corners[0])]).normalized();
+        return ab.cross(ac).normalized();
+    }
+
+    /// Lets the pairs of faces that bend least go on into each other, those first that look to the
+    /// same side already.
+    void joinCrowdedEdge(std::span<const Side> edge) {
+        // Beyond 120 degrees a sheet turns back on itself; which faces belong together is a guess.
+        constexpr double kLargestBend = 1.5;
+        // With so many faces every pair is a guess; keeps the work linear.
+        constexpr std::size_t kMostFaces = 32;
+        repair_.report.cutEdges.push_back({edge[0].low, edge[0].high});
+        if (edge.size() > kMostFaces) {
+            return;
+        }
+        std::vector<Pairing> pairings;
+        for (std::size_t i = 0; i < edge.size(); ++i) {
+            for (std::size_t j = i + 1; j < edge.size(); ++j) {
+                const bool areOpposed = leadsUp(faces_, edge[i]) == leadsUp(faces_, edge[j]);
+                const double cosine = normal(edge[i].face).dot(normal(edge[j].face));
+                const double bend = 1.0 - (areOpposed ? -cosine : cosine);
+                if (bend <= kLargestBend) {
+                    pairings.push_back({areOpposed, bend, edge[i], edge[j]});
+                }
+            }
+        }
+        std::ranges::sort(pairings);
+        for (const Pairing& pair : pairings) {
+            const bool areFree = joints_[at(pair.a.face)][at(pair.a.k)] < 0 &&
+                                 joints_[at(pair.b.face)][at(pair.b.k)] < 0;
+            if (areFree && patches_.join(pair.a.face, pair.b.face, pair.areOpposed)) {
+                link(pair.a, pair.b);
+            }
+        }
+    }
+
+    /// Turns the smaller part of each patch; of equal ones the part without its first face.
+    void orient() {
+        const int count = static_cast<int>(faces_.size());
+        std::vector<int> balance(faces_.size(), 0);
+        for (int f = 0; f < count; ++f) {
+            const Patches::Place place = patches_.find(f);
+            balance[at(place.root)] += place.isTurned ? -1 : 1;
+        }
+        for (int f = 0; f < count; ++f) {
+            const Patches::Place place = patches_.find(f);
+            const bool isMinority = place.isTurned == (balance[at(place.root)] >= 0);
+            if (isMinority) {
+                turn(f);
+            }
+        }
+        std::ranges::sort(repair_.report.reversedFaces);
+        std::vector<int>& reversed = repair_.report.reversedFaces;
+        reversed.erase(std::ranges::unique(reversed).begin(), reversed.end());
+    }
+
+    void turn(int face) {
+        std::swap(faces_[at(face)][1], faces_[at(face)][2]);
+        std::swap(joints_[at(face)][1], joints_[at(face)][2]);
+        const auto [corners, isNew] =
+            repair_.changedCorners.try_emplace(face, Eigen::Matrix3d::Identity());
+        corners->second.col(1).swap(corners->second.col(2));
+        repair_.report.reversedFaces.push_back(repair_.faceOrigins[at(face)]);
+    }
+
+    MeshRepair& repair_;
+    std::vector<Triangle>& faces_;
+    Patches patches_;
+    Joints joints_;
+    std::vector<Side> sides_;
+};
+
+/// Gives the fans around each vertex vertices of their own.
+class Splitter {
+public:
+    Splitter(MeshRepair& repair, Joints joints)
+        : repair_(repair), faces_(repair.mesh.faces), joints_(std::move(joints)) {}
+
+    void run() {
+        // An edge can stay crowded where both of its ends are held together by faces around them;
+        // then all but two of its faces are cut out, which may part further ones.
+        std::vector<Triangle> split = splitFaces();
+        while (cutCrowdedEdges(split)) {
+            split = splitFaces();
+        }
+        takeOver(split);
+    }
+
+private:
+    [[nodiscard]] int cornerOf(int face, int vertex) const {
+        const Triangle& corners = faces_[at(face)];
+        return 3 * face + (corners[0] == vertex ? 0 : (corners[1] == vertex ? 1 : 2));
+    }
+
+    int findSet(int corner) {
+        while (sets_[at(corner)] != corner) {
+            corner = sets_[at(corner)] = sets_[at(sets_[at(corner)])];
+        }
+        return corner;
+    }
+
+    /// The faces with vertices so numbered that each fan has one of its own.
+    std::vector<Triangle> splitFaces() {
+        const int faceCount = static_cast<int>(faces_.size());
+        sets_.resize(3 * faces_.size());
+        std::iota(sets_.begin(), sets_.end(), 0);
+        for (int f = 0; f < faceCount; ++f) {
+            for (int k = 0; k < 3; ++k) {
+                const int neighbour = joints_[at(f)][at(k)];
+                for (int end = 1; neighbour >= 0 && end < 3; ++end) {
+                    const int here = 3 * f + (k + end) % 3;
+                    const int there = cornerOf(neighbour, faces_[at(f)][at((k + end) % 3)]);
+                    const auto [low, high] = std::minmax({findSet(here), findSet(there)});
+                    sets_[at(high)] = low;
+                }
+            }
+        }
+        // The largest fan at each vertex keeps it, of equal ones the first.
+        std::vector<int> sizes(sets_.size(), 0);
+        for (int corner = 0; corner < 3 * faceCount; ++corner) {
+            ++sizes[at(findSet(corner))];
+        }
+        std::vector<int> keeper(repair_.mesh.vertices.size(), -1);
+        std::vector<int> fans;
+        for (int corner = 0; corner < 3 * faceCount; ++corner) {
+            if (findSet(corner) == corner) {
+                int& kept = keeper[at(vertexAt(corner))];
+                kept = kept < 0 || sizes[at(corner)] > sizes[at(kept)] ? corner : kept;
+                fans.push_back(corner);
+            }
+        }
+        return numberFans(fans, keeper);
+    }
+
+    [[nodiscard]] int vertexAt(int corner) const { return faces_[at(corner / 3)][at(corner % 3)]; }
+
+    std::vector<Triangle> numberFans(std::vector<int> fans, const std::vector<int>& keeper) {
+        std::ranges::stable_sort(fans, {}, [&](int corner) { return vertexAt(corner); });
+        std::vector<int> ids(sets_.size(), -1);
+        copies_.clear();
+        for (const int fan : fans) {
+            const int vertex = vertexAt(fan);
+            if (keeper[at(vertex)] == fan) {
+                ids[at(fan)] = vertex;
+            } else {
+                ids[at(fan)] = static_cast<int>(repair_.mesh.vertices.size() + copies_.size());
+                copies_.push_back(vertex);
+            }
+        }
+        std::vector<Triangle> split = faces_;
+        for (std::size_t f = 0; f < split.size(); ++f) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                split[f][k] = ids[at(findSet(static_cast<int>(3 * f + k)))];
+            }
+        }
+        return split;
+    }
+
+    /// Returns whether there were any.
+    bool cutCrowdedEdges(const std::vector<Triangle>& split) {
+        bool hasCut = false;
+        forEachEdge(sortedSides(split), [&](std::span<const Side> edge) {
+            const bool isFine =
+                edge.size() == 1 ||
+                (edge.size() == 2 && leadsUp(split, edge[0]) != leadsUp(split, edge[1]));
+            if (isFine) {
+                return;
+            }
+            hasCut = true;
+            const int keptPartner = joints_[at(edge[0].face)][at(edge[0].k)];
+            for (const Side& side : edge.subspan(1)) {
+                if (side.face != keptPartner) {
+                    cutOut(side);
+                }
+            }
+        });
+        return hasCut;
+    }
+
+    /// Parts a face from all others but the one that it is joined to at a side.
+    void cutOut(const Side& side) {
+        for (int k = 0; k < 3; ++k) {
+            int& neighbour = joints_[at(side.face)][at(k)];
+            if (k != side.k && neighbour >= 0) {
+                std::ranges::replace(joints_[at(neighbour)], side.face, -1);
+                neighbour = -1;
+                const Triangle& face = faces_[at(side.face)];
+                const auto [low, high] = std::minmax(face[at((k + 1) % 3)], face[at((k + 2) % 3)]);
+                repair_.report.cutEdges.push_back({low, high});
+            }
+        }
+    }
+
+    void takeOver(const std::vector<Triangle>& split) {
+        auto& duplicated = repair_.report.duplicatedVertices;
+        for (const int vertex : copies_) {
+            if (duplicated.empty() || duplicated.back().vertex != vertex) {
+                duplicated.push_back({vertex, {}});
+            }
+            duplicated.back().copies.push_back(static_cast<int>(repair_.mesh.vertices.size()));
+            const Vec3 position = repair_.mesh.vertices[at(vertex)];
+            repair_.mesh.vertices.push_back(position);
+            repair_.vertexOrigins.push_back(vertex);
+        }
+        repair_.mesh.faces = split;
+    }
+
+    MeshRepair& repair_;
+    std::vector<Triangle>& faces_;
+    Joints joints_;
+    std::vector<int> sets_;    // of corners, 3 * face + k
+    std::vector<int> copies_;  // the vertex behind each new one
+};
+
+}  // namespace
+
+Joints joinAndOrient(MeshRepair& repair) {
+    return Joiner(repair).run();
+}
+
+void splitVertices(MeshRepair& repair, Joints joints) {
+    Splitter(repair, std::move(joints)).run();
+    std::vector<std::array<int, 2>>& edges = repair.report.cutEdges;
+    std::ranges::sort(edges);
+    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+}
+
+}  // namespace bspline_curve::repair_steps
