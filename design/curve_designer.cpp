@@ -4,7 +4,7 @@
 #include "design/guide_path.h"
 #include "design/strict_polyline.h"
 #include "shell/shell_boundary.h"
-#include "shell/shell_builder.h"
+#include "shell/shell_simplifier.h"
 #include "solver/solve.h"
 #include "surface/input_error.h"
 #include "surface/picks.h"
@@ -32,8 +32,8 @@ struct CurveDesigner::State {
           validated(watch.lap()),
           tree(surface.vertices(), surface.faces()),
           treeBuilt(watch.lap()),
-          base(makeShellBase(surface, options.smoothingPasses)),
-          build(buildShell(base, options, progress)) {
+          base(std::make_shared<const ShellBase>(makeShellBase(surface, options.smoothingPasses))),
+          build(makeShell(base, options, progress)) {
         seconds = {validated, treeBuilt, watch.lap()};
     }
 
@@ -42,7 +42,7 @@ struct CurveDesigner::State {
     double validated;
     TriangleTree tree;
     double treeBuilt;
-    ShellBase base;
+    std::shared_ptr<const ShellBase> base;
     ShellBuild build;
     StageSeconds seconds;
 
@@ -84,7 +84,7 @@ std::vector<double> CurveDesigner::State::fieldOnPillars(std::span<const double>
         );
     }
     std::vector<double> values(field.begin(), field.end());
-    for (const int origin : base.ghostOrigin) {
+    for (const int origin : base->ghostOrigin) {
         values.push_back(field[at(origin)]);
     }
     return values;
@@ -111,11 +111,11 @@ CurveProblem CurveDesigner::State::makeProblem(
 ) const {
     CurveProblem problem;
     problem.shell = &build.shell;
-    problem.base = &base;
+    problem.base = base.get();
     problem.picks = std::move(picks);
     problem.field = fieldOnPillars(field);
     problem.options = options;
-    problem.averageEdgeLength = surface.averageEdgeLength() / base.frame.scale;
+    problem.averageEdgeLength = surface.averageEdgeLength() / base->frame.scale;
     for (std::size_t i = 0; i + 1 < problem.picks.size(); ++i) {
         problem.chordLength += (problem.picks[i + 1].position - problem.picks[i].position).norm();
     }
@@ -136,7 +136,7 @@ SplineData CurveDesigner::State::exportSpline(
     const int repeated = data.closed ? data.degree : 0;
     for (int i = 0; i < curve.space.controlCount() + repeated; ++i) {
         const int c = i % curve.space.controlCount();
-        data.controlPoints.push_back(base.frame.toUser(curve.controls.row(c).transpose()));
+        data.controlPoints.push_back(base->frame.toUser(curve.controls.row(c).transpose()));
     }
     for (const PickConstraint& pick : problem.picks) {
         data.pickParameters.push_back(pick.parameter);
@@ -176,7 +176,7 @@ Curve CurveDesigner::design(
         locatePicks(state.surface, state.tree, picks, options.closed);
     state.refuseBlockedPicks(located);
     PickPath path = makePickPath(
-        state.surface, state.base, located, options.closed, state.build.report.blockedFaces
+        state.surface, *state.base, located, options.closed, state.build.report.blockedFaces
     );
     CurveProblem problem = state.makeProblem(options, std::move(path.picks), field);
     problem.progress = progress;
@@ -219,12 +219,12 @@ SurfacePolyline CurveDesigner::resample(const Curve& curve, const SamplingOption
     );
     ControlPoints controls(space.controlCount(), 3);
     for (int c = 0; c < space.controlCount(); ++c) {
-        controls.row(c) = state.base.frame.toUnit(data.controlPoints[at(c)]).transpose();
+        controls.row(c) = state.base->frame.toUnit(data.controlPoints[at(c)]).transpose();
     }
     std::vector<PickConstraint> picks;
     for (std::size_t i = 0; i < data.pickParameters.size(); ++i) {
         const SurfacePoint& point = curve.polyline.surfacePoints[at(curve.polyline.picks[i])];
-        picks.push_back({point, state.base.position(point), data.pickParameters[i]});
+        picks.push_back({point, state.base->position(point), data.pickParameters[i]});
     }
     SolverOptions options;
     options.degree = data.degree;

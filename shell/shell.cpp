@@ -237,7 +237,7 @@ void Shell::barycentrics(int tet, AffineForm* forms) const {
     const Prism& prism = prisms_[at(tet / kTetrahedraPerPrism)];
     const int inPrism = tet % kTetrahedraPerPrism;
     const auto& split = kSlabSplit[at(inPrism % 3)];
-    const Vec3 Pillar::*const tip = inPrism < 3 ? &Pillar::top : &Pillar::bottom;
+    const Vec3 Pillar::* const tip = inPrism < 3 ? &Pillar::top : &Pillar::bottom;
     const auto corner = [&](std::size_t k) -> const Vec3& {
         const Pillar& pillar = pillars_[at(prism.pillars[at(split[k].slot)])];
         return split[k].outer ? pillar.*tip : pillar.middle;

@@ -7,6 +7,21 @@
 
 namespace bspline_curve {
 
+namespace {
+
+void checkShare(double value, const char* name) {
+    const bool isShare = value > 0.0 && value <= 1.0;  // NaN is not
+    if (!isShare) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            std::string(name) + " is " + std::to_string(value) +
+                ", but must be above 0 and at most 1 (longest sides of the mesh's box)"
+        );
+    }
+}
+
+}  // namespace
+
 void ShellOptions::validate() const {
     const bool isThick = thickness > 0.0 && thickness <= kMaxShellThickness;  // NaN is not
     if (!isThick) {
@@ -22,6 +37,8 @@ void ShellOptions::validate() const {
             "smoothing passes are " + std::to_string(smoothingPasses) + ", but must not be negative"
         );
     }
+    checkShare(targetThickness, "target thickness of the shell");
+    checkShare(targetEdgeLength, "target edge length of the shell");
 }
 
 }  // namespace bspline_curve

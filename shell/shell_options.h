@@ -5,12 +5,24 @@ namespace bspline_curve {
 
 inline constexpr double kMaxShellThickness = 1000.0;
 
+enum class ShellKind {
+    Simplified,     ///< few thick prisms; takes seconds on large meshes, once
+    FullResolution  ///< one thin prism per face; quick to build
+};
+
 struct ShellOptions {
-    /// Largest distance of top and bottom from the surface, in mean lengths of the edges at each
-    /// vertex, in (0, kMaxShellThickness].
+    ShellKind kind = ShellKind::FullResolution;
+    /// Full resolution: largest distance of top and bottom from the surface, in mean lengths of the
+    /// edges at each vertex, in (0, kMaxShellThickness].
     double thickness = 0.75;
     /// Rounds of averaging of the pillar directions, >= 0.
     int smoothingPasses = 3;
+    /// Simplified: largest length of a pillar, bottom to top, relative to the longest side of the
+    /// surface's box, in (0, 1]. Pillars are shorter where something is in their way.
+    double targetThickness = 0.135;
+    /// Simplified: middle edges shorter than this are collapsed where the invariants allow it,
+    /// relative to the longest side of the surface's box, in (0, 1].
+    double targetEdgeLength = 1.0;
 
     /// Throws InputError (BadOption).
     void validate() const;

@@ -4,11 +4,9 @@
 #include "shell/simplify/export_shell.h"
 #include "shell/simplify/operations.h"
 #include "shell/simplify/tracked_surface.h"
-#include "surface/input_error.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace bspline_curve {
 namespace {
@@ -41,15 +39,15 @@ void simplify(
     ShellEditor& editor,
     std::vector<std::pair<int, int>> creaseEdges,
     double longestSide,
-    const SimplifyOptions& options,
+    const ShellOptions& options,
     const Progress& progress
 ) {
     Creases creases(std::move(creaseEdges), editor.pillarCount());
     Thickener thickener(editor);
     Collapser collapser(editor, creases);
     Relaxer relaxer(editor, creases);
-    const double reach = 0.5 * options.thickness * longestSide;
-    const double longest = options.edgeLength * longestSide;
+    const double reach = 0.5 * options.targetThickness * longestSide;
+    const double longest = options.targetEdgeLength * longestSide;
     double length = kFirstStage * meanEdgeOf(editor);
     double done = 0.0;
     for (int stage = 0; stage < kMaxStages && editor.complex().prismCount() > 0; ++stage) {
@@ -78,30 +76,25 @@ void simplify(
 
 }  // namespace
 
-void SimplifyOptions::validate() const {
-    const auto check = [](double value, const char* name) {
-        if (!(value > 0.0 && value <= 1.0)) {
-            throw InputError(
-                InputErrorCode::BadOption,
-                std::string(name) + " is " + std::to_string(value) + ": give a number in (0, 1]"
-            );
-        }
-    };
-    check(thickness, "the target thickness of the simplified shell");
-    check(edgeLength, "the target edge length of the simplified shell");
+ShellBuild makeShell(
+    const std::shared_ptr<const ShellBase>& base,
+    const ShellOptions& options,
+    const Progress& progress
+) {
+    return options.kind == ShellKind::Simplified ? buildSimplifiedShell(base, options, progress)
+                                                 : buildShell(*base, options, progress);
 }
 
 ShellBuild buildSimplifiedShell(
     const std::shared_ptr<const ShellBase>& base,
-    const ShellOptions& start,
-    const SimplifyOptions& options,
+    const ShellOptions& options,
     const Progress& progress
 ) {
     options.validate();
     constexpr double kStartShare = 0.1;  // of the whole time
     const TrackedSurface surface(*base);
-    ShellOptions thin = start;
-    thin.thickness = std::min(start.thickness, kStartThickness);
+    ShellOptions thin = options;
+    thin.thickness = kStartThickness;
     const Progress startPart = partOf(progress, 0.0, kStartShare);
     ShellBuild build = buildShell(surface.base, thin, startPart);
     const Progress restPart = partOf(progress, kStartShare, 1.0);
