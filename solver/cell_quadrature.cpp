@@ -16,6 +16,9 @@ std::size_t at(int index) {
 // A curve that grazes a wall has a kink term without bound; this is the least |n . P'| / |P'| that
 // counts.
 constexpr double kLeastCrossingCosine = 0.05;
+// A jump of the gradient by less than this share of it is rounding: the faces next to the wall are
+// coplanar, or what changes there does not enter the integrand.
+constexpr double kLeastJump = 1e-11;
 
 // Where a curve passes from one cell into the next.
 struct WallCrossing {
@@ -39,14 +42,17 @@ void addKink(
 ) {
     const Vec3 normal = -crossing.from.walls[at(crossing.wall)].gradient.normalized();
     const Vec3 p = crossing.curve.at(crossing.tau);
-    const double jump = (CellIntegrand(problem, weights, crossing.to).gradient(p) -
-                         CellIntegrand(problem, weights, crossing.from).gradient(p))
-                            .dot(normal);
+    const Vec3 before = CellIntegrand(problem, weights, crossing.from).gradient(p);
+    const Vec3 after = CellIntegrand(problem, weights, crossing.to).gradient(p);
+    const double jump = (after - before).dot(normal);
+    if (std::abs(jump) <= kLeastJump * before.norm()) {
+        return;
+    }
     const Vec3 velocity =
         crossing.curve.derivativeAt(crossing.tau) / space.spanLength(crossing.span);
     const double speed =
         std::max(std::abs(normal.dot(velocity)), kLeastCrossingCosine * velocity.norm());
-    if (speed > 0.0 && jump != 0.0) {
+    if (speed > 0.0) {
         auto& blocks = jump > 0.0 ? derivatives.hessian : derivatives.negativeKinks;
         addRankOne(
             blocks[at(crossing.span)],
@@ -73,23 +79,29 @@ bool integrateCells(
         [&](
             int span, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1
         ) {
-            CellIntegrand integrand(problem, weights, cell);
             const double length = (tau1 - tau0) * space.spanLength(span);
+            if (derivatives == nullptr) {
+                const CellIntegrand integrand(problem, weights, cell);
+                for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
+                    const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
+                    belowBarrier &= integrand.add(curve.at(tau), kGaussWeights[i] * length, terms);
+                }
+                return;
+            }
+            CellDerivatives integrand(problem, weights, cell);
             for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
                 const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
-                const double weight = kGaussWeights[i] * length;
-                const Vec3 p = curve.at(tau);
-                if (derivatives == nullptr) {
-                    belowBarrier &= integrand.add(p, weight, terms);
-                } else {
-                    const SplineSpace::BasisValues basis = space.basisAt(span, tau);
-                    belowBarrier &=
-                        integrand.add(p, weight, terms, space, span, basis, derivatives->gradient);
-                }
+                belowBarrier &= integrand.add(
+                    curve.at(tau),
+                    kGaussWeights[i] * length,
+                    terms,
+                    space,
+                    span,
+                    space.basisAt(span, tau),
+                    derivatives->gradient
+                );
             }
-            if (derivatives != nullptr) {
-                integrand.flush(derivatives->hessian[at(span)], space.basisCount());
-            }
+            integrand.flush(derivatives->hessian[at(span)], space.basisCount());
         };
     const auto onCrossing = [&](int span,
                                 const PolynomialCurve& curve,

@@ -109,7 +109,7 @@ bool CellIntegrand::add(const Vec3& p, double weight, EnergyTerms& terms) const 
     return true;
 }
 
-bool CellIntegrand::add(
+bool CellDerivatives::add(
     const Vec3& p,
     double weight,
     EnergyTerms& terms,
@@ -160,7 +160,7 @@ bool CellIntegrand::add(
     return true;
 }
 
-void CellIntegrand::flush(SpanMatrix& hessian, int basisCount) const {
+void CellDerivatives::flush(SpanMatrix& hessian, int basisCount) const {
     heightProducts_.addTo(hessian, height_.gradient, basisCount);
     if (hasSurfaceHeight_) {
         mixedProducts_.addTo(hessian, height_.gradient, surfaceHeight_.gradient, basisCount);

@@ -26,8 +26,36 @@ public:
     /// barrier.
     [[nodiscard]] bool add(const Vec3& p, double weight, EnergyTerms& terms) const;
 
-    /// The same with derivatives by the control points of a span, on which the point depends by
-    /// `basis`; second derivatives are collected until flush().
+    /// Gradient of the weighted integrand at p.
+    [[nodiscard]] Vec3 gradient(const Vec3& p) const;
+
+protected:
+    // The height d relative to the surface and its derivatives by w and w_S.
+    struct RelativeHeight {
+        double value = 0.0;
+        double byHeight = 1.0, bySurface = 0.0;
+        double byHeightTwice = 0.0, byBoth = 0.0, bySurfaceTwice = 0.0;
+    };
+
+    [[nodiscard]] RelativeHeight relativeHeightAt(const Vec3& p) const;
+
+    EnergyWeights weights_;
+    double mu_;
+    FieldCost cost_;
+    AffineForm height_, surfaceHeight_, beyond_, field_;
+    double heightScale_;
+    bool hasSurfaceHeight_, hasBeyond_;
+};
+
+/// The same with derivatives by the control points of a span.
+class CellDerivatives : public CellIntegrand {
+public:
+    using CellIntegrand::add;
+    using CellIntegrand::CellIntegrand;
+
+    /// Adds `weight` times the integrand at p, on which the point depends by `basis`, to the terms
+    /// and its first derivatives to the gradient; second derivatives are collected until flush().
+    /// False where p is on or above the barrier.
     [[nodiscard]] bool add(
         const Vec3& p,
         double weight,
@@ -41,29 +69,11 @@ public:
     /// Adds the second derivatives collected to the block of the span.
     void flush(SpanMatrix& hessian, int basisCount) const;
 
-    /// Gradient of the weighted integrand at p.
-    [[nodiscard]] Vec3 gradient(const Vec3& p) const;
-
 private:
-    // The height d relative to the surface and its derivatives by w and w_S.
-    struct RelativeHeight {
-        double value = 0.0;
-        double byHeight = 1.0, bySurface = 0.0;
-        double byHeightTwice = 0.0, byBoth = 0.0, bySurfaceTwice = 0.0;
-    };
-
-    [[nodiscard]] RelativeHeight relativeHeightAt(const Vec3& p) const;
-
-    EnergyWeights weights_;
-    double mu_;
-    FieldCost cost_;
     // Constant gradients in the cell, so the second derivatives of all points in it share their
     // directions.
-    AffineForm height_, surfaceHeight_, beyond_, field_;
     BasisProducts heightProducts_, mixedProducts_, surfaceProducts_;
     BasisProducts beyondProducts_, fieldProducts_;
-    double heightScale_;
-    bool hasSurfaceHeight_, hasBeyond_;
 };
 
 /// The weight of the field: mu of (7), or 0 without a field.

@@ -89,7 +89,7 @@ bool integrateSamples(
                 return false;
             }
             const double scale = weights.outsideAllowed ? kHeightScale : 1.0;
-            CellIntegrand integrand(problem, weights, walker.cell(), scale);
+            CellDerivatives integrand(problem, weights, walker.cell(), scale);
             // Outside, the terms are those of the boundary point and do not change with the sample.
             if (derivatives == nullptr || walker.outside()) {
                 belowBarrier &= integrand.add(walker.position(), weight, terms);

@@ -78,7 +78,7 @@ public:
         Eigen::Matrix3d hessian;
     };
 
-    [[nodiscard]] Derivatives derivatives(CellIntegrand integrand, const Vec3& p) const {
+    [[nodiscard]] Derivatives derivatives(CellDerivatives integrand, const Vec3& p) const {
         EnergyTerms terms;
         Eigen::VectorXd gradient = Eigen::VectorXd::Zero(9);
         EXPECT_TRUE(integrand.add(p, 1.0, terms, space_, 0, basis_, gradient));
@@ -113,7 +113,7 @@ TEST(IntegrandOfACell, HasTheDerivativesOfItsDifferences) {
                 continue;
             }
             for (const double scale : {1.0, 0.99}) {
-                const CellIntegrand integrand(problem, weights, point.cell, scale);
+                const CellDerivatives integrand(problem, weights, point.cell, scale);
                 const PointSpace::Derivatives exact = space.derivatives(integrand, point.position);
                 EXPECT_LT(
                     (integrand.gradient(point.position) - exact.gradient).norm(),
