@@ -152,13 +152,11 @@ CellExit firstExitOfDegree(
 ) {
     // The curve by axes and the walls along it, coefficients side by side in an even number, so
     // that two are computed at once.
-    constexpr std::size_t kCount = (Degree + 2) / 2 * 2;
-    using Coefficients = std::array<double, kCount>;
-    std::array<Coefficients, 3> axes{};
-    for (std::size_t j = 0; j <= Degree; ++j) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            axes[axis][j] = curve.coefficients[j][static_cast<Eigen::Index>(axis)];
-        }
+    constexpr int kCount = (Degree + 2) / 2 * 2;
+    using Coefficients = Eigen::Matrix<double, kCount, 1>;
+    Eigen::Matrix<double, kCount, 3> axes = Eigen::Matrix<double, kCount, 3>::Zero();
+    for (int j = 0; j <= Degree; ++j) {
+        axes.row(j) = curve.coefficients[static_cast<std::size_t>(j)].transpose();
     }
     std::array<Coefficients, ShellCell::kMaxWalls> walls;
     int nearest = 0;
@@ -166,10 +164,8 @@ CellExit firstExitOfDegree(
     for (int k = 0; k < cell.wallCount; ++k) {
         const AffineForm& form = cell.walls[static_cast<std::size_t>(k)];
         Coefficients& wall = walls[static_cast<std::size_t>(k)];
-        for (std::size_t j = 0; j < kCount; ++j) {
-            wall[j] = form.gradient.x() * axes[0][j] + form.gradient.y() * axes[1][j] +
-                      form.gradient.z() * axes[2][j];
-        }
+        wall.noalias() = form.gradient.x() * axes.col(0) + form.gradient.y() * axes.col(1) +
+                         form.gradient.z() * axes.col(2);
         wall[0] += form.offset;
         // Where the tangent leaves.
         if (wall[1] < 0.0 && -wall[0] > nearestExit * wall[1]) {

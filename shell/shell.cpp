@@ -171,10 +171,8 @@ int Shell::locate(const SurfacePoint& point) const {
         for (int tet = prism * kTetrahedraPerPrism; tet < (prism + 1) * kTetrahedraPerPrism;
              ++tet) {
             barycentrics(tet, lambda.data());
-            const double depth = std::min(
-                std::min(lambda[0].at(p), lambda[1].at(p)),
-                std::min(lambda[2].at(p), lambda[3].at(p))
-            );
+            const double depth =
+                std::min({lambda[0].at(p), lambda[1].at(p), lambda[2].at(p), lambda[3].at(p)});
             // Cosines lie above -1, so a tetrahedron that holds the point comes first.
             const double score =
                 depth >= -kHoldingDepth ? fibre(tet).normalized().dot(normal) : depth - 1.0;

@@ -74,7 +74,7 @@ Shell makeShell(
     std::vector<Pillar> pillars = pillarsOn(middle, base->frame, height);
     std::vector<Prism> prisms = prismsOver(middle);
     SurfaceTracks tracks = tracksByBoxes(pillars, prisms, *base);
-    return Shell(std::move(pillars), std::move(prisms), std::move(tracks), base);
+    return {std::move(pillars), std::move(prisms), std::move(tracks), base};
 }
 
 // Turned by an angle that aligns nothing.
@@ -179,7 +179,7 @@ Shell asSimplified(const Shell& thin, const std::shared_ptr<const ShellBase>& ba
         }
         tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));
     }
-    return Shell(thin.pillars(), thin.prisms(), std::move(tracks), base);
+    return {thin.pillars(), thin.prisms(), std::move(tracks), base};
 }
 
 std::ostream& operator<<(std::ostream& stream, const CoarseShellCase& named) {
