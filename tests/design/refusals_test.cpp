@@ -75,14 +75,24 @@ TEST_F(Refusals, OptionsOutOfRangeAreRefused) {
 }
 
 TEST_F(Refusals, ShellOptionsOutOfRangeAreRefused) {
-    for (const double thickness : {0.0, -1.0, kNotANumber}) {
-        const auto error = refusal([&] { const CurveDesigner d(plate(4, 4), {thickness, 3}); });
-        ASSERT_TRUE(error.has_value()) << thickness;
-        EXPECT_EQ(error->code(), InputErrorCode::BadOption) << error->what();
+    std::vector<ShellOptions> wrong(9);
+    wrong[0].thickness = 0.0;
+    wrong[1].thickness = -1.0;
+    wrong[2].thickness = kNotANumber;
+    wrong[3].smoothingPasses = -1;
+    for (std::size_t i = 4; i < wrong.size(); ++i) {
+        wrong[i].kind = ShellKind::Simplified;
     }
-    const auto error = refusal([&] { const CurveDesigner d(plate(4, 4), {0.75, -1}); });
-    ASSERT_TRUE(error.has_value());
-    EXPECT_EQ(error->code(), InputErrorCode::BadOption) << error->what();
+    wrong[4].targetThickness = 0.0;
+    wrong[5].targetThickness = kNotANumber;
+    wrong[6].targetEdgeLength = -1.0;
+    wrong[7].targetEdgeLength = kNotANumber;
+    wrong[8].smoothingPasses = -1;
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+        const auto error = refusal([&] { const CurveDesigner d(plate(4, 4), wrong[i]); });
+        ASSERT_TRUE(error.has_value()) << i;
+        EXPECT_EQ(error->code(), InputErrorCode::BadOption) << i << ": " << error->what();
+    }
 }
 
 TEST_F(Refusals, TooFewPicksAreRefused) {
