@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/initial_curve.h"
 
+#include "solver/shell_reach.h"
 #include "solver/spline_system.h"
 #include "surface/input_error.h"
 
@@ -123,7 +124,7 @@ bool spanIsInside(
     const auto ignoreCrossing = [](const ShellCell&, const ShellCell&, double, int) {};
     return walkStraight(*problem.shell, near.position, curve.coefficients[0], state) &&
            tracePolynomial(*problem.shell, curve, 1.0, state, measure, ignoreCrossing) &&
-           highest < kHighestStart;
+           highest * relativeReach(problem) < kHighestStart;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "solver/curve_energy.h"
 #include "solver/knot_insertion.h"
 #include "solver/minimiser.h"
+#include "solver/shell_reach.h"
 #include "solver/span_distances.h"
 #include "solver/weights.h"
 #include "surface/stopwatch.h"
@@ -88,6 +89,9 @@ public:
     // then come to rest.
     Solution run() {
         weights_ = firstWeights(options_, measure());
+        // E_dist goes with the square of the relative height, so a thick shell is softer.
+        const double reach = relativeReach(problem_);
+        weights_.alpha *= reach * reach;
         for (round_ = 0; round_ < options_.maxRounds; ++round_) {
             bspline_curve::report(problem_.progress, progressFraction(), "minimising");
             refreshDirections(kRoughBlend);
