@@ -2,6 +2,7 @@
 #include "design/curve_designer.h"
 
 #include "design/guide_path.h"
+#include "design/near_shell.h"
 #include "design/strict_polyline.h"
 #include "shell/shell_boundary.h"
 #include "shell/shell_simplifier.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -53,6 +55,12 @@ struct CurveDesigner::State {
     ) const;
     [[nodiscard]] std::vector<double> fieldOnPillars(std::span<const double> field) const;
     void refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const;
+    [[nodiscard]] SurfacePolyline polylineOf(
+        const CurveProblem& problem,
+        const SplineSpace& space,
+        const ControlPoints& controls,
+        const SamplingOptions& sampling
+    ) const;
     [[nodiscard]] SplineData exportSpline(
         const SplineCurve& curve, const CurveProblem& problem
     ) const;
@@ -126,6 +134,31 @@ CurveProblem CurveDesigner::State::makeProblem(
     return problem;
 }
 
+SurfacePolyline CurveDesigner::State::polylineOf(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    const SamplingOptions& sampling
+) const {
+    const ShadowCurve shadow(problem, space, controls);
+    if (!shadow.isWhole()) {
+        throw std::logic_error("the polyline was asked of a spline that leaves its shell");
+    }
+    if (problem.shell->isFullResolution()) {
+        return makeStrictPolyline(surface, problem, shadow, sampling);
+    }
+    const double tolerance = problem.options.distanceTolerance * problem.averageEdgeLength;
+    const NearShell near(surface, *base, shadow, tolerance);
+    CurveProblem nearProblem = problem;
+    nearProblem.shell = &*near.shell;
+    nearProblem.base = &near.base;
+    for (PickConstraint& pick : nearProblem.picks) {
+        pick.point.face = near.indexOf(pick.point.face);
+    }
+    const ShadowCurve fine(nearProblem, space, controls, &near.faces);
+    return makeStrictPolyline(surface, problem, fine.isWhole() ? fine : shadow, sampling);
+}
+
 SplineData CurveDesigner::State::exportSpline(
     const SplineCurve& curve, const CurveProblem& problem
 ) const {
@@ -197,8 +230,8 @@ Curve CurveDesigner::design(
     watch.lap();
 
     Curve curve;
-    const ShadowCurve shadow(problem, solution.curve.space, solution.curve.controls);
-    curve.polyline = makeStrictPolyline(state.surface, problem, shadow, sampling);
+    curve.polyline =
+        state.polylineOf(problem, solution.curve.space, solution.curve.controls, sampling);
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;
     curve.report.seconds.path = pathSeconds;
@@ -230,9 +263,7 @@ SurfacePolyline CurveDesigner::resample(const Curve& curve, const SamplingOption
     options.degree = data.degree;
     options.closed = data.closed;
     const CurveProblem problem = state.makeProblem(options, std::move(picks), {});
-    return makeStrictPolyline(
-        state.surface, problem, ShadowCurve(problem, space, controls), sampling
-    );
+    return state.polylineOf(problem, space, controls, sampling);
 }
 
 }  // namespace bspline_curve

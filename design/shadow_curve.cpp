@@ -5,7 +5,6 @@
 #include "surface/surface_point.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace bspline_curve {
 namespace {
@@ -23,9 +22,12 @@ Vec3 clamped(Vec3 barycentric) {
 }  // namespace
 
 ShadowCurve::ShadowCurve(
-    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    const std::vector<int>* faceNames
 )
-    : problem_(problem), space_(space), controls_(controls) {
+    : problem_(problem), space_(space), controls_(controls), faceNames_(faceNames) {
     const auto parameter = [&](int span, double tau) {
         return space.breaks()[bspline_curve::at(span)] + tau * space.spanLength(span);
     };
@@ -56,18 +58,23 @@ ShadowCurve::ShadowCurve(
             crossings_.push_back({parameter(span, tau), toSurface(from.face, clamped(shadow))});
         }
     );
-    if (spans != space.spanCount()) {
-        throw std::logic_error(
-            "the shadow was asked of a spline that leaves its shell on span " +
-            std::to_string(spans)
-        );
+    isWhole_ = spans == space.spanCount();
+}
+
+std::vector<int> ShadowCurve::faces() const {
+    std::vector<int> faces;
+    for (const Piece& piece : pieces_) {
+        if (faces.empty() || faces.back() != piece.face) {
+            faces.push_back(piece.face);
+        }
     }
+    return faces;
 }
 
 SurfacePoint ShadowCurve::toSurface(int face, const Vec3& shadow) const {
     const ShellBase& base = *problem_.base;
     if (!problem_.shell->isGhost(face)) {
-        return {face, shadow};
+        return named({face, shadow});
     }
     // A ghost triangle collapses onto the boundary edge that it grew from.
     int inner = face;
@@ -79,6 +86,13 @@ SurfacePoint ShadowCurve::toSurface(int face, const Vec3& shadow) const {
         const int vertex =
             base.surfaceVertex(base.faces[bspline_curve::at(face)][bspline_curve::at(corner)]);
         point.barycentric[cornerOf(base.faces[bspline_curve::at(inner)], vertex)] += shadow[corner];
+    }
+    return named(point);
+}
+
+SurfacePoint ShadowCurve::named(SurfacePoint point) const {
+    if (faceNames_ != nullptr) {
+        point.face = (*faceNames_)[bspline_curve::at(point.face)];
     }
     return point;
 }
