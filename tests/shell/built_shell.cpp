@@ -3,6 +3,7 @@
 
 #include "support/meshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -21,6 +22,23 @@ ShellCheck BuiltShell::check() const {
 
 ShellCheck BuiltShell::check(const Shell& other) const {
     return checkShell(surface, base, other, blockedFaces());
+}
+
+SimplifiedShell::SimplifiedShell(TriangleMesh mesh, const ShellOptions& options)
+    : surface(std::move(mesh)),
+      base(std::make_shared<const ShellBase>(makeShellBase(surface, options.smoothingPasses))),
+      build(buildSimplifiedShell(base, options)) {}
+
+ShellCheck SimplifiedShell::check() const {
+    return checkShell(surface, *base, shell(), build.report.blockedFaces);
+}
+
+double SimplifiedShell::meanThickness() const {
+    double total = 0.0;
+    for (const Pillar& pillar : shell().pillars()) {
+        total += (pillar.top - pillar.bottom).norm();
+    }
+    return total / static_cast<double>(shell().pillars().size()) / longestSideOf(*base);
 }
 
 std::ostream& operator<<(std::ostream& stream, const NamedMesh& named) {
@@ -145,6 +163,101 @@ TriangleMesh sphereWithSatellite() {
     Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();
     aside.translation() = 1.1 * centre;
     return joined(sphere, transformed(icosphere(1), aside, 0.01));
+}
+
+TriangleMesh sphereInSphere() {
+    return joined(icosphere(4), icosphere(1, 0.01));
+}
+
+TriangleMesh withHoles(const TriangleMesh& mesh, int count, Random& random) {
+    TriangleMesh result = mesh;
+    // Vertices less than three faces from a hole keep all their faces.
+    std::vector<char> isNearHole(mesh.vertices.size(), 0);
+    for (int hole = 0; hole < count; ++hole) {
+        const int centre = random.integer(0, static_cast<int>(mesh.vertices.size()) - 1);
+        std::vector<char> isNear(mesh.vertices.size(), 0);
+        isNear[static_cast<std::size_t>(centre)] = 1;
+        for (int ring = 0; ring < 3; ++ring) {
+            std::vector<char> next = isNear;
+            for (const Triangle& face : mesh.faces) {
+                if (std::ranges::any_of(face, [&](int v) {
+                        return isNear[static_cast<std::size_t>(v)] != 0;
+                    })) {
+                    for (const int v : face) {
+                        next[static_cast<std::size_t>(v)] = 1;
+                    }
+                }
+            }
+            isNear.swap(next);
+        }
+        bool isFree = true;
+        for (std::size_t v = 0; v < isNear.size(); ++v) {
+            isFree = isFree && (isNear[v] == 0 || isNearHole[v] == 0);
+        }
+        if (!isFree) {
+            continue;
+        }
+        for (std::size_t v = 0; v < isNear.size(); ++v) {
+            isNearHole[v] = static_cast<char>(isNearHole[v] | isNear[v]);
+        }
+        std::erase_if(result.faces, [&](const Triangle& face) {
+            return std::ranges::find(face, centre) != face.end();
+        });
+    }
+    return result;
+}
+
+TriangleMesh randomMesh(Random& random) {
+    const auto part = [&] {
+        TriangleMesh mesh;
+        switch (random.integer(0, 4)) {
+            case 0:
+                mesh = icosphere(3);
+                break;
+            case 1:
+                mesh = torus(random.integer(12, 48), random.integer(6, 20));
+                break;
+            case 2:
+                mesh =
+                    box(random.integer(2, 10),
+                        random.point(0.02, 1.0).cwiseMax(Vec3(0.3, 0.3, 0.0)));
+                break;
+            case 3:
+                mesh = openCylinder(
+                    random.integer(8, 40), random.integer(2, 12), 1.0, random.uniform(0.1, 3.0)
+                );
+                break;
+            default:
+                mesh = jitteredPlate(
+                    random.integer(4, 30), random.integer(4, 30), random.uniform(0.0, 0.28), 1
+                );
+                for (Vec3& p : mesh.vertices) {
+                    p.z() += 0.1 * std::sin(7.0 * p.x()) * std::cos(9.0 * p.y());
+                }
+                break;
+        }
+        if (random.integer(0, 2) == 0) {
+            mesh = withNoise(
+                std::move(mesh),
+                random.uniform(0.0, 0.02),
+                static_cast<std::uint64_t>(random.integer(1, 1000))
+            );
+        }
+        if (random.integer(0, 3) == 0) {
+            mesh = withHoles(mesh, random.integer(1, 4), random);
+        }
+        if (mesh.faces.size() < 1500 && random.integer(0, 1) == 0) {
+            mesh = midpointSubdivide(mesh);
+        }
+        return mesh;
+    };
+    TriangleMesh mesh = part();
+    if (random.integer(0, 3) == 0) {
+        Eigen::Isometry3d aside = random.isometry(0.0);
+        aside.translation() = Vec3(random.uniform(2.5, 4.0), 0.0, 0.0);
+        mesh = joined(mesh, transformed(part(), aside, random.uniform(0.01, 0.8)));
+    }
+    return transformed(mesh, random.isometry(1.0));
 }
 
 std::string describe(const ShellCheck& check) {

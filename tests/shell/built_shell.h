@@ -2,9 +2,11 @@
 #pragma once
 
 #include "shell/check_shell.h"
-#include "shell/shell_builder.h"
+#include "shell/shell_simplifier.h"
+#include "support/random.h"
 #include "surface/surface.h"
 
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -25,6 +27,23 @@ struct BuiltShell {
 
     Surface surface;
     ShellBase base;
+    ShellBuild build;
+};
+
+/// A surface and its simplified shell.
+struct SimplifiedShell {
+    explicit SimplifiedShell(TriangleMesh mesh, const ShellOptions& options = {});
+
+    [[nodiscard]] const Shell& shell() const { return build.shell; }
+
+    [[nodiscard]] ShellCheck check() const;
+
+    /// Mean length of its pillars, bottom to top, relative to the longest side of the surface's
+    /// box.
+    [[nodiscard]] double meanThickness() const;
+
+    Surface surface;
+    std::shared_ptr<const ShellBase> base;
     ShellBuild build;
 };
 
@@ -60,6 +79,17 @@ std::ostream& operator<<(std::ostream& stream, const NamedMesh& named);
 
 /// A coarse sphere (vertices 0 to 11) and a tiny one outside, close to the middle of its face 0.
 [[nodiscard]] TriangleMesh sphereWithSatellite();
+
+/// A large sphere and a tiny one in it, at its centre: no part of either is near the other.
+[[nodiscard]] TriangleMesh sphereInSphere();
+
+/// The mesh without the faces around some of its vertices, chosen at random, no two of which are
+/// close: holes.
+[[nodiscard]] TriangleMesh withHoles(const TriangleMesh& mesh, int count, Random& random);
+
+/// Spheres, tori, boxes, plates and pairs of these, smooth, noisy or subdivided, closed or with
+/// holes, of some thousand faces; without self-intersections by intent, not by proof.
+[[nodiscard]] TriangleMesh randomMesh(Random& random);
 
 /// What violates an invariant, as text for a failing test.
 [[nodiscard]] std::string describe(const ShellCheck& check);

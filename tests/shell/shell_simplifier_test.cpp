@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/shell_simplifier.h"
+
+#include "built_shell.h"
+#include "support/meshes.h"
+#include "support/random.h"
+#include "surface/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+bool areSame(const Shell& a, const Shell& b) {
+    return std::ranges::equal(
+               a.pillars(),
+               b.pillars(),
+               [](const Pillar& p, const Pillar& q) {
+                   return p.bottom == q.bottom && p.middle == q.middle && p.top == q.top;
+               }
+           ) &&
+           std::ranges::equal(
+               a.prisms(),
+               b.prisms(),
+               [](const Prism& p, const Prism& q) {
+                   return p.pillars == q.pillars && p.neighbours == q.neighbours &&
+                          p.neighbourWalls == q.neighbourWalls && p.orientation == q.orientation;
+               }
+           ) &&
+           a.tracks().offsets == b.tracks().offsets && a.tracks().faces == b.tracks().faces;
+}
+
+// ---- Valid on every kind of surface ----
+
+/// Further properties that only simplified shells may trip over.
+std::vector<NamedMesh> simplifierMeshes() {
+    std::vector<NamedMesh> meshes = shellMeshes();
+    Random random(1);
+    // Up to 178 degrees between the normals of neighbours: a plate bent like a sheet of cardboard.
+    TriangleMesh sharpFold = plate(20, 10);
+    for (Vec3& p : sharpFold.vertices) {
+        if (p.x() > 0.5) {
+            p = Vec3(1.0 - p.x(), p.y(), 0.02 * (p.x() - 0.5));
+        }
+    }
+    // Faces a hundred thousand times as long as high.
+    TriangleMesh needles = plate(20, 20, 1.0, 2e-4);
+    TriangleMesh genusThree = joined(torus(32, 12), torus(24, 16, 3.0, 0.5));
+    meshes.insert(
+        meshes.end(),
+        {
+            {"SharpFold", std::move(sharpFold)},
+            {"Needles", std::move(needles)},
+            {"LinkedTori", std::move(genusThree)},
+            {"PuncturedSphere", withHoles(icosphere(4), 6, random)},
+            {"PuncturedTorus", withHoles(torus(48, 24), 8, random)},
+            {"LongCylinder", openCylinder(60, 30)},
+            {"SphereInSphere", sphereInSphere()},
+            {"DenseFoldedSheet", foldedSheet(120, 12, 0.05)},
+            {"TwiceSubdividedBox", midpointSubdivide(midpointSubdivide(box(3)))},
+        }
+    );
+    return meshes;
+}
+
+class SimplifyShell : public testing::TestWithParam<NamedMesh> {};
+
+TEST_P(SimplifyShell, HoldsAllInvariants) {
+    const SimplifiedShell simplified(GetParam().mesh);
+    EXPECT_TRUE(simplified.check().passed()) << describe(simplified.check());
+    EXPECT_TRUE(simplified.build.report.blockedFaces.empty());
+    EXPECT_LE(simplified.shell().prisms().size(), simplified.base->faces.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, SimplifyShell, testing::ValuesIn(simplifierMeshes()), [](const auto& instance) {
+        return instance.param.name;
+    }
+);
+
+TEST(ShellSimplifier, HoldsAllInvariantsOnRandomMeshesWithRandomOptions) {
+    for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriangleMesh mesh = randomMesh(random);
+        const ShellOptions options{
+            .smoothingPasses = random.integer(0, 4),
+            .targetThickness = random.uniform(0.01, 0.5),
+            .targetEdgeLength = random.uniform(0.02, 1.0)
+        };
+        const SimplifiedShell simplified(std::move(mesh), options);
+        EXPECT_TRUE(simplified.check().passed()) << describe(simplified.check());
+    }
+}
+
+// ---- Few, thick, along creases ----
+
+TEST(ShellSimplifier, MakesFewAndThickPrismsOnASmoothSurface) {
+    const SimplifiedShell simplified(icosphere(5));
+    EXPECT_LT(simplified.shell().prisms().size(), 250U);
+    EXPECT_GT(simplified.meanThickness(), 0.12);
+    EXPECT_LE(simplified.meanThickness(), 0.135 * 1.5);
+}
+
+TEST(ShellSimplifier, KeepsMiddleEdgesAlongTheCreasesOfABox) {
+    const Vec3 lengths(1.0, 0.8, 0.6);
+    const SimplifiedShell simplified(box(10, lengths));
+    EXPECT_LT(simplified.shell().prisms().size(), 400U);
+    const ShellFrame& frame = simplified.base->frame;
+    // How many sides of the box hold a pillar's middle, each as a bit.
+    const auto sidesOf = [&](int pillar) {
+        const Vec3 p = frame.toUser(simplified.shell().pillars()[at(pillar)].middle);
+        unsigned sides = 0;
+        for (int k = 0; k < 3; ++k) {
+            sides |= static_cast<unsigned>(std::abs(p[k]) < 1e-12) << (2 * k);
+            sides |= static_cast<unsigned>(std::abs(p[k] - lengths[k]) < 1e-12) << (2 * k + 1);
+        }
+        return sides;
+    };
+    std::set<std::pair<int, int>> creases;
+    for (const Prism& prism : simplified.shell().prisms()) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto edge = std::minmax(prism.pillars[k], prism.pillars[(k + 1) % 3]);
+            const unsigned common = sidesOf(edge.first) & sidesOf(edge.second);
+            if ((common & (common - 1)) != 0) {
+                creases.insert(edge);
+            }
+        }
+    }
+    double length = 0.0;
+    for (const auto& [a, b] : creases) {
+        length += frame.scale * (simplified.shell().pillars()[at(a)].middle -
+                                 simplified.shell().pillars()[at(b)].middle)
+                                    .norm();
+    }
+    EXPECT_NEAR(length, 4.0 * lengths.sum(), 1e-9);
+}
+
+TEST(ShellSimplifier, LeavesLongEdgesAlone) {
+    const double longest = 0.1;
+    const SimplifiedShell coarse(icosphere(4));
+    const SimplifiedShell fine(icosphere(4), {.targetEdgeLength = longest});
+    EXPECT_GT(fine.shell().prisms().size(), 2 * coarse.shell().prisms().size());
+    EXPECT_TRUE(fine.check().passed()) << describe(fine.check());
+}
+
+TEST(ShellSimplifier, MakesPillarsNoLongerThanAskedWhereTheStartIsNot) {
+    for (const double thickness : {0.05, 0.135, 0.3}) {
+        const SimplifiedShell simplified(icosphere(5), {.targetThickness = thickness});
+        for (const Pillar& pillar : simplified.shell().pillars()) {
+            const double side = longestSideOf(*simplified.base);
+            EXPECT_LE((pillar.top - pillar.bottom).norm(), thickness * side * (1.0 + 1e-9));
+        }
+    }
+}
+
+// ---- Calls ----
+
+TEST(ShellSimplifier, GivesTheSameShellEachTime) {
+    const TriangleMesh mesh = withNoise(torus(48, 24), 0.01, 7);
+    const SimplifiedShell first(mesh);
+    const SimplifiedShell second(mesh);
+    EXPECT_TRUE(areSame(first.shell(), second.shell()));
+    const SimplifiedShell other(mesh, {.targetThickness = 0.05});
+    EXPECT_FALSE(areSame(first.shell(), other.shell()));
+}
+
+TEST(ShellSimplifier, ReportsBlockedFacesAndSimplifiesTheRest) {
+    TriangleMesh crossing = midpointSubdivide(midpointSubdivide(crossingPlates()));
+    const SimplifiedShell simplified(crossing);
+    const ShellBuildReport& report = simplified.build.report;
+    EXPECT_FALSE(report.blockedFaces.empty());
+    EXPECT_TRUE(std::ranges::is_sorted(report.blockedFaces));
+    EXPECT_FALSE(report.selfIntersections.empty());
+    for (const auto& [f, g] : report.selfIntersections) {
+        EXPECT_LT(f, g);
+        EXPECT_TRUE(std::ranges::binary_search(report.blockedFaces, f));
+        EXPECT_TRUE(std::ranges::binary_search(report.blockedFaces, g));
+    }
+    EXPECT_EQ(report.blockedFaces, simplified.shell().blockedFaces());
+    EXPECT_LT(
+        simplified.shell().prisms().size(),
+        simplified.base->faces.size() - report.blockedFaces.size()
+    );
+    EXPECT_TRUE(simplified.check().passed()) << describe(simplified.check());
+    // The same faces as at full resolution.
+    const BuiltShell thin(crossing);
+    EXPECT_EQ(report.blockedFaces, thin.blockedFaces());
+    EXPECT_EQ(report.selfIntersections, thin.build.report.selfIntersections);
+}
+
+TEST(ShellSimplifier, ReportsFractionsThatNeverFall) {
+    const Surface surface(icosphere(4));
+    const auto base = std::make_shared<const ShellBase>(makeShellBase(surface, 3));
+    std::vector<double> fractions;
+    static_cast<void>(buildSimplifiedShell(base, {}, [&](double fraction, const char* stage) {
+        EXPECT_NE(stage, nullptr);
+        fractions.push_back(fraction);
+        return true;
+    }));
+    EXPECT_GT(fractions.size(), 5U);
+    EXPECT_TRUE(std::ranges::is_sorted(fractions));
+    EXPECT_GE(fractions.front(), 0.0);
+    EXPECT_EQ(fractions.back(), 1.0);
+}
+
+TEST(ShellSimplifier, StopsWhereverItIsCancelled) {
+    const Surface surface(icosphere(4));
+    const auto base = std::make_shared<const ShellBase>(makeShellBase(surface, 3));
+    int calls = 0;
+    static_cast<void>(buildSimplifiedShell(base, {}, [&](double, const char*) {
+        ++calls;
+        return true;
+    }));
+    for (const int last : {1, 2, calls / 2, calls}) {
+        int left = last;
+        EXPECT_THROW(
+            static_cast<void>(
+                buildSimplifiedShell(base, {}, [&](double, const char*) { return --left > 0; })
+            ),
+            Cancelled
+        );
+        EXPECT_EQ(left, 0);
+    }
+}
+
+TEST(ShellSimplifier, RefusesOptionsOutOfRange) {
+    const Surface surface(icosphere(1));
+    const auto base = std::make_shared<const ShellBase>(makeShellBase(surface, 3));
+    const auto refuses = [&](const ShellOptions& options) {
+        try {
+            static_cast<void>(buildSimplifiedShell(base, options));
+            return false;
+        } catch (const InputError& error) {
+            return error.code() == InputErrorCode::BadOption;
+        }
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {0.0, -0.1, 1.1, nan}) {
+        EXPECT_TRUE(refuses({.targetThickness = bad})) << bad;
+        EXPECT_TRUE(refuses({.targetEdgeLength = bad})) << bad;
+    }
+    EXPECT_TRUE(refuses({.smoothingPasses = -1}));
+    EXPECT_FALSE(refuses({.targetThickness = 1.0, .targetEdgeLength = 1.0}));
+}
+
+TEST(ShellSimplifier, BuildsTheKindThatTheOptionsName) {
+    const Surface surface(icosphere(2));
+    const auto base = std::make_shared<const ShellBase>(makeShellBase(surface, 3));
+    EXPECT_TRUE(makeShell(base, {.kind = ShellKind::FullResolution}).shell.isFullResolution());
+    EXPECT_FALSE(makeShell(base, {.kind = ShellKind::Simplified}).shell.isFullResolution());
+}
+
+}  // namespace
+}  // namespace bspline_curve
