@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/export_shell.h"
 
-#include "surface/surface_point.h"
-
 #include <algorithm>
 #include <compare>
 
@@ -72,8 +70,7 @@ Shell exportShell(const ShellEditor& editor, const std::shared_ptr<const ShellBa
         const Triangle& corners = complex.pillarsOf(id);
         const Triangle slots = slotsOf(corners);
         Prism prism;
-        const auto first = at(cornerOf(corners, slots[0]));
-        prism.orientation = corners[(first + 1) % 3] == slots[1] ? 1 : -1;
+        prism.orientation = static_cast<signed char>(orientationOf(corners));
         for (std::size_t slot = 0; slot < 3; ++slot) {
             prism.pillars[slot] = numbers[at(slots[slot])];
         }

@@ -131,8 +131,7 @@ bool areApart(const TetCorners& tet, const FaceCorners& face) {
 
 bool PatchTest::isUpright(const Triangle& pillars) const {
     const Triangle slots = slotsOf(pillars);
-    const std::size_t first = slots[0] == pillars[0] ? 0 : (slots[0] == pillars[1] ? 1 : 2);
-    const int orientation = pillars[(first + 1) % 3] == slots[1] ? 1 : -1;
+    const int orientation = orientationOf(pillars);
     for (const Level outer : {Level::Top, Level::Bottom}) {
         const int wanted = outer == Level::Top ? orientation : -orientation;
         for (const auto& split : kSlabSplit) {

@@ -24,6 +24,14 @@ enum class Level : signed char { Bottom = 0, Middle = 1, Top = 2 };
     return pillars;
 }
 
+/// +1 where the slots of a prism run counter-clockwise seen from the top, as its pillars do, else
+/// -1.
+[[nodiscard]] inline int orientationOf(const Triangle& pillars) {
+    const Triangle slots = slotsOf(pillars);
+    const std::size_t first = slots[0] == pillars[0] ? 0 : (slots[0] == pillars[1] ? 1 : 2);
+    return pillars[(first + 1) % 3] == slots[1] ? 1 : -1;
+}
+
 /// The prisms of a shell while it is being simplified: plain arrays, prisms that come and go, for
 /// each pillar the prisms around it, for each prism the faces of the surface that meet it.
 class PrismComplex {

@@ -40,7 +40,8 @@ ShellEditor::ShellEditor(const TrackedSurface& surface, const Shell& start)
     : surface_(surface),
       complex_(static_cast<int>(start.pillars().size())),
       test_(surface, complex_),
-      grid_(complex_, endWallsOf(start)) {
+      grid_(complex_, endWallsOf(start)),
+      witnesses_(surface, start) {
     const std::size_t pillarCount = start.pillars().size();
     complex_.points.reserve(3 * pillarCount);
     for (const Pillar& pillar : start.pillars()) {
@@ -94,7 +95,9 @@ bool ShellEditor::replace() {
         return false;
     }
     gatherFaces();
-    if (!test_.accepts(fresh, faces_) || grid_.collides(fresh, old)) {
+    // All faces that meet a patch belong to its component.
+    if (!test_.accepts(fresh, faces_) || grid_.collides(fresh, old) ||
+        witnesses_.areHeld(complex_, fresh, faces_.empty() ? -1 : faces_.front())) {
         return false;
     }
     for (const int prism : old) {

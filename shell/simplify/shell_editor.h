@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shell/shell.h"
+#include "shell/simplify/component_witnesses.h"
 #include "shell/simplify/layer_grid.h"
 #include "shell/simplify/patch_test.h"
 #include "shell/simplify/prism_complex.h"
@@ -99,6 +100,7 @@ private:
     PrismComplex complex_;
     PatchTest test_;
     LayerGrid grid_;
+    ComponentWitnesses witnesses_;
     std::vector<char> isFrozen_;
     std::vector<int> faces_;       // that meet `old`, after gatherFaces()
     std::vector<int> faceStamps_;  // of the last gatherFaces() that met a face

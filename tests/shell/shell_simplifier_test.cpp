@@ -108,6 +108,24 @@ TEST(ShellSimplifier, HoldsAllInvariantsOnRandomMeshesWithRandomOptions) {
     }
 }
 
+// ---- Components ----
+
+TEST(ShellSimplifier, SwallowsNoComponent) {
+    for (const TriangleMesh& mesh :
+         {sphereWithSatellite(),
+          sphereInSphere(),
+          joined(
+              midpointSubdivide(midpointSubdivide(sphereWithSatellite())), icosphere(0, 0.001)
+          )}) {
+        for (const double thickness : {0.05, 0.135, 0.5, 1.0}) {
+            SCOPED_TRACE("thickness " + std::to_string(thickness));
+            const SimplifiedShell simplified(mesh, {.targetThickness = thickness});
+            EXPECT_TRUE(simplified.check().separateComponents.holds);
+            EXPECT_TRUE(simplified.check().passed()) << describe(simplified.check());
+        }
+    }
+}
+
 // ---- Few, thick, along creases ----
 
 TEST(ShellSimplifier, MakesFewAndThickPrismsOnASmoothSurface) {

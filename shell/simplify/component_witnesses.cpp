@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/simplify/component_witnesses.h"
+
+#include "surface/predicates.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// Component of each prism, -1 where blocked, and a prism of each.
+struct Components {
+    std::vector<int> componentOf, first;
+};
+
+Components findComponents(const std::vector<Prism>& prisms) {
+    Components result;
+    result.componentOf.assign(prisms.size(), -1);
+    std::vector<int> pending;
+    for (int start = 0; start < static_cast<int>(prisms.size()); ++start) {
+        if (prisms[at(start)].orientation == 0 || result.componentOf[at(start)] >= 0) {
+            continue;
+        }
+        const int component = static_cast<int>(result.first.size());
+        result.first.push_back(start);
+        result.componentOf[at(start)] = component;
+        pending.assign(1, start);
+        while (!pending.empty()) {
+            const int prism = pending.back();
+            pending.pop_back();
+            for (const int there : prisms[at(prism)].neighbours) {
+                if (there >= 0 && result.componentOf[at(there)] < 0) {
+                    result.componentOf[at(there)] = component;
+                    pending.push_back(there);
+                }
+            }
+        }
+    }
+    return result;
+}
+
+// Whether a closed tetrahedron of positive (or, with -1, negative) orientation holds a point.
+bool holds(std::array<const Vec3*, 4> corners, int orientation, const Vec3& point) {
+    for (const Vec3*& corner : corners) {
+        const Vec3* const kept = std::exchange(corner, &point);
+        if (orientationSign(*corners[0], *corners[1], *corners[2], *corners[3]) == -orientation) {
+            return false;
+        }
+        corner = kept;
+    }
+    return true;
+}
+
+// Whether a closed prism holds a point.
+bool holds(const PrismComplex& complex, const Triangle& pillars, const Vec3& point) {
+    const Triangle slots = slotsOf(pillars);
+    const int orientation = orientationOf(pillars);
+    for (const Level outer : {Level::Top, Level::Bottom}) {
+        for (const auto& split : kSlabSplit) {
+            std::array<const Vec3*, 4> corners{};
+            for (std::size_t k = 0; k < 4; ++k) {
+                corners[k] = &complex.point(
+                    slots[at(split[k].slot)], split[k].outer ? outer : Level::Middle
+                );
+            }
+            if (holds(corners, outer == Level::Top ? orientation : -orientation, point)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+ComponentWitnesses::ComponentWitnesses(const TrackedSurface& surface, const Shell& start) {
+    Components components = findComponents(start.prisms());
+    if (components.first.size() < 2) {
+        return;
+    }
+    // A vertex at which several components meet stands for one only where they leave no other.
+    constexpr int kNone = -1;
+    constexpr int kSeveral = -2;
+    std::vector<int> vertexComponents(start.pillars().size(), kNone);
+    for (std::size_t f = 0; f < components.componentOf.size(); ++f) {
+        const int component = components.componentOf[f];
+        for (const int v : surface.base.faces[f]) {
+            int& known = vertexComponents[at(v)];
+            if (component >= 0) {
+                known = known == kNone || known == component ? component : kSeveral;
+            }
+        }
+    }
+    std::vector<int> vertices(components.first.size(), kNone);
+    for (std::size_t f = 0; f < components.componentOf.size(); ++f) {
+        const int component = components.componentOf[f];
+        for (const int v : surface.base.faces[f]) {
+            if (component >= 0 && vertices[at(component)] == kNone &&
+                vertexComponents[at(v)] == component) {
+                vertices[at(component)] = v;
+            }
+        }
+    }
+    for (std::size_t c = 0; c < vertices.size(); ++c) {
+        const int v =
+            vertices[c] == kNone ? surface.base.faces[at(components.first[c])][0] : vertices[c];
+        sorted_.push_back({surface.base.vertices[at(v)], static_cast<int>(c)});
+    }
+    std::ranges::sort(sorted_, [](const Witness& a, const Witness& b) {
+        return std::tuple(a.position.x(), a.component) < std::tuple(b.position.x(), b.component);
+    });
+    componentOf_ = std::move(components.componentOf);
+}
+
+bool ComponentWitnesses::areHeld(
+    const PrismComplex& complex, std::span<const Triangle> prisms, int face
+) const {
+    if (sorted_.empty()) {
+        return false;
+    }
+    const int component = face < 0 ? -1 : componentOf_[at(face)];
+    for (const Triangle& pillars : prisms) {
+        Vec3 low = complex.point(pillars[0], Level::Middle);
+        Vec3 high = low;
+        for (const int pillar : pillars) {
+            for (const Level level : {Level::Bottom, Level::Middle, Level::Top}) {
+                low = low.cwiseMin(complex.point(pillar, level));
+                high = high.cwiseMax(complex.point(pillar, level));
+            }
+        }
+        auto next = std::ranges::lower_bound(sorted_, low.x(), {}, [](const Witness& witness) {
+            return witness.position.x();
+        });
+        for (; next != sorted_.end() && next->position.x() <= high.x(); ++next) {
+            const Vec3& p = next->position;
+            if (next->component != component && (p.array() >= low.array()).all() &&
+                (p.array() <= high.array()).all() && holds(complex, pillars, p)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace bspline_curve
