@@ -251,12 +251,11 @@ TEST_F(ShellCaches, ServeSeveralAtOnce) {
     ASSERT_EQ(store(cache_, "0"), "");
     const ShellCache small(folder_, 3 * fs::file_size(entries().front()));
     std::vector<Served> served(4);
-    std::vector<std::thread> threads;
-    for (std::size_t t = 0; t < served.size(); ++t) {
-        threads.emplace_back([&, t] { served[t] = serve(small, static_cast<int>(t)); });
-    }
-    for (std::thread& thread : threads) {
-        thread.join();
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t t = 0; t < served.size(); ++t) {
+            threads.emplace_back([&, t] { served[t] = serve(small, static_cast<int>(t)); });
+        }
     }
     for (const Served& one : served) {
         EXPECT_GT(one.hits, 0);

@@ -26,7 +26,9 @@ protected:
     /// What a file of these bytes is refused for.
     [[nodiscard]] std::string refusalOf(std::string_view bytes) const {
         const std::filesystem::path file = write("changed.shell", bytes);
-        return refusal([&] { return load(file); });
+        std::string reason = refusal([&] { return load(file); });
+        std::filesystem::remove(file);  // truncating it instead would wait for the disk
+        return reason;
     }
 
     CoarseShell shell_ = smallShell();
