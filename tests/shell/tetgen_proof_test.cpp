@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tetgen_proof.h"
+
+#include "built_shell.h"
+#include "coarse_shell.h"
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+TetgenProof prove(const CoarseShell& coarse) {
+    return proveWithTetgen(coarse.shell(), *coarse.base, coarse.blockedFaces);
+}
+
+class ProvenCoarseShell : public testing::TestWithParam<NamedCoarseShell> {};
+
+TEST_P(ProvenCoarseShell, HasLayersThatDoNotMeet) {
+    const TetgenProof proof = prove(GetParam().make());
+    EXPECT_TRUE(proof.holds()) << proof;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shells, ProvenCoarseShell, testing::ValuesIn(coarseShells()), [](const auto& instance) {
+        return instance.param.name;
+    }
+);
+
+class ProvenShell : public testing::TestWithParam<NamedMesh> {};
+
+TEST_P(ProvenShell, HasLayersThatDoNotMeet) {
+    const BuiltShell built(GetParam().mesh);
+    const TetgenProof proof = proveWithTetgen(built.shell(), built.base, built.blockedFaces());
+    EXPECT_TRUE(proof.holds()) << proof;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, ProvenShell, testing::ValuesIn(shellMeshes()), [](const auto& instance) {
+        return instance.param.name;
+    }
+);
+
+TEST(TetgenProof, HoldsForFifteenThousandFaces) {
+    const TriangleMesh middle = torus(30, 16);
+    const CoarseShell coarse(
+        middle, displaced(middle, 2, [](const Vec3& p) -> Vec3 { return 0.002 * p; }), 0.05
+    );
+    ASSERT_EQ(coarse.surface->faceCount(), 15360);
+    const TetgenProof proof = prove(coarse);
+    EXPECT_TRUE(proof.holds()) << proof;
+}
+
+TEST(TetgenProof, FailsWhereTheSurfacePassesTheTop) {
+    CoarseShell coarse = coarseSphere();
+    for (Pillar& pillar : coarse.pillars) {
+        pillar.top = pillar.middle + 0.1 * (pillar.top - pillar.middle);
+    }
+    EXPECT_FALSE(coarse.check().containedSurface.holds);
+    const TetgenProof proof = prove(coarse);
+    EXPECT_GT(proof.intersectingFaces, 0);
+    EXPECT_FALSE(proof.holds());
+}
+
+TEST(TetgenProof, FailsWhereOnePillarPassesTheOtherSheet) {
+    const auto sheet = [](double z, int cells) {
+        Eigen::Isometry3d up = Eigen::Isometry3d::Identity();
+        up.translation() = Vec3(0.0, 0.0, z);
+        return transformed(plate(cells, cells), up);
+    };
+    CoarseShell coarse(joined(sheet(0, 3), sheet(0.3, 3)), joined(sheet(0, 3), sheet(0.3, 3)), 0.1);
+    EXPECT_TRUE(prove(coarse).holds()) << prove(coarse);
+    Pillar& pillar = coarse.pillars[5];
+    pillar.top = pillar.middle + 2.5 * (pillar.top - pillar.middle);
+    EXPECT_GT(prove(coarse).intersectingFaces, 0);
+}
+
+// The exact predicates must be as they were.
+TEST(TetgenProof, LeavesThePredicatesAlone) {
+    const CoarseShell coarse = coarseTorus();
+    const ShellCheck before = coarse.check();
+    EXPECT_TRUE(prove(coarse).holds());
+    const ShellCheck after = coarse.check();
+    EXPECT_TRUE(before.passed());
+    EXPECT_TRUE(after.passed());
+}
+
+}  // namespace
+}  // namespace bspline_curve
