@@ -16,7 +16,7 @@ namespace bspline_curve::io_tests {
 namespace {
 
 namespace fs = std::filesystem;
-using test_support::CoarseShell;
+using test_support::HandmadeShell;
 
 class ShellCaches : public FileTest {
 protected:
@@ -29,7 +29,7 @@ protected:
     }
 
     /// That the cache has exactly this shell, and nothing to say about it.
-    void expectFound(const CoarseShell& shell, std::string_view parameters) {
+    void expectFound(const HandmadeShell& shell, std::string_view parameters) {
         const ShellCache::Found found = find(cache_, parameters);
         EXPECT_EQ(found.note, "");
         if (found.build) {
@@ -84,7 +84,7 @@ protected:
         }
     }
 
-    CoarseShell shell_ = smallShell();
+    HandmadeShell shell_ = smallShell();
     fs::path folder_ = path("cache/shells");
     ShellCache cache_{folder_};
 };
@@ -153,14 +153,14 @@ TEST_F(ShellCaches, MissForOtherParametersAndSurfaces) {
     ASSERT_EQ(store(cache_, "a"), "");
     EXPECT_FALSE(find(cache_, "b").build.has_value());
     EXPECT_EQ(find(cache_, "b").note, "");
-    const CoarseShell other = test_support::coarseSphere(0, 2);
+    const HandmadeShell other = test_support::coarseSphere(0, 2);
     EXPECT_FALSE(cache_.find(*other.surface, other.base, "a").build.has_value());
     EXPECT_TRUE(find(cache_, "a").build.has_value());
 }
 
 TEST_F(ShellCaches, ReplaceAnEntryThatIsStoredAgain) {
     ASSERT_EQ(store(cache_, "a"), "");
-    const CoarseShell thinner = smallShell(0.25);
+    const HandmadeShell thinner = smallShell(0.25);
     ASSERT_EQ(cache_.store(*thinner.surface, *thinner.base, "a", buildOf(thinner)), "");
     EXPECT_EQ(entries().size(), 1U);
     expectFound(thinner, "a");

@@ -9,7 +9,7 @@ namespace bspline_curve::io_tests {
 
 namespace {
 
-using test_support::CoarseShell;
+using test_support::HandmadeShell;
 
 constexpr std::string_view kParameters = "thickness 0.12";
 
@@ -31,7 +31,7 @@ protected:
         return reason;
     }
 
-    CoarseShell shell_ = smallShell();
+    HandmadeShell shell_ = smallShell();
     std::filesystem::path file_ = path("small.shell");
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shell/coarse_shell.h"
+#include "shell/handmade_shell.h"
 #include "shell/shell_builder.h"
 #include "support/meshes.h"
 
@@ -10,15 +10,15 @@
 namespace bspline_curve::io_tests {
 
 /// A small simplified shell with a report, to be stored.
-inline test_support::CoarseShell smallShell(double halfThickness = 0.3) {
+inline test_support::HandmadeShell smallShell(double halfThickness = 0.3) {
     const TriangleMesh sphere = test_support::icosphere(0);
-    test_support::CoarseShell shell(sphere, test_support::icosphere(1), halfThickness);
+    test_support::HandmadeShell shell(sphere, test_support::icosphere(1), halfThickness);
     shell.blockedFaces = {3, 17};
     shell.track();
     return shell;
 }
 
-inline ShellBuild buildOf(const test_support::CoarseShell& shell) {
+inline ShellBuild buildOf(const test_support::HandmadeShell& shell) {
     return {
         .shell = shell.shell(),
         .report = {

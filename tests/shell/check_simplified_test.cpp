@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "built_shell.h"
-#include "coarse_shell.h"
+#include "handmade_shell.h"
 #include "shell/check_shell.h"
 #include "support/meshes.h"
 
@@ -40,16 +40,16 @@ TriangleMesh shifted(const TriangleMesh& mesh, const Vec3& by, double scale = 1.
     return transformed(mesh, motion, scale);
 }
 
-class CheckCoarseShell : public testing::TestWithParam<NamedCoarseShell> {};
+class CheckHandmadeShell : public testing::TestWithParam<NamedHandmadeShell> {};
 
-TEST_P(CheckCoarseShell, PassesWithoutDamage) {
+TEST_P(CheckHandmadeShell, PassesWithoutDamage) {
     const ShellCheck check = GetParam().make().check();
     EXPECT_TRUE(check.passed()) << describe(check);
 }
 
-TEST_P(CheckCoarseShell, FindsADroppedTrack) {
+TEST_P(CheckHandmadeShell, FindsADroppedTrack) {
     for (const int prism : {0, 3, 11}) {
-        CoarseShell coarse = GetParam().make();
+        HandmadeShell coarse = GetParam().make();
         const int face = coarse.faceInside(prism);
         ASSERT_TRUE(coarse.forget(prism, face));
         const ShellCheck check = coarse.check();
@@ -58,22 +58,22 @@ TEST_P(CheckCoarseShell, FindsADroppedTrack) {
     }
 }
 
-TEST_P(CheckCoarseShell, FindsAPillarUpsideDown) {
-    CoarseShell coarse = GetParam().make();
+TEST_P(CheckHandmadeShell, FindsAPillarUpsideDown) {
+    HandmadeShell coarse = GetParam().make();
     std::swap(coarse.pillars[5].top, coarse.pillars[5].bottom);
     const ShellCheck check = coarse.check();
     EXPECT_FALSE(check.positiveTetrahedra.holds);
     EXPECT_TRUE(check.consistentNeighbours.holds);
 }
 
-TEST_P(CheckCoarseShell, FindsAPillarWithoutLength) {
-    CoarseShell coarse = GetParam().make();
+TEST_P(CheckHandmadeShell, FindsAPillarWithoutLength) {
+    HandmadeShell coarse = GetParam().make();
     coarse.pillars[5].bottom = coarse.pillars[5].middle;
     EXPECT_FALSE(coarse.check().positiveTetrahedra.holds);
 }
 
-TEST_P(CheckCoarseShell, FindsATwistedPrism) {
-    CoarseShell coarse = GetParam().make();
+TEST_P(CheckHandmadeShell, FindsATwistedPrism) {
+    HandmadeShell coarse = GetParam().make();
     coarse.prisms[3].orientation = static_cast<signed char>(-coarse.prisms[3].orientation);
     const ShellCheck check = coarse.check();
     EXPECT_EQ(check.positiveTetrahedra.firstIds, (std::vector<int>{18, 19, 20, 21, 22, 23}));
@@ -82,8 +82,8 @@ TEST_P(CheckCoarseShell, FindsATwistedPrism) {
     EXPECT_FALSE(coarse.check().positiveTetrahedra.holds);
 }
 
-TEST_P(CheckCoarseShell, FindsTornNeighbours) {
-    CoarseShell coarse = GetParam().make();
+TEST_P(CheckHandmadeShell, FindsTornNeighbours) {
+    HandmadeShell coarse = GetParam().make();
     Prism& here = coarse.prisms[3];
     const auto wall = static_cast<std::size_t>(
         std::find_if(here.neighbours.begin(), here.neighbours.end(), [](int i) { return i >= 0; }) -
@@ -96,7 +96,7 @@ TEST_P(CheckCoarseShell, FindsTornNeighbours) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Shells, CheckCoarseShell, testing::ValuesIn(coarseShells()), [](const auto& instance) {
+    Shells, CheckHandmadeShell, testing::ValuesIn(handmadeShells()), [](const auto& instance) {
         return instance.param.name;
     }
 );
@@ -109,7 +109,7 @@ TEST(CheckSimplified, FindsASurfaceThroughTheTop) {
     const TriangleMesh wide = shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, 0.0));
     const int vertex = 8 * 17 + 8;
     const auto spike = [&](double height) {
-        return CoarseShell(wide, withVertexMoved(fine, vertex, height * Vec3::UnitZ()), 0.2);
+        return HandmadeShell(wide, withVertexMoved(fine, vertex, height * Vec3::UnitZ()), 0.2);
     };
     EXPECT_TRUE(spike(0.199).check().passed()) << describe(spike(0.199).check());
     for (const double height : {0.201, -0.201}) {
@@ -124,7 +124,7 @@ TEST(CheckSimplified, FindsASurfaceThroughTheTop) {
 
 TEST(CheckSimplified, FindsASurfaceThatTouchesTheTop) {
     const auto raised = [](double height) {
-        return CoarseShell(
+        return HandmadeShell(
             plate(2, 2, 4.0, 4.0), shifted(plate(4, 4), Vec3(1.25, 1.5, height)), 0.25
         );
     };
@@ -134,7 +134,7 @@ TEST(CheckSimplified, FindsASurfaceThatTouchesTheTop) {
 }
 
 TEST(CheckSimplified, FindsATopThatSankBelowTheSurface) {
-    CoarseShell coarse = coarseSphere();
+    HandmadeShell coarse = coarseSphere();
     for (Pillar& pillar : coarse.pillars) {
         pillar.top = pillar.middle + 0.1 * (pillar.top - pillar.middle);
     }
@@ -146,7 +146,7 @@ TEST(CheckSimplified, FindsATopThatSankBelowTheSurface) {
 
 TEST(CheckSimplified, FindsAFoldedFace) {
     // A vertex pushed beyond its neighbour's ring, in the surface.
-    const CoarseShell folded(
+    const HandmadeShell folded(
         shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, 0.0)),
         withVertexMoved(plate(16, 16), 8 * 17 + 8, Vec3(0.09, 0.04, 1e-3)),
         0.2
@@ -156,7 +156,7 @@ TEST(CheckSimplified, FindsAFoldedFace) {
     for (std::size_t v = 0; v < folded.surface->vertices().size(); ++v) {
         base.vertices[v] = base.frame.toUnit(folded.surface->vertices()[v]);
     }
-    CoarseShell taken = folded;
+    HandmadeShell taken = folded;
     taken.base = std::make_shared<const ShellBase>(base);
     taken.track();
     const ShellCheck check = taken.check({.fibresPerPrism = 2000});
@@ -174,7 +174,7 @@ TEST(CheckSimplified, FindsAFaceAlongTheFibres) {
             p += Vec3(-0.25, 0.0, 0.125);
         }
     }
-    CoarseShell coarse(shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, 0.0)), fine, 0.25);
+    HandmadeShell coarse(shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, 0.0)), fine, 0.25);
     ShellBase base = *coarse.base;
     for (std::size_t v = 0; v < coarse.surface->vertices().size(); ++v) {
         base.vertices[v] = base.frame.toUnit(coarse.surface->vertices()[v]);
@@ -189,7 +189,7 @@ TEST(CheckSimplified, FindsAFaceAlongTheFibres) {
 
 TEST(CheckSimplified, FindsALeaningPillar) {
     // The top leans so far that the fibres beside it run along the bumps.
-    CoarseShell coarse = coarsePlate();
+    HandmadeShell coarse = coarsePlate();
     for (Pillar& pillar : coarse.pillars) {
         pillar.top += Vec3(1.2, 0.0, 0.0);
     }
@@ -201,7 +201,7 @@ TEST(CheckSimplified, FindsALeaningPillar) {
 TEST(CheckSimplified, FindsASecondSheet) {
     // Each sheet alone is as it should be; only the fibres know.
     const TriangleMesh sphere = icosphere(3);
-    const CoarseShell coarse(icosphere(1), joined(sphere, icosphere(3, 1.03)), 0.15);
+    const HandmadeShell coarse(icosphere(1), joined(sphere, icosphere(3, 1.03)), 0.15);
     const ShellCheck check = coarse.check();
     EXPECT_EQ(broken(check), Names{"single crossings"});
     EXPECT_EQ(check.singleCrossings.violations, 80);
@@ -209,7 +209,7 @@ TEST(CheckSimplified, FindsASecondSheet) {
 }
 
 TEST(CheckSimplified, FindsPrismsWithoutSurface) {
-    const CoarseShell coarse(
+    const HandmadeShell coarse(
         shifted(plate(6, 6, 6.0, 6.0), Vec3(-2.5, -2.5, 0.0)), plate(8, 8), 0.2
     );
     const ShellCheck check = coarse.check();
@@ -220,12 +220,12 @@ TEST(CheckSimplified, FindsPrismsWithoutSurface) {
 TEST(CheckSimplified, AllowsHolesInTheSurface) {
     TriangleMesh fine = icosphere(3);
     fine.faces.erase(fine.faces.begin() + 100, fine.faces.begin() + 104);
-    const ShellCheck check = CoarseShell(icosphere(1), fine, 0.15).check();
+    const ShellCheck check = HandmadeShell(icosphere(1), fine, 0.15).check();
     EXPECT_TRUE(check.passed()) << describe(check);
 }
 
 TEST(CheckSimplified, FindsASurfaceOfAnotherShape) {
-    const CoarseShell coarse = coarseTorus();
+    const HandmadeShell coarse = coarseTorus();
     const Surface other(displaced(torus(16, 8), 2, [](const Vec3&) { return Vec3::Zero(); }));
     EXPECT_FALSE(checkShell(other, *coarse.base, coarse.shell(), {}).transversalSurface.holds);
 }
@@ -233,7 +233,7 @@ TEST(CheckSimplified, FindsASurfaceOfAnotherShape) {
 // ---- Where the surface ends ----
 
 TEST(CheckSimplified, FindsASurfaceThroughTheEndWalls) {
-    const CoarseShell coarse(
+    const HandmadeShell coarse(
         shifted(plate(3, 3, 0.9, 1.5), Vec3(0.05, -0.25, 0.0)), plate(16, 16), 0.2
     );
     const ShellCheck check = coarse.check();
@@ -243,7 +243,7 @@ TEST(CheckSimplified, FindsASurfaceThroughTheEndWalls) {
 }
 
 TEST(CheckSimplified, AllowsGhostsToLeaveThroughTheEndWalls) {
-    const CoarseShell coarse(
+    const HandmadeShell coarse(
         shifted(plate(3, 3, 1.02, 1.02), Vec3(-0.01, -0.01, 0.0)), plate(16, 16), 0.2
     );
     ASSERT_GT(coarse.base->faces.size(), coarse.surface->faces().size());
@@ -252,7 +252,7 @@ TEST(CheckSimplified, AllowsGhostsToLeaveThroughTheEndWalls) {
 }
 
 TEST(CheckSimplified, AllowsASurfaceThatEndsInTheCornersOfTheEndWalls) {
-    const CoarseShell coarse(plate(3, 3), plate(3, 3), 0.2);
+    const HandmadeShell coarse(plate(3, 3), plate(3, 3), 0.2);
     const ShellCheck check = coarse.check();
     EXPECT_TRUE(check.passed()) << describe(check);
 }
@@ -260,7 +260,7 @@ TEST(CheckSimplified, AllowsASurfaceThatEndsInTheCornersOfTheEndWalls) {
 // ---- Layers and components ----
 
 /// Two bumpy plates, one above the other, with a shell around each.
-CoarseShell twoSheets() {
+HandmadeShell twoSheets() {
     const auto wide = [](double z) {
         return shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, z));
     };
@@ -273,7 +273,7 @@ CoarseShell twoSheets() {
 }
 
 TEST(CheckSimplified, FindsATopThroughTheBottomOfAnotherSheet) {
-    CoarseShell coarse = twoSheets();
+    HandmadeShell coarse = twoSheets();
     ASSERT_TRUE(coarse.check().passed()) << describe(coarse.check());
     Pillar& pillar = coarse.pillars[5];
     pillar.top = pillar.middle + 2.5 * (pillar.top - pillar.middle);
@@ -286,7 +286,7 @@ TEST(CheckSimplified, FindsAComponentInsideOfAnother) {
     const auto both = [&](int level) {
         return joined(icosphere(level), shifted(icosphere(level), aside, 0.02));
     };
-    CoarseShell coarse(both(1), both(2), 0.005);
+    HandmadeShell coarse(both(1), both(2), 0.005);
     for (std::size_t v = 0; v < 42; ++v) {
         Pillar& pillar = coarse.pillars[v];
         pillar.top = pillar.middle + 50.0 * (pillar.top - pillar.middle);
@@ -302,7 +302,7 @@ TEST(CheckSimplified, FindsAComponentInsideOfAnother) {
 // ---- Tracks and blocked faces ----
 
 TEST(CheckSimplified, KnowsBlockedFaces) {
-    CoarseShell coarse = coarseSphere();
+    HandmadeShell coarse = coarseSphere();
     const int face = coarse.faceInside(7);
     coarse.blockedFaces = {face};
     // Blocked, yet listed.
@@ -317,7 +317,7 @@ TEST(CheckSimplified, KnowsBlockedFaces) {
 }
 
 TEST(CheckSimplified, FindsBlockedFacesOutOfOrder) {
-    CoarseShell coarse = coarseSphere();
+    HandmadeShell coarse = coarseSphere();
     coarse.blockedFaces = {5, 9};
     coarse.track();
     std::swap(coarse.blockedFaces[0], coarse.blockedFaces[1]);
@@ -325,13 +325,13 @@ TEST(CheckSimplified, FindsBlockedFacesOutOfOrder) {
 }
 
 TEST(CheckSimplified, FindsTracksOutOfOrder) {
-    CoarseShell coarse = coarseSphere();
+    HandmadeShell coarse = coarseSphere();
     std::swap(coarse.tracks.faces[0], coarse.tracks.faces[1]);
     EXPECT_FALSE(coarse.check().completeTracking.holds);
 }
 
 TEST(CheckSimplified, ReportsAsManyIdsAsAskedFor) {
-    CoarseShell coarse = coarseSphere();
+    HandmadeShell coarse = coarseSphere();
     coarse.tracks.faces.clear();
     std::fill(coarse.tracks.offsets.begin(), coarse.tracks.offsets.end(), 0);
     for (const int count : {0, 3}) {

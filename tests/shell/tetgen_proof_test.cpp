@@ -2,7 +2,7 @@
 #include "tetgen_proof.h"
 
 #include "built_shell.h"
-#include "coarse_shell.h"
+#include "handmade_shell.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -12,19 +12,19 @@ namespace {
 
 using namespace test_support;
 
-TetgenProof prove(const CoarseShell& coarse) {
+TetgenProof prove(const HandmadeShell& coarse) {
     return proveWithTetgen(coarse.shell(), *coarse.base, coarse.blockedFaces);
 }
 
-class ProvenCoarseShell : public testing::TestWithParam<NamedCoarseShell> {};
+class ProvenHandmadeShell : public testing::TestWithParam<NamedHandmadeShell> {};
 
-TEST_P(ProvenCoarseShell, HasLayersThatDoNotMeet) {
+TEST_P(ProvenHandmadeShell, HasLayersThatDoNotMeet) {
     const TetgenProof proof = prove(GetParam().make());
     EXPECT_TRUE(proof.holds()) << proof;
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Shells, ProvenCoarseShell, testing::ValuesIn(coarseShells()), [](const auto& instance) {
+    Shells, ProvenHandmadeShell, testing::ValuesIn(handmadeShells()), [](const auto& instance) {
         return instance.param.name;
     }
 );
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(TetgenProof, HoldsForFifteenThousandFaces) {
     const TriangleMesh middle = torus(30, 16);
-    const CoarseShell coarse(
+    const HandmadeShell coarse(
         middle, displaced(middle, 2, [](const Vec3& p) -> Vec3 { return 0.002 * p; }), 0.05
     );
     ASSERT_EQ(coarse.surface->faceCount(), 15360);
@@ -54,7 +54,7 @@ TEST(TetgenProof, HoldsForFifteenThousandFaces) {
 }
 
 TEST(TetgenProof, FailsWhereTheSurfacePassesTheTop) {
-    CoarseShell coarse = coarseSphere();
+    HandmadeShell coarse = coarseSphere();
     for (Pillar& pillar : coarse.pillars) {
         pillar.top = pillar.middle + 0.1 * (pillar.top - pillar.middle);
     }
@@ -70,7 +70,9 @@ TEST(TetgenProof, FailsWhereOnePillarPassesTheOtherSheet) {
         up.translation() = Vec3(0.0, 0.0, z);
         return transformed(plate(cells, cells), up);
     };
-    CoarseShell coarse(joined(sheet(0, 3), sheet(0.3, 3)), joined(sheet(0, 3), sheet(0.3, 3)), 0.1);
+    HandmadeShell coarse(
+        joined(sheet(0, 3), sheet(0.3, 3)), joined(sheet(0, 3), sheet(0.3, 3)), 0.1
+    );
     EXPECT_TRUE(prove(coarse).holds()) << prove(coarse);
     Pillar& pillar = coarse.pillars[5];
     pillar.top = pillar.middle + 2.5 * (pillar.top - pillar.middle);
@@ -79,7 +81,7 @@ TEST(TetgenProof, FailsWhereOnePillarPassesTheOtherSheet) {
 
 // The exact predicates must be as they were.
 TEST(TetgenProof, LeavesThePredicatesAlone) {
-    const CoarseShell coarse = coarseTorus();
+    const HandmadeShell coarse = coarseTorus();
     const ShellCheck before = coarse.check();
     EXPECT_TRUE(prove(coarse).holds());
     const ShellCheck after = coarse.check();

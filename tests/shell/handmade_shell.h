@@ -14,11 +14,11 @@ namespace bspline_curve::test_support {
 
 /// A simplified shell made without the simplifier: prisms over a coarse mesh, around a fine surface
 /// close to it. Everything may be changed before shell() is asked for. In the shell's frame.
-struct CoarseShell {
+struct HandmadeShell {
     /// Pillars stand on the vertices of `middle`, along the mean of the normals around them, and
     /// reach `halfThickness` (user's unit) to either side. Tracks hold all faces of the base whose
     /// boxes overlap a prism's, ghosts included.
-    CoarseShell(const TriangleMesh& middle, TriangleMesh fine, double halfThickness);
+    HandmadeShell(const TriangleMesh& middle, TriangleMesh fine, double halfThickness);
 
     [[nodiscard]] Shell shell() const;
     [[nodiscard]] ShellCheck check(const ShellCheckOptions& options = {}) const;
@@ -48,27 +48,27 @@ struct CoarseShell {
 // ---- One for each property that simplified shells may trip over ----
 
 /// 20 * 4^level prisms around a sphere of 20 * 4^(level + subdivisions) faces: far from the middle.
-[[nodiscard]] CoarseShell coarseSphere(int level = 1, int subdivisions = 2);
+[[nodiscard]] HandmadeShell coarseSphere(int level = 1, int subdivisions = 2);
 
 /// Bumps on a plate: the surface ends, within the walls.
-[[nodiscard]] CoarseShell coarsePlate();
+[[nodiscard]] HandmadeShell coarsePlate();
 
 /// A plate in the plane of the middle, which ends between pillars, all of it coplanar.
-[[nodiscard]] CoarseShell flatPlate();
+[[nodiscard]] HandmadeShell flatPlate();
 
 /// A bumpy torus.
-[[nodiscard]] CoarseShell coarseTorus();
+[[nodiscard]] HandmadeShell coarseTorus();
 
 /// A bumpy box: creases.
-[[nodiscard]] CoarseShell coarseBox();
+[[nodiscard]] HandmadeShell coarseBox();
 
-struct NamedCoarseShell {
+struct NamedHandmadeShell {
     std::string name;
-    std::function<CoarseShell()> make;
+    std::function<HandmadeShell()> make;
 };
 
-std::ostream& operator<<(std::ostream& stream, const NamedCoarseShell& named);
+std::ostream& operator<<(std::ostream& stream, const NamedHandmadeShell& named);
 
-[[nodiscard]] std::vector<NamedCoarseShell> coarseShells();
+[[nodiscard]] std::vector<NamedHandmadeShell> handmadeShells();
 
 }  // namespace bspline_curve::test_support

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coarse_shell.h"
+#include "handmade_shell.h"
 
 #include "support/meshes.h"
 
@@ -82,7 +82,7 @@ TriangleMesh shifted(TriangleMesh mesh, const Vec3& by) {
 
 }  // namespace
 
-CoarseShell::CoarseShell(const TriangleMesh& middle, TriangleMesh fine, double halfThickness)
+HandmadeShell::HandmadeShell(const TriangleMesh& middle, TriangleMesh fine, double halfThickness)
     : surface(std::make_shared<const Surface>(std::move(fine))),
       base(std::make_shared<const ShellBase>(makeShellBase(*surface, 3))),
       prisms(prismsOver(middle.faces)) {
@@ -98,15 +98,15 @@ CoarseShell::CoarseShell(const TriangleMesh& middle, TriangleMesh fine, double h
     track();
 }
 
-Shell CoarseShell::shell() const {
+Shell HandmadeShell::shell() const {
     return {pillars, prisms, tracks, base};
 }
 
-ShellCheck CoarseShell::check(const ShellCheckOptions& options) const {
+ShellCheck HandmadeShell::check(const ShellCheckOptions& options) const {
     return checkShell(*surface, *base, shell(), blockedFaces, options);
 }
 
-void CoarseShell::track() {
+void HandmadeShell::track() {
     std::vector<Eigen::AlignedBox3d> faceBoxes(base->faces.size());
     for (std::size_t f = 0; f < faceBoxes.size(); ++f) {
         for (const int v : base->faces[f]) {
@@ -133,7 +133,7 @@ void CoarseShell::track() {
     }
 }
 
-bool CoarseShell::forget(int prism, int face) {
+bool HandmadeShell::forget(int prism, int face) {
     const auto first = tracks.faces.begin() + tracks.offsets[at(prism)];
     const auto last = tracks.faces.begin() + tracks.offsets[at(prism) + 1];
     const auto entry = std::find(first, last, face);
@@ -147,7 +147,7 @@ bool CoarseShell::forget(int prism, int face) {
     return true;
 }
 
-int CoarseShell::faceInside(int prism) const {
+int HandmadeShell::faceInside(int prism) const {
     Vec3 centre = Vec3::Zero();
     for (const int pillar : prisms[at(prism)].pillars) {
         centre += pillars[at(pillar)].middle / 3.0;
@@ -176,27 +176,27 @@ TriangleMesh displaced(
     return mesh;
 }
 
-CoarseShell coarseSphere(int level, int subdivisions) {
+HandmadeShell coarseSphere(int level, int subdivisions) {
     // Chords of the icosahedron are up to 0.205 below the sphere.
     return {icosphere(level), icosphere(level + subdivisions), level == 0 ? 0.3 : 0.15};
 }
 
-CoarseShell coarsePlate() {
+HandmadeShell coarsePlate() {
     const TriangleMesh fine =
         displaced(plate(4, 4), 2, [](const Vec3& p) { return bump(p, 0.03); });
     return {shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, 0.0)), fine, 0.2};
 }
 
-CoarseShell flatPlate() {
+HandmadeShell flatPlate() {
     return {shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, 0.0)), plate(8, 8), 0.2};
 }
 
-CoarseShell coarseTorus() {
+HandmadeShell coarseTorus() {
     const TriangleMesh middle = torus(16, 8);
     return {middle, displaced(middle, 2, [](const Vec3& p) { return bump(p, 0.01); }), 0.08};
 }
 
-CoarseShell coarseBox() {
+HandmadeShell coarseBox() {
     const TriangleMesh middle = box(2);
     const auto displacement = [](const Vec3& p) -> Vec3 {
         // None at the edges: faces beyond a crease cannot be seen.
@@ -206,11 +206,11 @@ CoarseShell coarseBox() {
     return {middle, displaced(middle, 3, displacement), 0.1};
 }
 
-std::ostream& operator<<(std::ostream& stream, const NamedCoarseShell& named) {
+std::ostream& operator<<(std::ostream& stream, const NamedHandmadeShell& named) {
     return stream << named.name;
 }
 
-std::vector<NamedCoarseShell> coarseShells() {
+std::vector<NamedHandmadeShell> handmadeShells() {
     return {
         {"Sphere", [] { return coarseSphere(); }},
         {"CoarserSphere", [] { return coarseSphere(0, 3); }},
