@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/curve_options.h"
 #include "cli/interrupt.h"
+#include "cli/mesh_input.h"
 #include "cli/progress_bar.h"
 #include "cli/verb.h"
 #include "design/curve_designer.h"
@@ -33,6 +34,7 @@ struct Inputs {
     MeshFile mesh;
     std::vector<Vec3> picks;
     std::vector<double> field;
+    std::optional<MeshRepair> repair;  ///< where it was asked for; mesh and field are as repaired
     double readSeconds = 0.0;
 };
 
@@ -70,9 +72,13 @@ Inputs readInputs(CurveArguments& arguments) {
     inputs.picks = std::move(picks.picks);
     arguments.solver.closed = arguments.solver.closed || picks.closed.value_or(false);
     Stopwatch watch;
-    inputs.mesh = readMeshFile(arguments.mesh);
+    inputs.mesh = readInputMesh(arguments.mesh, arguments.repair);
     inputs.readSeconds = watch.lap();
     inputs.field = fieldOf(arguments, inputs.mesh);
+    inputs.repair = repairIfAsked(inputs.mesh.mesh, arguments.repair);
+    if (inputs.repair && !inputs.field.empty()) {
+        inputs.field = inputs.repair->carriedOver(inputs.field);
+    }
     if (interrupted()) {
         throw Cancelled();
     }
@@ -106,6 +112,9 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
     figures.readSeconds = inputs.readSeconds;
     figures.stages = designer.seconds();
     figures.meshFile = arguments.mesh.string();
+    if (inputs.repair) {
+        figures.repair = inputs.repair->report;
+    }
     return {.designer = std::move(designer), .curve = std::move(curve), .figures = figures};
 }
 
@@ -151,6 +160,17 @@ std::string unusableMessage(const CurveArguments& arguments, const SolveReport& 
     return text.str();
 }
 
+/// The curve with the faces and barycentric coordinates of the mesh as it was given.
+Curve onGivenMesh(const Curve& curve, const Inputs& inputs) {
+    Curve given = curve;
+    if (inputs.repair) {
+        for (SurfacePoint& point : given.polyline.surfacePoints) {
+            point = inputs.repair->toOrigin(point);
+        }
+    }
+    return given;
+}
+
 /// Writes curve and report together: both files appear, or none. Of a curve that is not usable only
 /// the report.
 void writeResults(const CurveArguments& arguments, const Inputs& inputs, const Drawn& drawn) {
@@ -165,7 +185,7 @@ void writeResults(const CurveArguments& arguments, const Inputs& inputs, const D
             inputs.field.empty()
                 ? std::vector<double>()
                 : fieldAlong(drawn.curve.polyline, drawn.designer.surface().faces(), inputs.field);
-        writeCurve(arguments.output, drawn.curve, quality);
+        writeCurve(arguments.output, onGivenMesh(drawn.curve, inputs), quality);
     }
     if (report) {
         report->commit();
@@ -194,7 +214,8 @@ ExitCode runCurve(Arguments arguments) {
     if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
         return *code;
     }
-    return runVerb([&](ProgressBar& bar) { return draw(std::get<CurveArguments>(parsed), bar); });
+    auto& curve = std::get<CurveArguments>(parsed);
+    return runVerb(curve.repair, [&](ProgressBar& bar) { return draw(curve, bar); });
 }
 
 }  // namespace bspline_curve::cli

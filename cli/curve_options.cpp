@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/curve_options.h"
 
+#include "cli/mesh_input.h"
 #include "cli/option_table.h"
 #include "cli/shell_options.h"
 #include "cli/verb.h"
@@ -49,6 +50,7 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
            "file or a text of one number per vertex"
     )
         ->type_name("quality|FILE");
+    addRepairOption(app, arguments.repair);
 }
 
 void addShape(OptionTable<SolverOptions>& table) {

@@ -19,6 +19,7 @@ struct CurveArguments {
     std::filesystem::path report;  ///< empty: none asked for
     std::string field;             ///< empty: none; "quality": the mesh file's; else a file
     int repeat = 0;                ///< further curves to time
+    bool repair = false;
     SolverOptions solver;  ///< the preset with what was given explicitly; closed where --closed was
     ShellOptions shell;
     SamplingOptions sampling;

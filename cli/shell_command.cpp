@@ -2,12 +2,12 @@
 // bspline_curve shell MESH --output FILE …: the shell of a mesh.
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/mesh_input.h"
 #include "cli/process_figures.h"
 #include "cli/progress_bar.h"
 #include "cli/shell_options.h"
 #include "cli/verb.h"
 #include "io/atomic_file.h"
-#include "io/mesh_reader.h"
 #include "io/report_writer.h"
 #include "io/shell_report.h"
 #include "io/shell_writer.h"
@@ -46,7 +46,7 @@ struct Built {
     ShellBuild build;
 };
 
-/// Validates the mesh and builds its shell, one stage after the other.
+/// Repairs where asked, validates the mesh and builds its shell, one stage after the other.
 Built buildStages(
     TriangleMesh mesh, const ShellArguments& arguments, ShellRunFigures& figures, ProgressBar& bar
 ) {
@@ -54,7 +54,12 @@ Built buildStages(
     const double cpuBefore = processCpuSeconds();
     Stopwatch whole;
     Stopwatch watch;
+    figures.faces = static_cast<int>(mesh.faces.size());
     bar.show(0.0, "validating");
+    if (const auto repair = repairIfAsked(mesh, arguments.repair)) {
+        figures.repair = repair->report;
+    }
+    figures.seconds.repair = watch.lap();
     Surface surface(std::move(mesh));
     figures.seconds.validate = watch.lap();
     auto base =
@@ -141,7 +146,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
     figures.meshFile = arguments.mesh.string();
     bar.show(0.0, "reading");
     Stopwatch watch;
-    TriangleMesh mesh = readMesh(arguments.mesh);
+    TriangleMesh mesh = readInputMesh(arguments.mesh, arguments.repair).mesh;
     figures.seconds.read = watch.lap();
     if (interrupted()) {
         throw Cancelled();
@@ -176,7 +181,8 @@ ExitCode runShell(Arguments arguments) {
     if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
         return *code;
     }
-    return runVerb([&](ProgressBar& bar) { return build(std::get<ShellArguments>(parsed), bar); });
+    const auto& shell = std::get<ShellArguments>(parsed);
+    return runVerb(shell.repair, [&](ProgressBar& bar) { return build(shell, bar); });
 }
 
 }  // namespace bspline_curve::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/shell_options.h"
 
+#include "cli/mesh_input.h"
 #include "cli/verb.h"
 #include "surface/input_error.h"
 
@@ -33,6 +34,7 @@ void addFiles(CLI::App& app, ShellArguments& arguments) {
         "Check every invariant of the shell with exact predicates and code of its own; exit "
         "status 1 where one does not hold"
     );
+    addRepairOption(app, arguments.repair);
 }
 
 /// The command line of one shell, and what was given on it.

@@ -15,6 +15,7 @@ struct ShellArguments {
     std::filesystem::path mesh;
     std::filesystem::path output, report;  ///< empty: not asked for
     bool check = false;
+    bool repair = false;
     ShellOptions shell;
 };
 

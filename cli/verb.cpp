@@ -11,14 +11,26 @@
 
 namespace bspline_curve::cli {
 
-ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work) {
+namespace {
+
+/// Whether a mesh was refused for something that --repair mends.
+bool isRepairable(InputErrorCode code) {
+    return code == InputErrorCode::DegenerateFace || code == InputErrorCode::NonManifoldEdge ||
+           code == InputErrorCode::NonManifoldVertex ||
+           code == InputErrorCode::InconsistentOrientation;
+}
+
+}  // namespace
+
+ExitCode runVerb(bool repairs, const std::function<ExitCode(ProgressBar&)>& work) {
     catchInterrupts();
     ProgressBar bar;
     try {
         return work(bar);
     } catch (const InputError& error) {
         bar.clear();
-        printError(error.what());
+        const bool canRepair = !repairs && isRepairable(error.code());
+        printError(error.what() + std::string(canRepair ? ", or use --repair" : ""));
         return ExitCode::Failure;
     } catch (const Cancelled&) {
         bar.clear();

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/types.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // vcglib's importers trust the counts and indices of a file: one that lies about them makes the
 // importer crash, hang or drop faces in silence. These functions look through a file first, and say
-// what the importer must find in it. Each throws InputError (UnreadableFile, or DegenerateFace
-// where a face repeats a vertex) naming file and place.
+// what the importer must find in it. Each throws InputError (UnreadableFile) naming file and place.
 namespace bspline_curve {
 
 enum class PlyScalar : std::uint8_t {
@@ -25,11 +27,20 @@ enum class PlyScalar : std::uint8_t {
     Double
 };
 
+/// A triangle that the importer leaves out, with its place among all triangles.
+struct OmittedTriangle {
+    std::size_t place;
+    Triangle corners;
+};
+
 /// What the importer must find.
 struct ExpectedMesh {
     std::size_t vertices = 0;
     std::size_t triangles = 0;            ///< after polygons are cut into fans
     PlyScalar quality = PlyScalar::None;  ///< stored type of a per-vertex quality
+    /// Faces of a PLY or OBJ file that name a vertex twice, ascending.
+    std::vector<std::int64_t> repeating;
+    std::vector<OmittedTriangle> omitted;  ///< ascending; count among `triangles`
 };
 
 [[nodiscard]] ExpectedMesh checkPly(const std::filesystem::path& file, std::string_view bytes);

@@ -4,6 +4,7 @@
 #include "io/file_checks.h"
 #include "io/text_parsing.h"
 #include "io/vcglib_import.h"
+#include "surface/input_error.h"
 
 #include <array>
 #include <bit>
@@ -80,9 +81,40 @@ void checkImported(
     }
 }
 
+/// Puts back what the importer has left out, so that faces are numbered as in the file.
+void insertOmitted(std::vector<Triangle>& faces, const std::vector<OmittedTriangle>& omitted) {
+    if (omitted.empty()) {
+        return;
+    }
+    std::vector<Triangle> all;
+    all.reserve(faces.size() + omitted.size());
+    auto rest = faces.begin();
+    for (const auto& [place, corners] : omitted) {
+        while (all.size() < place && rest != faces.end()) {
+            all.push_back(*rest++);
+        }
+        all.push_back(corners);
+    }
+    all.insert(all.end(), rest, faces.end());
+    faces = std::move(all);
+}
+
+[[noreturn]] void refuseRepeating(
+    const std::filesystem::path& file, const std::vector<std::int64_t>& faces
+) {
+    refuseElements(
+        InputErrorCode::DegenerateFace,
+        file.string() + ": " + describeCount(faces.size(), "face names", "faces name") +
+            " a vertex twice",
+        "faces",
+        faces,
+        "remove them with MeshLab's filter 'Remove Zero Area Faces'"
+    );
+}
+
 }  // namespace
 
-MeshFile readMeshFile(const std::filesystem::path& file) {
+MeshFile readMeshFile(const std::filesystem::path& file, RepeatedVertices repeated) {
     const std::string extension = lowerCaseExtension(file);
     const bool known =
         extension == ".ply" || extension == ".obj" || extension == ".off" || extension == ".stl";
@@ -92,13 +124,19 @@ MeshFile readMeshFile(const std::filesystem::path& file) {
         );
     }
     const std::string bytes = readWholeFile(file);
+    const auto checked = [&](ExpectedMesh found) {
+        if (!found.repeating.empty() && repeated == RepeatedVertices::Refuse) {
+            refuseRepeating(file, found.repeating);
+        }
+        return found;
+    };
     ExpectedMesh expected;
     ImportedMesh imported;
     if (extension == ".ply") {
-        expected = checkPly(file, bytes);
+        expected = checked(checkPly(file, bytes));
         imported = importPly(file, expected.quality);
     } else if (extension == ".obj") {
-        expected = checkObj(file, bytes);
+        expected = checked(checkObj(file, bytes));
         imported = importObj(file);
     } else if (extension == ".stl") {
         expected = checkStl(file, bytes);
@@ -108,6 +146,7 @@ MeshFile readMeshFile(const std::filesystem::path& file) {
         expected = off.expected;
         imported = importOffText(off.text);
     }
+    insertOmitted(imported.mesh.faces, expected.omitted);
     checkImported(file, expected, imported);
     if (imported.mesh.faces.empty()) {
         refuseFile(file, "has no faces");

@@ -3,6 +3,7 @@
 
 #include "surface/types.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -13,13 +14,19 @@ struct MeshFile {
     std::vector<double> quality;  ///< one value per vertex, or empty where the file has none
 };
 
+/// What to do with faces that name a vertex twice.
+enum class RepeatedVertices : std::uint8_t { Refuse, Keep };
+
 /// A mesh with its per-vertex quality (PLY only), by vcglib's importers: .ply, .obj, .off and .stl.
 /// Coordinates keep the precision of the file; vertices and faces keep its order. Polygons are cut
 /// into triangle fans (quads in an OFF file along the diagonal that vcglib prefers). The vertices
 /// of an STL file that have equal coordinates are made one, in order of first use. Only what the
 /// file says is checked, not whether it is a surface. Throws InputError (UnreadableFile, or
-/// DegenerateFace where a face names a vertex twice), naming file and reason.
-[[nodiscard]] MeshFile readMeshFile(const std::filesystem::path& file);
+/// DegenerateFace where a face of a PLY or OBJ file names a vertex twice and is not to be kept),
+/// naming file and reason.
+[[nodiscard]] MeshFile readMeshFile(
+    const std::filesystem::path& file, RepeatedVertices repeated = RepeatedVertices::Refuse
+);
 
 /// The same without quality.
 [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/file_checks.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -29,9 +28,6 @@ public:
         }
         if (expected_.vertices == 0) {
             refuseFile(file_, "has no vertices; is it an OBJ mesh?");
-        }
-        if (!repeating_.empty()) {
-            refuseRepeating();
         }
         if (std::cmp_greater(highestLineIndex_, expected_.vertices)) {
             refuseFile(
@@ -102,12 +98,25 @@ private:
         for (std::size_t k = 1; k < words.size(); ++k) {
             ids.push_back(vertexId(words[k], fromZero));
         }
+        expectFan(ids);
         std::ranges::sort(ids);
         if (std::ranges::adjacent_find(ids) != ids.end()) {
-            repeating_.push_back(faces_);
+            expected_.repeating.push_back(faces_);
         }
         ++faces_;
-        expected_.triangles += corners - 2;
+    }
+
+    /// vcglib leaves out those triangles of a fan that repeat a vertex.
+    void expectFan(const std::vector<long long>& ids) {
+        for (std::size_t k = 1; k + 1 < ids.size(); ++k) {
+            const Triangle fan = {
+                static_cast<int>(ids[0]), static_cast<int>(ids[k]), static_cast<int>(ids[k + 1])
+            };
+            if (fan[0] == fan[1] || fan[1] == fan[2] || fan[2] == fan[0]) {
+                expected_.omitted.push_back({expected_.triangles, fan});
+            }
+            ++expected_.triangles;
+        }
     }
 
     long long vertexId(std::string_view corner, bool fromZero) {
@@ -144,21 +153,10 @@ private:
         refuseLine(file_, lines_.number(), reason);
     }
 
-    [[noreturn]] void refuseRepeating() const {
-        throw InputError(
-            InputErrorCode::DegenerateFace,
-            file_.string() + ": " + std::to_string(repeating_.size()) +
-                " faces name a vertex twice: " + describeElements(repeating_) +
-                "; remove them (MeshLab: Remove Zero Area Faces)",
-            repeating_
-        );
-    }
-
     const std::filesystem::path& file_;
     LineReader lines_;
     ExpectedMesh expected_;
     std::int64_t faces_ = 0;
-    std::vector<std::int64_t> repeating_;
     long long highestLineIndex_ = 0;
     std::size_t zbrushColours_ = 0;
 };

@@ -2,12 +2,12 @@
 #include "io/file_checks.h"
 #include "io/ply_header.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -119,15 +119,7 @@ public:
             checkElement(element);
         }
         expected.triangles = triangles_;
-        if (!repeating_.empty()) {
-            throw InputError(
-                InputErrorCode::DegenerateFace,
-                file_.string() + ": " + std::to_string(repeating_.size()) +
-                    " faces name a vertex twice: " + describeElements(repeating_) +
-                    "; remove them (MeshLab: Remove Zero Area Faces)",
-                repeating_
-            );
-        }
+        expected.repeating = std::move(repeating_);
     }
 
 private:

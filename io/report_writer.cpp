@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/report_writer.h"
 
+#include "io/repair_json.h"
 #include "io/text_parsing.h"
 #include "surface/input_error.h"
 
@@ -103,6 +104,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
           {"vertices", curve.polyline.points.size()},
           {"length", length(curve.polyline)}}},
         {"mesh", meshOf(surface, figures.meshFile)},
+        {"repair", repairJson(figures.repair)},
         {"rounds", roundsOf(report)},
         {"iterations", iterationsOf(report)},
     };

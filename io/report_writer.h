@@ -3,6 +3,7 @@
 
 #include "design/curve.h"
 #include "design/curve_designer.h"
+#include "surface/repair.h"
 
 #include <filesystem>
 #include <optional>
@@ -18,6 +19,7 @@ struct RunFigures {
     std::optional<double> warmSeconds;  ///< median of further curves with the shell kept
     double designSeconds = 0.0;         ///< the part of coldSeconds after the shell
     StageSeconds stages;
+    std::optional<RepairReport> repair;  ///< where it was asked for
 };
 
 /// The report as JSON: how long each stage took, why the solver stopped, figures of mesh and curve,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/shell_report.h"
 
+#include "io/repair_json.h"
 #include "io/shell_cells.h"
 
 #include <Eigen/Geometry>
@@ -85,6 +86,7 @@ Json secondsOf(const ShellRunFigures& figures) {
         {"cpu", seconds.cpu},
         {"wall", seconds.wall},
         {"read", seconds.read},
+        {"repair", seconds.repair},
         {"validate", seconds.validate},
         {"base", seconds.base},
         {"shell", seconds.shell},
@@ -154,13 +156,14 @@ std::string shellReportText(const ReportedShell& reported, const ShellRunFigures
         {"prisms", counts.all},
         {"ghost_prisms", counts.ghosts},
         {"pillars", counts.pillars},
-        {"faces", surface.faceCount()},
+        {"faces", figures.faces},
         {"blocked_faces", build.report.blockedFaces.size()},
         {"moved_vertices", base.movedVertices.size()},
         {"thickness", {{"mean", thickness.mean}, {"p5", thickness.p5}, {"min", thickness.min}}},
         {"seconds", secondsOf(figures)},
         {"peak_memory_bytes", figures.peakMemoryBytes},
         {"check", checkOf(check)},
+        {"repair", repairJson(figures.repair)},
         {"mesh", meshOf(surface, figures.meshFile)},
     };
     // A file name may hold bytes that are not UTF-8; they become replacement characters.

@@ -3,8 +3,10 @@
 
 #include "shell/check_shell.h"
 #include "shell/shell_builder.h"
+#include "surface/repair.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace bspline_curve {
@@ -13,15 +15,19 @@ namespace bspline_curve {
 struct ShellRunFigures {
     std::string meshFile;
 
-    /// cpu: of this process, all threads, from arrays in memory to the shell (validate, base and
-    /// shell); the others: wall clock.
+    int faces = 0;  ///< of the mesh as it was given
+
+    /// cpu: of this process, all threads, from arrays in memory to the shell (repair, validate,
+    /// base and shell), as wall; the others: wall clock of each stage.
     struct {
         double cpu = 0.0, wall = 0.0;
-        double read = 0.0, validate = 0.0, base = 0.0, shell = 0.0, check = 0.0, write = 0.0;
+        double read = 0.0, repair = 0.0, validate = 0.0, base = 0.0, shell = 0.0;
+        double check = 0.0, write = 0.0;
     } seconds;
 
     /// Largest resident memory of the program, until the shell was there.
     std::int64_t peakMemoryBytes = 0;
+    std::optional<RepairReport> repair;  ///< where it was asked for
 };
 
 /// How thick a shell is: from top to bottom along each pillar of a prism over the surface (not

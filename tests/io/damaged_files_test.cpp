@@ -123,6 +123,22 @@ TEST_F(DamagedMesh, FacesThatNameAVertexTwiceAreRefusedByTheirIndex) {
     }
 }
 
+TEST_F(DamagedMesh, FacesThatNameAVertexTwiceKeepTheirPlaceWhereTheyAreWanted) {
+    const auto facesOf = [&](const std::string& name, const std::string& bytes) {
+        return readMeshFile(write(name, bytes), RepeatedVertices::Keep).mesh.faces;
+    };
+    const std::vector<Triangle> faces = {{0, 1, 2}, {0, 1, 1}, {2, 2, 0}, {0, 2, 3}, {1, 1, 1}};
+    const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    EXPECT_EQ(facesOf("a.obj", obj + "f 1 2 3\nf 1 2 2\nf 3 3 1\nf 1 3 4\nf 2 2 2\n"), faces);
+    const std::vector<Triangle> cut = {{0, 1, 1}, {0, 1, 2}, {0, 2, 3}};
+    EXPECT_EQ(facesOf("b.obj", obj + "f 1 2 2 3 4\n"), cut);
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 5\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    EXPECT_EQ(facesOf("a.ply", ply + "3 0 1 2\n3 0 1 1\n3 2 2 0\n3 0 2 3\n3 1 1 1\n"), faces);
+}
+
 TEST_F(DamagedMesh, TooFewCornersAreRefused) {
     expectContains(refused("a.ply", kPly + "3 0 1 2\n2 0 1\n"), "face 1 has 2 corners");
     expectContains(refused("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n"), "line 3");

@@ -223,6 +223,7 @@ TEST(ShellReport, WritesEveryFigureUnderItsName) {
     const Built built(test_support::plate(4, 3));
     ShellRunFigures figures;
     figures.meshFile = "a.ply";
+    figures.faces = 24;
     figures.seconds.cpu = 0.5;
     figures.seconds.read = 0.25;
     figures.peakMemoryBytes = 1000000;
@@ -255,6 +256,23 @@ TEST(ShellReport, WritesEveryFigureUnderItsName) {
         {.surface = built.surface, .base = built.base, .build = built.build}, figures
     ));
     EXPECT_TRUE(unchecked["check"].is_null());
+    EXPECT_TRUE(unchecked["repair"].is_null());
+    figures.repair = repairMesh(test_support::bowTie()).report;
+    const auto repaired = nlohmann::json::parse(shellReportText(
+        {.surface = built.surface, .base = built.base, .build = built.build}, figures
+    ))["repair"];
+    EXPECT_EQ(repaired["changes"], 1);
+    EXPECT_EQ(repaired["duplicated_vertices"][0]["vertex"], 0);
+    EXPECT_EQ(repaired["duplicated_vertices"][0]["copies"], std::vector<int>{5});
+    for (const char* const key :
+         {"merged_vertices",
+          "removed_degenerate_faces",
+          "split_faces",
+          "removed_duplicate_faces",
+          "reversed_faces",
+          "cut_edges"}) {
+        EXPECT_EQ(repaired[key], nlohmann::json::array()) << key;
+    }
 }
 
 }  // namespace bspline_curve::io_tests

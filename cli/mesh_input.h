@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/mesh_reader.h"
+#include "surface/repair.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+// The mesh of a verb, with or without --repair.
+namespace bspline_curve::cli {
+
+void addRepairOption(CLI::App& app, bool& repair);
+
+/// Reads the mesh; with `repair` also one whose faces name a vertex twice.
+[[nodiscard]] MeshFile readInputMesh(const std::filesystem::path& file, bool repair);
+
+/// Where asked for, repairs `mesh` and says on stderr what was changed. The result's own mesh is
+/// moved to `mesh`.
+[[nodiscard]] std::optional<MeshRepair> repairIfAsked(TriangleMesh& mesh, bool repair);
+
+}  // namespace bspline_curve::cli

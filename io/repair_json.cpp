@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/repair_json.h"
+
+namespace bspline_curve {
+
+nlohmann::ordered_json repairJson(const std::optional<RepairReport>& repair) {
+    if (!repair) {
+        return nullptr;
+    }
+    nlohmann::ordered_json duplicated = nlohmann::ordered_json::array();
+    for (const auto& [vertex, copies] : repair->duplicatedVertices) {
+        duplicated.push_back({{"vertex", vertex}, {"copies", copies}});
+    }
+    return {
+        {"changes", repair->count()},
+        {"merged_vertices", repair->mergedVertices},
+        {"removed_degenerate_faces", repair->removedDegenerateFaces},
+        {"split_faces", repair->splitFaces},
+        {"removed_duplicate_faces", repair->removedDuplicateFaces},
+        {"reversed_faces", repair->reversedFaces},
+        {"cut_edges", repair->cutEdges},
+        {"duplicated_vertices", duplicated},
+    };
+}
+
+}  // namespace bspline_curve

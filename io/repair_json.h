@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/repair.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace bspline_curve {
+
+/// The "repair" of a report; null where none was asked for.
+[[nodiscard]] nlohmann::ordered_json repairJson(const std::optional<RepairReport>& repair);
+
+}  // namespace bspline_curve

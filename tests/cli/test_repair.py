@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""--repair: meshes with bad spots are refused by name without it, and work with it; nothing is changed silently."""
+
+import json
+import re
+from pathlib import Path
+
+import made_meshes as meshes
+import numpy as np
+import pymeshlab
+import pytest
+from curve_files import read_ply
+
+SAMPLES = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
+KEYS = ["merged_vertices", "removed_degenerate_faces", "split_faces", "removed_duplicate_faces", "reversed_faces",
+        "cut_edges", "duplicated_vertices"]
+
+
+def append(V, F, vertices=(), faces=()):
+    return np.vstack([V, np.reshape(vertices, (-1, 3))]), np.vstack([F, np.reshape(faces, (-1, 3))]).astype(int)
+
+
+def spots():
+    """name -> vertices, faces, the key of the report that tells, the word of the refusal"""
+    V, F = meshes.plate(cells=6, height=0.1)
+    n, m = len(V), len(F)
+    inner = F[30]
+    collapsed = V.copy()
+    collapsed[F[30][0]] = collapsed[F[30][1]]
+    turned = F.copy()
+    turned[[7, 20, 21]] = turned[[7, 20, 21]][:, ::-1]
+    cap_at = (V[inner[0]] + V[inner[1]]) / 2
+    return {
+        "bow tie": (*append(V, F, [[-1, 0, 0], [-1, -1, 0]], [0, n, n + 1]), "duplicated_vertices", "vertex joins"),
+        "three faces at an edge": (*append(V, F, [0.5, 0.5, 1], [*inner[:2], n]), "cut_edges", "more than two faces"),
+        "duplicate faces": (*append(V, F, [], [F[3], F[9][::-1]]), "removed_duplicate_faces", "copies of one face"),
+        "reversed faces": (V, turned, "reversed_faces", "opposite ways"),
+        "repeated vertices": (*append(V, F, [], [F[3][0], F[3][1], F[3][1]]), "removed_degenerate_faces", "twice"),
+        "edges without length": (collapsed, F, "merged_vertices", "no area"),
+        "a flat face in an edge": (
+            *append(V, F[np.arange(m) != 30], cap_at, [[n, inner[2], inner[0]], [inner[1], inner[2], n],
+                                                       [inner[0], inner[1], n]]),
+            "split_faces", "no area",
+        ),
+    }
+
+
+def run_curve(run, folder, mesh, V, F, *words):
+    """A curve beside the bad spots, checked against the mesh as it was given."""
+    (folder / "picks.json").write_text(json.dumps({"picks": V[[15, 36, 40]].tolist()}))
+    process = run(mesh, "--picks", "picks.json", "--output", "curve.ply", "--report", "curve.json", *words)
+    assert process.returncode == 0, process.stderr
+    vertex = read_ply(folder / "curve.ply")["vertex"]
+    points = np.stack([vertex[name] for name in "xyz"], 1)
+    weights = np.stack([vertex[f"barycentric_{k}"] for k in range(3)], 1)
+    assert np.abs((V[F[vertex["face"]]] * weights[:, :, None]).sum(1) - points).max() < 1e-9
+    return process, json.loads((folder / "curve.json").read_text()), vertex
+
+
+@pytest.mark.parametrize("name", spots())
+def test_a_bad_spot_is_refused_by_name_and_repaired_on_request(run, tmp_path, name):
+    V, F, key, word = spots()[name]
+    meshes.write_ply(tmp_path / "bad.ply", V, F)
+    for verb in (("shell", "bad.ply", "--check"), ("bad.ply", "--picks", "p.json", "--output", "c.ply")):
+        (tmp_path / "p.json").write_text(json.dumps({"picks": V[[4, 40]].tolist()}))
+        process = run(*verb)
+        assert process.returncode == 1 and process.stderr.count("\n") == 1
+        assert word in process.stderr and "--repair" in process.stderr
+
+    process = run("shell", "bad.ply", "--check", "--repair", "--report", "r.json", "--output", "s.vtu")
+    assert process.returncode == 0, process.stderr
+    assert process.stderr.startswith("bspline_curve: repaired: ") and process.stderr.count("\n") == 1
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert all(entry["holds"] for entry in report["check"].values())
+    assert report["faces"] == len(F)
+    repair = report["repair"]
+    assert list(repair) == ["changes", *KEYS] and repair[key] and repair["changes"] == sum(len(repair[k]) for k in KEYS)
+    counts = sum(int(n) for n in re.findall(r"\d+", process.stderr))
+    assert counts == repair["changes"], "the line counts what the report lists"
+
+    process, curve_report, vertex = run_curve(run, tmp_path, "bad.ply", V, F, "--repair")
+    assert curve_report["repair"] == repair
+    gone = set(repair["removed_degenerate_faces"]) | set(repair["removed_duplicate_faces"])
+    assert not gone & set(vertex["face"].tolist())
+
+
+def test_a_sound_mesh_is_left_alone_and_no_word_said(run, tmp_path):
+    V, F = meshes.plate(cells=6, height=0.1)
+    meshes.write_ply(tmp_path / "hill.ply", V, F)
+    process, report, _ = run_curve(run, tmp_path, "hill.ply", V, F)
+    plain = (tmp_path / "curve.ply").read_bytes()
+    assert report["repair"] is None
+    process, report, _ = run_curve(run, tmp_path, "hill.ply", V, F, "--repair")
+    assert process.stderr == "" and report["repair"] == {"changes": 0, **{key: [] for key in KEYS}}
+    assert (tmp_path / "curve.ply").read_bytes() == plain
+
+
+def test_one_sided_surfaces_stay_refused_by_name(run, tmp_path):
+    angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    rim = lambda side: np.stack([(1 + side * np.cos(angle / 2)) * np.cos(angle),
+                                 (1 + side * np.cos(angle / 2)) * np.sin(angle), side * np.sin(angle / 2)], 1)
+    V = np.vstack([rim(-0.3), rim(0.3)])
+    i, j = np.arange(40), (np.arange(40) + 1) % 40
+    other = np.where(j == 0, 40, 0)  # the strip comes back upside down
+    F = np.vstack([np.stack([i, j + other, i + 40], 1), np.stack([j + other, (j + 40 - other), i + 40], 1)])
+    meshes.write_ply(tmp_path / "moebius.ply", V, F)
+    for words in ((), ("--repair",)):
+        process = run("shell", "moebius.ply", "--check", *words)
+        assert process.returncode == 1 and "one-sided" in process.stderr and process.stderr.count("\n") == 1
+
+
+def test_a_field_is_carried_over_to_duplicated_vertices(run, tmp_path):
+    V, F, _, _ = spots()["three faces at an edge"]
+    field = V[:, 1] ** 2
+    meshes.write_ply(tmp_path / "bad.ply", V, F, quality=field)
+    _, _, vertex = run_curve(run, tmp_path, "bad.ply", V, F, "--repair", "--field", "quality")
+    weights = np.stack([vertex[f"barycentric_{k}"] for k in range(3)], 1)
+    assert np.abs((field[F[vertex["face"]]] * weights).sum(1) - vertex["quality"]).max() < 1e-12
+
+
+def scan_with_bad_spots():
+    """A scan with thirty bad spots of every kind, at seeded places."""
+    document = pymeshlab.MeshSet(verbose=False)
+    document.load_new_mesh(str(SAMPLES / "bone.ply"))
+    mesh = document.current_mesh()
+    V, F = mesh.vertex_matrix().copy(), mesh.face_matrix().astype(int)
+    random = np.random.default_rng(5)
+    faces = random.permutation(len(F))
+    for f in faces[:6]:  # flaps
+        V, F = append(V, F, V[F[f]].mean(0) + 0.3 * np.ptp(V[F[f]]), [F[f][0], F[f][1], len(V)])
+    for f in faces[6:12]:  # copies, half of them turned
+        F = np.vstack([F, F[f][:: 1 if f % 2 else -1]])
+    F[faces[12:18]] = F[faces[12:18]][:, ::-1]
+    for f in faces[18:24]:  # spikes that touch in a vertex
+        V, F = append(V, F, V[F[f][0]] + 0.2 * np.eye(3)[:2], [F[f][0], len(V), len(V) + 1])
+    for f in faces[24:30]:  # repeated vertices
+        F = np.vstack([F, [F[f][0], F[f][1], F[f][1]]])
+    return V, F
+
+
+@pytest.mark.parametrize("extension", ["ply", "obj", "off"])
+def test_a_scan_with_many_bad_spots(run, tmp_path, extension):
+    V, F = scan_with_bad_spots()
+    {"ply": meshes.write_ply, "obj": meshes.write_obj, "off": meshes.write_off}[extension](tmp_path / f"scan.{extension}", V, F)
+    assert run("shell", f"scan.{extension}", "--check").returncode == 1
+    process = run("shell", f"scan.{extension}", "--check", "--repair", "--report", "r.json")
+    assert process.returncode == 0, process.stderr
+    repair = json.loads((tmp_path / "r.json").read_text())["repair"]
+    assert len(repair["removed_duplicate_faces"]) == 6 and len(repair["removed_degenerate_faces"]) == 6
+    assert len(repair["reversed_faces"]) >= 6 and len(repair["cut_edges"]) >= 6 and repair["duplicated_vertices"]
+    first = (tmp_path / "r.json").read_bytes()
+    assert run("shell", f"scan.{extension}", "--check", "--repair", "--report", "r.json").returncode == 0
+    assert json.loads((tmp_path / "r.json").read_text())["repair"] == json.loads(first)["repair"]
