@@ -10,7 +10,7 @@ import pymeshlab
 import pytest
 
 INVARIANTS = ["positive tetrahedra", "separate layers", "separate components", "transversal surface",
-              "complete tracking", "consistent neighbours"]
+              "contained surface", "single crossings", "complete tracking", "consistent neighbours"]
 
 
 def succeed(process):

@@ -9,7 +9,7 @@ import made_meshes as meshes
 import pytest
 
 SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "shell_table.py"
-PAGE = "# Title\n\nbefore\n<!-- shell table: begin -->\nold\n<!-- shell table: end -->\nafter\n"
+PAGE = "# Title\n\nbefore\n<!-- shell table: begin -->\nstale\n<!-- shell table: end -->\nafter\n"
 
 
 @pytest.fixture
@@ -31,7 +31,7 @@ def test_rows_replace_what_was_between_the_markers(table, tmp_path):
     meshes.write_ply(tmp_path / "bad.ply", V, bad)
     done, page = table(tmp_path / "hill.ply", tmp_path / "bad.ply")
     assert done.returncode == 0, done.stderr
-    assert page.startswith("# Title\n\nbefore\n") and page.endswith("<!-- shell table: end -->\nafter\n") and "old" not in page
+    assert page.startswith("# Title\n\nbefore\n") and page.endswith("<!-- shell table: end -->\nafter\n") and "stale" not in page
     rows = [line for line in page.splitlines() if line.startswith("| ")]
     assert [row.split(" | ")[0] for row in rows] == ["| mesh", "| hill", "| bad"]
     assert len({row.count("|") for row in rows}) == 1, "as many cells in every row"
