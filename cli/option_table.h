@@ -93,8 +93,9 @@ using Names = std::vector<std::pair<std::string, Enum>>;
 template <class Options>
 class OptionTable {
 public:
-    /// Options are listed under `group` in the help.
-    OptionTable(CLI::App& app, std::string group) : app_(app), group_(std::move(group)) {}
+    /// Options are listed under `group` in the help, with the values of `defaults`.
+    OptionTable(CLI::App& app, std::string group, const Options& defaults = {})
+        : app_(app), group_(std::move(group)), defaults_(defaults) {}
 
     template <class Number>
     void number(
@@ -107,7 +108,7 @@ public:
         app_.add_option_function<Number>(flags, keep, help + " (" + range.text() + ")")
             ->check(range.validator())
             ->type_name(std::is_integral_v<Number> ? "N" : "X")
-            ->default_str(CLI::detail::to_string(Options{}.*member))
+            ->default_str(CLI::detail::to_string(defaults_.*member))
             ->group(group_);
     }
 
@@ -119,7 +120,7 @@ public:
         std::string defaultWord;
         for (const auto& [name, value] : names) {
             words.push_back(name);
-            defaultWord = value == Options{}.*member ? name : defaultWord;
+            defaultWord = value == defaults_.*member ? name : defaultWord;
         }
         const auto keep = [this, member, names](const std::string& word) {
             const auto found = std::ranges::find(names, word, &std::pair<std::string, Enum>::first);
@@ -152,6 +153,7 @@ private:
 
     CLI::App& app_;
     std::string group_;
+    Options defaults_;
     std::vector<std::function<void(Options&)>> changes_;
 };
 

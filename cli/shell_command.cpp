@@ -11,7 +11,7 @@
 #include "io/report_writer.h"
 #include "io/shell_report.h"
 #include "io/shell_writer.h"
-#include "shell/shell_builder.h"
+#include "shell/shell_simplifier.h"
 #include "surface/input_error.h"
 #include "surface/progress.h"
 #include "surface/stopwatch.h"
@@ -65,7 +65,7 @@ Built buildStages(
     auto base =
         std::make_shared<const ShellBase>(makeShellBase(surface, arguments.shell.smoothingPasses));
     figures.seconds.base = watch.lap();
-    ShellBuild build = buildShell(*base, arguments.shell, progressPart(bar, kBuildStart, 1.0));
+    ShellBuild build = makeShell(base, arguments.shell, progressPart(bar, kBuildStart, 1.0));
     figures.seconds.shell = watch.lap();
     figures.seconds.wall = whole.lap();
     figures.seconds.cpu = processCpuSeconds() - cpuBefore;

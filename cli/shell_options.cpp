@@ -9,6 +9,7 @@ namespace bspline_curve::cli {
 
 namespace {
 
+constexpr const char* kMain = "Options";
 constexpr const char* kAdvanced = "Advanced options";
 
 void addFiles(CLI::App& app, ShellArguments& arguments) {
@@ -42,6 +43,7 @@ class ShellParser {
 public:
     ShellParser() {
         addFiles(app_, arguments_);
+        addShellKind(kind_);
         addShellOptions(shell_);
     }
 
@@ -52,6 +54,7 @@ public:
         if (arguments_.output.empty() && arguments_.report.empty() && !arguments_.check) {
             throw CLI::RequiredError("one of --output, --report, --check");
         }
+        kind_.apply(arguments_.shell);
         shell_.apply(arguments_.shell);
         arguments_.shell.validate();
         return arguments_;
@@ -70,17 +73,43 @@ private:
         "bspline_curve shell"
     };
     ShellArguments arguments_;
+    OptionTable<ShellOptions> kind_{app_, kMain, arguments_.shell};
     OptionTable<ShellOptions> shell_{app_, kAdvanced};
 };
 
 }  // namespace
+
+void addShellKind(OptionTable<ShellOptions>& table) {
+    table.choice(
+        "--shell",
+        &ShellOptions::kind,
+        Names<ShellKind>{
+            {"simplified", ShellKind::Simplified}, {"full", ShellKind::FullResolution}
+        },
+        "Few thick prisms, or one thin prism per face"
+    );
+    table.number(
+        "--target-thickness",
+        &ShellOptions::targetThickness,
+        withinAbove(0.0, 1.0),
+        "Simplified: largest length of a pillar, bottom to top, relative to the longest side of "
+        "the mesh's box"
+    );
+    table.number(
+        "--target-edge-length",
+        &ShellOptions::targetEdgeLength,
+        withinAbove(0.0, 1.0),
+        "Simplified: middle edges shorter than this are collapsed where the invariants allow it, "
+        "relative to the longest side of the mesh's box"
+    );
+}
 
 void addShellOptions(OptionTable<ShellOptions>& table) {
     table.number(
         "--shell-thickness",
         &ShellOptions::thickness,
         moreThan(0.0),
-        "Largest distance of the shell's top and bottom from the mesh, in mean edge lengths"
+        "Largest distance of a full shell's top and bottom from the mesh, in mean edge lengths"
     );
     table.number(
         "--shell-smoothing-passes",

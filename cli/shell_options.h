@@ -16,8 +16,11 @@ struct ShellArguments {
     std::filesystem::path output, report;  ///< empty: not asked for
     bool check = false;
     bool repair = false;
-    ShellOptions shell;
+    ShellOptions shell{.kind = ShellKind::Simplified};
 };
+
+/// Which kind of shell, and what a simplified one is wanted to look like.
+void addShellKind(OptionTable<ShellOptions>& table);
 
 /// The options of the shell of full resolution, as every verb that builds one has them.
 void addShellOptions(OptionTable<ShellOptions>& table);

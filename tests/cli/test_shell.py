@@ -35,7 +35,7 @@ def volumes(P, T):
 @pytest.mark.parametrize("extension", ["vtu", "msh", "VTU"])
 def test_tetrahedra_conform_and_know_f_prism_slab_and_ghost(run, tmp_path, hill, extension):
     V, F = hill
-    succeed(run("shell", "hill.ply", "--output", f"shell.{extension}", "--report", "r.json"))
+    succeed(run("shell", "hill.ply", "--shell", "full", "--output", f"shell.{extension}", "--report", "r.json"))
     file = (tmp_path / f"shell.{extension}").rename(tmp_path / f"shell.{extension.lower()}")
     grid = meshio.read(file)
     report = json.loads((tmp_path / "r.json").read_text())
@@ -61,8 +61,9 @@ def test_tetrahedra_conform_and_know_f_prism_slab_and_ghost(run, tmp_path, hill,
         assert (grid.cell_data["gmsh:physical"][0] == slab + 1).all()
 
 
-def test_the_ply_has_three_layers_that_meshlab_colours_by_f(run, tmp_path, hill):
-    succeed(run("shell", "hill.ply", "--output", "shell.ply", "--report", "r.json"))
+@pytest.mark.parametrize("kind", ["simplified", "full"])
+def test_the_ply_has_three_layers_that_meshlab_colours_by_f(run, tmp_path, hill, kind):
+    succeed(run("shell", "hill.ply", "--shell", kind, "--output", "shell.ply", "--report", "r.json"))
     report = json.loads((tmp_path / "r.json").read_text())
     document = pymeshlab.MeshSet(verbose=False)
     document.load_new_mesh(str(tmp_path / "shell.ply"))
@@ -82,10 +83,12 @@ def test_the_ply_has_three_layers_that_meshlab_colours_by_f(run, tmp_path, hill)
     assert np.array_equal(read.cells_dict["triangle"], F) and np.array_equal(read.point_data["quality"], quality)
 
 
-def test_the_report_gives_counts_thickness_times_and_memory(run, tmp_path, hill):
+@pytest.mark.parametrize("kind", ["simplified", "full"])
+def test_the_report_gives_counts_thickness_times_and_memory(run, tmp_path, hill, kind):
     V, F = hill
-    succeed(run("shell", "hill.ply", "--output", "shell.vtu", "--report", "r.json"))
+    succeed(run("shell", "hill.ply", "--shell", kind, "--output", "shell.vtu", "--report", "r.json"))
     report = json.loads((tmp_path / "r.json").read_text())
+    assert report["shell"] == kind
     assert report["faces"] == len(F) and report["blocked_faces"] == 0 and report["moved_vertices"] == 0
     assert report["mesh"]["boundary_edges"] == 40 and report["mesh"]["components"] == 1
     grid = meshio.read(tmp_path / "shell.vtu")
@@ -103,8 +106,9 @@ def test_the_report_gives_counts_thickness_times_and_memory(run, tmp_path, hill)
     assert report["check"] is None
 
 
-def test_check_names_every_invariant(run, tmp_path, hill):
-    succeed(run("shell", "hill.ply", "--check", "--report", "r.json"))
+@pytest.mark.parametrize("kind", ["simplified", "full"])
+def test_check_names_every_invariant(run, tmp_path, hill, kind):
+    succeed(run("shell", "hill.ply", "--shell", kind, "--check", "--report", "r.json"))
     report = json.loads((tmp_path / "r.json").read_text())
     assert list(report["check"]) == INVARIANTS
     for entry in report["check"].values():
@@ -119,12 +123,32 @@ def test_output_may_be_left_out_with_check_or_report_only(run, tmp_path, hill):
     assert process.returncode == 2 and "--output" in process.stderr and process.stderr.count("\n") == 1
 
 
-def test_thickness_follows_its_option(run, tmp_path, hill):
+def test_thickness_of_a_full_shell_follows_its_option(run, tmp_path, hill):
     means = []
     for thickness in (0.1, 0.4):
-        succeed(run("shell", "hill.ply", "--report", "r.json", "--shell-thickness", thickness))
+        succeed(run("shell", "hill.ply", "--shell", "full", "--report", "r.json", "--shell-thickness", thickness))
         means.append(json.loads((tmp_path / "r.json").read_text())["thickness"]["mean"])
     assert means[1] > 2 * means[0]
+
+
+def test_a_simplified_shell_is_the_default_and_has_few_thick_prisms(run, tmp_path):
+    document = pymeshlab.MeshSet(verbose=False)
+    document.create_torus(hradius=3, vradius=1, hsubdiv=60, vsubdiv=30)
+    document.save_current_mesh(str(tmp_path / "torus.ply"))
+    reports = {}
+    for name, words in {
+        "default": (), "simplified": ("--shell", "simplified"), "full": ("--shell", "full"),
+        "thin": ("--target-thickness", 0.03), "short": ("--target-edge-length", 0.1),
+    }.items():
+        succeed(run("shell", "torus.ply", "--check", "--report", "r.json", "--output", f"{name}.vtu", *words))
+        reports[name] = json.loads((tmp_path / "r.json").read_text())
+    assert (tmp_path / "default.vtu").read_bytes() == (tmp_path / "simplified.vtu").read_bytes()
+    few, full, thin, short = (reports[name] for name in ("default", "full", "thin", "short"))
+    assert few["prisms"] < 0.1 * full["prisms"] == 360
+    assert few["thickness"]["mean"] > 2 * thin["thickness"]["mean"]
+    assert short["prisms"] > 1.5 * few["prisms"]
+    grid = meshio.read(tmp_path / "thin.vtu")
+    assert volumes(grid.points, grid.cells[0].data).min() > 0
 
 
 def test_the_same_command_gives_the_same_bytes(run, tmp_path, hill):
@@ -140,6 +164,9 @@ def test_the_same_command_gives_the_same_bytes(run, tmp_path, hill):
         (2, (), "MESH"),
         (2, ("hill.ply", "--output", "a.vtu", "--frobnicate"), "--frobnicate"),
         (2, ("hill.ply", "--output", "a.vtu", "--shell-thickness", "0"), "> 0"),
+        (2, ("hill.ply", "--output", "a.vtu", "--shell", "thin"), "simplified|full"),
+        (2, ("hill.ply", "--output", "a.vtu", "--target-thickness", "1.5"), "(0, 1]"),
+        (2, ("hill.ply", "--output", "a.vtu", "--target-edge-length", "0"), "(0, 1]"),
         (2, ("hill.ply", "--output", "a.vtu", "--picks", "picks.json"), "--picks"),
         (1, ("none.ply", "--output", "a.vtu"), "none.ply"),
         (1, ("hill.ply", "--output", "a.vtk"), ".vtu"),

@@ -217,6 +217,9 @@ CASES = {
 }
 
 
+WRONG = {("nested spheres", "simplified")}
+
+
 def check_shell(run, folder, name, *words):
     """Runs a command that must work; returns its report."""
     process = run("shell", name, "--check", "--report", "report.json", *words)
@@ -226,8 +229,11 @@ def check_shell(run, folder, name, *words):
     return report
 
 
+@pytest.mark.parametrize("kind", ["simplified", "full"])
 @pytest.mark.parametrize("name", CASES)
-def test_a_mesh_that_others_refuse_gets_a_shell_of_which_every_check_holds(run, tmp_path, name):
+def test_a_mesh_that_others_refuse_gets_a_shell_of_which_every_check_holds(run, tmp_path, name, kind, request):
+    if (name, kind) in WRONG:
+        request.applymarker(pytest.mark.xfail(strict=True, reason="the checks tell that this shell is wrong"))
     case = CASES[name]
     V, F = case.make()
     found = traits(V, F)
@@ -236,7 +242,7 @@ def test_a_mesh_that_others_refuse_gets_a_shell_of_which_every_check_holds(run, 
     if "--repair" in case.words:
         process = run("shell", "mesh.ply", "--check")
         assert process.returncode == 1 and "--repair" in process.stderr and process.stderr.count("\n") == 1
-    report = check_shell(run, tmp_path, "mesh.ply", *case.words)
+    report = check_shell(run, tmp_path, "mesh.ply", "--shell", kind, *case.words)
     assert report["faces"] == len(F)
     assert report["blocked_faces"] <= case.blocked
     assert report["thickness"]["min"] > 0
