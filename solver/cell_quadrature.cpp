@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace bspline_curve {
 namespace {
@@ -38,7 +39,7 @@ void addKink(
     const SplineSpace& space,
     const EnergyWeights& weights,
     const WallCrossing& crossing,
-    EnergyDerivatives& derivatives
+    DerivativeCollector& collector
 ) {
     const Vec3 normal = -crossing.from.walls[at(crossing.wall)].gradient.normalized();
     const Vec3 p = crossing.curve.at(crossing.tau);
@@ -53,14 +54,7 @@ void addKink(
     const double speed =
         std::max(std::abs(normal.dot(velocity)), kLeastCrossingCosine * velocity.norm());
     if (speed > 0.0) {
-        auto& blocks = jump > 0.0 ? derivatives.hessian : derivatives.negativeKinks;
-        addRankOne(
-            blocks[at(crossing.span)],
-            space.basisAt(crossing.span, crossing.tau),
-            normal,
-            jump / speed,
-            space.basisCount()
-        );
+        collector.addKink(crossing.span, crossing.tau, normal, jump / speed);
     }
 }
 
@@ -75,33 +69,27 @@ bool integrateCells(
     EnergyDerivatives* derivatives
 ) {
     bool belowBarrier = true;
+    std::optional<DerivativeCollector> collector;
+    if (derivatives != nullptr) {
+        collector.emplace(space, *derivatives);
+    }
     const auto onPiece =
         [&](
             int span, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1
         ) {
             const double length = (tau1 - tau0) * space.spanLength(span);
-            if (derivatives == nullptr) {
-                const CellIntegrand integrand(problem, weights, cell);
-                for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
-                    const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
-                    belowBarrier &= integrand.add(curve.at(tau), kGaussWeights[i] * length, terms);
-                }
-                return;
-            }
-            CellDerivatives integrand(problem, weights, cell);
+            const CellIntegrand integrand(problem, weights, cell);
             for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
                 const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
-                belowBarrier &= integrand.add(
-                    curve.at(tau),
-                    kGaussWeights[i] * length,
-                    terms,
-                    space,
-                    span,
-                    space.basisAt(span, tau),
-                    derivatives->gradient
-                );
+                const double weight = kGaussWeights[i] * length;
+                if (!collector) {
+                    belowBarrier &= integrand.add(curve.at(tau), weight, terms);
+                    continue;
+                }
+                PointDerivatives point;
+                belowBarrier &= integrand.add(curve.at(tau), weight, terms, point);
+                collector->add(span, tau, point);
             }
-            integrand.flush(derivatives->hessian[at(span)], space.basisCount());
         };
     const auto onCrossing = [&](int span,
                                 const PolynomialCurve& curve,
@@ -109,12 +97,15 @@ bool integrateCells(
                                 const ShellCell& to,
                                 double tau,
                                 int wall) {
-        if (derivatives != nullptr) {
-            addKink(problem, space, weights, {from, to, wall, curve, span, tau}, *derivatives);
+        if (collector) {
+            addKink(problem, space, weights, {from, to, wall, curve, span, tau}, *collector);
         }
     };
-    return traceCurve(problem, space, controls, onPiece, onCrossing) == space.spanCount() &&
-           belowBarrier;
+    const int spans = traceCurve(problem, space, controls, onPiece, onCrossing);
+    if (collector) {
+        collector->finish();
+    }
+    return spans == space.spanCount() && belowBarrier;
 }
 
 }  // namespace bspline_curve

@@ -40,20 +40,16 @@ void addRankOne(
     }
 }
 
-void BasisProducts::addOuter(
-    SpanMatrix& block, const Eigen::Matrix3d& outer, int basisCount
-) const {
-    double* column = block.data();
-    for (int j = 0; j < basisCount; ++j) {
-        for (int b = 0; b < 3; ++b, column += 3 * static_cast<std::ptrdiff_t>(basisCount)) {
-            for (int i = 0; i < basisCount; ++i) {
-                const double factor = sums_[at(i * kMaxBasis + j)];
-                for (int a = 0; a < 3; ++a) {
-                    column[3 * i + a] += factor * outer(a, b);
-                }
-            }
-        }
+void DerivativeCollector::finish() {
+    if (points_.empty() && negativeKinks_.empty()) {
+        return;
     }
+    const SplineSpace::BasisMatrix basis = space_.bernsteinBasis(span_);
+    points_.addForcesTo(derivatives_.gradient, space_, span_, basis);
+    points_.addMatricesTo(derivatives_.hessian[at(span_)], basis, space_.basisCount());
+    negativeKinks_.addMatricesTo(derivatives_.negativeKinks[at(span_)], basis, space_.basisCount());
+    points_.clear();
+    negativeKinks_.clear();
 }
 
 void addGradient(

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/spline_space.h"
-#include "solver/spline_system.h"
+#include "solver/span_moments.h"
 
-#include <array>
 #include <vector>
 
 namespace bspline_curve {
@@ -20,6 +18,70 @@ struct EnergyDerivatives {
     void reset(const SplineSpace& space);
 };
 
+/// First and second derivative of an integrand by the position, times a weight.
+struct PointDerivatives {
+    Vec3 force = Vec3::Zero();
+    SymmetricMatrix second{};
+
+    /// scale v v^T to the second derivative.
+    void addRankOne(const Vec3& v, double scale) {
+        const SymmetricMatrix matrix = rankOne(v, scale);
+        for (std::size_t e = 0; e < second.size(); ++e) {
+            second[e] += matrix[e];
+        }
+    }
+
+    /// scale (a b^T + b a^T).
+    void addProduct(const Vec3& a, const Vec3& b, double scale) {
+        const Vec3 u = scale * a;
+        second[0] += 2.0 * u[0] * b[0];
+        second[1] += u[0] * b[1] + u[1] * b[0];
+        second[2] += u[0] * b[2] + u[2] * b[0];
+        second[3] += 2.0 * u[1] * b[1];
+        second[4] += u[1] * b[2] + u[2] * b[1];
+        second[5] += 2.0 * u[2] * b[2];
+    }
+};
+
+/// Collects derivatives at points of a curve, span by span in order, as those by the control
+/// points.
+class DerivativeCollector {
+public:
+    DerivativeCollector(const SplineSpace& space, EnergyDerivatives& derivatives)
+        : space_(space),
+          derivatives_(derivatives),
+          points_(space.degree()),
+          negativeKinks_(space.degree()) {}
+
+    void add(int span, double tau, const PointDerivatives& point) {
+        startSpan(span);
+        points_.addForce(tau, point.force);
+        points_.addMatrix(tau, point.second);
+    }
+
+    /// A second derivative scale normal normal^T, kept apart where it is negative.
+    void addKink(int span, double tau, const Vec3& normal, double scale) {
+        startSpan(span);
+        (scale > 0.0 ? points_ : negativeKinks_).addMatrix(tau, rankOne(normal, scale));
+    }
+
+    /// To be called after the last span.
+    void finish();
+
+private:
+    void startSpan(int span) {
+        if (span != span_) {
+            finish();
+            span_ = span;
+        }
+    }
+
+    const SplineSpace& space_;
+    EnergyDerivatives& derivatives_;
+    SpanMoments points_, negativeKinks_;
+    int span_ = -1;
+};
+
 /// block += scale v v^T with v = basis (x) direction: the second derivative of scale / 2 (direction
 /// . P)^2.
 void addRankOne(
@@ -29,37 +91,6 @@ void addRankOne(
     double scale,
     int basisCount
 );
-
-/// Sum of scale b b^T over points whose basis values are b: the part of many rank-one terms with
-/// one direction that differs between them.
-class BasisProducts {
-public:
-    void add(const SplineSpace::BasisValues& basis, double scale, int basisCount) {
-        for (int i = 0; i < basisCount; ++i) {
-            const double factor = scale * basis[static_cast<std::size_t>(i)];
-            for (int j = 0; j < basisCount; ++j) {
-                sums_[static_cast<std::size_t>(i * kMaxBasis + j)] +=
-                    factor * basis[static_cast<std::size_t>(j)];
-            }
-        }
-    }
-
-    /// block += sums (x) direction direction^T.
-    void addTo(SpanMatrix& block, const Vec3& direction, int basisCount) const {
-        addOuter(block, direction * direction.transpose(), basisCount);
-    }
-
-    /// block += sums (x) (a b^T + b a^T).
-    void addTo(SpanMatrix& block, const Vec3& a, const Vec3& b, int basisCount) const {
-        const Eigen::Matrix3d outer = a * b.transpose();
-        addOuter(block, outer + outer.transpose(), basisCount);
-    }
-
-private:
-    void addOuter(SpanMatrix& block, const Eigen::Matrix3d& outer, int basisCount) const;
-
-    std::array<double, static_cast<std::size_t>(kMaxBasis) * kMaxBasis> sums_{};
-};
 
 /// gradient += basis (x) force on the control points of a span.
 void addGradient(

@@ -107,20 +107,23 @@ void InternalEnergy::setDirections(const BendingDirections& directions) {
     const double scale = -2.0 / (problem_.chordLength * problem_.chordLength) *
                          (1.0 - problem_.options.tension) *
                          (1.0 - problem_.options.normalBendingWeight);
+    const auto addTo = [&](int span, SpanMoments& moments) {
+        moments.addMatricesTo(
+            internal_[at(span)], space_.bernsteinBasis(span, 2), space_.basisCount()
+        );
+        moments.clear();
+    };
     int span = 0;
+    SpanMoments moments(space_.degree() - 2);
     for (const BendingDirections::Sample& sample : directions.samples) {
         while (span + 1 < space_.spanCount() && sample.parameter > space_.breaks()[at(span) + 1]) {
+            addTo(span, moments);
             ++span;
         }
         const double tau = (sample.parameter - space_.breaks()[at(span)]) / space_.spanLength(span);
-        addRankOne(
-            internal_[at(span)],
-            space_.basisDerivativeAt(span, tau, 2),
-            sample.direction,
-            scale * sample.weight,
-            space_.basisCount()
-        );
+        moments.addMatrix(tau, rankOne(sample.direction, scale * sample.weight));
     }
+    addTo(span, moments);
 }
 
 double InternalEnergy::add(const ControlPoints& controls, EnergyDerivatives* derivatives) const {

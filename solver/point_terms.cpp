@@ -109,16 +109,9 @@ bool CellIntegrand::add(const Vec3& p, double weight, EnergyTerms& terms) const 
     return true;
 }
 
-bool CellDerivatives::add(
-    const Vec3& p,
-    double weight,
-    EnergyTerms& terms,
-    const SplineSpace& space,
-    int span,
-    const SplineSpace::BasisValues& basis,
-    Eigen::VectorXd& gradient
-) {
-    const int n = space.basisCount();
+bool CellIntegrand::add(
+    const Vec3& p, double weight, EnergyTerms& terms, PointDerivatives& derivatives
+) const {
     const RelativeHeight d = relativeHeightAt(p);
     if (std::abs(d.value) >= weights_.barrierWidth) {
         return false;
@@ -127,18 +120,18 @@ bool CellDerivatives::add(
     const double slope = weight * weights_.alpha * g.slope;
     const double curvature = weight * weights_.alpha * g.curvature;
     terms.distance += weight * g.value;
-    Vec3 force = slope * d.byHeight * height_.gradient;
+    const Vec3& byP = height_.gradient;
+    derivatives.force += slope * d.byHeight * byP;
+    derivatives.addRankOne(byP, curvature * d.byHeight * d.byHeight + slope * d.byHeightTwice);
     if (hasSurfaceHeight_) {
-        force += slope * d.bySurface * surfaceHeight_.gradient;
-        heightProducts_.add(
-            basis, curvature * d.byHeight * d.byHeight + slope * d.byHeightTwice, n
+        const Vec3& surfaceByP = surfaceHeight_.gradient;
+        derivatives.force += slope * d.bySurface * surfaceByP;
+        derivatives.addRankOne(
+            surfaceByP, curvature * d.bySurface * d.bySurface + slope * d.bySurfaceTwice
         );
-        mixedProducts_.add(basis, curvature * d.byHeight * d.bySurface + slope * d.byBoth, n);
-        surfaceProducts_.add(
-            basis, curvature * d.bySurface * d.bySurface + slope * d.bySurfaceTwice, n
+        derivatives.addProduct(
+            byP, surfaceByP, curvature * d.byHeight * d.bySurface + slope * d.byBoth
         );
-    } else {
-        heightProducts_.add(basis, curvature * d.byHeight * d.byHeight, n);
     }
     if (hasBeyond_) {
         const double beyond = beyond_.at(p);
@@ -147,31 +140,16 @@ bool CellDerivatives::add(
         }
         const Barrier b = barrier(beyond, 1.0);
         terms.distance += weight * b.value;
-        force += weight * weights_.alpha * b.slope * beyond_.gradient;
-        beyondProducts_.add(basis, weight * weights_.alpha * b.curvature, n);
+        derivatives.force += weight * weights_.alpha * b.slope * beyond_.gradient;
+        derivatives.addRankOne(beyond_.gradient, weight * weights_.alpha * b.curvature);
     }
     if (mu_ > 0.0) {
         const FieldCostValue c = fieldCost(cost_, field_.at(p));
         terms.external += weight * c.value;
-        force += weight * mu_ * c.slope * field_.gradient;
-        fieldProducts_.add(basis, weight * mu_ * std::max(0.0, c.curvature), n);
+        derivatives.force += weight * mu_ * c.slope * field_.gradient;
+        derivatives.addRankOne(field_.gradient, weight * mu_ * std::max(0.0, c.curvature));
     }
-    addGradient(gradient, space, span, basis, force);
     return true;
-}
-
-void CellDerivatives::flush(SpanMatrix& hessian, int basisCount) const {
-    heightProducts_.addTo(hessian, height_.gradient, basisCount);
-    if (hasSurfaceHeight_) {
-        mixedProducts_.addTo(hessian, height_.gradient, surfaceHeight_.gradient, basisCount);
-        surfaceProducts_.addTo(hessian, surfaceHeight_.gradient, basisCount);
-    }
-    if (hasBeyond_) {
-        beyondProducts_.addTo(hessian, beyond_.gradient, basisCount);
-    }
-    if (mu_ > 0.0) {
-        fieldProducts_.addTo(hessian, field_.gradient, basisCount);
-    }
 }
 
 Vec3 CellIntegrand::gradient(const Vec3& p) const {

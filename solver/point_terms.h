@@ -26,10 +26,15 @@ public:
     /// barrier.
     [[nodiscard]] bool add(const Vec3& p, double weight, EnergyTerms& terms) const;
 
+    /// The same; adds the derivatives of the weighted terms, Gauss-Newton for the field.
+    [[nodiscard]] bool add(
+        const Vec3& p, double weight, EnergyTerms& terms, PointDerivatives& derivatives
+    ) const;
+
     /// Gradient of the weighted integrand at p.
     [[nodiscard]] Vec3 gradient(const Vec3& p) const;
 
-protected:
+private:
     // The height d relative to the surface and its derivatives by w and w_S.
     struct RelativeHeight {
         double value = 0.0;
@@ -45,35 +50,6 @@ protected:
     AffineForm height_, surfaceHeight_, beyond_, field_;
     double heightScale_;
     bool hasSurfaceHeight_, hasBeyond_;
-};
-
-/// The same with derivatives by the control points of a span.
-class CellDerivatives : public CellIntegrand {
-public:
-    using CellIntegrand::add;
-    using CellIntegrand::CellIntegrand;
-
-    /// Adds `weight` times the integrand at p, on which the point depends by `basis`, to the terms
-    /// and its first derivatives to the gradient; second derivatives are collected until flush().
-    /// False where p is on or above the barrier.
-    [[nodiscard]] bool add(
-        const Vec3& p,
-        double weight,
-        EnergyTerms& terms,
-        const SplineSpace& space,
-        int span,
-        const SplineSpace::BasisValues& basis,
-        Eigen::VectorXd& gradient
-    );
-
-    /// Adds the second derivatives collected to the block of the span.
-    void flush(SpanMatrix& hessian, int basisCount) const;
-
-private:
-    // Constant gradients in the cell, so the second derivatives of all points in it share their
-    // directions.
-    BasisProducts heightProducts_, mixedProducts_, surfaceProducts_;
-    BasisProducts beyondProducts_, fieldProducts_;
 };
 
 /// The weight of the field: mu of (7), or 0 without a field.

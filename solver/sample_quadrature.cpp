@@ -78,6 +78,10 @@ bool integrateSamples(
     SampleWalker walker(problem, space, controls);
     const int segments = problem.options.samplesPerSpan;
     bool belowBarrier = true;
+    std::optional<DerivativeCollector> collector;
+    if (derivatives != nullptr) {
+        collector.emplace(space, *derivatives);
+    }
     for (int span = 0; span < space.spanCount(); ++span) {
         const PolynomialCurve curve = space.polynomial(controls, span);
         const double weight = 0.5 * space.spanLength(span) / segments;
@@ -89,20 +93,19 @@ bool integrateSamples(
                 return false;
             }
             const double scale = weights.outsideAllowed ? kHeightScale : 1.0;
-            CellDerivatives integrand(problem, weights, walker.cell(), scale);
+            const CellIntegrand integrand(problem, weights, walker.cell(), scale);
             // Outside, the terms are those of the boundary point and do not change with the sample.
-            if (derivatives == nullptr || walker.outside()) {
+            if (!collector || walker.outside()) {
                 belowBarrier &= integrand.add(walker.position(), weight, terms);
                 continue;
             }
-            const SplineSpace::BasisValues basis = space.basisAt(span, tau);
-            belowBarrier &= integrand.add(
-                walker.position(), weight, terms, space, span, basis, derivatives->gradient
-            );
-            integrand.flush(
-                derivatives->hessian[static_cast<std::size_t>(span)], space.basisCount()
-            );
+            PointDerivatives point;
+            belowBarrier &= integrand.add(walker.position(), weight, terms, point);
+            collector->add(span, tau, point);
         }
+    }
+    if (collector) {
+        collector->finish();
     }
     return belowBarrier;
 }

@@ -2,6 +2,7 @@
 #include "solver/spline_space.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace bspline_curve {
@@ -97,6 +98,27 @@ SplineSpace::BasisValues SplineSpace::basisDerivativeAt(int span, double tau, in
         values[at(j)] = value * scale;
     }
     return values;
+}
+
+SplineSpace::BasisMatrix SplineSpace::bernsteinBasis(int span, int order) const {
+    const BasisMatrix& table = basis(span);
+    const int n = degree_ - order;
+    const double scale = std::pow(spanLength(span), -order);
+    BasisMatrix result = BasisMatrix::Zero();
+    for (int j = 0; j <= degree_; ++j) {
+        for (int m = 0; m <= n; ++m) {
+            double factor = scale * table(j, m + order);
+            for (int i = 0; i < order; ++i) {
+                factor *= m + order - i;
+            }
+            // tau^m = tau^m (tau + (1 - tau))^(n - m)
+            for (int k = m; k <= n; ++k) {
+                result(j, k) += factor;
+                factor = factor * (n - k) / (k - m + 1);
+            }
+        }
+    }
+    return result;
 }
 
 PolynomialCurve SplineSpace::polynomial(const ControlPoints& controls, int span) const {

@@ -57,6 +57,11 @@ public:
         return basis_[static_cast<std::size_t>(span)];
     }
 
+    /// Coefficients of the basis on a span, or of its derivative of some order by t, in the
+    /// products tau^k (1 - tau)^(n - k), n = degree - order: entry (j, k) belongs to basis function
+    /// j.
+    [[nodiscard]] BasisMatrix bernsteinBasis(int span, int order = 0) const;
+
     using BasisValues = std::array<double, kMaxBasis>;
     /// Values of the basis functions of a span at tau.
     [[nodiscard]] BasisValues basisAt(int span, double tau) const;
