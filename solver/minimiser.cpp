@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bspline_curve {
 namespace {
@@ -59,15 +60,17 @@ MinimiseResult minimise(
     ControlPoints& controls
 ) {
     MinimiseResult result;
+    // Mostly the whole step is taken, so its derivatives are computed with its value.
     EnergyDerivatives derivatives;
+    EnergyDerivatives trialDerivatives;
     ControlPoints trial(space.controlCount(), 3);
+    result.value = energy.evaluate(controls, weights, derivatives);
+    if (!result.value.inside) {
+        result.status = MinimiseStatus::Outside;
+        return result;
+    }
 
     for (int iteration = 0; iteration < options.maxIterations; ++iteration) {
-        result.value = energy.evaluate(controls, weights, derivatives);
-        if (!result.value.inside) {
-            result.status = MinimiseStatus::Outside;
-            return result;
-        }
         const std::optional<Eigen::VectorXd> step =
             newtonStep(system, derivatives, interpolation, controls);
         if (!step) {
@@ -87,11 +90,13 @@ MinimiseResult minimise(
         }
         double length = 1.0;
         bool accepted = false;
+        EnergyValue value;
         while (length >= kLeastStep) {
             Eigen::Map<Eigen::VectorXd>(trial.data(), trial.size()) =
                 Eigen::Map<const Eigen::VectorXd>(controls.data(), controls.size()) +
                 length * *step;
-            const EnergyValue value = energy.evaluate(trial, weights);
+            value = length == 1.0 ? energy.evaluate(trial, weights, trialDerivatives)
+                                  : energy.evaluate(trial, weights);
             if (value.inside &&
                 value.total <= result.value.total + kSufficientDecrease * length * slope) {
                 accepted = true;
@@ -106,6 +111,11 @@ MinimiseResult minimise(
             return result;
         }
         controls.swap(trial);
+        if (length < 1.0) {
+            value = energy.evaluate(controls, weights, trialDerivatives);
+        }
+        result.value = value;
+        std::swap(derivatives, trialDerivatives);
     }
     result.status = MinimiseStatus::IterationLimit;
     return result;
