@@ -17,6 +17,25 @@ std::size_t at(int index) {
 constexpr double kConstraintAccuracy = 1e-15;
 constexpr int kMaxMultiplierSteps = 12;
 
+// For each control point those after it that share a span with it, ascending.
+std::vector<std::vector<int>> coupledControls(const SplineSpace& space) {
+    std::vector<std::vector<int>> coupled(at(space.controlCount()));
+    for (int span = 0; span < space.spanCount(); ++span) {
+        for (int i = 0; i < space.basisCount(); ++i) {
+            for (int j = 0; j < space.basisCount(); ++j) {
+                const int from = space.control(span, i);
+                const int to = space.control(span, j);
+                std::vector<int>& after = coupled[at(from)];
+                const auto place = std::ranges::lower_bound(after, to);
+                if (to > from && (place == after.end() || *place != to)) {
+                    after.insert(place, to);
+                }
+            }
+        }
+    }
+    return coupled;
+}
+
 }  // namespace
 
 std::vector<InterpolationRow> interpolationRows(
@@ -33,42 +52,56 @@ std::vector<InterpolationRow> interpolationRows(
 
 SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows)
     : space_(space), rows_(std::move(rows)) {
-    const int unknowns = 3 * space.controlCount();
-    const int size = 3 * space.basisCount();
-    const auto unknownOf = [&](int span, int i) { return 3 * space.control(span, i / 3) + i % 3; };
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int span = 0; span < space.spanCount(); ++span) {
-        for (int i = 0; i < size; ++i) {
-            for (int j = 0; j < size; ++j) {
-                const int row = unknownOf(span, i);
-                const int column = unknownOf(span, j);
-                if (row >= column) {
-                    entries.emplace_back(row, column, 1.0);
+    const std::vector<std::vector<int>> coupled = coupledControls(space);
+    matrix_.resize(3 * space.controlCount(), 3 * space.controlCount());
+    // Of each column's own control point the lower part, then whole blocks of those after it.
+    std::vector<int> firstOfColumn{0};
+    for (const std::vector<int>& after : coupled) {
+        for (int axis = 0; axis < 3; ++axis) {
+            firstOfColumn.push_back(
+                firstOfColumn.back() + 3 - axis + 3 * static_cast<int>(after.size())
+            );
+        }
+    }
+    matrix_.resizeNonZeros(firstOfColumn.back());
+    std::copy(firstOfColumn.begin(), firstOfColumn.end(), matrix_.outerIndexPtr());
+    int* row = matrix_.innerIndexPtr();
+    for (int c = 0; c < space.controlCount(); ++c) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int below = axis; below < 3; ++below) {
+                *row++ = 3 * c + below;
+            }
+            for (const int other : coupled[at(c)]) {
+                for (int of = 0; of < 3; ++of) {
+                    *row++ = 3 * other + of;
                 }
             }
         }
     }
-    matrix_.resize(unknowns, unknowns);
-    matrix_.setFromTriplets(entries.begin(), entries.end());
+    std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 1.0);
     factor_.analyzePattern(matrix_);
 
-    slots_.reserve(at(space.spanCount() * size * size));
+    const int n = space.basisCount();
+    slots_.assign(at(space.spanCount() * 9 * n * n), -1);
+    int* slot = slots_.data();
     for (int span = 0; span < space.spanCount(); ++span) {
-        for (int j = 0; j < size; ++j) {
-            for (int i = 0; i < size; ++i) {
-                const int row = unknownOf(span, i);
-                const int column = unknownOf(span, j);
-                if (row < column) {
-                    slots_.push_back(-1);
-                    continue;
+        for (int j = 0; j < n; ++j) {
+            const int column = space.control(span, j);
+            const std::vector<int>& after = coupled[at(column)];
+            for (int i = 0; i < n; ++i) {
+                const int other = space.control(span, i);
+                const auto found = std::ranges::lower_bound(after, other) - after.begin();
+                for (int b = 0; other >= column && b < 3; ++b) {
+                    const int first = firstOfColumn[at(3 * column + b)];
+                    for (int a = other == column ? b : 0; a < 3; ++a) {
+                        const int position =
+                            other == column ? a - b : 3 - b + 3 * static_cast<int>(found) + a;
+                        slot[(3 * j + b) * 3 * n + 3 * i + a] = first + position;
+                    }
                 }
-                const int* first = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
-                const int* last = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
-                slots_.push_back(
-                    static_cast<int>(std::lower_bound(first, last, row) - matrix_.innerIndexPtr())
-                );
             }
         }
+        slot += 9 * static_cast<std::ptrdiff_t>(n) * n;
     }
 }
 
