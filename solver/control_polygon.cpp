@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/initial_curve.h"
-#include "solver/span_distances.h"
+#include "solver/curve_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -161,7 +161,7 @@ SplineCurve makeControlPolygon(const CurveProblem& problem, const GuidePath& gui
     // shorter segments do.
     double longest = 1.0;
     SplineCurve curve = splineOf(problem, guide, longest);
-    while (!std::isfinite(measureDistances(problem, curve.space, curve.controls).largest()) &&
+    while (!std::isfinite(measureDistance(problem, curve.space, curve.controls).largest) &&
            longest > kShortestInterval) {
         longest *= 0.5;
         curve = splineOf(problem, guide, longest);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/solve.h"
 
+#include "solver/curve_distance.h"
 #include "solver/curve_energy.h"
 #include "solver/knot_insertion.h"
 #include "solver/minimiser.h"
 #include "solver/shell_reach.h"
-#include "solver/span_distances.h"
 #include "solver/weights.h"
 #include "surface/stopwatch.h"
 
@@ -179,9 +179,9 @@ private:
 
     // Updates the distance to the surface; returns the largest relative height.
     double measure() {
-        const SpanDistances distances = measureDistances(problem_, curve_.space, curve_.controls);
-        distance_ = distances.largest();
-        return distances.largestHeight;
+        const CurveDistance distance = measureDistance(problem_, curve_.space, curve_.controls);
+        distance_ = distance.largest;
+        return distance.largestHeight;
     }
 
     void addRound(const MinimiseResult& result) {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/curve_distance.h"
+
+#include "solver/curve_tracer.h"
+#include "surface/closest_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+double distanceToShadow(const CurveProblem& problem, const ShellCell& cell, const Vec3& p) {
+    const ShellBase& base = *problem.base;
+    const Triangle& face = base.faces[at(cell.face)];
+    const Vec3 shadow = cell.shadow(p);
+    Vec3 onSurface = Vec3::Zero();
+    for (int corner = 0; corner < 3; ++corner) {
+        // A ghost vertex stands for the boundary vertex that it grew from.
+        onSurface += shadow[corner] * base.vertices[at(base.surfaceVertex(face[at(corner)]))];
+    }
+    return (p - onSurface).norm();
+}
+
+// The shadow along an oblique fibre is not the closest point, which lies in the same face or next
+// to it.
+double distanceToFaces(const ShellBase& base, int face, const Vec3& p) {
+    const auto squaredDistanceTo = [&](int f) {
+        return closestPointOnTriangle(base.vertices, base.faces[at(f)], p).squaredDistance;
+    };
+    double closest = squaredDistanceTo(face);
+    for (const int there : base.faceNeighbours[at(face)]) {
+        if (there >= 0 && there < base.surfaceFaceCount) {
+            closest = std::min(closest, squaredDistanceTo(there));
+        }
+    }
+    return std::sqrt(closest);
+}
+
+}  // namespace
+
+CurveDistance measureDistance(
+    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+) {
+    CurveDistance result;
+    const bool isOblique = !problem.shell->isFullResolution();
+    const auto measureAt = [&](const ShellCell& cell, const Vec3& p) {
+        result.largestHeight = std::max(result.largestHeight, std::abs(cell.relativeHeight(p)));
+        double distance = distanceToShadow(problem, cell, p);
+        // The shadow bounds the distance from above, mostly below the largest so far.
+        if (distance > result.largest && isOblique && !problem.shell->isGhost(cell.face)) {
+            distance = distanceToFaces(*problem.base, cell.face, p);
+        }
+        result.largest = std::max(result.largest, distance);
+    };
+    const int spans = traceCurve(
+        problem,
+        space,
+        controls,
+        [&](int, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1) {
+            measureAt(cell, curve.at(tau0));
+            measureAt(cell, curve.at(0.5 * (tau0 + tau1)));
+        },
+        [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
+    );
+    if (spans != space.spanCount()) {
+        result = {std::numeric_limits<double>::infinity(), 1.0};
+    }
+    return result;
+}
+
+}  // namespace bspline_curve
