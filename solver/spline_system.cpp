@@ -17,7 +17,7 @@ std::size_t at(int index) {
 constexpr double kConstraintAccuracy = 1e-15;
 constexpr int kMaxMultiplierSteps = 12;
 
-// For each control point those after it that share a span with it, ascending.
+// For each control point those before it that share a span with it, ascending.
 std::vector<std::vector<int>> coupledControls(const SplineSpace& space) {
     std::vector<std::vector<int>> coupled(at(space.controlCount()));
     for (int span = 0; span < space.spanCount(); ++span) {
@@ -25,10 +25,10 @@ std::vector<std::vector<int>> coupledControls(const SplineSpace& space) {
             for (int j = 0; j < space.basisCount(); ++j) {
                 const int from = space.control(span, i);
                 const int to = space.control(span, j);
-                std::vector<int>& after = coupled[at(from)];
-                const auto place = std::ranges::lower_bound(after, to);
-                if (to > from && (place == after.end() || *place != to)) {
-                    after.insert(place, to);
+                std::vector<int>& before = coupled[at(from)];
+                const auto place = std::ranges::lower_bound(before, to);
+                if (to < from && (place == before.end() || *place != to)) {
+                    before.insert(place, to);
                 }
             }
         }
@@ -54,12 +54,13 @@ SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRo
     : space_(space), rows_(std::move(rows)) {
     const std::vector<std::vector<int>> coupled = coupledControls(space);
     matrix_.resize(3 * space.controlCount(), 3 * space.controlCount());
-    // Of each column's own control point the lower part, then whole blocks of those after it.
+    // Of each column whole blocks of the control points before its own, then the upper part of
+    // that.
     std::vector<int> firstOfColumn{0};
-    for (const std::vector<int>& after : coupled) {
+    for (const std::vector<int>& before : coupled) {
         for (int axis = 0; axis < 3; ++axis) {
             firstOfColumn.push_back(
-                firstOfColumn.back() + 3 - axis + 3 * static_cast<int>(after.size())
+                firstOfColumn.back() + 3 * static_cast<int>(before.size()) + axis + 1
             );
         }
     }
@@ -68,13 +69,13 @@ SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRo
     int* row = matrix_.innerIndexPtr();
     for (int c = 0; c < space.controlCount(); ++c) {
         for (int axis = 0; axis < 3; ++axis) {
-            for (int below = axis; below < 3; ++below) {
-                *row++ = 3 * c + below;
-            }
             for (const int other : coupled[at(c)]) {
                 for (int of = 0; of < 3; ++of) {
                     *row++ = 3 * other + of;
                 }
+            }
+            for (int above = 0; above <= axis; ++above) {
+                *row++ = 3 * c + above;
             }
         }
     }
@@ -87,16 +88,16 @@ SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRo
     for (int span = 0; span < space.spanCount(); ++span) {
         for (int j = 0; j < n; ++j) {
             const int column = space.control(span, j);
-            const std::vector<int>& after = coupled[at(column)];
+            const std::vector<int>& before = coupled[at(column)];
             for (int i = 0; i < n; ++i) {
                 const int other = space.control(span, i);
-                const auto found = std::ranges::lower_bound(after, other) - after.begin();
-                for (int b = 0; other >= column && b < 3; ++b) {
-                    const int first = firstOfColumn[at(3 * column + b)];
-                    for (int a = other == column ? b : 0; a < 3; ++a) {
-                        const int position =
-                            other == column ? a - b : 3 - b + 3 * static_cast<int>(found) + a;
-                        slot[(3 * j + b) * 3 * n + 3 * i + a] = first + position;
+                // The column's own control point comes after all those before it.
+                const auto place =
+                    static_cast<int>(std::ranges::lower_bound(before, other) - before.begin());
+                for (int b = 0; other <= column && b < 3; ++b) {
+                    for (int a = 0; a <= (other == column ? b : 2); ++a) {
+                        slot[(3 * j + b) * 3 * n + 3 * i + a] =
+                            firstOfColumn[at(3 * column + b)] + 3 * place + a;
                     }
                 }
             }
@@ -123,7 +124,6 @@ bool SplineSystem::factorise(const std::vector<SpanMatrix>& blocks, double fitWe
     for (int span = 0; span < space_.spanCount(); ++span) {
         addBlock(span, blocks[at(span)]);
     }
-    largestDiagonal_ = matrix_.diagonal().maxCoeff();
     const int size = 3 * space_.basisCount();
     for (const InterpolationRow& row : rows_) {
         SpanMatrix block = SpanMatrix::Zero(size, size);

@@ -66,9 +66,6 @@ public:
 
     [[nodiscard]] const std::vector<InterpolationRow>& rows() const { return rows_; }
 
-    /// Largest diagonal entry of the blocks last summed, before A^T A was added.
-    [[nodiscard]] double largestDiagonal() const { return largestDiagonal_; }
-
 private:
     using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
@@ -77,10 +74,11 @@ private:
     const SplineSpace& space_;
     std::vector<InterpolationRow> rows_;
     Matrix matrix_;
-    std::vector<int> slots_;  // position in matrix_'s values of each lower entry of each span
-                              // block, -1 for upper ones
-    Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
-    double largestDiagonal_ = 0.0;
+    std::vector<int> slots_;  // position in matrix_'s values of each upper entry of each span
+                              // block, -1 for lower ones
+    // In its natural order: the factor of a banded matrix has the same band, that of a cyclic one
+    // dense rows for the last control points in addition, and upper triangles are not copied.
+    Eigen::SimplicialLLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor_;
 };
 
 }  // namespace bspline_curve

@@ -133,7 +133,6 @@ void SplineSystems::expectConstrainedStep(const std::vector<SpanMatrix>& blocks)
     const Eigen::MatrixXd A = denseConstraints(system);
     const double weight = 1e3 * H.diagonal().maxCoeff();
     ASSERT_TRUE(system.factorise(blocks, weight));
-    EXPECT_DOUBLE_EQ(system.largestDiagonal(), H.diagonal().maxCoeff());
 
     const Eigen::VectorXd gradient = H.norm() * randomVector(H.rows());
     const Eigen::VectorXd residual = randomVector(A.rows());
