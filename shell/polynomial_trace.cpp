@@ -190,6 +190,23 @@ CellExit firstExitOfDegree(
     return exit;
 }
 
+// The same for a straight line, where a division per wall that is met is enough.
+CellExit firstExitOfLine(
+    const ShellCell& cell, const PolynomialCurve& curve, double end, unsigned ignoredWalls
+) {
+    CellExit exit{end, -1};
+    for (int k = 0; k < cell.wallCount; ++k) {
+        const AffineForm& form = cell.walls[static_cast<std::size_t>(k)];
+        const double value = form.at(curve.coefficients[0]) + kCellTolerance;
+        const double slope = form.gradient.dot(curve.coefficients[1]);
+        if (value + std::min(0.0, slope * exit.s) < 0.0 &&
+            (ignoredWalls >> static_cast<unsigned>(k) & 1U) == 0) {
+            exit = {value < 0.0 ? 0.0 : value / -slope, k};
+        }
+    }
+    return exit;
+}
+
 }  // namespace
 
 PolynomialCurve PolynomialCurve::shifted(double origin) const {
@@ -238,7 +255,7 @@ CellExit firstExitOf(
 ) {
     switch (curve.degree) {
         case 1:
-            return firstExitOfDegree<1>(cell, curve, end, ignoredWalls);
+            return firstExitOfLine(cell, curve, end, ignoredWalls);
         case 2:
             return firstExitOfDegree<2>(cell, curve, end, ignoredWalls);
         case 3:
