@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/initial_curve.h"
 #include "solver/curve_distance.h"
+#include "solver/initial_curve.h"
 
 #include <algorithm>
 #include <cmath>

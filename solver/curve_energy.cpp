@@ -16,17 +16,27 @@ constexpr double kFieldShare = 1e-6;
 }  // namespace
 
 CurveEnergy::CurveEnergy(
-    const CurveProblem& problem, const SplineSpace& space, const std::vector<InterpolationRow>& rows
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const std::vector<InterpolationRow>& rows,
+    int segments
 )
-    : problem_(problem), space_(space), rows_(rows), internal_(problem, space) {}
+    : problem_(problem),
+      space_(space),
+      rows_(rows),
+      internal_(problem, space),
+      segments_(segments) {}
 
 EnergyValue CurveEnergy::evaluate(
     const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
 ) const {
     EnergyValue value;
-    const auto integrate =
-        problem_.options.quadrature == Quadrature::Cells ? integrateCells : integrateSamples;
-    value.inside = integrate(problem_, space_, controls, weights, value.terms, derivatives);
+    value.inside =
+        segments_ == 0
+            ? integrateCells(problem_, space_, controls, weights, value.terms, derivatives)
+            : integrateSamples(
+                  problem_, space_, controls, weights, segments_, value.terms, derivatives
+              );
     if (!value.inside) {
         return value;
     }

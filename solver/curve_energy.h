@@ -19,16 +19,21 @@ struct EnergyValue {
 };
 
 /// The energy (7) of a spline in a shell.
+/// `segments`: E_dist and E_ext at two samples on each of so many parts of a span; 0: cell by cell,
+/// exactly.
 class CurveEnergy {
 public:
     CurveEnergy(
         const CurveProblem& problem,
         const SplineSpace& space,
-        const std::vector<InterpolationRow>& rows
+        const std::vector<InterpolationRow>& rows,
+        int segments
     );
 
     /// See InternalEnergy::setDirections.
     void setDirections(const BendingDirections& directions) { internal_.setDirections(directions); }
+
+    void setSegments(int segments) { segments_ = segments; }
 
     [[nodiscard]] EnergyValue evaluate(
         const ControlPoints& controls, const EnergyWeights& weights
@@ -56,6 +61,7 @@ private:
     const SplineSpace& space_;
     const std::vector<InterpolationRow>& rows_;
     InternalEnergy internal_;
+    int segments_;
 };
 
 }  // namespace bspline_curve

@@ -3,6 +3,7 @@
 
 #include "solver/curve_tracer.h"
 #include "solver/gauss_rule.h"
+#include "solver/sample_walker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// Integral over a span of the product of derivatives (of one order) of two basis functions,
-// exactly.
+// Integral over tau in [0, 1] of the product of derivatives by tau (of one order) of two basis
+// functions of a span, exactly.
 double derivativeProduct(const SplineSpace& space, int span, int j1, int j2, int order) {
     const SplineSpace::BasisMatrix& table = space.basis(span);
     const auto falling = [order](int m) {
@@ -31,7 +32,65 @@ double derivativeProduct(const SplineSpace& space, int span, int j1, int j2, int
             sum += falling(a) * falling(b) * table(j1, a) * table(j2, b) / (a + b - 2 * order + 1);
         }
     }
-    return sum * std::pow(space.spanLength(span), 1 - 2 * order);
+    return sum;
+}
+
+Vec3 directionIn(const CurveProblem& problem, const ShellCell& cell, const Vec3& p) {
+    return directionAt(*problem.shell, *problem.base, {cell.face, cell.shadow(p)});
+}
+
+std::optional<BendingDirections> directionsInCells(
+    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+) {
+    BendingDirections result;
+    const int spans = traceCurve(
+        problem,
+        space,
+        controls,
+        [&](
+            int span, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1
+        ) {
+            for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
+                const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
+                result.samples.push_back(
+                    {space.breaks()[at(span)] + tau * space.spanLength(span),
+                     kGaussWeights[i] * (tau1 - tau0) * space.spanLength(span),
+                     directionIn(problem, cell, curve.at(tau))}
+                );
+            }
+        },
+        [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
+    );
+    if (spans != space.spanCount()) {
+        return std::nullopt;
+    }
+    return result;
+}
+
+std::optional<BendingDirections> directionsAtSamples(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    int segments
+) {
+    BendingDirections result;
+    SampleWalker walker(problem, space, controls);
+    for (int span = 0; span < space.spanCount(); ++span) {
+        const PolynomialCurve curve = space.polynomial(controls, span);
+        for (int i = 0; i < 2 * segments; ++i) {
+            const double tau = sampleParameter(i, segments);
+            walker.moveTo(curve.at(tau));
+            if (walker.outside()) {
+                return std::nullopt;
+            }
+            result.samples.push_back(
+                {space.breaks()[at(span)] + tau * space.spanLength(span),
+                 0.5 * space.spanLength(span) / segments,
+                 directionIn(problem, walker.cell(), walker.position())}
+            );
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -52,33 +111,13 @@ Vec3 BendingDirections::at(double parameter) const {
 }
 
 std::optional<BendingDirections> bendingDirectionsAlong(
-    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    int segments
 ) {
-    BendingDirections result;
-    const int spans = traceCurve(
-        problem,
-        space,
-        controls,
-        [&](
-            int span, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1
-        ) {
-            for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
-                const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
-                result.samples.push_back(
-                    {space.breaks()[at(span)] + tau * space.spanLength(span),
-                     kGaussWeights[i] * (tau1 - tau0) * space.spanLength(span),
-                     directionAt(
-                         *problem.shell, *problem.base, {cell.face, cell.shadow(curve.at(tau))}
-                     )}
-                );
-            }
-        },
-        [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
-    );
-    if (spans != space.spanCount()) {
-        return std::nullopt;
-    }
-    return result;
+    return segments == 0 ? directionsInCells(problem, space, controls)
+                         : directionsAtSamples(problem, space, controls, segments);
 }
 
 InternalEnergy::InternalEnergy(const CurveProblem& problem, const SplineSpace& space)
@@ -88,13 +127,19 @@ InternalEnergy::InternalEnergy(const CurveProblem& problem, const SplineSpace& s
     const double scale = 2.0 / (problem.chordLength * problem.chordLength);
     ambient_.assign(at(space.spanCount()), SpanMatrix::Zero(3 * n, 3 * n));
     for (int span = 0; span < space.spanCount(); ++span) {
+        // Each derivative by t divides by the length, the integral multiplies by it.
+        const double length = space.spanLength(span);
+        const double stretch = scale * tension / length;
+        const double bend = scale * (1.0 - tension) / (length * length * length);
         for (int j1 = 0; j1 < n; ++j1) {
-            for (int j2 = 0; j2 < n; ++j2) {
-                const double value =
-                    scale * (tension * derivativeProduct(space, span, j1, j2, 1) +
-                             (1.0 - tension) * derivativeProduct(space, span, j1, j2, 2));
+            for (int j2 = 0; j2 <= j1; ++j2) {
+                double value = bend * derivativeProduct(space, span, j1, j2, 2);
+                if (tension > 0.0) {
+                    value += stretch * derivativeProduct(space, span, j1, j2, 1);
+                }
                 for (int axis = 0; axis < 3; ++axis) {
                     ambient_[at(span)](3 * j1 + axis, 3 * j2 + axis) = value;
+                    ambient_[at(span)](3 * j2 + axis, 3 * j1 + axis) = value;
                 }
             }
         }

@@ -24,9 +24,13 @@ struct BendingDirections {
     [[nodiscard]] Vec3 at(double parameter) const;
 };
 
-/// Bending directions along a curve; nothing where it leaves the shell.
+/// Bending directions along a curve: cell by cell, or (segments > 0) at two samples on each of so
+/// many parts of a span. Nothing where the curve leaves the shell.
 [[nodiscard]] std::optional<BendingDirections> bendingDirectionsAlong(
-    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    int segments
 );
 
 /// E_int (4): quadratic in the control points, integrated exactly but for the normal part.

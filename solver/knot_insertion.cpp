@@ -46,7 +46,8 @@ KnotDemand predictGain(
     const SplineSpace& space,
     const ControlPoints& controls,
     const EnergyWeights& weights,
-    const BendingDirections& directions
+    const BendingDirections& directions,
+    int segments
 ) {
     KnotDemand gain;
     gain.perSpan.assign(at(space.spanCount()), 0.0);
@@ -57,12 +58,12 @@ KnotDemand predictGain(
     );
     const ControlPoints fineControls = refine(space, controls, fine);
     const std::vector<InterpolationRow> rows = interpolationRows(fine, problem.picks);
-    CurveEnergy energy(problem, fine, rows);
+    CurveEnergy energy(problem, fine, rows, segments);
     SplineSystem system(fine, rows);
     EnergyDerivatives derivatives;
     if (problem.options.bending == Bending::Geodesic) {
         std::optional<BendingDirections> resampled =
-            bendingDirectionsAlong(problem, fine, fineControls);
+            bendingDirectionsAlong(problem, fine, fineControls, segments);
         if (!resampled) {
             return gain;
         }

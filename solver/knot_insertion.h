@@ -17,13 +17,15 @@ struct KnotDemand {
 
 /// Predicts by one Newton step in the space with all spans halved how much the energy would fall,
 /// and how the spans share it (by the step's energy norm). One evaluation in the finer space, with
-/// the bending directions of the minimisation before.
+/// the bending directions of the minimisation before; `segments` of the finer spans as in
+/// CurveEnergy.
 [[nodiscard]] KnotDemand predictGain(
     const CurveProblem& problem,
     const SplineSpace& space,
     const ControlPoints& controls,
     const EnergyWeights& weights,
-    const BendingDirections& directions
+    const BendingDirections& directions,
+    int segments
 );
 
 /// Breaks with the spans halved that together promise most of the gain, largest first.

@@ -10,7 +10,6 @@ namespace {
 
 // Armijo's constant: the energy must fall by this share of what the slope promises.
 constexpr double kSufficientDecrease = 1e-4;
-constexpr double kLeastStep = 1e-10;
 // Share of the negative kink terms that is tried in turn until the Hessian is positive.
 constexpr std::array<double, 5> kKinkShares = {1.0, 0.5, 0.25, 0.125, 0.0};
 // A^T A enters with this many times the largest diagonal entry, so that two multiplier steps meet
@@ -91,7 +90,7 @@ MinimiseResult minimise(
         double length = 1.0;
         bool accepted = false;
         EnergyValue value;
-        while (length >= kLeastStep) {
+        while (length >= options.leastStep) {
             Eigen::Map<Eigen::VectorXd>(trial.data(), trial.size()) =
                 Eigen::Map<const Eigen::VectorXd>(controls.data(), controls.size()) +
                 length * *step;

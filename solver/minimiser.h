@@ -20,6 +20,8 @@ struct MinimiseOptions {
     int maxIterations = 100;
     /// Stop where the Newton decrement falls below this share of the energy.
     double decrementTolerance = 1e-9;
+    /// The line search gives up below this share of the whole step.
+    double leastStep = 1e-10;
 };
 
 struct MinimiseResult {

@@ -20,13 +20,15 @@ namespace bspline_curve {
     EnergyDerivatives* derivatives
 );
 
-/// The same at evenly spaced parameters (15), (16), as in the paper. Needs problem.boundary. False
-/// where a sample leaves the shell and EnergyWeights::outsideAllowed is not set, or the barrier.
+/// The same at evenly spaced parameters, two Gauss points on each of `segments` parts of a span
+/// (15), (16), as in the paper. False where a sample lies beyond the barrier, or outside of the
+/// shell unless EnergyWeights::outsideAllowed is set, which needs CurveProblem::boundary.
 [[nodiscard]] bool integrateSamples(
     const CurveProblem& problem,
     const SplineSpace& space,
     const ControlPoints& controls,
     const EnergyWeights& weights,
+    int segments,
     EnergyTerms& terms,
     EnergyDerivatives* derivatives
 );

@@ -22,7 +22,9 @@ namespace {
 // Newton stops at this share of the energy in rounds that only prepare the next one, and in the
 // last ones.
 constexpr double kRoughDecrement = 1e-4;
-constexpr double kFineDecrement = 1e-8;
+constexpr double kFineDecrement = 1e-6;
+// The same where a round's energy is sampled. 1e-3 takes a tenth more iterations.
+constexpr double kSampledDecrement = 5e-3;
 // More knots no longer change the curve where they would lower the energy by less than this share.
 // 0.01 and 0.06 measured: the same bending within 2 %, a quarter more and a tenth fewer knots.
 constexpr double kNegligibleGain = 0.03;
@@ -37,6 +39,21 @@ constexpr double kRoughBlend = 0.5;
 // ... or, where there is tension, move it by less than this share of the distance of two picks, and
 // less than the tolerance: a corner at a pick gains by the same share however fine the knots.
 constexpr double kMoveShare = 5e-3;
+
+// Rounds that only prepare the next one need no exact integrals: in a simplified shell, where the
+// walk from sample to sample seldom leaves the shell, E_dist is sampled at two points on each of so
+// many parts of a span.
+constexpr int kRoughSegments = 2;  // even, so that halved spans have the same samples
+// Sampled energies have kinks, at which line searches stall: less than half a step is not worth it.
+constexpr double kRoughLeastStep = 0.3;
+constexpr double kLeastStep = 1e-10;
+
+int firstSegments(const CurveProblem& problem) {
+    if (problem.options.quadrature == Quadrature::Samples) {
+        return problem.options.samplesPerSpan;
+    }
+    return problem.shell->isFullResolution() ? 0 : kRoughSegments;
+}
 
 // E_int of the geodesics between the picks: the tension term of no curve on the surface is less.
 // Corners that are cut at lambda = 1 are a few per cent of it, and would not be seen beside it.
@@ -61,9 +78,9 @@ double shortestPickDistance(const CurveProblem& problem) {
 
 // What belongs to one knot vector.
 struct Stage {
-    Stage(const CurveProblem& problem, const SplineSpace& space)
+    Stage(const CurveProblem& problem, const SplineSpace& space, int segments)
         : rows(interpolationRows(space, problem.picks)),
-          energy(problem, space, rows),
+          energy(problem, space, rows, segments),
           system(space, rows) {}
 
     std::vector<InterpolationRow> rows;
@@ -77,7 +94,8 @@ public:
         : problem_(problem),
           options_(problem.options),
           curve_(makeFirstCurve(problem, guide)),
-          stage_(std::make_unique<Stage>(problem, curve_.space)),
+          segments_(firstSegments(problem)),
+          stage_(std::make_unique<Stage>(problem, curve_.space, segments_)),
           tolerance_(options_.distanceTolerance * problem.averageEdgeLength),
           restingMove_(std::min(tolerance_, kMoveShare * shortestPickDistance(problem))),
           tensionFloor_(tensionFloor(problem, guide)) {
@@ -95,14 +113,25 @@ public:
         for (round_ = 0; round_ < options_.maxRounds; ++round_) {
             bspline_curve::report(problem_.progress, progressFraction(), "minimising");
             refreshDirections(kRoughBlend);
-            const MinimiseResult result = minimiseOnce(kRoughDecrement);
-            const double largestHeight = measure();
+            const ControlPoints before = curve_.controls;
+            MinimiseResult result = minimiseOnce(isRough() ? kSampledDecrement : kRoughDecrement);
+            double largestHeight = measure();
+            if (isRough() && !std::isfinite(distance_)) {
+                // It left the shell between two samples.
+                curve_.controls = before;
+                becomeExact();
+                refreshDirections(kRoughBlend);
+                result = minimiseOnce(kRoughDecrement);
+                largestHeight = measure();
+            }
             addRound(result);
             std::vector<double> breaks = chooseBreaks(result.value.scale);
             const bool noKnots = breaks == curve_.space.breaks();
             if (isNear() && noKnots) {
                 rest();
-                break;
+                if (isNear()) {
+                    break;
+                }
             }
             const EnergyWeights next = nextWeights(
                 options_,
@@ -110,7 +139,7 @@ public:
                 result.value.terms,
                 fieldWeight(problem_),
                 largestHeight,
-                isNear()
+                alphaStep(distance_ / tolerance_, !problem_.shell->isFullResolution())
             );
             if (noKnots && next.alpha <= weights_.alpha && !isNear()) {
                 report_.status = SolveStatus::KnotLimit;
@@ -125,6 +154,16 @@ public:
 
 private:
     [[nodiscard]] bool isNear() const { return distance_ < tolerance_; }
+
+    [[nodiscard]] bool isRough() const {
+        return options_.quadrature == Quadrature::Cells && segments_ > 0;
+    }
+
+    // Integrates cell by cell from now on.
+    void becomeExact() {
+        segments_ = 0;
+        stage_->energy.setSegments(0);
+    }
 
     [[nodiscard]] int knotCount() const {
         return static_cast<int>(curve_.space.knotVector().size());
@@ -141,7 +180,7 @@ private:
             curve_.space,
             weights_,
             options_.interpolation,
-            {options_.maxIterations, decrement},
+            {options_.maxIterations, decrement, isRough() ? kRoughLeastStep : kLeastStep},
             curve_.controls
         );
         for (IterationReport entry : result.iterations) {
@@ -162,7 +201,11 @@ private:
             return;
         }
         std::optional<BendingDirections> fresh =
-            bendingDirectionsAlong(problem_, curve_.space, curve_.controls);
+            bendingDirectionsAlong(problem_, curve_.space, curve_.controls, segments_);
+        if (!fresh && isRough()) {
+            becomeExact();
+            fresh = bendingDirectionsAlong(problem_, curve_.space, curve_.controls, segments_);
+        }
         if (!fresh) {
             return;
         }
@@ -197,8 +240,14 @@ private:
 
     [[nodiscard]] std::vector<double> chooseBreaks(double energy) {
         if (options_.knotRule == KnotRule::EnergyAndDistance) {
-            const KnotDemand gain =
-                predictGain(problem_, curve_.space, curve_.controls, weights_, directions_);
+            const KnotDemand gain = predictGain(
+                problem_,
+                curve_.space,
+                curve_.controls,
+                weights_,
+                directions_,
+                isRough() ? kRoughSegments / 2 : segments_
+            );
             const bool settled = gain.total < kNegligibleGain * (energy - tensionFloor_) ||
                                  (tensionFloor_ > 0.0 && gain.largestMove < restingMove_);
             return settled ? curve_.space.breaks()
@@ -225,7 +274,7 @@ private:
             ControlPoints controls = refine(curve_.space, curve_.controls, finer);
             curve_.space = std::move(finer);
             curve_.controls = std::move(controls);
-            stage_ = std::make_unique<Stage>(problem_, curve_.space);
+            stage_ = std::make_unique<Stage>(problem_, curve_.space, segments_);
         }
         report_.seconds.knots += watch_.lap();
     }
@@ -234,6 +283,9 @@ private:
     // curve.
     void rest() {
         report_.status = SolveStatus::DistanceReached;
+        if (isRough()) {
+            becomeExact();
+        }
         double movedBefore = std::numeric_limits<double>::infinity();
         double blend = 1.0;
         for (int refresh = 0; refresh < kMaxRefreshes; ++refresh) {
@@ -285,6 +337,7 @@ private:
     const SolverOptions& options_;
     Stopwatch watch_;
     SplineCurve curve_;
+    int segments_;  // on each span, of two samples each; 0: integrals cell by cell
     std::unique_ptr<Stage> stage_;
     EnergyWeights weights_;
     BendingDirections directions_;

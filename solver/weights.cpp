@@ -2,6 +2,7 @@
 #include "solver/weights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace bspline_curve {
@@ -12,6 +13,12 @@ namespace {
 // sideways.
 constexpr double kFirstAlpha = 10.0;
 constexpr double kAlphaFactor = 6.0;
+// In gentle steps, what is needed to come so far below the tolerance: over the same curves, in
+// simplified shells, exponent 1.5 gives the same bending as 2 with fewer knots, in 20 % less time.
+// In thin shells all exponents made curves depend more on how the mesh is triangulated.
+constexpr double kAimedRatio = 0.8;
+constexpr double kDistanceExponent = 1.5;
+constexpr double kLeastAlphaFactor = 1.5;
 // Bounds of (18), and the same scheme for beta.
 constexpr double kAlphaMin = 1.0;
 constexpr double kAlphaMax = 1e8;
@@ -43,17 +50,25 @@ EnergyWeights firstWeights(const SolverOptions& options, double largestHeight) {
     return weights;
 }
 
+double alphaStep(double distanceRatio, bool gentle) {
+    if (distanceRatio < 1.0) {
+        return 1.0;
+    }
+    const double needed = std::pow(distanceRatio / kAimedRatio, kDistanceExponent);
+    return gentle ? std::clamp(needed, kLeastAlphaFactor, kAlphaFactor) : kAlphaFactor;
+}
+
 EnergyWeights nextWeights(
     const SolverOptions& options,
     const EnergyWeights& now,
     const EnergyTerms& terms,
     double mu,
     double largestHeight,
-    bool near
+    double alphaStep
 ) {
     EnergyWeights next = now;
     if (options.distanceWeight == DistanceWeight::Schedule) {
-        next.alpha = near ? now.alpha : now.alpha * kAlphaFactor;
+        next.alpha = now.alpha * alphaStep;
     } else {
         const double others = terms.internal + mu * terms.external + now.beta * terms.fit;
         next.alpha = adaptive(others, terms.distance, kAlphaMin, kAlphaMax);

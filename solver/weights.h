@@ -11,15 +11,19 @@ namespace bspline_curve {
 /// shell.
 [[nodiscard]] EnergyWeights firstWeights(const SolverOptions& options, double largestHeight);
 
-/// Weights for the next round, from the terms at the end of this one. `near`: the curve is within
-/// its tolerance of the surface already, so the schedule for alpha stands still.
+/// By what factor alpha grows from one round to the next where it follows the schedule.
+/// `distanceRatio`: the distance of curve and surface relative to its tolerance; below 1 alpha
+/// stands still. `gentle`: in the last rounds no more than brings the distance below the tolerance.
+[[nodiscard]] double alphaStep(double distanceRatio, bool gentle);
+
+/// Weights for the next round, from the terms at the end of this one.
 [[nodiscard]] EnergyWeights nextWeights(
     const SolverOptions& options,
     const EnergyWeights& now,
     const EnergyTerms& terms,
     double mu,
     double largestHeight,
-    bool near
+    double alphaStep
 );
 
 }  // namespace bspline_curve

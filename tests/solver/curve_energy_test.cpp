@@ -101,9 +101,9 @@ TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
     const SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide());
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
-    CurveEnergy energy(fixture.problem(), curve.space, rows);
+    CurveEnergy energy(fixture.problem(), curve.space, rows, 0);
     const std::optional<BendingDirections> directions =
-        bendingDirectionsAlong(fixture.problem(), curve.space, curve.controls);
+        bendingDirectionsAlong(fixture.problem(), curve.space, curve.controls, 0);
     ASSERT_TRUE(directions.has_value());
     energy.setDirections(*directions);
     const EnergyWeights weights{20.0, 5.0, 1.0};

@@ -69,7 +69,7 @@ TEST_P(Minimisation, EndsAtAStationaryPointThatMeetsThePicks) {
     SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide());
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
-    const CurveEnergy energy(fixture.problem(), curve.space, rows);
+    const CurveEnergy energy(fixture.problem(), curve.space, rows, 0);
     SplineSystem system(curve.space, rows);
     const EnergyWeights weights{10.0, 0.0, 1.0};
     const double before = energy.evaluate(curve.controls, weights).total;
@@ -89,7 +89,7 @@ TEST_P(Minimisation, StopsAtItsLimitAndSaysSo) {
     SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide());
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
-    const CurveEnergy energy(fixture.problem(), curve.space, rows);
+    const CurveEnergy energy(fixture.problem(), curve.space, rows, 0);
     SplineSystem system(curve.space, rows);
     const MinimiseResult result = minimise(
         energy,

@@ -176,8 +176,8 @@ TEST_P(CurvesInCoarseShells, AreThoseOfTheThinShell) {
             const ProblemFixture thin(mesh.fine, picks, options);
             const Drawn inCoarse = draw(coarse, picks);
             const Drawn inThin = draw(thin, picks);
-            // Where noise leaves several minima, shells may lead to different ones; over sharp edges
-            // curves that keep their tolerance may still cut the edge at different places.
+            // Where noise leaves several minima, shells may lead to different ones; over sharp
+            // edges curves that keep their tolerance may still cut the edge at different places.
             const bool isSmooth = mesh.name != "NoisySphere" && mesh.name != "WavyPlate" &&
                                   mesh.name != "Torus" && mesh.name != "Box";
             if (isSmooth) {
