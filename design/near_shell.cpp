@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/near_shell.h"
 
+#include "surface/index_sets.h"
 #include "surface/predicates.h"
 #include "surface/surface_point.h"
 
@@ -20,17 +21,6 @@ constexpr double kShrink = 0.6;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
-}
-
-void sortUnique(std::vector<int>& values) {
-    std::ranges::sort(values);
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-// Index in an ascending list, or -1.
-int indexIn(const std::vector<int>& values, int value) {
-    const auto found = std::ranges::lower_bound(values, value);
-    return found != values.end() && *found == value ? static_cast<int>(found - values.begin()) : -1;
 }
 
 std::vector<int> facesNear(
