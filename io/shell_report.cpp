@@ -4,8 +4,6 @@
 #include "io/repair_json.h"
 #include "io/shell_cells.h"
 
-#include <Eigen/Geometry>
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -22,16 +20,6 @@ using Json = nlohmann::ordered_json;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
-}
-
-double longestBoxSide(const Surface& surface) {
-    Eigen::AlignedBox3d box;
-    for (const Triangle& face : surface.faces()) {
-        for (const int vertex : face) {
-            box.extend(surface.vertices()[at(vertex)]);
-        }
-    }
-    return box.sizes().maxCoeff();
 }
 
 /// The share-th quantile of ascending values, linear between the two nearest.
@@ -75,7 +63,7 @@ Json meshOf(const Surface& surface, const std::string& file) {
         {"components", surface.componentCount()},
         {"boundary_edges", boundaryEdges},
         {"diagonal", surface.diagonal()},
-        {"longest_side", longestBoxSide(surface)},
+        {"longest_side", longestSideOf(surface)},
         {"average_edge_length", surface.averageEdgeLength()},
     };
 }
@@ -124,7 +112,7 @@ ShellThickness measureThickness(
             }
         }
     }
-    const double unit = longestBoxSide(surface) / frame.scale;
+    const double unit = longestSideOf(surface) / frame.scale;
     std::vector<double> lengths;
     for (std::size_t i = 0; i < isMeasured.size(); ++i) {
         if (isMeasured[i] != 0) {

@@ -24,6 +24,17 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
+// Of the referenced vertices.
+Eigen::AlignedBox3d boxOf(const Surface& surface) {
+    Eigen::AlignedBox3d box;
+    for (int v = 0; v < surface.vertexCount(); ++v) {
+        if (!surface.facesAround(v).empty()) {
+            box.extend(surface.vertices()[at(v)]);
+        }
+    }
+    return box;
+}
+
 struct VertexStar {
     std::vector<Vec3> normals;
     std::vector<Vec3> areaNormals;
@@ -33,14 +44,8 @@ class BaseBuilder {
 public:
     BaseBuilder(const Surface& surface, ShellBase& base) : surface_(surface), base_(base) {}
 
-    void placeVertices() {
-        Eigen::AlignedBox3d box;
-        for (int v = 0; v < surface_.vertexCount(); ++v) {
-            if (!surface_.facesAround(v).empty()) {
-                box.extend(surface_.vertices()[at(v)]);
-            }
-        }
-        base_.frame = {box.center(), surface_.diagonal()};
+    void placeVertices(const ShellFrame& frame) {
+        base_.frame = frame;
         base_.surfaceVertexCount = surface_.vertexCount();
         base_.surfaceFaceCount = surface_.faceCount();
         base_.vertices.reserve(surface_.vertices().size());
@@ -328,10 +333,22 @@ double longestSideOf(const ShellBase& base) {
     return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
 }
 
+double longestSideOf(const Surface& surface) {
+    return boxOf(surface).sizes().maxCoeff();
+}
+
+ShellFrame frameOf(const Surface& surface) {
+    return {boxOf(surface).center(), surface.diagonal()};
+}
+
 ShellBase makeShellBase(const Surface& surface, int smoothingPasses) {
+    return makeShellBase(surface, smoothingPasses, frameOf(surface));
+}
+
+ShellBase makeShellBase(const Surface& surface, int smoothingPasses, const ShellFrame& frame) {
     ShellBase base;
     BaseBuilder builder(surface, base);
-    builder.placeVertices();
+    builder.placeVertices(frame);
     builder.findDirections();
     builder.measureEdges();
     builder.smoothDirections(smoothingPasses);
