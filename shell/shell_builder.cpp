@@ -18,6 +18,9 @@ constexpr double kIntersectingShrink = 0.5;
 // Pillars shorter than this share of the wanted length shrink no more: where that does not help,
 // faces are blocked.
 constexpr double kLeastShare = 1e-9;
+// Ghosts that still intersect something after this many rounds are given up, or they would make
+// needles of the pillars on the boundary of the surface.
+constexpr int kGhostRounds = 6;
 
 // Layers of points: tips above and below, middles.
 constexpr int kTop = 0;
@@ -318,6 +321,11 @@ private:
                     base_.vertices, base_.faces[at(first.face)], base_.faces[at(second.face)]
                 )) {
                 blockCrossingFaces(freed);
+                continue;
+            }
+            if (report_.intersectionRounds >= kGhostRounds &&
+                (isGhost(first.face) || isGhost(second.face))) {
+                blockPair(first.face, second.face, freed);
                 continue;
             }
             const bool canShrinkFirst = markForShrinking(marks, first);

@@ -166,6 +166,8 @@ TEST(BandShell, IsValidAroundFacesChosenAtRandom) {
             const BandShell built = buildBandShell(whole, faces, {.kind = kind});
             const ShellCheck check = checkOf(built);
             EXPECT_TRUE(check.passed()) << describe(check);
+            // Ghosts in notches are given up before the pillars next to them are needles.
+            EXPECT_LT(built.build.report.intersectionRounds, 15);
         }
     }
 }
