@@ -4,6 +4,7 @@
 #include "surface/predicates.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace bspline_curve {
@@ -54,12 +55,12 @@ bool slabHolds(const PillarLayers& layers, const Prism& prism, int slab, int ver
         return false;
     }
     const int wanted = slab == 0 ? prism.orientation : -prism.orientation;
-    const Vec3& point = layers[2][at(vertex)];
+    const Vec3& point = layers.point(2, at(vertex));
     return std::any_of(kSlabSplit.begin(), kSlabSplit.end(), [&](const auto& split) {
         std::array<const Vec3*, 4> corners{};
         for (std::size_t k = 0; k < 4; ++k) {
             corners[k] =
-                &layers[split[k].outer ? at(slab) : 2][at(prism.pillars[at(split[k].slot)])];
+                &layers.point(split[k].outer ? at(slab) : 2, at(prism.pillars[at(split[k].slot)]));
         }
         for (const Vec3*& corner : corners) {
             const Vec3* const kept = std::exchange(corner, &point);
@@ -88,7 +89,7 @@ std::vector<NestedVertex> findNestedComponents(
     // The vertices of the components along x; each slab looks at those in its range.
     std::vector<std::pair<double, int>> sorted;
     for (std::size_t c = 0; c < components.vertices.size(); ++c) {
-        sorted.emplace_back(layers[2][at(components.vertices[c])].x(), static_cast<int>(c));
+        sorted.emplace_back(layers.point(2, at(components.vertices[c])).x(), static_cast<int>(c));
     }
     std::sort(sorted.begin(), sorted.end());
     for (std::size_t f = 0; f < prisms.size(); ++f) {
@@ -97,7 +98,7 @@ std::vector<NestedVertex> findNestedComponents(
         }
         for (const int slab : {0, 1}) {
             const auto x = [&](int slot, std::size_t layer) {
-                return layers[layer][at(prisms[f].pillars[at(slot)])].x();
+                return layers.point(layer, at(prisms[f].pillars[at(slot)])).x();
             };
             const auto [low, high] = std::minmax(
                 {x(0, 2), x(1, 2), x(2, 2), x(0, at(slab)), x(1, at(slab)), x(2, at(slab))}

@@ -3,13 +3,25 @@
 
 #include "shell/shell.h"
 
-#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace bspline_curve {
 
-/// Pillars of a shell under construction: tips above and below (layers 0, 1) and middles (2).
-using PillarLayers = std::array<std::vector<Vec3>, 3>;
+/// Pillars of a shell under construction: layers of points, one for each pillar; tips above and
+/// below (layers 0, 1) and middles (2).
+struct PillarLayers {
+    std::vector<Vec3> points;  ///< layer by layer
+    std::size_t pillarCount = 0;
+
+    [[nodiscard]] std::size_t indexOf(std::size_t layer, std::size_t pillar) const {
+        return layer * pillarCount + pillar;
+    }
+
+    [[nodiscard]] const Vec3& point(std::size_t layer, std::size_t pillar) const {
+        return points[indexOf(layer, pillar)];
+    }
+};
 
 /// A vertex of one component of the shell that lies in a slab (0 above, 1 below) of another one.
 struct NestedVertex {

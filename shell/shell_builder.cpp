@@ -49,11 +49,10 @@ Prism makePrism(const Triangle& face) {
 // Which pillars are meant, above and below.
 using PillarMarks = std::array<std::vector<char>, 2>;
 
-// A triangle of the shell's boundary: each corner is a vertex of the base in a layer.
-struct BoundaryTriangle {
-    int face = -1;
-    std::array<int, 3> vertices{};
-    std::array<int, 3> layers{};
+// The triangles of the shell's boundary.
+struct Boundary {
+    std::vector<int> faces;           // of the base, whose prism each belongs to
+    std::vector<Triangle> triangles;  // of the layers' points
 };
 
 class Builder {
@@ -67,7 +66,11 @@ public:
         }
         wantedLengths_ = lengths_[0];
         keepPillarsApart(base, lengths_);
-        layers_ = {base.vertices, base.vertices, base.vertices};
+        layers_.pillarCount = n;
+        layers_.points.reserve(3 * n);
+        for (int layer = 0; layer < 3; ++layer) {
+            layers_.points.insert(layers_.points.end(), base.vertices.begin(), base.vertices.end());
+        }
         for (std::size_t v = 0; v < n; ++v) {
             placeTips(v);
         }
@@ -147,7 +150,9 @@ public:
         connect();
         std::vector<Pillar> pillars(base_.vertices.size());
         for (std::size_t v = 0; v < pillars.size(); ++v) {
-            pillars[v] = {layers_[kBottom][v], layers_[kMiddle][v], layers_[kTop][v]};
+            pillars[v] = {
+                layers_.point(kBottom, v), layers_.point(kMiddle, v), layers_.point(kTop, v)
+            };
         }
         for (std::size_t f = 0; f < blocked_.size(); ++f) {
             if (blocked_[f] == 0) {
@@ -168,8 +173,10 @@ private:
     [[nodiscard]] bool isGhost(int face) const { return face >= base_.surfaceFaceCount; }
 
     void placeTips(std::size_t v) {
-        layers_[kTop][v] = base_.vertices[v] + lengths_[kTop][v] * base_.directions[v];
-        layers_[kBottom][v] = base_.vertices[v] - lengths_[kBottom][v] * base_.directions[v];
+        layers_.points[layers_.indexOf(kTop, v)] =
+            base_.vertices[v] + lengths_[kTop][v] * base_.directions[v];
+        layers_.points[layers_.indexOf(kBottom, v)] =
+            base_.vertices[v] - lengths_[kBottom][v] * base_.directions[v];
     }
 
     [[nodiscard]] bool slabIsUpright(const Prism& prism, int slab) const {
@@ -178,7 +185,7 @@ private:
             std::array<const Vec3*, 4> p{};
             for (std::size_t k = 0; k < 4; ++k) {
                 const std::size_t v = at(prism.pillars[static_cast<std::size_t>(split[k].slot)]);
-                p[k] = &layers_[at(split[k].outer ? slab : kMiddle)][v];
+                p[k] = &layers_.point(at(split[k].outer ? slab : kMiddle), v);
             }
             if (orientationSign(*p[0], *p[1], *p[2], *p[3]) != wanted) {
                 return false;
@@ -211,16 +218,25 @@ private:
         return any;
     }
 
-    bool markForShrinking(PillarMarks& marks, const BoundaryTriangle& triangle) const {
+    // The same of those with a tip in a triangle of the boundary.
+    bool markTipsForShrinking(PillarMarks& marks, const Triangle& triangle) const {
         bool any = false;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int side = triangle.layers[k];
-            if (side != kMiddle && canShrink(triangle.vertices[k], side)) {
-                marks[at(side)][at(triangle.vertices[k])] = 1;
+        for (const int point : triangle) {
+            const int side = layerOf(point);
+            if (side != kMiddle && canShrink(pillarOf(point), side)) {
+                marks[at(side)][at(pillarOf(point))] = 1;
                 any = true;
             }
         }
         return any;
+    }
+
+    [[nodiscard]] int layerOf(int point) const {
+        return point / static_cast<int>(layers_.pillarCount);
+    }
+
+    [[nodiscard]] int pillarOf(int point) const {
+        return point % static_cast<int>(layers_.pillarCount);
     }
 
     void shrink(const PillarMarks& marks, double factor) {
@@ -240,17 +256,26 @@ private:
     // ---- Separation ----
 
     // The boundary: top and bottom, and the walls where the shell ends, split like their prism.
-    [[nodiscard]] std::vector<BoundaryTriangle> boundary() const {
-        std::vector<BoundaryTriangle> triangles;
-        triangles.reserve(2 * prisms_.size());
+    [[nodiscard]] Boundary boundary() const {
+        Boundary boundary;
+        boundary.faces.reserve(2 * prisms_.size());
+        boundary.triangles.reserve(2 * prisms_.size());
+        const auto add = [&](std::size_t f,
+                             const std::array<int, 3>& pillars,
+                             const std::array<int, 3>& layers) {
+            boundary.faces.push_back(static_cast<int>(f));
+            Triangle& triangle = boundary.triangles.emplace_back();
+            for (std::size_t k = 0; k < 3; ++k) {
+                triangle[k] = static_cast<int>(layers_.indexOf(at(layers[k]), at(pillars[k])));
+            }
+        };
         for (std::size_t f = 0; f < prisms_.size(); ++f) {
             if (blocked_[f] != 0) {
                 continue;
             }
-            const int face = static_cast<int>(f);
             const Prism& prism = prisms_[f];
             for (const int side : {kTop, kBottom}) {
-                triangles.push_back({face, prism.pillars, {side, side, side}});
+                add(f, prism.pillars, {side, side, side});
             }
             for (std::size_t slot = 0; slot < 3; ++slot) {
                 const int there =
@@ -261,47 +286,31 @@ private:
                 const auto [low, high] =
                     std::minmax(prism.pillars[(slot + 1) % 3], prism.pillars[(slot + 2) % 3]);
                 for (const int side : {kTop, kBottom}) {
-                    triangles.push_back({face, {low, high, high}, {kMiddle, kMiddle, side}});
-                    triangles.push_back({face, {low, high, low}, {kMiddle, side, side}});
+                    add(f, {low, high, high}, {kMiddle, kMiddle, side});
+                    add(f, {low, high, low}, {kMiddle, side, side});
                 }
             }
         }
-        return triangles;
+        return boundary;
     }
 
-    [[nodiscard]] bool isDirty(const BoundaryTriangle& triangle) const {
-        return std::any_of(triangle.vertices.begin(), triangle.vertices.end(), [&](int v) {
-            return changed_[at(v)] != 0;
+    [[nodiscard]] bool isDirty(const Triangle& triangle) const {
+        return std::any_of(triangle.begin(), triangle.end(), [&](int point) {
+            return changed_[at(pillarOf(point))] != 0;
         });
     }
 
     // Intersecting pairs of boundary triangles of which at least one has a changed pillar.
     [[nodiscard]] std::vector<std::pair<int, int>> intersectingPairs(
-        const std::vector<BoundaryTriangle>& triangles
+        const std::vector<Triangle>& triangles
     ) const {
-        std::vector<Vec3> points;
-        points.reserve(3 * base_.vertices.size());
-        for (const std::vector<Vec3>& layer : layers_) {
-            points.insert(points.end(), layer.begin(), layer.end());
-        }
-        const int n = static_cast<int>(base_.vertices.size());
-        std::vector<Triangle> corners;
-        std::vector<char> dirty;
-        corners.reserve(triangles.size());
-        dirty.reserve(triangles.size());
-        for (const BoundaryTriangle& t : triangles) {
-            corners.push_back(
-                {t.layers[0] * n + t.vertices[0],
-                 t.layers[1] * n + t.vertices[1],
-                 t.layers[2] * n + t.vertices[2]}
-            );
-            dirty.push_back(static_cast<char>(isDirty(t)));
-        }
         std::vector<std::pair<int, int>> pairs;
-        const TriangleTree tree(points, corners);
+        const TriangleTree tree(layers_.points, triangles);
         tree.forEachOverlappingPair([&](int i, int j) {
-            if ((dirty[at(i)] | dirty[at(j)]) != 0 &&
-                trianglesIntersect(points, corners[at(i)], corners[at(j)])) {
+            const Triangle& first = triangles[at(i)];
+            const Triangle& second = triangles[at(j)];
+            if ((isDirty(first) || isDirty(second)) &&
+                trianglesIntersect(layers_.points, first, second)) {
                 pairs.emplace_back(i, j);
             }
         });
@@ -311,27 +320,24 @@ private:
 
     // Marks pillars where the boundary intersects itself, blocks faces where shrinking cannot help.
     bool markIntersecting(PillarMarks& marks, std::vector<char>& freed) {
-        const std::vector<BoundaryTriangle> triangles = boundary();
+        const auto [faces, triangles] = boundary();
         const std::vector<std::pair<int, int>> pairs = intersectingPairs(triangles);
         for (const auto& [i, j] : pairs) {
-            const BoundaryTriangle& first = triangles[at(i)];
-            const BoundaryTriangle& second = triangles[at(j)];
-            if (first.face != second.face &&
-                trianglesIntersect(
-                    base_.vertices, base_.faces[at(first.face)], base_.faces[at(second.face)]
-                )) {
+            const int f = faces[at(i)];
+            const int g = faces[at(j)];
+            if (f != g &&
+                trianglesIntersect(base_.vertices, base_.faces[at(f)], base_.faces[at(g)])) {
                 blockCrossingFaces(freed);
                 continue;
             }
-            if (report_.intersectionRounds >= kGhostRounds &&
-                (isGhost(first.face) || isGhost(second.face))) {
-                blockPair(first.face, second.face, freed);
+            if (report_.intersectionRounds >= kGhostRounds && (isGhost(f) || isGhost(g))) {
+                blockPair(f, g, freed);
                 continue;
             }
-            const bool canShrinkFirst = markForShrinking(marks, first);
-            const bool canShrinkSecond = markForShrinking(marks, second);
+            const bool canShrinkFirst = markTipsForShrinking(marks, triangles[at(i)]);
+            const bool canShrinkSecond = markTipsForShrinking(marks, triangles[at(j)]);
             if (!canShrinkFirst && !canShrinkSecond) {
-                blockPair(first.face, second.face, freed);
+                blockPair(f, g, freed);
             }
         }
         return !pairs.empty();

@@ -26,9 +26,37 @@ TriangleTree::TriangleTree(
     for (const MortonKey& key : keys) {
         order_.push_back(key.index);
     }
-    nodes_.reserve(keys.size());
+    nodes_.reserve(nodeCount(keys, 0, keys.size()));
     build(keys, 0, keys.size());
-    nodes_.shrink_to_fit();
+}
+
+/// Where a range of the order is cut in two. Where the highest bit changes that the range does not
+/// share: that halves a cell of space. Equal codes are halved by number.
+std::size_t TriangleTree::middleOf(
+    const std::vector<MortonKey>& keys, std::size_t first, std::size_t last
+) {
+    const std::uint64_t difference = keys[first].code ^ keys[last - 1].code;
+    if (difference == 0) {
+        return first + (last - first) / 2;
+    }
+    const std::uint64_t bit = std::bit_floor(difference);
+    const auto split = std::partition_point(
+        keys.begin() + static_cast<std::ptrdiff_t>(first),
+        keys.begin() + static_cast<std::ptrdiff_t>(last),
+        [bit](const MortonKey& key) { return (key.code & bit) == 0; }
+    );
+    return static_cast<std::size_t>(split - keys.begin());
+}
+
+/// Number of nodes of the subtree of a range.
+std::size_t TriangleTree::nodeCount(
+    const std::vector<MortonKey>& keys, std::size_t first, std::size_t last
+) {
+    if (last - first <= kLeafSize) {
+        return 1;
+    }
+    const std::size_t middle = middleOf(keys, first, last);
+    return 1 + nodeCount(keys, first, middle) + nodeCount(keys, middle, last);
 }
 
 /// Builds the subtree of a range of the order; returns its root.
@@ -48,19 +76,7 @@ int TriangleTree::build(const std::vector<MortonKey>& keys, std::size_t first, s
         return static_cast<int>(index);
     }
 
-    // Split where the highest bit changes that the range does not share: that halves a cell of
-    // space. Equal codes are halved by number.
-    std::size_t middle = first + (last - first) / 2;
-    const std::uint64_t difference = keys[first].code ^ keys[last - 1].code;
-    if (difference != 0) {
-        const std::uint64_t bit = std::bit_floor(difference);
-        const auto split = std::partition_point(
-            keys.begin() + static_cast<std::ptrdiff_t>(first),
-            keys.begin() + static_cast<std::ptrdiff_t>(last),
-            [bit](const MortonKey& key) { return (key.code & bit) == 0; }
-        );
-        middle = static_cast<std::size_t>(split - keys.begin());
-    }
+    const std::size_t middle = middleOf(keys, first, last);
     const int left = build(keys, first, middle);
     const int right = build(keys, middle, last);
     Box box = node(left).box;

@@ -62,6 +62,12 @@ private:
 
     struct ClosestSearch;
 
+    [[nodiscard]] static std::size_t middleOf(
+        const std::vector<MortonKey>& keys, std::size_t first, std::size_t last
+    );
+    [[nodiscard]] static std::size_t nodeCount(
+        const std::vector<MortonKey>& keys, std::size_t first, std::size_t last
+    );
     int build(const std::vector<MortonKey>& keys, std::size_t first, std::size_t last);
 
     [[nodiscard]] const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
