@@ -92,12 +92,13 @@ ShellBuild buildSimplifiedShell(
 ) {
     options.validate();
     constexpr double kStartShare = 0.1;  // of the whole time
-    const TrackedSurface surface(*base);
+    TrackedSurface surface(*base);
     ShellOptions thin = options;
     thin.thickness = kStartThickness;
     const Progress startPart = partOf(progress, 0.0, kStartShare);
     ShellBuild build = buildShell(surface.base, thin, startPart);
     const Progress restPart = partOf(progress, kStartShare, 1.0);
+    surface.prepareForEditing();
     ShellEditor editor(surface, build.shell);
     build.shell = Shell({}, {}, 0);  // a large one, and no longer needed
     simplify(editor, surface.creases, longestSideOf(surface.base), options, restPart);

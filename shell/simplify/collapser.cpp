@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 namespace bspline_curve {
@@ -13,6 +14,8 @@ namespace {
 constexpr std::size_t kMaxValence = 12;
 // Middle triangles are not made worse than this.
 constexpr double kLeastQuality = 0.1;
+// The queue may be a quarter longer than needed, and this much.
+constexpr std::size_t kSpareEdges = 4096;
 // How often the progress callback is asked, in edges.
 constexpr int kProgressInterval = 1024;
 
@@ -26,8 +29,7 @@ void Collapser::run(double length, const Progress& progress) {
     pushAll(length);
     const double all = std::max<double>(1.0, static_cast<double>(queue_.size()));
     for (int count = 1; !queue_.empty(); ++count) {
-        const Edge edge = queue_.top();
-        queue_.pop();
+        const Edge edge = pop();
         if (count % kProgressInterval == 0) {
             // New edges come as well, so the share of the first ones is what surely never falls.
             report(progress, std::min(1.0, count / all), "simplifying the shell");
@@ -47,6 +49,31 @@ void Collapser::run(double length, const Progress& progress) {
     }
 }
 
+void Collapser::push(const Edge& edge) {
+    if (queue_.size() >= queueLimit_) {
+        dropStale();
+    }
+    queue_.push_back(edge);
+    std::ranges::push_heap(queue_, std::greater<>());
+}
+
+Collapser::Edge Collapser::pop() {
+    std::ranges::pop_heap(queue_, std::greater<>());
+    const Edge edge = queue_.back();
+    queue_.pop_back();
+    return edge;
+}
+
+// Drops edges that are no more (one that comes back is pushed again) or listed twice.
+void Collapser::dropStale() {
+    std::ranges::sort(queue_);
+    const auto repeated = std::ranges::unique(queue_);
+    queue_.erase(repeated.begin(), repeated.end());
+    std::erase_if(queue_, [&](const Edge& edge) { return !exists(edge); });
+    queueLimit_ = queue_.size() + queue_.size() / 4 + kSpareEdges;
+    queue_.reserve(queueLimit_);
+}
+
 void Collapser::pushAll(double length) {
     const PrismComplex& complex = editor_.complex();
     for (int prism = 0; prism < complex.prismIdCount(); ++prism) {
@@ -56,7 +83,7 @@ void Collapser::pushAll(double length) {
             const double edgeLength = editor_.middleLength(a, b);
             // Each edge from one side, at the rim from the only one; frozen edges stay anyway.
             if (a < b && edgeLength < length) {
-                queue_.push({edgeLength, a, b});
+                push({edgeLength, a, b});
             }
         }
     }
@@ -74,16 +101,16 @@ void Collapser::pushAround(int pillar, double length) {
             const auto [low, high] = std::minmax({pillars[i], pillars[j]});
             const double edgeLength = editor_.middleLength(low, high);
             if (edgeLength < length) {
-                queue_.push({edgeLength, low, high});
+                push({edgeLength, low, high});
             }
         }
     }
 }
 
 bool Collapser::exists(const Edge& edge) {
-    around_.clear();
-    editor_.complex().appendPrismsAround(edge.a, around_);
-    return std::ranges::any_of(around_, [&](int prism) {
+    near_.clear();
+    editor_.complex().appendPrismsAround(edge.a, near_);
+    return std::ranges::any_of(near_, [&](int prism) {
         return cornerOf(editor_.complex().pillarsOf(prism), edge.b) >= 0;
     });
 }

@@ -12,6 +12,10 @@
 namespace bspline_curve {
 namespace {
 
+// All prisms are entered anew where there are this many times the entries that this makes, and
+// some.
+constexpr double kEntryGrowth = 1.5;
+constexpr std::size_t kSpareEntries = 4096;
 // The frame's coordinates are above this.
 constexpr double kLowest = -4.0;
 
@@ -81,8 +85,12 @@ void LayerGrid::enter(int item, const CellRange& cells, const CellRange* known) 
 }
 
 void LayerGrid::rebuild(double cellSize) {
-    const auto ids = at(complex_.prismIdCount());
     inverseCellSize_ = 1.0 / cellSize;
+    enterAll();
+}
+
+void LayerGrid::enterAll() {
+    const auto ids = at(complex_.prismIdCount());
     heads_.assign(std::bit_ceil(at(complex_.prismCount()) + endWalls_.size() + 1), -1);
     entries_.clear();
     boxes_.resize(ids);
@@ -93,7 +101,7 @@ void LayerGrid::rebuild(double cellSize) {
     stamp_ = 0;
     for (int prism = 0; prism < complex_.prismIdCount(); ++prism) {
         if (complex_.isAlive(prism)) {
-            insert(prism);
+            enterPrism(prism);
         }
     }
     wallBoxes_.clear();
@@ -101,12 +109,21 @@ void LayerGrid::rebuild(double cellSize) {
         wallBoxes_.push_back(boxOf(endWalls_[i]));
         enter(-1 - static_cast<int>(i), cellsOf(wallBoxes_.back()), nullptr);
     }
+    entryLimit_ = static_cast<std::size_t>(kEntryGrowth * static_cast<double>(entries_.size())) +
+                  kSpareEntries;
 }
 
 void LayerGrid::insert(int prism) {
+    enterPrism(prism);
+    if (entries_.size() > entryLimit_) {
+        enterAll();
+    }
+}
+
+void LayerGrid::enterPrism(int prism) {
     const std::size_t i = at(prism);
-    boxes_[i] = layerBoxesOf(complex_.pillarsOf(prism));
-    CellRange cells = cellsOf(boxes_[i][0].joined(boxes_[i][1]));
+    boxes_[i] = whole(layerBoxesOf(complex_.pillarsOf(prism)));
+    CellRange cells = cellsOf(boxes_[i]);
     if (isEntered_[i] != 0) {
         const CellRange known = cells_[i];
         for (std::size_t k = 0; k < 3; ++k) {
@@ -151,7 +168,8 @@ bool LayerGrid::meetsWall(const Triangle& pillars, const LayerBoxes& boxes, int 
 }
 
 bool LayerGrid::meetsOthers(const Triangle& pillars, const LayerBoxes& boxes) {
-    const CellRange cells = cellsOf(boxes[0].joined(boxes[1]));
+    const Box box = whole(boxes);
+    const CellRange cells = cellsOf(box);
     for (int x = cells.low[0]; x <= cells.high[0]; ++x) {
         for (int y = cells.low[1]; y <= cells.high[1]; ++y) {
             for (int z = cells.low[2]; z <= cells.high[2]; ++z) {
@@ -165,9 +183,9 @@ bool LayerGrid::meetsOthers(const Triangle& pillars, const LayerBoxes& boxes) {
                         }
                     } else if (stamps_[at(item)] < stamp_ && complex_.isAlive(item)) {
                         stamps_[at(item)] = stamp_;
-                        if (meetsPrism(
-                                pillars, boxes, complex_.pillarsOf(item), boxes_[at(item)]
-                            )) {
+                        const Triangle& other = complex_.pillarsOf(item);
+                        if (box.overlaps(boxes_[at(item)]) &&
+                            meetsPrism(pillars, boxes, other, layerBoxesOf(other))) {
                             return true;
                         }
                     }

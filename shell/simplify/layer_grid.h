@@ -64,10 +64,14 @@ private:
     // Boxes of top and bottom of a prism.
     using LayerBoxes = std::array<Box, 2>;
 
+    [[nodiscard]] static Box whole(const LayerBoxes& boxes) { return boxes[0].joined(boxes[1]); }
+
     [[nodiscard]] Box boxOf(const Triangle& points) const;
     [[nodiscard]] LayerBoxes layerBoxesOf(const Triangle& pillars) const;
     [[nodiscard]] CellRange cellsOf(const Box& box) const;
     [[nodiscard]] std::size_t slotOf(int x, int y, int z) const;
+    void enterAll();
+    void enterPrism(int prism);
     void enter(int item, const CellRange& cells, const CellRange* known);
     [[nodiscard]] bool meetsOthers(const Triangle& pillars, const LayerBoxes& boxes);
     [[nodiscard]] bool meetsPrism(
@@ -80,12 +84,13 @@ private:
 
     const PrismComplex& complex_;
     std::vector<Wall> endWalls_;
-    std::vector<LayerBoxes> boxes_;  // of each prism as entered
+    std::vector<Box> boxes_;  // of top and bottom together of each prism, as entered
     std::vector<Box> wallBoxes_;
     std::vector<CellRange> cells_;  // that each prism was ever entered in
     std::vector<char> isEntered_;
     std::vector<int> heads_;
     std::vector<Entry> entries_;
+    std::size_t entryLimit_ = 0;  // beyond it most entries are of prisms that are no more
     double inverseCellSize_ = 1.0;
     std::vector<LayerBoxes> freshBoxes_;
     std::vector<int> stamps_, wallStamps_;  // of the query that met the item last

@@ -4,9 +4,9 @@
 #include "shell/simplify/shell_editor.h"
 #include "surface/progress.h"
 
+#include <compare>
+#include <cstddef>
 #include <cstdint>
-#include <queue>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -64,12 +64,13 @@ private:
         double length;
         int a, b;
 
-        // The queue yields the shortest first; ties by pillar.
-        bool operator<(const Edge& other) const {
-            return std::tie(other.length, other.a, other.b) < std::tie(length, a, b);
-        }
+        // Shorter ones first; ties by pillar.
+        auto operator<=>(const Edge&) const = default;
     };
 
+    void push(const Edge& edge);
+    [[nodiscard]] Edge pop();
+    void dropStale();
     void pushAll(double length);
     void pushAround(int pillar, double length);
     [[nodiscard]] bool exists(const Edge& edge);
@@ -81,7 +82,8 @@ private:
 
     ShellEditor& editor_;
     Creases& creases_;
-    std::priority_queue<Edge> queue_;
+    std::vector<Edge> queue_;     // a heap, the shortest edge on top
+    std::size_t queueLimit_ = 0;  // beyond it many entries are of edges that are no more
     std::unordered_map<std::uint64_t, int> failed_;  // editor's time when an edge was tried in vain
     std::vector<int> around_, ring_, near_;
 };

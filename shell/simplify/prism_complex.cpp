@@ -55,15 +55,16 @@ void PrismComplex::setFaces(int prism, std::span<const int> faces) {
     Track& track = tracks_[at(prism)];
     usedPool_ += faces.size() - at(track.count);
     if (faces.size() > at(track.count)) {
+        if (trackPool_.size() + faces.size() > trackPool_.capacity()) {
+            track.count = 0;  // not to be kept
+            compactPool();
+        }
         track.first = static_cast<int>(trackPool_.size());
         trackPool_.insert(trackPool_.end(), faces.begin(), faces.end());
     } else {
         std::ranges::copy(faces, trackPool_.begin() + track.first);
     }
     track.count = static_cast<int>(faces.size());
-    if (trackPool_.size() > 2 * usedPool_ + 4096) {
-        compactPool();
-    }
 }
 
 void PrismComplex::unlink(int pillar, int corner) {
@@ -75,8 +76,9 @@ void PrismComplex::unlink(int pillar, int corner) {
 }
 
 void PrismComplex::compactPool() {
+    constexpr std::size_t kSpare = 4096;
     std::vector<int> pool;
-    pool.reserve(usedPool_ + usedPool_ / 2);
+    pool.reserve(usedPool_ + usedPool_ / 2 + kSpare);
     for (Track& track : tracks_) {
         const auto first = trackPool_.begin() + track.first;
         track.first = static_cast<int>(pool.size());

@@ -84,11 +84,16 @@ TrackedSurface::TrackedSurface(const ShellBase& original) {
     base.frame = original.frame;
     base.surfaceVertexCount = original.surfaceVertexCount;
     base.surfaceFaceCount = original.surfaceFaceCount;
+    base.vertices.reserve(vertices.size());
+    base.directions.reserve(vertices.size());
+    base.edgeLengths.reserve(vertices.size());
     for (const int v : vertices) {
         base.vertices.push_back(original.vertices[at(v)]);
         base.directions.push_back(original.directions[at(v)]);
         base.edgeLengths.push_back(original.edgeLengths[at(v)]);
     }
+    base.faces.reserve(originalFaces.size());
+    base.faceNeighbours.reserve(originalFaces.size());
     for (const int f : originalFaces) {
         const Triangle& face = original.faces[at(f)];
         const Triangle& near = original.faceNeighbours[at(f)];
@@ -99,11 +104,6 @@ TrackedSurface::TrackedSurface(const ShellBase& original) {
             {vertexNumbers[at(face[0])], vertexNumbers[at(face[1])], vertexNumbers[at(face[2])]}
         );
         base.faceNeighbours.push_back({neighbour(0), neighbour(1), neighbour(2)});
-        bounds.push_back(boundOf(
-            original.vertices[at(face[0])],
-            original.vertices[at(face[1])],
-            original.vertices[at(face[2])]
-        ));
     }
     for (const int v : original.unseenVertices) {
         base.unseenVertices.push_back(vertexNumbers[at(v)]);
@@ -114,6 +114,17 @@ TrackedSurface::TrackedSurface(const ShellBase& original) {
         b = high;
     }
     std::ranges::sort(creases);
+}
+
+void TrackedSurface::prepareForEditing() {
+    // Assigning {} would keep the memory.
+    base.faceNeighbours = std::vector<Triangle>();
+    base.directions = std::vector<Vec3>();
+    base.edgeLengths = std::vector<double>();
+    bounds.reserve(base.faces.size());
+    for (int face = 0; face < static_cast<int>(base.faces.size()); ++face) {
+        bounds.push_back(boundOf(corner(face, 0), corner(face, 1), corner(face, 2)));
+    }
 }
 
 }  // namespace bspline_curve

@@ -26,7 +26,12 @@ inline constexpr float kFloatMargin = 1e-6F;
 /// and its cells next to the middle run along the pillar that comes last.
 class TrackedSurface {
 public:
+    /// Without bounds.
     explicit TrackedSurface(const ShellBase& original);
+
+    /// Once the start shell is there: drops what only this takes (neighbours, directions, lengths),
+    /// and computes the bounds.
+    void prepareForEditing();
 
     [[nodiscard]] const Vec3& corner(int face, std::size_t k) const {
         return base
@@ -38,7 +43,7 @@ public:
     ShellBase base;
     std::vector<int> originalFaces;            ///< face of the original base for each face
     std::vector<std::pair<int, int>> creases;  ///< edges, low vertex first, ascending
-    std::vector<FaceBound> bounds;
+    std::vector<FaceBound> bounds;             ///< of each face
 };
 
 }  // namespace bspline_curve
