@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
+#include "cli/process_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +43,7 @@ void printError(const std::string& message) {
 
 int main(int argc, char** argv) {
     using namespace bspline_curve::cli;
+    returnLargeArrays();
     try {
         const Arguments all(argv, static_cast<std::size_t>(argc));
         return static_cast<int>(run(all.subspan(std::min<std::size_t>(all.size(), 1))));

@@ -3,6 +3,10 @@
 
 #include <sys/resource.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <ctime>
 #include <fstream>
 #include <string>
@@ -30,6 +34,13 @@ std::int64_t peakMemoryBytes() {
     rusage usage{};
     static_cast<void>(::getrusage(RUSAGE_SELF, &usage));
     return static_cast<std::int64_t>(usage.ru_maxrss) * kKilobyte;
+}
+
+void returnLargeArrays() {
+#ifdef __GLIBC__
+    constexpr int kLarge = 1 << 20;  // bytes; the default grows with what is freed
+    static_cast<void>(::mallopt(M_MMAP_THRESHOLD, kLarge));
+#endif
 }
 
 }  // namespace bspline_curve::cli

@@ -11,4 +11,8 @@ namespace bspline_curve::cli {
 /// Largest resident memory of this program so far, in bytes.
 [[nodiscard]] std::int64_t peakMemoryBytes();
 
+/// From now on large arrays go back to the system as soon as they are freed. Else glibc keeps them,
+/// in pieces that later ones do not fit into; a third more memory on a large mesh.
+void returnLargeArrays();
+
 }  // namespace bspline_curve::cli
