@@ -33,7 +33,7 @@ void checkFaces(const Surface& surface, std::span<const int> faces) {
             InputErrorCode::IndexOutOfRange,
             describeCount(bad.size(), "face does", "faces do") + " not exist",
             "faces",
-            std::move(bad),
+            bad,
             "give indices below " + std::to_string(surface.faceCount())
         );
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace bspline_curve {
 namespace {
@@ -141,7 +142,7 @@ double ShellEditor::quality(const Triangle& pillars) const {
     const Vec3& b = complex_.point(pillars[1], Level::Middle);
     const Vec3& c = complex_.point(pillars[2], Level::Middle);
     const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-    return squares > 0.0 ? 2.0 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / squares : 0.0;
+    return squares > 0.0 ? 2.0 * std::numbers::sqrt3 * (b - a).cross(c - a).norm() / squares : 0.0;
 }
 
 double ShellEditor::leastQuality() const {
@@ -174,7 +175,7 @@ std::optional<Vec3> ShellEditor::onSurface(const Vec3& point, const Vec3& direct
     for (const int face : faces_) {
         const FaceBound& bound = surface_.bounds[at(face)];
         const Vec3 centre = Eigen::Map<const Eigen::Vector3f>(bound.centre.data()).cast<double>();
-        const double radius = static_cast<double>(bound.radius);
+        const auto radius = static_cast<double>(bound.radius);
         const double along = (centre - point).dot(direction);
         if ((centre - point).squaredNorm() - along * along > radius * radius ||
             std::abs(along) - radius > std::abs(nearest)) {

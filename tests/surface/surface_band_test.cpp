@@ -3,6 +3,7 @@
 
 #include "support/meshes.h"
 #include "support/random.h"
+#include "surface/index_sets.h"
 #include "surface/input_error.h"
 
 #include <gtest/gtest.h>
@@ -40,18 +41,37 @@ int boundaryEdgeCount(const Surface& surface) {
 
 // The same triangles as in the whole surface, corner by corner.
 void expectPartOf(const Surface& whole, const SurfaceBand& band) {
-    ASSERT_EQ(at(band.surface.faceCount()), band.faces.size());
-    ASSERT_EQ(at(band.surface.vertexCount()), band.vertices.size());
     EXPECT_TRUE(std::ranges::is_sorted(band.faces));
     EXPECT_TRUE(std::ranges::is_sorted(band.vertices));
+    std::vector<Vec3> positions;
+    for (const int v : band.vertices) {
+        positions.push_back(whole.vertices()[at(v)]);
+    }
+    EXPECT_EQ(band.surface.vertices(), positions);
+    std::vector<Triangle> faces;
+    std::vector<Triangle> asked;
     for (int f = 0; f < band.surface.faceCount(); ++f) {
+        const Triangle& face = band.surface.faces()[at(f)];
+        faces.push_back(
+            {band.vertices[at(face[0])], band.vertices[at(face[1])], band.vertices[at(face[2])]}
+        );
+        asked.push_back(whole.faces()[at(band.faces[at(f)])]);
         EXPECT_EQ(band.indexOf(band.faces[at(f)]), f);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int v = band.surface.faces()[at(f)][k];
-            EXPECT_EQ(band.vertices[at(v)], whole.faces()[at(band.faces[at(f)])][k]);
-            EXPECT_EQ(band.surface.vertices()[at(v)], whole.vertices()[at(band.vertices[at(v)])]);
+    }
+    EXPECT_EQ(faces, asked);
+}
+
+// All faces around the vertices of some faces, ascending.
+std::vector<int> ringAbout(const Surface& surface, const std::vector<int>& faces) {
+    std::vector<int> ring;
+    for (const int face : faces) {
+        for (const int v : surface.faces()[at(face)]) {
+            const Surface::FaceRange around = surface.facesAround(v);
+            ring.insert(ring.end(), around.begin(), around.end());
         }
     }
+    sortUnique(ring);
+    return ring;
 }
 
 std::optional<InputErrorCode> codeOf(const std::function<void()>& call) {
@@ -181,15 +201,10 @@ TEST(FacesNear, FindsTheWantedNumberRingByRing) {
         EXPECT_TRUE(std::ranges::includes(found, before)) << "nearer faces come first";
         before = found;
     }
-    // Whole rings: the faces around the path's vertices are among the first ones.
-    const std::vector<int> ring = facesNear(surface, path, 60);
-    for (const int face : path) {
-        for (const int v : surface.faces()[at(face)]) {
-            for (const int there : surface.facesAround(v)) {
-                EXPECT_TRUE(std::ranges::binary_search(ring, there));
-            }
-        }
-    }
+    const std::vector<int> first = ringAbout(surface, path);
+    const std::vector<int> second = ringAbout(surface, first);
+    EXPECT_EQ(facesNear(surface, path, static_cast<int>(first.size())), first);
+    EXPECT_EQ(facesNear(surface, path, static_cast<int>(second.size())), second);
 }
 
 TEST(FacesNear, StaysOnTheComponentsOfThePath) {
