@@ -124,11 +124,13 @@ bool Collapser::collapseEither(const Edge& edge, double length) {
     const bool keepA = worth(edge.a) > worth(edge.b);
     const int first = keepA ? edge.b : edge.a;
     const int second = keepA ? edge.a : edge.b;
-    for (const auto& [removed, kept] : {std::pair(first, second), std::pair(second, first)}) {
-        if (collapse(removed, kept)) {
-            pushAround(kept, length);
-            return true;
-        }
+    if (collapse(first, second)) {
+        pushAround(second, length);
+        return true;
+    }
+    if (collapse(second, first)) {
+        pushAround(first, length);
+        return true;
     }
     return false;
 }

@@ -167,6 +167,23 @@ bool LayerGrid::meetsWall(const Triangle& pillars, const LayerBoxes& boxes, int 
             trianglesIntersect(complex_.points, layerOf(pillars, Level::Bottom), corners));
 }
 
+// Whether a prism meets an entered item that was not met in this query yet.
+bool LayerGrid::meetsItem(
+    const Triangle& pillars, const LayerBoxes& boxes, const Box& box, int item
+) {
+    if (item < 0) {
+        const int wall = -1 - item;
+        return std::exchange(wallStamps_[at(wall)], stamp_) != stamp_ &&
+               meetsWall(pillars, boxes, wall);
+    }
+    if (stamps_[at(item)] >= stamp_ || !complex_.isAlive(item)) {
+        return false;
+    }
+    stamps_[at(item)] = stamp_;
+    const Triangle& other = complex_.pillarsOf(item);
+    return box.overlaps(boxes_[at(item)]) && meetsPrism(pillars, boxes, other, layerBoxesOf(other));
+}
+
 bool LayerGrid::meetsOthers(const Triangle& pillars, const LayerBoxes& boxes) {
     const Box box = whole(boxes);
     const CellRange cells = cellsOf(box);
@@ -174,20 +191,8 @@ bool LayerGrid::meetsOthers(const Triangle& pillars, const LayerBoxes& boxes) {
         for (int y = cells.low[1]; y <= cells.high[1]; ++y) {
             for (int z = cells.low[2]; z <= cells.high[2]; ++z) {
                 for (int i = heads_[slotOf(x, y, z)]; i >= 0; i = entries_[at(i)].next) {
-                    const int item = entries_[at(i)].item;
-                    if (item < 0) {
-                        const int wall = -1 - item;
-                        if (std::exchange(wallStamps_[at(wall)], stamp_) != stamp_ &&
-                            meetsWall(pillars, boxes, wall)) {
-                            return true;
-                        }
-                    } else if (stamps_[at(item)] < stamp_ && complex_.isAlive(item)) {
-                        stamps_[at(item)] = stamp_;
-                        const Triangle& other = complex_.pillarsOf(item);
-                        if (box.overlaps(boxes_[at(item)]) &&
-                            meetsPrism(pillars, boxes, other, layerBoxesOf(other))) {
-                            return true;
-                        }
+                    if (meetsItem(pillars, boxes, box, entries_[at(i)].item)) {
+                        return true;
                     }
                 }
             }

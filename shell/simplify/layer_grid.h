@@ -74,6 +74,9 @@ private:
     void enterPrism(int prism);
     void enter(int item, const CellRange& cells, const CellRange* known);
     [[nodiscard]] bool meetsOthers(const Triangle& pillars, const LayerBoxes& boxes);
+    [[nodiscard]] bool meetsItem(
+        const Triangle& pillars, const LayerBoxes& boxes, const Box& box, int item
+    );
     [[nodiscard]] bool meetsPrism(
         const Triangle& pillars,
         const LayerBoxes& boxes,

@@ -189,7 +189,7 @@ TEST(CutBand, RefusesFacesThatAreNotThere) {
 
 // ---- Faces near a path ----
 
-TEST(FacesNear, FindsTheWantedNumberRingByRing) {
+TEST(FacesNear, FindsTheWantedNumberNearerOnesFirst) {
     const Surface surface(withNoise(torus(30, 14), 0.01, 3));
     const std::vector<int> path = {100, 101, 102, 103};
     std::vector<int> before = facesNear(surface, path, 1);
@@ -201,6 +201,11 @@ TEST(FacesNear, FindsTheWantedNumberRingByRing) {
         EXPECT_TRUE(std::ranges::includes(found, before)) << "nearer faces come first";
         before = found;
     }
+}
+
+TEST(FacesNear, FindsWholeRingsOneAfterTheOther) {
+    const Surface surface(withNoise(torus(30, 14), 0.01, 3));
+    const std::vector<int> path = {100, 101, 102, 103};
     const std::vector<int> first = ringAbout(surface, path);
     const std::vector<int> second = ringAbout(surface, first);
     EXPECT_EQ(facesNear(surface, path, static_cast<int>(first.size())), first);
