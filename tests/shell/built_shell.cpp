@@ -207,59 +207,6 @@ TriangleMesh withHoles(const TriangleMesh& mesh, int count, Random& random) {
     return result;
 }
 
-TriangleMesh randomMesh(Random& random) {
-    const auto part = [&] {
-        TriangleMesh mesh;
-        switch (random.integer(0, 4)) {
-            case 0:
-                mesh = icosphere(3);
-                break;
-            case 1:
-                mesh = torus(random.integer(12, 48), random.integer(6, 20));
-                break;
-            case 2:
-                mesh =
-                    box(random.integer(2, 10),
-                        random.point(0.02, 1.0).cwiseMax(Vec3(0.3, 0.3, 0.0)));
-                break;
-            case 3:
-                mesh = openCylinder(
-                    random.integer(8, 40), random.integer(2, 12), 1.0, random.uniform(0.1, 3.0)
-                );
-                break;
-            default:
-                mesh = jitteredPlate(
-                    random.integer(4, 30), random.integer(4, 30), random.uniform(0.0, 0.28), 1
-                );
-                for (Vec3& p : mesh.vertices) {
-                    p.z() += 0.1 * std::sin(7.0 * p.x()) * std::cos(9.0 * p.y());
-                }
-                break;
-        }
-        if (random.integer(0, 2) == 0) {
-            mesh = withNoise(
-                std::move(mesh),
-                random.uniform(0.0, 0.02),
-                static_cast<std::uint64_t>(random.integer(1, 1000))
-            );
-        }
-        if (random.integer(0, 3) == 0) {
-            mesh = withHoles(mesh, random.integer(1, 4), random);
-        }
-        if (mesh.faces.size() < 1500 && random.integer(0, 1) == 0) {
-            mesh = midpointSubdivide(mesh);
-        }
-        return mesh;
-    };
-    TriangleMesh mesh = part();
-    if (random.integer(0, 3) == 0) {
-        Eigen::Isometry3d aside = random.isometry(0.0);
-        aside.translation() = Vec3(random.uniform(2.5, 4.0), 0.0, 0.0);
-        mesh = joined(mesh, transformed(part(), aside, random.uniform(0.01, 0.8)));
-    }
-    return transformed(mesh, random.isometry(1.0));
-}
-
 std::string describe(const ShellCheck& check) {
     std::ostringstream text;
     for (const InvariantCheck* invariant : check.invariants()) {

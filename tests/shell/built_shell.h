@@ -87,10 +87,6 @@ std::ostream& operator<<(std::ostream& stream, const NamedMesh& named);
 /// close: holes.
 [[nodiscard]] TriangleMesh withHoles(const TriangleMesh& mesh, int count, Random& random);
 
-/// Spheres, tori, boxes, plates and pairs of these, smooth, noisy or subdivided, closed or with
-/// holes, of some thousand faces; without self-intersections by intent, not by proof.
-[[nodiscard]] TriangleMesh randomMesh(Random& random);
-
 /// What violates an invariant, as text for a failing test.
 [[nodiscard]] std::string describe(const ShellCheck& check);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "built_shell.h"
 #include "shell/polynomial_trace.h"
+#include "support/many_cases.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -15,20 +16,10 @@ namespace {
 
 using namespace test_support;
 
-#ifdef NDEBUG
-constexpr int kPointsPerMesh = 100000;
-#else
-constexpr int kPointsPerMesh = 4000;
-#endif
+constexpr int kPointsPerMesh = caseCount(100000, 4000);
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
-}
-
-Vec3 randomBarycentric(Random& random) {
-    const double a = random.uniform(0.0, 1.0);
-    const double b = random.uniform(0.0, 1.0);
-    return a + b < 1.0 ? Vec3(a, b, 1.0 - a - b) : Vec3(1.0 - a, 1.0 - b, a + b - 1.0);
 }
 
 // 1e-11, or the rounding of the affine maps where cells are thinner than 1e-4 of the diagonal.
@@ -97,7 +88,7 @@ TEST_P(ShellProjection, UndoesLifting) {
     double worstHeight = 0.0;
     for (int i = 0; i < kPointsPerMesh; ++i) {
         const SurfacePoint point{
-            random.integer(0, built.surface.faceCount() - 1), randomBarycentric(random)
+            random.integer(0, built.surface.faceCount() - 1), random.barycentric()
         };
         const double w = random.uniform(-1.0, 1.0);
         const Vec3 lifted = shell.lift(point, w);
@@ -140,7 +131,7 @@ TEST_P(ShellProjection, AgreesAcrossEveryFace) {
             }
             const ShellCell there(shell, across);
             Vec3 p = Vec3::Zero();
-            const Vec3 weights = randomBarycentric(random);
+            const Vec3 weights = random.barycentric();
             for (int j = 0; j < 3; ++j) {
                 p += weights[j] * shell.position(tet, (k + 1 + j) % 4);
             }

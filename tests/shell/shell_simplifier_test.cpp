@@ -93,21 +93,6 @@ INSTANTIATE_TEST_SUITE_P(
     }
 );
 
-TEST(ShellSimplifier, HoldsAllInvariantsOnRandomMeshesWithRandomOptions) {
-    for (std::uint64_t seed = 1; seed <= 24; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
-        TriangleMesh mesh = randomMesh(random);
-        const ShellOptions options{
-            .smoothingPasses = random.integer(0, 4),
-            .targetThickness = random.uniform(0.01, 0.5),
-            .targetEdgeLength = random.uniform(0.02, 1.0)
-        };
-        const SimplifiedShell simplified(std::move(mesh), options);
-        EXPECT_TRUE(simplified.check().passed()) << describe(simplified.check());
-    }
-}
-
 // ---- Components ----
 
 TEST(ShellSimplifier, SwallowsNoComponent) {

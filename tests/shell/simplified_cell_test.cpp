@@ -2,6 +2,7 @@
 // Cells and traces where prisms hold many faces, against a projection that intersects whole fibres
 // with all faces.
 #include "built_shell.h"
+#include "lifted_walk.h"
 #include "shell/polynomial_trace.h"
 #include "support/coarse_shell.h"
 #include "support/meshes.h"
@@ -148,62 +149,6 @@ void expectExact(const CoarseShell& coarse, const ShellCell& cell, const Vec3& p
     EXPECT_EQ(cell.prism, cell.foot / kTetrahedraPerPrism);
 }
 
-Vec3 randomBarycentric(Random& random) {
-    const double a = random.uniform(0.0, 1.0);
-    const double b = random.uniform(0.0, 1.0);
-    return a + b < 1.0 ? Vec3(a, b, 1.0 - a - b) : Vec3(1.0 - a, 1.0 - b, a + b - 1.0);
-}
-
-// Inside of a face, on an edge, in a vertex, or next to them.
-Vec3 awkwardBarycentric(Random& random) {
-    Vec3 b = randomBarycentric(random);
-    const int corner = random.integer(0, 2);
-    switch (random.integer(0, 4)) {
-        case 0:
-            b[corner] = 0.0;
-            break;
-        case 1:
-            return Vec3::Unit(corner);
-        case 2:
-            b[corner] = 1e-11;
-            break;
-        case 3:
-            b[corner] = 1e4;
-            break;
-        default:
-            break;
-    }
-    return b / b.sum();
-}
-
-// Walks from a point of the surface to height w of its fibre: straight where that stays inside,
-// else along the fibre.
-bool walkUp(
-    const Shell& shell,
-    const ShellBase& base,
-    const SurfacePoint& point,
-    double w,
-    TraceState& state
-) {
-    state = {ShellCell(shell, point)};
-    const Vec3 from = base.position(point);
-    if (walkStraight(shell, from, shell.lift(point, w), state)) {
-        return true;
-    }
-    state = {ShellCell(shell, point)};
-    constexpr int kSteps = 40;
-    const double start = state.cell.height.at(from);
-    Vec3 here = from;
-    for (int i = 1; i <= kSteps; ++i) {
-        const Vec3 next = shell.lift(point, start + (w - start) * i / kSteps);
-        if (!walkStraight(shell, here, next, state)) {
-            return false;
-        }
-        here = next;
-    }
-    return true;
-}
-
 class CoarseShells : public testing::TestWithParam<CoarseShellCase> {
 protected:
     CoarseShells()
@@ -227,7 +172,7 @@ TEST_P(CoarseShells, LocatePointsOfTheSurface) {
     for (int i = 0; i < 300; ++i) {
         SCOPED_TRACE("point " + std::to_string(i));
         const SurfacePoint point{
-            random.integer(0, coarse_.surface.faceCount() - 1), awkwardBarycentric(random)
+            random.integer(0, coarse_.surface.faceCount() - 1), random.awkwardBarycentric()
         };
         const Vec3 p = base_.position(point);
         const ShellCell cell(shell_, point);
@@ -247,7 +192,7 @@ TEST_P(CoarseShells, ProjectWhatTheyLift) {
     for (int i = 0; i < 20000; ++i) {
         SCOPED_TRACE("point " + std::to_string(i));
         const SurfacePoint point{
-            random.integer(0, coarse_.surface.faceCount() - 1), awkwardBarycentric(random)
+            random.integer(0, coarse_.surface.faceCount() - 1), random.awkwardBarycentric()
         };
         const double w = random.uniform(-1.0, 1.0);
         TraceState state;
@@ -269,7 +214,7 @@ TEST_P(CoarseShells, FindTheFaceUnderAPoint) {
     for (int i = 0; i < 60; ++i) {
         SCOPED_TRACE("point " + std::to_string(i));
         const SurfacePoint point{
-            random.integer(0, coarse_.surface.faceCount() - 1), awkwardBarycentric(random)
+            random.integer(0, coarse_.surface.faceCount() - 1), random.awkwardBarycentric()
         };
         const Vec3 p = shell_.lift(point, random.uniform(-0.99, 0.99));
         const std::optional<ShellCell> cell = ShellCell::find(shell_, deepestTet(shell_, p), p);
@@ -292,7 +237,7 @@ TEST_P(CoarseShells, AreTracedExactly) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const SurfacePoint point{
-            random.integer(0, coarse_.surface.faceCount() - 1), randomBarycentric(random)
+            random.integer(0, coarse_.surface.faceCount() - 1), random.barycentric()
         };
         const Vec3 normal = coarse_.surface.faceNormal(point.face);
         PolynomialCurve curve{.degree = 3, .coefficients = {base_.position(point)}};
@@ -402,7 +347,7 @@ TEST(BothForms, AgreeOnTheSameShell) {
         Random random(44);
         for (int i = 0; i < 300; ++i) {
             const SurfacePoint point{
-                random.integer(0, built.surface.faceCount() - 1), randomBarycentric(random)
+                random.integer(0, built.surface.faceCount() - 1), random.barycentric()
             };
             const Vec3 from = base->position(point);
             const Vec3 reach = 0.1 * random.point(-1.0, 1.0);

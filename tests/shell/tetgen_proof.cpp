@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -34,6 +35,17 @@ public:
         return triangle;
     }
 
+    [[nodiscard]] double shortestEdge() const {
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const Triangle& triangle : triangles_) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3 edge = point(triangle[k]) - point(triangle[(k + 1) % 3]);
+                shortest = std::min(shortest, edge.norm());
+            }
+        }
+        return shortest;
+    }
+
     [[nodiscard]] std::size_t pointCount() const { return numbers_.size(); }
 
     // TetGen deletes the arrays of its input; these are its own kind.
@@ -58,6 +70,10 @@ public:
     }
 
 private:
+    [[nodiscard]] Vec3 point(int i) const {
+        return Eigen::Map<const Vec3>(coordinates_.data() + 3 * static_cast<std::ptrdiff_t>(i));
+    }
+
     std::map<std::array<double, 3>, int> numbers_;
     std::vector<double> coordinates_;
     std::vector<Triangle> triangles_;
@@ -172,6 +188,15 @@ bool TetgenProof::holds() const {
 std::ostream& operator<<(std::ostream& stream, const TetgenProof& proof) {
     return stream << proof.intersectingFaces << " intersecting faces, error " << proof.error << ", "
                   << proof.tetrahedra << " tetrahedra, volume ratio " << proof.volumeRatio;
+}
+
+double shortestTetgenEdge(
+    const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces
+) {
+    Complex complex;
+    addBoundary(shell, complex);
+    addSurface(base, blockedFaces, complex);
+    return complex.shortestEdge();
 }
 
 TetgenProof proveWithTetgen(

@@ -23,6 +23,15 @@ struct TetgenProof {
 
 std::ostream& operator<<(std::ostream& stream, const TetgenProof& proof);
 
+/// Edges of top, surface, bottom and end walls that are shorter than this are too much for TetGen
+/// 1.5: it merges their ends, or crashes.
+inline constexpr double kLeastTetgenEdge = 1e-6;
+
+/// The shortest of these edges, in the shell's frame.
+[[nodiscard]] double shortestTetgenEdge(
+    const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces
+);
+
 /// Tetrahedralises top, surface (the faces that are not blocked, without ghosts), bottom and the
 /// walls where the shell ends, which TetGen can do only if they meet in common corners and edges
 /// alone. Not in one thread while another one evaluates predicates (surface/predicates.h).

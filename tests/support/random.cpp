@@ -23,6 +23,33 @@ Vec3 Random::point(double low, double high) {
     return {x, y, z};
 }
 
+Vec3 Random::barycentric() {
+    const double a = uniform(0.0, 1.0);
+    const double b = uniform(0.0, 1.0);
+    return a + b < 1.0 ? Vec3(a, b, 1.0 - a - b) : Vec3(1.0 - a, 1.0 - b, a + b - 1.0);
+}
+
+Vec3 Random::awkwardBarycentric() {
+    Vec3 b = barycentric();
+    const int corner = integer(0, 2);
+    switch (integer(0, 4)) {
+        case 0:
+            b[corner] = 0.0;
+            break;
+        case 1:
+            return Vec3::Unit(corner);
+        case 2:
+            b[corner] = 1e-11;
+            break;
+        case 3:
+            b[corner] = 1e4;
+            break;
+        default:
+            break;
+    }
+    return b / b.sum();
+}
+
 Eigen::Isometry3d Random::isometry(double reach) {
     Vec3 axis = point(-1.0, 1.0);
     while (axis.squaredNorm() > 1.0 || axis.squaredNorm() < 0.01) {

@@ -22,6 +22,10 @@ public:
     int integer(int low, int high);
     /// Uniform in the cube [low, high)^3.
     Vec3 point(double low, double high);
+    /// Barycentric coordinates, uniform in the triangle.
+    Vec3 barycentric();
+    /// Barycentric coordinates inside of a triangle, on an edge, in a vertex, or next to them.
+    Vec3 awkwardBarycentric();
     /// A rotation by a random angle about a random axis, then a translation of at most `reach`
     /// along each axis.
     Eigen::Isometry3d isometry(double reach);
