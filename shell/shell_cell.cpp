@@ -4,6 +4,7 @@
 #include "shell/shell_base.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -80,14 +81,19 @@ std::optional<ShellCell> ShellCell::find(const Shell& shell, int tetrahedron, co
     double best = -std::numeric_limits<double>::infinity();
     ShellCell cell;
     cell.setTetrahedron(shell, tetrahedron);
+    const std::array<double, 2> beta = {cell.beta_[0].at(p), cell.beta_[1].at(p)};
     for (int i = 0; i < kTetrahedraPerPrism; ++i) {
         cell.setFoot(shell, cell.prism * kTetrahedraPerPrism + i);
         for (const int candidate : shell.facesOf(cell.prism)) {
-            if (!cell.setFace(shell, candidate)) {
+            // Most faces are elsewhere, which is seen without the whole cell.
+            if (!cell.setFace(shell, candidate) || cell.insideFace(beta) < best) {
                 continue;
             }
             cell.compose();
-            const double inside = cell.insideness(p, kFirstFaceWall);
+            // A prism may list faces beyond its top or bottom, where no wall ends its last foot.
+            const double inside = std::min(
+                cell.insideness(p, kFirstFaceWall), 1.0 - std::abs(cell.surfaceHeight.at(p))
+            );
             if (inside > best) {
                 best = inside;
                 found = cell;
@@ -221,6 +227,15 @@ bool ShellCell::setFace(const Shell& shell, int newFace) {
         chart_.height[i] = rise1 * chart_.barycentric[0][i] + rise2 * chart_.barycentric[1][i];
     }
     return true;
+}
+
+// The least barycentric coordinate in the face of a point of the prism.
+double ShellCell::insideFace(const std::array<double, 2>& beta) const {
+    const double x = beta[0] - chart_.origin[0];
+    const double y = beta[1] - chart_.origin[1];
+    const double b1 = chart_.barycentric[0][0] * x + chart_.barycentric[0][1] * y;
+    const double b2 = chart_.barycentric[1][0] * x + chart_.barycentric[1][1] * y;
+    return std::min({b1, b2, 1.0 - b1 - b2});
 }
 
 // The forms that follow from tetrahedron, foot and face.

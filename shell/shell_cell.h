@@ -98,6 +98,7 @@ private:
     void shadowInOwnPrism(const Shell& shell);
     void setFoot(const Shell& shell, int tetrahedron);
     [[nodiscard]] bool setFace(const Shell& shell, int newFace);
+    [[nodiscard]] double insideFace(const std::array<double, 2>& beta) const;
     void compose();
 
     // Barycentrics of the prism, of slots 1 and 2, at p; with the height they are those of the

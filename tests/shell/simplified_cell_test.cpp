@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -222,6 +223,41 @@ TEST_P(CoarseShells, FindTheFaceUnderAPoint) {
         EXPECT_GE(cell->insideness(p), -1e-10);
         const Vec3 shadow = base_.position({cell->face, cell->shadow(p)});
         EXPECT_LT((shadow - base_.position(point)).norm(), 1e-12);
+    }
+}
+
+// A prism may list faces that miss it, also such that its fibres would meet beyond top or bottom.
+TEST(FacesBeyondTheTop, HaveNoPartInAPrism) {
+    const double height = 0.1;
+    const TriangleMesh sheets = parallelPlates(6, 2.5 * height);
+    const CoarseShell lower(plate(6, 6), plate(2, 2), height);
+    const auto base = std::make_shared<ShellBase>(makeShellBase(Surface(sheets), 3));
+    SurfaceTracks tracks{{0}, {}};
+    std::vector<Pillar> pillars;
+    for (const Pillar& pillar : lower.shell.pillars()) {
+        const auto moved = [&](const Vec3& p) {
+            return base->frame.toUnit(lower.base->frame.toUser(p));
+        };
+        pillars.push_back({moved(pillar.bottom), moved(pillar.middle), moved(pillar.top)});
+    }
+    for (std::size_t i = 0; i < lower.shell.prisms().size(); ++i) {
+        for (int face = 0; face < base->surfaceFaceCount; ++face) {
+            tracks.faces.push_back(face);
+        }
+        tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));
+    }
+    const Shell shell(pillars, lower.shell.prisms(), tracks, base);
+    Random random(45);
+    for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
+        for (int i = 0; i < 20; ++i) {
+            const Vec3 weights = random.barycentric();
+            const Vec3 p = weights[0] * shell.position(tet, 0) +
+                           weights[1] * shell.position(tet, 1) +
+                           0.5 * weights[2] * (shell.position(tet, 2) + shell.position(tet, 3));
+            const std::optional<ShellCell> cell = ShellCell::find(shell, tet, p);
+            ASSERT_TRUE(cell.has_value());
+            EXPECT_NEAR(cell->surfaceHeight.at(p), 0.0, 1e-12) << "tetrahedron " << tet;
+        }
     }
 }
 
