@@ -134,21 +134,25 @@ double firstExitByIsolation(const double* c, int degree, double end) {
     return end;
 }
 
-// Whether a polynomial cannot fall below -kCellTolerance before `end`, by the sum of its terms.
+// Whether a polynomial cannot fall below -tolerance before `end`, by the sum of its terms.
 template <int Degree>
-bool staysInside(const double* c, double end) {
+bool staysInside(const double* c, double end, double tolerance) {
     double higher = 0.0;
     double power = end;
     for (int j = 2; j <= Degree; ++j) {
         power *= end;
         higher += std::abs(c[j]) * power;
     }
-    return c[0] + kCellTolerance + std::min(0.0, c[1] * end) - higher >= 0.0;
+    return c[0] + tolerance + std::min(0.0, c[1] * end) - higher >= 0.0;
 }
 
 template <int Degree>
 CellExit firstExitOfDegree(
-    const ShellCell& cell, const PolynomialCurve& curve, double end, unsigned ignoredWalls
+    const ShellCell& cell,
+    const PolynomialCurve& curve,
+    double end,
+    unsigned ignoredWalls,
+    double tolerance
 ) {
     // The curve by axes and the walls along it, coefficients side by side in an even number, so
     // that two are computed at once.
@@ -179,10 +183,10 @@ CellExit firstExitOfDegree(
         const int k = nearest + i < cell.wallCount ? nearest + i : nearest + i - cell.wallCount;
         const Coefficients& wall = walls[static_cast<std::size_t>(k)];
         if ((ignoredWalls >> static_cast<unsigned>(k) & 1U) != 0 ||
-            staysInside<Degree>(wall.data(), exit.s)) {
+            staysInside<Degree>(wall.data(), exit.s, tolerance)) {
             continue;
         }
-        const double candidate = firstExit(wall.data(), Degree, exit.s);
+        const double candidate = firstExit(wall.data(), Degree, exit.s, tolerance);
         if (candidate < exit.s) {
             exit = {candidate, k};
         }
@@ -192,12 +196,16 @@ CellExit firstExitOfDegree(
 
 // The same for a straight line, where a division per wall that is met is enough.
 CellExit firstExitOfLine(
-    const ShellCell& cell, const PolynomialCurve& curve, double end, unsigned ignoredWalls
+    const ShellCell& cell,
+    const PolynomialCurve& curve,
+    double end,
+    unsigned ignoredWalls,
+    double tolerance
 ) {
     CellExit exit{end, -1};
     for (int k = 0; k < cell.wallCount; ++k) {
         const AffineForm& form = cell.walls[static_cast<std::size_t>(k)];
-        const double value = form.at(curve.coefficients[0]) + kCellTolerance;
+        const double value = form.at(curve.coefficients[0]) + tolerance;
         const double slope = form.gradient.dot(curve.coefficients[1]);
         if (value + std::min(0.0, slope * exit.s) < 0.0 &&
             (ignoredWalls >> static_cast<unsigned>(k) & 1U) == 0) {
@@ -220,10 +228,18 @@ PolynomialCurve PolynomialCurve::shifted(double origin) const {
     return result;
 }
 
-double firstExit(const double* coefficients, int degree, double end) {
+double TraceState::tolerance() const {
+    constexpr int kPatience = 16;
+    constexpr double kMaxGrowth = 1e4;
+    return stalled < kPatience
+               ? kCellTolerance
+               : kCellTolerance * std::min(std::pow(10.0, stalled / kPatience), kMaxGrowth);
+}
+
+double firstExit(const double* coefficients, int degree, double end, double tolerance) {
     std::array<double, kMaxPolynomialDegree + 1> c{};
     std::copy(coefficients, coefficients + degree + 1, c.begin());
-    c[0] += kCellTolerance;
+    c[0] += tolerance;
     const HigherTerms whole = boundHigherTerms(c.data(), degree, end);
     if (c[0] + std::min(0.0, c[1] * end) - whole.value >= 0.0) {
         return end;
@@ -251,17 +267,21 @@ double firstExit(const double* coefficients, int degree, double end) {
 }
 
 CellExit firstExitOf(
-    const ShellCell& cell, const PolynomialCurve& curve, double end, unsigned ignoredWalls
+    const ShellCell& cell,
+    const PolynomialCurve& curve,
+    double end,
+    unsigned ignoredWalls,
+    double tolerance
 ) {
     switch (curve.degree) {
         case 1:
-            return firstExitOfLine(cell, curve, end, ignoredWalls);
+            return firstExitOfLine(cell, curve, end, ignoredWalls, tolerance);
         case 2:
-            return firstExitOfDegree<2>(cell, curve, end, ignoredWalls);
+            return firstExitOfDegree<2>(cell, curve, end, ignoredWalls, tolerance);
         case 3:
-            return firstExitOfDegree<3>(cell, curve, end, ignoredWalls);
+            return firstExitOfDegree<3>(cell, curve, end, ignoredWalls, tolerance);
         default:
-            return firstExitOfDegree<4>(cell, curve, end, ignoredWalls);
+            return firstExitOfDegree<4>(cell, curve, end, ignoredWalls, tolerance);
     }
 }
 

@@ -52,6 +52,10 @@ struct TraceState {
     ShellCell cell;
     /// Crossings of the shell without progress in s, to bound walks around a vertex.
     int stalled = 0;
+
+    /// That of cells; more where a walk stalls, because cells thinner than 1e-4 of the diagonal
+    /// round more, so that each of two neighbours may hand a point to the other.
+    [[nodiscard]] double tolerance() const;
 };
 
 /// A cell holds points whose wall forms are above minus this: rounding of the affine maps of a cell
@@ -61,7 +65,9 @@ inline constexpr double kCellTolerance = 1e-10;
 /// First parameter in (0, end] where p(s) + tolerance changes from non-negative to negative; `end`
 /// if there is none. p is given by coefficients up to `degree`; 0 where p(0) + tolerance is
 /// negative already.
-[[nodiscard]] double firstExit(const double* coefficients, int degree, double end);
+[[nodiscard]] double firstExit(
+    const double* coefficients, int degree, double end, double tolerance = kCellTolerance
+);
 
 /// Where a curve leaves a cell.
 struct CellExit {
@@ -72,7 +78,11 @@ struct CellExit {
 /// First exit of a curve from a cell in [0, end]; s = 0 where it is outside already. Bit k of
 /// `ignoredWalls` leaves wall k out.
 [[nodiscard]] CellExit firstExitOf(
-    const ShellCell& cell, const PolynomialCurve& curve, double end, unsigned ignoredWalls
+    const ShellCell& cell,
+    const PolynomialCurve& curve,
+    double end,
+    unsigned ignoredWalls,
+    double tolerance = kCellTolerance
 );
 
 /// Cuts p(s), s in [0, end], exactly where it passes from one cell into the next, starting in
@@ -103,8 +113,9 @@ bool tracePolynomial(
         return inside;
     };
     while (true) {
-        const CellExit exit =
-            firstExitOf(*here, s == 0.0 ? curve : curve.shifted(s), end - s, ignoredWalls);
+        const CellExit exit = firstExitOf(
+            *here, s == 0.0 ? curve : curve.shifted(s), end - s, ignoredWalls, state.tolerance()
+        );
         const double next = exit.wall < 0 ? end : s + exit.s;
         if (next > s) {
             onPiece(std::as_const(*here), s, next);
