@@ -36,8 +36,10 @@ struct ShellCheck {
     /// Every tetrahedron of the split has positive volume. Ids: tetrahedra.
     InvariantCheck positiveTetrahedra{.name = "positive tetrahedra", .firstIds = {}};
     /// The boundary of the shell (top, bottom, and the walls where it ends) meets itself nowhere
-    /// but in shared corners and edges. With positive tetrahedra each component of the shell is
-    /// then embedded: a point has one prism at most. Ids: the prisms of each pair, in turn.
+    /// but in shared corners and edges, and just one closed part of it looks outwards in each
+    /// component: no bottom has turned inside out. With positive tetrahedra each component of the
+    /// shell is then embedded: a point has one prism at most. Ids: the prisms of each pair, in
+    /// turn.
     InvariantCheck separateLayers{.name = "separate layers", .firstIds = {}};
     /// No component of the shell lies inside of another one. Ids: a pillar of the inner component
     /// and the prism that holds it, in turn.

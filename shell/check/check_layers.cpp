@@ -3,7 +3,10 @@
 #include "shell/check/checked_shell.h"
 #include "surface/self_intersection.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -98,6 +101,76 @@ bool prismAgrees(const CheckedShell& shell, int i) {
     return true;
 }
 
+DisjointSets componentsOf(const CheckedShell& shell) {
+    DisjointSets sets(at(shell.prismCount()));
+    shell.forEachFace([&](std::size_t first, std::size_t count) {
+        for (std::size_t i = 1; i < count; ++i) {
+            sets.unite(
+                shell.faces()[first].tet / kTetrahedraPerPrism,
+                shell.faces()[first + i].tet / kTetrahedraPerPrism
+            );
+        }
+    });
+    return sets;
+}
+
+// A closed part of the boundary: six times the volume that it encloses, positive where it looks
+// outwards, with the sum of the sizes of its terms, and a prism of it.
+struct BoundaryPart {
+    double volume = 0.0, magnitude = 0.0;
+    int terms = 0, prism = -1;
+
+    // Certain, but for parts that enclose nothing.
+    [[nodiscard]] bool looksOutwards() const {
+        constexpr double kUlp = 0x1p-52;
+        return volume > -(terms + 16) * kUlp * magnitude;
+    }
+};
+
+std::map<int, BoundaryPart> boundaryParts(
+    const CheckedShell& shell, const std::vector<TetFace>& boundary
+) {
+    DisjointSets sets(shell.points().size());
+    for (const TetFace& face : boundary) {
+        sets.unite(face.points[0], face.points[1]);
+        sets.unite(face.points[0], face.points[2]);
+    }
+    std::map<int, BoundaryPart> parts;
+    for (const TetFace& face : boundary) {
+        const int first = sets.find(face.points[0]);
+        const Vec3& origin = shell.point(first);
+        const Vec3 a = shell.point(face.points[0]) - origin;
+        const Vec3 b = shell.point(face.points[1]) - origin;
+        const Vec3 c = shell.point(face.points[2]) - origin;
+        const int inside = shell.tetPoints(face.tet)[at(face.k)];
+        const int side = shell.volumeSign({face.points[0], face.points[1], face.points[2], inside});
+        BoundaryPart& part = parts[first];
+        part.volume -= side * a.dot(b.cross(c));
+        part.magnitude += a.norm() * b.norm() * c.norm();
+        ++part.terms;
+        part.prism = face.tet / kTetrahedraPerPrism;
+    }
+    return parts;
+}
+
+// Two parts that look outwards lie in each other, or one would not reach the other: a bottom that
+// turned inside out, whose prisms overlap there.
+void checkOrientation(
+    const CheckedShell& shell, const std::vector<TetFace>& boundary, Violations violations
+) {
+    DisjointSets components = componentsOf(shell);
+    std::map<int, int> outerPrisms;
+    for (const auto& [point, part] : boundaryParts(shell, boundary)) {
+        if (part.looksOutwards()) {
+            const auto [outer, isFirst] =
+                outerPrisms.try_emplace(components.find(part.prism), part.prism);
+            if (!isFirst) {
+                violations.add({outer->second, part.prism});
+            }
+        }
+    }
+}
+
 }  // namespace
 
 void checkTetrahedra(const CheckedShell& shell, Violations violations) {
@@ -112,27 +185,21 @@ void checkTetrahedra(const CheckedShell& shell, Violations violations) {
 void checkLayers(const CheckedShell& shell, Violations violations) {
     std::vector<Triangle> triangles;
     std::vector<int> prisms;
-    for (const TetFace& face : shell.boundary()) {
+    const std::vector<TetFace> boundary = shell.boundary();
+    for (const TetFace& face : boundary) {
         triangles.push_back(face.points);
         prisms.push_back(face.tet / kTetrahedraPerPrism);
     }
     for (const auto& [i, j] : findSelfIntersections(shell.points(), triangles)) {
         violations.add({prisms[at(i)], prisms[at(j)]});
     }
+    checkOrientation(shell, boundary, violations);
 }
 
 // One point of each component must not lie in another one: with separate layers that stands for
 // all.
 void checkComponents(const CheckedShell& shell, Violations violations) {
-    DisjointSets sets(at(shell.prismCount()));
-    shell.forEachFace([&](std::size_t first, std::size_t count) {
-        for (std::size_t i = 1; i < count; ++i) {
-            sets.unite(
-                shell.faces()[first].tet / kTetrahedraPerPrism,
-                shell.faces()[first + i].tet / kTetrahedraPerPrism
-            );
-        }
-    });
+    DisjointSets sets = componentsOf(shell);
 
     struct Query {
         double x;

@@ -2,6 +2,7 @@
 #include "shell/check_shell.h"
 
 #include "built_shell.h"
+#include "support/coarse_shell.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -180,6 +181,52 @@ TEST(CheckShell, FindsATipThroughTheOppositeSheet) {
     EXPECT_FALSE(result.separateLayers.holds);
     EXPECT_TRUE(result.positiveTetrahedra.holds);
     EXPECT_TRUE(result.transversalSurface.holds);
+}
+
+// Nothing crosses, every tetrahedron is positive, and yet two prisms hold the middle.
+TEST(CheckShell, FindsABottomThatTurnedInsideOut) {
+    const std::vector<Pillar> pillars = {
+        {{0.36, 0.18, -0.01}, {-0.42, -0.3, 0.02}, {-0.77, -0.52, 0.04}},
+        {{0, -0.08, -0.06}, {0.25, -0.34, -0.25}, {0.97, -1.09, -0.8}},
+        {{-0.08, 0.02, 0.01}, {-0.42, 0.09, -0.17}, {-0.56, 0.12, -0.25}},
+        {{-0.04, -0.06, -0.08}, {-0.16, -0.13, -0.46}, {-0.49, -0.34, -1.58}},
+        {{-0.04, -0.06, 0.04}, {-0.12, -0.01, 0.44}, {-0.21, 0.04, 0.92}},
+        {{-0.13, 0.05, 0.03}, {-0.34, 0.26, 0.12}, {-0.4, 0.33, 0.14}},
+        {{-0.02, 0, 0.01}, {-0.09, 0.4, 0}, {-0.2, 1.01, -0.01}},
+        {{-0.03, -0.1, 0.05}, {0.21, -0.35, 0.26}, {0.9, -1.09, 0.88}},
+        {{0.01, 0.04, 0}, {0.34, 0.24, -0.05}, {1.35, 0.84, -0.2}}
+    };
+    TriangleMesh middle{
+        .vertices = {},
+        .faces = {
+            {0, 2, 3},
+            {1, 3, 8},
+            {0, 5, 2},
+            {4, 8, 6},
+            {2, 6, 3},
+            {0, 3, 1},
+            {4, 6, 5},
+            {0, 1, 7},
+            {0, 7, 4},
+            {0, 4, 5},
+            {4, 7, 8},
+            {2, 5, 6},
+            {1, 8, 7},
+            {3, 6, 8}
+        }
+    };
+    for (const Pillar& pillar : pillars) {
+        middle.vertices.push_back(pillar.middle);
+    }
+    const Surface surface(middle);
+    const ShellCheck result = checkShell(
+        surface,
+        makeShellBase(surface, 0),
+        Shell(pillars, prismsOver(surface), surface.faceCount()),
+        {}
+    );
+    EXPECT_TRUE(result.positiveTetrahedra.holds);
+    EXPECT_EQ(result.separateLayers.violations, 1);
 }
 
 TEST(CheckShell, FindsAComponentInsideOfAnother) {
