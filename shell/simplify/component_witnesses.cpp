@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/component_witnesses.h"
 
+#include "shell/simplify/prism_components.h"
 #include "surface/predicates.h"
 
 #include <algorithm>
@@ -13,37 +14,6 @@ namespace {
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
-}
-
-// Component of each prism, -1 where blocked, and a prism of each.
-struct Components {
-    std::vector<int> componentOf, first;
-};
-
-Components findComponents(const std::vector<Prism>& prisms) {
-    Components result;
-    result.componentOf.assign(prisms.size(), -1);
-    std::vector<int> pending;
-    for (int start = 0; start < static_cast<int>(prisms.size()); ++start) {
-        if (prisms[at(start)].orientation == 0 || result.componentOf[at(start)] >= 0) {
-            continue;
-        }
-        const int component = static_cast<int>(result.first.size());
-        result.first.push_back(start);
-        result.componentOf[at(start)] = component;
-        pending.assign(1, start);
-        while (!pending.empty()) {
-            const int prism = pending.back();
-            pending.pop_back();
-            for (const int there : prisms[at(prism)].neighbours) {
-                if (there >= 0 && result.componentOf[at(there)] < 0) {
-                    result.componentOf[at(there)] = component;
-                    pending.push_back(there);
-                }
-            }
-        }
-    }
-    return result;
 }
 
 // Whether a closed tetrahedron of positive (or, with -1, negative) orientation holds a point.
@@ -81,7 +51,7 @@ bool holds(const PrismComplex& complex, const Triangle& pillars, const Vec3& poi
 }  // namespace
 
 ComponentWitnesses::ComponentWitnesses(const TrackedSurface& surface, const Shell& start) {
-    Components components = findComponents(start.prisms());
+    PrismComponents components = findComponents(start.prisms());
     if (components.first.size() < 2) {
         return;
     }

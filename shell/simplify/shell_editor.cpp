@@ -42,7 +42,8 @@ ShellEditor::ShellEditor(const TrackedSurface& surface, const Shell& start)
       complex_(static_cast<int>(start.pillars().size())),
       test_(surface, complex_),
       grid_(complex_, endWallsOf(start)),
-      witnesses_(surface, start) {
+      witnesses_(surface, start),
+      volumes_(start) {
     const std::size_t pillarCount = start.pillars().size();
     complex_.points.reserve(3 * pillarCount);
     for (const Pillar& pillar : start.pillars()) {
@@ -55,7 +56,7 @@ ShellEditor::ShellEditor(const TrackedSurface& surface, const Shell& start)
         if (prism.orientation == 0) {
             continue;
         }
-        complex_.addPrism(surface.base.faces[at(f)], {&f, 1});
+        volumes_.enter(complex_, complex_.addPrism(surface.base.faces[at(f)], {&f, 1}), f);
         for (std::size_t slot = 0; slot < 3; ++slot) {
             if (prism.neighbours[slot] < 0) {
                 isFrozen_[at(prism.pillars[(slot + 1) % 3])] = 1;
@@ -98,7 +99,8 @@ bool ShellEditor::replace() {
     gatherFaces();
     // All faces that meet a patch belong to its component.
     if (!test_.accepts(fresh, faces_) || grid_.collides(fresh, old) ||
-        witnesses_.areHeld(complex_, fresh, faces_.empty() ? -1 : faces_.front())) {
+        witnesses_.areHeld(complex_, fresh, faces_.empty() ? -1 : faces_.front()) ||
+        !volumes_.replace(complex_, fresh, old)) {
         return false;
     }
     for (const int prism : old) {
@@ -106,7 +108,9 @@ bool ShellEditor::replace() {
     }
     ++time_;
     for (std::size_t i = 0; i < fresh.size(); ++i) {
-        grid_.insert(complex_.addPrism(fresh[i], test_.tracked(i)));
+        const int prism = complex_.addPrism(fresh[i], test_.tracked(i));
+        grid_.insert(prism);
+        volumes_.setId(prism, i);
         for (const int pillar : fresh[i]) {
             changed_[at(pillar)] = time_;
         }

@@ -4,6 +4,7 @@
 #include "shell/shell.h"
 #include "shell/simplify/component_witnesses.h"
 #include "shell/simplify/layer_grid.h"
+#include "shell/simplify/layer_volumes.h"
 #include "shell/simplify/patch_test.h"
 #include "shell/simplify/prism_complex.h"
 #include "shell/simplify/tracked_surface.h"
@@ -101,6 +102,7 @@ private:
     PatchTest test_;
     LayerGrid grid_;
     ComponentWitnesses witnesses_;
+    LayerVolumes volumes_;
     std::vector<char> isFrozen_;
     std::vector<int> faces_;       // that meet `old`, after gatherFaces()
     std::vector<int> faceStamps_;  // of the last gatherFaces() that met a face

@@ -19,7 +19,7 @@ namespace {
 
 using namespace test_support;
 
-constexpr int kMeshesPerKind = caseCount(8, 2);
+constexpr int kMeshesPerKind = caseCount(6, 2);
 
 ShellOptions randomOptions(Random& random) {
     return {
@@ -29,23 +29,29 @@ ShellOptions randomOptions(Random& random) {
     };
 }
 
+enum class Proof { Given, TooHardForTetgen };
+
+Proof expectValidShell(RandomKind kind, std::uint64_t seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const SimplifiedShell simplified(randomMesh(kind, seed), randomOptions(random));
+    const ShellCheck check = simplified.check();
+    EXPECT_TRUE(check.passed()) << describe(check);
+    const std::vector<int>& blocked = simplified.build.report.blockedFaces;
+    if (shortestTetgenEdge(simplified.shell(), *simplified.base, blocked) < kLeastTetgenEdge) {
+        return Proof::TooHardForTetgen;
+    }
+    const TetgenProof proof = proveWithTetgen(simplified.shell(), *simplified.base, blocked);
+    EXPECT_TRUE(proof.holds()) << proof;
+    return Proof::Given;
+}
+
 class SimplifiedRandomMesh : public testing::TestWithParam<RandomKind> {};
 
 TEST_P(SimplifiedRandomMesh, HoldsEveryInvariant) {
     int proven = 0;
     for (std::uint64_t seed = 1; seed <= kMeshesPerKind; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
-        const SimplifiedShell simplified(randomMesh(GetParam(), seed), randomOptions(random));
-        const ShellCheck check = simplified.check();
-        EXPECT_TRUE(check.passed()) << describe(check);
-        const std::vector<int>& blocked = simplified.build.report.blockedFaces;
-        if (shortestTetgenEdge(simplified.shell(), *simplified.base, blocked) >= kLeastTetgenEdge) {
-            const TetgenProof proof =
-                proveWithTetgen(simplified.shell(), *simplified.base, blocked);
-            EXPECT_TRUE(proof.holds()) << proof;
-            ++proven;
-        }
+        proven += static_cast<int>(expectValidShell(GetParam(), seed) == Proof::Given);
     }
     EXPECT_GE(2 * proven, kMeshesPerKind);
 }
@@ -55,6 +61,11 @@ INSTANTIATE_TEST_SUITE_P(
         return nameOf(instance.param);
     }
 );
+
+// A small torus whose bottom could leap through itself.
+TEST(SimplifiedTorus, KeepsItsBottomRightSideOut) {
+    EXPECT_EQ(expectValidShell(RandomKind::SeveralPieces, 41), Proof::Given);
+}
 
 }  // namespace
 }  // namespace bspline_curve
