@@ -56,6 +56,16 @@ std::vector<int> facesNear(
         }
         sortUnique(faces);
     }
+    // What a ghost leads to, its neighbour 2 or that one's, holds the shadows of its points.
+    const std::size_t count = faces.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        int face = faces[i];
+        while (face >= whole.surfaceFaceCount) {
+            face = whole.faceNeighbours[at(face)][2];
+            faces.push_back(face);
+        }
+    }
+    sortUnique(faces);
     return faces;
 }
 
