@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a field does to a curve.
 #include "curve_checks.h"
+#include "either_shell.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ double meanAlong(
 }
 
 // A plate [0, 2 pi] x [-2, 2] with a valley along y = a sin x.
-class Valley : public testing::Test {
+class Valley : public EitherShell {
 protected:
     static TriangleMesh makeMesh() {
         TriangleMesh mesh = plate(60, 40, 2.0 * std::numbers::pi, 4.0);
@@ -58,13 +59,13 @@ protected:
     }
 
     TriangleMesh mesh_ = makeMesh();
-    CurveDesigner designer_{mesh_};
+    CurveDesigner designer_ = designerOn(mesh_);
     std::vector<double> field_ =
         sampled(mesh_, [](const Vec3& v) { return std::pow(v.y() - std::sin(v.x()), 2.0); });
     std::vector<Vec3> picks_ = {{0.15, 0, 0}, {std::numbers::pi, 0, 0}, {6.1, 0, 0}};
 };
 
-TEST_F(Valley, GrowingWeightPullsTheCurveIn) {
+TEST_P(Valley, GrowingWeightPullsTheCurveIn) {
     double before = 1e300;
     for (const double mu : {0.0, 0.1, 1.0, 10.0, 100.0, 1000.0}) {
         SolverOptions options;
@@ -80,7 +81,7 @@ TEST_F(Valley, GrowingWeightPullsTheCurveIn) {
     EXPECT_LT(before, 0.02);
 }
 
-TEST_F(Valley, WithoutWeightTheFieldChangesNothing) {
+TEST_P(Valley, WithoutWeightTheFieldChangesNothing) {
     SolverOptions options;
     options.fieldWeight = 0.0;
     const Curve with = designer_.design(picks_, options, {}, field_);
@@ -89,18 +90,18 @@ TEST_F(Valley, WithoutWeightTheFieldChangesNothing) {
 }
 
 // Only differences of a field matter where c(x) = x; also below zero.
-class FieldOnASphere : public testing::Test {
+class FieldOnASphere : public EitherShell {
 protected:
     [[nodiscard]] Curve curveWith(const std::function<double(const Vec3&)>& field) const {
         return designer_.design(picks_, {}, {}, sampled(mesh_, field));
     }
 
     TriangleMesh mesh_ = withNoise(icosphere(3), 0.01, 23);
-    CurveDesigner designer_{mesh_};
+    CurveDesigner designer_ = designerOn(mesh_);
     std::vector<Vec3> picks_ = {mesh_.vertices[5], mesh_.vertices[100], mesh_.vertices[400]};
 };
 
-TEST_F(FieldOnASphere, ConstantFieldsChangeNothing) {
+TEST_P(FieldOnASphere, ConstantFieldsChangeNothing) {
     const Curve reference = designer_.design(picks_);
     for (const double constant : {0.0, 1.0, 1000.0, -1000.0}) {
         const Curve curve = curveWith([&](const Vec3&) { return constant; });
@@ -110,7 +111,7 @@ TEST_F(FieldOnASphere, ConstantFieldsChangeNothing) {
     }
 }
 
-TEST_F(FieldOnASphere, ConstantsAddedToTheFieldChangeNothing) {
+TEST_P(FieldOnASphere, ConstantsAddedToTheFieldChangeNothing) {
     const auto height = [](const Vec3& v) { return v.z(); };
     const Curve reference = curveWith(height);
     const double epsilon = 0.1 * designer_.surface().averageEdgeLength();
@@ -122,6 +123,9 @@ TEST_F(FieldOnASphere, ConstantsAddedToTheFieldChangeNothing) {
             << reference.report.knotsLast << " knots, " << name(curve.report.status);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Shells, Valley, kEitherShell, nameOfShell);
+INSTANTIATE_TEST_SUITE_P(Shells, FieldOnASphere, kEitherShell, nameOfShell);
 
 }  // namespace
 }  // namespace bspline_curve

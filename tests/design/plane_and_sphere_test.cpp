@@ -3,6 +3,7 @@
 // on a sphere.
 #include "cubic_interpolation.h"
 #include "curve_checks.h"
+#include "either_shell.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <tuple>
 
 namespace bspline_curve {
 namespace {
@@ -36,16 +38,17 @@ double largestDifference(const SplineData& spline, const CubicInterpolation& exp
     return largest;
 }
 
-class Plates : public testing::TestWithParam<std::string> {
+class Plates : public testing::TestWithParam<std::tuple<ShellKind, std::string>> {
 protected:
     [[nodiscard]] static CurveDesigner designer() {
-        if (GetParam() == "Coarse") {
-            return CurveDesigner(plate(5, 7));
+        const auto& [kind, mesh] = GetParam();
+        if (mesh == "Coarse") {
+            return designerIn(kind, plate(5, 7));
         }
-        if (GetParam() == "Fine") {
-            return CurveDesigner(plate(40, 40));
+        if (mesh == "Fine") {
+            return designerIn(kind, plate(40, 40));
         }
-        return CurveDesigner(jitteredPlate(20, 20, 0.25, 5));
+        return designerIn(kind, jitteredPlate(20, 20, 0.25, 5));
     }
 };
 
@@ -117,8 +120,11 @@ TEST_P(Plates, ClosedCurvesWithFullTensionAreSegments) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    All, Plates, testing::Values("Coarse", "Fine", "Jittered"), [](const auto& testInfo) {
-        return testInfo.param;
+    All,
+    Plates,
+    testing::Combine(kEitherShell, testing::Values("Coarse", "Fine", "Jittered")),
+    [](const auto& instance) {
+        return std::get<1>(instance.param) + nameOf(std::get<0>(instance.param));
     }
 );
 
@@ -127,9 +133,11 @@ double angleToGreatCircle(const Vec3& p, const Vec3& a, const Vec3& b) {
     return std::abs(std::asin(p.normalized().dot(a.cross(b).normalized())));
 }
 
+class Spheres : public EitherShell {};
+
 // A spline rounds the corner at a pick, as on the plane: the same 1 % of the pick distance. Between
 // picks, polyhedron and sphere differ by far less (sagitta: 1e-3 at 4 subdivisions).
-TEST(Spheres, CurvesWithFullTensionAreGreatCircles) {
+TEST_P(Spheres, CurvesWithFullTensionAreGreatCircles) {
     const std::vector<Vec3> picks = {
         Vec3(1, 0.1, 0.05).normalized(),
         Vec3(0.1, 1, 0.3).normalized(),
@@ -137,7 +145,7 @@ TEST(Spheres, CurvesWithFullTensionAreGreatCircles) {
         Vec3(-0.4, -1, 0.6).normalized()
     };
     for (const int subdivisions : {4, 5}) {
-        const CurveDesigner sphere(icosphere(subdivisions));
+        const CurveDesigner sphere = designerOn(icosphere(subdivisions));
         SolverOptions options;
         options.tension = 1.0;
         const Curve curve = sphere.design(picks, options);
@@ -158,9 +166,9 @@ TEST(Spheres, CurvesWithFullTensionAreGreatCircles) {
 }
 
 // By symmetry a smooth curve through points of one great circle is that circle.
-TEST(Spheres, ClosedCurvesThroughAGreatCircleAreThatCircle) {
+TEST_P(Spheres, ClosedCurvesThroughAGreatCircleAreThatCircle) {
     Random random(3);
-    const CurveDesigner sphere(icosphere(4));
+    const CurveDesigner sphere = designerOn(icosphere(4));
     const Eigen::Quaterniond turn(random.isometry(0.0).rotation());
     std::vector<Vec3> picks;
     for (const double angle : {0.1, 1.3, 2.9, 4.0, 5.2}) {
@@ -176,6 +184,8 @@ TEST(Spheres, ClosedCurvesThroughAGreatCircleAreThatCircle) {
     }
     EXPECT_NEAR(length(curve.polyline), 2.0 * std::numbers::pi, 0.01);
 }
+
+INSTANTIATE_TEST_SUITE_P(Shells, Spheres, kEitherShell, nameOfShell);
 
 }  // namespace
 }  // namespace bspline_curve

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The strict polyline: as fine as asked, and the same curve at every sampling.
 #include "curve_checks.h"
+#include "either_shell.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -8,17 +9,18 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 namespace bspline_curve {
 namespace {
 
 using namespace test_support;
 
-class Sampling : public testing::TestWithParam<bool> {
+class Sampling : public testing::TestWithParam<std::tuple<ShellKind, bool>> {
 protected:
     static SolverOptions options() {
         SolverOptions result;
-        result.closed = GetParam();
+        result.closed = std::get<1>(GetParam());
         return result;
     }
 
@@ -34,7 +36,7 @@ protected:
     }
 
     TriangleMesh mesh_ = withNoise(icosphere(3), 0.01, 29);
-    CurveDesigner designer_{mesh_};
+    CurveDesigner designer_ = designerIn(std::get<0>(GetParam()), mesh_);
     std::vector<Vec3> picks_ = {mesh_.vertices[5], mesh_.vertices[100], mesh_.vertices[400]};
     Curve curve_ = designer_.design(picks_, options());
 };
@@ -127,7 +129,15 @@ TEST_P(Sampling, PicksAreVerticesOfEverySampling) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OpenAndClosed, Sampling, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(
+    OpenAndClosed,
+    Sampling,
+    testing::Combine(kEitherShell, testing::Bool()),
+    [](const auto& instance) {
+        return (std::get<1>(instance.param) ? "Closed" : "Open") +
+               nameOf(std::get<0>(instance.param));
+    }
+);
 
 }  // namespace
 }  // namespace bspline_curve

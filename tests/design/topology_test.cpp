@@ -2,6 +2,7 @@
 // Curves that cross themselves, run over sharp edges, round handles, through many or crowded picks:
 // always one chain.
 #include "curve_checks.h"
+#include "either_shell.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -12,6 +13,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <tuple>
 
 namespace bspline_curve {
 namespace {
@@ -20,16 +22,18 @@ using namespace test_support;
 
 const std::vector<Vec3> kEight = {{0.2, 0.2, 0}, {0.8, 0.8, 0}, {0.8, 0.2, 0}, {0.2, 0.8, 0}};
 
-TEST(Topology, CurvesMayCrossThemselves) {
-    const CurveDesigner designer(plate(20, 20));
+class Topology : public EitherShell {};
+
+TEST_P(Topology, CurvesMayCrossThemselves) {
+    const CurveDesigner designer = designerOn(plate(20, 20));
     static_cast<void>(goodCurve(designer, kEight));
     const Curve closed = goodCurve(designer, kEight, closedOptions());
     EXPECT_NEAR(turnsAboutZ(closed.polyline, Vec3(0.8, 0.5, 0)), -1.0, 1e-9);
     EXPECT_NEAR(turnsAboutZ(closed.polyline, Vec3(0.2, 0.5, 0)), 1.0, 1e-9);
 }
 
-TEST(Topology, CurvesMayPassTheSameFaceTwice) {
-    const CurveDesigner designer(plate(3, 3));
+TEST_P(Topology, CurvesMayPassTheSameFaceTwice) {
+    const CurveDesigner designer = designerOn(plate(3, 3));
     const Curve curve = goodCurve(designer, kEight);
     // Count the visits: runs of segments in one face.
     std::map<int, int> visits;
@@ -45,16 +49,16 @@ TEST(Topology, CurvesMayPassTheSameFaceTwice) {
     }));
 }
 
-TEST(Topology, CurvesMayCrossThemselvesAtAPick) {
-    const CurveDesigner designer(plate(12, 12));
+TEST_P(Topology, CurvesMayCrossThemselvesAtAPick) {
+    const CurveDesigner designer = designerOn(plate(12, 12));
     const std::vector<Vec3> picks = {
         {0.2, 0.3, 0}, {0.5, 0.5, 0}, {0.8, 0.7, 0}, {0.8, 0.3, 0}, {0.5, 0.5, 0}, {0.2, 0.7, 0}
     };
     static_cast<void>(goodCurve(designer, picks));
 }
 
-TEST(Topology, CurvesRunOverSharpEdgesAndCorners) {
-    const CurveDesigner designer(box(8));
+TEST_P(Topology, CurvesRunOverSharpEdgesAndCorners) {
+    const CurveDesigner designer = designerOn(box(8));
     static_cast<void>(goodCurve(designer, {{0.5, 0.3, 1}, {1, 0.6, 0.5}}));
     static_cast<void>(goodCurve(designer, {{0.5, 0.3, 1}, {0.7, 0.8, 1}, {1, 0.6, 0.3}}));
     // Over the corner (1, 1, 1), and round the whole box.
@@ -65,8 +69,8 @@ TEST(Topology, CurvesRunOverSharpEdgesAndCorners) {
     EXPECT_NEAR(turnsAboutZ(round.polyline, Vec3(0.5, 0.5, 0)), 1.0, 1e-9);
 }
 
-TEST(Topology, CurvesRunAlongSharpEdges) {
-    const CurveDesigner designer(box(8));
+TEST_P(Topology, CurvesRunAlongSharpEdges) {
+    const CurveDesigner designer = designerOn(box(8));
     static_cast<void>(goodCurve(designer, {{0.1, 0.98, 1}, {0.5, 1, 0.97}, {0.9, 0.99, 1}}));
     static_cast<void>(goodCurve(designer, {{0.1, 1, 1}, {0.52, 1, 1}, {0.9, 1, 1}}));
 }
@@ -77,8 +81,8 @@ Vec3 onTorusMesh(int majorSegments, int minorSegments, int i, int j) {
     return mesh.vertices[static_cast<std::size_t>(index)];
 }
 
-TEST(Topology, ClosedCurvesGoRoundAHandleEitherWay) {
-    const CurveDesigner designer(torus(40, 16));
+TEST_P(Topology, ClosedCurvesGoRoundAHandleEitherWay) {
+    const CurveDesigner designer = designerOn(torus(40, 16));
     std::vector<Vec3> longWay;
     for (const int i : {0, 9, 21, 30}) {
         longWay.push_back(onTorusMesh(40, 16, i, i % 5));
@@ -95,8 +99,8 @@ TEST(Topology, ClosedCurvesGoRoundAHandleEitherWay) {
     EXPECT_GT(length(meridian.polyline), 1.8 * std::numbers::pi * 0.3);
 }
 
-TEST(Topology, ClosedCurvesGoRoundACylinder) {
-    const CurveDesigner designer(openCylinder(24, 12));
+TEST_P(Topology, ClosedCurvesGoRoundACylinder) {
+    const CurveDesigner designer = designerOn(openCylinder(24, 12));
     const TriangleMesh mesh = openCylinder(24, 12);
     std::vector<Vec3> picks;
     for (const auto& [i, j] : {std::pair{0, 5}, {7, 7}, {13, 4}, {19, 6}}) {
@@ -106,9 +110,9 @@ TEST(Topology, ClosedCurvesGoRoundACylinder) {
     EXPECT_NEAR(turnsAboutZ(curve.polyline), 1.0, 1e-9);
 }
 
-TEST(Topology, PicksMayLieOnVerticesAndEdges) {
+TEST_P(Topology, PicksMayLieOnVerticesAndEdges) {
     const TriangleMesh mesh = withNoise(icosphere(3), 0.01, 31);
-    const CurveDesigner designer(mesh);
+    const CurveDesigner designer = designerOn(mesh);
     const auto vertex = [&](int face, std::size_t k) {
         const Triangle& corners = mesh.faces[static_cast<std::size_t>(face)];
         return mesh.vertices[static_cast<std::size_t>(corners[k])];
@@ -125,15 +129,15 @@ TEST(Topology, PicksMayLieOnVerticesAndEdges) {
     static_cast<void>(goodCurve(designer, edges, closedOptions()));
 }
 
-TEST(Topology, CurvesMayRunAlongMeshEdges) {
-    const CurveDesigner designer(plate(10, 10));
+TEST_P(Topology, CurvesMayRunAlongMeshEdges) {
+    const CurveDesigner designer = designerOn(plate(10, 10));
     static_cast<void>(goodCurve(designer, {{0.1, 0.5, 0}, {0.4, 0.5, 0}, {0.9, 0.5, 0}}));
     static_cast<void>(goodCurve(designer, {{0.15, 0.5, 0}, {0.4, 0.5, 0}, {0.83, 0.5, 0}}));
     static_cast<void>(goodCurve(designer, {{0.1, 0.1, 0}, {0.5, 0.5, 0}, {0.9, 0.9, 0}}));
 }
 
-TEST(Topology, TwoPicksMayLieInOneFace) {
-    const CurveDesigner designer(plate(4, 4));
+TEST_P(Topology, TwoPicksMayLieInOneFace) {
+    const CurveDesigner designer = designerOn(plate(4, 4));
     static_cast<void>(goodCurve(designer, {{0.3, 0.28, 0}, {0.35, 0.27, 0}}));
     static_cast<void>(
         goodCurve(designer, {{0.3, 0.28, 0}, {0.35, 0.27, 0}, {0.35, 0.31, 0}}, closedOptions())
@@ -143,8 +147,8 @@ TEST(Topology, TwoPicksMayLieInOneFace) {
     );
 }
 
-TEST(Topology, PicksMayBeVeryClose) {
-    const CurveDesigner designer(plate(10, 10));
+TEST_P(Topology, PicksMayBeVeryClose) {
+    const CurveDesigner designer = designerOn(plate(10, 10));
     for (const double gap : {1e-2, 1e-3, 1e-4, 1e-6}) {
         SCOPED_TRACE("gap " + std::to_string(gap));
         static_cast<void>(goodCurve(
@@ -153,7 +157,7 @@ TEST(Topology, PicksMayBeVeryClose) {
     }
 }
 
-TEST(Topology, FortyPicksGiveOneChain) {
+TEST_P(Topology, FortyPicksGiveOneChain) {
     Random random(41);
     std::vector<Vec3> picks;
     const TriangleMesh mesh = icosphere(4);
@@ -166,27 +170,31 @@ TEST(Topology, FortyPicksGiveOneChain) {
             return (v - wish).squaredNorm();
         }));
     }
-    const CurveDesigner designer(mesh);
+    const CurveDesigner designer = designerOn(mesh);
     static_cast<void>(goodCurve(designer, picks));
 }
 
-class EveryDegree : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Shells, Topology, kEitherShell, nameOfShell);
+
+class EveryDegree : public testing::TestWithParam<std::tuple<ShellKind, int>> {};
 
 TEST_P(EveryDegree, GivesGoodCurves) {
     const TriangleMesh mesh = withNoise(icosphere(3), 0.01, 37);
-    const CurveDesigner designer(mesh);
+    const CurveDesigner designer = designerIn(std::get<0>(GetParam()), mesh);
     std::vector<Vec3> picks;
     for (const std::size_t v : {5U, 100U, 222U, 400U}) {
         picks.push_back(mesh.vertices[v]);
     }
     SolverOptions options;
-    options.degree = GetParam();
+    options.degree = std::get<1>(GetParam());
     static_cast<void>(goodCurve(designer, picks, options));
     options.closed = true;
     static_cast<void>(goodCurve(designer, picks, options));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryDegree, testing::Values(2, 3, 4));
+INSTANTIATE_TEST_SUITE_P(
+    All, EveryDegree, testing::Combine(kEitherShell, testing::Values(2, 3, 4))
+);
 
 }  // namespace
 }  // namespace bspline_curve
