@@ -111,6 +111,7 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
     figures.coldSeconds = cold.lap();
     figures.readSeconds = inputs.readSeconds;
     figures.stages = designer.seconds();
+    figures.shell = designer.shell();
     figures.meshFile = arguments.mesh.string();
     if (inputs.repair) {
         figures.repair = inputs.repair->report;

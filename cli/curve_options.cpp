@@ -197,8 +197,10 @@ public:
             ->check(oneOf({"default", "paper"}))
             ->type_name("default|paper")
             ->capture_default_str();
+        addShellKind(shellKind_);
         addModel(advanced_);
         addEffort(advanced_);
+        addShellTargets(shell_);
         addShellOptions(shell_);
     }
 
@@ -210,6 +212,7 @@ public:
         shape_.apply(arguments_.solver);
         advanced_.apply(arguments_.solver);
         sampling_.apply(arguments_.sampling);
+        shellKind_.apply(arguments_.shell);
         shell_.apply(arguments_.shell);
         arguments_.solver.validate();
         arguments_.sampling.validate();
@@ -235,6 +238,7 @@ private:
     OptionTable<SolverOptions> shape_{app_, kMain};
     OptionTable<SamplingOptions> sampling_{app_, kMain};
     OptionTable<SolverOptions> advanced_{app_, kAdvanced};
+    OptionTable<ShellOptions> shellKind_{app_, kMain};
     OptionTable<ShellOptions> shell_{app_, kAdvanced};
 };
 

@@ -44,6 +44,7 @@ public:
     ShellParser() {
         addFiles(app_, arguments_);
         addShellKind(kind_);
+        addShellTargets(kind_);
         addShellOptions(shell_);
     }
 
@@ -84,10 +85,14 @@ void addShellKind(OptionTable<ShellOptions>& table) {
         "--shell",
         &ShellOptions::kind,
         Names<ShellKind>{
-            {"simplified", ShellKind::Simplified}, {"full", ShellKind::FullResolution}
+            {name(ShellKind::Simplified), ShellKind::Simplified},
+            {name(ShellKind::FullResolution), ShellKind::FullResolution}
         },
         "Few thick prisms, or one thin prism per face"
     );
+}
+
+void addShellTargets(OptionTable<ShellOptions>& table) {
     table.number(
         "--target-thickness",
         &ShellOptions::targetThickness,

@@ -19,10 +19,15 @@ struct ShellArguments {
     ShellOptions shell{.kind = ShellKind::Simplified};
 };
 
-/// Which kind of shell, and what a simplified one is wanted to look like.
+// The options of shells, as every verb that builds one has them.
+
+/// Which kind of shell.
 void addShellKind(OptionTable<ShellOptions>& table);
 
-/// The options of the shell of full resolution, as every verb that builds one has them.
+/// What a simplified shell is wanted to look like.
+void addShellTargets(OptionTable<ShellOptions>& table);
+
+/// The rest, mostly of full shells.
 void addShellOptions(OptionTable<ShellOptions>& table);
 
 /// Reads the command line; or, after --help or a wrong one, says how the program ends. Prints help

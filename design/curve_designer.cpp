@@ -26,6 +26,13 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
+ShellSummary summaryOf(const Shell& shell) {
+    const auto count = std::ranges::count_if(shell.prisms(), [](const Prism& prism) {
+        return prism.orientation != 0;
+    });
+    return {.kind = shell.kind(), .prisms = static_cast<int>(count)};
+}
+
 }  // namespace
 
 struct CurveDesigner::State {
@@ -37,6 +44,7 @@ struct CurveDesigner::State {
           base(std::make_shared<const ShellBase>(makeShellBase(surface, options.smoothingPasses))),
           build(makeShell(base, options, progress)) {
         seconds = {validated, treeBuilt, watch.lap()};
+        summary = summaryOf(build.shell);
     }
 
     Stopwatch watch;
@@ -47,6 +55,7 @@ struct CurveDesigner::State {
     std::shared_ptr<const ShellBase> base;
     ShellBuild build;
     StageSeconds seconds;
+    ShellSummary summary;
 
     [[nodiscard]] CurveProblem makeProblem(
         const SolverOptions& options,
@@ -192,6 +201,10 @@ const Surface& CurveDesigner::surface() const {
 
 const StageSeconds& CurveDesigner::seconds() const {
     return state_->seconds;
+}
+
+const ShellSummary& CurveDesigner::shell() const {
+    return state_->summary;
 }
 
 Curve CurveDesigner::design(

@@ -18,6 +18,12 @@ struct StageSeconds {
     double validate = 0.0, tree = 0.0, shell = 0.0;  ///< once per surface
 };
 
+/// The shell that curves are sought in.
+struct ShellSummary {
+    ShellKind kind = ShellKind::FullResolution;
+    int prisms = 0;  ///< with those beyond boundaries, without those that are blocked
+};
+
 /// Draws curves on one surface; keeps what can be used again for the next curve (tree, shell).
 class CurveDesigner {
 public:
@@ -47,6 +53,7 @@ public:
 
     [[nodiscard]] const Surface& surface() const;
     [[nodiscard]] const StageSeconds& seconds() const;
+    [[nodiscard]] const ShellSummary& shell() const;
 
 private:
     struct State;

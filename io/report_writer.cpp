@@ -92,6 +92,8 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
     const Json document = {
         {"status", name(report.status)},
         {"usable", report.usable},
+        {"shell", name(figures.shell.kind)},
+        {"prisms", figures.shell.prisms},
         {"seconds", secondsOf(report, figures)},
         {"knots_first", report.knotsFirst},
         {"knots_last", report.knotsLast},

@@ -19,12 +19,13 @@ struct RunFigures {
     std::optional<double> warmSeconds;  ///< median of further curves with the shell kept
     double designSeconds = 0.0;         ///< the part of coldSeconds after the shell
     StageSeconds stages;
+    ShellSummary shell;
     std::optional<RepairReport> repair;  ///< where it was asked for
 };
 
-/// The report as JSON: how long each stage took, why the solver stopped, figures of mesh and curve,
-/// every round and every iteration. Lengths in the user's unit, but max_distance in average edge
-/// lengths and max_pick_gap relative to the diagonal.
+/// The report as JSON: how long each stage took, why the solver stopped, figures of mesh, shell and
+/// curve, every round and every iteration. Lengths in the user's unit, but max_distance in average
+/// edge lengths and max_pick_gap relative to the diagonal.
 [[nodiscard]] std::string reportText(
     const Curve& curve, const Surface& surface, const RunFigures& figures
 );

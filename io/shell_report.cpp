@@ -140,7 +140,7 @@ std::string shellReportText(const ReportedShell& reported, const ShellRunFigures
     const PrismCounts counts = countPrisms(build.shell);
     const ShellThickness thickness = measureThickness(surface, base.frame, build.shell);
     const Json document = {
-        {"shell", build.shell.isFullResolution() ? "full" : "simplified"},
+        {"shell", name(build.shell.kind())},
         {"prisms", counts.all},
         {"ghost_prisms", counts.ghosts},
         {"pillars", counts.pillars},

@@ -3,6 +3,7 @@
 
 #include "shell/affine_form.h"
 #include "shell/shell_base.h"
+#include "shell/shell_options.h"
 #include "surface/types.h"
 
 #include <array>
@@ -81,6 +82,10 @@ public:
 
     /// Whether the surface is the middle of the shell, with prism i over face i.
     [[nodiscard]] bool isFullResolution() const { return base_ == nullptr; }
+
+    [[nodiscard]] ShellKind kind() const {
+        return isFullResolution() ? ShellKind::FullResolution : ShellKind::Simplified;
+    }
 
     /// Faces of the base that may meet a prism of a simplified shell, ascending.
     [[nodiscard]] std::span<const int> facesOf(int prism) const;

@@ -22,6 +22,10 @@ void checkShare(double value, const char* name) {
 
 }  // namespace
 
+const char* name(ShellKind kind) {
+    return kind == ShellKind::Simplified ? "simplified" : "full";
+}
+
 void ShellOptions::validate() const {
     const bool isThick = thickness > 0.0 && thickness <= kMaxShellThickness;  // NaN is not
     if (!isThick) {

@@ -10,6 +10,9 @@ enum class ShellKind {
     FullResolution  ///< one thin prism per face; quick to build
 };
 
+/// As users write it.
+[[nodiscard]] const char* name(ShellKind kind);
+
 struct ShellOptions {
     ShellKind kind = ShellKind::FullResolution;
     /// Full resolution: largest distance of top and bottom from the surface, in mean lengths of the

@@ -188,6 +188,28 @@ def test_warm_is_null_unless_repeats_are_asked_for(run, plate):
     assert json.loads((plate / "report.json").read_text())["seconds"]["warm"] is None
 
 
+def test_the_kind_of_shell_can_be_chosen_and_is_reported(run, plate):
+    V, F = meshes.plate(cells=24, height=0.2)
+    meshes.write_ply(plate / "hill.ply", V, F)
+    (plate / "picks.json").write_text(json.dumps({"picks": V[[30, 300, 590]].tolist()}))
+    reports, curves = {}, {}
+    for name, words in {
+        "default": (), "full": ("--shell", "full"), "simplified": ("--shell", "simplified"),
+        "thin": ("--shell", "simplified", "--target-thickness", 0.02),
+        "short": ("--shell", "simplified", "--target-edge-length", 0.1),
+    }.items():
+        succeed(run("curve", "hill.ply", "--picks", "picks.json", "--output", "c.ply", "--report", "r.json", *words))
+        reports[name] = json.loads((plate / "r.json").read_text())
+        curves[name], _, _ = read_curve(plate / "c.ply")
+        passes(curves[name], V[[30, 300, 590]])
+    assert [reports[name]["shell"] for name in ("full", "simplified", "thin", "short")] == ["full"] + 3 * ["simplified"]
+    same = reports["default"]["shell"]
+    assert np.array_equal(curves["default"], curves[same]) and reports["default"]["prisms"] == reports[same]["prisms"]
+    assert reports["full"]["prisms"] > len(F) > 5 * reports["simplified"]["prisms"] > 0
+    assert reports["short"]["prisms"] > reports["simplified"]["prisms"]
+    assert not np.array_equal(curves["thin"], curves["simplified"])
+
+
 def test_explicit_options_win_over_the_preset_whatever_the_order(run, plate):
     def knots(*words):
         succeed(run("plate.ply", "--picks", "picks.json", "--output", "curve.json", "--report", "r.json", *words))
@@ -234,7 +256,8 @@ def test_help_names_every_option_with_range_and_default(run):
     process = run("--help")
     assert process.returncode == 0 and process.stderr == ""
     for text in ("--picks", "--tension,--lambda", "[0, 1]", "--field-weight,--mu", "--degree", "[2, 4]", "--preset",
-                 "--shell-thickness", "edge lengths", "--max-rounds", "Exit status"):
+                 "--shell simplified|full=", "--target-thickness", "--target-edge-length", "--shell-thickness", "edge lengths",
+                 "--max-rounds", "Exit status"):
         assert text in process.stdout
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README's option table of the verb shell and the program's help name the same options and defaults."""
+"""README's option tables and the program's help name the same options and defaults."""
 
 import re
 from pathlib import Path
@@ -21,3 +21,14 @@ def test_the_table_of_the_verb_shell_is_the_help(run):
     assert sorted(name for name, _ in rows) == sorted(options)
     for name, default in rows:
         assert default == options[name] or (options[name] == "" and default in ("none", "off")), name
+
+
+def test_the_tables_of_curves_have_the_programs_defaults(run):
+    section = re.search(r"\n## Options\n(.*?)\n## ", README, re.S)[1]
+    options = helped(run)
+    rows = re.findall(r"^\| (`\w+`[^|]*) \| ([^|]*) \|", section, re.M)
+    assert len(rows) > 20
+    for names, defaults in rows:
+        for name, default in zip(re.findall(r"`(\w+)`", names), defaults.split(", "), strict=True):
+            given = options["--" + name.replace("_", "-")]
+            assert default == given or (given == "" and default in ("none", "off")), name

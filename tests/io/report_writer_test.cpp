@@ -34,6 +34,7 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     figures.meshFile = "a.ply";
     figures.coldSeconds = 1.5;
     figures.stages.shell = 0.75;
+    figures.shell = {.kind = ShellKind::Simplified, .prisms = 142};
     const auto report = reportOf(curve, figures);
     EXPECT_EQ(report["status"], name(SolveStatus::Converged));
     EXPECT_EQ(report["usable"], true);
@@ -42,6 +43,8 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     EXPECT_EQ(report["max_distance"], 0.04);
     EXPECT_EQ(report["max_pick_gap"], 1e-15);
     EXPECT_EQ(report["newton_iterations"], 42);
+    EXPECT_EQ(report["shell"], "simplified");
+    EXPECT_EQ(report["prisms"], 142);
     EXPECT_EQ(report["seconds"]["cold"], 1.5);
     EXPECT_EQ(report["seconds"]["shell"], 0.75);
     EXPECT_EQ(report["seconds"]["minimise"], 0.25);
