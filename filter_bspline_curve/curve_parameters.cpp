@@ -65,6 +65,7 @@ double diagonalOf(const MeshDocument& document) {
 const QStringList kFields = {"none", "quality"};
 const QStringList kFieldCosts = {"identity", "square", "exp-minus"};
 const QStringList kPresets = {"default", "paper"};
+const QStringList kShells = {name(ShellKind::Simplified), name(ShellKind::FullResolution)};
 // In these the first choice leaves the decision to the preset.
 const QStringList kBendings = {"preset", "geodesic", "ambient"};
 const QStringList kInitialCurves = {"preset", "geodesic-fit", "control-polygon"};
@@ -206,9 +207,20 @@ void addShapeParameters(RichParameterList& list, const MeshDocument& document) {
     ));
 }
 
+void addShellKindParameter(RichParameterList& list) {
+    list.addParam(RichEnum(
+        "shell",
+        static_cast<int>(ShellOptions().kind),
+        kShells,
+        "Shell",
+        "The shell around the surface, in which the curve is sought. simplified: few thick prisms, "
+        "which take seconds to build on large meshes and are kept for the next curve; full: one "
+        "thin prism per face."
+    ));
+}
+
 void addPresetParameters(RichParameterList& list) {
     const SolverOptions options;
-    const ShellOptions shell;
     list.addParam(RichEnum(
         "preset",
         0,
@@ -243,12 +255,32 @@ void addPresetParameters(RichParameterList& list) {
         "polyline lies on the surface in any case.",
         kAdvanced
     ));
+}
+
+void addShellParameters(RichParameterList& list) {
+    const ShellOptions shell;
+    list.addParam(RichFloat(
+        "target_thickness",
+        shell.targetThickness,
+        "Target thickness",
+        "Simplified shell: longest pillar, bottom to top, relative to the longest side of the "
+        "surface's box, above 0 and at most 1.",
+        kAdvanced
+    ));
+    list.addParam(RichFloat(
+        "target_edge_length",
+        shell.targetEdgeLength,
+        "Target edge length",
+        "Simplified shell: shorter edges are collapsed where its invariants allow it, relative to "
+        "the longest side of the surface's box, above 0 and at most 1.",
+        kAdvanced
+    ));
     list.addParam(RichFloat(
         "shell_thickness",
         shell.thickness,
         "Shell thickness",
-        "Largest distance of the shell around the surface, in which the curve is sought, in mean "
-        "edge lengths, above 0.",
+        "Full shell: largest distance of its top and bottom from the surface, in mean edge "
+        "lengths, above 0.",
         kAdvanced
     ));
     list.addParam(RichInt(
@@ -398,7 +430,9 @@ RichParameterList curveParameters(const MeshDocument& document) {
     RichParameterList list;
     addPickParameters(list, document);
     addShapeParameters(list, document);
+    addShellKindParameter(list);
     addPresetParameters(list);
+    addShellParameters(list);
     addMethodParameters(list);
     addLimitParameters(list);
     return list;
@@ -412,6 +446,9 @@ CurveRequest readRequest(const RichParameterList& parameters) {
     request.picksText = parameters.getString("picks").trimmed();
     request.useQualityField = choiceOf(parameters, "field", kFields) == 1;
     request.solver = readSolverOptions(parameters);
+    request.shell.kind = static_cast<ShellKind>(choiceOf(parameters, "shell", kShells));
+    request.shell.targetThickness = typedNumber(parameters.getFloat("target_thickness"));
+    request.shell.targetEdgeLength = typedNumber(parameters.getFloat("target_edge_length"));
     request.shell.thickness = typedNumber(parameters.getFloat("shell_thickness"));
     request.shell.smoothingPasses = parameters.getInt("shell_smoothing_passes");
     request.sampling.samples = parameters.getInt("samples");

@@ -73,7 +73,7 @@ std::map<std::string, QVariant> drawCurve(
     );
     addCurveLayer(document, surface, mesh, curve, field);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    return figuresOf(curve, designer.seconds(), seconds);
+    return figuresOf(curve, designer, seconds);
 }
 
 }  // namespace

@@ -131,10 +131,13 @@ MeshModel& addCurveLayer(
 }
 
 std::map<std::string, QVariant> figuresOf(
-    const Curve& curve, const StageSeconds& surfaceSeconds, double seconds
+    const Curve& curve, const CurveDesigner& designer, double seconds
 ) {
     const SolveReport& report = curve.report;
+    const StageSeconds& surfaceSeconds = designer.seconds();
+    const ShellSummary& shell = designer.shell();
     return {
+        {"prisms", shell.prisms},
         {"usable", report.usable},
         {"converged", report.status == SolveStatus::Converged},
         {"closed", curve.polyline.closed},

@@ -28,7 +28,7 @@ MeshModel& addCurveLayer(
 
 /// What the filter answers with; lengths and control points in world units.
 [[nodiscard]] std::map<std::string, QVariant> figuresOf(
-    const Curve& curve, const StageSeconds& surfaceSeconds, double seconds
+    const Curve& curve, const CurveDesigner& designer, double seconds
 );
 
 /// The scalar figures as one line "key=value key=value ..." for the host's log.

@@ -125,6 +125,21 @@ def test_the_figures_describe_the_curve(plate, plate_picks):
     assert 0 < figures["seconds_curve"] < figures["seconds"]
 
 
+def test_a_curve_in_a_simplified_shell_is_one_chain_on_the_surface_too(plate, plate_picks):
+    prisms = {}
+    for shell in ("full", "simplified"):
+        layer, figures = draw(plate, plate_picks, shell=shell)
+        curve = CurveLayer(layer)
+        assert figures["usable"]
+        assert_edges_in_order(curve)
+        assert_strictly_on(curve, *wavy_plate())
+        assert_passes(curve, figures, plate_picks)
+        prisms[shell] = figures["prisms"]
+    assert prisms["full"] > len(wavy_plate()[1]) > 10 * prisms["simplified"] > 0
+    more = draw(plate, plate_picks, shell="simplified", target_edge_length=0.1)[1]["prisms"]
+    assert more > prisms["simplified"]
+
+
 def test_the_papers_preset_can_be_chosen_and_its_settings_overridden(plate, plate_picks):
     default = CurveLayer(draw(plate, plate_picks)[0])
     paper = CurveLayer(draw(plate, plate_picks, preset="paper")[0])
@@ -172,16 +187,18 @@ def test_the_host_keeps_the_tension_in_its_range(plate, plate_picks):
     np.testing.assert_array_equal(most.points, beyond.points)
 
 
-def test_the_program_draws_the_same_curve(program, bunny_path, tmp_path):
+@pytest.mark.parametrize("options", [{}, {"shell": "simplified", "target_thickness": 0.1}])
+def test_the_program_draws_the_same_curve(options, program, bunny_path, tmp_path):
     document = pymeshlab.MeshSet()
     document.load_new_mesh(str(bunny_path))
     vertices = document.current_mesh().vertex_matrix()
     picks = vertices[[10, 2000, 5000]]
     pp = write_pp(tmp_path / "picks.pp", picks)
-    layer, _ = draw(document, picks_file=str(pp), tension=0.1, distance_tolerance=0.05)
+    layer, _ = draw(document, picks_file=str(pp), tension=0.1, distance_tolerance=0.05, **options)
+    words = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
     subprocess.run(
         [program, bunny_path, "--picks", pp, "--output", tmp_path / "curve.ply", "--tension", "0.1",
-         "--distance-tolerance", "0.05"],
+         "--distance-tolerance", "0.05", *words],
         check=True,
     )
     document.load_new_mesh(str(tmp_path / "curve.ply"))
