@@ -5,6 +5,7 @@
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
 #include "cli/progress_bar.h"
+#include "cli/shell_cache_option.h"
 #include "cli/verb.h"
 #include "design/curve_designer.h"
 #include "io/atomic_file.h"
@@ -91,12 +92,16 @@ struct Drawn {
     RunFigures figures;
 };
 
-/// The first curve, with nothing kept, and its times.
+/// The first curve, with nothing kept but a stored shell, and its times.
 Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar) {
     constexpr double kShellShare = 0.6;  // of a cold run; for the bar only
+    const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
     Stopwatch cold;
     CurveDesigner designer(
-        std::move(inputs.mesh.mesh), arguments.shell, progressPart(bar, 0.0, kShellShare)
+        std::move(inputs.mesh.mesh),
+        arguments.shell,
+        progressPart(bar, 0.0, kShellShare),
+        cache ? &*cache : nullptr
     );
     Stopwatch design;
     Curve curve = designer.design(
@@ -200,6 +205,7 @@ ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
     Drawn drawn = drawCold(arguments, inputs, bar);
     drawn.figures.warmSeconds = timeWarm(arguments, inputs, drawn.designer, bar);
     bar.clear();
+    printNotes(drawn.figures.shell.notes);
     writeResults(arguments, inputs, drawn);
     if (!drawn.curve.report.usable) {
         printError(unusableMessage(arguments, drawn.curve.report));

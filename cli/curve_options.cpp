@@ -3,6 +3,7 @@
 
 #include "cli/mesh_input.h"
 #include "cli/option_table.h"
+#include "cli/shell_cache_option.h"
 #include "cli/shell_options.h"
 #include "cli/verb.h"
 #include "surface/input_error.h"
@@ -51,6 +52,7 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
     )
         ->type_name("quality|FILE");
     addRepairOption(app, arguments.repair);
+    addCacheOption(app, arguments.noCache);
 }
 
 void addShape(OptionTable<SolverOptions>& table) {

@@ -20,6 +20,7 @@ struct CurveArguments {
     std::string field;             ///< empty: none; "quality": the mesh file's; else a file
     int repeat = 0;                ///< further curves to time
     bool repair = false;
+    bool noCache = false;
     SolverOptions solver;  ///< the preset with what was given explicitly; closed where --closed was
     ShellOptions shell;
     SamplingOptions sampling;

@@ -5,13 +5,14 @@
 #include "cli/mesh_input.h"
 #include "cli/process_figures.h"
 #include "cli/progress_bar.h"
+#include "cli/shell_cache_option.h"
 #include "cli/shell_options.h"
 #include "cli/verb.h"
 #include "io/atomic_file.h"
 #include "io/report_writer.h"
 #include "io/shell_report.h"
 #include "io/shell_writer.h"
-#include "shell/shell_simplifier.h"
+#include "shell/shell_store.h"
 #include "surface/input_error.h"
 #include "surface/progress.h"
 #include "surface/stopwatch.h"
@@ -43,10 +44,19 @@ void checkOutputs(const ShellArguments& arguments) {
 struct Built {
     Surface surface;
     std::shared_ptr<const ShellBase> base;
-    ShellBuild build;
+    ObtainedShell obtained;
+
+    [[nodiscard]] const Shell& shell() const { return obtained.build.shell; }
 };
 
-/// Repairs where asked, validates the mesh and builds its shell, one stage after the other.
+/// Figures and checks are those of building a shell, so where these are asked for it is built; it
+/// is kept in the cache all the same.
+bool takesStoredShell(const ShellArguments& arguments) {
+    return arguments.report.empty() && !arguments.check;
+}
+
+/// Repairs where asked, validates the mesh and builds its shell (or takes it from the cache), one
+/// stage after the other.
 Built buildStages(
     TriangleMesh mesh, const ShellArguments& arguments, ShellRunFigures& figures, ProgressBar& bar
 ) {
@@ -65,16 +75,28 @@ Built buildStages(
     auto base =
         std::make_shared<const ShellBase>(makeShellBase(surface, arguments.shell.smoothingPasses));
     figures.seconds.base = watch.lap();
-    ShellBuild build = makeShell(base, arguments.shell, progressPart(bar, kBuildStart, 1.0));
+    const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
+    const ShellStore* const store = cache ? &*cache : nullptr;
+    ObtainedShell obtained = findOrMakeShell(
+        surface,
+        base,
+        arguments.shell,
+        takesStoredShell(arguments) ? store : nullptr,
+        progressPart(bar, kBuildStart, 1.0)
+    );
     figures.seconds.shell = watch.lap();
     figures.seconds.wall = whole.lap();
     figures.seconds.cpu = processCpuSeconds() - cpuBefore;
     figures.peakMemoryBytes = peakMemoryBytes();
-    return {.surface = std::move(surface), .base = std::move(base), .build = std::move(build)};
+    keepShell(surface, *base, arguments.shell, store, obtained);
+    figures.notes = obtained.notes;
+    return {
+        .surface = std::move(surface), .base = std::move(base), .obtained = std::move(obtained)
+    };
 }
 
 void refuseEmptyShell(const Built& built) {
-    const bool hasPrism = std::ranges::any_of(built.build.shell.prisms(), [](const Prism& prism) {
+    const bool hasPrism = std::ranges::any_of(built.shell().prisms(), [](const Prism& prism) {
         return prism.orientation != 0;
     });
     if (!hasPrism) {
@@ -116,7 +138,7 @@ void writeResults(
     std::optional<AtomicFile> report;
     if (!arguments.output.empty() && (!check || check->passed())) {
         output.emplace(
-            arguments.output, shellBytes(arguments.output, built.build.shell, built.base->frame)
+            arguments.output, shellBytes(arguments.output, built.shell(), built.base->frame)
         );
     }
     figures.seconds.write = watch.lap();
@@ -126,7 +148,7 @@ void writeResults(
             shellReportText(
                 {.surface = built.surface,
                  .base = *built.base,
-                 .build = built.build,
+                 .build = built.obtained.build,
                  .check = check ? &*check : nullptr},
                 figures
             )
@@ -158,7 +180,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
         bar.show(1.0, "checking");
         watch.lap();
         check = checkShell(
-            built.surface, *built.base, built.build.shell, built.build.report.blockedFaces
+            built.surface, *built.base, built.shell(), built.obtained.build.report.blockedFaces
         );
         figures.seconds.check = watch.lap();
         if (interrupted()) {
@@ -166,6 +188,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
         }
     }
     bar.clear();
+    printNotes(figures.notes);
     writeResults(arguments, built, check, figures);
     if (check && !check->passed()) {
         printError(failureMessage(*check));

@@ -2,6 +2,7 @@
 #include "cli/shell_options.h"
 
 #include "cli/mesh_input.h"
+#include "cli/shell_cache_option.h"
 #include "cli/verb.h"
 #include "surface/input_error.h"
 
@@ -36,6 +37,7 @@ void addFiles(CLI::App& app, ShellArguments& arguments) {
         "status 1 where one does not hold"
     );
     addRepairOption(app, arguments.repair);
+    addCacheOption(app, arguments.noCache);
 }
 
 /// The command line of one shell, and what was given on it.

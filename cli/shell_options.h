@@ -16,6 +16,7 @@ struct ShellArguments {
     std::filesystem::path output, report;  ///< empty: not asked for
     bool check = false;
     bool repair = false;
+    bool noCache = false;
     ShellOptions shell{.kind = ShellKind::Simplified};
 };
 

@@ -5,7 +5,7 @@
 #include "design/near_shell.h"
 #include "design/strict_polyline.h"
 #include "shell/shell_boundary.h"
-#include "shell/shell_simplifier.h"
+#include "shell/shell_store.h"
 #include "solver/solve.h"
 #include "surface/input_error.h"
 #include "surface/picks.h"
@@ -26,25 +26,37 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-ShellSummary summaryOf(const Shell& shell) {
+ShellSummary summaryOf(const ObtainedShell& obtained) {
+    const Shell& shell = obtained.build.shell;
     const auto count = std::ranges::count_if(shell.prisms(), [](const Prism& prism) {
         return prism.orientation != 0;
     });
-    return {.kind = shell.kind(), .prisms = static_cast<int>(count)};
+    return {
+        .kind = shell.kind(),
+        .prisms = static_cast<int>(count),
+        .isFromStore = obtained.isFromStore,
+        .notes = obtained.notes
+    };
 }
 
 }  // namespace
 
 struct CurveDesigner::State {
-    State(TriangleMesh mesh, const ShellOptions& options, const Progress& progress)
+    State(
+        TriangleMesh mesh,
+        const ShellOptions& options,
+        const Progress& progress,
+        const ShellStore* store
+    )
         : surface(std::move(mesh)),
           validated(watch.lap()),
           tree(surface.vertices(), surface.faces()),
           treeBuilt(watch.lap()),
           base(std::make_shared<const ShellBase>(makeShellBase(surface, options.smoothingPasses))),
-          build(makeShell(base, options, progress)) {
+          obtained(findOrMakeShell(surface, base, options, store, progress)) {
         seconds = {validated, treeBuilt, watch.lap()};
-        summary = summaryOf(build.shell);
+        keepShell(surface, *base, options, store, obtained);
+        summary = summaryOf(obtained);
     }
 
     Stopwatch watch;
@@ -53,7 +65,7 @@ struct CurveDesigner::State {
     TriangleTree tree;
     double treeBuilt;
     std::shared_ptr<const ShellBase> base;
-    ShellBuild build;
+    ObtainedShell obtained;
     StageSeconds seconds;
     ShellSummary summary;
 
@@ -108,7 +120,7 @@ std::vector<double> CurveDesigner::State::fieldOnPillars(std::span<const double>
 }
 
 void CurveDesigner::State::refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const {
-    const std::vector<int>& blocked = build.report.blockedFaces;
+    const std::vector<int>& blocked = obtained.build.report.blockedFaces;
     for (std::size_t i = 0; i < picks.size(); ++i) {
         if (std::binary_search(blocked.begin(), blocked.end(), picks[i].face)) {
             throw InputError(
@@ -127,7 +139,7 @@ CurveProblem CurveDesigner::State::makeProblem(
     const SolverOptions& options, std::vector<PickConstraint> picks, std::span<const double> field
 ) const {
     CurveProblem problem;
-    problem.shell = &build.shell;
+    problem.shell = &obtained.build.shell;
     problem.base = base.get();
     problem.picks = std::move(picks);
     problem.field = fieldOnPillars(field);
@@ -187,9 +199,12 @@ SplineData CurveDesigner::State::exportSpline(
 }
 
 CurveDesigner::CurveDesigner(
-    TriangleMesh mesh, const ShellOptions& options, const Progress& progress
+    TriangleMesh mesh,
+    const ShellOptions& options,
+    const Progress& progress,
+    const ShellStore* store
 )
-    : state_(std::make_unique<State>(std::move(mesh), options, progress)) {}
+    : state_(std::make_unique<State>(std::move(mesh), options, progress, store)) {}
 
 CurveDesigner::~CurveDesigner() = default;
 CurveDesigner::CurveDesigner(CurveDesigner&&) noexcept = default;
@@ -222,7 +237,11 @@ Curve CurveDesigner::design(
         locatePicks(state.surface, state.tree, picks, options.closed);
     state.refuseBlockedPicks(located);
     PickPath path = makePickPath(
-        state.surface, *state.base, located, options.closed, state.build.report.blockedFaces
+        state.surface,
+        *state.base,
+        located,
+        options.closed,
+        state.obtained.build.report.blockedFaces
     );
     CurveProblem problem = state.makeProblem(options, std::move(path.picks), field);
     problem.progress = progress;
@@ -230,7 +249,7 @@ Curve CurveDesigner::design(
 
     std::optional<ShellBoundary> boundary;
     if (options.quadrature == Quadrature::Samples) {
-        problem.boundary = &boundary.emplace(state.build.shell);
+        problem.boundary = &boundary.emplace(state.obtained.build.shell);
     }
     const Solution solution = solve(problem, path.guide);
     if (!std::isfinite(solution.report.maxDistance)) {

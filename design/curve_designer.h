@@ -3,6 +3,7 @@
 
 #include "design/curve.h"
 #include "shell/shell_options.h"
+#include "shell/shell_store.h"
 #include "solver/options.h"
 #include "surface/progress.h"
 #include "surface/surface.h"
@@ -22,14 +23,20 @@ struct StageSeconds {
 struct ShellSummary {
     ShellKind kind = ShellKind::FullResolution;
     int prisms = 0;  ///< with those beyond boundaries, without those that are blocked
+    bool isFromStore = false;
+    std::vector<std::string> notes;  ///< about the store; empty where all is well
 };
 
 /// Draws curves on one surface; keeps what can be used again for the next curve (tree, shell).
 class CurveDesigner {
 public:
-    /// Validates the mesh and builds the shell. Throws InputError, Cancelled.
+    /// Validates the mesh and builds the shell, or takes it from `store` where one is given (null:
+    /// none); a shell that it has built is stored there. Throws InputError, Cancelled.
     explicit CurveDesigner(
-        TriangleMesh mesh, const ShellOptions& options = {}, const Progress& progress = {}
+        TriangleMesh mesh,
+        const ShellOptions& options = {},
+        const Progress& progress = {},
+        const ShellStore* store = nullptr
     );
     ~CurveDesigner();
     CurveDesigner(CurveDesigner&&) noexcept;

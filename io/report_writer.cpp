@@ -94,6 +94,8 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"usable", report.usable},
         {"shell", name(figures.shell.kind)},
         {"prisms", figures.shell.prisms},
+        {"cached", figures.shell.isFromStore},
+        {"notes", figures.shell.notes},
         {"seconds", secondsOf(report, figures)},
         {"knots_first", report.knotsFirst},
         {"knots_last", report.knotsLast},

@@ -14,8 +14,8 @@ namespace bspline_curve {
 /// What a program measured around one curve; all times in seconds.
 struct RunFigures {
     std::string meshFile;
-    double readSeconds = 0.0;           ///< reading the mesh file
-    double coldSeconds = 0.0;           ///< from arrays in memory to the polyline, nothing kept
+    double readSeconds = 0.0;  ///< reading the mesh file
+    double coldSeconds = 0.0;  ///< from arrays in memory to the polyline; a stored shell may help
     std::optional<double> warmSeconds;  ///< median of further curves with the shell kept
     double designSeconds = 0.0;         ///< the part of coldSeconds after the shell
     StageSeconds stages;

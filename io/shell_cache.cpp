@@ -96,6 +96,11 @@ std::optional<fs::path> ShellCache::defaultDirectory() {
     return std::nullopt;
 }
 
+std::optional<ShellCache> ShellCache::ofUser() {
+    const auto directory = defaultDirectory();
+    return directory ? std::optional<ShellCache>(std::in_place, *directory) : std::nullopt;
+}
+
 fs::path ShellCache::entryOf(const Surface& surface, std::string_view parameters) const {
     std::string name = inHexadecimal(surfaceChecksum(surface));
     name.append("-").append(inHexadecimal(checksumOf(parameters))).append(kExtension);

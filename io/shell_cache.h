@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shell/shell_builder.h"
+#include "shell/shell_store.h"
 #include "surface/surface.h"
 
 #include <cstdint>
@@ -16,9 +16,8 @@ namespace bspline_curve {
 inline constexpr std::uint64_t kDefaultShellCacheBytes = 512ULL << 20U;
 
 /// A folder of simplified shells, one file (shell_file.h) for each surface and parameters. Several
-/// processes may use it at once. Nothing in it is trusted: what does not load is deleted. No
-/// trouble with it is an error, since a shell can always be built; it is told in notes.
-class ShellCache {
+/// processes may use it at once. Nothing in it is trusted: what does not load is deleted.
+class ShellCache : public ShellStore {
 public:
     /// The folder is made when something is stored. Beyond `sizeLimitBytes` in all the shells that
     /// were not used for longest are deleted.
@@ -31,25 +30,22 @@ public:
     /// cache off, or where there is no home.
     [[nodiscard]] static std::optional<std::filesystem::path> defaultDirectory();
 
-    struct Found {
-        std::optional<ShellBuild> build;
-        std::string note;  ///< why an entry could not be used; empty where there is none
-    };
+    /// The cache in defaultDirectory().
+    [[nodiscard]] static std::optional<ShellCache> ofUser();
 
-    /// The shell that was stored for this surface, base and parameters; counts as used now.
+    /// What is found counts as used now.
     [[nodiscard]] Found find(
         const Surface& surface,
         const std::shared_ptr<const ShellBase>& base,
         std::string_view parameters
-    ) const;
+    ) const override;
 
-    /// Stores a simplified shell. Returns a note where that failed, else nothing.
     [[nodiscard]] std::string store(
         const Surface& surface,
         const ShellBase& base,
         std::string_view parameters,
         const ShellBuild& build
-    ) const;
+    ) const override;
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 

@@ -151,6 +151,7 @@ std::string shellReportText(const ReportedShell& reported, const ShellRunFigures
         {"seconds", secondsOf(figures)},
         {"peak_memory_bytes", figures.peakMemoryBytes},
         {"check", checkOf(check)},
+        {"notes", figures.notes},
         {"repair", repairJson(figures.repair)},
         {"mesh", meshOf(surface, figures.meshFile)},
     };

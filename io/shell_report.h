@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -28,6 +29,7 @@ struct ShellRunFigures {
     /// Largest resident memory of the program, until the shell was there.
     std::int64_t peakMemoryBytes = 0;
     std::optional<RepairReport> repair;  ///< where it was asked for
+    std::vector<std::string> notes;      ///< about the cache; empty where all is well
 };
 
 /// How thick a shell is: from top to bottom along each pillar of a prism over the surface (not

@@ -35,7 +35,7 @@ def build(program, mesh, options, runs):
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
         for _ in range(runs):
-            words = [str(program), "shell", str(mesh), "--check", "--report", str(report), *options]
+            words = [str(program), "shell", str(mesh), "--no-cache", "--check", "--report", str(report), *options]
             done = subprocess.run(words, capture_output=True, text=True,
                                   env={**os.environ, "OMP_NUM_THREADS": "1"})
             if not report.exists():

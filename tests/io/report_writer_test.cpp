@@ -34,7 +34,9 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     figures.meshFile = "a.ply";
     figures.coldSeconds = 1.5;
     figures.stages.shell = 0.75;
-    figures.shell = {.kind = ShellKind::Simplified, .prisms = 142};
+    figures.shell = {
+        .kind = ShellKind::Simplified, .prisms = 142, .isFromStore = true, .notes = {"a note"}
+    };
     const auto report = reportOf(curve, figures);
     EXPECT_EQ(report["status"], name(SolveStatus::Converged));
     EXPECT_EQ(report["usable"], true);
@@ -45,6 +47,8 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     EXPECT_EQ(report["newton_iterations"], 42);
     EXPECT_EQ(report["shell"], "simplified");
     EXPECT_EQ(report["prisms"], 142);
+    EXPECT_EQ(report["cached"], true);
+    EXPECT_EQ(report["notes"], nlohmann::json({"a note"}));
     EXPECT_EQ(report["seconds"]["cold"], 1.5);
     EXPECT_EQ(report["seconds"]["shell"], 0.75);
     EXPECT_EQ(report["seconds"]["minimise"], 0.25);

@@ -4,6 +4,9 @@
 #include "io/byte_stream.h"
 #include "io/stored_shell.h"
 #include "io/temporary_files.h"
+#include "shell/shell_simplifier.h"
+
+#include <cmath>
 
 namespace bspline_curve::io_tests {
 
@@ -39,6 +42,15 @@ protected:
 std::string resealed(std::string bytes) {
     bytes.resize(bytes.size() - 8);
     return bytes + bytesOf(checksumOf(bytes));
+}
+
+/// A hill with a boundary and a crease, by operations that are the same on every machine.
+TriangleMesh creasedHill() {
+    TriangleMesh mesh = test_support::plate(12, 12);
+    for (Vec3& p : mesh.vertices) {
+        p.z() = 2.0 * p.x() * (1.0 - p.x()) * p.y() * (1.0 - p.y()) + std::abs(p.x() - 0.5);
+    }
+    return mesh;
 }
 
 }  // namespace
@@ -183,6 +195,21 @@ TEST_F(ShellFiles, SayWhereTheyCannotBeWritten) {
         InputErrorCode::UnwritableFile
     );
     expectContains(text, "nowhere");
+}
+
+TEST_F(ShellFiles, ChangeOnlyTogetherWithTheVersionOfTheSimplifier) {
+    const ShellOptions options;
+    const Surface surface(creasedHill());
+    const auto base =
+        std::make_shared<const ShellBase>(makeShellBase(surface, options.smoothingPasses));
+    const ShellBuild build = buildSimplifiedShell(base, options);
+    saveShell(path("hill.shell"), surface, *base, "", build);
+    constexpr int kVersion = 1;
+    constexpr std::uint64_t kChecksum = 8921488090350875150U;
+    EXPECT_EQ(kSimplifierVersion, kVersion);
+    EXPECT_EQ(checksumOf(read(path("hill.shell"))), kChecksum)
+        << "other shells are built than before: let kSimplifierVersion grow, so that those in "
+           "caches are not used any more, and put it and the new checksum here";
 }
 
 }  // namespace bspline_curve::io_tests
