@@ -6,10 +6,13 @@
 #include "filter_bspline_curve/layer_mesh.h"
 #include "filter_bspline_curve/picks_source.h"
 #include "filter_bspline_curve/result_layer.h"
+#include "io/shell_cache.h"
 #include "surface/input_error.h"
 
 #include <chrono>
 #include <new>
+#include <optional>
+#include <utility>
 
 namespace {
 
@@ -40,8 +43,9 @@ const MeshModel& surfaceOf(const MeshDocument& document, unsigned int id) {
 CurveDesigner designerFor(
     const LayerMesh& mesh, const ShellOptions& options, const Progress& progress
 ) {
+    const std::optional<ShellCache> cache = ShellCache::ofUser();
     try {
-        return CurveDesigner(mesh.world, options, progress);
+        return CurveDesigner(mesh.world, options, progress, cache ? &*cache : nullptr);
     } catch (const InputError& error) {
         if (mesh.hasLayersIds || error.elements().empty()) {
             throw;
@@ -52,11 +56,14 @@ CurveDesigner designerFor(
     }
 }
 
+struct Drawn {
+    std::map<std::string, QVariant> figures;
+    ShellSummary shell;
+};
+
 /// From the document to the document: reads the layer and the picks, has the curve designed, adds
 /// its layer.
-std::map<std::string, QVariant> drawCurve(
-    const CurveRequest& request, MeshDocument& document, vcg::CallBackPos* callback
-) {
+Drawn drawCurve(const CurveRequest& request, MeshDocument& document, vcg::CallBackPos* callback) {
     const auto start = Clock::now();
     const MeshModel& surface = surfaceOf(document, request.surfaceLayer);
     const LayerMesh mesh = meshOf(surface);
@@ -65,7 +72,8 @@ std::map<std::string, QVariant> drawCurve(
     options.closed = options.closed || picks.closed.value_or(false);
     const std::vector<double> field =
         request.useQualityField ? qualityOf(surface, mesh) : std::vector<double>{};
-    // A designer belongs to one state of one surface; none is kept, so none can be stale.
+    // A designer belongs to one state of one surface; none is kept, so none can be stale. Shells
+    // that took long are in the cache.
     const CurveDesigner designer =
         designerFor(mesh, request.shell, hostProgress(callback, 0.0, 50.0));
     const Curve curve = designer.design(
@@ -73,7 +81,7 @@ std::map<std::string, QVariant> drawCurve(
     );
     addCurveLayer(document, surface, mesh, curve, field);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    return figuresOf(curve, designer, seconds);
+    return {.figures = figuresOf(curve, designer, seconds), .shell = designer.shell()};
 }
 
 }  // namespace
@@ -140,15 +148,17 @@ std::map<std::string, QVariant> FilterBsplineCurvePlugin::applyFilter(
 ) {
     postConditionMask = MeshModel::MM_NONE;
     try {
-        std::map<std::string, QVariant> figures =
-            drawCurve(readRequest(parameters), document, callback);
-        log(logLine(figures));
-        if (!figures["usable"].toBool()) {
+        Drawn drawn = drawCurve(readRequest(parameters), document, callback);
+        log(logLine(drawn.figures, drawn.shell));
+        for (const std::string& note : drawn.shell.notes) {
+            log(GLLogStream::WARNING, note);
+        }
+        if (!drawn.figures["usable"].toBool()) {
             log(GLLogStream::WARNING,
                 "The curve did not reach the distance tolerance: its layer shows how far it "
                 "came. More picks, a thicker shell or more rounds may help.");
         }
-        return figures;
+        return std::move(drawn.figures);
     } catch (const MLException&) {
         throw;
     } catch (const InputError& error) {

@@ -137,6 +137,7 @@ std::map<std::string, QVariant> figuresOf(
     const StageSeconds& surfaceSeconds = designer.seconds();
     const ShellSummary& shell = designer.shell();
     return {
+        {"shell_cached", shell.isFromStore},
         {"prisms", shell.prisms},
         {"usable", report.usable},
         {"converged", report.status == SolveStatus::Converged},
@@ -161,11 +162,12 @@ std::map<std::string, QVariant> figuresOf(
     };
 }
 
-std::string logLine(const std::map<std::string, QVariant>& figures) {
-    std::string line;
+std::string logLine(const std::map<std::string, QVariant>& figures, const ShellSummary& shell) {
+    // No figure, since pymeshlab warns of texts.
+    std::string line = std::string("shell=") + (shell.isFromStore ? "cached" : name(shell.kind));
     for (const auto& [key, value] : figures) {
         if (value.canConvert<QString>()) {
-            line += (line.empty() ? "" : " ") + key + "=" + value.toString().toStdString();
+            line += " " + key + "=" + value.toString().toStdString();
         }
     }
     return line;

@@ -31,7 +31,9 @@ MeshModel& addCurveLayer(
     const Curve& curve, const CurveDesigner& designer, double seconds
 );
 
-/// The scalar figures as one line "key=value key=value ..." for the host's log.
-[[nodiscard]] std::string logLine(const std::map<std::string, QVariant>& figures);
+/// The scalar figures as one line "shell=cached key=value key=value ..." for the host's log.
+[[nodiscard]] std::string logLine(
+    const std::map<std::string, QVariant>& figures, const ShellSummary& shell
+);
 
 }  // namespace bspline_curve

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The filter keeps simplified shells in the same cache as the program."""
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+from curves import FILTER, CurveLayer, as_text, draw, write_pp
+from meshes import wavy_plate
+
+
+def log_of_a_curve(plugin_path, picks):
+    """What pymeshlab logs in a process of its own: after an error in this one it logs no more (its issue 399)."""
+    code = f"""
+import sys
+sys.path.insert(0, {str(Path(__file__).parent)!r})
+import pymeshlab
+from meshes import wavy_plate
+pymeshlab.load_plugin({str(plugin_path)!r})
+document = pymeshlab.MeshSet(verbose=True)
+document.add_mesh(pymeshlab.Mesh(*wavy_plate()), "plate")
+document.apply_filter({FILTER!r}, picks={as_text(picks)!r}, shell="simplified")
+"""
+    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    return done.stdout + done.stderr
+
+
+def test_the_second_curve_is_served_from_the_cache(cache, plate, plate_picks):
+    first, figures = draw(plate, plate_picks, shell="simplified")
+    assert not figures["shell_cached"]
+    second, again = draw(plate, plate_picks, shell="simplified")
+    assert again["shell_cached"] and again["prisms"] == figures["prisms"]
+    np.testing.assert_array_equal(CurveLayer(second).points, CurveLayer(first).points)
+    np.testing.assert_array_equal(again["control_points"], figures["control_points"])
+
+
+def test_the_log_says_where_the_shell_came_from(cache, plate_picks, plugin_path):
+    assert " shell=simplified " in log_of_a_curve(plugin_path, plate_picks)
+    assert " shell=cached " in log_of_a_curve(plugin_path, plate_picks)
+
+
+def test_a_damaged_entry_is_rebuilt_and_the_log_says_so(cache, plate, plate_picks, plugin_path):
+    draw(plate, plate_picks, shell="simplified")
+    (entry,) = cache.iterdir()
+    stored = entry.read_bytes()
+    entry.write_bytes(stored[:-9])
+    log = log_of_a_curve(plugin_path, plate_picks)
+    assert " shell=simplified " in log and entry.name in log
+    assert entry.read_bytes() == stored
+    assert draw(plate, plate_picks, shell="simplified")[1]["shell_cached"]
+
+
+def test_the_program_has_stored_it_for_the_filter(cache, plate, plate_picks, program, tmp_path):
+    vertices, faces = wavy_plate()
+    plate.set_current_mesh(0)
+    lines = ["v %.17g %.17g %.17g" % tuple(p) for p in vertices] + ["f %d %d %d" % tuple(f + 1) for f in faces]
+    (tmp_path / "plate.obj").write_text("\n".join(lines) + "\n")
+    subprocess.run([program, tmp_path / "plate.obj", "--picks", write_pp(tmp_path / "picks.pp", plate_picks),
+                    "--output", tmp_path / "curve.ply", "--shell", "simplified", "--target-thickness", "0.1"], check=True)
+    assert draw(plate, plate_picks, shell="simplified", target_thickness=0.1)[1]["shell_cached"]
+
+
+def test_full_shells_are_not_kept(cache, plate, plate_picks):
+    assert not draw(plate, plate_picks, shell="full")[1]["shell_cached"]
+    assert not cache.exists()
