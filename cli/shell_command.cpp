@@ -50,7 +50,7 @@ struct Built {
 };
 
 /// Figures and checks are those of building a shell, so where these are asked for it is built; it
-/// is kept in the cache all the same.
+/// is stored all the same.
 bool takesStoredShell(const ShellArguments& arguments) {
     return arguments.report.empty() && !arguments.check;
 }
@@ -58,7 +58,11 @@ bool takesStoredShell(const ShellArguments& arguments) {
 /// Repairs where asked, validates the mesh and builds its shell (or takes it from the cache), one
 /// stage after the other.
 Built buildStages(
-    TriangleMesh mesh, const ShellArguments& arguments, ShellRunFigures& figures, ProgressBar& bar
+    TriangleMesh mesh,
+    const ShellArguments& arguments,
+    const ShellStore* store,
+    ShellRunFigures& figures,
+    ProgressBar& bar
 ) {
     constexpr double kBuildStart = 0.1;  // for the bar only
     const double cpuBefore = processCpuSeconds();
@@ -75,8 +79,6 @@ Built buildStages(
     auto base =
         std::make_shared<const ShellBase>(makeShellBase(surface, arguments.shell.smoothingPasses));
     figures.seconds.base = watch.lap();
-    const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
-    const ShellStore* const store = cache ? &*cache : nullptr;
     ObtainedShell obtained = findOrMakeShell(
         surface,
         base,
@@ -88,8 +90,6 @@ Built buildStages(
     figures.seconds.wall = whole.lap();
     figures.seconds.cpu = processCpuSeconds() - cpuBefore;
     figures.peakMemoryBytes = peakMemoryBytes();
-    keepShell(surface, *base, arguments.shell, store, obtained);
-    figures.notes = obtained.notes;
     return {
         .surface = std::move(surface), .base = std::move(base), .obtained = std::move(obtained)
     };
@@ -173,7 +173,9 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
     if (interrupted()) {
         throw Cancelled();
     }
-    const Built built = buildStages(std::move(mesh), arguments, figures, bar);
+    const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
+    const ShellStore* const store = cache ? &*cache : nullptr;
+    Built built = buildStages(std::move(mesh), arguments, store, figures, bar);
     refuseEmptyShell(built);
     std::optional<ShellCheck> check;
     if (arguments.check) {
@@ -187,7 +189,11 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
             throw Cancelled();
         }
     }
+    if (!check || check->passed()) {
+        keepShell(built.surface, *built.base, arguments.shell, store, built.obtained);
+    }
     bar.clear();
+    figures.notes = built.obtained.notes;
     printNotes(figures.notes);
     writeResults(arguments, built, check, figures);
     if (check && !check->passed()) {

@@ -32,3 +32,9 @@ def test_the_tables_of_curves_have_the_programs_defaults(run):
         for name, default in zip(re.findall(r"`(\w+)`", names), defaults.split(", "), strict=True):
             given = options["--" + name.replace("_", "-")]
             assert default == given or (given == "" and default in ("none", "off")), name
+
+
+def test_every_option_of_curves_is_explained(run):
+    names = set(helped(run)) - {"--help", "--version"}
+    assert len(names) > 25
+    assert [n for n in names if f"`{n}`" not in README and f"`{n[2:].replace('-', '_')}`" not in README] == []
