@@ -171,7 +171,7 @@ SurfacePolyline CurveDesigner::State::polylineOf(
     const double tolerance = problem.options.distanceTolerance * problem.averageEdgeLength;
     const NearShell near(surface, *base, shadow, tolerance);
     CurveProblem nearProblem = problem;
-    nearProblem.shell = &*near.shell;
+    nearProblem.shell = &near.shell;
     nearProblem.base = &near.base;
     for (PickConstraint& pick : nearProblem.picks) {
         pick.point.face = near.indexOf(pick.point.face);

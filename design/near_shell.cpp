@@ -184,7 +184,7 @@ NearShell::NearShell(
     }
     makeUpright(prisms, pillars);
     connect(prisms, base.faceNeighbours);
-    shell.emplace(std::move(pillars), std::move(prisms), base.surfaceFaceCount);
+    shell = Shell(std::move(pillars), std::move(prisms), base.surfaceFaceCount);
 }
 
 int NearShell::indexOf(int face) const {

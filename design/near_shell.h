@@ -6,7 +6,6 @@
 #include "shell/shell_base.h"
 #include "surface/surface.h"
 
-#include <optional>
 #include <vector>
 
 namespace bspline_curve {
@@ -27,7 +26,7 @@ struct NearShell {
 
     ShellBase base;          ///< these faces alone, ghosts last
     std::vector<int> faces;  ///< face of the whole base for each face
-    std::optional<Shell> shell;
+    Shell shell = Shell({}, {}, 0);
 };
 
 }  // namespace bspline_curve

@@ -2,6 +2,7 @@
 #include "io/mesh_reader.h"
 #include "io/temporary_files.h"
 
+#include <algorithm>
 #include <random>
 
 namespace bspline_curve::io_tests {
@@ -55,6 +56,39 @@ std::string binaryStl() {
         bytes += bytesOf(std::uint16_t{0});
     }
     return bytes;
+}
+
+/// Some bytes changed, lost or added.
+std::string damaged(std::string bytes, std::mt19937& random) {
+    const std::string alphabet = "0123456789 -\n.\\#vflqeE\t\r\xff" + std::string(1, '\0');
+    for (unsigned k = 0; k <= random() % 3; ++k) {
+        const std::size_t at = random() % bytes.size();
+        switch (random() % 3) {
+            case 0:
+                bytes[at] = alphabet[random() % alphabet.size()];
+                break;
+            case 1:
+                bytes.erase(at, 1 + random() % 4);
+                break;
+            default:
+                bytes.insert(at, 1, alphabet[random() % alphabet.size()]);
+                break;
+        }
+    }
+    return bytes;
+}
+
+/// Whether a file is refused, or read as a mesh whose faces name vertices that are there.
+bool holdsTogetherOrIsRefused(const std::filesystem::path& file) {
+    try {
+        const TriangleMesh mesh = readMesh(file);
+        const auto count = static_cast<int>(mesh.vertices.size());
+        return std::ranges::all_of(mesh.faces, [&](const Triangle& face) {
+            return std::ranges::all_of(face, [&](int id) { return id >= 0 && id < count; });
+        });
+    } catch (const InputError&) {
+        return true;
+    }
 }
 
 }  // namespace
@@ -198,10 +232,12 @@ TEST_F(DamagedMesh, EveryLineLostFromATextIsRefused) {
     const std::string facet =
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 "
         "0\nendloop\nendfacet\n";
+    std::string stl = "solid a\n";
+    stl.append(facet).append(facet).append("endsolid a\n");
     for (const auto& [name, bytes] :
          {std::pair{"a.ply", kPly + "3 0 1 2\n3 0 2 3\n"},
           {"a.off", std::string("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n")},
-          {"a.stl", std::string("solid a\n") + facet + facet + "endsolid a\n"}}) {
+          {"a.stl", stl}}) {
         EXPECT_NO_THROW(static_cast<void>(readMesh(write(name, bytes)))) << name;
         for (std::size_t end = bytes.rfind('\n', bytes.size() - 2);
              end != std::string::npos && end > 0;
@@ -229,38 +265,15 @@ TEST_F(DamagedMesh, RandomDamageNeverCrashes) {
     };
     constexpr unsigned kSeed = 20250731;
     std::mt19937 random(kSeed);
-    const std::string alphabet = "0123456789 -\n.\\#vflqeE\t\r\xff" + std::string(1, '\0');
     for (int round = 0; round < 3000; ++round) {
         const auto& [name, original] = files[static_cast<std::size_t>(round) % files.size()];
-        std::string bytes = original;
-        for (unsigned k = 0; k <= random() % 3; ++k) {
-            const std::size_t at = random() % bytes.size();
-            switch (random() % 3) {
-                case 0:
-                    bytes[at] = alphabet[random() % alphabet.size()];
-                    break;
-                case 1:
-                    bytes.erase(at, 1 + random() % 4);
-                    break;
-                default:
-                    bytes.insert(at, 1, alphabet[random() % alphabet.size()]);
-                    break;
-            }
-        }
+        const std::string bytes = damaged(original, random);
         SCOPED_TRACE(
             std::string("seed ") + std::to_string(kSeed) + ", round " + std::to_string(round) +
             ": " + bytes
         );
-        try {
-            const TriangleMesh mesh = readMesh(write(name, bytes));
-            for (const Triangle& face : mesh.faces) {
-                for (const int id : face) {
-                    ASSERT_GE(id, 0);
-                    ASSERT_LT(static_cast<std::size_t>(id), mesh.vertices.size());
-                }
-            }
-        } catch (const InputError&) {  // as it should
-        }
+        const std::filesystem::path file = write(name, bytes);
+        EXPECT_TRUE(holdsTogetherOrIsRefused(file));
     }
 }
 
