@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -67,13 +66,6 @@ Line acrossPlate() {
 
 Line alongBoundary() {
     return {plate(10, 10), {2 * 3, kCentroid}, {2 * 5, kCentroid}};
-}
-
-const Shell& shellOf(const NearShell& near) {
-    if (!near.shell) {
-        throw std::logic_error("prisms near a curve have no shell");
-    }
-    return *near.shell;
 }
 
 double lengthOf(const Pillar& pillar) {
@@ -150,7 +142,7 @@ TEST(NearShell, HoldsTwoRingsAboutTheCurve) {
 
 TEST(NearShell, ConnectsPrismsAsTheirFaces) {
     const NearShell near = acrossPlate().near(1e-3);
-    const std::vector<Prism>& prisms = shellOf(near).prisms();
+    const std::vector<Prism>& prisms = near.shell.prisms();
     for (std::size_t f = 0; f < prisms.size(); ++f) {
         for (std::size_t slot = 0; slot < 3; ++slot) {
             const int there = prisms[f].neighbours[slot];
@@ -180,7 +172,7 @@ TEST(NearShell, HoldsTheFaceBehindEveryGhost) {
     const int count = static_cast<int>(near.faces.size());
     EXPECT_GT(count, base.surfaceFaceCount);
     for (int ghost = base.surfaceFaceCount; ghost < count; ++ghost) {
-        EXPECT_TRUE(shellOf(near).isGhost(ghost));
+        EXPECT_TRUE(near.shell.isGhost(ghost));
         const int behind = faceBehind(base, ghost);
         ASSERT_GE(behind, 0) << "face " << near.faces[at(ghost)];
         EXPECT_TRUE(
@@ -198,10 +190,10 @@ TEST(NearShell, HoldsTheFaceBehindEveryGhost) {
 TEST(NearShell, MakesPillarsHighEnoughForTheTolerance) {
     const Line line = acrossPlate();
     const NearShell low = line.near(1e-6);
-    const double least = lengthOf(shellOf(low).pillars().front());
+    const double least = lengthOf(low.shell.pillars().front());
     const double tolerance = 0.05;
     const NearShell near = line.near(tolerance);
-    for (const Pillar& pillar : shellOf(near).pillars()) {
+    for (const Pillar& pillar : near.shell.pillars()) {
         EXPECT_GT(lengthOf(pillar), least);
         EXPECT_GE(lengthOf(pillar), 4.0 * tolerance);
     }
@@ -212,7 +204,7 @@ TEST(NearShell, ShrinksPillarsUntilPrismsAreUpright) {
     const Line line(withNoise(icosphere(2), 0.04, 3), {0, kCentroid}, {3, kCentroid});
     const double tolerance = 0.2;
     const NearShell near = line.near(tolerance);
-    const Shell& shell = shellOf(near);
+    const Shell& shell = near.shell;
     double shortest = 1.0;
     for (const Pillar& pillar : shell.pillars()) {
         shortest = std::min(shortest, lengthOf(pillar));
@@ -231,7 +223,7 @@ TEST(NearShell, LeavesOutPrismsThatNeverAreUpright) {
     const int vertex = 5 * 11 + 5;  // the middle
     turned.directions[at(vertex)] *= -1.0;
     const NearShell near(line.surface, turned, line.shadow(), 1e-3);
-    const Shell& shell = shellOf(near);
+    const Shell& shell = near.shell;
     const auto isLeftOut = [&](int prism) {
         return prism >= 0 &&
                std::ranges::count(line.base.faces[at(near.faces[at(prism)])], vertex) > 0;
