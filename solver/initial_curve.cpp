@@ -110,6 +110,7 @@ bool spanIsInside(
     const GuidePath& guide,
     const SplineSpace& space,
     const ControlPoints& controls,
+    double highestStart,
     int span
 ) {
     const PolynomialCurve curve = space.polynomial(controls, span);
@@ -124,7 +125,7 @@ bool spanIsInside(
     const auto ignoreCrossing = [](const ShellCell&, const ShellCell&, double, int) {};
     return walkStraight(*problem.shell, near.position, curve.coefficients[0], state) &&
            tracePolynomial(*problem.shell, curve, 1.0, state, measure, ignoreCrossing) &&
-           highest * relativeReach(problem) < kHighestStart;
+           highest < highestStart;
 }
 
 }  // namespace
@@ -137,12 +138,13 @@ SplineCurve makeFirstCurve(const CurveProblem& problem, const GuidePath& guide) 
 
 SplineCurve fitGuidePath(const CurveProblem& problem, const GuidePath& guide) {
     std::vector<double> breaks = firstBreaks(problem);
+    const double highestStart = kHighestStart / relativeReach(problem);
     for (int attempt = 0; attempt < kMaxFits; ++attempt) {
         SplineSpace space(problem.options.degree, problem.options.closed, breaks);
         ControlPoints controls = fit(problem, guide, space);
         std::vector<double> finer{breaks.front()};
         for (int span = 0; span < space.spanCount(); ++span) {
-            if (!spanIsInside(problem, guide, space, controls, span)) {
+            if (!spanIsInside(problem, guide, space, controls, highestStart, span)) {
                 finer.push_back(0.5 * (breaks[at(span)] + breaks[at(span) + 1]));
             }
             finer.push_back(breaks[at(span) + 1]);
