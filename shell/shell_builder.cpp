@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_builder.h"
 
+#include "shell/everted_layers.h"
 #include "shell/nested_components.h"
 #include "shell/pillar_reach.h"
 #include "surface/predicates.h"
@@ -125,8 +126,8 @@ public:
         changed_ = std::move(everChanged);
     }
 
-    // Shrinks pillars until the boundary of the shell intersects itself nowhere and no component
-    // lies inside of another one.
+    // Shrinks pillars until the boundary of the shell intersects itself nowhere, no component lies
+    // inside of another one, and no layer is inside out.
     void separateAll(const Progress& progress) {
         for (int round = 0;; ++round) {
             // Most builds need a handful of rounds, each with less to do than the one before.
@@ -134,7 +135,8 @@ public:
             PillarMarks marks = noPillars();
             std::vector<char> freed(base_.vertices.size(), 0);
             report_.intersectionRounds = round;
-            if (!markIntersecting(marks, freed) && !markNested(marks, freed)) {
+            if (!markIntersecting(marks, freed) && !markNested(marks, freed) &&
+                !markEverted(marks, freed)) {
                 return;
             }
             shrink(marks, kIntersectingShrink);
@@ -352,6 +354,17 @@ private:
             }
         }
         return !nested.empty();
+    }
+
+    bool markEverted(PillarMarks& marks, std::vector<char>& freed) {
+        const std::vector<EvertedPrism> everted =
+            findEvertedLayers(layers_, prisms_, base_.faceNeighbours, blocked_);
+        for (const auto& [prism, slab] : everted) {
+            if (!markForShrinking(marks, slab, prisms_[at(prism)].pillars)) {
+                block(prism, freed);
+            }
+        }
+        return !everted.empty();
     }
 
     // All of them, once: not only those whose prisms are thin enough to show it.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -88,6 +89,24 @@ TEST(ShellBuilder, SeparatesAComponentInsideOfAPrism) {
     }
     EXPECT_LT(shortest, 0.4);
     EXPECT_NEAR(longest, 0.75, 1e-12);
+}
+
+// A cone of needles, whose pillars are longer than the cone is wide: as they shrink by halves its
+// bottom can leap through itself, and then crosses nothing.
+TEST(ShellBuilder, TurnsNoBottomInsideOut) {
+    constexpr int kNeedles = 500;
+    TriangleMesh cone{{{0, 0, -1.5}, {0, 0, 1.5}}, {}};
+    for (int i = 0; i < kNeedles; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kNeedles;
+        cone.vertices.emplace_back(std::cos(angle), std::sin(angle), -1.5);
+        const int here = 2 + i;
+        const int next = 2 + (i + 1) % kNeedles;
+        cone.faces.push_back({0, next, here});
+        cone.faces.push_back({1, here, next});
+    }
+    const BuiltShell built(cone);
+    EXPECT_TRUE(built.check().passed()) << describe(built.check());
+    EXPECT_TRUE(built.blockedFaces().empty());
 }
 
 TEST(ShellBuilder, LeavesAFoldedSheetWhole) {
