@@ -16,6 +16,48 @@ constexpr std::array<double, 5> kKinkShares = {1.0, 0.5, 0.25, 0.125, 0.0};
 // the picks.
 constexpr double kConstraintWeight = 1e3;
 
+// Where a minimisation stands, and where it may go next.
+struct State {
+    ControlPoints& controls;
+    EnergyValue& value;
+    EnergyDerivatives& derivatives;
+    ControlPoints& trial;
+    EnergyDerivatives& trialDerivatives;
+};
+
+struct LineSearch {
+    const CurveEnergy& energy;
+    const EnergyWeights& weights;
+    double leastStep;
+};
+
+// Moves along a step as far as the energy falls enough; `slope` is that of the energy along the
+// step. Returns the share of the step taken, 0 where there is none. Mostly it is the whole step, so
+// its derivatives are computed with its value.
+double takeStep(const LineSearch& search, const Eigen::VectorXd& step, double slope, State& state) {
+    for (double length = 1.0; length >= search.leastStep; length *= 0.5) {
+        const ControlPoints& from = state.controls;
+        Eigen::Map<Eigen::VectorXd>(state.trial.data(), state.trial.size()) =
+            Eigen::Map<const Eigen::VectorXd>(from.data(), from.size()) + length * step;
+        EnergyValue value =
+            length == 1.0
+                ? search.energy.evaluate(state.trial, search.weights, state.trialDerivatives)
+                : search.energy.evaluate(state.trial, search.weights);
+        if (!value.inside ||
+            value.total > state.value.total + kSufficientDecrease * length * slope) {
+            continue;
+        }
+        if (length < 1.0) {
+            value = search.energy.evaluate(state.trial, search.weights, state.trialDerivatives);
+        }
+        state.controls.swap(state.trial);
+        std::swap(state.derivatives, state.trialDerivatives);
+        state.value = value;
+        return length;
+    }
+    return 0.0;
+}
+
 }  // namespace
 
 std::optional<Eigen::VectorXd> newtonStep(
@@ -52,17 +94,16 @@ std::optional<Eigen::VectorXd> newtonStep(
 MinimiseResult minimise(
     const CurveEnergy& energy,
     SplineSystem& system,
-    const SplineSpace& space,
     const EnergyWeights& weights,
     Interpolation interpolation,
     const MinimiseOptions& options,
     ControlPoints& controls
 ) {
     MinimiseResult result;
-    // Mostly the whole step is taken, so its derivatives are computed with its value.
     EnergyDerivatives derivatives;
     EnergyDerivatives trialDerivatives;
-    ControlPoints trial(space.controlCount(), 3);
+    ControlPoints trial(controls.rows(), 3);
+    State state{controls, result.value, derivatives, trial, trialDerivatives};
     result.value = energy.evaluate(controls, weights, derivatives);
     if (!result.value.inside) {
         result.status = MinimiseStatus::Outside;
@@ -87,34 +128,12 @@ MinimiseResult minimise(
             result.status = MinimiseStatus::Converged;
             return result;
         }
-        double length = 1.0;
-        bool accepted = false;
-        EnergyValue value;
-        while (length >= options.leastStep) {
-            Eigen::Map<Eigen::VectorXd>(trial.data(), trial.size()) =
-                Eigen::Map<const Eigen::VectorXd>(controls.data(), controls.size()) +
-                length * *step;
-            value = length == 1.0 ? energy.evaluate(trial, weights, trialDerivatives)
-                                  : energy.evaluate(trial, weights);
-            if (value.inside &&
-                value.total <= result.value.total + kSufficientDecrease * length * slope) {
-                accepted = true;
-                break;
-            }
-            length *= 0.5;
-        }
-        entry.step = accepted ? length : 0.0;
+        entry.step = takeStep({energy, weights, options.leastStep}, *step, slope, state);
         result.iterations.push_back(entry);
-        if (!accepted) {
+        if (entry.step == 0.0) {
             result.status = MinimiseStatus::LineSearchStalled;
             return result;
         }
-        controls.swap(trial);
-        if (length < 1.0) {
-            value = energy.evaluate(controls, weights, trialDerivatives);
-        }
-        result.value = value;
-        std::swap(derivatives, trialDerivatives);
     }
     result.status = MinimiseStatus::IterationLimit;
     return result;

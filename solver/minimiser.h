@@ -36,7 +36,6 @@ struct MinimiseResult {
 [[nodiscard]] MinimiseResult minimise(
     const CurveEnergy& energy,
     SplineSystem& system,
-    const SplineSpace& space,
     const EnergyWeights& weights,
     Interpolation interpolation,
     const MinimiseOptions& options,

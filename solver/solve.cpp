@@ -194,7 +194,6 @@ private:
         result = minimise(
             stage_->energy,
             stage_->system,
-            curve_.space,
             weights_,
             options_.interpolation,
             {options_.maxIterations, decrement, isRough() ? kRoughLeastStep : kLeastStep},

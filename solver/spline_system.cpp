@@ -53,33 +53,7 @@ std::vector<InterpolationRow> interpolationRows(
 SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows)
     : space_(space), rows_(std::move(rows)) {
     const std::vector<std::vector<int>> coupled = coupledControls(space);
-    matrix_.resize(3 * space.controlCount(), 3 * space.controlCount());
-    // Of each column whole blocks of the control points before its own, then the upper part of
-    // that.
-    std::vector<int> firstOfColumn{0};
-    for (const std::vector<int>& before : coupled) {
-        for (int axis = 0; axis < 3; ++axis) {
-            firstOfColumn.push_back(
-                firstOfColumn.back() + 3 * static_cast<int>(before.size()) + axis + 1
-            );
-        }
-    }
-    matrix_.resizeNonZeros(firstOfColumn.back());
-    std::copy(firstOfColumn.begin(), firstOfColumn.end(), matrix_.outerIndexPtr());
-    int* row = matrix_.innerIndexPtr();
-    for (int c = 0; c < space.controlCount(); ++c) {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const int other : coupled[at(c)]) {
-                for (int of = 0; of < 3; ++of) {
-                    *row++ = 3 * other + of;
-                }
-            }
-            for (int above = 0; above <= axis; ++above) {
-                *row++ = 3 * c + above;
-            }
-        }
-    }
-    std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 1.0);
+    makePattern(coupled);
     factor_.analyzePattern(matrix_);
 
     const int n = space.basisCount();
@@ -88,21 +62,49 @@ SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRo
     for (int span = 0; span < space.spanCount(); ++span) {
         for (int j = 0; j < n; ++j) {
             const int column = space.control(span, j);
-            const std::vector<int>& before = coupled[at(column)];
             for (int i = 0; i < n; ++i) {
-                const int other = space.control(span, i);
-                // The column's own control point comes after all those before it.
-                const auto place =
-                    static_cast<int>(std::ranges::lower_bound(before, other) - before.begin());
-                for (int b = 0; other <= column && b < 3; ++b) {
-                    for (int a = 0; a <= (other == column ? b : 2); ++a) {
-                        slot[(3 * j + b) * 3 * n + 3 * i + a] =
-                            firstOfColumn[at(3 * column + b)] + 3 * place + a;
-                    }
+                const int row = space.control(span, i);
+                if (row <= column) {
+                    setSlots(coupled[at(column)], row, column, slot + 9 * n * j + 3 * i);
                 }
             }
         }
         slot += 9 * static_cast<std::ptrdiff_t>(n) * n;
+    }
+}
+
+// Of each column whole blocks of the control points before its own, then the upper part of that.
+void SplineSystem::makePattern(const std::vector<std::vector<int>>& coupled) {
+    std::vector<int> firstOfColumn{0};
+    std::vector<int> rows;
+    for (int c = 0; c < space_.controlCount(); ++c) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int before : coupled[at(c)]) {
+                rows.insert(rows.end(), {3 * before, 3 * before + 1, 3 * before + 2});
+            }
+            for (int above = 0; above <= axis; ++above) {
+                rows.push_back(3 * c + above);
+            }
+            firstOfColumn.push_back(static_cast<int>(rows.size()));
+        }
+    }
+    matrix_.resize(3 * space_.controlCount(), 3 * space_.controlCount());
+    matrix_.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
+    std::ranges::copy(firstOfColumn, matrix_.outerIndexPtr());
+    std::ranges::copy(rows, matrix_.innerIndexPtr());
+    std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 1.0);
+}
+
+// The nine slots of two control points; `before` are those coupled to the column's, which comes
+// after all of them.
+void SplineSystem::setSlots(const std::vector<int>& before, int row, int column, int* slots) const {
+    const auto place = static_cast<int>(std::ranges::lower_bound(before, row) - before.begin());
+    for (int b = 0; b < 3; ++b) {
+        const int last = row == column ? b : 2;
+        for (int a = 0; a <= last; ++a) {
+            slots[3 * space_.basisCount() * b + a] =
+                matrix_.outerIndexPtr()[3 * column + b] + 3 * place + a;
+        }
     }
 }
 

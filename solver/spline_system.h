@@ -69,6 +69,8 @@ public:
 private:
     using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
+    void makePattern(const std::vector<std::vector<int>>& coupled);
+    void setSlots(const std::vector<int>& before, int row, int column, int* slots) const;
     void addBlock(int span, const SpanMatrix& block);
 
     const SplineSpace& space_;

@@ -73,9 +73,8 @@ TEST_P(Minimisation, EndsAtAStationaryPointThatMeetsThePicks) {
     SplineSystem system(curve.space, rows);
     const EnergyWeights weights{10.0, 0.0, 1.0};
     const double before = energy.evaluate(curve.controls, weights).total;
-    const MinimiseResult result = minimise(
-        energy, system, curve.space, weights, Interpolation::Constraint, {100, 1e-8}, curve.controls
-    );
+    const MinimiseResult result =
+        minimise(energy, system, weights, Interpolation::Constraint, {100, 1e-8}, curve.controls);
     EXPECT_EQ(result.status, MinimiseStatus::Converged) << name(result.status);
     EXPECT_TRUE(result.value.inside);
     EXPECT_LE(result.value.total, before);
@@ -92,13 +91,7 @@ TEST_P(Minimisation, StopsAtItsLimitAndSaysSo) {
     const CurveEnergy energy(fixture.problem(), curve.space, rows, 0);
     SplineSystem system(curve.space, rows);
     const MinimiseResult result = minimise(
-        energy,
-        system,
-        curve.space,
-        {10.0, 0.0, 1.0},
-        Interpolation::Constraint,
-        {1, 0.0},
-        curve.controls
+        energy, system, {10.0, 0.0, 1.0}, Interpolation::Constraint, {1, 0.0}, curve.controls
     );
     EXPECT_EQ(result.status, MinimiseStatus::IterationLimit) << name(result.status);
     EXPECT_EQ(result.iterations.size(), 1U);
