@@ -43,12 +43,13 @@ def assert_passes_the_judge(judge, surface, case, points, closed, tolerance):
     assert not failures
 
 
+@pytest.mark.parametrize("shell", ["full", "simplified"])
 @pytest.mark.parametrize("path", CASES, ids=lambda p: p.stem)
-def test_the_program_draws_every_shared_case(judge, surfaces, program, path, tmp_path):
+def test_the_program_draws_every_shared_case(judge, surfaces, program, path, shell, tmp_path):
     case = json.loads(path.read_text())
     mesh = SHARED / case["mesh"]
     output = tmp_path / "curve.ply"
-    subprocess.run([program, mesh, "--picks", path, "--output", output], check=True, timeout=120)
+    subprocess.run([program, mesh, "--picks", path, "--output", output, "--shell", shell], check=True, timeout=120)
     points, closed, chain_error = judge.read_curve(output)
     assert chain_error is None
     assert_passes_the_judge(judge, surfaces(mesh), case, points, closed, 1e-9)

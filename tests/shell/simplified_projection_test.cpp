@@ -24,7 +24,7 @@ using namespace test_support;
 
 constexpr int kPointsPerMesh = caseCount(1000000, 5000);
 constexpr int kWalksPerMesh = caseCount(100000, 2000);
-constexpr int kPointsPerPrism = caseCount(500, 10);
+constexpr int kPointsPerPrism = caseCount(500, 48);
 
 // The diagonal of the surface is 1. Tetrahedra along creases are so thin that rounding costs a
 // digit more there.
