@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 namespace bspline_curve {
@@ -49,13 +50,9 @@ Components findComponents(
     return result;
 }
 
-// Whether the closed slab holds the middle of a vertex that is none of its own.
-bool slabHolds(const PillarLayers& layers, const Prism& prism, int slab, int vertex) {
-    if (std::find(prism.pillars.begin(), prism.pillars.end(), vertex) != prism.pillars.end()) {
-        return false;
-    }
+// Whether the closed slab holds a point.
+bool slabHolds(const PillarLayers& layers, const Prism& prism, int slab, const Vec3& point) {
     const int wanted = slab == 0 ? prism.orientation : -prism.orientation;
-    const Vec3& point = layers.point(2, at(vertex));
     return std::any_of(kSlabSplit.begin(), kSlabSplit.end(), [&](const auto& split) {
         std::array<const Vec3*, 4> corners{};
         for (std::size_t k = 0; k < 4; ++k) {
@@ -73,6 +70,13 @@ bool slabHolds(const PillarLayers& layers, const Prism& prism, int slab, int ver
     });
 }
 
+// A middle or tip that stands for its component, or for a layer of it.
+struct Candidate {
+    double x;
+    int component;
+    std::size_t layer;
+};
+
 }  // namespace
 
 std::vector<NestedVertex> findNestedComponents(
@@ -86,12 +90,18 @@ std::vector<NestedVertex> findNestedComponents(
     if (components.vertices.size() < 2) {
         return nested;
     }
-    // The vertices of the components along x; each slab looks at those in its range.
-    std::vector<std::pair<double, int>> sorted;
+    // Middles and tips of a vertex of each component along x; each slab looks at those in its
+    // range.
+    std::vector<Candidate> sorted;
     for (std::size_t c = 0; c < components.vertices.size(); ++c) {
-        sorted.emplace_back(layers.point(2, at(components.vertices[c])).x(), static_cast<int>(c));
+        for (std::size_t layer = 0; layer < 3; ++layer) {
+            const Vec3& point = layers.point(layer, at(components.vertices[c]));
+            sorted.push_back({point.x(), static_cast<int>(c), layer});
+        }
     }
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted, {}, [](const Candidate& candidate) {
+        return std::tuple(candidate.x, candidate.component, candidate.layer);
+    });
     for (std::size_t f = 0; f < prisms.size(); ++f) {
         if (blocked[f] != 0) {
             continue;
@@ -103,12 +113,14 @@ std::vector<NestedVertex> findNestedComponents(
             const auto [low, high] = std::minmax(
                 {x(0, 2), x(1, 2), x(2, 2), x(0, at(slab)), x(1, at(slab)), x(2, at(slab))}
             );
-            for (auto next = std::lower_bound(sorted.begin(), sorted.end(), std::pair(low, 0));
-                 next != sorted.end() && next->first <= high;
+            for (auto next = std::ranges::lower_bound(sorted, low, {}, &Candidate::x);
+                 next != sorted.end() && next->x <= high;
                  ++next) {
-                const int vertex = components.vertices[at(next->second)];
-                if (next->second != components.componentOf[f] &&
-                    slabHolds(layers, prisms[f], slab, vertex)) {
+                const int vertex = components.vertices[at(next->component)];
+                const Vec3& point = layers.point(next->layer, at(vertex));
+                if (next->component != components.componentOf[f] &&
+                    std::ranges::count(prisms[f].pillars, vertex) == 0 &&
+                    slabHolds(layers, prisms[f], slab, point)) {
                     nested.push_back({vertex, static_cast<int>(f), slab});
                 }
             }

@@ -23,14 +23,16 @@ struct PillarLayers {
     }
 };
 
-/// A vertex of one component of the shell that lies in a slab (0 above, 1 below) of another one.
+/// A vertex of one component of the shell whose middle or one of its tips lies in a slab (0 above,
+/// 1 below) of another one.
 struct NestedVertex {
     int vertex, prism, slab;
 };
 
-/// Finds components inside of others, given that no boundaries intersect: then one vertex of each
-/// component stands for all. `faceNeighbours` as in ShellBase; prisms with a nonzero `blocked` are
-/// left out. Exact. O(n) for one component, O(n log c + hits) for c.
+/// Finds components inside of others, or overlapping them, given that no boundaries intersect: then
+/// middle and tips of one vertex of each component stand for all. `faceNeighbours` as in ShellBase;
+/// prisms with a nonzero `blocked` are left out. Exact. O(n) for one component, O(n log c + hits)
+/// for c.
 [[nodiscard]] std::vector<NestedVertex> findNestedComponents(
     const PillarLayers& layers,
     const std::vector<Prism>& prisms,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace bspline_curve {
@@ -196,8 +197,8 @@ void checkLayers(const CheckedShell& shell, Violations violations) {
     checkOrientation(shell, boundary, violations);
 }
 
-// One point of each component must not lie in another one: with separate layers that stands for
-// all.
+// One point of each component's middle, top and bottom must not lie in another one: with separate
+// layers these stand for all, since each closed part of the boundary is inside or outside whole.
 void checkComponents(const CheckedShell& shell, Violations violations) {
     DisjointSets sets = componentsOf(shell);
 
@@ -209,14 +210,17 @@ void checkComponents(const CheckedShell& shell, Violations violations) {
     std::vector<Query> queries;
     for (int i = 0; i < shell.prismCount(); ++i) {
         if (shell.isPresent(i) && sets.find(i) == i) {
-            const int point =
-                CheckedShell::kLevels * shell.prism(i).pillars[0] + CheckedShell::Middle;
-            queries.push_back({shell.point(point).x(), point, i});
+            for (const int level :
+                 {CheckedShell::Bottom, CheckedShell::Middle, CheckedShell::Top}) {
+                const int point = CheckedShell::kLevels * shell.prism(i).pillars[0] + level;
+                queries.push_back({shell.point(point).x(), point, i});
+            }
         }
     }
-    if (queries.size() < 2) {
+    if (queries.size() <= CheckedShell::kLevels) {
         return;
     }
+    std::set<std::pair<int, int>> found;
     std::sort(queries.begin(), queries.end(), [](const Query& a, const Query& b) {
         return std::pair(a.x, a.point) < std::pair(b.x, b.point);
     });
@@ -229,7 +233,8 @@ void checkComponents(const CheckedShell& shell, Violations violations) {
             queries.begin(), queries.end(), low, [](const Query& q, double x) { return q.x < x; }
         );
         for (; query != queries.end() && query->x <= high; ++query) {
-            if (query->component != sets.find(i) && prismHolds(shell, i, query->point)) {
+            if (query->component != sets.find(i) && prismHolds(shell, i, query->point) &&
+                found.emplace(query->component, sets.find(i)).second) {
                 violations.add({query->point / CheckedShell::kLevels, i});
             }
         }

@@ -217,9 +217,6 @@ CASES = {
 }
 
 
-WRONG = {("nested spheres", "simplified")}
-
-
 def check_shell(run, folder, name, *words):
     """Runs a command that must work; returns its report."""
     process = run("shell", name, "--check", "--report", "report.json", *words)
@@ -231,9 +228,7 @@ def check_shell(run, folder, name, *words):
 
 @pytest.mark.parametrize("kind", ["simplified", "full"])
 @pytest.mark.parametrize("name", CASES)
-def test_a_mesh_that_others_refuse_gets_a_shell_of_which_every_check_holds(run, tmp_path, name, kind, request):
-    if (name, kind) in WRONG:
-        request.applymarker(pytest.mark.xfail(strict=True, reason="the checks tell that this shell is wrong"))
+def test_a_mesh_that_others_refuse_gets_a_shell_of_which_every_check_holds(run, tmp_path, name, kind):
     case = CASES[name]
     V, F = case.make()
     found = traits(V, F)

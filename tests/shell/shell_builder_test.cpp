@@ -91,6 +91,26 @@ TEST(ShellBuilder, SeparatesAComponentInsideOfAPrism) {
     EXPECT_NEAR(longest, 0.75, 1e-12);
 }
 
+// The bottom of the outer sphere would lie between the middle of the inner one and its top, and
+// nothing would cross.
+TEST(ShellBuilder, SeparatesConcentricSpheres) {
+    const TriangleMesh inner = transformed(icosphere(3), Eigen::Isometry3d::Identity(), 0.9);
+    const BuiltShell built(joined(icosphere(3), inner), {.thickness = 0.5});
+    EXPECT_TRUE(built.check().passed()) << describe(built.check());
+    EXPECT_TRUE(built.blockedFaces().empty());
+    double lowest = 1.0;
+    double highest = 0.0;
+    const int half = built.surface.vertexCount() / 2;
+    for (int v = 0; v < half; ++v) {
+        const Pillar& outerPillar = built.shell().pillars()[at(v)];
+        const Pillar& innerPillar = built.shell().pillars()[at(half + v)];
+        const double gap = (outerPillar.middle - innerPillar.middle).norm();
+        lowest = std::min(lowest, (outerPillar.bottom - innerPillar.middle).norm() / gap);
+        highest = std::max(highest, (innerPillar.top - innerPillar.middle).norm() / gap);
+    }
+    EXPECT_LT(highest, lowest);
+}
+
 // A cone of needles, whose pillars are longer than the cone is wide: as they shrink by halves its
 // bottom can leap through itself, and then crosses nothing.
 TEST(ShellBuilder, TurnsNoBottomInsideOut) {
