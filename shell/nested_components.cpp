@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/nested_components.h"
 
+#include "shell/prism_components.h"
 #include "surface/predicates.h"
 
 #include <algorithm>
@@ -13,41 +14,6 @@ namespace {
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
-}
-
-struct Components {
-    std::vector<int> componentOf;  // of each prism, -1 where blocked
-    std::vector<int> vertices;     // one of each component
-};
-
-Components findComponents(
-    const std::vector<Prism>& prisms,
-    const std::vector<Triangle>& faceNeighbours,
-    const std::vector<char>& blocked
-) {
-    Components result;
-    result.componentOf.assign(prisms.size(), -1);
-    std::vector<int> pending;
-    for (std::size_t start = 0; start < prisms.size(); ++start) {
-        if (blocked[start] != 0 || result.componentOf[start] >= 0) {
-            continue;
-        }
-        const int component = static_cast<int>(result.vertices.size());
-        result.vertices.push_back(prisms[start].pillars[0]);
-        result.componentOf[start] = component;
-        pending.assign(1, static_cast<int>(start));
-        while (!pending.empty()) {
-            const int f = pending.back();
-            pending.pop_back();
-            for (const int there : faceNeighbours[at(f)]) {
-                if (there >= 0 && blocked[at(there)] == 0 && result.componentOf[at(there)] < 0) {
-                    result.componentOf[at(there)] = component;
-                    pending.push_back(there);
-                }
-            }
-        }
-    }
-    return result;
 }
 
 // Whether the closed slab holds a point.
@@ -85,18 +51,20 @@ std::vector<NestedVertex> findNestedComponents(
     const std::vector<Triangle>& faceNeighbours,
     const std::vector<char>& blocked
 ) {
-    const Components components = findComponents(prisms, faceNeighbours, blocked);
+    const PrismComponents components = findComponents(faceNeighbours, blocked);
+    const auto vertexOf = [&](int component) {
+        return prisms[at(components.first[at(component)])].pillars[0];
+    };
     std::vector<NestedVertex> nested;
-    if (components.vertices.size() < 2) {
+    if (components.count() < 2) {
         return nested;
     }
     // Middles and tips of a vertex of each component along x; each slab looks at those in its
     // range.
     std::vector<Candidate> sorted;
-    for (std::size_t c = 0; c < components.vertices.size(); ++c) {
+    for (int c = 0; c < components.count(); ++c) {
         for (std::size_t layer = 0; layer < 3; ++layer) {
-            const Vec3& point = layers.point(layer, at(components.vertices[c]));
-            sorted.push_back({point.x(), static_cast<int>(c), layer});
+            sorted.push_back({layers.point(layer, at(vertexOf(c))).x(), c, layer});
         }
     }
     std::ranges::sort(sorted, {}, [](const Candidate& candidate) {
@@ -116,7 +84,7 @@ std::vector<NestedVertex> findNestedComponents(
             for (auto next = std::ranges::lower_bound(sorted, low, {}, &Candidate::x);
                  next != sorted.end() && next->x <= high;
                  ++next) {
-                const int vertex = components.vertices[at(next->component)];
+                const int vertex = vertexOf(next->component);
                 const Vec3& point = layers.point(next->layer, at(vertex));
                 if (next->component != components.componentOf[f] &&
                     std::ranges::count(prisms[f].pillars, vertex) == 0 &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/component_witnesses.h"
 
-#include "shell/simplify/prism_components.h"
+#include "shell/prism_components.h"
 #include "surface/predicates.h"
 
 #include <algorithm>

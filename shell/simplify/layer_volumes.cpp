@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/layer_volumes.h"
 
-#include "shell/simplify/prism_components.h"
+#include "shell/prism_components.h"
 
 #include <Eigen/Geometry>
 
@@ -24,14 +24,9 @@ constexpr double kLeastShare = 1e-9;
 
 LayerVolumes::LayerVolumes(const Shell& start) {
     PrismComponents found = findComponents(start.prisms());
-    for (const int prism : found.first) {
-        const int pillar = start.prisms()[at(prism)].pillars[0];
-        components_.push_back({start.pillars()[at(pillar)].middle, true, {}});
-    }
-    for (std::size_t i = 0; i < start.prisms().size(); ++i) {
-        if (found.componentOf[i] >= 0 && std::ranges::count(start.prisms()[i].neighbours, -1) > 0) {
-            components_[at(found.componentOf[i])].isClosed = false;
-        }
+    for (int c = 0; c < found.count(); ++c) {
+        const int pillar = start.prisms()[at(found.first[at(c)])].pillars[0];
+        components_.push_back({start.pillars()[at(pillar)].middle, found.isClosed[at(c)] != 0, {}});
     }
     componentOf_ = std::move(found.componentOf);
     volumes_.resize(componentOf_.size());
