@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/near_shell.h"
 
+#include "shell/full_prisms.h"
+#include "shell/slab.h"
 #include "surface/index_sets.h"
-#include "surface/predicates.h"
-#include "surface/surface_point.h"
 
 #include <algorithm>
 #include <utility>
@@ -69,31 +69,15 @@ std::vector<int> facesNear(
     return faces;
 }
 
-// Slots ascending by vertex, as in every shell of full resolution.
-Prism prismOver(const Triangle& face) {
-    Prism prism;
-    prism.pillars = face;
-    std::ranges::sort(prism.pillars);
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-        prism.faceCorner[slot] = static_cast<signed char>(cornerOf(face, prism.pillars[slot]));
-    }
-    prism.orientation = (prism.faceCorner[1] - prism.faceCorner[0] + 3) % 3 == 1 ? 1 : -1;
-    prism.neighbours = {-1, -1, -1};
-    return prism;
-}
-
 bool isUpright(const Prism& prism, const std::vector<Pillar>& pillars) {
     for (const bool top : {true, false}) {
         const int wanted = top ? prism.orientation : -prism.orientation;
-        for (const auto& split : kSlabSplit) {
-            std::array<const Vec3*, 4> p{};
-            for (std::size_t k = 0; k < 4; ++k) {
-                const Pillar& pillar = pillars[at(prism.pillars[at(split[k].slot)])];
-                p[k] = !split[k].outer ? &pillar.middle : (top ? &pillar.top : &pillar.bottom);
-            }
-            if (orientationSign(*p[0], *p[1], *p[2], *p[3]) != wanted) {
-                return false;
-            }
+        const auto pointOf = [&](int slot, bool outer) -> const Vec3& {
+            const Pillar& pillar = pillars[at(prism.pillars[at(slot)])];
+            return !outer ? pillar.middle : (top ? pillar.top : pillar.bottom);
+        };
+        if (!slabIsUpright(wanted, pointOf)) {
+            return false;
         }
     }
     return true;
@@ -119,24 +103,6 @@ void makeUpright(std::vector<Prism>& prisms, std::vector<Pillar>& pillars) {
         }
         if (inverted.empty()) {
             return;
-        }
-    }
-}
-
-void connect(std::vector<Prism>& prisms, const std::vector<Triangle>& faceNeighbours) {
-    for (std::size_t f = 0; f < prisms.size(); ++f) {
-        for (std::size_t slot = 0; prisms[f].orientation != 0 && slot < 3; ++slot) {
-            const int there = faceNeighbours[f][at(prisms[f].faceCorner[slot])];
-            if (there < 0 || prisms[at(there)].orientation == 0) {
-                continue;
-            }
-            prisms[f].neighbours[slot] = there;
-            for (std::size_t k = 0; k < 3; ++k) {
-                if (faceNeighbours[at(there)][at(prisms[at(there)].faceCorner[k])] ==
-                    static_cast<int>(f)) {
-                    prisms[f].neighbourWalls[slot] = static_cast<signed char>(k);
-                }
-            }
         }
     }
 }
@@ -183,7 +149,7 @@ NearShell::NearShell(
         prisms.push_back(prismOver(face));
     }
     makeUpright(prisms, pillars);
-    connect(prisms, base.faceNeighbours);
+    connectPrisms(prisms, base.faceNeighbours);
     shell = Shell(std::move(pillars), std::move(prisms), base.surfaceFaceCount);
 }
 

@@ -2,10 +2,9 @@
 #include "shell/nested_components.h"
 
 #include "shell/prism_components.h"
-#include "surface/predicates.h"
+#include "shell/slab.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 #include <utility>
 
@@ -17,23 +16,14 @@ std::size_t at(int index) {
 }
 
 // Whether the closed slab holds a point.
-bool slabHolds(const PillarLayers& layers, const Prism& prism, int slab, const Vec3& point) {
-    const int wanted = slab == 0 ? prism.orientation : -prism.orientation;
-    return std::any_of(kSlabSplit.begin(), kSlabSplit.end(), [&](const auto& split) {
-        std::array<const Vec3*, 4> corners{};
-        for (std::size_t k = 0; k < 4; ++k) {
-            corners[k] =
-                &layers.point(split[k].outer ? at(slab) : 2, at(prism.pillars[at(split[k].slot)]));
-        }
-        for (const Vec3*& corner : corners) {
-            const Vec3* const kept = std::exchange(corner, &point);
-            if (orientationSign(*corners[0], *corners[1], *corners[2], *corners[3]) == -wanted) {
-                return false;
-            }
-            corner = kept;
-        }
-        return true;
-    });
+bool holds(const PillarLayers& layers, const Prism& prism, int slab, const Vec3& point) {
+    return slabHolds(
+        slab == 0 ? prism.orientation : -prism.orientation,
+        [&](int slot, bool outer) -> const Vec3& {
+            return layers.point(outer ? at(slab) : 2, at(prism.pillars[at(slot)]));
+        },
+        point
+    );
 }
 
 // A middle or tip that stands for its component, or for a layer of it.
@@ -88,7 +78,7 @@ std::vector<NestedVertex> findNestedComponents(
                 const Vec3& point = layers.point(next->layer, at(vertex));
                 if (next->component != components.componentOf[f] &&
                     std::ranges::count(prisms[f].pillars, vertex) == 0 &&
-                    slabHolds(layers, prisms[f], slab, point)) {
+                    holds(layers, prisms[f], slab, point)) {
                     nested.push_back({vertex, static_cast<int>(f), slab});
                 }
             }

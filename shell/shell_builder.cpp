@@ -2,8 +2,10 @@
 #include "shell/shell_builder.h"
 
 #include "shell/everted_layers.h"
+#include "shell/full_prisms.h"
 #include "shell/nested_components.h"
 #include "shell/pillar_reach.h"
+#include "shell/slab.h"
 #include "surface/predicates.h"
 #include "surface/self_intersection.h"
 #include "surface/triangle_tree.h"
@@ -30,21 +32,6 @@ constexpr int kMiddle = 2;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
-}
-
-// Where slot k's vertex stands in the face, slots ascending by vertex index.
-Prism makePrism(const Triangle& face) {
-    Prism prism;
-    std::array<signed char, 3> order = {0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](signed char a, signed char b) {
-        return face[static_cast<std::size_t>(a)] < face[static_cast<std::size_t>(b)];
-    });
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-        prism.faceCorner[slot] = order[slot];
-        prism.pillars[slot] = face[static_cast<std::size_t>(order[slot])];
-    }
-    prism.orientation = (order[1] - order[0] + 3) % 3 == 1 ? 1 : -1;
-    return prism;
 }
 
 // Which pillars are meant, above and below.
@@ -77,7 +64,7 @@ public:
         }
         prisms_.reserve(base.faces.size());
         for (const Triangle& face : base.faces) {
-            prisms_.push_back(makePrism(face));
+            prisms_.push_back(prismOver(face));
         }
         blocked_.assign(base.faces.size(), 0);
         changed_.assign(n, 1);
@@ -149,7 +136,6 @@ public:
     }
 
     ShellBuild finish() {
-        connect();
         std::vector<Pillar> pillars(base_.vertices.size());
         for (std::size_t v = 0; v < pillars.size(); ++v) {
             pillars[v] = {
@@ -165,6 +151,7 @@ public:
                 report_.blockedFaces.push_back(static_cast<int>(f));
             }
         }
+        connectPrisms(prisms_, base_.faceNeighbours);
         return {
             Shell(std::move(pillars), std::move(prisms_), base_.surfaceFaceCount),
             std::move(report_)
@@ -183,17 +170,9 @@ private:
 
     [[nodiscard]] bool slabIsUpright(const Prism& prism, int slab) const {
         const int wanted = slab == kTop ? prism.orientation : -prism.orientation;
-        for (const auto& split : kSlabSplit) {
-            std::array<const Vec3*, 4> p{};
-            for (std::size_t k = 0; k < 4; ++k) {
-                const std::size_t v = at(prism.pillars[static_cast<std::size_t>(split[k].slot)]);
-                p[k] = &layers_.point(at(split[k].outer ? slab : kMiddle), v);
-            }
-            if (orientationSign(*p[0], *p[1], *p[2], *p[3]) != wanted) {
-                return false;
-            }
-        }
-        return true;
+        return bspline_curve::slabIsUpright(wanted, [&](int slot, bool outer) -> const Vec3& {
+            return layers_.point(at(outer ? slab : kMiddle), at(prism.pillars[at(slot)]));
+        });
     }
 
     // ---- Shrinking ----
@@ -394,31 +373,6 @@ private:
         blocked_[at(face)] = 1;
         for (const int v : base_.faces[at(face)]) {
             freed[at(v)] = 1;
-        }
-    }
-
-    // Neighbours across walls: wall k is opposite to slot k, hence to face corner faceCorner[k].
-    void connect() {
-        for (std::size_t f = 0; f < prisms_.size(); ++f) {
-            Prism& prism = prisms_[f];
-            for (std::size_t slot = 0; slot < 3; ++slot) {
-                const int there =
-                    base_.faceNeighbours[f][static_cast<std::size_t>(prism.faceCorner[slot])];
-                prism.neighbours[slot] = -1;
-                if (there < 0 || blocked_[f] != 0 || blocked_[at(there)] != 0) {
-                    continue;
-                }
-                prism.neighbours[slot] = there;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    if (base_.faceNeighbours[at(there)][static_cast<std::size_t>(
-                            prisms_[at(there)].faceCorner[k]
-                        )] == static_cast<int>(f) &&
-                        prisms_[at(there)].pillars[k] != prism.pillars[(slot + 1) % 3] &&
-                        prisms_[at(there)].pillars[k] != prism.pillars[(slot + 2) % 3]) {
-                        prism.neighbourWalls[slot] = static_cast<signed char>(k);
-                    }
-                }
-            }
         }
     }
 

@@ -2,10 +2,9 @@
 #include "shell/simplify/component_witnesses.h"
 
 #include "shell/prism_components.h"
-#include "surface/predicates.h"
+#include "shell/slab.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 #include <utility>
 
@@ -16,33 +15,16 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// Whether a closed tetrahedron of positive (or, with -1, negative) orientation holds a point.
-bool holds(std::array<const Vec3*, 4> corners, int orientation, const Vec3& point) {
-    for (const Vec3*& corner : corners) {
-        const Vec3* const kept = std::exchange(corner, &point);
-        if (orientationSign(*corners[0], *corners[1], *corners[2], *corners[3]) == -orientation) {
-            return false;
-        }
-        corner = kept;
-    }
-    return true;
-}
-
 // Whether a closed prism holds a point.
 bool holds(const PrismComplex& complex, const Triangle& pillars, const Vec3& point) {
     const Triangle slots = slotsOf(pillars);
     const int orientation = orientationOf(pillars);
     for (const Level outer : {Level::Top, Level::Bottom}) {
-        for (const auto& split : kSlabSplit) {
-            std::array<const Vec3*, 4> corners{};
-            for (std::size_t k = 0; k < 4; ++k) {
-                corners[k] = &complex.point(
-                    slots[at(split[k].slot)], split[k].outer ? outer : Level::Middle
-                );
-            }
-            if (holds(corners, outer == Level::Top ? orientation : -orientation, point)) {
-                return true;
-            }
+        const auto pointOf = [&](int slot, bool isOuter) -> const Vec3& {
+            return complex.point(slots[at(slot)], isOuter ? outer : Level::Middle);
+        };
+        if (slabHolds(outer == Level::Top ? orientation : -orientation, pointOf, point)) {
+            return true;
         }
     }
     return false;

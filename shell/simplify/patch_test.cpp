@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/patch_test.h"
 
-#include "shell/shell.h"
+#include "shell/slab.h"
 #include "surface/predicates.h"
 #include "surface/self_intersection.h"
 
@@ -134,16 +134,11 @@ bool PatchTest::isUpright(const Triangle& pillars) const {
     const int orientation = orientationOf(pillars);
     for (const Level outer : {Level::Top, Level::Bottom}) {
         const int wanted = outer == Level::Top ? orientation : -orientation;
-        for (const auto& split : kSlabSplit) {
-            std::array<const Vec3*, 4> p{};
-            for (std::size_t k = 0; k < 4; ++k) {
-                p[k] = &complex_.point(
-                    slots[at(split[k].slot)], split[k].outer ? outer : Level::Middle
-                );
-            }
-            if (orientationSign(*p[0], *p[1], *p[2], *p[3]) != wanted) {
-                return false;
-            }
+        const auto pointOf = [&](int slot, bool isOuter) -> const Vec3& {
+            return complex_.point(slots[at(slot)], isOuter ? outer : Level::Middle);
+        };
+        if (!slabIsUpright(wanted, pointOf)) {
+            return false;
         }
     }
     return true;
