@@ -17,9 +17,9 @@ from pathlib import Path
 
 import numpy as np
 from render_curve import read_mesh, vertex_normals
+from shell_table import replace_table
 
 ROOT = Path(__file__).resolve().parents[1]
-BEGIN, END = "<!-- kinds table: begin -->", "<!-- kinds table: end -->"
 HEAD = ("| curve | shell full, s | simplified, s | warm full, ms | simplified, ms | ratio | bending, ratio |\n"
         "|---|--:|--:|--:|--:|--:|--:|\n")
 POINTS = 100
@@ -99,8 +99,7 @@ def main():
         warm, bent = (geometric_mean(column) for column in zip(*ratios))
         rows.append(f"| geometric mean of {len(ratios)} | | | | | {warm:.2f} | {bent:.3f} |")
         print(rows[-1])
-    before, rest = given.page.read_text().split(BEGIN)
-    given.page.write_text(f"{before}{BEGIN}\n{HEAD}{chr(10).join(rows)}\n{END}{rest.split(END)[1]}")
+    replace_table(given.page, "kinds", HEAD + "\n".join(rows))
     return 0 if len(ratios) == len(given.curves) else 1
 
 

@@ -17,7 +17,6 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-BEGIN, END = "<!-- shell table: begin -->", "<!-- shell table: end -->"
 HEAD = ("| mesh | faces | prisms | mean thickness | 5 % thinner than | CPU, s | peak memory, MB | bytes per face | checks |\n"
         "|---|--:|--:|--:|--:|--:|--:|--:|---|\n")
 
@@ -60,11 +59,12 @@ def row(name, report, reason):
             f"| {report['seconds']['cpu']:.2f} | {memory / 1e6:.1f} | {memory / report['faces']:,.0f} | {notes} |")
 
 
-def replace_table(page, table):
-    """The text of the page with another table between the markers."""
-    before, rest = page.split(BEGIN)
-    _, after = rest.split(END)
-    return f"{before}{BEGIN}\n{table}\n{END}{after}"
+def replace_table(page, name, table):
+    """Puts another table between the markers of that name in a page."""
+    begin, end = (f"<!-- {name} table: {word} -->" for word in ("begin", "end"))
+    before, rest = page.read_text().split(begin)
+    _, after = rest.split(end)
+    page.write_text(f"{before}{begin}\n{table}\n{end}{after}")
 
 
 def main():
@@ -83,7 +83,7 @@ def main():
     for mesh in given.meshes or packaged_meshes():
         rows.append(row(mesh.stem, *build(given.program, mesh, options, given.runs)))
         print(rows[-1], flush=True)
-    given.page.write_text(replace_table(given.page.read_text(), HEAD + "\n".join(rows)))
+    replace_table(given.page, "shell", HEAD + "\n".join(rows))
     return 1 if any("FAILED" in text for text in rows) else 0
 
 
