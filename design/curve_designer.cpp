@@ -74,6 +74,7 @@ struct CurveDesigner::State {
         std::vector<PickConstraint> picks,
         std::span<const double> field
     ) const;
+    void checkField(std::span<const double> field) const;
     [[nodiscard]] std::vector<double> fieldOnPillars(std::span<const double> field) const;
     void refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const;
     [[nodiscard]] SurfacePolyline polylineOf(
@@ -87,9 +88,9 @@ struct CurveDesigner::State {
     ) const;
 };
 
-std::vector<double> CurveDesigner::State::fieldOnPillars(std::span<const double> field) const {
+void CurveDesigner::State::checkField(std::span<const double> field) const {
     if (field.empty()) {
-        return {};
+        return;
     }
     if (field.size() != surface.vertices().size()) {
         throw InputError(
@@ -111,6 +112,12 @@ std::vector<double> CurveDesigner::State::fieldOnPillars(std::span<const double>
                 describeElements(bad) + "): give a number there",
             bad
         );
+    }
+}
+
+std::vector<double> CurveDesigner::State::fieldOnPillars(std::span<const double> field) const {
+    if (field.empty()) {
+        return {};
     }
     std::vector<double> values(field.begin(), field.end());
     for (const int origin : base->ghostOrigin) {
@@ -144,6 +151,7 @@ CurveProblem CurveDesigner::State::makeProblem(
     problem.picks = std::move(picks);
     problem.field = fieldOnPillars(field);
     problem.options = options;
+    problem.fieldCosts = fieldCostsOf(field, options.fieldCost);
     problem.averageEdgeLength = surface.averageEdgeLength() / base->frame.scale;
     for (std::size_t i = 0; i + 1 < problem.picks.size(); ++i) {
         problem.chordLength += (problem.picks[i + 1].position - problem.picks[i].position).norm();
@@ -233,6 +241,7 @@ Curve CurveDesigner::design(
     sampling.validate();
     Stopwatch watch;
     const State& state = *state_;
+    state.checkField(field);
     const std::vector<SurfacePoint> located =
         locatePicks(state.surface, state.tree, picks, options.closed);
     state.refuseBlockedPicks(located);
@@ -241,7 +250,7 @@ Curve CurveDesigner::design(
         *state.base,
         located,
         options.closed,
-        state.obtained.build.report.blockedFaces
+        {state.obtained.build.report.blockedFaces, faceCostsOf(state.surface, field, options)}
     );
     CurveProblem problem = state.makeProblem(options, std::move(path.picks), field);
     problem.progress = progress;

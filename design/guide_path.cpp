@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/guide_path.h"
 
+#include "solver/field_cost.h"
 #include "surface/geodesic_path.h"
 #include "surface/input_error.h"
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -38,16 +41,16 @@ PickPath makePickPath(
     const ShellBase& base,
     const std::vector<SurfacePoint>& picks,
     bool closed,
-    const std::vector<int>& blockedFaces
+    Terrain terrain
 ) {
-    std::vector<char> blocked;
-    if (!blockedFaces.empty()) {
-        blocked.assign(at(surface.faceCount()), 0);
-        for (const int f : blockedFaces) {
-            blocked[at(f)] = 1;
-        }
+    std::vector<double>& costs = terrain.faceCosts;
+    if (costs.empty() && !terrain.blockedFaces.empty()) {
+        costs.assign(at(surface.faceCount()), 1.0);
     }
-    GeodesicPathFinder finder(surface, std::move(blocked));
+    for (const int f : terrain.blockedFaces) {
+        costs[at(f)] = std::numeric_limits<double>::infinity();
+    }
+    GeodesicPathFinder finder(surface, std::move(costs));
     PickPath result;
     double length = 0.0;
     const auto add = [&](const SurfacePoint& point) {
@@ -62,7 +65,7 @@ PickPath makePickPath(
         const std::size_t next = (i + 1) % picks.size();
         const std::optional<GeodesicPath> path = finder.find(picks[i], picks[next]);
         if (!path) {
-            throwNoPath(i, next, blockedFaces);
+            throwNoPath(i, next, terrain.blockedFaces);
         }
         for (std::size_t k = 0; k < path->points.size(); ++k) {
             // A path starts where the one before ended, but perhaps in another of the faces that
@@ -90,6 +93,28 @@ PickPath makePickPath(
         result.picks.back().parameter = 1.0;
     }
     return result;
+}
+
+std::vector<double> faceCostsOf(
+    const Surface& surface, std::span<const double> field, const SolverOptions& options
+) {
+    if (field.empty() || options.fieldWeight == 0.0 || !options.fieldGuidesPath) {
+        return {};
+    }
+    std::vector<double> costs;
+    costs.reserve(surface.faces().size());
+    for (const Triangle& face : surface.faces()) {
+        double sum = 0.0;
+        for (const int v : face) {
+            sum += fieldCost(options.fieldCost, field[at(v)]).value;
+        }
+        costs.push_back(sum / 3.0);
+    }
+    const double least = std::ranges::min(costs);
+    for (double& cost : costs) {
+        cost = 1.0 + options.fieldWeight / kUsualBending * (cost - least);
+    }
+    return costs;
 }
 
 }  // namespace bspline_curve

@@ -5,6 +5,7 @@
 #include "solver/initial_curve.h"
 #include "surface/surface.h"
 
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -14,14 +15,28 @@ struct PickPath {
     std::vector<PickConstraint> picks;  ///< with parameters by length along the guide
 };
 
-/// Geodesics from pick to pick, parametrised by length. `blocked` faces are avoided.
-/// Throws InputError (NoPath) naming the two picks.
+/// What paths meet on the surface.
+struct Terrain {
+    std::vector<int> blockedFaces;  ///< where no shell is: no path enters them; ascending
+    /// What a unit of length costs in each face, finite and positive; empty: 1 everywhere.
+    std::vector<double> faceCosts;
+};
+
+/// Paths from pick to pick, parametrised by length: geodesics where all faces cost the same.
+/// Throws InputError (NoPath, SelfIntersection) naming the two picks.
 [[nodiscard]] PickPath makePickPath(
     const Surface& surface,
     const ShellBase& base,
     const std::vector<SurfacePoint>& picks,
     bool closed,
-    const std::vector<int>& blockedFaces
+    Terrain terrain
+);
+
+/// The cost of faces by which paths follow a field: 1 in the cheapest face, and more with mu and
+/// the cost c of the field. Empty where the field has no say.
+/// `field`: one finite value per vertex, or empty.
+[[nodiscard]] std::vector<double> faceCostsOf(
+    const Surface& surface, std::span<const double> field, const SolverOptions& options
 );
 
 }  // namespace bspline_curve

@@ -3,6 +3,7 @@
 
 #include "shell/shell.h"
 #include "shell/shell_base.h"
+#include "solver/field_cost.h"
 #include "solver/options.h"
 #include "surface/progress.h"
 
@@ -26,6 +27,7 @@ struct CurveProblem {
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     std::vector<PickConstraint> picks;
     std::vector<double> field;  ///< one value per vertex of the base, or empty
+    FieldCosts fieldCosts;      ///< of `field`, as the options say
     SolverOptions options;
     double chordLength = 0.0;        ///< L of (4)
     double averageEdgeLength = 0.0;  ///< in the shell's frame

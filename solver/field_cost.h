@@ -3,7 +3,10 @@
 
 #include "solver/options.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -25,5 +28,32 @@ struct FieldCostValue {
     }
     return {x, 1.0, 0.0};
 }
+
+/// What c(I) of (5) is over the vertices of a surface.
+struct FieldCosts {
+    double least = 0.0;
+    double meanExcess = 0.0;  ///< over the least; 0 exactly where all cost the same
+};
+
+/// 0 where there is no field.
+[[nodiscard]] inline FieldCosts fieldCostsOf(std::span<const double> field, FieldCost kind) {
+    FieldCosts costs;
+    std::vector<double> all;
+    all.reserve(field.size());
+    for (const double value : field) {
+        all.push_back(fieldCost(kind, value).value);
+    }
+    if (!all.empty()) {
+        costs.least = std::ranges::min(all);
+    }
+    for (const double cost : all) {
+        costs.meanExcess += (cost - costs.least) / static_cast<double>(all.size());
+    }
+    return costs;
+}
+
+/// E_int of a usual curve without a field: it is about the square of the angle, in radians, by
+/// which the curve turns, and 5 to 400 on scans. Paths and first weights measure fields against it.
+inline constexpr double kUsualBending = 200.0;
 
 }  // namespace bspline_curve

@@ -32,6 +32,7 @@ struct SolverOptions {
     double tension = 0.0;      ///< lambda of (4), in [0, 1]: 0 smooth, 1 straight
     double fieldWeight = 1.0;  ///< mu of (7), >= 0; has no effect without a field
     FieldCost fieldCost = FieldCost::Identity;
+    bool fieldGuidesPath = true;  ///< the first curve follows the field as well, not only geodesics
 
     double distanceTolerance = 0.1;  ///< epsilon of (3), in average edge lengths, > 0
     Bending bending = Bending::Geodesic;

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/geodesic_path.h"
 
-#include "surface/strip_unfolding.h"
 #include "surface/surface_point.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <queue>
 #include <utility>
 
 namespace bspline_curve {
@@ -20,7 +17,6 @@ namespace {
 constexpr double kShorter = 1e-12;
 // A path that bends less than this at a vertex counts as straight (radians).
 constexpr double kStraight = 1e-9;
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -83,95 +79,11 @@ void trim(
 
 }  // namespace
 
-GeodesicPathFinder::GeodesicPathFinder(const Surface& surface, std::vector<char> blocked)
-    : surface_(surface),
-      blocked_(std::move(blocked)),
-      cost_(3 * surface.faces().size(), kFar),
-      parent_(3 * surface.faces().size(), -1) {}
+GeodesicPathFinder::GeodesicPathFinder(const Surface& surface, std::vector<double> faceCosts)
+    : surface_(surface), search_(surface, std::move(faceCosts)) {}
 
-bool GeodesicPathFinder::isBlocked(int face) const {
-    return !blocked_.empty() && blocked_[at(face)] != 0;
-}
-
-std::vector<int> GeodesicPathFinder::openFacesHolding(const SurfacePoint& point) const {
-    std::vector<int> faces = facesHolding(surface_, point);
-    std::erase_if(faces, [this](int f) { return isBlocked(f); });
-    return faces;
-}
-
-// NOLINTNEXTLINE(readability-function-size, readability-function-cognitive-complexity)
-std::optional<GeodesicPathFinder::Strip> GeodesicPathFinder::findStrip(
-    const SurfacePoint& start, const SurfacePoint& goal
-) {
-    const std::vector<int> startFaces = openFacesHolding(start);
-    const std::vector<int> goalFaces = openFacesHolding(goal);
-    for (const int f : startFaces) {
-        if (contains(goalFaces, f)) {
-            return Strip{f};
-        }
-    }
-    const Vec3 from = surface_.position(start);
-    const Vec3 to = surface_.position(goal);
-    // Node 3 f + k: leaving face f over the edge opposite to its corner k, at the edge's midpoint.
-    const auto middle = [this](int node) {
-        const Triangle& face = surface_.faces()[at(node / 3)];
-        return Vec3(
-            0.5 * (surface_.vertices()[at(face[at((node + 1) % 3 == 0 ? 0 : node % 3 + 1)])] +
-                   surface_.vertices()[at(face[at((node % 3 + 2) % 3)])])
-        );
-    };
-    using Entry = std::pair<double, int>;  // cost plus distance to the goal; node
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    for (const int node : touched_) {
-        cost_[at(node)] = kFar;
-    }
-    touched_.clear();
-    const auto offer = [&](int node, double cost, const Vec3& position, int parent) {
-        const int there = surface_.faceNeighbours()[at(node / 3)][at(node % 3)];
-        if (there < 0 || isBlocked(there) || cost >= cost_[at(node)]) {
-            return;
-        }
-        if (cost_[at(node)] == kFar) {
-            touched_.push_back(node);
-        }
-        cost_[at(node)] = cost;
-        parent_[at(node)] = parent;
-        queue.emplace(cost + (to - position).norm(), node);
-    };
-    for (const int f : startFaces) {
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 position = middle(3 * f + k);
-            offer(3 * f + k, (position - from).norm(), position, -1);
-        }
-    }
-    while (!queue.empty()) {
-        const auto [estimate, node] = queue.top();
-        queue.pop();
-        const Vec3 here = middle(node);
-        if (estimate > cost_[at(node)] + (to - here).norm()) {
-            continue;  // found cheaper since
-        }
-        const int face = surface_.faceNeighbours()[at(node / 3)][at(node % 3)];
-        if (contains(goalFaces, face)) {
-            Strip strip{face};
-            for (int n = node; n >= 0; n = parent_[at(n)]) {
-                strip.push_back(n / 3);
-            }
-            std::reverse(strip.begin(), strip.end());
-            return strip;
-        }
-        for (int k = 0; k < 3; ++k) {
-            if (surface_.faceNeighbours()[at(face)][at(k)] != node / 3) {
-                const Vec3 next = middle(3 * face + k);
-                offer(3 * face + k, cost_[at(node)] + (next - here).norm(), next, node);
-            }
-        }
-    }
-    return std::nullopt;
-}
-
-// Moves the strip to the other side of a vertex that the path bends around, if that is shorter: if
-// the angle on the other side is less than pi. `portal` is the edge between strip[portal] and
+// Moves the strip to the other side of a vertex that the path bends around, where that is
+// possible. `portal` is the edge between strip[portal] and
 // strip[portal + 1] where the path meets it.
 bool GeodesicPathFinder::rerouteAround(int vertex, std::size_t portal, Strip& strip) const {
     const auto holds = [&](std::size_t i) {
@@ -199,7 +111,7 @@ bool GeodesicPathFinder::rerouteAround(int vertex, std::size_t portal, Strip& st
                 next = neighbour;
             }
         }
-        if (next < 0 || isBlocked(next)) {
+        if (next < 0 || !search_.isOpen(next)) {
             return false;
         }
         previous = face;
@@ -215,89 +127,104 @@ bool GeodesicPathFinder::rerouteAround(int vertex, std::size_t portal, Strip& st
     return true;
 }
 
-// NOLINTNEXTLINE(readability-function-size, readability-function-cognitive-complexity)
-std::optional<GeodesicPath> GeodesicPathFinder::find(
-    const SurfacePoint& start, const SurfacePoint& goal
-) {
-    std::optional<Strip> found = findStrip(start, goal);
-    if (!found) {
+Vec3 GeodesicPathFinder::crossingPosition(const Route& route, std::size_t portal) const {
+    const double s = route.path.crossings[portal];
+    return (1.0 - s) * surface_.vertices()[at(route.path.lefts[portal])] +
+           s * surface_.vertices()[at(route.path.rights[portal])];
+}
+
+GeodesicPathFinder::Route GeodesicPathFinder::routeIn(Strip strip, const Ends& ends) const {
+    Route route;
+    route.path = shortestPathInStrip(
+        surface_,
+        strip,
+        inFace(surface_, ends.start, strip.front()),
+        inFace(surface_, ends.goal, strip.back())
+    );
+    route.strip = std::move(strip);
+    Vec3 from = surface_.position(ends.start);
+    for (std::size_t i = 0; i < route.strip.size(); ++i) {
+        const Vec3 to =
+            i + 1 < route.strip.size() ? crossingPosition(route, i) : surface_.position(ends.goal);
+        route.cost += search_.costOf(route.strip[i]) * (to - from).norm();
+        from = to;
+    }
+    return route;
+}
+
+// The route on the other side of a corner, if it is cheaper.
+std::optional<GeodesicPathFinder::Route> GeodesicPathFinder::otherSide(
+    const Route& route, const StripPath::Corner& corner, const Ends& ends
+) const {
+    // The path has the angle pi + bend on the strip's side; less than pi on the other makes that
+    // side shorter.
+    const double angle = totalAngle(surface_, corner.vertex) - std::numbers::pi - corner.bend;
+    Strip candidate = route.strip;
+    if (angle >= std::numbers::pi || !rerouteAround(corner.vertex, corner.portal, candidate)) {
         return std::nullopt;
     }
-    Strip strip = std::move(*found);
-    const std::vector<int> startFaces = openFacesHolding(start);
-    const std::vector<int> goalFaces = openFacesHolding(goal);
-    trim(strip, startFaces, goalFaces);
+    removeSpikes(candidate);
+    trim(candidate, ends.startFaces, ends.goalFaces);
+    Route other = routeIn(std::move(candidate), ends);
+    if (other.cost < route.cost * (1.0 - kShorter)) {
+        return other;
+    }
+    return std::nullopt;
+}
 
-    const auto pathLength = [&](const StripPath& path, const Strip& faces) {
-        double length = 0.0;
-        Vec3 from = surface_.position(start);
-        for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
-            const Vec3 to = (1.0 - path.crossings[i]) * surface_.vertices()[at(path.lefts[i])] +
-                            path.crossings[i] * surface_.vertices()[at(path.rights[i])];
-            length += (to - from).norm();
-            from = to;
-        }
-        return length + (surface_.position(goal) - from).norm();
-    };
-    const auto pull = [&](const Strip& faces) {
-        return shortestPathInStrip(
-            surface_,
-            faces,
-            inFace(surface_, start, faces.front()),
-            inFace(surface_, goal, faces.back())
-        );
-    };
-
-    StripPath path = pull(strip);
-    double length = pathLength(path, strip);
-    // Each accepted move shortens the path, so this ends; a corner whose other side is not shorter
-    // is left alone.
+// Sharpest corner first. Each accepted move makes the path cheaper, so this ends; a corner whose
+// other side is not cheaper is left alone.
+void GeodesicPathFinder::straighten(Route& route, const Ends& ends) const {
     std::vector<int> settled;
     while (true) {
         const StripPath::Corner* sharpest = nullptr;
-        for (const StripPath::Corner& corner : path.corners) {
+        for (const StripPath::Corner& corner : route.path.corners) {
             if (corner.bend > kStraight && !contains(settled, corner.vertex) &&
                 (sharpest == nullptr || corner.bend > sharpest->bend)) {
                 sharpest = &corner;
             }
         }
         if (sharpest == nullptr) {
-            break;
+            return;
         }
         const int vertex = sharpest->vertex;
-        Strip candidate = strip;
-        // The path has the angle pi + bend on the strip's side; less than pi on the other makes
-        // that side shorter.
-        const double otherAngle = totalAngle(surface_, vertex) - std::numbers::pi - sharpest->bend;
-        if (otherAngle < std::numbers::pi && rerouteAround(vertex, sharpest->portal, candidate)) {
-            removeSpikes(candidate);
-            trim(candidate, startFaces, goalFaces);
-            StripPath other = pull(candidate);
-            const double otherLength = pathLength(other, candidate);
-            if (otherLength < length * (1.0 - kShorter)) {
-                strip.swap(candidate);
-                path = std::move(other);
-                length = otherLength;
-                settled.clear();
-                continue;
-            }
+        std::optional<Route> other = otherSide(route, *sharpest, ends);
+        if (other) {
+            route = std::move(*other);
+            settled.clear();
+        } else {
+            settled.push_back(vertex);
         }
-        settled.push_back(vertex);
     }
+}
+
+std::optional<GeodesicPath> GeodesicPathFinder::find(
+    const SurfacePoint& start, const SurfacePoint& goal
+) {
+    std::optional<Strip> strip = search_.find(start, goal);
+    if (!strip) {
+        return std::nullopt;
+    }
+    const Ends ends{start, goal, search_.openFacesHolding(start), search_.openFacesHolding(goal)};
+    trim(*strip, ends.startFaces, ends.goalFaces);
+    Route route = routeIn(std::move(*strip), ends);
+    straighten(route, ends);
 
     GeodesicPath result;
-    result.length = length;
-    result.points.push_back(inFace(surface_, start, strip.front()));
-    for (std::size_t i = 0; i + 1 < strip.size(); ++i) {
-        SurfacePoint point{strip[i], Vec3::Zero()};
-        const Triangle& face = surface_.faces()[at(strip[i])];
-        point.barycentric[cornerOf(face, path.lefts[i])] = 1.0 - path.crossings[i];
-        point.barycentric[cornerOf(face, path.rights[i])] = path.crossings[i];
+    result.points.push_back(inFace(surface_, start, route.strip.front()));
+    for (std::size_t i = 0; i + 1 < route.strip.size(); ++i) {
+        const Triangle& face = surface_.faces()[at(route.strip[i])];
+        SurfacePoint point{route.strip[i], Vec3::Zero()};
+        point.barycentric[cornerOf(face, route.path.lefts[i])] = 1.0 - route.path.crossings[i];
+        point.barycentric[cornerOf(face, route.path.rights[i])] = route.path.crossings[i];
         result.points.push_back(point);
     }
-    result.points.push_back(inFace(surface_, goal, strip.back()));
+    result.points.push_back(inFace(surface_, goal, route.strip.back()));
     for (const SurfacePoint& point : result.points) {
         result.positions.push_back(surface_.position(point));
+        if (result.positions.size() > 1) {
+            result.length += (result.positions.back() - *(result.positions.end() - 2)).norm();
+        }
     }
     return result;
 }

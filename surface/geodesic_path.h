@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/strip_search.h"
+#include "surface/strip_unfolding.h"
 #include "surface/surface.h"
 
 #include <optional>
@@ -15,20 +17,20 @@ struct GeodesicPath {
     double length = 0.0;
 };
 
-/// Finds locally shortest paths. Holds work arrays of O(#F), so keep one for many queries.
+/// Finds locally shortest paths, or where faces cost differently, cheap ones.
 ///
-/// A search (A*) over the midpoints of edges gives a strip of faces; the shortest path in the strip
-/// is straightened by unfolding it into the plane (funnel algorithm); wherever the path bends round
-/// a vertex whose other side is shorter, the strip is moved to that side, until none is left. The
-/// result is a geodesic: it turns only at vertices with more than 2 pi of angle, at boundaries and
-/// at blocked faces. Not always the globally shortest one.
+/// A search over the midpoints of edges gives a strip of faces (StripSearch); the shortest path in
+/// the strip is straightened by unfolding it into the plane (funnel algorithm); wherever the path
+/// bends round a vertex whose other side is cheaper, the strip is moved to that side, until none is
+/// left. Where all faces cost the same the result is a geodesic: it turns only at vertices with
+/// more than 2 pi of angle, at boundaries and at faces that may not be entered. Not always the
+/// globally shortest one.
 class GeodesicPathFinder {
 public:
-    /// `blocked`, one flag per face or empty: faces that a path may not enter.
-    GeodesicPathFinder(const Surface& surface, std::vector<char> blocked);
+    /// `faceCosts`: see StripSearch.
+    GeodesicPathFinder(const Surface& surface, std::vector<double> faceCosts);
 
-    /// The path, or nothing if there is none. O(k log k), k the faces nearer to the start than the
-    /// goal is.
+    /// The path, or nothing if there is none. Cost: see StripSearch::find.
     [[nodiscard]] std::optional<GeodesicPath> find(
         const SurfacePoint& start, const SurfacePoint& goal
     );
@@ -36,18 +38,29 @@ public:
 private:
     using Strip = std::vector<int>;
 
-    [[nodiscard]] std::vector<int> openFacesHolding(const SurfacePoint& point) const;
-    [[nodiscard]] bool isBlocked(int face) const;
-    [[nodiscard]] std::optional<Strip> findStrip(
-        const SurfacePoint& start, const SurfacePoint& goal
-    );
+    // A strip, and the shortest path in it.
+    struct Route {
+        Strip strip;
+        StripPath path;
+        double cost = 0.0;
+    };
+
+    // The picks of one query, and the faces that hold them.
+    struct Ends {
+        SurfacePoint start, goal;
+        std::vector<int> startFaces, goalFaces;
+    };
+
+    [[nodiscard]] Route routeIn(Strip strip, const Ends& ends) const;
+    void straighten(Route& route, const Ends& ends) const;
+    [[nodiscard]] std::optional<Route> otherSide(
+        const Route& route, const StripPath::Corner& corner, const Ends& ends
+    ) const;
     [[nodiscard]] bool rerouteAround(int vertex, std::size_t portal, Strip& strip) const;
+    [[nodiscard]] Vec3 crossingPosition(const Route& route, std::size_t portal) const;
 
     const Surface& surface_;
-    std::vector<char> blocked_;
-    std::vector<double> cost_;
-    std::vector<int> parent_;
-    std::vector<int> touched_;
+    StripSearch search_;
 };
 
 }  // namespace bspline_curve

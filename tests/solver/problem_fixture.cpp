@@ -31,7 +31,7 @@ ProblemFixture::ProblemFixture(
         *shell_->base,
         locatePicks(surface, tree, picks, options.closed),
         options.closed,
-        shell_->shell.blockedFaces()
+        {shell_->shell.blockedFaces(), {}}
     );
     guide_ = std::move(path.guide);
     problem_.shell = &shell_->shell;
@@ -51,6 +51,7 @@ ProblemFixture::ProblemFixture(
 
 void ProblemFixture::setField(const std::vector<double>& field) {
     problem_.field = field;
+    problem_.fieldCosts = fieldCostsOf(field, problem_.options.fieldCost);
     for (const int origin : shell_->base->ghostOrigin) {
         problem_.field.push_back(field[static_cast<std::size_t>(origin)]);
     }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -98,13 +99,22 @@ void expectWellFormed(
     EXPECT_NEAR(path.length, length, 1e-13 * (1.0 + length));
 }
 
+// Costs that let paths enter all faces but those with a flag.
+std::vector<double> costsAround(const std::vector<char>& blocked) {
+    std::vector<double> costs;
+    for (const char flag : blocked) {
+        costs.push_back(flag != 0 ? std::numeric_limits<double>::infinity() : 1.0);
+    }
+    return costs;
+}
+
 GeodesicPath goodPath(
     const Surface& surface,
     const SurfacePoint& a,
     const SurfacePoint& b,
-    std::vector<char> blocked = {}
+    const std::vector<char>& blocked = {}
 ) {
-    GeodesicPathFinder finder(surface, std::move(blocked));
+    GeodesicPathFinder finder(surface, costsAround(blocked));
     const std::optional<GeodesicPath> path = finder.find(a, b);
     EXPECT_TRUE(path.has_value());
     if (!path) {
@@ -243,6 +253,54 @@ TEST(GeodesicPaths, GoRoundBlockedFaces) {
     }
 }
 
+// The mean cost of a unit of length along the path.
+double meanCost(const GeodesicPath& path, const std::vector<double>& costs) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        sum +=
+            costs[at(path.points[i - 1].face)] * (path.positions[i] - path.positions[i - 1]).norm();
+    }
+    return sum / path.length;
+}
+
+// A road along y = 0.75 between places at y = 0.25.
+TEST(GeodesicPaths, TakeTheWayRoundWhereThatIsCheaper) {
+    const Surface surface(plate(20, 20));
+    const std::vector<char> road =
+        facesIn(surface, [](const Vec3& p) { return std::abs(p.y() - 0.75) < 0.05; });
+    std::vector<double> costs;
+    for (const char flag : road) {
+        costs.push_back(flag != 0 ? 1.0 : 20.0);
+    }
+    const SurfacePoint a = locate(surface, {0.1, 0.6, 0});
+    const SurfacePoint b = locate(surface, {0.9, 0.6, 0});
+    const SurfacePoint near = locate(surface, {0.15, 0.6, 0});
+    GeodesicPathFinder finder(surface, costs);
+    const std::optional<GeodesicPath> far = finder.find(a, b);
+    ASSERT_TRUE(far.has_value());
+    expectWellFormed(surface, *far, a, b);
+    EXPECT_LT(meanCost(*far, costs), 0.4 * 20.0);  // two ways of 0.1 to the road, 0.8 along it
+    EXPECT_GT(far->length, 0.9);
+    // Not worth the way.
+    const std::optional<GeodesicPath> straight = finder.find(a, near);
+    ASSERT_TRUE(straight.has_value());
+    EXPECT_NEAR(straight->length, 0.05, 1e-12);
+}
+
+TEST(GeodesicPaths, AreTheSameWhateverAllFacesCost) {
+    const Surface surface(withNoise(icosphere(3), 0.02, 4));
+    const std::vector<double> costs(at(surface.faceCount()), 7.5);
+    Random random(12);
+    for (int i = 0; i < 50; ++i) {
+        SCOPED_TRACE("seed 12, pair " + std::to_string(i));
+        const SurfacePoint a = randomPointOfAnyKind(surface, random);
+        const SurfacePoint b = randomPointOfAnyKind(surface, random);
+        GeodesicPathFinder plain(surface, {});
+        GeodesicPathFinder costly(surface, costs);
+        EXPECT_NEAR(plain.find(a, b)->length, costly.find(a, b)->length, 1e-12);
+    }
+}
+
 TEST(GeodesicPaths, GoRoundNotches) {
     TriangleMesh mesh = plate(10, 10);
     const std::vector<char> slot = facesIn(Surface(mesh), inSlot);
@@ -291,7 +349,7 @@ TEST(GeodesicPaths, DoNotExistBetweenComponentsOrBehindBlockedFaces) {
     const Surface surface(plate(10, 10));
     const std::vector<char> wall =
         facesIn(surface, [](const Vec3& p) { return std::abs(p.x() - 0.55) < 0.05; });
-    GeodesicPathFinder blocked(surface, wall);
+    GeodesicPathFinder blocked(surface, costsAround(wall));
     const SurfacePoint left = locate(surface, {0.2, 0.33, 0});
     const SurfacePoint right = locate(surface, {0.8, 0.33, 0});
     const SurfacePoint inside = locate(surface, {0.55, 0.33, 0});

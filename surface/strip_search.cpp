@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/strip_search.h"
+
+#include "surface/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+bool contains(const std::vector<int>& list, int value) {
+    return std::ranges::find(list, value) != list.end();
+}
+
+}  // namespace
+
+StripSearch::StripSearch(const Surface& surface, std::vector<double> faceCosts)
+    : surface_(surface),
+      faceCosts_(std::move(faceCosts)),
+      arrivals_(3 * surface.faces().size(), {kFar, -1, -1}) {
+    if (!faceCosts_.empty()) {
+        leastCost_ = std::ranges::min(faceCosts_);
+    }
+}
+
+bool StripSearch::isOpen(int face) const {
+    return std::isfinite(costOf(face));
+}
+
+std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) const {
+    std::vector<int> faces = facesHolding(surface_, point);
+    std::erase_if(faces, [this](int f) { return !isOpen(f); });
+    return faces;
+}
+
+std::optional<std::vector<int>> StripSearch::find(
+    const SurfacePoint& start, const SurfacePoint& goal
+) {
+    const std::vector<int> startFaces = openFacesHolding(start);
+    const std::vector<int> goalFaces = openFacesHolding(goal);
+    for (const int f : startFaces) {
+        if (contains(goalFaces, f)) {
+            return std::vector<int>{f};
+        }
+    }
+    clear();
+    goal_ = surface_.position(goal);
+    for (const int f : startFaces) {
+        leave(f, surface_.position(start), 0.0, -1);
+    }
+    while (!queue_.empty()) {
+        std::ranges::pop_heap(queue_, std::greater<>());
+        const Offer best = queue_.back();
+        queue_.pop_back();
+        if (best.cost > arrivalAt(best.crossing).cost) {
+            continue;  // found cheaper since
+        }
+        const int face = faceBehind(best.crossing);
+        if (contains(goalFaces, face)) {
+            return stripTo(best.crossing);
+        }
+        leave(face, middle(best.crossing), best.cost, best.crossing);
+    }
+    return std::nullopt;
+}
+
+Vec3 StripSearch::middle(int crossing) const {
+    const Triangle& face = surface_.faces()[at(crossing / 3)];
+    const int k = crossing % 3;
+    return 0.5 * (surface_.vertices()[at(face[at((k + 1) % 3)])] +
+                  surface_.vertices()[at(face[at((k + 2) % 3)])]);
+}
+
+int StripSearch::faceBehind(int crossing) const {
+    return surface_.faceNeighbours()[at(crossing / 3)][at(crossing % 3)];
+}
+
+// The edge's own entry: that of the crossing from the face with the smaller id.
+StripSearch::Arrival& StripSearch::arrivalAt(int crossing) {
+    const int face = crossing / 3;
+    const int behind = faceBehind(crossing);
+    if (face < behind) {
+        return arrivals_[at(crossing)];
+    }
+    // Two faces may share two edges, so it is found by an end of the edge.
+    const int end = surface_.faces()[at(face)][at((crossing % 3 + 1) % 3)];
+    const int k = (cornerOf(surface_.faces()[at(behind)], end) + 1) % 3;
+    return arrivals_[at(3 * behind + k)];
+}
+
+void StripSearch::offer(double cost, int crossing, int before) {
+    Arrival& arrival = arrivalAt(crossing);
+    if (cost >= arrival.cost) {
+        return;
+    }
+    if (arrival.cost == kFar) {
+        touched_.push_back(static_cast<int>(&arrival - arrivals_.data()));
+    }
+    arrival = {cost, crossing, before};
+    queue_.push_back({cost + leastCost_ * (goal_ - middle(crossing)).norm(), cost, crossing});
+    std::ranges::push_heap(queue_, std::greater<>());
+}
+
+// Offers the ways out of a face, from a point of it.
+void StripSearch::leave(int face, const Vec3& from, double cost, int before) {
+    for (int k = 0; k < 3; ++k) {
+        const int crossing = 3 * face + k;
+        const int next = faceBehind(crossing);
+        if (next >= 0 && isOpen(next)) {
+            offer(cost + costOf(face) * (middle(crossing) - from).norm(), crossing, before);
+        }
+    }
+}
+
+void StripSearch::clear() {
+    for (const int edge : touched_) {
+        arrivals_[at(edge)].cost = kFar;
+    }
+    touched_.clear();
+    queue_.clear();
+}
+
+std::vector<int> StripSearch::stripTo(int crossing) {
+    std::vector<int> strip{faceBehind(crossing)};
+    for (int c = crossing; c >= 0; c = arrivalAt(c).before) {
+        strip.push_back(c / 3);
+    }
+    std::ranges::reverse(strip);
+    return strip;
+}
+
+}  // namespace bspline_curve
