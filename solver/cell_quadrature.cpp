@@ -14,9 +14,11 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// A curve that grazes a wall has a kink term without bound; this is the least |n . P'| / |P'| that
-// counts.
+// A curve that grazes a wall, or hardly moves, has a kink term without bound; this is the least |n
+// . P'| that counts, relative to |P'|, and |P'| relative to the length of the polygon of picks (the
+// curve turns back in a cusp: with terms of 1e20 no factorisation succeeds).
 constexpr double kLeastCrossingCosine = 0.05;
+constexpr double kLeastSpeed = 0.1;
 // A jump of the gradient by less than this share of it is rounding: the faces next to the wall are
 // coplanar, or what changes there does not enter the integrand.
 constexpr double kLeastJump = 1e-11;
@@ -51,11 +53,9 @@ void addKink(
     }
     const Vec3 velocity =
         crossing.curve.derivativeAt(crossing.tau) / space.spanLength(crossing.span);
-    const double speed =
-        std::max(std::abs(normal.dot(velocity)), kLeastCrossingCosine * velocity.norm());
-    if (speed > 0.0) {
-        collector.addKink(crossing.span, crossing.tau, normal, jump / speed);
-    }
+    const double speed = std::max(velocity.norm(), kLeastSpeed * problem.chordLength);
+    const double across = std::max(std::abs(normal.dot(velocity)), kLeastCrossingCosine * speed);
+    collector.addKink(crossing.span, crossing.tau, normal, jump / across);
 }
 
 }  // namespace

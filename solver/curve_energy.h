@@ -12,8 +12,8 @@ namespace bspline_curve {
 struct EnergyValue {
     bool inside = false;  ///< the curve may be used: below the barrier; else nothing else is set
     double total = 0.0;
-    /// What changes of the energy are measured against: the terms that are never negative, and
-    /// hardly anything of the field's, which may have any offset.
+    /// What changes of the energy are measured against: the terms that are never negative, and a
+    /// part of what the field costs over its least cost.
     double scale = 0.0;
     EnergyTerms terms;
 };

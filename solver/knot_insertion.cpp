@@ -80,22 +80,23 @@ KnotDemand predictGain(
     for (SpanMatrix& block : derivatives.negativeKinks) {
         block.setZero();
     }
-    const std::optional<Eigen::VectorXd> step =
+    const std::optional<NewtonStep> step =
         newtonStep(system, derivatives, problem.options.interpolation, fineControls);
     if (!step) {
         return gain;
     }
-    gain.total = -0.5 * derivatives.gradient.dot(*step);
+    gain.total = -0.5 * derivatives.gradient.dot(step->direction);
     for (int c = 0; c < fine.controlCount(); ++c) {
-        gain.largestMove =
-            std::max(gain.largestMove, step->segment<3>(3 * static_cast<Eigen::Index>(c)).norm());
+        gain.largestMove = std::max(
+            gain.largestMove, step->direction.segment<3>(3 * static_cast<Eigen::Index>(c)).norm()
+        );
     }
     // The fall is half the step's energy norm, which the spans share.
     SpanVector local(3 * fine.basisCount());
     for (int span = 0; span < fine.spanCount(); ++span) {
         for (int j = 0; j < fine.basisCount(); ++j) {
             local.segment<3>(3 * j) =
-                step->segment<3>(3 * static_cast<Eigen::Index>(fine.control(span, j)));
+                step->direction.segment<3>(3 * static_cast<Eigen::Index>(fine.control(span, j)));
         }
         gain.perSpan[at(span / 2)] += 0.5 * local.dot(derivatives.hessian[at(span)] * local);
     }

@@ -2,6 +2,7 @@
 #include "solver/minimiser.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -10,11 +11,17 @@ namespace {
 
 // Armijo's constant: the energy must fall by this share of what the slope promises.
 constexpr double kSufficientDecrease = 1e-4;
-// Share of the negative kink terms that is tried in turn until the Hessian is positive.
+// Share of the negative kink terms that is tried in turn until the Hessian is positive. Damping
+// them only on the spans that make it indefinite took a tenth more iterations.
 constexpr std::array<double, 5> kKinkShares = {1.0, 0.5, 0.25, 0.125, 0.0};
 // A^T A enters with this many times the largest diagonal entry, so that two multiplier steps meet
 // the picks.
 constexpr double kConstraintWeight = 1e3;
+
+// A whole step after which the energy still falls by this share of the slope before it was too
+// short: the Hessian was made positive by leaving kinks out.
+constexpr double kSteepShare = 0.5;
+constexpr double kLongestStep = 64.0;
 
 // Where a minimisation stands, and where it may go next.
 struct State {
@@ -58,9 +65,33 @@ double takeStep(const LineSearch& search, const Eigen::VectorXd& step, double sl
     return 0.0;
 }
 
+// Where the energy still falls steeply at the end of a whole step, goes on along it: twice as far
+// each time, while that lowers the energy. Returns the length of the step that was taken.
+double lengthenStep(
+    const LineSearch& search, const Eigen::VectorXd& step, double slope, State& state
+) {
+    double length = 1.0;
+    while (state.derivatives.gradient.dot(step) < kSteepShare * slope && length < kLongestStep) {
+        Eigen::Map<Eigen::VectorXd>(state.trial.data(), state.trial.size()) =
+            Eigen::Map<const Eigen::VectorXd>(state.controls.data(), state.controls.size()) +
+            length * step;
+        const EnergyValue value =
+            search.energy.evaluate(state.trial, search.weights, state.trialDerivatives);
+        if (!value.inside ||
+            value.total > state.value.total + kSufficientDecrease * length * slope) {
+            break;
+        }
+        state.controls.swap(state.trial);
+        std::swap(state.derivatives, state.trialDerivatives);
+        state.value = value;
+        length *= 2.0;
+    }
+    return length;
+}
+
 }  // namespace
 
-std::optional<Eigen::VectorXd> newtonStep(
+std::optional<NewtonStep> newtonStep(
     SplineSystem& system,
     const EnergyDerivatives& derivatives,
     Interpolation interpolation,
@@ -72,20 +103,21 @@ std::optional<Eigen::VectorXd> newtonStep(
         largest = std::max(largest, block.diagonal().maxCoeff());
     }
     const double constraintWeight = constrained ? kConstraintWeight * largest : 0.0;
-    std::vector<SpanMatrix> blocks;
+    std::vector<SpanMatrix> blocks = derivatives.hessian;
+    double added = 0.0;
     for (const double share : kKinkShares) {
-        blocks = derivatives.hessian;
-        if (share > 0.0) {
-            for (std::size_t span = 0; span < blocks.size(); ++span) {
-                blocks[span] += share * derivatives.negativeKinks[span];
-            }
+        for (std::size_t span = 0; span < blocks.size(); ++span) {
+            blocks[span] += (share - added) * derivatives.negativeKinks[span];
         }
+        added = share;
         if (system.factorise(blocks, constraintWeight)) {
-            return constrained
-                       ? system.constrainedStep(
-                             derivatives.gradient, system.residual(controls), constraintWeight
-                         )
-                       : system.solve(-derivatives.gradient);
+            return NewtonStep{
+                constrained ? system.constrainedStep(
+                                  derivatives.gradient, system.residual(controls), constraintWeight
+                              )
+                            : system.solve(-derivatives.gradient),
+                share < 1.0
+            };
         }
     }
     return std::nullopt;
@@ -111,13 +143,13 @@ MinimiseResult minimise(
     }
 
     for (int iteration = 0; iteration < options.maxIterations; ++iteration) {
-        const std::optional<Eigen::VectorXd> step =
+        const std::optional<NewtonStep> step =
             newtonStep(system, derivatives, interpolation, controls);
         if (!step) {
             result.status = MinimiseStatus::NotPositive;
             return result;
         }
-        const double slope = derivatives.gradient.dot(*step);
+        const double slope = derivatives.gradient.dot(step->direction);
         IterationReport entry;
         entry.total = result.value.total;
         entry.terms = result.value.terms;
@@ -128,7 +160,11 @@ MinimiseResult minimise(
             result.status = MinimiseStatus::Converged;
             return result;
         }
-        entry.step = takeStep({energy, weights, options.leastStep}, *step, slope, state);
+        const LineSearch search{energy, weights, options.leastStep};
+        entry.step = takeStep(search, step->direction, slope, state);
+        if (entry.step == 1.0 && step->isTooShort) {
+            entry.step = lengthenStep(search, step->direction, slope, state);
+        }
         result.iterations.push_back(entry);
         if (entry.step == 0.0) {
             result.status = MinimiseStatus::LineSearchStalled;

@@ -7,9 +7,14 @@
 
 namespace bspline_curve {
 
+struct NewtonStep {
+    Eigen::VectorXd direction;
+    bool isTooShort = false;  ///< the Hessian was made larger than it is
+};
+
 /// The Newton step at a curve: the negative kink terms are halved a few times, then dropped, until
 /// the Hessian is positive definite; the picks stay met. Nothing where it never is.
-[[nodiscard]] std::optional<Eigen::VectorXd> newtonStep(
+[[nodiscard]] std::optional<NewtonStep> newtonStep(
     SplineSystem& system,
     const EnergyDerivatives& derivatives,
     Interpolation interpolation,

@@ -43,6 +43,10 @@ double fieldWeight(const CurveProblem& problem) {
     return problem.field.empty() ? 0.0 : problem.options.fieldWeight;
 }
 
+double fieldStrength(const CurveProblem& problem) {
+    return fieldWeight(problem) * problem.fieldCosts.meanExcess / kUsualBending;
+}
+
 CellIntegrand::CellIntegrand(
     const CurveProblem& problem,
     const EnergyWeights& weights,

@@ -19,10 +19,17 @@
 namespace bspline_curve {
 namespace {
 
-// Newton stops at this share of the energy in rounds that only prepare the next one, and in the
-// last ones.
-constexpr double kRoughDecrement = 1e-4;
-constexpr double kFineDecrement = 1e-6;
+// Newton stops at this share of the energy in rounds that only prepare the next one, while frozen
+// directions still change, and at last.
+struct Decrements {
+    double rough, rest, fine;
+};
+
+// With 1e-3 in the rounds curves depend on the triangulation by up to 1.6 tolerances.
+constexpr Decrements kPlainDecrements = {1e-4, 1e-4, 1e-6};
+// Under a field Newton crawls where a curve lies along edges at which the field's gradient jumps:
+// the digits beyond these cost as many iterations as all before, and move nothing.
+constexpr Decrements kFieldDecrements = {1e-2, 1e-4, 1e-4};
 // The same where a round's energy is sampled. 1e-3 takes a tenth more iterations.
 constexpr double kSampledDecrement = 5e-3;
 // More knots no longer change the curve where they would lower the energy by less than this share.
@@ -52,20 +59,12 @@ constexpr double kHighestRoughTension = 0.5;
 constexpr double kRoughLeastStep = 0.3;
 constexpr double kLeastStep = 1e-10;
 
-bool isFieldUneven(const CurveProblem& problem) {
-    if (fieldWeight(problem) == 0.0) {
-        return false;
-    }
-    const auto [least, most] = std::ranges::minmax(problem.field);
-    return least < most;
-}
-
 int firstSegments(const CurveProblem& problem) {
     if (problem.options.quadrature == Quadrature::Samples) {
         return problem.options.samplesPerSpan;
     }
     const bool isSmooth =
-        problem.options.tension <= kHighestRoughTension && !isFieldUneven(problem);
+        problem.options.tension <= kHighestRoughTension && fieldStrength(problem) == 0.0;
     return problem.shell->isFullResolution() || !isSmooth ? 0 : kRoughSegments;
 }
 
@@ -109,6 +108,7 @@ public:
           options_(problem.options),
           curve_(makeFirstCurve(problem, guide)),
           segments_(firstSegments(problem)),
+          decrements_(fieldStrength(problem) > 0.0 ? kFieldDecrements : kPlainDecrements),
           stage_(std::make_unique<Stage>(problem, curve_.space, segments_)),
           tolerance_(options_.distanceTolerance * problem.averageEdgeLength),
           restingMove_(std::min(tolerance_, kMoveShare * shortestPickDistance(problem))),
@@ -122,20 +122,21 @@ public:
     Solution run() {
         weights_ = firstWeights(options_, measure());
         // E_dist goes with the square of the relative height, so a thick shell is softer.
+        // A strong field must not press the first curve against top and bottom.
         const double reach = relativeReach(problem_);
-        weights_.alpha *= reach * reach;
+        weights_.alpha *= reach * reach * (1.0 + fieldStrength(problem_));
         for (round_ = 0; round_ < options_.maxRounds; ++round_) {
             bspline_curve::report(problem_.progress, progressFraction(), "minimising");
             refreshDirections(kRoughBlend);
             const ControlPoints before = curve_.controls;
-            MinimiseResult result = minimiseOnce(isRough() ? kSampledDecrement : kRoughDecrement);
+            MinimiseResult result = minimiseOnce(isRough() ? kSampledDecrement : decrements_.rough);
             double largestHeight = measure();
             if (isRough() && !std::isfinite(distance_)) {
                 // It left the shell between two samples.
                 curve_.controls = before;
                 becomeExact();
                 refreshDirections(kRoughBlend);
-                result = minimiseOnce(kRoughDecrement);
+                result = minimiseOnce(decrements_.rough);
                 largestHeight = measure();
             }
             addRound(result);
@@ -305,8 +306,7 @@ private:
         for (int refresh = 0; refresh < kMaxRefreshes; ++refresh) {
             const ControlPoints before = curve_.controls;
             refreshDirections(blend);
-            const MinimiseResult result = minimiseOnce(kFineDecrement);
-            if (result.status != MinimiseStatus::Converged) {
+            if (minimiseOnce(decrements_.rest).status != MinimiseStatus::Converged) {
                 break;
             }
             const double moved = (curve_.controls - before).rowwise().norm().maxCoeff();
@@ -314,8 +314,10 @@ private:
                 blend = kRoughBlend;
             }
             movedBefore = moved;
-            if (options_.bending == Bending::Ambient || moved < kRestShare * tolerance_) {
-                report_.status = SolveStatus::Converged;
+            if (moved < kRestShare * tolerance_) {
+                if (minimiseOnce(decrements_.fine).status == MinimiseStatus::Converged) {
+                    report_.status = SolveStatus::Converged;
+                }
                 break;
             }
         }
@@ -328,10 +330,11 @@ private:
         if (!stage_->energy.evaluate(curve_.controls, weights_, derivatives).inside) {
             return;
         }
-        const std::optional<Eigen::VectorXd> step =
+        const std::optional<NewtonStep> step =
             newtonStep(stage_->system, derivatives, Interpolation::Constraint, curve_.controls);
         if (step) {
-            Eigen::Map<Eigen::VectorXd>(curve_.controls.data(), curve_.controls.size()) += *step;
+            Eigen::Map<Eigen::VectorXd>(curve_.controls.data(), curve_.controls.size()) +=
+                step->direction;
             measure();
         }
     }
@@ -352,6 +355,7 @@ private:
     Stopwatch watch_;
     SplineCurve curve_;
     int segments_;  // on each span, of two samples each; 0: integrals cell by cell
+    Decrements decrements_;
     std::unique_ptr<Stage> stage_;
     EnergyWeights weights_;
     BendingDirections directions_;
