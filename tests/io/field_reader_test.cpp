@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/field_reader.h"
 
+#include "io/npy_bytes.h"
 #include "io/temporary_files.h"
 
 namespace bspline_curve::io_tests {
@@ -11,14 +12,6 @@ class FieldReader : public FileTest {};
 
 const std::vector<double> kField{0.5, -2.0, 1e10};
 
-std::string npy(const std::string& dictionary, const std::string& data, char version = 1) {
-    std::string header = dictionary + std::string(64 - dictionary.size() % 64, ' ') + "\n";
-    std::string bytes = std::string("\x93NUMPY") + version + '\0';
-    bytes += version == 1 ? bytesOf(static_cast<std::uint16_t>(header.size()))
-                          : bytesOf(static_cast<std::uint32_t>(header.size()));
-    return bytes + header + data;
-}
-
 template <class Scalar>
 std::string fieldBytes() {
     std::string bytes;
@@ -26,10 +19,6 @@ std::string fieldBytes() {
         bytes += bytesOf(static_cast<Scalar>(x));
     }
     return bytes;
-}
-
-std::string dictionary(const std::string& type, const std::string& shape) {
-    return "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }";
 }
 
 }  // namespace
@@ -41,13 +30,14 @@ TEST_F(FieldReader, ReadsTextWithCommentsInAnyLayout) {
 
 TEST_F(FieldReader, ReadsNpyOfFloatAndDouble) {
     EXPECT_EQ(
-        readField(write("a.npy", npy(dictionary("<f8", "(3,)"), fieldBytes<double>())), 3), kField
+        readField(write("a.npy", npy(npyDictionary("<f8", "(3,)"), fieldBytes<double>())), 3),
+        kField
     );
     EXPECT_EQ(
-        readField(write("b.npy", npy(dictionary("<f4", "(3,)"), fieldBytes<float>())), 3), kField
+        readField(write("b.npy", npy(npyDictionary("<f4", "(3,)"), fieldBytes<float>())), 3), kField
     );
     EXPECT_EQ(
-        readField(write("c.npy", npy(dictionary("<f8", "(3,)"), fieldBytes<double>(), 2)), 3),
+        readField(write("c.npy", npy(npyDictionary("<f8", "(3,)"), fieldBytes<double>(), 2)), 3),
         kField
     );
 }
@@ -58,14 +48,14 @@ TEST_F(FieldReader, RefusesOtherArraysAndDamage) {
         return refusal([&] { return readField(file, 3); });
     };
     expectContains(refused("no array at all"), ".npy");
-    expectContains(refused(npy(dictionary("<i8", "(3,)"), std::string(24, 0))), "float");
-    expectContains(refused(npy(dictionary(">f8", "(3,)"), std::string(24, 0))), "little-endian");
+    expectContains(refused(npy(npyDictionary("<i8", "(3,)"), std::string(24, 0))), "float");
+    expectContains(refused(npy(npyDictionary(">f8", "(3,)"), std::string(24, 0))), "little-endian");
     expectContains(
-        refused(npy(dictionary("<f8", "(3, 1)"), fieldBytes<double>())), "one dimension"
+        refused(npy(npyDictionary("<f8", "(3, 1)"), fieldBytes<double>())), "one dimension"
     );
-    expectContains(refused(npy(dictionary("<f8", "()"), fieldBytes<double>())), "one dimension");
+    expectContains(refused(npy(npyDictionary("<f8", "()"), fieldBytes<double>())), "one dimension");
     expectContains(refused(npy("{'descr': '<f8'}", fieldBytes<double>())), "shape");
-    const std::string whole = npy(dictionary("<f8", "(3,)"), fieldBytes<double>());
+    const std::string whole = npy(npyDictionary("<f8", "(3,)"), fieldBytes<double>());
     for (std::size_t size = 0; size < whole.size(); ++size) {
         SCOPED_TRACE(size);
         refused(whole.substr(0, size));

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/region.h"
+
+#include "surface/index_sets.h"
+#include "surface/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+template <class Predicate>
+Region facesWhere(const Surface& surface, const Predicate& isIn) {
+    Region region;
+    for (int f = 0; f < surface.faceCount(); ++f) {
+        if (isIn(surface.faces()[at(f)])) {
+            region.push_back(f);
+        }
+    }
+    return region;
+}
+
+// The faces whose mean value, less the threshold, has the sign of `side`.
+Region facesBeside(
+    const Surface& surface, std::span<const double> field, double threshold, double side
+) {
+    if (field.size() != surface.vertices().size()) {
+        throw InputError(
+            InputErrorCode::BadField,
+            "the field has " + std::to_string(field.size()) + " values for " +
+                std::to_string(surface.vertexCount()) + " vertices: give one value per vertex"
+        );
+    }
+    if (std::isnan(threshold)) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "the threshold of the region to avoid is not a number: give one"
+        );
+    }
+    return facesWhere(surface, [&](const Triangle& face) {
+        const double mean = (field[at(face[0])] + field[at(face[1])] + field[at(face[2])]) / 3.0;
+        return side * mean > side * threshold;
+    });
+}
+
+}  // namespace
+
+Region makeRegion(const Surface& surface, std::span<const std::int64_t> faces) {
+    Region region;
+    region.reserve(faces.size());
+    std::vector<std::int64_t> bad;
+    for (const std::int64_t face : faces) {
+        if (face >= 0 && face < surface.faceCount()) {
+            region.push_back(static_cast<int>(face));
+        } else {
+            bad.push_back(face);
+        }
+    }
+    if (!bad.empty()) {
+        std::ranges::sort(bad);
+        const auto repeated = std::ranges::unique(bad);
+        bad.erase(repeated.begin(), repeated.end());
+        refuseElements(
+            InputErrorCode::IndexOutOfRange,
+            describeCount(bad.size(), "id of the region is", "ids of the region are") +
+                " no face of the mesh",
+            "ids",
+            std::move(bad),
+            "faces are numbered from 0 to " + std::to_string(surface.faceCount() - 1)
+        );
+    }
+    sortUnique(region);
+    return region;
+}
+
+Region facesOfVertices(const Surface& surface, std::span<const char> selected) {
+    if (selected.size() != surface.vertices().size()) {
+        throw InputError(
+            InputErrorCode::IndexOutOfRange,
+            "the selection has " + std::to_string(selected.size()) + " flags for " +
+                std::to_string(surface.vertexCount()) + " vertices: give one flag per vertex"
+        );
+    }
+    return facesWhere(surface, [&](const Triangle& face) {
+        return std::ranges::all_of(face, [&](int v) { return selected[at(v)] != 0; });
+    });
+}
+
+Region facesUnder(const Surface& surface, std::span<const double> field, double threshold) {
+    return facesBeside(surface, field, threshold, -1.0);
+}
+
+Region facesOver(const Surface& surface, std::span<const double> field, double threshold) {
+    return facesBeside(surface, field, threshold, 1.0);
+}
+
+std::vector<char> faceFlags(const Surface& surface, const Region& region) {
+    std::vector<char> flags(surface.faces().size(), 0);
+    for (const int f : region) {
+        flags[at(f)] = 1;
+    }
+    return flags;
+}
+
+}  // namespace bspline_curve
