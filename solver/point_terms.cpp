@@ -156,6 +156,14 @@ bool CellIntegrand::add(
     return true;
 }
 
+double CellIntegrand::room(const Vec3& p) const {
+    double room = 1.0 - std::abs(relativeHeightAt(p).value) / weights_.barrierWidth;
+    if (hasBeyond_) {
+        room = std::min(room, 1.0 - beyond_.at(p));
+    }
+    return room;
+}
+
 Vec3 CellIntegrand::gradient(const Vec3& p) const {
     Vec3 sum = Vec3::Zero();
     const RelativeHeight d = relativeHeightAt(p);

@@ -31,6 +31,10 @@ public:
         const Vec3& p, double weight, EnergyTerms& terms, PointDerivatives& derivatives
     ) const;
 
+    /// How far p is from the nearest pole of the integrand, relative to the barrier there: 1 where
+    /// it is farthest, 0 on the pole.
+    [[nodiscard]] double room(const Vec3& p) const;
+
     /// Gradient of the weighted integrand at p.
     [[nodiscard]] Vec3 gradient(const Vec3& p) const;
 
