@@ -108,7 +108,7 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
         inputs.picks,
         arguments.solver,
         arguments.sampling,
-        inputs.field,
+        {.field = inputs.field},
         progressPart(bar, kShellShare, 1.0)
     );
     RunFigures figures;
@@ -145,7 +145,7 @@ std::optional<double> timeWarm(
             inputs.picks,
             arguments.solver,
             arguments.sampling,
-            inputs.field,
+            {.field = inputs.field},
             [](double, const char*) { return !interrupted(); }
         ));
         times.push_back(watch.lap());

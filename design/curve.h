@@ -4,6 +4,7 @@
 #include "solver/solve_report.h"
 #include "surface/types.h"
 
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -38,6 +39,12 @@ struct SamplingOptions {
 
     /// Throws InputError (BadOption).
     void validate() const;
+};
+
+/// What a curve is drawn by, besides its picks. Both may be empty.
+struct Guidance {
+    std::span<const double> field{};  ///< one finite value per vertex
+    std::span<const int> avoid{};     ///< faces that the curve must not enter
 };
 
 struct Curve {

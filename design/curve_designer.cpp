@@ -6,14 +6,19 @@
 #include "design/strict_polyline.h"
 #include "shell/shell_boundary.h"
 #include "shell/shell_store.h"
+#include "solver/obstacles.h"
 #include "solver/solve.h"
+#include "surface/index_sets.h"
 #include "surface/input_error.h"
 #include "surface/picks.h"
+#include "surface/region.h"
 #include "surface/stopwatch.h"
+#include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -37,6 +42,76 @@ ShellSummary summaryOf(const ObtainedShell& obtained) {
         .isFromStore = obtained.isFromStore,
         .notes = obtained.notes
     };
+}
+
+// What the curve avoids is certain only where every iterate is checked as a whole.
+void requireExactAvoidance(const SolverOptions& options) {
+    const auto refuse = [](const std::string& option, const std::string& needed) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            option + " cannot keep a curve out of the faces to avoid: use " + needed
+        );
+    };
+    if (options.quadrature != Quadrature::Cells) {
+        refuse("quadrature = samples", "cells");
+    }
+    if (options.initialCurve != InitialCurve::GeodesicFit) {
+        refuse("initial_curve = control-polygon", "geodesic-fit");
+    }
+    if (options.interpolation != Interpolation::Constraint) {
+        refuse("interpolation = penalty", "constraint");
+    }
+}
+
+// The promise itself, on the result: no vertex and no segment in a face to avoid.
+void requireClear(const Surface& surface, const SurfacePolyline& line, const Obstacles& obstacles) {
+    const auto freeFacesHolding = [&](const SurfacePoint& point) {
+        std::vector<int> faces = facesHolding(surface, point);
+        std::erase_if(faces, [&](int f) { return obstacles.isAvoided(f); });
+        return faces;
+    };
+    std::vector<int> before = freeFacesHolding(line.surfacePoints.back());
+    for (std::size_t i = 0; i < line.surfacePoints.size(); ++i) {
+        std::vector<int> here = freeFacesHolding(line.surfacePoints[i]);
+        std::vector<int> common;
+        std::ranges::set_intersection(before, here, std::back_inserter(common));
+        const bool hasSegment = i > 0 || line.closed;
+        if (obstacles.isAvoided(line.surfacePoints[i].face) || (hasSegment && common.empty())) {
+            throw std::logic_error("the curve enters a face that it avoids");
+        }
+        before.swap(here);
+    }
+}
+
+void refusePicksIn(
+    const Region& region, const Surface& surface, const std::vector<SurfacePoint>& picks
+) {
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        for (const int f : facesHolding(surface, picks[i])) {
+            if (indexIn(region, f) >= 0) {
+                throw InputError(
+                    InputErrorCode::PickAvoided,
+                    "pick " + std::to_string(i) + " lies in face " + std::to_string(f) +
+                        ", which the curve is to avoid: move the pick, or avoid fewer faces",
+                    {static_cast<std::int64_t>(i)}
+                );
+            }
+        }
+    }
+}
+
+void refuseEnclosedPicks(const Obstacles& obstacles, const std::vector<SurfacePoint>& picks) {
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        if (obstacles.closeness(picks[i]) >= 1.0) {
+            throw InputError(
+                InputErrorCode::PickAvoided,
+                "pick " + std::to_string(i) + " lies in face " + std::to_string(picks[i].face) +
+                    ", all of whose neighbours the curve is to avoid: move the pick, or avoid "
+                    "fewer faces",
+                {static_cast<std::int64_t>(i)}
+            );
+        }
+    }
 }
 
 }  // namespace
@@ -77,6 +152,11 @@ struct CurveDesigner::State {
     void checkField(std::span<const double> field) const;
     [[nodiscard]] std::vector<double> fieldOnPillars(std::span<const double> field) const;
     void refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const;
+    [[nodiscard]] std::optional<Obstacles> obstaclesOf(
+        const Guidance& guidance,
+        const std::vector<SurfacePoint>& picks,
+        const SolverOptions& options
+    ) const;
     [[nodiscard]] SurfacePolyline polylineOf(
         const CurveProblem& problem,
         const SplineSpace& space,
@@ -142,6 +222,23 @@ void CurveDesigner::State::refuseBlockedPicks(const std::vector<SurfacePoint>& p
     }
 }
 
+std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
+    const Guidance& guidance, const std::vector<SurfacePoint>& picks, const SolverOptions& options
+) const {
+    if (guidance.avoid.empty()) {
+        return std::nullopt;
+    }
+    requireExactAvoidance(options);
+    const std::vector<std::int64_t> ids(guidance.avoid.begin(), guidance.avoid.end());
+    const Region region = makeRegion(surface, ids);
+    refusePicksIn(region, surface, picks);
+    std::optional<Obstacles> obstacles(
+        std::in_place, surface, *base, region, options.avoidMargin * surface.diagonal()
+    );
+    refuseEnclosedPicks(*obstacles, picks);
+    return obstacles;
+}
+
 CurveProblem CurveDesigner::State::makeProblem(
     const SolverOptions& options, std::vector<PickConstraint> picks, std::span<const double> field
 ) const {
@@ -185,7 +282,11 @@ SurfacePolyline CurveDesigner::State::polylineOf(
         pick.point.face = near.indexOf(pick.point.face);
     }
     const ShadowCurve fine(nearProblem, space, controls, &near.faces);
-    return makeStrictPolyline(surface, problem, fine.isWhole() ? fine : shadow, sampling);
+    // Other fibres may lead into what the curve avoids.
+    const auto isAvoided = [&](int f) { return problem.obstacles->isAvoided(near.faces[at(f)]); };
+    const bool isUsable = fine.isWhole() && (problem.obstacles == nullptr ||
+                                             std::ranges::none_of(fine.faces(), isAvoided));
+    return makeStrictPolyline(surface, problem, isUsable ? fine : shadow, sampling);
 }
 
 SplineData CurveDesigner::State::exportSpline(
@@ -234,7 +335,7 @@ Curve CurveDesigner::design(
     const std::vector<Vec3>& picks,
     const SolverOptions& options,
     const SamplingOptions& sampling,
-    std::span<const double> field,
+    const Guidance& guidance,
     const Progress& progress
 ) const {
     options.validate();
@@ -245,14 +346,18 @@ Curve CurveDesigner::design(
     const std::vector<SurfacePoint> located =
         locatePicks(state.surface, state.tree, picks, options.closed);
     state.refuseBlockedPicks(located);
+    const std::optional<Obstacles> obstacles = state.obstaclesOf(guidance, located, options);
     PickPath path = makePickPath(
         state.surface,
         *state.base,
         located,
         options.closed,
-        {state.obtained.build.report.blockedFaces, faceCostsOf(state.surface, field, options)}
+        {state.obtained.build.report.blockedFaces,
+         faceCostsOf(state.surface, guidance.field, options),
+         obstacles ? &*obstacles : nullptr}
     );
-    CurveProblem problem = state.makeProblem(options, std::move(path.picks), field);
+    CurveProblem problem = state.makeProblem(options, std::move(path.picks), guidance.field);
+    problem.obstacles = obstacles ? &*obstacles : nullptr;
     problem.progress = progress;
     const double pathSeconds = watch.lap();
 
@@ -273,6 +378,9 @@ Curve CurveDesigner::design(
     Curve curve;
     curve.polyline =
         state.polylineOf(problem, solution.curve.space, solution.curve.controls, sampling);
+    if (obstacles) {
+        requireClear(state.surface, curve.polyline, *obstacles);
+    }
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;
     curve.report.seconds.path = pathSeconds;

@@ -9,7 +9,6 @@
 #include "surface/surface.h"
 
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -42,14 +41,13 @@ public:
     CurveDesigner(CurveDesigner&&) noexcept;
     CurveDesigner& operator=(CurveDesigner&&) noexcept;
 
-    /// One curve through the picks (user's unit). `field` holds one finite value per vertex, or is
-    /// empty. Throws InputError, Cancelled. A curve that did not reach its tolerance is returned,
-    /// with report.usable == false.
+    /// One curve through the picks (user's unit). Throws InputError, Cancelled. A curve that did
+    /// not reach its tolerance is returned, with report.usable == false.
     [[nodiscard]] Curve design(
         const std::vector<Vec3>& picks,
         const SolverOptions& options = {},
         const SamplingOptions& sampling = {},
-        std::span<const double> field = {},
+        const Guidance& guidance = {},
         const Progress& progress = {}
     ) const;
 

@@ -17,11 +17,20 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-[[noreturn]] void throwNoPath(
-    std::size_t from, std::size_t to, const std::vector<int>& blockedFaces
-) {
+[[noreturn]] void throwNoPath(std::size_t from, std::size_t to, const Terrain& terrain) {
+    const std::vector<int>& blockedFaces = terrain.blockedFaces;
     std::string message = "no way along the surface from pick " + std::to_string(from) +
                           " to pick " + std::to_string(to);
+    if (terrain.obstacles != nullptr) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            message + " that goes round the faces to avoid" +
+                (blockedFaces.empty() ? ""
+                                      : " and those where the surface crosses itself or folds") +
+                ": avoid fewer faces, or move a pick",
+            {static_cast<std::int64_t>(from), static_cast<std::int64_t>(to)}
+        );
+    }
     std::vector<std::int64_t> elements(blockedFaces.begin(), blockedFaces.end());
     if (blockedFaces.empty()) {
         throw InputError(InputErrorCode::NoPath, message + ": move a pick", std::move(elements));
@@ -34,6 +43,39 @@ std::size_t at(int index) {
     throw InputError(InputErrorCode::SelfIntersection, message, std::move(elements));
 }
 
+// What a unit of length costs in each face, all told.
+std::vector<double> totalCosts(const Surface& surface, const Terrain& terrain) {
+    std::vector<double> costs = terrain.faceCosts;
+    if (costs.empty() && (terrain.obstacles != nullptr || !terrain.blockedFaces.empty())) {
+        costs.assign(at(surface.faceCount()), 1.0);
+    }
+    for (const int f : terrain.blockedFaces) {
+        costs[at(f)] = std::numeric_limits<double>::infinity();
+    }
+    if (terrain.obstacles != nullptr) {
+        for (int f = 0; f < surface.faceCount(); ++f) {
+            costs[at(f)] *= terrain.obstacles->pathCost(f);
+        }
+    }
+    return costs;
+}
+
+// The point where a path leaves a face for that of the next point, away from the obstacles.
+SurfacePoint keptClear(
+    const Surface& surface,
+    const Obstacles& obstacles,
+    const SurfacePoint& point,
+    const SurfacePoint& next
+) {
+    const Triangle& neighbours = surface.faceNeighbours()[at(point.face)];
+    for (int k = 0; k < 3; ++k) {
+        if (neighbours[at(k)] == next.face && point.barycentric[k] == 0.0) {
+            return obstacles.keptClear(point, k);
+        }
+    }
+    return point;
+}
+
 }  // namespace
 
 PickPath makePickPath(
@@ -41,16 +83,9 @@ PickPath makePickPath(
     const ShellBase& base,
     const std::vector<SurfacePoint>& picks,
     bool closed,
-    Terrain terrain
+    const Terrain& terrain
 ) {
-    std::vector<double>& costs = terrain.faceCosts;
-    if (costs.empty() && !terrain.blockedFaces.empty()) {
-        costs.assign(at(surface.faceCount()), 1.0);
-    }
-    for (const int f : terrain.blockedFaces) {
-        costs[at(f)] = std::numeric_limits<double>::infinity();
-    }
-    GeodesicPathFinder finder(surface, std::move(costs));
+    GeodesicPathFinder finder(surface, totalCosts(surface, terrain));
     PickPath result;
     double length = 0.0;
     const auto add = [&](const SurfacePoint& point) {
@@ -65,12 +100,15 @@ PickPath makePickPath(
         const std::size_t next = (i + 1) % picks.size();
         const std::optional<GeodesicPath> path = finder.find(picks[i], picks[next]);
         if (!path) {
-            throwNoPath(i, next, terrain.blockedFaces);
+            throwNoPath(i, next, terrain);
         }
         for (std::size_t k = 0; k < path->points.size(); ++k) {
             // A path starts where the one before ended, but perhaps in another of the faces that
             // hold the pick.
-            add(path->points[k]);
+            const bool isPick = k == 0 || k + 1 == path->points.size();
+            add(terrain.obstacles == nullptr || isPick
+                    ? path->points[k]
+                    : keptClear(surface, *terrain.obstacles, path->points[k], path->points[k + 1]));
             if (k == 0) {
                 result.picks.push_back(
                     {path->points[0], result.guide.points.back().position, length}

@@ -3,6 +3,7 @@
 
 #include "shell/shell_base.h"
 #include "solver/initial_curve.h"
+#include "solver/obstacles.h"
 #include "surface/surface.h"
 
 #include <span>
@@ -19,17 +20,19 @@ struct PickPath {
 struct Terrain {
     std::vector<int> blockedFaces;  ///< where no shell is: no path enters them; ascending
     /// What a unit of length costs in each face, finite and positive; empty: 1 everywhere.
-    std::vector<double> faceCosts;
+    std::vector<double> faceCosts{};
+    const Obstacles* obstacles = nullptr;  ///< what paths keep clear of; null: nothing
 };
 
 /// Paths from pick to pick, parametrised by length: geodesics where all faces cost the same.
+/// Where there are obstacles they go round them, farther away where there is room.
 /// Throws InputError (NoPath, SelfIntersection) naming the two picks.
 [[nodiscard]] PickPath makePickPath(
     const Surface& surface,
     const ShellBase& base,
     const std::vector<SurfacePoint>& picks,
     bool closed,
-    Terrain terrain
+    const Terrain& terrain
 );
 
 /// The cost of faces by which paths follow a field: 1 in the cheapest face, and more with mu and

@@ -77,7 +77,7 @@ Drawn drawCurve(const CurveRequest& request, MeshDocument& document, vcg::CallBa
     const CurveDesigner designer =
         designerFor(mesh, request.shell, hostProgress(callback, 0.0, 50.0));
     const Curve curve = designer.design(
-        picks.picks, options, request.sampling, field, hostProgress(callback, 50.0, 99.0)
+        picks.picks, options, request.sampling, {.field = field}, hostProgress(callback, 50.0, 99.0)
     );
     addCurveLayer(document, surface, mesh, curve, field);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

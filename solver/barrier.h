@@ -29,4 +29,13 @@ struct Barrier {
     return c * x * std::tan(c * x);
 }
 
+/// The barrier of what a curve avoids: x -> x^2 / (1 - x) for 0 <= x < 1. Convex, 0 at 0 with its
+/// slope, infinite at 1, and so is its integral along any curve that touches there, even at a
+/// corner. Its value and its first two derivatives: 1 / (1 - x)^2 - 1, 2 / (1 - x)^3.
+[[nodiscard]] inline Barrier avoidanceBarrier(double x) {
+    const double inverse = 1.0 / (1.0 - x);
+    const double square = inverse * inverse;
+    return {x * x * inverse, square - 1.0, 2.0 * square * inverse};
+}
+
 }  // namespace bspline_curve

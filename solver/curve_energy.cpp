@@ -45,7 +45,8 @@ EnergyValue CurveEnergy::evaluate(
     value.terms.fit = addFit(controls, weights, derivatives);
     const double field = fieldWeight(problem_) * value.terms.external;
     const double others = value.terms.internal + weights.alpha * value.terms.distance +
-                          weights.beta * value.terms.fit;
+                          weights.beta * value.terms.fit +
+                          weights.avoidance * value.terms.avoidance;
     value.total = others + field;
     const double aboveLeast =
         fieldWeight(problem_) * (value.terms.external - problem_.fieldCosts.least);

@@ -11,6 +11,7 @@
 
 namespace bspline_curve {
 
+class Obstacles;
 class ShellBoundary;
 
 /// A pick in the shell's frame, with the parameter at which the curve passes it.
@@ -25,6 +26,7 @@ struct CurveProblem {
     const Shell* shell = nullptr;
     const ShellBase* base = nullptr;
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
+    const Obstacles* obstacles = nullptr;     ///< what the curve avoids; null: nothing
     std::vector<PickConstraint> picks;
     std::vector<double> field;  ///< one value per vertex of the base, or empty
     FieldCosts fieldCosts;      ///< of `field`, as the options say

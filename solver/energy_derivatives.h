@@ -22,6 +22,9 @@ struct EnergyDerivatives {
 struct PointDerivatives {
     Vec3 force = Vec3::Zero();
     SymmetricMatrix second{};
+    /// What the integrand's own curvature subtracts, kept apart as that of kinks is.
+    SymmetricMatrix negative{};
+    bool hasNegative = false;
 
     /// scale v v^T to the second derivative.
     void addRankOne(const Vec3& v, double scale) {
@@ -29,6 +32,15 @@ struct PointDerivatives {
         for (std::size_t e = 0; e < second.size(); ++e) {
             second[e] += matrix[e];
         }
+    }
+
+    /// The same for a scale below 0.
+    void addNegative(const Vec3& v, double scale) {
+        const SymmetricMatrix matrix = rankOne(v, scale);
+        for (std::size_t e = 0; e < negative.size(); ++e) {
+            negative[e] += matrix[e];
+        }
+        hasNegative = true;
     }
 
     /// scale (a b^T + b a^T).
@@ -57,6 +69,9 @@ public:
         startSpan(span);
         points_.addForce(tau, point.force);
         points_.addMatrix(tau, point.second);
+        if (point.hasNegative) {
+            negativeKinks_.addMatrix(tau, point.negative);
+        }
     }
 
     /// A second derivative scale normal normal^T, kept apart where it is negative.

@@ -12,6 +12,7 @@ struct EnergyWeights {
     /// scaled by eta (end of the paper's Sect. 4.2); for a curve that is outside already. Else it
     /// must stay inside.
     bool outsideAllowed = false;
+    double avoidance = 0.0;  ///< of E_avoid
 };
 
 }  // namespace bspline_curve

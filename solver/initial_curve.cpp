@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/initial_curve.h"
 
+#include "solver/obstacles.h"
 #include "solver/shell_reach.h"
 #include "solver/spline_system.h"
 #include "surface/input_error.h"
@@ -16,10 +17,14 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-constexpr int kMaxFits = 16;
+// Next to a sharp corner of the guide spans are halved one by one; more than 16 fits were needed
+// once in 350 curves.
+constexpr int kMaxFits = 40;
 // A first curve that comes nearer to the top or the bottom than this is fitted again with more
 // spans: close to the pole of the barrier, Newton's method stalls at once.
 constexpr double kHighestStart = 0.9;
+// The same where it comes nearer to what it avoids than this share of the guide's least clearance.
+constexpr double kLeastClearanceShare = 0.3;
 // Samples of the guide per span: more than the unknowns of a span, few enough to be cheap.
 constexpr int kSamplesPerSpan = 16;
 // Weight of the bending regulariser against the squared distance, in units of the span length to
@@ -104,7 +109,27 @@ ControlPoints fit(const CurveProblem& problem, const GuidePath& guide, const Spl
     return controls;
 }
 
-// Whether the curve stays well inside the shell on a span, starting from the guide's own cell.
+// How clear of what it avoids the first curve must stay between two parameters.
+double neededClearance(
+    const CurveProblem& problem, const GuidePath& guide, double begin, double end
+) {
+    double least = 1.0;
+    if (problem.obstacles != nullptr) {
+        for (std::size_t i = guideIndex(guide, begin); i <= guideIndex(guide, end) + 1; ++i) {
+            least = std::min(least, 1.0 - problem.obstacles->closeness(guide.points[i].point));
+        }
+    }
+    return kLeastClearanceShare * least;
+}
+
+double clearance(const CurveProblem& problem, const ShellCell& cell, const Vec3& p) {
+    return problem.obstacles == nullptr
+               ? 1.0
+               : 1.0 - problem.obstacles->closeness({cell.face, cell.shadow(p)});
+}
+
+// Whether the curve stays well inside the shell, and clear of what it avoids, on a span, starting
+// from the guide's own cell.
 bool spanIsInside(
     const CurveProblem& problem,
     const GuidePath& guide,
@@ -117,15 +142,21 @@ bool spanIsInside(
     const GuidePath::Point& near = guide.points[guideIndex(guide, space.breaks()[at(span)])];
     TraceState state{ShellCell(*problem.shell, near.point)};
     double highest = 0.0;
+    double least = 1.0;
     const auto measure = [&](const ShellCell& cell, double tau0, double tau1) {
         for (const double tau : {tau0, 0.5 * (tau0 + tau1), tau1}) {
-            highest = std::max(highest, std::abs(cell.relativeHeight(curve.at(tau))));
+            const Vec3 p = curve.at(tau);
+            highest = std::max(highest, std::abs(cell.relativeHeight(p)));
+            least = std::min(least, clearance(problem, cell, p));
         }
     };
     const auto ignoreCrossing = [](const ShellCell&, const ShellCell&, double, int) {};
     return walkStraight(*problem.shell, near.position, curve.coefficients[0], state) &&
            tracePolynomial(*problem.shell, curve, 1.0, state, measure, ignoreCrossing) &&
-           highest < highestStart;
+           highest < highestStart &&
+           least >= neededClearance(
+                        problem, guide, space.breaks()[at(span)], space.breaks()[at(span) + 1]
+                    );
 }
 
 }  // namespace

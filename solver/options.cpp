@@ -30,6 +30,12 @@ void SolverOptions::validate() const {
         "finite and not negative"
     );
     require(
+        avoidMargin > 0.0 && avoidMargin <= 1.0,
+        "avoid margin",
+        avoidMargin,
+        "in (0, 1], of the diagonal"
+    );
+    require(
         distanceTolerance > 0.0 && std::isfinite(distanceTolerance),
         "distance tolerance",
         distanceTolerance,

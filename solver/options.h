@@ -34,6 +34,9 @@ struct SolverOptions {
     FieldCost fieldCost = FieldCost::Identity;
     bool fieldGuidesPath = true;  ///< the first curve follows the field as well, not only geodesics
 
+    double avoidMargin = 0.02;  ///< what is avoided pushes the curve from this far away on,
+                                ///< relative to the diagonal, in (0, 1]
+
     double distanceTolerance = 0.1;  ///< epsilon of (3), in average edge lengths, > 0
     Bending bending = Bending::Geodesic;
     double normalBendingWeight =

@@ -14,6 +14,9 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
+// Crossings of edges that end on what is avoided may be as close as this: rounding.
+constexpr double kClosestKink = 1.0 - 1e-12;
+
 // The field I(M_S(p)) in a cell.
 AffineForm fieldForm(const CurveProblem& problem, const ShellCell& cell) {
     AffineForm form;
@@ -69,6 +72,13 @@ CellIntegrand::CellIntegrand(
     if (mu_ > 0.0) {
         field_ = fieldForm(problem, cell);
     }
+    if (problem.obstacles != nullptr) {
+        isAvoided_ = problem.obstacles->isAvoided(cell.face);
+        hasCloseness_ = !isAvoided_ && !problem.obstacles->isFar(cell.face);
+        if (hasCloseness_) {
+            closeness_ = ClosenessForm(*problem.obstacles, *problem.base, cell);
+        }
+    }
 }
 
 CellIntegrand::RelativeHeight CellIntegrand::relativeHeightAt(const Vec3& p) const {
@@ -96,7 +106,7 @@ CellIntegrand::RelativeHeight CellIntegrand::relativeHeightAt(const Vec3& p) con
 
 bool CellIntegrand::add(const Vec3& p, double weight, EnergyTerms& terms) const {
     const double height = relativeHeightAt(p).value;
-    if (std::abs(height) >= weights_.barrierWidth) {
+    if (isAvoided_ || std::abs(height) >= weights_.barrierWidth) {
         return false;
     }
     terms.distance += weight * barrierValue(height, weights_.barrierWidth);
@@ -110,6 +120,13 @@ bool CellIntegrand::add(const Vec3& p, double weight, EnergyTerms& terms) const 
     if (mu_ > 0.0) {
         terms.external += weight * fieldCost(cost_, field_.at(p)).value;
     }
+    if (hasCloseness_) {
+        const double closeness = closeness_.at(p);
+        if (closeness >= 1.0) {
+            return false;
+        }
+        terms.avoidance += weight * avoidanceBarrier(closeness).value;
+    }
     return true;
 }
 
@@ -117,7 +134,7 @@ bool CellIntegrand::add(
     const Vec3& p, double weight, EnergyTerms& terms, PointDerivatives& derivatives
 ) const {
     const RelativeHeight d = relativeHeightAt(p);
-    if (std::abs(d.value) >= weights_.barrierWidth) {
+    if (isAvoided_ || std::abs(d.value) >= weights_.barrierWidth) {
         return false;
     }
     const Barrier g = barrier(d.value, weights_.barrierWidth);
@@ -153,6 +170,12 @@ bool CellIntegrand::add(
         derivatives.force += weight * mu_ * c.slope * field_.gradient;
         derivatives.addRankOne(field_.gradient, weight * mu_ * std::max(0.0, c.curvature));
     }
+    if (hasCloseness_) {
+        if (closeness_.at(p) >= 1.0) {
+            return false;
+        }
+        addAvoidance(p, weight, terms, derivatives);
+    }
     return true;
 }
 
@@ -161,7 +184,29 @@ double CellIntegrand::room(const Vec3& p) const {
     if (hasBeyond_) {
         room = std::min(room, 1.0 - beyond_.at(p));
     }
+    if (hasCloseness_) {
+        room = std::min(room, 1.0 - closeness_.at(p));
+    }
     return room;
+}
+
+void CellIntegrand::addAvoidance(
+    const Vec3& p, double weight, EnergyTerms& terms, PointDerivatives& derivatives
+) const {
+    const Barrier b = avoidanceBarrier(closeness_.at(p));
+    const double slope = weight * weights_.avoidance * b.slope;
+    const Vec3 gradient = closeness_.gradient(p);
+    terms.avoidance += weight * b.value;
+    derivatives.force += slope * gradient;
+    derivatives.addRankOne(gradient, weight * weights_.avoidance * b.curvature);
+    if (closeness_.isAffine()) {
+        return;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const ClosenessForm::Bulge bulge = closeness_.bulge(k);  // curved by less than 0
+        derivatives.addNegative(bulge.plus, slope * bulge.curvature);
+        derivatives.addRankOne(bulge.minus, -slope * bulge.curvature);
+    }
 }
 
 Vec3 CellIntegrand::gradient(const Vec3& p) const {
@@ -179,6 +224,10 @@ Vec3 CellIntegrand::gradient(const Vec3& p) const {
     }
     if (mu_ > 0.0) {
         sum += mu_ * fieldCost(cost_, field_.at(p)).slope * field_.gradient;
+    }
+    if (hasCloseness_) {
+        const double closeness = std::min(closeness_.at(p), kClosestKink);
+        sum += weights_.avoidance * avoidanceBarrier(closeness).slope * closeness_.gradient(p);
     }
     return sum;
 }

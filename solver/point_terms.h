@@ -5,13 +5,17 @@
 #include "solver/curve_problem.h"
 #include "solver/energy_derivatives.h"
 #include "solver/energy_weights.h"
+#include "solver/obstacles.h"
 #include "solver/solve_report.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace bspline_curve {
 
-/// The integrand of E_dist and E_ext in one cell: the barrier of the relative height, the barrier
-/// of how far a point lies beyond a boundary (ghost cells), and the cost of the field at the
-/// shadow.
+/// The integrand of E_dist, E_ext and E_avoid in one cell: the barrier of the relative height, the
+/// barrier of how far a point lies beyond a boundary (ghost cells), the cost of the field at the
+/// shadow, and the barrier of how close that is to what the curve avoids.
 class CellIntegrand {
 public:
     /// `heightScale` is the paper's eta: heights count this much of their value.
@@ -22,8 +26,7 @@ public:
         double heightScale = 1.0
     );
 
-    /// Adds `weight` times the integrand at p to the terms; false where p is on or above the
-    /// barrier.
+    /// Adds `weight` times the integrand at p to the terms; false where p is on or above a barrier.
     [[nodiscard]] bool add(const Vec3& p, double weight, EnergyTerms& terms) const;
 
     /// The same; adds the derivatives of the weighted terms, Gauss-Newton for the field.
@@ -47,6 +50,9 @@ private:
     };
 
     [[nodiscard]] RelativeHeight relativeHeightAt(const Vec3& p) const;
+    void addAvoidance(
+        const Vec3& p, double weight, EnergyTerms& terms, PointDerivatives& derivatives
+    ) const;
 
     EnergyWeights weights_;
     double mu_;
@@ -54,6 +60,8 @@ private:
     AffineForm height_, surfaceHeight_, beyond_, field_;
     double heightScale_;
     bool hasSurfaceHeight_, hasBeyond_;
+    bool isAvoided_ = false, hasCloseness_ = false;
+    ClosenessForm closeness_;
 };
 
 /// The weight of the field: mu of (7), or 0 without a field.

@@ -59,13 +59,19 @@ constexpr double kHighestRoughTension = 0.5;
 constexpr double kRoughLeastStep = 0.3;
 constexpr double kLeastStep = 1e-10;
 
+// Weight of E_avoid. Over 169 curves on two scans 1, 3 and 10 take the same iterations; with 3
+// curves keep about half the margin where they bend round an obstacle.
+constexpr double kAvoidance = 3.0;
+
 int firstSegments(const CurveProblem& problem) {
     if (problem.options.quadrature == Quadrature::Samples) {
         return problem.options.samplesPerSpan;
     }
     const bool isSmooth =
         problem.options.tension <= kHighestRoughTension && fieldStrength(problem) == 0.0;
-    return problem.shell->isFullResolution() || !isSmooth ? 0 : kRoughSegments;
+    // Straight walks between samples cut the corners of what the curve avoids.
+    const bool isFree = problem.obstacles == nullptr;
+    return problem.shell->isFullResolution() || !isSmooth || !isFree ? 0 : kRoughSegments;
 }
 
 // E_int of the geodesics between the picks: the tension term of no curve on the surface is less.
@@ -125,6 +131,7 @@ public:
         // A strong field must not press the first curve against top and bottom.
         const double reach = relativeReach(problem_);
         weights_.alpha *= reach * reach * (1.0 + fieldStrength(problem_));
+        weights_.avoidance = kAvoidance;
         for (round_ = 0; round_ < options_.maxRounds; ++round_) {
             bspline_curve::report(problem_.progress, progressFraction(), "minimising");
             refreshDirections(kRoughBlend);

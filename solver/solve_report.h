@@ -27,9 +27,9 @@ enum class MinimiseStatus {
 [[nodiscard]] const char* name(SolveStatus status);
 [[nodiscard]] const char* name(MinimiseStatus status);
 
-/// The four terms of (7), unweighted, and their weights.
+/// The four terms of (7) and that of what the curve avoids, unweighted.
 struct EnergyTerms {
-    double internal = 0.0, external = 0.0, distance = 0.0, fit = 0.0;
+    double internal = 0.0, external = 0.0, distance = 0.0, fit = 0.0, avoidance = 0.0;
 };
 
 struct IterationReport {

@@ -24,6 +24,7 @@ enum class InputErrorCode {
     PickTooFar,
     CoincidentPicks,
     PicksOnDifferentComponents,
+    PickAvoided,
     NoPath,
     BadField,
     BadOption,

@@ -70,7 +70,7 @@ TEST_P(Valley, GrowingWeightPullsTheCurveIn) {
     for (const double mu : {0.0, 0.1, 1.0, 10.0, 100.0, 1000.0}) {
         SolverOptions options;
         options.fieldWeight = mu;
-        const Curve curve = designer_.design(picks_, options, {}, field_);
+        const Curve curve = designer_.design(picks_, options, {}, {.field = field_});
         EXPECT_TRUE(curve.report.usable) << "mu = " << mu;
         expectStrict(designer_.surface(), curve.polyline);
         const double mean = meanAlong(designer_.surface(), curve.polyline, field_);
@@ -84,7 +84,7 @@ TEST_P(Valley, GrowingWeightPullsTheCurveIn) {
 TEST_P(Valley, WithoutWeightTheFieldChangesNothing) {
     SolverOptions options;
     options.fieldWeight = 0.0;
-    const Curve with = designer_.design(picks_, options, {}, field_);
+    const Curve with = designer_.design(picks_, options, {}, {.field = field_});
     const Curve without = designer_.design(picks_, options);
     EXPECT_LT(largestGap(with.spline, without.spline), 1e-9);
 }
@@ -93,7 +93,7 @@ TEST_P(Valley, WithoutWeightTheFieldChangesNothing) {
 class FieldOnASphere : public EitherShell {
 protected:
     [[nodiscard]] Curve curveWith(const std::function<double(const Vec3&)>& field) const {
-        return designer_.design(picks_, {}, {}, sampled(mesh_, field));
+        return designer_.design(picks_, {}, {}, {.field = sampled(mesh_, field)});
     }
 
     TriangleMesh mesh_ = withNoise(icosphere(3), 0.01, 23);

@@ -35,8 +35,9 @@ protected:
         const SolverOptions& options = {},
         const SamplingOptions& sampling = {}
     ) const {
-        const auto error =
-            refusal([&] { static_cast<void>(designer_.design(picks_, options, sampling, field)); });
+        const auto error = refusal([&] {
+            static_cast<void>(designer_.design(picks_, options, sampling, {.field = field}));
+        });
         ASSERT_TRUE(error.has_value());
         EXPECT_EQ(error->code(), code) << error->what();
     }
@@ -54,7 +55,8 @@ TEST_F(Refusals, FieldsThatAreNotFiniteAreRefusedWithTheirVertices) {
     std::vector<double> field(25, 1.0);
     field[7] = kNotANumber;
     field[11] = std::numeric_limits<double>::infinity();
-    const auto error = refusal([&] { static_cast<void>(designer_.design(picks_, {}, {}, field)); });
+    const auto error =
+        refusal([&] { static_cast<void>(designer_.design(picks_, {}, {}, {.field = field})); });
     ASSERT_TRUE(error.has_value());
     EXPECT_EQ(error->code(), InputErrorCode::BadField);
     EXPECT_EQ(error->elements(), (std::vector<std::int64_t>{7, 11}));

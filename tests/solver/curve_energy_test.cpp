@@ -3,6 +3,7 @@
 
 #include "problem_fixture.h"
 #include "support/meshes.h"
+#include "surface/surface_point.h"
 
 #include <Eigen/Cholesky>
 
@@ -18,8 +19,12 @@ namespace {
 // The gradient is that of the integrand at the quadrature points; pieces that grow and shrink with
 // the curve change the sum by the error of the quadrature as well.
 constexpr double kQuadratureError = 1e-5;
+// The barrier of what is avoided is steep all along a way that is one face wide.
+constexpr double kSteepQuadratureError = 3e-4;
 // Kinks at walls that the curve grazes are bounded in the Hessian, and pieces end at other places.
 constexpr double kGrazingError = 0.02;
+
+enum class Avoided { Nothing, Disc, AllButTheWay };
 
 struct Case {
     std::string name;
@@ -27,6 +32,7 @@ struct Case {
     bool closed;
     FieldCost cost;
     bool simplified = false;
+    Avoided avoided = Avoided::Nothing;
 };
 
 const std::vector<Vec3> kPicks = {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}};
@@ -40,6 +46,36 @@ test_support::ProblemFixture makeFixture(const Case& c, const SolverOptions& opt
         return {coarse, kPicks, options};
     }
     return {fine, kPicks, options};
+}
+
+// A disc in the way, or all faces but those of the way itself, which then leads over edges that
+// have both ends on what is avoided.
+void avoid(test_support::ProblemFixture& fixture, Avoided avoided) {
+    if (avoided == Avoided::Nothing) {
+        return;
+    }
+    const Surface& surface = fixture.surface();
+    std::vector<char> isIn(surface.faces().size(), avoided == Avoided::Disc ? 0 : 1);
+    if (avoided == Avoided::Disc) {
+        const Vec3 centre = Vec3(1, 1.1, 0.2).normalized();
+        for (std::size_t f = 0; f < isIn.size(); ++f) {
+            const Vec3 middle = surface.position({static_cast<int>(f), Vec3::Constant(1.0 / 3.0)});
+            isIn[f] = (middle - centre).norm() < 0.2 ? 1 : 0;
+        }
+    } else {
+        for (const GuidePath::Point& point : fixture.guide().points) {
+            for (const int f : facesHolding(surface, point.point)) {
+                isIn[static_cast<std::size_t>(f)] = 0;
+            }
+        }
+    }
+    Region region;
+    for (std::size_t f = 0; f < isIn.size(); ++f) {
+        if (isIn[f] != 0) {
+            region.push_back(static_cast<int>(f));
+        }
+    }
+    fixture.avoid(region, 0.2);
 }
 
 // Changes a direction so that it leaves the curve at the picks in place. There the curve lies
@@ -98,6 +134,7 @@ TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
         field.push_back(std::sin(3.0 * v.x()) + v.y() * v.z());
     }
     fixture.setField(field);
+    avoid(fixture, c.avoided);
     const SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide());
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
@@ -106,8 +143,11 @@ TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
         bendingDirectionsAlong(fixture.problem(), curve.space, curve.controls, 0);
     ASSERT_TRUE(directions.has_value());
     energy.setDirections(*directions);
-    const EnergyWeights weights{20.0, 5.0, 1.0};
+    EnergyWeights weights{20.0, 5.0, 1.0};
+    weights.avoidance = 3.0;
 
+    const double quadratureError =
+        c.avoided == Avoided::AllButTheWay ? kSteepQuadratureError : kQuadratureError;
     EnergyDerivatives derivatives;
     ASSERT_TRUE(energy.evaluate(curve.controls, weights, derivatives).inside);
     std::mt19937_64 random(11);
@@ -125,7 +165,7 @@ TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
         const double predicted = derivatives.gradient.dot(flat);
         const double difference =
             (energy.evaluate(up, weights).total - energy.evaluate(down, weights).total) / (2.0 * h);
-        EXPECT_NEAR(predicted, difference, kQuadratureError * derivatives.gradient.norm())
+        EXPECT_NEAR(predicted, difference, quadratureError * derivatives.gradient.norm())
             << "trial " << trial;
 
         EnergyDerivatives above;
@@ -151,7 +191,13 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"SimplifiedQuadratic", 2, false, FieldCost::Identity, true},
         Case{"SimplifiedCubic", 3, false, FieldCost::Square, true},
         Case{"SimplifiedClosedCubic", 3, true, FieldCost::Identity, true},
-        Case{"SimplifiedClosedQuartic", 4, true, FieldCost::ExpMinus, true}
+        Case{"SimplifiedClosedQuartic", 4, true, FieldCost::ExpMinus, true},
+        Case{"RoundADisc", 3, false, FieldCost::Identity, false, Avoided::Disc},
+        Case{"RoundADiscClosed", 4, true, FieldCost::Identity, false, Avoided::Disc},
+        Case{"SimplifiedRoundADisc", 2, false, FieldCost::Identity, true, Avoided::Disc},
+        Case{"OneFaceWide", 3, false, FieldCost::Identity, false, Avoided::AllButTheWay},
+        Case{"OneFaceWideClosed", 2, true, FieldCost::Identity, false, Avoided::AllButTheWay},
+        Case{"SimplifiedOneFaceWide", 4, false, FieldCost::Identity, true, Avoided::AllButTheWay}
     )
 );
 

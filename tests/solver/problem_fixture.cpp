@@ -26,18 +26,11 @@ ProblemFixture::ProblemFixture(
     : shell_(std::move(shell)) {
     const Surface& surface = shell_->surface;
     const TriangleTree tree(surface.vertices(), surface.faces());
-    PickPath path = makePickPath(
-        surface,
-        *shell_->base,
-        locatePicks(surface, tree, picks, options.closed),
-        options.closed,
-        {shell_->shell.blockedFaces(), {}}
-    );
-    guide_ = std::move(path.guide);
+    picks_ = locatePicks(surface, tree, picks, options.closed);
     problem_.shell = &shell_->shell;
     problem_.base = shell_->base.get();
-    problem_.picks = std::move(path.picks);
     problem_.options = options;
+    makePath();
     problem_.averageEdgeLength = surface.averageEdgeLength() / shell_->base->frame.scale;
     for (std::size_t i = 0; i + 1 < problem_.picks.size(); ++i) {
         problem_.chordLength +=
@@ -47,6 +40,24 @@ ProblemFixture::ProblemFixture(
         problem_.chordLength +=
             (problem_.picks.front().position - problem_.picks.back().position).norm();
     }
+}
+
+void ProblemFixture::makePath() {
+    PickPath path = makePickPath(
+        shell_->surface,
+        *shell_->base,
+        picks_,
+        problem_.options.closed,
+        {.blockedFaces = shell_->shell.blockedFaces(), .obstacles = obstacles_.get()}
+    );
+    guide_ = std::move(path.guide);
+    problem_.picks = std::move(path.picks);
+}
+
+void ProblemFixture::avoid(const Region& region, double margin) {
+    obstacles_ = std::make_unique<Obstacles>(shell_->surface, *shell_->base, region, margin);
+    problem_.obstacles = obstacles_.get();
+    makePath();
 }
 
 void ProblemFixture::setField(const std::vector<double>& field) {

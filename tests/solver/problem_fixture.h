@@ -32,6 +32,9 @@ public:
     /// One value per vertex of the surface.
     void setField(const std::vector<double>& field);
 
+    /// Avoids a region, with a margin in the mesh's unit; the guide goes round it.
+    void avoid(const Region& region, double margin);
+
 private:
     ProblemFixture(
         std::unique_ptr<CoarseShell> shell,
@@ -39,7 +42,11 @@ private:
         const SolverOptions& options
     );
 
+    void makePath();
+
     std::unique_ptr<CoarseShell> shell_;
+    std::vector<SurfacePoint> picks_;
+    std::unique_ptr<Obstacles> obstacles_;
     GuidePath guide_;
     CurveProblem problem_;
 };

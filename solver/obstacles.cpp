@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/obstacles.h"
+
+#include "surface/distance_to_region.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// J falls by no more than this at the middle of an edge with both ends on the region: three such
+// edges leave 0 in the middle of their face.
+constexpr double kDeepestBulge = 0.75;
+// A point of an edge keeps at least this share of the clearance that the edge has at most.
+constexpr double kKeptShare = 0.5;
+// What J costs a path: this much of J / (1 - J).
+constexpr double kPathWeight = 1.0;
+
+}  // namespace
+
+Obstacles::Obstacles(
+    const Surface& surface, const ShellBase& base, const Region& region, double margin
+)
+    : base_(base), kinds_(base.faces.size(), Kind::Far) {
+    for (const double distance : distancesToRegion(surface, region, margin)) {
+        values_.push_back(1.0 - distance / margin);
+    }
+    for (const int origin : base.ghostOrigin) {
+        values_.push_back(values_[at(origin)]);
+    }
+    for (const int f : region) {
+        kinds_[at(f)] = Kind::Avoided;
+    }
+    for (std::size_t f = 0; f < base.faces.size(); ++f) {
+        // A ghost collapses onto an edge of the face that it leads to.
+        int inner = static_cast<int>(f);
+        while (inner >= base.surfaceFaceCount) {
+            inner = base.faceNeighbours[at(inner)][2];
+        }
+        if (kinds_[at(inner)] == Kind::Avoided) {
+            kinds_[f] = Kind::Avoided;
+            continue;
+        }
+        const Triangle& corners = base.faces[f];
+        if (std::ranges::any_of(corners, [&](int v) { return values_[at(v)] > 0.0; })) {
+            kinds_[f] = Kind::Affine;
+        }
+        Bulges bulges{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int v = base.surfaceVertex(corners[(k + 1) % 3]);
+            const int w = base.surfaceVertex(corners[(k + 2) % 3]);
+            const int behind = base.faceNeighbours[f][k];
+            const bool isFree = behind < 0 || kinds_[at(behind)] != Kind::Avoided;
+            if (isFree && v != w && values_[at(v)] == 1.0 && values_[at(w)] == 1.0) {
+                const Vec3 edge = surface.vertices()[at(v)] - surface.vertices()[at(w)];
+                // The middle of the edge is half its length away from the region.
+                bulges[k] = -4.0 * std::min(kDeepestBulge, 0.5 * edge.norm() / margin);
+                kinds_[f] = Kind::Bulging;
+            }
+        }
+        if (kinds_[f] == Kind::Bulging) {
+            bulges_.emplace(static_cast<int>(f), bulges);
+        }
+    }
+}
+
+double Obstacles::closeness(const SurfacePoint& point) const {
+    if (isAvoided(point.face)) {
+        return 1.0;
+    }
+    const Triangle& corners = base_.faces[at(point.face)];
+    const Bulges bulges = bulgesOf(point.face);
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        sum += point.barycentric[k] * values_[at(corners[at(k)])] +
+               bulges[at(k)] * point.barycentric[(k + 1) % 3] * point.barycentric[(k + 2) % 3];
+    }
+    return sum;
+}
+
+SurfacePoint Obstacles::keptClear(const SurfacePoint& point, int opposite) const {
+    if (isFar(point.face)) {
+        return point;
+    }
+    // Positions on the edge, 0 at one end and 1 at the other.
+    const int from = (opposite + 1) % 3;
+    const int to = (opposite + 2) % 3;
+    const auto pointAt = [&](double s) {
+        SurfacePoint moved = point;
+        moved.barycentric[from] = 1.0 - s;
+        moved.barycentric[to] = s;
+        return moved;
+    };
+    const auto clearanceAt = [&](double s) { return 1.0 - closeness(pointAt(s)); };
+    const double here = point.barycentric[to];
+    // J is convex along the edge: it is least at an end, or in the middle of a bulge.
+    double best = 0.5;
+    for (const double s : {0.0, 1.0}) {
+        if (clearanceAt(s) > clearanceAt(best)) {
+            best = s;
+        }
+    }
+    const double wanted = kKeptShare * clearanceAt(best);
+    if (clearanceAt(here) >= wanted) {
+        return point;
+    }
+    double outside = here;
+    double inside = best;
+    for (int step = 0; step < 20; ++step) {
+        const double middle = 0.5 * (outside + inside);
+        (clearanceAt(middle) >= wanted ? inside : outside) = middle;
+    }
+    return pointAt(inside);
+}
+
+double Obstacles::pathCost(int face) const {
+    if (isAvoided(face)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    if (isFar(face)) {
+        return 1.0;
+    }
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        Vec3 middle = Vec3::Constant(0.5);
+        middle[k] = 0.0;
+        sum += closeness({face, middle}) / 3.0;
+    }
+    // A face with one free edge has a mean below 1 all the same.
+    return 1.0 + kPathWeight * sum / (1.0 - std::min(sum, 1.0 - 1e-9));
+}
+
+ClosenessForm::ClosenessForm(
+    const Obstacles& obstacles, const ShellBase& base, const ShellCell& cell
+)
+    : hasBulges_(obstacles.kindOf(cell.face) == Obstacles::Kind::Bulging) {
+    const Triangle& corners = base.faces[static_cast<std::size_t>(cell.face)];
+    for (std::size_t k = 0; k < 3; ++k) {
+        affine_ += obstacles.values_[static_cast<std::size_t>(corners[k])] * cell.shadowForm(k);
+    }
+    if (hasBulges_) {
+        bulges_ = obstacles.bulgesOf(cell.face);
+        shadow_ = {cell.shadowForm(0), cell.shadowForm(1), cell.shadowForm(2)};
+    }
+}
+
+double ClosenessForm::at(const Vec3& p) const {
+    double sum = affine_.at(p);
+    if (hasBulges_) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            sum += bulges_[k] * shadow_[(k + 1) % 3].at(p) * shadow_[(k + 2) % 3].at(p);
+        }
+    }
+    return sum;
+}
+
+Vec3 ClosenessForm::gradient(const Vec3& p) const {
+    Vec3 sum = affine_.gradient;
+    if (hasBulges_) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const AffineForm& a = shadow_[(k + 1) % 3];
+            const AffineForm& b = shadow_[(k + 2) % 3];
+            sum += bulges_[k] * (a.at(p) * b.gradient + b.at(p) * a.gradient);
+        }
+    }
+    return sum;
+}
+
+ClosenessForm::Bulge ClosenessForm::bulge(std::size_t k) const {
+    const Vec3& a = shadow_[(k + 1) % 3].gradient;
+    const Vec3& b = shadow_[(k + 2) % 3].gradient;
+    return {0.5 * bulges_[k], a + b, a - b};
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves go round the faces to avoid, wherever there is a way, and say so where there is none.
+#include "curve_checks.h"
+#include "either_shell.h"
+#include "support/many_cases.h"
+#include "support/meshes.h"
+#include "support/random.h"
+#include "surface/input_error.h"
+#include "surface/region.h"
+#include "surface/surface_point.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+using Predicate = std::function<bool(const Vec3&)>;
+
+/// The faces whose middle is in a set.
+Region facesWhere(const Surface& surface, const Predicate& isIn) {
+    Region region;
+    for (int f = 0; f < surface.faceCount(); ++f) {
+        if (isIn(surface.position({f, Vec3::Constant(1.0 / 3.0)}))) {
+            region.push_back(f);
+        }
+    }
+    return region;
+}
+
+Predicate ball(const Vec3& centre, double radius) {
+    return [centre, radius](const Vec3& p) { return (p - centre).norm() < radius; };
+}
+
+/// The vertices nearest to some points, as picks.
+std::vector<Vec3> verticesAt(const CurveDesigner& designer, const std::vector<Vec3>& points) {
+    const std::vector<Vec3>& vertices = designer.surface().vertices();
+    std::vector<Vec3> picks;
+    for (const Vec3& p : points) {
+        picks.push_back(*std::ranges::min_element(vertices, {}, [&](const Vec3& v) {
+            return (v - p).squaredNorm();
+        }));
+    }
+    return picks;
+}
+
+/// Expects that no vertex and no segment of a polyline needs a face of the region.
+void expectOutside(const Surface& surface, const Region& region, const SurfacePolyline& line) {
+    const std::vector<char> isIn = faceFlags(surface, region);
+    const std::size_t count = line.surfacePoints.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(isIn[at(line.surfacePoints[i].face)], 0) << "vertex " << i;
+        if (i + 1 == count && !line.closed) {
+            break;
+        }
+        const std::vector<int> here = facesHolding(surface, line.surfacePoints[i]);
+        const std::vector<int> next = facesHolding(surface, line.surfacePoints[(i + 1) % count]);
+        EXPECT_TRUE(
+            std::ranges::any_of(
+                here,
+                [&](int f) { return isIn[at(f)] == 0 && std::ranges::find(next, f) != next.end(); }
+            )
+        ) << "segment "
+          << i;
+    }
+}
+
+std::optional<InputError> refusal(
+    const CurveDesigner& designer,
+    const std::vector<Vec3>& picks,
+    const Region& avoid,
+    const SolverOptions& options = {}
+) {
+    try {
+        static_cast<void>(designer.design(picks, options, {}, {.avoid = avoid}));
+    } catch (const InputError& error) {
+        return error;
+    }
+    return std::nullopt;
+}
+
+/// Designs a curve that avoids a region, and expects that it is good, minimised without a stall and
+/// outside of the region.
+Curve curveRound(
+    const CurveDesigner& designer,
+    const std::vector<Vec3>& picks,
+    const Region& avoid,
+    const SolverOptions& options = {}
+) {
+    Curve curve = designer.design(picks, options, {}, {.avoid = avoid});
+    expectGoodCurve(designer, curve, picks);
+    expectOutside(designer.surface(), avoid, curve.polyline);
+    for (const RoundReport& round : curve.report.rounds) {
+        EXPECT_EQ(round.status, MinimiseStatus::Converged) << name(round.status);
+    }
+    return curve;
+}
+
+class Avoidance : public EitherShell {};
+
+TEST_P(Avoidance, CurvesGoSmoothlyRoundADisc) {
+    const CurveDesigner designer = designerOn(jitteredPlate(40, 40, 0.2, 3));
+    const std::vector<Vec3> picks = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
+    const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
+    for (const int degree : {2, 3, 4}) {
+        SCOPED_TRACE("degree " + std::to_string(degree));
+        SolverOptions options;
+        options.degree = degree;
+        const Curve curve = curveRound(designer, picks, disc, options);
+        // The shortest way is 0.91 long.
+        EXPECT_LT(length(curve.polyline), 1.2);
+    }
+}
+
+TEST_P(Avoidance, TenseCurvesGoRoundADisc) {
+    const CurveDesigner designer = designerOn(jitteredPlate(40, 40, 0.2, 3));
+    const std::vector<Vec3> picks = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
+    const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
+    SolverOptions options;
+    options.tension = 0.9;
+    const Curve curve = curveRound(designer, picks, disc, options);
+    EXPECT_LT(length(curve.polyline), 1.0);
+}
+
+TEST_P(Avoidance, ClosedCurvesGoRoundSeveralDiscs) {
+    const CurveDesigner designer = designerOn(withNoise(icosphere(4), 0.004, 9));
+    const std::vector<Vec3> picks =
+        verticesAt(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}});
+    const Region discs = facesWhere(designer.surface(), [](const Vec3& p) {
+        return ball({0.7, 0.7, 0.05}, 0.3)(p) || ball({-0.7, 0.7, -0.1}, 0.35)(p) ||
+               ball({0.7, -0.7, 0}, 0.2)(p);
+    });
+    static_cast<void>(curveRound(designer, picks, discs, closedOptions()));
+}
+
+TEST_P(Avoidance, CurvesFindTheGapInAWall) {
+    // A wall over the whole plate, with a gap of two cells between its halves.
+    const CurveDesigner designer = designerOn(plate(30, 30));
+    const Region wall = facesWhere(designer.surface(), [](const Vec3& p) {
+        return std::abs(p.x() - 0.5) < 0.1 && !(p.y() > 0.7 && p.y() < 0.7667);
+    });
+    const Curve curve = curveRound(designer, {{0.1, 0.3, 0}, {0.9, 0.2, 0}}, wall);
+    EXPECT_TRUE(std::ranges::any_of(curve.polyline.points, [](const Vec3& p) {
+        return p.y() > 0.7;
+    }));
+}
+
+TEST_P(Avoidance, CurvesPassWhereTheWayIsOneFaceWide) {
+    // All faces but those of a bent strip: every edge that the curve crosses has both ends on them.
+    const CurveDesigner designer = designerOn(plate(12, 12));
+    const Surface& surface = designer.surface();
+    const auto isInRow = [](const Vec3& p) {
+        return (p.y() > 6.0 / 12.0 && p.y() < 7.0 / 12.0 && p.x() < 7.0 / 12.0) ||
+               (p.x() > 6.0 / 12.0 && p.x() < 7.0 / 12.0 && p.y() < 7.0 / 12.0);
+    };
+    const Region rest = facesWhere(surface, [&](const Vec3& p) { return !isInRow(p); });
+    ASSERT_EQ(static_cast<int>(rest.size()), surface.faceCount() - 2 * 13);
+    const Curve curve =
+        designer.design({{0.03, 0.54, 0}, {0.54, 0.03, 0}}, {}, {}, {.avoid = rest});
+    EXPECT_TRUE(curve.report.usable);
+    expectStrict(surface, curve.polyline);
+    expectOutside(surface, rest, curve.polyline);
+}
+
+TEST_P(Avoidance, CurvesTakeTheOtherWayRoundATorus) {
+    const CurveDesigner designer = designerOn(torus(60, 24));
+    // A band all round the tube, over the short way between the picks.
+    const Region band = facesWhere(designer.surface(), [](const Vec3& p) {
+        return p.x() > 0.0 && std::abs(p.y()) < 0.1;
+    });
+    const std::vector<Vec3> picks = verticesAt(designer, {{0.9, 0.6, 0.2}, {0.9, -0.6, 0.2}});
+    const Curve curve = curveRound(designer, picks, band);
+    EXPECT_TRUE(std::ranges::any_of(curve.polyline.points, [](const Vec3& p) {
+        return p.x() < -0.5;
+    }));
+    // A second band leaves no way.
+    const Region both =
+        facesWhere(designer.surface(), [](const Vec3& p) { return std::abs(p.y()) < 0.1; });
+    const auto error = refusal(designer, picks, both);
+    ASSERT_TRUE(error.has_value());
+    EXPECT_EQ(error->code(), InputErrorCode::NoPath) << error->what();
+}
+
+TEST_P(Avoidance, PicksMayLieNextToWhatIsAvoided) {
+    const CurveDesigner designer = designerOn(plate(40, 40));
+    const Region half = facesWhere(designer.surface(), [](const Vec3& p) { return p.y() < 0.5; });
+    for (const double gap : {0.02, 1e-3, 1e-5}) {
+        SCOPED_TRACE("gap " + std::to_string(gap));
+        const std::vector<Vec3> picks = {{0.2, 0.5 + gap, 0}, {0.51, 0.5 + gap, 0}, {0.8, 0.6, 0}};
+        const Curve curve = designer.design(picks, {}, {}, {.avoid = half});
+        expectGoodCurve(designer, curve, picks);
+        expectOutside(designer.surface(), half, curve.polyline);
+        EXPECT_LT(length(curve.polyline), 0.75);
+    }
+}
+
+TEST_P(Avoidance, ReversedPicksGiveTheCurveReversed) {
+    const CurveDesigner designer = designerOn(withNoise(icosphere(4), 0.004, 9));
+    const std::vector<Vec3> picks = verticesAt(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
+    const std::vector<Vec3> reversed(picks.rbegin(), picks.rend());
+    const Region discs = facesWhere(designer.surface(), [](const Vec3& p) {
+        return ball({0.7, 0.7, 0.05}, 0.3)(p) || ball({-0.7, 0.7, -0.1}, 0.35)(p);
+    });
+    const Curve there = curveRound(designer, picks, discs);
+    const Curve back = curveRound(designer, reversed, discs);
+    EXPECT_LT(
+        largestGap(there.spline, back.spline, true), 0.1 * designer.surface().averageEdgeLength()
+    );
+}
+
+TEST_P(Avoidance, PicksThatLieInsideAreRefusedByName) {
+    const CurveDesigner designer = designerOn(plate(20, 20));
+    const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
+    for (const Vec3& inside :
+         {Vec3(0.51, 0.52, 0),
+          designer.surface().vertices()[at(designer.surface().faces()[at(disc.front())][0])]}) {
+        const auto error = refusal(designer, {{0.1, 0.1, 0}, {0.9, 0.1, 0}, inside}, disc);
+        ASSERT_TRUE(error.has_value());
+        EXPECT_EQ(error->code(), InputErrorCode::PickAvoided) << error->what();
+        EXPECT_EQ(error->elements(), (std::vector<std::int64_t>{2}));
+        EXPECT_NE(std::string(error->what()).find("pick 2 lies in face"), std::string::npos);
+    }
+}
+
+TEST_P(Avoidance, PicksBehindARingAreRefusedByName) {
+    const CurveDesigner designer = designerOn(plate(40, 40));
+    const Region ring = facesWhere(designer.surface(), [](const Vec3& p) {
+        const double radius = (p - Vec3(0.5, 0.5, 0)).norm();
+        return radius > 0.2 && radius < 0.3;
+    });
+    const auto error = refusal(designer, {{0.1, 0.1, 0}, {0.9, 0.1, 0}, {0.5, 0.5, 0}}, ring);
+    ASSERT_TRUE(error.has_value());
+    EXPECT_EQ(error->code(), InputErrorCode::NoPath);
+    EXPECT_EQ(error->elements(), (std::vector<std::int64_t>{1, 2}));
+    EXPECT_NE(std::string(error->what()).find("from pick 1 to pick 2"), std::string::npos)
+        << error->what();
+}
+
+TEST_P(Avoidance, FacesThatTouchInAVertexLeaveNoWay) {
+    // The free faces on both sides of the wall share one vertex only.
+    const CurveDesigner designer = designerOn(plate(2, 2));
+    const Surface& surface = designer.surface();
+    const Region others =
+        facesWhere(surface, [](const Vec3& p) { return (p.x() < 0.5) != (p.y() < 0.5); });
+    const auto error = refusal(designer, {{0.2, 0.25, 0}, {0.8, 0.7, 0}}, others);
+    ASSERT_TRUE(error.has_value());
+    EXPECT_EQ(error->code(), InputErrorCode::NoPath) << error->what();
+}
+
+TEST_P(Avoidance, SettingsThatCannotKeepThePromiseAreRefused) {
+    const CurveDesigner designer = designerOn(plate(10, 10));
+    const std::vector<Vec3> picks = {{0.1, 0.1, 0}, {0.9, 0.1, 0}};
+    SolverOptions samples;
+    samples.quadrature = Quadrature::Samples;
+    SolverOptions polygon;
+    polygon.initialCurve = InitialCurve::ControlPolygon;
+    SolverOptions penalty;
+    penalty.interpolation = Interpolation::Penalty;
+    SolverOptions margin;
+    margin.avoidMargin = 0.0;
+    for (const SolverOptions& options : {samples, polygon, penalty, margin}) {
+        const auto error = refusal(designer, picks, {150}, options);
+        ASSERT_TRUE(error.has_value());
+        EXPECT_EQ(error->code(), InputErrorCode::BadOption) << error->what();
+    }
+    const auto error = refusal(designer, picks, {150, 200, -3});
+    ASSERT_TRUE(error.has_value());
+    EXPECT_EQ(error->code(), InputErrorCode::IndexOutOfRange);
+    EXPECT_EQ(error->elements(), (std::vector<std::int64_t>{-3, 200}));
+}
+
+// ---- Random layouts ----
+
+struct Layout {
+    Region avoid;
+    std::vector<Vec3> picks;
+    bool isPossible = true;
+};
+
+/// Components of the faces outside of a region: -1 inside.
+std::vector<int> componentsOutside(const Surface& surface, const Region& region) {
+    const std::vector<char> isIn = faceFlags(surface, region);
+    std::vector<int> component(at(surface.faceCount()), -1);
+    for (int seed = 0, next = 0; seed < surface.faceCount(); ++seed) {
+        if (isIn[at(seed)] != 0 || component[at(seed)] >= 0) {
+            continue;
+        }
+        std::vector<int> stack{seed};
+        component[at(seed)] = next;
+        while (!stack.empty()) {
+            const int f = stack.back();
+            stack.pop_back();
+            for (const int there : surface.faceNeighbours()[at(f)]) {
+                if (there >= 0 && isIn[at(there)] == 0 && component[at(there)] < 0) {
+                    component[at(there)] = next;
+                    stack.push_back(there);
+                }
+            }
+        }
+        ++next;
+    }
+    return component;
+}
+
+/// Discs and slabs of random size and place, and picks that mostly lie outside of them.
+Layout randomLayout(const Surface& surface, std::uint64_t seed) {
+    Random random(seed);
+    const double size = surface.diagonal();
+    const auto anyPoint = [&] {
+        return SurfacePoint{random.integer(0, surface.faceCount() - 1), random.barycentric()};
+    };
+    std::vector<Predicate> obstacles;
+    for (int count = random.integer(1, 6); count > 0; --count) {
+        const Vec3 centre = surface.position(anyPoint());
+        if (random.integer(0, 2) > 0) {
+            obstacles.push_back(ball(centre, size * random.uniform(0.02, 0.2)));
+            continue;
+        }
+        const Vec3 normal = random.point(-1.0, 1.0).normalized();
+        const double half = size * random.uniform(0.005, 0.03);
+        const double reach = size * random.uniform(0.1, 0.5);
+        obstacles.push_back([=](const Vec3& p) {
+            return std::abs(normal.dot(p - centre)) < half && (p - centre).norm() < reach;
+        });
+    }
+    Layout layout;
+    layout.avoid = facesWhere(surface, [&](const Vec3& p) {
+        return std::ranges::any_of(obstacles, [&](const Predicate& isIn) { return isIn(p); });
+    });
+    const std::vector<int> component = componentsOutside(surface, layout.avoid);
+    const bool anywhere = random.integer(0, 9) == 0;
+    int first = -1;
+    for (int count = random.integer(3, 5); count > 0; --count) {
+        SurfacePoint pick = anyPoint();
+        for (int tries = 0; tries < 1000 && !anywhere && component[at(pick.face)] < 0; ++tries) {
+            pick = anyPoint();
+        }
+        first = layout.picks.empty() ? component[at(pick.face)] : first;
+        layout.isPossible &= first >= 0 && component[at(pick.face)] == first;
+        layout.picks.push_back(surface.position(pick));
+    }
+    return layout;
+}
+
+TEST_P(Avoidance, RandomLayoutsAreDrawnOutsideOrRefused) {
+    const std::vector<TriangleMesh> meshes = {
+        withNoise(icosphere(3), 0.01, 7), torus(48, 20), jitteredPlate(30, 30, 0.2, 5)
+    };
+    int drawn = 0;
+    int refused = 0;
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        const CurveDesigner designer = designerOn(meshes[m]);
+        for (std::uint64_t seed = 1; seed <= std::uint64_t{caseCount(20, 3)}; ++seed) {
+            SCOPED_TRACE("mesh " + std::to_string(m) + ", seed " + std::to_string(seed));
+            const Layout layout = randomLayout(designer.surface(), seed);
+            SolverOptions options;
+            options.closed = seed % 3 == 0;
+            options.degree = 2 + static_cast<int>(seed % 3);
+            try {
+                const Curve curve =
+                    designer.design(layout.picks, options, {}, {.avoid = layout.avoid});
+                EXPECT_TRUE(layout.isPossible);
+                expectStrict(designer.surface(), curve.polyline);
+                expectOutside(designer.surface(), layout.avoid, curve.polyline);
+                ++drawn;
+            } catch (const InputError& error) {
+                EXPECT_FALSE(layout.isPossible) << error.what();
+                EXPECT_TRUE(
+                    error.code() == InputErrorCode::NoPath ||
+                    error.code() == InputErrorCode::PickAvoided
+                ) << error.what();
+                ++refused;
+            }
+        }
+    }
+    EXPECT_GT(drawn, 0);
+    EXPECT_GT(refused, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shells, Avoidance, kEitherShell, nameOfShell);
+
+TEST(AvoidanceFarAway, ChangesNothing) {
+    const CurveDesigner designer(withNoise(icosphere(4), 0.004, 9));
+    const std::vector<Vec3> picks = verticesAt(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
+    const Region far = facesWhere(designer.surface(), ball({0, 0, -1}, 0.3));
+    const Curve with = designer.design(picks, {}, {}, {.avoid = far});
+    const Curve without = designer.design(picks);
+    EXPECT_EQ(largestGap(with.spline, without.spline), 0.0);
+}
+
+}  // namespace
+}  // namespace bspline_curve
