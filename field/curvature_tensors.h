@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/progress.h"
+#include "surface/surface.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// Symmetric matrices at the vertices, #V: largest curvature times (d d^T) of the direction d of
+/// the smallest, plus smallest curvature times (d d^T) of the direction of the largest, in 1 / unit
+/// of the surface, positive where the surface is convex seen from outside. Directions change places
+/// so that a crease has nearly the same matrix on both of its sides: its own direction.
+/// From vcglib's fits of quadrics (UpdateCurvatureFitting) through each vertex and `rings` (1 or 2)
+/// rings of vertices around it; always 2 at boundaries and where less than five faces meet. Zero
+/// where less than five vertices are found, or they lie on a line. About 2 us per vertex.
+[[nodiscard]] std::vector<Eigen::Matrix3d> curvatureTensors(
+    const Surface& surface,
+    const std::vector<Vec3>& normals,
+    int rings,
+    const Progress& progress = {}
+);
+
+}  // namespace bspline_curve

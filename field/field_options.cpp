@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "field/field_options.h"
+
+#include "surface/input_error.h"
+
+#include <string>
+
+namespace bspline_curve {
+
+namespace {
+
+void require(bool holds, const char* option, double value, const char* rule) {
+    if (!holds) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            std::string(option) + " is " + describeNumber(value) + ", but must be " + rule
+        );
+    }
+}
+
+/// NaN is none.
+bool isShare(double value) {
+    return value >= 0.0 && value <= 1.0;
+}
+
+}  // namespace
+
+const char* name(FieldKind kind) {
+    switch (kind) {
+        case FieldKind::Ridge:
+            return "ridge";
+        case FieldKind::Valley:
+            return "valley";
+        case FieldKind::MaximalCurvature:
+            break;
+    }
+    return "maximal-curvature";
+}
+
+FieldCost naturalCost(FieldKind /*kind*/) {
+    return FieldCost::ExpMinus;
+}
+
+void FieldOptions::validate() const {
+    require(
+        isShare(curvatureScale), "curvature scale", curvatureScale, "in [0, 1] (of the diagonal)"
+    );
+    require(isShare(smoothing), "smoothing of the field", smoothing, "in [0, 1] (of the diagonal)");
+}
+
+}  // namespace bspline_curve

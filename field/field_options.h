@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/options.h"
+
+#include <array>
+
+namespace bspline_curve {
+
+/// What the values of a field are made from.
+enum class FieldKind {
+    MaximalCurvature,  ///< largest principal curvature (25)
+    Ridge,             ///< how much the surface is a ridge: convex across
+    Valley,            ///< how much it is a valley: concave across
+};
+
+inline constexpr std::array kFieldKinds = {
+    FieldKind::MaximalCurvature,
+    FieldKind::Ridge,
+    FieldKind::Valley,
+};
+
+/// As users write it.
+[[nodiscard]] const char* name(FieldKind kind);
+
+/// The cost c of (5) that a kind is meant for: the paper's where it names one.
+[[nodiscard]] FieldCost naturalCost(FieldKind kind);
+
+/// Options of a field; all lengths are relative to the diagonal of the surface's box.
+struct FieldOptions {
+    FieldKind kind = FieldKind::MaximalCurvature;
+    /// Curvature, ridge and valley: radius of the discs that curvatures are averaged over, in
+    /// [0, 1].
+    double curvatureScale = 0.015;
+    /// Radius of the discs that the finished values are averaged over, in [0, 1]; 0: none.
+    double smoothing = 0.0;
+
+    /// Throws InputError (BadOption) naming field, value and rule.
+    void validate() const;
+};
+
+}  // namespace bspline_curve

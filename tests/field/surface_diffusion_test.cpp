@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "field/surface_diffusion.h"
+
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+/// A third of the area of the faces at each vertex.
+Eigen::VectorXd massesOf(const Surface& surface) {
+    Eigen::VectorXd masses = Eigen::VectorXd::Zero(surface.vertexCount());
+    for (const Triangle& face : surface.faces()) {
+        const Vec3& a = surface.vertices()[static_cast<std::size_t>(face[0])];
+        const Vec3& b = surface.vertices()[static_cast<std::size_t>(face[1])];
+        const Vec3& c = surface.vertices()[static_cast<std::size_t>(face[2])];
+        for (const int corner : face) {
+            masses[corner] += (b - a).cross(c - a).norm() / 6.0;
+        }
+    }
+    return masses;
+}
+
+VertexValues<1> spikeIn(const Surface& surface, int vertex) {
+    VertexValues<1> values = VertexValues<1>::Zero(surface.vertexCount());
+    values[vertex] = 1.0;
+    return values;
+}
+
+TEST(SurfaceDiffusion, KeepsConstantsAndIntegrals) {
+    const Surface surface(withNoise(icosphere(3), 0.02, 1));
+    const SurfaceDiffusion diffusion(surface);
+    const VertexValues<1> constant = VertexValues<1>::Constant(surface.vertexCount(), 7.0);
+    EXPECT_LT((diffusion.smoothed<1>(constant, 0.3) - constant).cwiseAbs().maxCoeff(), 1e-9);
+    const Eigen::VectorXd masses = massesOf(surface);
+    const VertexValues<1> spike = spikeIn(surface, 17);
+    EXPECT_NEAR(masses.dot(diffusion.smoothed<1>(spike, 0.3)), masses[17], 1e-5 * masses[17]);
+}
+
+// The variance of a disc: a spike's second moment about itself is radius^2 / 2 on a plane, exact
+// for linear elements with lumped masses up to what the boundary cuts off.
+TEST(SurfaceDiffusion, AveragesAsOverADisc) {
+    const TriangleMesh mesh = plate(80, 80);
+    const Surface surface(mesh);
+    const int centre = 40 * 81 + 40;
+    const Eigen::VectorXd masses = massesOf(surface);
+    for (const double radius : {0.05, 0.1, 0.2}) {
+        const VertexValues<1> smooth =
+            SurfaceDiffusion(surface).smoothed<1>(spikeIn(surface, centre), radius);
+        double moment = 0.0;
+        for (int v = 0; v < surface.vertexCount(); ++v) {
+            const Vec3 offset = mesh.vertices[static_cast<std::size_t>(v)] - Vec3(0.5, 0.5, 0.0);
+            moment += masses[v] * smooth[v] * offset.squaredNorm();
+        }
+        EXPECT_NEAR(moment / masses[centre], 0.5 * radius * radius, 0.01 * radius * radius);
+    }
+}
+
+// No new extrema, also with obtuse faces.
+TEST(SurfaceDiffusion, StaysBetweenTheValues) {
+    const Surface surface(jitteredPlate(30, 6, 0.29, 2));
+    const VertexValues<1> smooth = SurfaceDiffusion(surface).smoothed<1>(spikeIn(surface, 60), 0.1);
+    EXPECT_GE(smooth.minCoeff(), -1e-6);
+    EXPECT_LE(smooth.maxCoeff(), 1.0);
+    EXPECT_LT(smooth[60], 0.5);
+}
+
+TEST(SurfaceDiffusion, TreatsColumnsAlikeAndLeavesWhatHasNoFaces) {
+    TriangleMesh mesh = joined(icosphere(2), plate(5, 5));
+    mesh.vertices.emplace_back(9, 9, 9);
+    const Surface surface(mesh);
+    const SurfaceDiffusion diffusion(surface);
+    VertexValues<9> values(surface.vertexCount(), 9);
+    for (int v = 0; v < surface.vertexCount(); ++v) {
+        for (int k = 0; k < 9; ++k) {
+            values(v, k) = std::sin(v * (k + 1));
+        }
+    }
+    const VertexValues<9> smooth = diffusion.smoothed<9>(values, 0.2);
+    for (int k = 0; k < 9; ++k) {
+        const VertexValues<1> alone = diffusion.smoothed<1>(values.col(k), 0.2);
+        EXPECT_LT((smooth.col(k) - alone).cwiseAbs().maxCoeff(), 1e-12) << k;
+    }
+    EXPECT_EQ(smooth.row(surface.vertexCount() - 1), values.row(surface.vertexCount() - 1));
+    EXPECT_EQ(diffusion.smoothed<9>(values, 0.0), values);
+}
+
+}  // namespace
+}  // namespace bspline_curve
