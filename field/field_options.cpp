@@ -27,6 +27,8 @@ bool isShare(double value) {
 
 const char* name(FieldKind kind) {
     switch (kind) {
+        case FieldKind::NormalVariation:
+            return "normal-variation";
         case FieldKind::Ridge:
             return "ridge";
         case FieldKind::Valley:
@@ -37,7 +39,15 @@ const char* name(FieldKind kind) {
     return "maximal-curvature";
 }
 
-FieldCost naturalCost(FieldKind /*kind*/) {
+FieldCost naturalCost(FieldKind kind) {
+    switch (kind) {
+        case FieldKind::NormalVariation:
+            return FieldCost::Square;
+        case FieldKind::MaximalCurvature:
+        case FieldKind::Ridge:
+        case FieldKind::Valley:
+            break;
+    }
     return FieldCost::ExpMinus;
 }
 

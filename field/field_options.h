@@ -9,12 +9,14 @@ namespace bspline_curve {
 
 /// What the values of a field are made from.
 enum class FieldKind {
+    NormalVariation,   ///< how much the normals around turn away (24)
     MaximalCurvature,  ///< largest principal curvature (25)
     Ridge,             ///< how much the surface is a ridge: convex across
     Valley,            ///< how much it is a valley: concave across
 };
 
 inline constexpr std::array kFieldKinds = {
+    FieldKind::NormalVariation,
     FieldKind::MaximalCurvature,
     FieldKind::Ridge,
     FieldKind::Valley,

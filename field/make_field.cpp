@@ -2,6 +2,7 @@
 #include "field/make_field.h"
 
 #include "field/curvature_field.h"
+#include "field/normal_variation.h"
 #include "field/surface_diffusion.h"
 
 #include <Eigen/Core>
@@ -10,31 +11,35 @@ namespace bspline_curve {
 
 namespace {
 
-using Strength = double (*)(const PrincipalCurvatures&);
+std::vector<double> valuesOf(
+    const std::vector<PrincipalCurvatures>& curvatures, double (*value)(const PrincipalCurvatures&)
+) {
+    std::vector<double> values;
+    values.reserve(curvatures.size());
+    for (const PrincipalCurvatures& ofVertex : curvatures) {
+        values.push_back(value(ofVertex));
+    }
+    return values;
+}
 
-Strength strengthOf(FieldKind kind) {
-    switch (kind) {
+/// The field of a kind, before what every kind has.
+std::vector<double> fieldOfKind(
+    const Surface& surface, const FieldOptions& options, const Progress& progress
+) {
+    const auto curvatures = [&] {
+        return principalCurvatures(surface, options.curvatureScale, progress);
+    };
+    switch (options.kind) {
+        case FieldKind::NormalVariation:
+            return normalVariation(surface);
         case FieldKind::Ridge:
-            return ridgeStrength;
+            return valuesOf(curvatures(), ridgeStrength);
         case FieldKind::Valley:
-            return valleyStrength;
+            return valuesOf(curvatures(), valleyStrength);
         case FieldKind::MaximalCurvature:
             break;
     }
-    return maximalCurvature;
-}
-
-std::vector<double> curvatureField(
-    const Surface& surface, const FieldOptions& options, const Progress& progress
-) {
-    const Strength strength = strengthOf(options.kind);
-    std::vector<double> values;
-    values.reserve(surface.vertices().size());
-    for (const PrincipalCurvatures& curvatures :
-         principalCurvatures(surface, options.curvatureScale, progress)) {
-        values.push_back(strength(curvatures));
-    }
-    return values;
+    return valuesOf(curvatures(), maximalCurvature);
 }
 
 void smooth(std::vector<double>& values, const Surface& surface, double radiusRelative) {
@@ -58,8 +63,7 @@ std::vector<double> makeField(
 ) {
     constexpr double kKindShare = 0.9;  // of the time
     options.validate();
-    std::vector<double> values =
-        curvatureField(surface, options, partOf(progress, 0.0, kKindShare));
+    std::vector<double> values = fieldOfKind(surface, options, partOf(progress, 0.0, kKindShare));
     report(progress, kKindShare, "smoothing");
     smooth(values, surface, options.smoothing);
     report(progress, 1.0, "field");
