@@ -33,6 +33,10 @@ const char* name(FieldKind kind) {
             return "ridge";
         case FieldKind::Valley:
             return "valley";
+        case FieldKind::CreaseDistance:
+            return "crease-distance";
+        case FieldKind::BoundaryDistance:
+            return "boundary-distance";
         case FieldKind::MaximalCurvature:
             break;
     }
@@ -42,6 +46,8 @@ const char* name(FieldKind kind) {
 FieldCost naturalCost(FieldKind kind) {
     switch (kind) {
         case FieldKind::NormalVariation:
+        case FieldKind::CreaseDistance:
+        case FieldKind::BoundaryDistance:
             return FieldCost::Square;
         case FieldKind::MaximalCurvature:
         case FieldKind::Ridge:
@@ -54,6 +60,15 @@ FieldCost naturalCost(FieldKind kind) {
 void FieldOptions::validate() const {
     require(
         isShare(curvatureScale), "curvature scale", curvatureScale, "in [0, 1] (of the diagonal)"
+    );
+    require(
+        creaseAngle >= 0.0 && creaseAngle < 180.0,
+        "crease angle",
+        creaseAngle,
+        "at least 0 and below 180 (degrees)"
+    );
+    require(
+        isShare(reach) && reach > 0.0, "reach of the field", reach, "in (0, 1] (of the diagonal)"
     );
     require(isShare(smoothing), "smoothing of the field", smoothing, "in [0, 1] (of the diagonal)");
 }

@@ -13,6 +13,8 @@ enum class FieldKind {
     MaximalCurvature,  ///< largest principal curvature (25)
     Ridge,             ///< how much the surface is a ridge: convex across
     Valley,            ///< how much it is a valley: concave across
+    CreaseDistance,    ///< geodesic distance to the nearest edge with a large angle
+    BoundaryDistance,  ///< geodesic distance to the nearest edge with one face
 };
 
 inline constexpr std::array kFieldKinds = {
@@ -20,6 +22,8 @@ inline constexpr std::array kFieldKinds = {
     FieldKind::MaximalCurvature,
     FieldKind::Ridge,
     FieldKind::Valley,
+    FieldKind::CreaseDistance,
+    FieldKind::BoundaryDistance,
 };
 
 /// As users write it.
@@ -34,6 +38,11 @@ struct FieldOptions {
     /// Curvature, ridge and valley: radius of the discs that curvatures are averaged over, in
     /// [0, 1].
     double curvatureScale = 0.015;
+    /// Crease distance: edges are creases where the normals of their faces differ by more, in
+    /// degrees, in [0, 180).
+    double creaseAngle = 40.0;
+    /// Crease and boundary distance: the distance that becomes 1, as do larger ones, in (0, 1].
+    double reach = 0.1;
     /// Radius of the discs that the finished values are averaged over, in [0, 1]; 0: none.
     double smoothing = 0.0;
 

@@ -2,10 +2,15 @@
 #include "field/make_field.h"
 
 #include "field/curvature_field.h"
+#include "field/feature_distance.h"
 #include "field/normal_variation.h"
 #include "field/surface_diffusion.h"
+#include "surface/input_error.h"
 
 #include <Eigen/Core>
+
+#include <algorithm>
+#include <string>
 
 namespace bspline_curve {
 
@@ -22,6 +27,44 @@ std::vector<double> valuesOf(
     return values;
 }
 
+/// Distances to sources as shares of the reach, 1 beyond.
+std::vector<double> distanceField(
+    const Surface& surface,
+    const FieldOptions& options,
+    const std::vector<int>& sources,
+    const std::string& nothingThere
+) {
+    if (sources.empty()) {
+        throw InputError(
+            InputErrorCode::BadField,
+            std::string("the field ") + name(options.kind) +
+                " has nothing to measure from: " + nothingThere
+        );
+    }
+    const double reach = options.reach * surface.diagonal();
+    std::vector<double> values = distancesTo(surface, sources, reach);
+    for (double& value : values) {
+        value = std::min(value / reach, 1.0);
+    }
+    return values;
+}
+
+std::vector<double> creaseDistance(const Surface& surface, const FieldOptions& options) {
+    return distanceField(
+        surface,
+        options,
+        creaseVertices(surface, options.creaseAngle),
+        "no edge of the mesh turns by more than the crease angle, " +
+            describeNumber(options.creaseAngle) + " degrees; choose a smaller one"
+    );
+}
+
+std::vector<double> boundaryDistance(const Surface& surface, const FieldOptions& options) {
+    return distanceField(
+        surface, options, boundaryVertices(surface), "the mesh is closed, without a boundary"
+    );
+}
+
 /// The field of a kind, before what every kind has.
 std::vector<double> fieldOfKind(
     const Surface& surface, const FieldOptions& options, const Progress& progress
@@ -36,6 +79,10 @@ std::vector<double> fieldOfKind(
             return valuesOf(curvatures(), ridgeStrength);
         case FieldKind::Valley:
             return valuesOf(curvatures(), valleyStrength);
+        case FieldKind::CreaseDistance:
+            return creaseDistance(surface, options);
+        case FieldKind::BoundaryDistance:
+            return boundaryDistance(surface, options);
         case FieldKind::MaximalCurvature:
             break;
     }
