@@ -37,6 +37,8 @@ const char* name(FieldKind kind) {
             return "crease-distance";
         case FieldKind::BoundaryDistance:
             return "boundary-distance";
+        case FieldKind::Quality:
+            return "quality";
         case FieldKind::MaximalCurvature:
             break;
     }
@@ -49,6 +51,8 @@ FieldCost naturalCost(FieldKind kind) {
         case FieldKind::CreaseDistance:
         case FieldKind::BoundaryDistance:
             return FieldCost::Square;
+        case FieldKind::Quality:
+            return FieldCost::Identity;
         case FieldKind::MaximalCurvature:
         case FieldKind::Ridge:
         case FieldKind::Valley:

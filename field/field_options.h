@@ -15,6 +15,7 @@ enum class FieldKind {
     Valley,            ///< how much it is a valley: concave across
     CreaseDistance,    ///< geodesic distance to the nearest edge with a large angle
     BoundaryDistance,  ///< geodesic distance to the nearest edge with one face
+    Quality,           ///< values that are given
 };
 
 inline constexpr std::array kFieldKinds = {
@@ -24,6 +25,7 @@ inline constexpr std::array kFieldKinds = {
     FieldKind::Valley,
     FieldKind::CreaseDistance,
     FieldKind::BoundaryDistance,
+    FieldKind::Quality,
 };
 
 /// As users write it.
@@ -45,6 +47,8 @@ struct FieldOptions {
     double reach = 0.1;
     /// Radius of the discs that the finished values are averaged over, in [0, 1]; 0: none.
     double smoothing = 0.0;
+    bool normalised = false;  ///< then mapped to [0, 1], see normalise()
+    bool inverted = false;    ///< then high and low change places, see invert()
 
     /// Throws InputError (BadOption) naming field, value and rule.
     void validate() const;

@@ -5,11 +5,15 @@
 #include "field/feature_distance.h"
 #include "field/normal_variation.h"
 #include "field/surface_diffusion.h"
+#include "field/value_range.h"
 #include "surface/input_error.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace bspline_curve {
@@ -65,9 +69,39 @@ std::vector<double> boundaryDistance(const Surface& surface, const FieldOptions&
     );
 }
 
+std::vector<double> checkedQuality(const Surface& surface, std::span<const double> quality) {
+    if (quality.size() != surface.vertices().size()) {
+        throw InputError(
+            InputErrorCode::BadField,
+            "the quality has " + std::to_string(quality.size()) + " values, the mesh " +
+                std::to_string(surface.vertexCount()) + " vertices"
+        );
+    }
+    std::vector<std::int64_t> bad;
+    for (std::size_t v = 0; v < quality.size(); ++v) {
+        if (!std::isfinite(quality[v])) {
+            bad.push_back(static_cast<std::int64_t>(v));
+        }
+    }
+    if (!bad.empty()) {
+        refuseElements(
+            InputErrorCode::BadField,
+            describeCount(bad.size(), "value of the quality is", "values of the quality are") +
+                " not finite",
+            "vertices",
+            bad,
+            "give every vertex a number"
+        );
+    }
+    return {quality.begin(), quality.end()};
+}
+
 /// The field of a kind, before what every kind has.
 std::vector<double> fieldOfKind(
-    const Surface& surface, const FieldOptions& options, const Progress& progress
+    const Surface& surface,
+    const FieldOptions& options,
+    const FieldInputs& inputs,
+    const Progress& progress
 ) {
     const auto curvatures = [&] {
         return principalCurvatures(surface, options.curvatureScale, progress);
@@ -83,6 +117,8 @@ std::vector<double> fieldOfKind(
             return creaseDistance(surface, options);
         case FieldKind::BoundaryDistance:
             return boundaryDistance(surface, options);
+        case FieldKind::Quality:
+            return checkedQuality(surface, inputs.quality);
         case FieldKind::MaximalCurvature:
             break;
     }
@@ -106,13 +142,24 @@ void smooth(std::vector<double>& values, const Surface& surface, double radiusRe
 }  // namespace
 
 std::vector<double> makeField(
-    const Surface& surface, const FieldOptions& options, const Progress& progress
+    const Surface& surface,
+    const FieldOptions& options,
+    const FieldInputs& inputs,
+    const Progress& progress
 ) {
     constexpr double kKindShare = 0.9;  // of the time
     options.validate();
-    std::vector<double> values = fieldOfKind(surface, options, partOf(progress, 0.0, kKindShare));
+    report(progress, 0.0, "field");
+    std::vector<double> values =
+        fieldOfKind(surface, options, inputs, partOf(progress, 0.0, kKindShare));
     report(progress, kKindShare, "smoothing");
     smooth(values, surface, options.smoothing);
+    if (options.normalised) {
+        normalise(values);
+    }
+    if (options.inverted) {
+        invert(values);
+    }
     report(progress, 1.0, "field");
     return values;
 }

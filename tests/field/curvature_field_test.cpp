@@ -268,11 +268,11 @@ TEST(CurvatureField, RefusesScalesThatAreNoShares) {
 TEST(CurvatureField, CanBeCancelled) {
     const Surface surface(icosphere(3));
     EXPECT_THROW(
-        static_cast<void>(makeField(surface, {}, [](double, const char*) { return false; })),
+        static_cast<void>(makeField(surface, {}, {}, [](double, const char*) { return false; })),
         Cancelled
     );
     double last = 0.0;
-    static_cast<void>(makeField(surface, {}, [&](double fraction, const char*) {
+    static_cast<void>(makeField(surface, {}, {}, [&](double fraction, const char*) {
         EXPECT_GE(fraction, last);
         last = fraction;
         return true;

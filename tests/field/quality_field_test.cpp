@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values that are given, and what every kind of field can have done to its values.
+#include "field/make_field.h"
+#include "field/value_range.h"
+#include "support/meshes.h"
+#include "surface/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+std::vector<double> ramp(std::size_t count) {
+    std::vector<double> values(count);
+    std::iota(values.begin(), values.end(), 0.0);
+    return values;
+}
+
+TEST(ValueRange, NormalisesBetweenQuantiles) {
+    std::vector<double> values = ramp(101);  // quantiles 1 and 99
+    values[50] = 1e9;                        // then 100 is at 99 %
+    normalise(values);
+    EXPECT_DOUBLE_EQ(values[1], 0.0);
+    EXPECT_DOUBLE_EQ(values[0], 0.0);
+    EXPECT_DOUBLE_EQ(values[100], 1.0);
+    EXPECT_DOUBLE_EQ(values[50], 1.0);
+    EXPECT_DOUBLE_EQ(values[34], 33.0 / 99.0);
+}
+
+TEST(ValueRange, NormalisesWhatHasHardlyAnyOtherValue) {
+    std::vector<double> values(1000, 3.0);
+    normalise(values);
+    EXPECT_EQ(values, std::vector<double>(1000, 0.0));
+    values[7] = -2.0;
+    normalise(values);
+    EXPECT_EQ(values[7], 0.0);
+    EXPECT_EQ(values[8], 1.0);
+    std::vector<double> one = {5.0};
+    normalise(one);
+    EXPECT_EQ(one[0], 0.0);
+    std::vector<double> none;
+    normalise(none);
+    invert(none);
+    EXPECT_TRUE(none.empty());
+}
+
+TEST(ValueRange, InvertsWithinTheRange) {
+    std::vector<double> values = {-1.0, 0.5, 4.0};
+    invert(values);
+    EXPECT_EQ(values, (std::vector<double>{4.0, 2.5, -1.0}));
+}
+
+class QualityField : public ::testing::Test {
+protected:
+    QualityField() { options_.kind = FieldKind::Quality; }
+
+    [[nodiscard]] std::vector<double> made(const std::vector<double>& quality) const {
+        return makeField(surface_, options_, {.quality = quality});
+    }
+
+    void expectRefused(const std::vector<double>& quality, const std::string& said) const {
+        try {
+            static_cast<void>(made(quality));
+            ADD_FAILURE() << said << " was not refused";
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.code(), InputErrorCode::BadField);
+            EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << error.what();
+        }
+    }
+
+    Surface surface_{plate(20, 20)};
+    FieldOptions options_;
+};
+
+TEST_F(QualityField, IsWhatWasGiven) {
+    const auto quality = ramp(441);
+    EXPECT_EQ(made(quality), quality);
+    EXPECT_EQ(naturalCost(FieldKind::Quality), FieldCost::Identity);
+}
+
+TEST_F(QualityField, IsSmoothedThenNormalisedThenInverted) {
+    const auto quality = ramp(441);  // grows along y, and a little along x
+    options_.inverted = true;
+    EXPECT_EQ(made(quality)[0], 440.0);
+    options_.normalised = true;
+    auto values = made(quality);
+    EXPECT_EQ(values.front(), 1.0);
+    EXPECT_EQ(values.back(), 0.0);
+    EXPECT_NEAR(values[220], 0.5, 1e-12);
+    options_.smoothing = 0.02;
+    values = made(quality);
+    EXPECT_EQ(values.front(), 1.0);
+    EXPECT_EQ(values.back(), 0.0);
+    EXPECT_NEAR(values[220], 0.5, 1e-3);
+}
+
+// Noise of variance 1/3 at every vertex, averaged over the 9 or so within a radius of 1.8 cells.
+TEST_F(QualityField, SmoothingTakesNoiseAway) {
+    std::vector<double> noise;
+    std::uint32_t state = 1;
+    for (int i = 0; i < 441; ++i) {
+        state = state * 1664525U + 1013904223U;
+        noise.push_back(static_cast<double>(state) / 2147483648.0 - 1.0);
+    }
+    const auto energy = [](const std::vector<double>& values) {
+        return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+    };
+    options_.smoothing = 0.09 / std::sqrt(2.0);
+    const auto smooth = made(noise);
+    EXPECT_LT(energy(smooth), 0.25 * energy(noise));
+    EXPECT_GT(energy(smooth), 0.0);
+    options_.smoothing = 0.0;
+    EXPECT_EQ(made(noise), noise);
+}
+
+TEST_F(QualityField, RefusesWhatIsNoValuePerVertex) {
+    expectRefused({}, "the quality has 0 values, the mesh 441 vertices");
+    expectRefused(ramp(440), "the quality has 440 values");
+    auto bad = ramp(441);
+    bad[3] = std::numeric_limits<double>::quiet_NaN();
+    bad[17] = std::numeric_limits<double>::infinity();
+    expectRefused(bad, "2 values of the quality are not finite (vertices 3, 17)");
+}
+
+TEST(FieldKinds, HaveNamesOfTheirOwn) {
+    std::vector<std::string> names;
+    for (const FieldKind kind : kFieldKinds) {
+        names.emplace_back(name(kind));
+    }
+    std::ranges::sort(names);
+    EXPECT_EQ(std::ranges::adjacent_find(names), names.end());
+    EXPECT_EQ(naturalCost(FieldKind::MaximalCurvature), FieldCost::ExpMinus);  // (25)
+    EXPECT_EQ(naturalCost(FieldKind::NormalVariation), FieldCost::Square);     // after (24)
+}
+
+}  // namespace
+}  // namespace bspline_curve
