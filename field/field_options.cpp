@@ -3,6 +3,7 @@
 
 #include "surface/input_error.h"
 
+#include <cmath>
 #include <string>
 
 namespace bspline_curve {
@@ -39,6 +40,8 @@ const char* name(FieldKind kind) {
             return "boundary-distance";
         case FieldKind::Quality:
             return "quality";
+        case FieldKind::Obstacle:
+            return "obstacle";
         case FieldKind::MaximalCurvature:
             break;
     }
@@ -52,6 +55,7 @@ FieldCost naturalCost(FieldKind kind) {
         case FieldKind::BoundaryDistance:
             return FieldCost::Square;
         case FieldKind::Quality:
+        case FieldKind::Obstacle:
             return FieldCost::Identity;
         case FieldKind::MaximalCurvature:
         case FieldKind::Ridge:
@@ -73,6 +77,13 @@ void FieldOptions::validate() const {
     );
     require(
         isShare(reach) && reach > 0.0, "reach of the field", reach, "in (0, 1] (of the diagonal)"
+    );
+    require(std::isfinite(obstacleValue), "obstacle value", obstacleValue, "finite");
+    require(
+        std::isfinite(obstacleSlope) && obstacleSlope != 0.0,
+        "obstacle slope",
+        obstacleSlope,
+        "finite and not 0"
     );
     require(isShare(smoothing), "smoothing of the field", smoothing, "in [0, 1] (of the diagonal)");
 }

@@ -16,6 +16,7 @@ enum class FieldKind {
     CreaseDistance,    ///< geodesic distance to the nearest edge with a large angle
     BoundaryDistance,  ///< geodesic distance to the nearest edge with one face
     Quality,           ///< values that are given
+    Obstacle,          ///< a hill on every region of faces that is given (26)
 };
 
 inline constexpr std::array kFieldKinds = {
@@ -26,6 +27,7 @@ inline constexpr std::array kFieldKinds = {
     FieldKind::CreaseDistance,
     FieldKind::BoundaryDistance,
     FieldKind::Quality,
+    FieldKind::Obstacle,
 };
 
 /// As users write it.
@@ -45,6 +47,11 @@ struct FieldOptions {
     double creaseAngle = 40.0;
     /// Crease and boundary distance: the distance that becomes 1, as do larger ones, in (0, 1].
     double reach = 0.1;
+    /// Obstacle: value on the boundary of the region, the paper's s, finite.
+    double obstacleValue = 0.0;
+    /// Obstacle: how steeply the field grows from the boundary inwards, per diagonal, finite and
+    /// not 0: a disc with a diameter of a tenth of the diagonal reaches the value 1.
+    double obstacleSlope = 40.0;
     /// Radius of the discs that the finished values are averaged over, in [0, 1]; 0: none.
     double smoothing = 0.0;
     bool normalised = false;  ///< then mapped to [0, 1], see normalise()

@@ -4,6 +4,7 @@
 #include "field/curvature_field.h"
 #include "field/feature_distance.h"
 #include "field/normal_variation.h"
+#include "field/obstacle_field.h"
 #include "field/surface_diffusion.h"
 #include "field/value_range.h"
 #include "surface/input_error.h"
@@ -119,6 +120,10 @@ std::vector<double> fieldOfKind(
             return boundaryDistance(surface, options);
         case FieldKind::Quality:
             return checkedQuality(surface, inputs.quality);
+        case FieldKind::Obstacle:
+            return obstacleField(
+                surface, inputs.region, options.obstacleValue, options.obstacleSlope
+            );
         case FieldKind::MaximalCurvature:
             break;
     }

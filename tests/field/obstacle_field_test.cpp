@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "field/obstacle_field.h"
+
+#include "field/make_field.h"
+#include "support/meshes.h"
+#include "support/random.h"
+#include "surface/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+/// A disc about the origin in the plane z = 0, of rings of 6, 12, 18, … vertices.
+TriangleMesh disc(int rings, double radius) {
+    TriangleMesh mesh;
+    mesh.vertices.push_back(Vec3::Zero());
+    const auto idOf = [](int ring, int step) {
+        return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + step % (6 * ring);
+    };
+    for (int ring = 1; ring <= rings; ++ring) {
+        for (int step = 0; step < 6 * ring; ++step) {
+            const double angle = 2.0 * std::numbers::pi * step / (6 * ring);
+            mesh.vertices.push_back(
+                radius * ring / rings * Vec3(std::cos(angle), std::sin(angle), 0.0)
+            );
+        }
+    }
+    for (int ring = 0; ring < rings; ++ring) {
+        for (int sector = 0; sector < 6; ++sector) {
+            for (int i = 0; i <= ring; ++i) {
+                const int inner = idOf(ring, sector * ring + i);
+                const int outer = sector * (ring + 1) + i;
+                mesh.faces.push_back({inner, idOf(ring + 1, outer), idOf(ring + 1, outer + 1)});
+                if (i < ring) {
+                    mesh.faces.push_back(
+                        {inner, idOf(ring + 1, outer + 1), idOf(ring, sector * ring + i + 1)}
+                    );
+                }
+            }
+        }
+    }
+    return mesh;
+}
+
+std::vector<int> facesWhere(
+    const TriangleMesh& mesh, const std::function<bool(const Vec3&)>& holdsAtCentre
+) {
+    std::vector<int> region;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        Vec3 centre = Vec3::Zero();
+        for (const int corner : mesh.faces[f]) {
+            centre += mesh.vertices[static_cast<std::size_t>(corner)] / 3.0;
+        }
+        if (holdsAtCentre(centre)) {
+            region.push_back(static_cast<int>(f));
+        }
+    }
+    return region;
+}
+
+// s + slope (r^2 - rho^2) / (2 r) solves (26) on a disc; halving the edges quarters the error.
+TEST(ObstacleField, OnADiscConvergesToTheExactSolution) {
+    constexpr double kRadius = 0.6;
+    constexpr double kValue = 0.2;
+    constexpr double kSlope = 3.0;
+    double before = 1.0;
+    for (const int rings : {10, 20, 40, 80}) {
+        const TriangleMesh mesh = disc(rings, 1.0);
+        const Surface surface(mesh);
+        const double inUnits = kSlope / surface.diagonal();
+        const auto inside = [](const Vec3& p) { return p.norm() < kRadius; };
+        const auto field = obstacleField(surface, facesWhere(mesh, inside), kValue, kSlope);
+        double worst = 0.0;
+        for (std::size_t i = 0; i < field.size(); ++i) {
+            const double rho = mesh.vertices[i].norm();
+            const double exact =
+                kValue + inUnits * (kRadius * kRadius - rho * rho) / (2.0 * kRadius);
+            if (rho < kRadius + 1e-9) {
+                worst = std::max(worst, std::abs(field[i] - exact));
+            } else {
+                EXPECT_EQ(field[i], 0.0);
+            }
+        }
+        EXPECT_LT(worst, 0.3 * before) << rings;
+        before = worst;
+    }
+    EXPECT_LT(before, 1e-4);
+}
+
+TEST(ObstacleField, OfATenthOfTheDiagonalReachesOne) {
+    const TriangleMesh mesh = disc(60, 1.0);
+    const Surface surface(mesh);
+    const double radius = 0.05 * surface.diagonal();
+    FieldOptions options;
+    options.kind = FieldKind::Obstacle;
+    const auto region = facesWhere(mesh, [&](const Vec3& p) { return p.norm() < radius; });
+    const auto field = makeField(surface, options, {.region = region});
+    EXPECT_NEAR(*std::ranges::max_element(field), 1.0, 0.1);
+    EXPECT_EQ(naturalCost(FieldKind::Obstacle), FieldCost::Identity);
+}
+
+TEST(ObstacleField, IsTheSameInEveryUnitAndPosition) {
+    const TriangleMesh mesh = withNoise(icosphere(4), 0.01, 1);
+    const auto region = facesWhere(mesh, [](const Vec3& p) { return p.z() > 0.3; });
+    const Surface surface(mesh);
+    const auto field = obstacleField(surface, region, 0.5, 1.0 * surface.diagonal());
+    EXPECT_GT(*std::ranges::max_element(field), 0.7);
+    for (const double unit : {1e-6, 1.0, 1e6}) {
+        const Surface moved(transformed(mesh, Random(2).isometry(5.0), unit));
+        // The box turns with the axes, so its diagonal differs.
+        const auto same = obstacleField(moved, region, 0.5, 1.0 * moved.diagonal() / unit);
+        for (std::size_t i = 0; i < field.size(); ++i) {
+            EXPECT_NEAR(same[i], field[i], 1e-6);
+        }
+    }
+}
+
+// Two pieces, one of them a ring: each is what it is alone. The values of a hole are 0.
+TEST(ObstacleField, TreatsPiecesAlikeAndKeepsHolesFree) {
+    const TriangleMesh mesh = plate(60, 30, 2.0, 1.0);
+    const Surface surface(mesh);
+    const auto fromCentre = [](const Vec3& p, double x) { return (p - Vec3(x, 0.5, 0)).norm(); };
+    const auto isRing = [&](const Vec3& p) {
+        return fromCentre(p, 0.5) < 0.4 && fromCentre(p, 0.5) > 0.15;
+    };
+    const auto isDisc = [&](const Vec3& p) { return fromCentre(p, 1.5) < 0.4; };
+    const auto both = obstacleField(
+        surface, facesWhere(mesh, [&](const Vec3& p) { return isRing(p) || isDisc(p); }), 0, 1
+    );
+    const auto ring = obstacleField(surface, facesWhere(mesh, isRing), 0, 1);
+    const auto round = obstacleField(surface, facesWhere(mesh, isDisc), 0, 1);
+    for (std::size_t i = 0; i < both.size(); ++i) {
+        EXPECT_NEAR(both[i], ring[i] + round[i], 1e-9);
+        const Vec3& p = mesh.vertices[i];
+        if (fromCentre(p, 0.5) < 0.1 || fromCentre(p, 0.5) > 0.45) {
+            EXPECT_EQ(ring[i], 0.0);
+        } else if (fromCentre(p, 0.5) > 0.22 && fromCentre(p, 0.5) < 0.33) {
+            EXPECT_GT(ring[i], 0.01);
+        }
+    }
+}
+
+// Half a disc at the boundary of the mesh is like the half of a whole one.
+TEST(ObstacleField, GoesOnAsInAMirrorWhereTheMeshEnds) {
+    const TriangleMesh whole = plate(40, 40);
+    TriangleMesh half = plate(40, 20, 1.0, 0.5);
+    const auto inside = [](const Vec3& p) { return (p - Vec3(0.5, 0.5, 0)).norm() < 0.3; };
+    const Surface wholeSurface(whole);
+    const Surface halfSurface(half);
+    const auto field =
+        obstacleField(wholeSurface, facesWhere(whole, inside), 0.0, wholeSurface.diagonal());
+    const auto mirrored =
+        obstacleField(halfSurface, facesWhere(half, inside), 0.0, halfSurface.diagonal());
+    EXPECT_GT(mirrored[20 * 41 + 20], 0.1);
+    for (std::size_t i = 0; i < mirrored.size(); ++i) {
+        EXPECT_NEAR(mirrored[i], field[i], 1e-9) << i;
+    }
+}
+
+TEST(ObstacleField, SurvivesSlivers) {
+    TriangleMesh mesh = plate(30, 30);
+    for (Vec3& p : mesh.vertices) {
+        // Columns of 1e-7 of their width beside wide ones.
+        const double column = std::round(30.0 * p.x());
+        if (static_cast<int>(column) % 5 == 1) {
+            p.x() = (column - 1.0 + 1e-7) / 30.0;
+        }
+    }
+    const auto field = obstacleField(
+        Surface(mesh),
+        facesWhere(mesh, [](const Vec3& p) { return (p - Vec3(0.5, 0.5, 0)).norm() < 0.3; }),
+        0.0,
+        std::sqrt(2.0)
+    );
+    EXPECT_GT(*std::ranges::max_element(field), 0.1);
+    EXPECT_LT(*std::ranges::max_element(field), 0.3);
+    EXPECT_GT(*std::ranges::min_element(field), -0.05);
+}
+
+TEST(ObstacleField, IsTheBoundaryValueWhereNoVertexIsInside) {
+    const auto field = obstacleField(Surface(plate(4, 4)), std::vector<int>{5}, 2.0, 1.0);
+    EXPECT_EQ(std::ranges::count(field, 2.0), 3);
+    EXPECT_EQ(std::ranges::count(field, 0.0), 22);
+}
+
+void expectRefused(
+    const TriangleMesh& mesh, const std::vector<int>& region, const std::string& said
+) {
+    FieldOptions options;
+    options.kind = FieldKind::Obstacle;
+    try {
+        static_cast<void>(makeField(Surface(mesh), options, {.region = region}));
+        ADD_FAILURE() << said << " was not refused";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), InputErrorCode::BadField);
+        EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << error.what();
+    }
+}
+
+TEST(ObstacleField, RefusesRegionsThatMakeNone) {
+    const TriangleMesh mesh = joined(plate(2, 2), plate(6, 6));
+    expectRefused(mesh, {}, "the region has no faces");
+    expectRefused(mesh, {80}, "the mesh has no face 80");
+    expectRefused(mesh, {-1}, "the mesh has no face -1");
+    expectRefused(mesh, {20}, "no vertex lies inside");
+    std::vector<int> first;
+    for (int f = 0; f < 8; ++f) {
+        first.push_back(f);
+    }
+    expectRefused(mesh, first, "covers all of 1 component of the mesh (with faces 0)");
+}
+
+TEST(ObstacleField, RefusesOptionsThatMakeNone) {
+    FieldOptions options;
+    options.obstacleSlope = 0.0;
+    EXPECT_THROW(options.validate(), InputError);
+    options = {};
+    options.obstacleValue = std::nan("");
+    EXPECT_THROW(options.validate(), InputError);
+}
+
+}  // namespace
+}  // namespace bspline_curve
