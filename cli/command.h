@@ -23,6 +23,9 @@ void printError(const std::string& message);
 /// The verb without a name: one curve through picks on a mesh.
 [[nodiscard]] ExitCode runCurve(Arguments arguments);
 
+/// The verb field: values at the vertices of a mesh that curves can follow or avoid.
+[[nodiscard]] ExitCode runField(Arguments arguments);
+
 /// The verb shell: the shell of a mesh, to look at, to check and to use elsewhere.
 [[nodiscard]] ExitCode runShell(Arguments arguments);
 

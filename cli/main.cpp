@@ -20,7 +20,9 @@ struct Verb {
 
 // A first argument that is none of these is a mesh, or an option of `curve`.
 constexpr std::array kVerbs{
-    Verb{.name = "curve", .run = runCurve}, Verb{.name = "shell", .run = runShell}
+    Verb{.name = "curve", .run = runCurve},
+    Verb{.name = "field", .run = runField},
+    Verb{.name = "shell", .run = runShell}
 };
 
 ExitCode run(Arguments arguments) {

@@ -2,6 +2,7 @@
 #include "cli/mesh_input.h"
 
 #include "cli/command.h"
+#include "surface/input_error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,6 +21,13 @@ void addRepairOption(CLI::App& app, bool& repair) {
 
 MeshFile readInputMesh(const std::filesystem::path& file, bool repair) {
     return readMeshFile(file, repair ? RepeatedVertices::Keep : RepeatedVertices::Refuse);
+}
+
+void refuseMissingQuality(const std::filesystem::path& file) {
+    throw InputError(
+        InputErrorCode::BadField,
+        file.string() + ": has no per-vertex quality of type float or double (only .ply can)"
+    );
 }
 
 std::optional<MeshRepair> repairIfAsked(TriangleMesh& mesh, bool repair) {

@@ -19,6 +19,9 @@ void addRepairOption(CLI::App& app, bool& repair);
 /// Reads the mesh; with `repair` also one whose faces name a vertex twice.
 [[nodiscard]] MeshFile readInputMesh(const std::filesystem::path& file, bool repair);
 
+/// Throws InputError (BadField): a mesh file without the quality that was asked for.
+[[noreturn]] void refuseMissingQuality(const std::filesystem::path& file);
+
 /// Where asked for, repairs `mesh` and says on stderr what was changed. The result's own mesh is
 /// moved to `mesh`.
 [[nodiscard]] std::optional<MeshRepair> repairIfAsked(TriangleMesh& mesh, bool repair);

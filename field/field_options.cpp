@@ -65,25 +65,42 @@ FieldCost naturalCost(FieldKind kind) {
     return FieldCost::ExpMinus;
 }
 
+const char* name(FieldCost cost) {
+    switch (cost) {
+        case FieldCost::Square:
+            return "square";
+        case FieldCost::ExpMinus:
+            return "exp-minus";
+        case FieldCost::Identity:
+            break;
+    }
+    return "identity";
+}
+
 void FieldOptions::validate() const {
     require(
         isShare(curvatureScale), "curvature scale", curvatureScale, "in [0, 1] (of the diagonal)"
     );
     require(
-        creaseAngle >= 0.0 && creaseAngle < 180.0,
+        creaseAngle >= 0.0 && creaseAngle <= 180.0,
         "crease angle",
         creaseAngle,
-        "at least 0 and below 180 (degrees)"
+        "in [0, 180] (degrees)"
     );
     require(
         isShare(reach) && reach > 0.0, "reach of the field", reach, "in (0, 1] (of the diagonal)"
     );
-    require(std::isfinite(obstacleValue), "obstacle value", obstacleValue, "finite");
     require(
-        std::isfinite(obstacleSlope) && obstacleSlope != 0.0,
+        obstacleValue >= 0.0 && std::isfinite(obstacleValue),
+        "obstacle value",
+        obstacleValue,
+        "finite and not negative"
+    );
+    require(
+        obstacleSlope > 0.0 && std::isfinite(obstacleSlope),
         "obstacle slope",
         obstacleSlope,
-        "finite and not 0"
+        "finite and above 0 (per diagonal)"
     );
     require(isShare(smoothing), "smoothing of the field", smoothing, "in [0, 1] (of the diagonal)");
 }

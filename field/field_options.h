@@ -36,6 +36,9 @@ inline constexpr std::array kFieldKinds = {
 /// The cost c of (5) that a kind is meant for: the paper's where it names one.
 [[nodiscard]] FieldCost naturalCost(FieldKind kind);
 
+/// As users write it.
+[[nodiscard]] const char* name(FieldCost cost);
+
 /// Options of a field; all lengths are relative to the diagonal of the surface's box.
 struct FieldOptions {
     FieldKind kind = FieldKind::MaximalCurvature;
@@ -47,10 +50,10 @@ struct FieldOptions {
     double creaseAngle = 40.0;
     /// Crease and boundary distance: the distance that becomes 1, as do larger ones, in (0, 1].
     double reach = 0.1;
-    /// Obstacle: value on the boundary of the region, the paper's s, finite.
+    /// Obstacle: value on the boundary of the region, the paper's s, >= 0.
     double obstacleValue = 0.0;
-    /// Obstacle: how steeply the field grows from the boundary inwards, per diagonal, finite and
-    /// not 0: a disc with a diameter of a tenth of the diagonal reaches the value 1.
+    /// Obstacle: how steeply the field grows from the boundary inwards, per diagonal, > 0: a
+    /// disc with a diameter of a tenth of the diagonal reaches the value 1.
     double obstacleSlope = 40.0;
     /// Radius of the discs that the finished values are averaged over, in [0, 1]; 0: none.
     double smoothing = 0.0;

@@ -139,8 +139,8 @@ TEST(FeatureDistance, RefusesMeshesWithoutFeatures) {
     options.reach = 0.0;
     expectRefused(plate(2, 2), options, "reach of the field is 0");
     options = {};
-    options.creaseAngle = 180.0;
-    expectRefused(plate(2, 2), options, "crease angle is 180");
+    options.creaseAngle = 181.0;
+    expectRefused(plate(2, 2), options, "crease angle is 181");
 }
 
 }  // namespace

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bspline_curve field MESH --kind KIND --output FILE …: a field on a mesh.
+#include "cli/command.h"
+#include "cli/field_options.h"
+#include "cli/interrupt.h"
+#include "cli/mesh_input.h"
+#include "cli/progress_bar.h"
+#include "cli/verb.h"
+#include "field/make_field.h"
+#include "io/atomic_file.h"
+#include "io/field_report.h"
+#include "io/field_writer.h"
+#include "io/mesh_reader.h"
+#include "io/report_writer.h"
+#include "surface/input_error.h"
+#include "surface/progress.h"
+#include "surface/stopwatch.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+/// Refuses what could only fail after the work.
+void checkOutputs(const FieldArguments& arguments) {
+    checkFieldExtension(arguments.output);
+    checkWritable(arguments.output);
+    if (!arguments.report.empty()) {
+        checkReportExtension(arguments.report);
+        checkWritable(arguments.report);
+    }
+}
+
+/// The values of the mesh that was given: copies come after its own vertices, and those that were
+/// merged have the value of what they became.
+std::vector<double> onGivenMesh(
+    std::vector<double> field, const MeshRepair& repair, std::size_t vertexCount
+) {
+    field.resize(vertexCount);
+    const auto& merged = repair.report.mergedVertices;
+    for (auto pair = merged.rbegin(); pair != merged.rend(); ++pair) {
+        field[static_cast<std::size_t>(pair->first)] =
+            field[static_cast<std::size_t>(pair->second)];
+    }
+    return field;
+}
+
+/// Writes field and report together: both files appear, or none.
+void writeResults(
+    const FieldArguments& arguments,
+    const TriangleMesh& given,
+    const Surface& surface,
+    const std::vector<double>& field,
+    FieldRunFigures& figures
+) {
+    Stopwatch watch;
+    AtomicFile output(arguments.output, fieldBytes(arguments.output, given, field));
+    figures.seconds.write = watch.lap();
+    std::optional<AtomicFile> report;
+    if (!arguments.report.empty()) {
+        report.emplace(arguments.report, fieldReportText(surface, field, figures));
+    }
+    output.commit();
+    if (report) {
+        report->commit();
+    }
+}
+
+ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
+    checkOutputs(arguments);
+    FieldRunFigures figures;
+    figures.meshFile = arguments.mesh.string();
+    figures.kind = name(arguments.field.kind);
+    figures.naturalCost = name(naturalCost(arguments.field.kind));
+    bar.show(0.0, "reading");
+    Stopwatch watch;
+    MeshFile file = readInputMesh(arguments.mesh, arguments.repair);
+    figures.seconds.read = watch.lap();
+    if (interrupted()) {
+        throw Cancelled();
+    }
+    if (arguments.field.kind == FieldKind::Quality && file.quality.empty()) {
+        refuseMissingQuality(arguments.mesh);
+    }
+    const TriangleMesh given = file.mesh;
+    const std::optional<MeshRepair> repair = repairIfAsked(file.mesh, arguments.repair);
+    const Surface surface(std::move(file.mesh));
+    figures.seconds.validate = watch.lap();
+    if (repair) {
+        figures.repair = repair->report;
+        file.quality = file.quality.empty() ? file.quality : repair->carriedOver(file.quality);
+    }
+    const Region region = readRegion(
+        arguments.region,
+        surface,
+        {.file = arguments.mesh,
+         .faces = static_cast<int>(given.faces.size()),
+         .quality = file.quality,
+         .repair = repair ? &*repair : nullptr}
+    );
+    std::vector<double> field = makeField(
+        surface,
+        arguments.field,
+        {.quality = file.quality, .region = region},
+        progressPart(bar, 0.0, 1.0)
+    );
+    figures.seconds.field = watch.lap();
+    if (repair) {
+        field = onGivenMesh(std::move(field), *repair, given.vertices.size());
+    }
+    bar.clear();
+    writeResults(arguments, given, surface, field, figures);
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+ExitCode runField(Arguments arguments) {
+    const auto parsed = parseFieldArguments(arguments);
+    if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
+        return *code;
+    }
+    const auto& field = std::get<FieldArguments>(parsed);
+    return runVerb(field.repair, [&](ProgressBar& bar) { return compute(field, bar); });
+}
+
+}  // namespace bspline_curve::cli

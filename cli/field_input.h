@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/option_table.h"
+#include "field/field_options.h"
+#include "surface/region.h"
+#include "surface/repair.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+// The options of fields, as every verb has them, and what they are made from.
+namespace bspline_curve::cli {
+
+/// A region of faces as the command line names it: at most one of these.
+struct RegionArguments {
+    std::filesystem::path file;  ///< of face ids
+    std::optional<double> under, over;
+
+    [[nodiscard]] bool isGiven() const { return !file.empty() || under || over; }
+};
+
+/// Options without the kind; `prefix` goes before the name: "--" or "--field-".
+void addFieldOptions(OptionTable<FieldOptions>& table, const std::string& prefix);
+
+/// The options of a region, likewise.
+void addRegionOptions(
+    CLI::App& app, const std::string& group, const std::string& prefix, RegionArguments& region
+);
+
+/// Throws CLI::ValidationError where a region is missing, named more than once, or not used by the
+/// kind.
+void checkRegion(const RegionArguments& region, FieldKind kind, const std::string& prefix);
+
+/// The names of the kinds, in the order of kFieldKinds.
+[[nodiscard]] std::vector<std::string> fieldKindNames();
+
+/// The mesh that ids and values of a command line belong to.
+struct GivenMesh {
+    std::filesystem::path file;
+    int faces = 0;                       ///< before the repair
+    std::span<const double> quality;     ///< as repaired, or empty
+    const MeshRepair* repair = nullptr;  ///< null: the mesh was not repaired
+};
+
+/// The region, on the surface that was repaired where asked for; empty where none was named. Throws
+/// InputError.
+[[nodiscard]] Region readRegion(
+    const RegionArguments& region, const Surface& surface, const GivenMesh& given
+);
+
+}  // namespace bspline_curve::cli

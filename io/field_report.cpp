@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/field_report.h"
+
+#include "io/repair_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace bspline_curve {
+
+std::string fieldReportText(
+    const Surface& surface, std::span<const double> field, const FieldRunFigures& figures
+) {
+    using Json = nlohmann::ordered_json;
+    const auto [minimum, maximum] = std::ranges::minmax(field);
+    const double sum = std::accumulate(field.begin(), field.end(), 0.0);
+    const auto& seconds = figures.seconds;
+    const Json document = {
+        {"kind", figures.kind},
+        {"natural_cost", figures.naturalCost},
+        {"minimum", minimum},
+        {"mean", sum / static_cast<double>(field.size())},
+        {"maximum", maximum},
+        {"seconds",
+         {{"read", seconds.read},
+          {"validate", seconds.validate},
+          {"field", seconds.field},
+          {"write", seconds.write}}},
+        {"repair", repairJson(figures.repair)},
+        {"mesh",
+         {{"file", figures.meshFile},
+          {"vertices", surface.vertexCount()},
+          {"faces", surface.faceCount()},
+          {"components", surface.componentCount()},
+          {"diagonal", surface.diagonal()},
+          {"average_edge_length", surface.averageEdgeLength()}}},
+    };
+    // A file name may hold bytes that are not UTF-8; they become replacement characters.
+    return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace bspline_curve
