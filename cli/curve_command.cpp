@@ -8,6 +8,7 @@
 #include "cli/shell_cache_option.h"
 #include "cli/verb.h"
 #include "design/curve_designer.h"
+#include "field/make_field.h"
 #include "io/atomic_file.h"
 #include "io/curve_writer.h"
 #include "io/field_reader.h"
@@ -34,8 +35,9 @@ namespace {
 struct Inputs {
     MeshFile mesh;
     std::vector<Vec3> picks;
-    std::vector<double> field;
-    std::optional<MeshRepair> repair;  ///< where it was asked for; mesh and field are as repaired
+    std::vector<double> quality;
+    int givenFaces = 0;
+    std::optional<MeshRepair> repair;  ///< where it was asked for; mesh and quality are as repaired
     double readSeconds = 0.0;
 };
 
@@ -49,21 +51,18 @@ void checkOutputs(const CurveArguments& arguments) {
     }
 }
 
-std::vector<double> fieldOf(const CurveArguments& arguments, const MeshFile& mesh) {
-    if (arguments.field.empty()) {
-        return {};
-    }
-    if (arguments.field != "quality") {
+/// The values of a file, or of the mesh where they are asked for, as field or for a threshold.
+std::vector<double> qualityFor(const CurveArguments& arguments, MeshFile& mesh) {
+    const bool isFile = !arguments.field.empty() && !findFieldKind(arguments.field);
+    if (isFile) {
         return readField(arguments.field, mesh.mesh.vertices.size());
     }
-    if (mesh.quality.empty()) {
-        throw InputError(
-            InputErrorCode::BadField,
-            arguments.mesh.string() +
-                ": has no per-vertex quality of type float or double (only .ply can)"
-        );
+    const bool isNeeded =
+        !arguments.field.empty() && arguments.fieldOptions.kind == FieldKind::Quality;
+    if (isNeeded && mesh.quality.empty()) {
+        refuseMissingQuality(arguments.mesh);
     }
-    return mesh.quality;
+    return std::move(mesh.quality);
 }
 
 /// Sets arguments.solver.closed as well where the picks file asks for it.
@@ -75,10 +74,11 @@ Inputs readInputs(CurveArguments& arguments) {
     Stopwatch watch;
     inputs.mesh = readInputMesh(arguments.mesh, arguments.repair);
     inputs.readSeconds = watch.lap();
-    inputs.field = fieldOf(arguments, inputs.mesh);
+    inputs.quality = qualityFor(arguments, inputs.mesh);
+    inputs.givenFaces = static_cast<int>(inputs.mesh.mesh.faces.size());
     inputs.repair = repairIfAsked(inputs.mesh.mesh, arguments.repair);
-    if (inputs.repair && !inputs.field.empty()) {
-        inputs.field = inputs.repair->carriedOver(inputs.field);
+    if (inputs.repair && !inputs.quality.empty()) {
+        inputs.quality = inputs.repair->carriedOver(inputs.quality);
     }
     if (interrupted()) {
         throw Cancelled();
@@ -86,15 +86,41 @@ Inputs readInputs(CurveArguments& arguments) {
     return inputs;
 }
 
+/// Empty where none is asked for.
+std::vector<double> makeFieldFor(
+    const CurveArguments& arguments,
+    const Inputs& inputs,
+    const Surface& surface,
+    const Progress& progress
+) {
+    if (arguments.field.empty()) {
+        return {};
+    }
+    const Region region = readRegion(
+        arguments.fieldRegion,
+        surface,
+        {.file = arguments.mesh,
+         .faces = inputs.givenFaces,
+         .quality = inputs.quality,
+         .repair = inputs.repair ? &*inputs.repair : nullptr}
+    );
+    return makeField(
+        surface, arguments.fieldOptions, {.quality = inputs.quality, .region = region}, progress
+    );
+}
+
 struct Drawn {
     CurveDesigner designer;
+    std::vector<double> field;
     Curve curve;
     RunFigures figures;
 };
 
 /// The first curve, with nothing kept but a stored shell, and its times.
 Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar) {
-    constexpr double kShellShare = 0.6;  // of a cold run; for the bar only
+    // Of a cold run; for the bar only.
+    constexpr double kShellShare = 0.6;
+    constexpr double kFieldShare = 0.7;
     const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
     Stopwatch cold;
     CurveDesigner designer(
@@ -103,16 +129,20 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
         progressPart(bar, 0.0, kShellShare),
         cache ? &*cache : nullptr
     );
-    Stopwatch design;
+    RunFigures figures;
+    Stopwatch watch;
+    std::vector<double> field = makeFieldFor(
+        arguments, inputs, designer.surface(), progressPart(bar, kShellShare, kFieldShare)
+    );
+    figures.fieldSeconds = watch.lap();
     Curve curve = designer.design(
         inputs.picks,
         arguments.solver,
         arguments.sampling,
-        {.field = inputs.field},
-        progressPart(bar, kShellShare, 1.0)
+        {.field = field},
+        progressPart(bar, kFieldShare, 1.0)
     );
-    RunFigures figures;
-    figures.designSeconds = design.lap();
+    figures.designSeconds = watch.lap();
     figures.coldSeconds = cold.lap();
     figures.readSeconds = inputs.readSeconds;
     figures.stages = designer.seconds();
@@ -121,7 +151,16 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
     if (inputs.repair) {
         figures.repair = inputs.repair->report;
     }
-    return {.designer = std::move(designer), .curve = std::move(curve), .figures = figures};
+    if (!arguments.field.empty()) {
+        figures.field = name(arguments.fieldOptions.kind);
+        figures.fieldCost = name(arguments.solver.fieldCost);
+    }
+    return {
+        .designer = std::move(designer),
+        .field = std::move(field),
+        .curve = std::move(curve),
+        .figures = figures
+    };
 }
 
 double median(std::vector<double> values) {
@@ -132,20 +171,17 @@ double median(std::vector<double> values) {
 
 /// Median seconds of further curves on the same shell; none where none are asked for.
 std::optional<double> timeWarm(
-    const CurveArguments& arguments,
-    const Inputs& inputs,
-    const CurveDesigner& designer,
-    ProgressBar& bar
+    const CurveArguments& arguments, const Inputs& inputs, const Drawn& drawn, ProgressBar& bar
 ) {
     std::vector<double> times;
     for (int i = 0; i < arguments.repeat; ++i) {
         bar.show(static_cast<double>(i) / arguments.repeat, "repeat");
         Stopwatch watch;
-        static_cast<void>(designer.design(
+        static_cast<void>(drawn.designer.design(
             inputs.picks,
             arguments.solver,
             arguments.sampling,
-            {.field = inputs.field},
+            {.field = drawn.field},
             [](double, const char*) { return !interrupted(); }
         ));
         times.push_back(watch.lap());
@@ -188,9 +224,9 @@ void writeResults(const CurveArguments& arguments, const Inputs& inputs, const D
     }
     if (drawn.curve.report.usable) {
         const std::vector<double> quality =
-            inputs.field.empty()
+            drawn.field.empty()
                 ? std::vector<double>()
-                : fieldAlong(drawn.curve.polyline, drawn.designer.surface().faces(), inputs.field);
+                : fieldAlong(drawn.curve.polyline, drawn.designer.surface().faces(), drawn.field);
         writeCurve(arguments.output, onGivenMesh(drawn.curve, inputs), quality);
     }
     if (report) {
@@ -203,7 +239,7 @@ ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
     bar.show(0.0, "reading");
     Inputs inputs = readInputs(arguments);
     Drawn drawn = drawCold(arguments, inputs, bar);
-    drawn.figures.warmSeconds = timeWarm(arguments, inputs, drawn.designer, bar);
+    drawn.figures.warmSeconds = timeWarm(arguments, inputs, drawn, bar);
     bar.clear();
     printNotes(drawn.figures.shell.notes);
     writeResults(arguments, inputs, drawn);

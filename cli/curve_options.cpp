@@ -8,12 +8,19 @@
 #include "cli/verb.h"
 #include "surface/input_error.h"
 
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace bspline_curve::cli {
 
 namespace {
 
 constexpr const char* kMain = "Options";
 constexpr const char* kAdvanced = "Advanced options";
+constexpr const char* kFieldGroup = "Options of the field";
+constexpr const char* kFieldPrefix = "--field-";
 
 void addFiles(CLI::App& app, CurveArguments& arguments) {
     app.add_option("MESH", arguments.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
@@ -47,10 +54,11 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
     app.add_option(
            "--field",
            arguments.field,
-           "Per-vertex values; the curve avoids high ones: \"quality\" (of a .ply mesh), a .npy "
-           "file or a text of one number per vertex"
+           "Per-vertex values that draw the curve to where they cost little: of the mesh "
+           "(bspline_curve field --help tells the kinds; quality: of a .ply mesh), or a file, .npy "
+           "or a text of one number per vertex"
     )
-        ->type_name("quality|FILE");
+        ->type_name(joined(fieldKindNames()) + "|FILE");
     addRepairOption(app, arguments.repair);
     addCacheOption(app, arguments.noCache);
 }
@@ -68,16 +76,35 @@ void addShape(OptionTable<SolverOptions>& table) {
         atLeast(0.0),
         "Weight of the field; no effect without --field"
     );
-    table.choice(
-        "--field-cost",
-        &S::fieldCost,
-        Names<FieldCost>{
-            {"identity", FieldCost::Identity},
-            {"square", FieldCost::Square},
-            {"exp-minus", FieldCost::ExpMinus}
-        },
-        "Cost of a field value x: x, x^2 or exp(-x)"
-    );
+}
+
+constexpr const char* kNaturalCost = "natural";
+
+/// What a value costs; the natural cost is known once the kind is.
+const Names<FieldCost>& fieldCosts() {
+    static const Names<FieldCost> names{
+        {"identity", FieldCost::Identity},
+        {"square", FieldCost::Square},
+        {"exp-minus", FieldCost::ExpMinus}
+    };
+    return names;
+}
+
+void addFieldCost(CLI::App& app, std::string& cost) {
+    std::vector<std::string> words{kNaturalCost};
+    for (const auto& [word, value] : fieldCosts()) {
+        words.push_back(word);
+    }
+    app.add_option(
+           "--field-cost",
+           cost,
+           "Cost of a field value x: x, x^2 or exp(-x); natural: what the kind is meant for, "
+           "exp-minus for curvature, ridge and valley, square for normal variation and distances, "
+           "else identity"
+    )
+        ->check(oneOf(words))
+        ->type_name(joined(words))
+        ->capture_default_str();
 }
 
 void addSampling(OptionTable<SamplingOptions>& table) {
@@ -190,6 +217,7 @@ public:
         app_.set_version_flag("--version", "bspline_curve " BSPLINE_CURVE_VERSION);
         addFiles(app_, arguments_);
         addShape(shape_);
+        addFieldCost(app_, fieldCost_);
         addSampling(sampling_);
         app_.add_option(
                 "--preset",
@@ -200,6 +228,8 @@ public:
             ->type_name("default|paper")
             ->capture_default_str();
         addShellKind(shellKind_);
+        addFieldOptions(field_, kFieldPrefix);
+        addRegionOptions(app_, kFieldGroup, kFieldPrefix, arguments_.fieldRegion);
         addModel(advanced_);
         addEffort(advanced_);
         addShellTargets(shell_);
@@ -216,7 +246,9 @@ public:
         sampling_.apply(arguments_.sampling);
         shellKind_.apply(arguments_.shell);
         shell_.apply(arguments_.shell);
+        setField();
         arguments_.solver.validate();
+        arguments_.fieldOptions.validate();
         arguments_.sampling.validate();
         arguments_.shell.validate();
         return arguments_;
@@ -225,20 +257,33 @@ public:
     [[nodiscard]] const CLI::App& app() const { return app_; }
 
 private:
+    void setField() {
+        field_.apply(arguments_.fieldOptions);
+        FieldKind& kind = arguments_.fieldOptions.kind;
+        kind = findFieldKind(arguments_.field).value_or(FieldKind::Quality);
+        checkRegion(arguments_.fieldRegion, kind, kFieldPrefix);
+        const auto found =
+            std::ranges::find(fieldCosts(), fieldCost_, &std::pair<std::string, FieldCost>::first);
+        arguments_.solver.fieldCost =
+            found == fieldCosts().end() ? naturalCost(kind) : found->second;
+    }
+
     CLI::App app_{
         "Draws a smooth B-spline curve through picked points on a triangle mesh and writes it as "
         "a\n"
         "polyline whose every segment lies in one face. The verb \"curve\" may go before the "
         "mesh;\n"
-        "the other verb is \"shell\": bspline_curve shell --help.\n\n"
+        "the other verbs are \"field\" and \"shell\": bspline_curve field --help.\n\n"
         "Exit status: 0 done; 1 bad mesh, picks or file, or no usable curve; 2 wrong usage;\n"
         "130 interrupted by Ctrl-C. No output is written unless the status is 0.\n",
         "bspline_curve"
     };
     CurveArguments arguments_;
     std::string preset_ = "default";
+    std::string fieldCost_ = kNaturalCost;
     OptionTable<SolverOptions> shape_{app_, kMain};
     OptionTable<SamplingOptions> sampling_{app_, kMain};
+    OptionTable<FieldOptions> field_{app_, kFieldGroup};
     OptionTable<SolverOptions> advanced_{app_, kAdvanced};
     OptionTable<ShellOptions> shellKind_{app_, kMain};
     OptionTable<ShellOptions> shell_{app_, kAdvanced};

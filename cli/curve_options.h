@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/command.h"
+#include "cli/field_input.h"
 #include "design/curve.h"
 #include "shell/shell_options.h"
 #include "solver/options.h"
@@ -17,11 +18,14 @@ namespace bspline_curve::cli {
 struct CurveArguments {
     std::filesystem::path mesh, picks, output;
     std::filesystem::path report;  ///< empty: none asked for
-    std::string field;             ///< empty: none; "quality": the mesh file's; else a file
-    int repeat = 0;                ///< further curves to time
+    std::string field;             ///< empty: none; the name of a kind; else a file of values
+    FieldOptions fieldOptions;     ///< of a file, too: its values are those of the kind quality
+    RegionArguments fieldRegion;
+    int repeat = 0;  ///< further curves to time
     bool repair = false;
     bool noCache = false;
-    SolverOptions solver;  ///< the preset with what was given explicitly; closed where --closed was
+    SolverOptions solver;  ///< the preset with what was given explicitly; closed where --closed
+                           ///< was, fieldCost the kind's natural one where none was given
     ShellOptions shell;
     SamplingOptions sampling;
 };

@@ -5,6 +5,7 @@
 #include "io/region_reader.h"
 #include "surface/input_error.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -150,6 +151,13 @@ std::vector<std::string> fieldKindNames() {
         names.emplace_back(name(kind));
     }
     return names;
+}
+
+std::optional<FieldKind> findFieldKind(const std::string& word) {
+    const auto* const kind = std::ranges::find_if(kFieldKinds, [&](FieldKind candidate) {
+        return word == name(candidate);
+    });
+    return kind == kFieldKinds.end() ? std::nullopt : std::optional(*kind);
 }
 
 Region readRegion(const RegionArguments& region, const Surface& surface, const GivenMesh& given) {

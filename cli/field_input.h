@@ -37,6 +37,9 @@ void checkRegion(const RegionArguments& region, FieldKind kind, const std::strin
 /// The names of the kinds, in the order of kFieldKinds.
 [[nodiscard]] std::vector<std::string> fieldKindNames();
 
+/// None where no kind has this name.
+[[nodiscard]] std::optional<FieldKind> findFieldKind(const std::string& word);
+
 /// The mesh that ids and values of a command line belong to.
 struct GivenMesh {
     std::filesystem::path file;

@@ -5,7 +5,6 @@
 #include "cli/verb.h"
 #include "surface/input_error.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -50,10 +49,8 @@ public:
         // CLI11 takes them in reverse order.
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         table_.apply(arguments_.field);
-        const auto* const kind = std::ranges::find_if(kFieldKinds, [&](FieldKind candidate) {
-            return kind_ == name(candidate);
-        });
-        arguments_.field.kind = *kind;  // the check let only names pass
+        // The check let only names pass.
+        arguments_.field.kind = findFieldKind(kind_).value_or(FieldKind::Quality);
         checkRegion(arguments_.region, arguments_.field.kind, kPrefix);
         arguments_.field.validate();
         return arguments_;

@@ -33,6 +33,7 @@ Json secondsOf(const SolveReport& report, const RunFigures& figures) {
         {"validate", figures.stages.validate},
         {"tree", figures.stages.tree},
         {"shell", figures.stages.shell},
+        {"field", figures.fieldSeconds},
         {"design", figures.designSeconds},
         {"path", solve.path},
         {"initial", solve.initial},
@@ -74,6 +75,13 @@ Json iterationsOf(const SolveReport& report) {
     return iterations;
 }
 
+Json fieldOf(const RunFigures& figures) {
+    if (figures.field.empty()) {
+        return nullptr;
+    }
+    return {{"kind", figures.field}, {"cost", figures.fieldCost}};
+}
+
 Json meshOf(const Surface& surface, const std::string& file) {
     return {
         {"file", file},
@@ -96,6 +104,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"prisms", figures.shell.prisms},
         {"cached", figures.shell.isFromStore},
         {"notes", figures.shell.notes},
+        {"field", fieldOf(figures)},
         {"seconds", secondsOf(report, figures)},
         {"knots_first", report.knotsFirst},
         {"knots_last", report.knotsLast},

@@ -17,7 +17,9 @@ struct RunFigures {
     double readSeconds = 0.0;  ///< reading the mesh file
     double coldSeconds = 0.0;  ///< from arrays in memory to the polyline; a stored shell may help
     std::optional<double> warmSeconds;  ///< median of further curves with the shell kept
-    double designSeconds = 0.0;         ///< the part of coldSeconds after the shell
+    double fieldSeconds = 0.0;          ///< the part of coldSeconds for the field
+    double designSeconds = 0.0;         ///< the part of coldSeconds after shell and field
+    std::string field, fieldCost;       ///< kind and cost of the field; empty: none
     StageSeconds stages;
     ShellSummary shell;
     std::optional<RepairReport> repair;  ///< where it was asked for

@@ -4,6 +4,8 @@
 import re
 from pathlib import Path
 
+import pytest
+
 README = (Path(__file__).resolve().parents[2] / "README.md").read_text()
 
 
@@ -13,10 +15,11 @@ def helped(run, *verb):
     return dict(re.findall(r"^  (?:-h,)?(--[\w-]+)[\w,-]*(?: [^\s=]+=(\S+))?", text, re.M))
 
 
-def test_the_table_of_the_verb_shell_is_the_help(run):
-    section = re.search(r"### Shells\n(.*?)\n## ", README, re.S)[1]
+@pytest.mark.parametrize("verb, title", [("shell", "Shells"), ("field", "Fields")])
+def test_the_table_of_a_verb_is_the_help(run, verb, title):
+    section = re.search(rf"### {title}\n(.*?)\n##", README, re.S)[1]
     rows = re.findall(r"^\| `(--[\w-]+)`[^|]*\| ([^|]*) \|", section, re.M)
-    options = helped(run, "shell")
+    options = helped(run, verb)
     del options["--help"]
     assert sorted(name for name, _ in rows) == sorted(options)
     for name, default in rows:
