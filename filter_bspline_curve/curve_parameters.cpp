@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/curve_parameters.h"
 
-#include <common/mlexception.h>
+#include "filter_bspline_curve/parameter_values.h"
 
 #include <QStringList>
-#include <array>
-#include <charconv>
 #include <string>
 
 namespace bspline_curve {
@@ -62,8 +60,11 @@ double diagonalOf(const MeshDocument& document) {
 
 // ---- enumerations: the choices that the user sees, in the order of the core's enumerators ----
 
-const QStringList kFields = {"none", "quality"};
-const QStringList kFieldCosts = {"identity", "square", "exp-minus"};
+// After these come the kinds of fields, and the costs in the order of the core's enumerators.
+const QString kNoField = "none";
+const QStringList kFieldCosts = {
+    "natural", name(FieldCost::Identity), name(FieldCost::Square), name(FieldCost::ExpMinus)
+};
 const QStringList kPresets = {"default", "paper"};
 const QStringList kShells = {name(ShellKind::Simplified), name(ShellKind::FullResolution)};
 // In these the first choice leaves the decision to the preset.
@@ -74,14 +75,6 @@ const QStringList kBarrierWidths = {"preset", "full", "tight"};
 const QStringList kDistanceWeights = {"preset", "schedule", "adaptive"};
 const QStringList kInterpolations = {"preset", "constraint", "penalty"};
 const QStringList kKnotRules = {"preset", "energy-and-distance", "feature-function"};
-
-int choiceOf(const RichParameterList& parameters, const QString& name, const QStringList& choices) {
-    const int choice = parameters.getEnum(name);
-    if (choice < 0 || choice >= choices.size()) {
-        throw MLException(QString("%1 must be one of: %2").arg(name, choices.join(", ")));
-    }
-    return choice;
-}
 
 template <typename Enum>
 void overridePreset(
@@ -107,6 +100,7 @@ void overridePreset(Number& option, Number value, Number standard) {
 // ---- the parameters, group by group ----
 
 constexpr bool kAdvanced = true;
+const QString kFieldPrefix = "field_";
 
 void addPickParameters(RichParameterList& list, const MeshDocument& document) {
     const unsigned int surface = defaultSurfaceLayer(document);
@@ -170,18 +164,18 @@ void addShapeParameters(RichParameterList& list, const MeshDocument& document) {
     list.addParam(RichEnum(
         "field",
         0,
-        kFields,
+        QStringList(kNoField) + fieldKindNames(),
         "Field",
-        "A scalar that draws the curve to where its cost is low. none: no field; quality: the "
-        "per-vertex quality of the surface."
+        "A scalar that draws the curve to where its cost is low. none: no field. " +
+            fieldKindsHelp()
     ));
     list.addParam(RichEnum(
         "field_cost",
-        static_cast<int>(options.fieldCost),
+        0,
         kFieldCosts,
         "Cost of the field",
-        "What a value x of the field costs. identity: x; square: x^2; exp-minus: exp(-x), which "
-        "draws the curve to large values."
+        "What a value x of the field costs. natural: what the kind of field is meant for; "
+        "identity: x; square: x^2; exp-minus: exp(-x), which draws the curve to large values."
     ));
     list.addParam(RichFloat(
         "field_weight",
@@ -380,18 +374,17 @@ void addLimitParameters(RichParameterList& list) {
 
 // ---- reading ----
 
-/// MeshLab keeps a parameter as float even where its scalar is double, so 0.1 arrives as
-/// 0.10000000149. The number that the user typed is the shortest decimal that rounds to that float.
-double typedNumber(Scalarm value) {
-    std::array<char, 32> digits{};
-    const char* const end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<float>(value)).ptr;
-    double number = 0.0;
-    std::from_chars(digits.data(), end, number);
-    return number;
+std::optional<FieldRequest> readField(const RichParameterList& parameters) {
+    const int choice = choiceOf(parameters, "field", QStringList(kNoField) + fieldKindNames());
+    if (choice == 0) {
+        return std::nullopt;
+    }
+    return readFieldRequest(parameters, kFieldPrefix, choice - 1);
 }
 
-SolverOptions readSolverOptions(const RichParameterList& parameters) {
+SolverOptions readSolverOptions(
+    const RichParameterList& parameters, const std::optional<FieldRequest>& field
+) {
     const SolverOptions standard;
     SolverOptions options =
         choiceOf(parameters, "preset", kPresets) == 1 ? paperPreset() : standard;
@@ -399,7 +392,11 @@ SolverOptions readSolverOptions(const RichParameterList& parameters) {
     options.closed = parameters.getBool("closed");
     options.tension = typedNumber(parameters.getDynamicFloat("tension"));
     options.fieldWeight = typedNumber(parameters.getFloat("field_weight"));
-    options.fieldCost = static_cast<FieldCost>(choiceOf(parameters, "field_cost", kFieldCosts));
+    if (const int cost = choiceOf(parameters, "field_cost", kFieldCosts); cost > 0) {
+        options.fieldCost = static_cast<FieldCost>(cost - 1);
+    } else if (field) {
+        options.fieldCost = naturalCost(field->options.kind);
+    }
 
     overridePreset(options.bending, parameters, "bending", kBendings);
     overridePreset(options.initialCurve, parameters, "initial_curve", kInitialCurves);
@@ -431,6 +428,7 @@ RichParameterList curveParameters(const MeshDocument& document) {
     addPickParameters(list, document);
     addShapeParameters(list, document);
     addShellKindParameter(list);
+    addFieldOptions(list, kFieldPrefix, kAdvanced);
     addPresetParameters(list);
     addShellParameters(list);
     addMethodParameters(list);
@@ -444,8 +442,8 @@ CurveRequest readRequest(const RichParameterList& parameters) {
     request.picksLayer = parameters.getMeshId("picks_layer");
     request.picksFile = parameters.getOpenFileName("picks_file").trimmed();
     request.picksText = parameters.getString("picks").trimmed();
-    request.useQualityField = choiceOf(parameters, "field", kFields) == 1;
-    request.solver = readSolverOptions(parameters);
+    request.field = readField(parameters);
+    request.solver = readSolverOptions(parameters, request.field);
     request.shell.kind = static_cast<ShellKind>(choiceOf(parameters, "shell", kShells));
     request.shell.targetThickness = typedNumber(parameters.getFloat("target_thickness"));
     request.shell.targetEdgeLength = typedNumber(parameters.getFloat("target_edge_length"));

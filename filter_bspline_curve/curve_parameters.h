@@ -2,6 +2,7 @@
 #pragma once
 
 #include "design/curve.h"
+#include "filter_bspline_curve/field_parameters.h"
 #include "shell/shell_options.h"
 #include "solver/options.h"
 
@@ -9,6 +10,7 @@
 #include <common/parameters/rich_parameter_list.h>
 
 #include <QString>
+#include <optional>
 
 namespace bspline_curve {
 
@@ -18,7 +20,7 @@ struct CurveRequest {
     unsigned int picksLayer = 0;  ///< the same as surfaceLayer: no layer of picks
     QString picksFile;            ///< empty: none
     QString picksText;            ///< empty: none
-    bool useQualityField = false;
+    std::optional<FieldRequest> field;
     SolverOptions solver;
     ShellOptions shell;
     SamplingOptions sampling;

@@ -3,15 +3,15 @@
 
 #include <common/plugins/interfaces/filter_plugin.h>
 
-/// The filter "B-spline Curve on Surface" for MeshLab 2022 and later and for pymeshlab: it converts
-/// between layers and the core library and holds no algorithm.
+/// The filters "B-spline Curve on Surface" and "Scalar Field for Curves" for MeshLab 2022 and later
+/// and for pymeshlab: they convert between layers and the libraries and hold no algorithm.
 class FilterBsplineCurvePlugin : public QObject, public FilterPlugin {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
     Q_INTERFACES(FilterPlugin)
 
 public:
-    enum Filter : ActionIDType { BsplineCurveOnSurface };
+    enum Filter : ActionIDType { BsplineCurveOnSurface, ScalarFieldForCurves };
 
     FilterBsplineCurvePlugin();
 

@@ -41,7 +41,7 @@ LayerMesh meshOf(const MeshModel& layer) {
     if (layer.cm.FN() == 0) {
         throw MLException(
             QString(
-                "layer \"%1\" has no faces: choose the layer of a triangle mesh as surface_layer"
+                "layer \"%1\" has no faces: choose the layer of a triangle mesh"
             )
                 .arg(layer.label())
         );
@@ -76,7 +76,7 @@ std::vector<double> qualityOf(const MeshModel& layer, const LayerMesh& mesh) {
     if (!layer.hasPerVertexQuality()) {
         throw MLException(
             QString(
-                "layer \"%1\" has no per-vertex quality: compute one first, or set field to none"
+                "layer \"%1\" has no per-vertex quality: compute one first, or choose another field"
             )
                 .arg(layer.label())
         );
