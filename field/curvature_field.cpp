@@ -55,7 +55,9 @@ std::vector<PrincipalCurvatures> principalCurvatures(
     constexpr double kFitShare = 0.5;  // of the time
     const double radius = scale * surface.diagonal();
     const std::vector<Vec3> normals = vertexNormals(surface);
-    const int rings = surface.averageEdgeLength() > radius ? 1 : 2;
+    // Two rings see through three times the noise. Where they are wider than four radii, they would
+    // lose creases.
+    const int rings = surface.averageEdgeLength() > 2.0 * radius ? 1 : 2;
     const std::vector<Eigen::Matrix3d> tensors =
         curvatureTensors(surface, normals, rings, partOf(progress, 0.0, kFitShare));
     report(progress, kFitShare, "smoothing");

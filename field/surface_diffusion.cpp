@@ -85,53 +85,64 @@ SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
     offsets_.push_back(static_cast<int>(neighbours_.size()));
 }
 
-/// product = (M + time L) values
+/// product = (M + time L) values; returns values' product of each column.
 template <int K>
-void SurfaceDiffusion::multiply(
+Eigen::Array<double, 1, K> SurfaceDiffusion::multiply(
     const VertexValues<K>& values, double time, VertexValues<K>& product
 ) const {
+    Eigen::Array<double, 1, K> dot = Eigen::Array<double, 1, K>::Zero();
     for (int v = 0; v < static_cast<int>(values.rows()); ++v) {
-        const Eigen::Matrix<double, 1, K> own = values.row(v);
-        Eigen::Matrix<double, 1, K> sum = weightSums_[v] * own;
+        const Eigen::Array<double, 1, K> own = values.row(v);
+        Eigen::Array<double, 1, K> sum = weightSums_[v] * own;
         for (std::size_t i = at(offsets_[at(v)]); i < at(offsets_[at(v) + 1]); ++i) {
-            sum -= weights_[i] * values.row(neighbours_[i]);
+            sum -= weights_[i] * values.row(neighbours_[i]).array();
         }
-        product.row(v) = masses_[v] * own + time * sum;
+        sum = masses_[v] * own + time * sum;
+        product.row(v) = sum.matrix();
+        dot += own * sum;
     }
+    return dot;
 }
 
 /// Solves (M + time L) x = M values for each column, by conjugate gradients with the diagonal as
-/// preconditioner.
+/// preconditioner. Memory is what takes the time, so each row is visited as seldom as can be.
 template <int K>
 VertexValues<K> SurfaceDiffusion::implicitStep(const VertexValues<K>& values, double time) const {
     using Row = Eigen::Array<double, 1, K>;
-    constexpr double kTolerance = 1e-6;  // of the values, in the norm of the preconditioner
+    constexpr double kTolerance = 1e-5;  // of the values, in the norm of the preconditioner
     constexpr int kMaxIterations = 2000;
-    const auto inverseDiagonal = (masses_ + time * weightSums_).cwiseInverse().eval();
-    const auto sums = [](const VertexValues<K>& a, const VertexValues<K>& b) {
-        return Row(a.cwiseProduct(b).colwise().sum().array());
-    };
-    const VertexValues<K> right = masses_.asDiagonal() * values;
-    VertexValues<K> preconditioned = inverseDiagonal.asDiagonal() * right;
-    const Row enough = kTolerance * kTolerance * sums(right, preconditioned);
-
+    const Eigen::VectorXd inverseDiagonal = (masses_ + time * weightSums_).cwiseInverse();
     VertexValues<K> solution = values;
     VertexValues<K> product(values.rows(), K);
-    multiply<K>(solution, time, product);
-    VertexValues<K> residual = right - product;
-    preconditioned = inverseDiagonal.asDiagonal() * residual;
-    VertexValues<K> direction = preconditioned;
-    Row error = sums(residual, preconditioned);
+    static_cast<void>(multiply<K>(solution, time, product));
+    VertexValues<K> residual(values.rows(), K);
+    VertexValues<K> direction(values.rows(), K);
+    Row error = Row::Zero();
+    Row enough = Row::Zero();
+    for (Eigen::Index v = 0; v < values.rows(); ++v) {
+        const Row right = masses_[v] * values.row(v).array();
+        const Row rest = right - product.row(v).array();
+        residual.row(v) = rest.matrix();
+        direction.row(v) = (inverseDiagonal[v] * rest).matrix();
+        error += inverseDiagonal[v] * rest * rest;
+        enough += kTolerance * kTolerance * inverseDiagonal[v] * right * right;
+    }
     for (int i = 0; i < kMaxIterations && (error > enough).any(); ++i) {
-        multiply<K>(direction, time, product);
-        const Row curvature = sums(direction, product);
+        const Row curvature = multiply<K>(direction, time, product);
         const Row step = (error > enough).select(error / curvature, Row::Zero());
-        solution += direction * step.matrix().asDiagonal();
-        residual -= product * step.matrix().asDiagonal();
-        preconditioned = inverseDiagonal.asDiagonal() * residual;
-        const Row next = sums(residual, preconditioned);
+        Row next = Row::Zero();
+        for (Eigen::Index v = 0; v < values.rows(); ++v) {
+            solution.row(v).array() += step * direction.row(v).array();
+            const Row rest = residual.row(v).array() - step * product.row(v).array();
+            residual.row(v) = rest.matrix();
+            next += inverseDiagonal[v] * rest * rest;
+        }
         const Row turn = (error > enough).select(next / error, Row::Zero());
-        direction = preconditioned + direction * turn.matrix().asDiagonal();
+        for (Eigen::Index v = 0; v < values.rows(); ++v) {
+            direction.row(v) =
+                (inverseDiagonal[v] * residual.row(v).array() + turn * direction.row(v).array())
+                    .matrix();
+        }
         error = next;
     }
     return solution;

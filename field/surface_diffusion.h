@@ -24,7 +24,7 @@ public:
 
     /// Averages as over a disc of the given radius (the kernel has the variance of one); radius in
     /// the unit of the surface, >= 0. Constants stay what they are, integrals too, and so does what
-    /// has no faces. Radii far below an edge change little. Within 1e-6 of the values' size.
+    /// has no faces. Radii far below an edge change little. Within 1e-5 of the values' size.
     /// Conjugate gradients: O(n radius / edge length). Available for K = 1 and K = 9.
     template <int K>
     [[nodiscard]] VertexValues<K> smoothed(const VertexValues<K>& values, double radius) const;
@@ -33,7 +33,9 @@ private:
     template <int K>
     [[nodiscard]] VertexValues<K> implicitStep(const VertexValues<K>& values, double time) const;
     template <int K>
-    void multiply(const VertexValues<K>& values, double time, VertexValues<K>& product) const;
+    Eigen::Array<double, 1, K> multiply(
+        const VertexValues<K>& values, double time, VertexValues<K>& product
+    ) const;
 
     Eigen::VectorXd masses_;       ///< #V; a third of the area of the faces at the vertex, else 1
     Eigen::VectorXd weightSums_;   ///< #V; of the edges at the vertex

@@ -118,19 +118,18 @@ TEST(CurvatureField, OfATorusHasBothOfItsCurvatures) {
 // (25) is the constant 1 / 0.3 on the outside of a torus; ridges are strongest on its outer circle,
 // and valleys of the torus turned inside out as well.
 TEST(CurvatureField, RidgesTellTheCirclesOfATorusApart) {
-    const TriangleMesh mesh = torus(120, 40);
+    const TriangleMesh mesh = torus(200, 60);
     const Surface surface(mesh);
-    const Surface reversed(insideOut(mesh));
     const auto ridge = fieldOn(surface, FieldKind::Ridge);
-    const auto valley = fieldOn(reversed, FieldKind::Valley);
+    const auto reversed = fieldOn(Surface(insideOut(mesh)), FieldKind::Valley);
     const double length = kCurvatureLength * surface.diagonal();
-    for (std::size_t i = 0; i < ridge.size(); ++i) {
+    const auto exact = [&](std::size_t i) {
         const double distance = mesh.vertices[i].head<2>().norm();
         const double around = (distance - 1.0) / 0.3 / distance;
-        const double exact = length * (1.0 / 0.3 - std::max(0.0, -around));
-        EXPECT_NEAR(ridge[i], exact, 0.02 * length / 0.3);
-        EXPECT_NEAR(valley[i], ridge[i], 1e-9);
-    }
+        return length * (1.0 / 0.3 - std::max(0.0, -around));
+    };
+    EXPECT_LT(largestGap(ridge, exact), 0.02 * length / 0.3);
+    EXPECT_LT(largestGap(reversed, [&](std::size_t i) { return ridge[i]; }), 1e-9);
     EXPECT_LT(meanGap(fieldOn(surface, FieldKind::Valley), 0.0), 1e-9);
 }
 
@@ -210,22 +209,22 @@ TEST(CurvatureField, DoesNotDependOnNumbers) {
     EXPECT_LT(largestGap(field, [&](std::size_t i) { return same[i]; }), 1e-3);
 }
 
-// The same polyhedron with more vertices. Its curvature is that of its edges, spread over the
-// scale; measured 0.07 at mean edges of half the scale.
+// The same polyhedron with more vertices, up to mean edges of twice the scale: its curvature, that
+// of its edges, is spread over scale and rings. Measured 5 % on the coarsest, 1.5 % on the finest.
 TEST(CurvatureField, ChangesLittleWhereFacesAreSplit) {
-    const TriangleMesh coarse = torus(240, 80);
-    const Surface surface(coarse);
-    ASSERT_LT(surface.averageEdgeLength(), 0.6 * kScale * surface.diagonal());
-    const auto field = fieldOn(surface, FieldKind::MaximalCurvature);
-    auto fine = fieldOn(Surface(midpointSubdivide(coarse)), FieldKind::MaximalCurvature);
-    fine.resize(field.size());
-    EXPECT_LT(largestGap(fine, [&](std::size_t i) { return field[i]; }), 0.15 * field[0]);
+    for (const int segments : {60, 120, 240}) {
+        const TriangleMesh coarse = torus(segments, segments / 3);
+        const auto field = fieldOn(Surface(coarse), FieldKind::MaximalCurvature);
+        auto fine = fieldOn(Surface(midpointSubdivide(coarse)), FieldKind::MaximalCurvature);
+        fine.resize(field.size());
+        EXPECT_LT(largestGap(fine, [&](std::size_t i) { return field[i]; }), 0.08 * field[0]);
+    }
 }
 
 // Noise of a tenth of an edge turns normals by 10 degrees; its curvature without averaging would be
-// about 0.1 h / h^2, 0.5 in this field's unit.
+// about 0.1 h / h^2, 0.2 to 0.9 in this field's unit.
 TEST(CurvatureField, SeesThroughNoise) {
-    for (const int subdivisions : {5, 6}) {
+    for (const int subdivisions : {4, 5, 6}) {
         const TriangleMesh mesh = icosphere(subdivisions);
         const double h = Surface(mesh).averageEdgeLength();
         const Surface noisy(withNoise(mesh, 0.1 * h, 9));

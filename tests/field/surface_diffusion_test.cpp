@@ -39,7 +39,7 @@ TEST(SurfaceDiffusion, KeepsConstantsAndIntegrals) {
     EXPECT_LT((diffusion.smoothed<1>(constant, 0.3) - constant).cwiseAbs().maxCoeff(), 1e-9);
     const Eigen::VectorXd masses = massesOf(surface);
     const VertexValues<1> spike = spikeIn(surface, 17);
-    EXPECT_NEAR(masses.dot(diffusion.smoothed<1>(spike, 0.3)), masses[17], 1e-5 * masses[17]);
+    EXPECT_NEAR(masses.dot(diffusion.smoothed<1>(spike, 0.3)), masses[17], 1e-4 * masses[17]);
 }
 
 // The variance of a disc: a spike's second moment about itself is radius^2 / 2 on a plane, exact
