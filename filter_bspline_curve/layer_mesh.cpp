@@ -39,12 +39,8 @@ void requireInvertible(const MeshModel& layer) {
 
 LayerMesh meshOf(const MeshModel& layer) {
     if (layer.cm.FN() == 0) {
-        throw MLException(
-            QString(
-                "layer \"%1\" has no faces: choose the layer of a triangle mesh"
-            )
-                .arg(layer.label())
-        );
+        throw MLException(QString("layer \"%1\" has no faces: choose the layer of a triangle mesh")
+                              .arg(layer.label()));
     }
     requireInvertible(layer);
     LayerMesh mesh;
