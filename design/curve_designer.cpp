@@ -17,6 +17,7 @@
 #include "surface/triangle_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -114,6 +115,17 @@ void refuseEnclosedPicks(const Obstacles& obstacles, const std::vector<SurfacePo
     }
 }
 
+// Shares of the field by which paths follow it: less where no spline along them stays in the shell.
+constexpr std::array<double, 3> kGuideShares = {1.0, 0.25, 0.0};
+
+// What to solve, and from where.
+struct Start {
+    CurveProblem problem;
+    GuidePath guide;
+    SplineCurve curve;
+    double pathSeconds = 0.0, fitSeconds = 0.0;
+};
+
 }  // namespace
 
 struct CurveDesigner::State {
@@ -156,6 +168,12 @@ struct CurveDesigner::State {
         const Guidance& guidance,
         const std::vector<SurfacePoint>& picks,
         const SolverOptions& options
+    ) const;
+    [[nodiscard]] Start startCurve(
+        const std::vector<SurfacePoint>& picks,
+        const SolverOptions& options,
+        const Guidance& guidance,
+        const Obstacles* obstacles
     ) const;
     [[nodiscard]] SurfacePolyline polylineOf(
         const CurveProblem& problem,
@@ -260,6 +278,42 @@ CurveProblem CurveDesigner::State::makeProblem(
     return problem;
 }
 
+Start CurveDesigner::State::startCurve(
+    const std::vector<SurfacePoint>& picks,
+    const SolverOptions& options,
+    const Guidance& guidance,
+    const Obstacles* obstacles
+) const {
+    Stopwatch lap;
+    for (const double share : kGuideShares) {
+        std::vector<double> costs = faceCostsOf(surface, guidance.field, options, share);
+        if (share > 0.0 && costs.empty()) {
+            continue;
+        }
+        PickPath path = makePickPath(
+            surface,
+            *base,
+            picks,
+            options.closed,
+            {obtained.build.report.blockedFaces, std::move(costs), obstacles}
+        );
+        CurveProblem problem = makeProblem(options, std::move(path.picks), guidance.field);
+        problem.obstacles = obstacles;
+        const double pathSeconds = lap.lap();
+        std::optional<SplineCurve> first = makeFirstCurve(problem, path.guide);
+        if (first) {
+            return {
+                std::move(problem), std::move(path.guide), std::move(*first), pathSeconds, lap.lap()
+            };
+        }
+    }
+    throw InputError(
+        InputErrorCode::NoShell,
+        "no spline through the picks stays in the shell: the shell is too thin or interrupted "
+        "there; add picks, or check the mesh for faces that cross or fold onto each other"
+    );
+}
+
 SurfacePolyline CurveDesigner::State::polylineOf(
     const CurveProblem& problem,
     const SplineSpace& space,
@@ -340,32 +394,20 @@ Curve CurveDesigner::design(
 ) const {
     options.validate();
     sampling.validate();
-    Stopwatch watch;
     const State& state = *state_;
-    state.checkField(field);
+    state.checkField(guidance.field);
     const std::vector<SurfacePoint> located =
         locatePicks(state.surface, state.tree, picks, options.closed);
     state.refuseBlockedPicks(located);
     const std::optional<Obstacles> obstacles = state.obstaclesOf(guidance, located, options);
-    PickPath path = makePickPath(
-        state.surface,
-        *state.base,
-        located,
-        options.closed,
-        {state.obtained.build.report.blockedFaces,
-         faceCostsOf(state.surface, guidance.field, options),
-         obstacles ? &*obstacles : nullptr}
-    );
-    CurveProblem problem = state.makeProblem(options, std::move(path.picks), guidance.field);
-    problem.obstacles = obstacles ? &*obstacles : nullptr;
+    Start start = state.startCurve(located, options, guidance, obstacles ? &*obstacles : nullptr);
+    CurveProblem& problem = start.problem;
     problem.progress = progress;
-    const double pathSeconds = watch.lap();
-
     std::optional<ShellBoundary> boundary;
     if (options.quadrature == Quadrature::Samples) {
         problem.boundary = &boundary.emplace(state.obtained.build.shell);
     }
-    const Solution solution = solve(problem, path.guide);
+    const Solution solution = solve(problem, start.guide, std::move(start.curve));
     if (!std::isfinite(solution.report.maxDistance)) {
         throw InputError(
             InputErrorCode::NoShell,
@@ -373,8 +415,8 @@ Curve CurveDesigner::design(
                 name(solution.report.status) + "): use the default preset, or add picks"
         );
     }
-    watch.lap();
 
+    Stopwatch watch;
     Curve curve;
     curve.polyline =
         state.polylineOf(problem, solution.curve.space, solution.curve.controls, sampling);
@@ -383,7 +425,8 @@ Curve CurveDesigner::design(
     }
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;
-    curve.report.seconds.path = pathSeconds;
+    curve.report.seconds.path = start.pathSeconds;
+    curve.report.seconds.initial = start.fitSeconds;
     curve.report.seconds.polyline = watch.lap();
     report(progress, 1.0, "done");
     return curve;

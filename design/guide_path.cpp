@@ -134,9 +134,13 @@ PickPath makePickPath(
 }
 
 std::vector<double> faceCostsOf(
-    const Surface& surface, std::span<const double> field, const SolverOptions& options
+    const Surface& surface,
+    std::span<const double> field,
+    const SolverOptions& options,
+    double share
 ) {
-    if (field.empty() || options.fieldWeight == 0.0 || !options.fieldGuidesPath) {
+    const double weight = share * options.fieldWeight / kUsualBending;
+    if (field.empty() || weight == 0.0 || !options.fieldGuidesPath) {
         return {};
     }
     std::vector<double> costs;
@@ -150,7 +154,7 @@ std::vector<double> faceCostsOf(
     }
     const double least = std::ranges::min(costs);
     for (double& cost : costs) {
-        cost = 1.0 + options.fieldWeight / kUsualBending * (cost - least);
+        cost = 1.0 + weight * (cost - least);
     }
     return costs;
 }

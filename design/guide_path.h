@@ -36,10 +36,13 @@ struct Terrain {
 );
 
 /// The cost of faces by which paths follow a field: 1 in the cheapest face, and more with mu and
-/// the cost c of the field. Empty where the field has no say.
+/// `share` of the cost c of the field. Empty where the field has no say.
 /// `field`: one finite value per vertex, or empty.
 [[nodiscard]] std::vector<double> faceCostsOf(
-    const Surface& surface, std::span<const double> field, const SolverOptions& options
+    const Surface& surface,
+    std::span<const double> field,
+    const SolverOptions& options,
+    double share = 1.0
 );
 
 }  // namespace bspline_curve

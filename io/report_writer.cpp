@@ -75,11 +75,16 @@ Json iterationsOf(const SolveReport& report) {
     return iterations;
 }
 
-Json fieldOf(const RunFigures& figures) {
+Json fieldOf(const SolveReport& report, const RunFigures& figures) {
     if (figures.field.empty()) {
         return nullptr;
     }
-    return {{"kind", figures.field}, {"cost", figures.fieldCost}};
+    return {
+        {"kind", figures.field},
+        {"cost", figures.fieldCost},
+        {"mean_cost", report.fieldCost},
+        {"at_rest", report.fieldAtRest},
+    };
 }
 
 Json meshOf(const Surface& surface, const std::string& file) {
@@ -104,7 +109,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"prisms", figures.shell.prisms},
         {"cached", figures.shell.isFromStore},
         {"notes", figures.shell.notes},
-        {"field", fieldOf(figures)},
+        {"field", fieldOf(report, figures)},
         {"seconds", secondsOf(report, figures)},
         {"knots_first", report.knotsFirst},
         {"knots_last", report.knotsLast},

@@ -4,11 +4,9 @@
 #include "solver/obstacles.h"
 #include "solver/shell_reach.h"
 #include "solver/spline_system.h"
-#include "surface/input_error.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace bspline_curve {
 namespace {
@@ -161,13 +159,13 @@ bool spanIsInside(
 
 }  // namespace
 
-SplineCurve makeFirstCurve(const CurveProblem& problem, const GuidePath& guide) {
+std::optional<SplineCurve> makeFirstCurve(const CurveProblem& problem, const GuidePath& guide) {
     return problem.options.initialCurve == InitialCurve::GeodesicFit
                ? fitGuidePath(problem, guide)
                : makeControlPolygon(problem, guide);
 }
 
-SplineCurve fitGuidePath(const CurveProblem& problem, const GuidePath& guide) {
+std::optional<SplineCurve> fitGuidePath(const CurveProblem& problem, const GuidePath& guide) {
     std::vector<double> breaks = firstBreaks(problem);
     const double highestStart = kHighestStart / relativeReach(problem);
     for (int attempt = 0; attempt < kMaxFits; ++attempt) {
@@ -181,16 +179,11 @@ SplineCurve fitGuidePath(const CurveProblem& problem, const GuidePath& guide) {
             finer.push_back(breaks[at(span) + 1]);
         }
         if (finer.size() == breaks.size()) {
-            return {std::move(space), std::move(controls)};
+            return SplineCurve{std::move(space), std::move(controls)};
         }
         breaks.swap(finer);
     }
-    throw InputError(
-        InputErrorCode::NoShell,
-        "no spline through the picks stays in the shell: the shell is too thin or interrupted "
-        "there; add "
-        "picks, or check the mesh for faces that cross or fold onto each other"
-    );
+    return std::nullopt;
 }
 
 }  // namespace bspline_curve

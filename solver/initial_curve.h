@@ -4,6 +4,7 @@
 #include "solver/curve_problem.h"
 #include "solver/spline_space.h"
 
+#include <optional>
 #include <vector>
 
 namespace bspline_curve {
@@ -24,13 +25,17 @@ struct SplineCurve {
     ControlPoints controls;
 };
 
-/// The first spline, made as the options say. Throws InputError (NoShell).
-[[nodiscard]] SplineCurve makeFirstCurve(const CurveProblem& problem, const GuidePath& guide);
+/// The first spline, made as the options say; nothing where none along the guide stays inside the
+/// shell.
+[[nodiscard]] std::optional<SplineCurve> makeFirstCurve(
+    const CurveProblem& problem, const GuidePath& guide
+);
 
 /// First spline by least squares: follows the guide path, passes all picks, lies in the shell.
-/// Spans that leave the shell are halved and the fit repeated. Throws InputError (NoShell) where no
-/// fit stays inside.
-[[nodiscard]] SplineCurve fitGuidePath(const CurveProblem& problem, const GuidePath& guide);
+/// Spans that leave the shell are halved and the fit repeated. Nothing where no fit stays inside.
+[[nodiscard]] std::optional<SplineCurve> fitGuidePath(
+    const CurveProblem& problem, const GuidePath& guide
+);
 
 /// First spline by Alg. 2 of the paper: its control polygon runs in turn to the top and to the
 /// bottom of the shell over the picks, with midpoints of the guide path where a segment would leave

@@ -21,15 +21,17 @@ namespace {
 
 // Newton stops at this share of the energy in rounds that only prepare the next one, while frozen
 // directions still change, and at last.
-struct Decrements {
+struct Effort {
     double rough, rest, fine;
+    int restIterations;  // altogether, at rest
 };
 
 // With 1e-3 in the rounds curves depend on the triangulation by up to 1.6 tolerances.
-constexpr Decrements kPlainDecrements = {1e-4, 1e-4, 1e-6};
+constexpr Effort kPlainEffort = {1e-4, 1e-4, 1e-6, std::numeric_limits<int>::max()};
 // Under a field Newton crawls where a curve lies along edges at which the field's gradient jumps:
-// the digits beyond these cost as many iterations as all before, and move nothing.
-constexpr Decrements kFieldDecrements = {1e-2, 1e-4, 1e-4};
+// the digits beyond these cost as many iterations as all before, and move nothing. Strong ones
+// still creep then, by a per cent of the energy in a hundred iterations.
+constexpr Effort kFieldEffort = {1e-2, 1e-4, 1e-4, 15};
 // The same where a round's energy is sampled. 1e-3 takes a tenth more iterations.
 constexpr double kSampledDecrement = 5e-3;
 // More knots no longer change the curve where they would lower the energy by less than this share.
@@ -109,17 +111,16 @@ struct Stage {
 
 class Solver {
 public:
-    Solver(const CurveProblem& problem, const GuidePath& guide)
+    Solver(const CurveProblem& problem, const GuidePath& guide, SplineCurve first)
         : problem_(problem),
           options_(problem.options),
-          curve_(makeFirstCurve(problem, guide)),
+          curve_(std::move(first)),
           segments_(firstSegments(problem)),
-          decrements_(fieldStrength(problem) > 0.0 ? kFieldDecrements : kPlainDecrements),
+          effort_(fieldStrength(problem) > 0.0 ? kFieldEffort : kPlainEffort),
           stage_(std::make_unique<Stage>(problem, curve_.space, segments_)),
           tolerance_(options_.distanceTolerance * problem.averageEdgeLength),
           restingMove_(std::min(tolerance_, kMoveShare * shortestPickDistance(problem))),
           tensionFloor_(tensionFloor(problem, guide)) {
-        report_.seconds.initial = watch_.lap();
         report_.knotsFirst = knotCount();
     }
 
@@ -136,14 +137,14 @@ public:
             bspline_curve::report(problem_.progress, progressFraction(), "minimising");
             refreshDirections(kRoughBlend);
             const ControlPoints before = curve_.controls;
-            MinimiseResult result = minimiseOnce(isRough() ? kSampledDecrement : decrements_.rough);
+            MinimiseResult result = minimiseOnce(isRough() ? kSampledDecrement : effort_.rough);
             double largestHeight = measure();
             if (isRough() && !std::isfinite(distance_)) {
                 // It left the shell between two samples.
                 curve_.controls = before;
                 becomeExact();
                 refreshDirections(kRoughBlend);
-                result = minimiseOnce(decrements_.rough);
+                result = minimiseOnce(effort_.rough);
                 largestHeight = measure();
             }
             addRound(result);
@@ -197,14 +198,18 @@ private:
     // Distance falls geometrically, so progress is its logarithm; rounds bound it from below.
     [[nodiscard]] double progressFraction() const { return 0.9 * (1.0 - std::pow(0.75, round_)); }
 
-    MinimiseResult minimiseOnce(double decrement) {
+    MinimiseResult minimiseOnce(
+        double decrement, int mostIterations = std::numeric_limits<int>::max()
+    ) {
         MinimiseResult result;
         result = minimise(
             stage_->energy,
             stage_->system,
             weights_,
             options_.interpolation,
-            {options_.maxIterations, decrement, isRough() ? kRoughLeastStep : kLeastStep},
+            {std::min(options_.maxIterations, mostIterations),
+             decrement,
+             isRough() ? kRoughLeastStep : kLeastStep},
             curve_.controls
         );
         for (IterationReport entry : result.iterations) {
@@ -214,6 +219,9 @@ private:
         if (options_.interpolation == Interpolation::Constraint) {
             stage_->system.meetConstraints(curve_.controls);  // rounding of many steps
         }
+        report_.fieldCost = fieldWeight(problem_) > 0.0 ? result.value.terms.external : 0.0;
+        report_.fieldAtRest =
+            fieldStrength(problem_) == 0.0 || result.status == MinimiseStatus::Converged;
         report_.newtonIterations += static_cast<int>(result.iterations.size());
         report_.seconds.minimise += watch_.lap();
         return result;
@@ -310,10 +318,16 @@ private:
         report_.status = SolveStatus::DistanceReached;
         double movedBefore = std::numeric_limits<double>::infinity();
         double blend = 1.0;
+        int iterationsLeft = effort_.restIterations;
+        const auto isMinimal = [&](double decrement) {
+            const MinimiseResult result = minimiseOnce(decrement, iterationsLeft);
+            iterationsLeft -= static_cast<int>(result.iterations.size());
+            return result.status == MinimiseStatus::Converged;
+        };
         for (int refresh = 0; refresh < kMaxRefreshes; ++refresh) {
             const ControlPoints before = curve_.controls;
             refreshDirections(blend);
-            if (minimiseOnce(decrements_.rest).status != MinimiseStatus::Converged) {
+            if (!isMinimal(effort_.rest)) {
                 break;
             }
             const double moved = (curve_.controls - before).rowwise().norm().maxCoeff();
@@ -322,7 +336,7 @@ private:
             }
             movedBefore = moved;
             if (moved < kRestShare * tolerance_) {
-                if (minimiseOnce(decrements_.fine).status == MinimiseStatus::Converged) {
+                if (isMinimal(effort_.fine)) {
                     report_.status = SolveStatus::Converged;
                 }
                 break;
@@ -362,7 +376,7 @@ private:
     Stopwatch watch_;
     SplineCurve curve_;
     int segments_;  // on each span, of two samples each; 0: integrals cell by cell
-    Decrements decrements_;
+    Effort effort_;
     std::unique_ptr<Stage> stage_;
     EnergyWeights weights_;
     BendingDirections directions_;
@@ -377,8 +391,8 @@ private:
 
 }  // namespace
 
-Solution solve(const CurveProblem& problem, const GuidePath& guide) {
-    return Solver(problem, guide).run();
+Solution solve(const CurveProblem& problem, const GuidePath& guide, SplineCurve first) {
+    return Solver(problem, guide, std::move(first)).run();
 }
 
 }  // namespace bspline_curve

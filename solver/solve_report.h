@@ -37,7 +37,7 @@ struct IterationReport {
     double total = 0.0;  ///< weighted sum (7)
     EnergyTerms terms;
     double decrement = 0.0;  ///< Newton decrement, half the squared norm, in units of the energy
-    double step = 0.0;       ///< accepted step length in (0, 1]
+    double step = 0.0;       ///< accepted step length, above 1 where the whole step was too short
 };
 
 struct RoundReport {
@@ -58,6 +58,10 @@ struct SolveReport {
     double maxDistance = 0.0;  ///< largest distance of spline and surface, in average edge lengths
     double maxPickGap = 0.0;   ///< largest |P(t_ki) - x_i|, relative to the diagonal
     int newtonIterations = 0;
+    double fieldCost = 0.0;  ///< E_ext (5), the mean of c over t; 0 without a field
+    /// False where the iterations ended although the field still pulled: a sharper curve would cost
+    /// less.
+    bool fieldAtRest = true;
     std::vector<RoundReport> rounds;
     std::vector<IterationReport> iterations;
 

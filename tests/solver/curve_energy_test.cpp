@@ -135,7 +135,7 @@ TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
     }
     fixture.setField(field);
     avoid(fixture, c.avoided);
-    const SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide());
+    const SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide()).value();
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
     CurveEnergy energy(fixture.problem(), curve.space, rows, 0);

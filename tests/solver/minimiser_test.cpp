@@ -47,7 +47,7 @@ class Minimisation : public testing::TestWithParam<Case> {};
 
 TEST_P(Minimisation, NeverRaisesTheEnergy) {
     const ProblemFixture fixture = noisySphere(GetParam().options, GetParam().withField);
-    const Solution solution = solve(fixture.problem(), fixture.guide());
+    const Solution solution = solved(fixture);
     const std::vector<IterationReport>& iterations = solution.report.iterations;
     ASSERT_FALSE(iterations.empty());
     int falls = 0;
@@ -66,7 +66,7 @@ TEST_P(Minimisation, EndsAtAStationaryPointThatMeetsThePicks) {
     SolverOptions options = GetParam().options;
     options.bending = Bending::Ambient;
     const ProblemFixture fixture = noisySphere(options, GetParam().withField);
-    SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide());
+    SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide()).value();
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
     const CurveEnergy energy(fixture.problem(), curve.space, rows, 0);
@@ -85,7 +85,7 @@ TEST_P(Minimisation, EndsAtAStationaryPointThatMeetsThePicks) {
 
 TEST_P(Minimisation, StopsAtItsLimitAndSaysSo) {
     const ProblemFixture fixture = noisySphere(GetParam().options, GetParam().withField);
-    SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide());
+    SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide()).value();
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
     const CurveEnergy energy(fixture.problem(), curve.space, rows, 0);

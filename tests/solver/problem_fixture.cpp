@@ -68,4 +68,12 @@ void ProblemFixture::setField(const std::vector<double>& field) {
     }
 }
 
+Solution solved(const ProblemFixture& fixture) {
+    return solve(
+        fixture.problem(),
+        fixture.guide(),
+        makeFirstCurve(fixture.problem(), fixture.guide()).value()
+    );
+}
+
 }  // namespace bspline_curve::test_support

@@ -3,6 +3,7 @@
 
 #include "design/guide_path.h"
 #include "solver/initial_curve.h"
+#include "solver/solve.h"
 #include "support/coarse_shell.h"
 #include "surface/surface.h"
 
@@ -50,5 +51,8 @@ private:
     GuidePath guide_;
     CurveProblem problem_;
 };
+
+/// The solution from the first spline along the guide.
+[[nodiscard]] Solution solved(const ProblemFixture& fixture);
 
 }  // namespace bspline_curve::test_support

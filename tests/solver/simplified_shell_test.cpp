@@ -135,7 +135,7 @@ struct Drawn {
 };
 
 Drawn draw(const ProblemFixture& fixture, const std::vector<Vec3>& picks) {
-    Solution solution = solve(fixture.problem(), fixture.guide());
+    Solution solution = solved(fixture);
     const ShadowCurve shadow(fixture.problem(), solution.curve.space, solution.curve.controls);
     SurfacePolyline line =
         makeStrictPolyline(fixture.surface(), fixture.problem(), shadow, SamplingOptions());
