@@ -43,10 +43,8 @@ std::vector<double> onGivenMesh(
     std::vector<double> field, const MeshRepair& repair, std::size_t vertexCount
 ) {
     field.resize(vertexCount);
-    const auto& merged = repair.report.mergedVertices;
-    for (auto pair = merged.rbegin(); pair != merged.rend(); ++pair) {
-        field[static_cast<std::size_t>(pair->first)] =
-            field[static_cast<std::size_t>(pair->second)];
+    for (const auto& [vertex, into] : repair.report.mergedVertices) {
+        field[static_cast<std::size_t>(vertex)] = field[static_cast<std::size_t>(into)];
     }
     return field;
 }

@@ -182,6 +182,20 @@ def test_repaired_meshes_give_values_for_the_mesh_as_it_was(run, tmp_path, fold)
     assert len(json.loads((tmp_path / "r.json").read_text())["repair"]["duplicated_vertices"]) == 1
 
 
+def test_merged_vertices_have_the_value_of_what_they_became(run, tmp_path, fold):
+    V, F, x = fold
+    a, b = F[700][:2]
+    V[a] = V[b]
+    meshes.write_ply(tmp_path / "bad.ply", V, F)
+    words = ("--kind", "boundary-distance", "--output", "made.npy", "--repair", "--report", "r.json", "--reach", "1")
+    process = run("field", "bad.ply", *words)
+    assert process.returncode == 0, process.stderr
+    merged = json.loads((tmp_path / "r.json").read_text())["repair"]["merged_vertices"]
+    assert sorted(merged[0]) == sorted([a, b])
+    values = np.load(tmp_path / "made.npy")
+    assert values[a] == values[b] > 0 and len(values) == len(V)
+
+
 # ---- fields of curves ----
 
 CURVE = ("fold.ply", "--picks", "picks.json", "--output", "curve.ply", "--report", "r.json")
