@@ -109,11 +109,9 @@ private:
 constexpr std::size_t kFewestPoints =
     5;  // as many as a quadric through the centre has coefficients
 
-/// Half a ring, or less than five points, say too little.
+/// Less than five points on one ring say too little, as at boundaries.
 int ringsAt(const Surface& surface, int vertex, int rings) {
-    const bool isEnough = !surface.isBoundaryVertex(vertex) &&
-                          surface.facesAround(vertex).size() >= static_cast<int>(kFewestPoints);
-    return isEnough ? rings : 2;
+    return surface.facesAround(vertex).size() < static_cast<int>(kFewestPoints) ? 2 : rings;
 }
 
 /// Fits a quadric through a vertex to the points around it, and leaves the result in the vertex.

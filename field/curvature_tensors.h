@@ -15,7 +15,7 @@ namespace bspline_curve {
 /// of the surface, positive where the surface is convex seen from outside. Directions change places
 /// so that a crease has nearly the same matrix on both of its sides: its own direction.
 /// From vcglib's fits of quadrics (UpdateCurvatureFitting) through each vertex and `rings` (1 or 2)
-/// rings of vertices around it; always 2 at boundaries and where less than five faces meet. Zero
+/// rings of vertices around it; always 2 where less than five faces meet. Zero
 /// where less than five vertices are found, or they lie on a line. About 2 us per vertex.
 [[nodiscard]] std::vector<Eigen::Matrix3d> curvatureTensors(
     const Surface& surface,

@@ -129,7 +129,6 @@ Elements assemble(
     const std::vector<char>& isInRegion,
     const RegionVertices& vertices
 ) {
-    constexpr double kLeastMass = 1e-6;  // of the mean
     const double largestCotangent = 1.0 / std::tan(std::numbers::pi / 180.0);
     const auto count = static_cast<Eigen::Index>(vertices.ids.size());
     Elements elements{
@@ -168,7 +167,6 @@ Elements assemble(
     const double diagonal = surface.diagonal();
     elements.masses /= diagonal * diagonal;
     elements.outflow /= diagonal;
-    elements.masses = elements.masses.cwiseMax(kLeastMass * elements.masses.mean());
     return elements;
 }
 

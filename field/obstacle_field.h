@@ -15,8 +15,8 @@ namespace bspline_curve {
 /// region are the edges between it and other faces; where it ends with the mesh, it goes on as in a
 /// mirror. Mixed linear elements with lumped masses and a sparse LDL' factorisation; of second
 /// order in the edge length. Over a ragged boundary the hill is lower, by a seventh where that
-/// follows a grid. Cotangents are clamped to those of 1 degree, masses to a millionth of their
-/// mean, so that slivers cannot ruin the matrix. 2 us per vertex of small regions, 17 in those of
+/// follows a grid. Cotangents are clamped to those of 1 degree, so that slivers
+/// cannot ruin the matrix. 2 us per vertex of small regions, 17 in those of
 /// 50,000. Throws InputError (BadField): no faces; an id that is no face; a region that covers a
 /// component of the surface (first faces of each); no vertex inside a region whose boundary value
 /// is 0, where the field would be 0 throughout.

@@ -169,10 +169,10 @@ TEST(ObstacleField, GoesOnAsInAMirrorWhereTheMeshEnds) {
 TEST(ObstacleField, SurvivesSlivers) {
     TriangleMesh mesh = plate(30, 30);
     for (Vec3& p : mesh.vertices) {
-        // Columns of 1e-7 of their width beside wide ones.
+        // Columns of 1e-12 of their width beside wide ones.
         const double column = std::round(30.0 * p.x());
         if (static_cast<int>(column) % 5 == 1) {
-            p.x() = (column - 1.0 + 1e-7) / 30.0;
+            p.x() = (column - 1.0 + 1e-12) / 30.0;
         }
     }
     const auto field = obstacleField(
@@ -184,6 +184,41 @@ TEST(ObstacleField, SurvivesSlivers) {
     EXPECT_GT(*std::ranges::max_element(field), 0.1);
     EXPECT_LT(*std::ranges::max_element(field), 0.3);
     EXPECT_GT(*std::ranges::min_element(field), -0.05);
+}
+
+// A vertex whose faces are all tiny has hardly any mass.
+TEST(ObstacleField, SurvivesTinyFaces) {
+    TriangleMesh mesh = plate(30, 30);
+    const Triangle face = mesh.faces[900];
+    const int first = static_cast<int>(mesh.vertices.size());
+    Vec3 centre = Vec3::Zero();
+    for (const int corner : face) {
+        centre += mesh.vertices[static_cast<std::size_t>(corner)] / 3.0;
+    }
+    for (const int corner : face) {
+        mesh.vertices.push_back(
+            centre + 1e-9 * (mesh.vertices[static_cast<std::size_t>(corner)] - centre)
+        );
+    }
+    mesh.vertices.push_back(centre);
+    mesh.faces[900] = {first, first + 1, first + 3};
+    mesh.faces.push_back({first + 1, first + 2, first + 3});
+    mesh.faces.push_back({first + 2, first, first + 3});
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3;
+        mesh.faces.push_back(
+            {face[static_cast<std::size_t>(k)], face[static_cast<std::size_t>(next)], first + next}
+        );
+        mesh.faces.push_back({face[static_cast<std::size_t>(k)], first + next, first + k});
+    }
+    const auto inside = [](const Vec3& p) { return (p - Vec3(0.5, 0.5, 0)).norm() < 0.3; };
+    const TriangleMesh even = plate(30, 30);
+    const auto expected =
+        obstacleField(Surface(even), facesWhere(even, inside), 0.0, std::sqrt(2.0));
+    const auto field = obstacleField(Surface(mesh), facesWhere(mesh, inside), 0.0, std::sqrt(2.0));
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_NEAR(field[i], expected[i], 0.01) << i;
+    }
 }
 
 TEST(ObstacleField, IsTheBoundaryValueWhereNoVertexIsInside) {

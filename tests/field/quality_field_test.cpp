@@ -121,6 +121,16 @@ TEST_F(QualityField, SmoothingTakesNoiseAway) {
     EXPECT_EQ(made(noise), noise);
 }
 
+// No rounding below what there was, on which a cost like x^2 would be wrong.
+TEST_F(QualityField, SmoothingStaysWithinTheRange) {
+    std::vector<double> spike(441, 0.0);
+    spike[220] = 1.0;
+    options_.smoothing = 0.05;
+    const auto smooth = made(spike);
+    EXPECT_EQ(*std::ranges::min_element(smooth), 0.0);
+    EXPECT_LT(*std::ranges::max_element(smooth), 0.7);
+}
+
 TEST_F(QualityField, RefusesWhatIsNoValuePerVertex) {
     expectRefused({}, "the quality has 0 values, the mesh 441 vertices");
     expectRefused(ramp(440), "the quality has 440 values");
