@@ -44,7 +44,7 @@ struct FieldOptions {
     FieldKind kind = FieldKind::MaximalCurvature;
     /// Curvature, ridge and valley: radius of the discs that curvatures are averaged over, in
     /// [0, 1].
-    double curvatureScale = 0.01;
+    double curvatureScale = 0.015;
     /// Crease distance: edges are creases where the normals of their faces differ by more, in
     /// degrees, in [0, 180).
     double creaseAngle = 40.0;
