@@ -156,14 +156,14 @@ TEST_P(InvarianceUnderRemeshing, MidpointSubdivisionMovesTheCurveByLessThanEpsil
         << coarse.report.knotsLast << " and " << fine.report.knotsLast << " knots";
 }
 
-TEST_P(InvarianceUnderRemeshing, RenumberingMovesTheCurveByLessThanEpsilon) {
+TEST_P(InvarianceUnderRemeshing, RenumberingMovesTheCurveByLessThanTwoEpsilon) {
     const Curve reference = CurveDesigner(scene_.mesh).design(scene_.picks, scene_.options);
-    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const Curve curve =
             CurveDesigner(renumbered(scene_.mesh, seed)).design(scene_.picks, scene_.options);
         EXPECT_TRUE(curve.report.usable);
-        EXPECT_LT(inEpsilon(largestDistance(reference.polyline, curve.polyline)), 1.0)
+        EXPECT_LT(inEpsilon(largestDistance(reference.polyline, curve.polyline)), 2.0)
             << reference.report.knotsLast << " and " << curve.report.knotsLast << " knots";
     }
 }
