@@ -84,35 +84,35 @@ void requireClear(const Surface& surface, const SurfacePolyline& line, const Obs
     }
 }
 
-void refusePicksIn(
-    const Region& region, const Surface& surface, const std::vector<SurfacePoint>& picks
+void refuseAvoidedPicks(
+    const Surface& surface, const Obstacles& obstacles, const std::vector<SurfacePoint>& picks
 ) {
+    const auto refuse = [](std::size_t pick, int face, const std::string& what) {
+        throw InputError(
+            InputErrorCode::PickAvoided,
+            "pick " + std::to_string(pick) + " lies in face " + std::to_string(face) + what +
+                ": move the pick, or avoid fewer faces",
+            {static_cast<std::int64_t>(pick)}
+        );
+    };
     for (std::size_t i = 0; i < picks.size(); ++i) {
         for (const int f : facesHolding(surface, picks[i])) {
-            if (indexIn(region, f) >= 0) {
-                throw InputError(
-                    InputErrorCode::PickAvoided,
-                    "pick " + std::to_string(i) + " lies in face " + std::to_string(f) +
-                        ", which the curve is to avoid: move the pick, or avoid fewer faces",
-                    {static_cast<std::int64_t>(i)}
-                );
+            if (obstacles.isAvoided(f)) {
+                refuse(i, f, ", which the curve is to avoid");
             }
+        }
+        if (obstacles.closeness(picks[i]) >= 1.0) {
+            refuse(i, picks[i].face, ", all of whose neighbours the curve is to avoid");
         }
     }
 }
 
-void refuseEnclosedPicks(const Obstacles& obstacles, const std::vector<SurfacePoint>& picks) {
-    for (std::size_t i = 0; i < picks.size(); ++i) {
-        if (obstacles.closeness(picks[i]) >= 1.0) {
-            throw InputError(
-                InputErrorCode::PickAvoided,
-                "pick " + std::to_string(i) + " lies in face " + std::to_string(picks[i].face) +
-                    ", all of whose neighbours the curve is to avoid: move the pick, or avoid "
-                    "fewer faces",
-                {static_cast<std::int64_t>(i)}
-            );
-        }
-    }
+[[noreturn]] void refuseLostCurve(SolveStatus status) {
+    throw InputError(
+        InputErrorCode::NoShell,
+        std::string("the curve left the shell and did not find back (") + name(status) +
+            "): use the default preset, or add picks"
+    );
 }
 
 // Shares of the field by which paths follow it: less where no spline along them stays in the shell.
@@ -164,10 +164,9 @@ struct CurveDesigner::State {
     void checkField(std::span<const double> field) const;
     [[nodiscard]] std::vector<double> fieldOnPillars(std::span<const double> field) const;
     void refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const;
+    [[nodiscard]] Region regionOf(std::span<const int> faces) const;
     [[nodiscard]] std::optional<Obstacles> obstaclesOf(
-        const Guidance& guidance,
-        const std::vector<SurfacePoint>& picks,
-        const SolverOptions& options
+        const Region& region, const SolverOptions& options
     ) const;
     [[nodiscard]] Start startCurve(
         const std::vector<SurfacePoint>& picks,
@@ -175,6 +174,7 @@ struct CurveDesigner::State {
         const Guidance& guidance,
         const Obstacles* obstacles
     ) const;
+    void measureClearance(const Region& region, Curve& curve) const;
     [[nodiscard]] SurfacePolyline polylineOf(
         const CurveProblem& problem,
         const SplineSpace& space,
@@ -240,21 +240,20 @@ void CurveDesigner::State::refuseBlockedPicks(const std::vector<SurfacePoint>& p
     }
 }
 
+Region CurveDesigner::State::regionOf(std::span<const int> faces) const {
+    return makeRegion(surface, std::vector<std::int64_t>(faces.begin(), faces.end()));
+}
+
 std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
-    const Guidance& guidance, const std::vector<SurfacePoint>& picks, const SolverOptions& options
+    const Region& region, const SolverOptions& options
 ) const {
-    if (guidance.avoid.empty()) {
+    if (region.empty()) {
         return std::nullopt;
     }
     requireExactAvoidance(options);
-    const std::vector<std::int64_t> ids(guidance.avoid.begin(), guidance.avoid.end());
-    const Region region = makeRegion(surface, ids);
-    refusePicksIn(region, surface, picks);
-    std::optional<Obstacles> obstacles(
+    return std::optional<Obstacles>(
         std::in_place, surface, *base, region, options.avoidMargin * surface.diagonal()
     );
-    refuseEnclosedPicks(*obstacles, picks);
-    return obstacles;
 }
 
 CurveProblem CurveDesigner::State::makeProblem(
@@ -343,6 +342,20 @@ SurfacePolyline CurveDesigner::State::polylineOf(
     return makeStrictPolyline(surface, problem, isUsable ? fine : shadow, sampling);
 }
 
+void CurveDesigner::State::measureClearance(const Region& region, Curve& curve) const {
+    std::vector<Triangle> avoided;
+    for (const int f : region) {
+        avoided.push_back(surface.faces()[at(f)]);
+    }
+    const TriangleTree avoidedTree(surface.vertices(), avoided);
+    curve.report.avoidedFaces = static_cast<int>(region.size());
+    for (const Vec3& point : curve.polyline.points) {
+        curve.report.clearance = std::min(
+            curve.report.clearance, std::sqrt(avoidedTree.closestPoint(point).squaredDistance)
+        );
+    }
+}
+
 SplineData CurveDesigner::State::exportSpline(
     const SplineCurve& curve, const CurveProblem& problem
 ) const {
@@ -399,7 +412,11 @@ Curve CurveDesigner::design(
     const std::vector<SurfacePoint> located =
         locatePicks(state.surface, state.tree, picks, options.closed);
     state.refuseBlockedPicks(located);
-    const std::optional<Obstacles> obstacles = state.obstaclesOf(guidance, located, options);
+    const Region region = state.regionOf(guidance.avoid);
+    const std::optional<Obstacles> obstacles = state.obstaclesOf(region, options);
+    if (obstacles) {
+        refuseAvoidedPicks(state.surface, *obstacles, located);
+    }
     Start start = state.startCurve(located, options, guidance, obstacles ? &*obstacles : nullptr);
     CurveProblem& problem = start.problem;
     problem.progress = progress;
@@ -409,22 +426,19 @@ Curve CurveDesigner::design(
     }
     const Solution solution = solve(problem, start.guide, std::move(start.curve));
     if (!std::isfinite(solution.report.maxDistance)) {
-        throw InputError(
-            InputErrorCode::NoShell,
-            std::string("the curve left the shell and did not find back (") +
-                name(solution.report.status) + "): use the default preset, or add picks"
-        );
+        refuseLostCurve(solution.report.status);
     }
 
     Stopwatch watch;
     Curve curve;
     curve.polyline =
         state.polylineOf(problem, solution.curve.space, solution.curve.controls, sampling);
-    if (obstacles) {
-        requireClear(state.surface, curve.polyline, *obstacles);
-    }
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;
+    if (obstacles) {
+        requireClear(state.surface, curve.polyline, *obstacles);
+        state.measureClearance(region, curve);
+    }
     curve.report.seconds.path = start.pathSeconds;
     curve.report.seconds.initial = start.fitSeconds;
     curve.report.seconds.polyline = watch.lap();
@@ -432,7 +446,9 @@ Curve CurveDesigner::design(
     return curve;
 }
 
-SurfacePolyline CurveDesigner::resample(const Curve& curve, const SamplingOptions& sampling) const {
+SurfacePolyline CurveDesigner::resample(
+    const Curve& curve, const SamplingOptions& sampling, std::span<const int> avoid
+) const {
     sampling.validate();
     const State& state = *state_;
     const SplineData& data = curve.spline;
@@ -454,8 +470,14 @@ SurfacePolyline CurveDesigner::resample(const Curve& curve, const SamplingOption
     SolverOptions options;
     options.degree = data.degree;
     options.closed = data.closed;
-    const CurveProblem problem = state.makeProblem(options, std::move(picks), {});
-    return state.polylineOf(problem, space, controls, sampling);
+    CurveProblem problem = state.makeProblem(options, std::move(picks), {});
+    const std::optional<Obstacles> obstacles = state.obstaclesOf(state.regionOf(avoid), options);
+    problem.obstacles = obstacles ? &*obstacles : nullptr;
+    SurfacePolyline line = state.polylineOf(problem, space, controls, sampling);
+    if (obstacles) {
+        requireClear(state.surface, line, *obstacles);
+    }
+    return line;
 }
 
 }  // namespace bspline_curve

@@ -9,6 +9,7 @@
 #include "surface/surface.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,9 @@ public:
     ) const;
 
     /// The polyline of a curve of this designer at another sampling, without solving again.
+    /// `avoid`: what the curve was drawn to avoid.
     [[nodiscard]] SurfacePolyline resample(
-        const Curve& curve, const SamplingOptions& sampling
+        const Curve& curve, const SamplingOptions& sampling, std::span<const int> avoid = {}
     ) const;
 
     [[nodiscard]] const Surface& surface() const;

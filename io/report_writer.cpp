@@ -68,6 +68,7 @@ Json iterationsOf(const SolveReport& report) {
             {"external", iteration.terms.external},
             {"distance", iteration.terms.distance},
             {"fit", iteration.terms.fit},
+            {"avoidance", iteration.terms.avoidance},
             {"decrement", iteration.decrement},
             {"step", iteration.step},
         });
@@ -85,6 +86,13 @@ Json fieldOf(const SolveReport& report, const RunFigures& figures) {
         {"mean_cost", report.fieldCost},
         {"at_rest", report.fieldAtRest},
     };
+}
+
+Json avoidanceOf(const SolveReport& report) {
+    if (report.avoidedFaces == 0) {
+        return nullptr;
+    }
+    return {{"faces", report.avoidedFaces}, {"clearance", report.clearance}};
 }
 
 Json meshOf(const Surface& surface, const std::string& file) {
@@ -110,6 +118,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"cached", figures.shell.isFromStore},
         {"notes", figures.shell.notes},
         {"field", fieldOf(report, figures)},
+        {"avoid", avoidanceOf(report)},
         {"seconds", secondsOf(report, figures)},
         {"knots_first", report.knotsFirst},
         {"knots_last", report.knotsLast},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,10 @@ struct SolveReport {
     /// False where the iterations ended although the field still pulled: a sharper curve would cost
     /// less.
     bool fieldAtRest = true;
+    int avoidedFaces = 0;
+    /// Least distance of a vertex of the polyline to the avoided faces, user's unit; infinite where
+    /// there are none.
+    double clearance = std::numeric_limits<double>::infinity();
     std::vector<RoundReport> rounds;
     std::vector<IterationReport> iterations;
 

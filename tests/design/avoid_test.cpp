@@ -195,6 +195,29 @@ TEST_P(Avoidance, CurvesTakeTheOtherWayRoundATorus) {
     EXPECT_EQ(error->code(), InputErrorCode::NoPath) << error->what();
 }
 
+TEST_P(Avoidance, CurvesSayHowClearTheyAreAtEverySampling) {
+    const CurveDesigner designer = designerOn(jitteredPlate(40, 40, 0.2, 3));
+    const std::vector<Vec3> picks = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
+    const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
+    const Curve curve = curveRound(designer, picks, disc);
+    EXPECT_EQ(curve.report.avoidedFaces, static_cast<int>(disc.size()));
+    double nearest = 1.0;
+    for (const Vec3& p : curve.polyline.points) {
+        for (const int f : disc) {
+            for (const int v : designer.surface().faces()[at(f)]) {
+                nearest = std::min(nearest, (p - designer.surface().vertices()[at(v)]).norm());
+            }
+        }
+    }
+    EXPECT_GT(curve.report.clearance, 0.0);
+    EXPECT_LE(curve.report.clearance, nearest);
+    EXPECT_GT(curve.report.clearance, nearest - designer.surface().averageEdgeLength());
+    expectOutside(designer.surface(), disc, designer.resample(curve, {5000, 0.0}, disc));
+    const Curve free = designer.design(picks);
+    EXPECT_EQ(free.report.avoidedFaces, 0);
+    EXPECT_TRUE(std::isinf(free.report.clearance));
+}
+
 TEST_P(Avoidance, PicksMayLieNextToWhatIsAvoided) {
     const CurveDesigner designer = designerOn(plate(40, 40));
     const Region half = facesWhere(designer.surface(), [](const Vec3& p) { return p.y() < 0.5; });

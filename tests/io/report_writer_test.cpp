@@ -80,6 +80,14 @@ TEST(ReportWriter, SaysNullWhereNoWarmTimeWasAskedFor) {
     EXPECT_EQ(reportOf(smallCurve(false), figures)["seconds"]["warm"], 0.125);
 }
 
+TEST(ReportWriter, SaysWhatACurveAvoidsAndHowClearItIs) {
+    EXPECT_TRUE(reportOf(smallCurve(false))["avoid"].is_null());
+    Curve curve = smallCurve(false);
+    curve.report.avoidedFaces = 7;
+    curve.report.clearance = 0.25;
+    expectValues(reportOf(curve), {{"/avoid/faces", 7}, {"/avoid/clearance", 0.25}});
+}
+
 TEST(ReportWriter, SurvivesFileNamesThatAreNotUtf8) {
     RunFigures figures;
     figures.meshFile = "a\xff.ply";
