@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -86,6 +87,17 @@ Inputs readInputs(CurveArguments& arguments) {
     return inputs;
 }
 
+GivenMesh givenMesh(
+    const CurveArguments& arguments, const Inputs& inputs, std::span<const double> values
+) {
+    return {
+        .file = arguments.mesh,
+        .faces = inputs.givenFaces,
+        .quality = values,
+        .repair = inputs.repair ? &*inputs.repair : nullptr
+    };
+}
+
 /// Empty where none is asked for.
 std::vector<double> makeFieldFor(
     const CurveArguments& arguments,
@@ -96,14 +108,8 @@ std::vector<double> makeFieldFor(
     if (arguments.field.empty()) {
         return {};
     }
-    const Region region = readRegion(
-        arguments.fieldRegion,
-        surface,
-        {.file = arguments.mesh,
-         .faces = inputs.givenFaces,
-         .quality = inputs.quality,
-         .repair = inputs.repair ? &*inputs.repair : nullptr}
-    );
+    const Region region =
+        readRegion(arguments.fieldRegion, surface, givenMesh(arguments, inputs, inputs.quality));
     return makeField(
         surface, arguments.fieldOptions, {.quality = inputs.quality, .region = region}, progress
     );
@@ -112,6 +118,7 @@ std::vector<double> makeFieldFor(
 struct Drawn {
     CurveDesigner designer;
     std::vector<double> field;
+    Region avoid;
     Curve curve;
     RunFigures figures;
 };
@@ -135,11 +142,16 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
         arguments, inputs, designer.surface(), progressPart(bar, kShellShare, kFieldShare)
     );
     figures.fieldSeconds = watch.lap();
+    Region avoid = readRegion(
+        arguments.avoid,
+        designer.surface(),
+        givenMesh(arguments, inputs, field.empty() ? inputs.quality : field)
+    );
     Curve curve = designer.design(
         inputs.picks,
         arguments.solver,
         arguments.sampling,
-        {.field = field},
+        {.field = field, .avoid = avoid},
         progressPart(bar, kFieldShare, 1.0)
     );
     figures.designSeconds = watch.lap();
@@ -158,6 +170,7 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
     return {
         .designer = std::move(designer),
         .field = std::move(field),
+        .avoid = std::move(avoid),
         .curve = std::move(curve),
         .figures = figures
     };
@@ -181,7 +194,7 @@ std::optional<double> timeWarm(
             inputs.picks,
             arguments.solver,
             arguments.sampling,
-            {.field = drawn.field},
+            {.field = drawn.field, .avoid = drawn.avoid},
             [](double, const char*) { return !interrupted(); }
         ));
         times.push_back(watch.lap());

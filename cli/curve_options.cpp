@@ -78,6 +78,42 @@ void addShape(OptionTable<SolverOptions>& table) {
     );
 }
 
+const std::string kUnderThreshold = "under-threshold";
+const std::string kOverThreshold = "over-threshold";
+
+void addAvoidance(CLI::App& app, std::string& avoid, std::optional<double>& threshold) {
+    app.add_option(
+           "--avoid",
+           avoid,
+           "Faces that the curve does not enter: a file of their ids from 0 on, .npy of integers "
+           "or "
+           "a text; or those over which the mean of the field (without one, of the quality of a "
+           ".ply mesh) is under or over --avoid-threshold"
+    )
+        ->type_name(joined({kUnderThreshold, kOverThreshold, "FILE"}));
+    app.add_option("--avoid-threshold", threshold, "Threshold of --avoid")->type_name("X");
+}
+
+/// Throws CLI::ValidationError where there is a threshold without a use, or none for one.
+RegionArguments avoidedRegion(const std::string& avoid, std::optional<double> threshold) {
+    const bool isThreshold = avoid == kUnderThreshold || avoid == kOverThreshold;
+    if (isThreshold != threshold.has_value()) {
+        throw CLI::ValidationError(
+            "--avoid-threshold is for --avoid " + kUnderThreshold + " and --avoid " +
+            kOverThreshold + ", which need it"
+        );
+    }
+    RegionArguments region;
+    if (avoid == kUnderThreshold) {
+        region.under = threshold;
+    } else if (avoid == kOverThreshold) {
+        region.over = threshold;
+    } else {
+        region.file = avoid;
+    }
+    return region;
+}
+
 constexpr const char* kNaturalCost = "natural";
 
 /// What a value costs; the natural cost is known once the kind is.
@@ -105,6 +141,15 @@ void addFieldCost(CLI::App& app, std::string& cost) {
         ->check(oneOf(words))
         ->type_name(joined(words))
         ->capture_default_str();
+}
+
+void addMargin(OptionTable<SolverOptions>& table) {
+    table.number(
+        "--avoid-margin",
+        &SolverOptions::avoidMargin,
+        withinAbove(0.0, 1.0),
+        "From this far away on what is avoided pushes the curve, relative to the mesh's diagonal"
+    );
 }
 
 void addSampling(OptionTable<SamplingOptions>& table) {
@@ -218,6 +263,8 @@ public:
         addFiles(app_, arguments_);
         addShape(shape_);
         addFieldCost(app_, fieldCost_);
+        addAvoidance(app_, avoid_, avoidThreshold_);
+        addMargin(shape_);
         addSampling(sampling_);
         app_.add_option(
                 "--preset",
@@ -247,6 +294,7 @@ public:
         shellKind_.apply(arguments_.shell);
         shell_.apply(arguments_.shell);
         setField();
+        arguments_.avoid = avoidedRegion(avoid_, avoidThreshold_);
         arguments_.solver.validate();
         arguments_.fieldOptions.validate();
         arguments_.sampling.validate();
@@ -281,6 +329,8 @@ private:
     CurveArguments arguments_;
     std::string preset_ = "default";
     std::string fieldCost_ = kNaturalCost;
+    std::string avoid_;  // empty: nothing
+    std::optional<double> avoidThreshold_;
     OptionTable<SolverOptions> shape_{app_, kMain};
     OptionTable<SamplingOptions> sampling_{app_, kMain};
     OptionTable<FieldOptions> field_{app_, kFieldGroup};

@@ -21,6 +21,8 @@ struct CurveArguments {
     std::string field;             ///< empty: none; the name of a kind; else a file of values
     FieldOptions fieldOptions;     ///< of a file, too: its values are those of the kind quality
     RegionArguments fieldRegion;
+    RegionArguments
+        avoid;       ///< thresholds are for the field, or for the quality where there is none
     int repeat = 0;  ///< further curves to time
     bool repair = false;
     bool noCache = false;

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Faces to avoid, as a user names them."""
+
+import json
+
+import made_meshes as meshes
+import numpy as np
+import pytest
+
+CELLS = 24
+
+
+@pytest.fixture
+def wall(tmp_path):
+    """A plate with quality x in plate.ply, picks left and right; ids of the faces of a wall between them in wall.txt."""
+    V, F = meshes.plate(cells=CELLS)
+    meshes.write_ply(tmp_path / "plate.ply", V, F, quality=V[:, 0])
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": [[0.1, 0.4, 0], [0.9, 0.45, 0]]}))
+    middle = V[F].mean(1)
+    ids = np.flatnonzero((abs(middle[:, 0] - 0.5) < 0.1) & (middle[:, 1] < 0.7))
+    (tmp_path / "wall.txt").write_text("# the wall\n" + "\n".join(map(str, ids)) + "\n")
+    np.save(tmp_path / "wall.npy", ids)
+    return V, F, ids
+
+
+def draw(run, *words, mesh="plate.ply"):
+    return run(mesh, "--picks", "picks.json", "--output", "curve.json", "--report", "report.json", *words)
+
+
+def result(folder):
+    return [json.loads((folder / name).read_text()) for name in ("curve.json", "report.json")]
+
+
+def faces_of(curve):
+    return np.array(curve["polyline"]["faces"])
+
+
+@pytest.mark.parametrize("file", ["wall.txt", "wall.npy"])
+@pytest.mark.parametrize("shell", ["full", "simplified"])
+def test_the_curve_goes_round_the_faces_of_a_file(run, tmp_path, wall, file, shell):
+    process = draw(run, "--avoid", file, "--shell", shell, "--no-cache")
+    assert process.returncode == 0, process.stderr
+    curve, report = result(tmp_path)
+    assert not np.isin(faces_of(curve), wall[2]).any()
+    assert max(p[1] for p in curve["polyline"]["points"]) > 0.7
+    assert report["avoid"]["faces"] == len(wall[2]) and 0 < report["avoid"]["clearance"] < 0.1
+
+
+def test_nothing_is_avoided_unless_it_is_asked_for(run, tmp_path, wall):
+    assert draw(run).returncode == 0
+    curve, report = result(tmp_path)
+    assert report["avoid"] is None
+    assert np.isin(faces_of(curve), wall[2]).any()
+
+
+def test_faces_are_avoided_by_the_quality_or_the_field(run, tmp_path, wall):
+    V, F, _ = wall
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": [[0.75, 0.1, 0], [0.75, 0.4, 0], [0.9, 0.9, 0]]}))
+    process = draw(run, "--avoid", "under-threshold", "--avoid-threshold", "0.7")
+    assert process.returncode == 0, process.stderr
+    x = V[F].mean(1)[:, 0]
+    curve, report = result(tmp_path)
+    assert report["avoid"]["faces"] == (x < 0.7).sum()
+    assert (x[faces_of(curve)] > 0.7).all()
+    np.savetxt(tmp_path / "field.txt", -V[:, 0])
+    words = ["--field", "field.txt", "--field-weight", "0"]
+    process = draw(run, *words, "--avoid", "over-threshold", "--avoid-threshold", "-0.7")
+    assert process.returncode == 0, process.stderr
+    assert result(tmp_path)[0]["polyline"]["points"] == curve["polyline"]["points"]
+
+
+def test_ids_are_those_of_the_mesh_before_its_repair(run, tmp_path, wall):
+    V, F, ids = wall
+    # A face without area goes first and is removed, so that all ids change.
+    F = np.vstack([[0, 1, 1], F])
+    meshes.write_obj(tmp_path / "bad.obj", V, F)
+    np.save(tmp_path / "wall.npy", ids + 1)
+    process = draw(run, "--avoid", "wall.npy", "--repair", mesh="bad.obj")
+    assert process.returncode == 0, process.stderr
+    curve, report = result(tmp_path)
+    assert report["avoid"]["faces"] == len(ids)
+    assert not np.isin(faces_of(curve), ids + 1).any()
+
+
+def expect_refused(process, status, *words):
+    assert process.returncode == status
+    assert len(process.stderr.splitlines()) == 1
+    for word in words:
+        assert word in process.stderr
+
+
+def test_what_has_no_way_is_refused_by_name(run, tmp_path, wall):
+    V, F, _ = wall
+    middle = V[F].mean(1)
+    np.save(tmp_path / "whole.npy", np.flatnonzero(abs(middle[:, 0] - 0.5) < 0.1))
+    expect_refused(draw(run, "--avoid", "whole.npy"), 1, "from pick 0 to pick 1", "avoid")
+    np.save(tmp_path / "left.npy", np.flatnonzero(middle[:, 0] < 0.3))
+    expect_refused(draw(run, "--avoid", "left.npy"), 1, "pick 0 lies in face", "avoid")
+    assert not (tmp_path / "curve.json").exists()
+
+
+def test_wrong_ids_files_and_settings_are_refused(run, tmp_path, wall):
+    faces = 2 * CELLS * CELLS
+    (tmp_path / "ids.txt").write_text(f"3 {faces} -1")
+    expect_refused(draw(run, "--avoid", "ids.txt"), 1, f"-1, {faces}", f"0 to {faces - 1}")
+    (tmp_path / "ids.txt").write_text("3 x")
+    expect_refused(draw(run, "--avoid", "ids.txt"), 1, "ids.txt, line 1", "whole number")
+    expect_refused(draw(run, "--avoid", "none.txt"), 1, "none.txt", "no such file")
+    expect_refused(draw(run, "--avoid", "wall.txt", "--quadrature", "samples"), 1, "quadrature", "cells")
+    expect_refused(draw(run, "--avoid", "wall.txt", "--preset", "paper"), 1, "use cells")
+    expect_refused(draw(run, "--avoid", "under-threshold"), 2, "--avoid-threshold")
+    expect_refused(draw(run, "--avoid", "wall.txt", "--avoid-threshold", "1"), 2, "--avoid-threshold")
+    expect_refused(draw(run, "--avoid", "wall.txt", "--avoid-margin", "0"), 2, "(0, 1]")
+    meshes.write_obj(tmp_path / "plain.obj", *wall[:2])
+    words = ["--avoid", "over-threshold", "--avoid-threshold", "0.5"]
+    expect_refused(draw(run, *words, mesh="plain.obj"), 1, "plain.obj", "quality")
