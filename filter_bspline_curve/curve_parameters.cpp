@@ -65,6 +65,10 @@ const QString kNoField = "none";
 const QStringList kFieldCosts = {
     "natural", name(FieldCost::Identity), name(FieldCost::Square), name(FieldCost::ExpMinus)
 };
+// In the order of the enumerators.
+const QStringList kAvoided = {
+    "none", "selected-faces", "selected-vertices", "under-threshold", "over-threshold"
+};
 const QStringList kPresets = {"default", "paper"};
 const QStringList kShells = {name(ShellKind::Simplified), name(ShellKind::FullResolution)};
 // In these the first choice leaves the decision to the preset.
@@ -198,6 +202,33 @@ void addShapeParameters(RichParameterList& list, const MeshDocument& document) {
         diagonalOf(document),
         "Largest segment",
         "No segment of the polyline is longer than this, in world units. 0: not limited."
+    ));
+}
+
+void addAvoidParameters(RichParameterList& list) {
+    list.addParam(RichEnum(
+        "avoid",
+        0,
+        kAvoided,
+        "Faces to avoid",
+        "Faces of the surface that the curve does not enter. none: it may enter all; "
+        "selected-faces; selected-vertices: the faces all of whose vertices are selected; "
+        "under-threshold, over-threshold: the faces over which the mean of the field, or without a "
+        "field of the per-vertex quality, is under or over the threshold."
+    ));
+    list.addParam(RichFloat(
+        "avoid_threshold",
+        0.0,
+        "Threshold of faces to avoid",
+        "The threshold of under-threshold and over-threshold, in the unit of the field."
+    ));
+    list.addParam(RichFloat(
+        "avoid_margin",
+        SolverOptions().avoidMargin,
+        "Margin of faces to avoid",
+        "From this far away on they push the curve, relative to the diagonal of the surface's box, "
+        "above 0 and at most 1.",
+        kAdvanced
     ));
 }
 
@@ -412,6 +443,7 @@ SolverOptions readSolverOptions(
     const auto count = [&](int& option, const char* name, int byDefault) {
         overridePreset(option, parameters.getInt(name), byDefault);
     };
+    number(options.avoidMargin, "avoid_margin", standard.avoidMargin);
     number(options.normalBendingWeight, "normal_bending_weight", standard.normalBendingWeight);
     number(options.distanceTolerance, "distance_tolerance", standard.distanceTolerance);
     number(options.minimumSpan, "minimum_span", standard.minimumSpan);
@@ -427,6 +459,7 @@ RichParameterList curveParameters(const MeshDocument& document) {
     RichParameterList list;
     addPickParameters(list, document);
     addShapeParameters(list, document);
+    addAvoidParameters(list);
     addShellKindParameter(list);
     addFieldOptions(list, kFieldPrefix, kAdvanced);
     addPresetParameters(list);
@@ -443,6 +476,8 @@ CurveRequest readRequest(const RichParameterList& parameters) {
     request.picksFile = parameters.getOpenFileName("picks_file").trimmed();
     request.picksText = parameters.getString("picks").trimmed();
     request.field = readField(parameters);
+    request.avoid = static_cast<Avoid>(choiceOf(parameters, "avoid", kAvoided));
+    request.avoidThreshold = typedNumber(parameters.getFloat("avoid_threshold"));
     request.solver = readSolverOptions(parameters, request.field);
     request.shell.kind = static_cast<ShellKind>(choiceOf(parameters, "shell", kShells));
     request.shell.targetThickness = typedNumber(parameters.getFloat("target_thickness"));

@@ -14,6 +14,10 @@
 
 namespace bspline_curve {
 
+/// What a curve does not enter: a selection of the layer, or the faces over which the mean of the
+/// field (without one, of the quality) is under or over a threshold.
+enum class Avoid { Nothing, SelectedFaces, SelectedVertices, UnderThreshold, OverThreshold };
+
 /// What the user asked for, as the host hands it over.
 struct CurveRequest {
     unsigned int surfaceLayer = 0;
@@ -21,6 +25,8 @@ struct CurveRequest {
     QString picksFile;            ///< empty: none
     QString picksText;            ///< empty: none
     std::optional<FieldRequest> field;
+    Avoid avoid = Avoid::Nothing;
+    double avoidThreshold = 0.0;
     SolverOptions solver;
     ShellOptions shell;
     SamplingOptions sampling;

@@ -10,6 +10,7 @@
 #include "filter_bspline_curve/result_layer.h"
 #include "io/shell_cache.h"
 #include "surface/input_error.h"
+#include "surface/region.h"
 
 #include <chrono>
 #include <new>
@@ -66,6 +67,29 @@ CurveDesigner designerFor(
     });
 }
 
+/// The faces to avoid. `field` is empty where there is none.
+Region avoidedRegion(
+    const CurveRequest& request,
+    const MeshModel& layer,
+    const LayerMesh& mesh,
+    const Surface& surface,
+    const std::vector<double>& field
+) {
+    const auto values = [&] { return field.empty() ? qualityOf(layer, mesh) : field; };
+    switch (request.avoid) {
+        case Avoid::SelectedFaces:
+            return selectedRegion(layer, mesh, surface, RegionSource::SelectedFaces);
+        case Avoid::SelectedVertices:
+            return selectedRegion(layer, mesh, surface, RegionSource::SelectedVertices);
+        case Avoid::UnderThreshold:
+            return facesUnder(surface, values(), request.avoidThreshold);
+        case Avoid::OverThreshold:
+            return facesOver(surface, values(), request.avoidThreshold);
+        default:
+            return {};
+    }
+}
+
 struct Drawn {
     std::map<std::string, QVariant> figures;
     ShellSummary shell;
@@ -96,8 +120,13 @@ Drawn drawCurve(const CurveRequest& request, MeshDocument& document, vcg::CallBa
             );
         });
     }
+    const Region avoid = avoidedRegion(request, surface, mesh, designer.surface(), field);
     const Curve curve = designer.design(
-        picks.picks, options, request.sampling, {.field = field}, hostProgress(callback, 60.0, 99.0)
+        picks.picks,
+        options,
+        request.sampling,
+        {.field = field, .avoid = avoid},
+        hostProgress(callback, 60.0, 99.0)
     );
     addCurveLayer(document, surface, mesh, curve, field);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -2,15 +2,12 @@
 #include "filter_bspline_curve/layer_field.h"
 
 #include "field/make_field.h"
-#include "surface/region.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 
 namespace bspline_curve {
-
-namespace {
 
 Region selectedRegion(
     const MeshModel& layer, const LayerMesh& mesh, const Surface& surface, RegionSource source
@@ -30,8 +27,6 @@ Region selectedRegion(
     }
     return region;
 }
-
-}  // namespace
 
 std::vector<double> fieldOf(
     const MeshModel& layer,

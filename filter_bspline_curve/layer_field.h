@@ -4,6 +4,7 @@
 #include "filter_bspline_curve/field_parameters.h"
 #include "filter_bspline_curve/layer_mesh.h"
 #include "surface/progress.h"
+#include "surface/region.h"
 #include "surface/surface.h"
 
 #include <common/ml_document/mesh_model.h>
@@ -24,6 +25,11 @@ namespace bspline_curve {
     const Surface& surface,
     const FieldRequest& request,
     const Progress& progress
+);
+
+/// The selected faces of a layer, or those all of whose vertices are selected.
+[[nodiscard]] Region selectedRegion(
+    const MeshModel& layer, const LayerMesh& mesh, const Surface& surface, RegionSource source
 );
 
 /// Makes a field the per-vertex quality of the layer and answers with its minimum, mean and
