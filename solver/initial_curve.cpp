@@ -103,6 +103,8 @@ ControlPoints fit(const CurveProblem& problem, const GuidePath& guide, const Spl
     if (system.factorise(blocks, kFitConstraintWeight)) {
         Eigen::Map<Eigen::VectorXd>(controls.data(), controls.size()) =
             system.constrainedStep(gradient, system.residual(controls), kFitConstraintWeight);
+        // To rounding, before it is asked whether the curve stays inside.
+        system.meetConstraints(controls);
     }
     return controls;
 }
