@@ -67,10 +67,11 @@ Region makeRegion(const Surface& surface, std::span<const std::int64_t> faces) {
         std::ranges::sort(bad);
         const auto repeated = std::ranges::unique(bad);
         bad.erase(repeated.begin(), repeated.end());
+        const std::string count =
+            describeCount(bad.size(), "id of the region is", "ids of the region are");
         refuseElements(
             InputErrorCode::IndexOutOfRange,
-            describeCount(bad.size(), "id of the region is", "ids of the region are") +
-                " no face of the mesh",
+            count + " no face of the mesh",
             "ids",
             std::move(bad),
             "faces are numbered from 0 to " + std::to_string(surface.faceCount() - 1)
