@@ -143,13 +143,16 @@ std::vector<double> faceCostsOf(
     if (field.empty() || weight == 0.0 || !options.fieldGuidesPath) {
         return {};
     }
+    std::vector<double> atVertices;
+    atVertices.reserve(field.size());
+    for (const double value : field) {
+        atVertices.push_back(fieldCost(options.fieldCost, value).value);
+    }
     std::vector<double> costs;
     costs.reserve(surface.faces().size());
     for (const Triangle& face : surface.faces()) {
-        double sum = 0.0;
-        for (const int v : face) {
-            sum += fieldCost(options.fieldCost, field[at(v)]).value;
-        }
+        const double sum =
+            atVertices[at(face[0])] + atVertices[at(face[1])] + atVertices[at(face[2])];
         costs.push_back(sum / 3.0);
     }
     const double least = std::ranges::min(costs);

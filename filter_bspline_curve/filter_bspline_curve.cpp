@@ -256,6 +256,12 @@ std::map<std::string, QVariant> FilterBsplineCurvePlugin::applyFilter(
         for (const std::string& note : drawn.shell.notes) {
             log(GLLogStream::WARNING, note);
         }
+        if (!drawn.figures["field_at_rest"].toBool()) {
+            log(GLLogStream::WARNING,
+                "The field could still be lowered where the iterations ended: it pulls the curve "
+                "into bends that are sharper than its knots. Smooth the field, or lower its "
+                "weight.");
+        }
         if (!drawn.figures["usable"].toBool()) {
             log(GLLogStream::WARNING,
                 "The curve did not reach the distance tolerance: its layer shows how far it "

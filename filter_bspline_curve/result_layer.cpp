@@ -151,6 +151,8 @@ std::map<std::string, QVariant> figuresOf(
         {"max_pick_gap", report.maxPickGap},
         {"rounds", static_cast<int>(report.rounds.size())},
         {"newton_iterations", report.newtonIterations},
+        {"field_cost", report.fieldCost},
+        {"field_at_rest", report.fieldAtRest},
         {"avoided_faces", report.avoidedFaces},
         {"clearance", report.clearance},
         {"seconds", seconds},
