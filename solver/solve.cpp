@@ -60,6 +60,8 @@ constexpr double kHighestRoughTension = 0.5;
 // Sampled energies have kinks, at which line searches stall: less than half a step is not worth it.
 constexpr double kRoughLeastStep = 0.3;
 constexpr double kLeastStep = 1e-10;
+// A stall with more of the energy left to gain is no end: weights and knots would grow in vain.
+constexpr double kStuckDecrement = 0.1;
 
 // Weight of E_avoid. Over 169 curves on two scans 1, 3 and 10 take the same iterations; with 3
 // curves keep about half the margin where they bend round an obstacle.
@@ -95,6 +97,12 @@ double shortestPickDistance(const CurveProblem& problem) {
             std::min(shortest, (problem.picks[i].position - problem.picks[i - 1].position).norm());
     }
     return shortest;
+}
+
+// Whether a line search ended far from the minimum.
+bool isStuck(const MinimiseResult& result) {
+    return result.status == MinimiseStatus::LineSearchStalled &&
+           result.iterations.back().decrement > kStuckDecrement * result.value.scale;
 }
 
 // What belongs to one knot vector.
@@ -139,9 +147,11 @@ public:
             const ControlPoints before = curve_.controls;
             MinimiseResult result = minimiseOnce(isRough() ? kSampledDecrement : effort_.rough);
             double largestHeight = measure();
-            if (isRough() && !std::isfinite(distance_)) {
-                // It left the shell between two samples.
-                curve_.controls = before;
+            if (isRough() && (!std::isfinite(distance_) || isStuck(result))) {
+                // It left the shell between two samples, or a kink of the sampled energy holds it.
+                if (!std::isfinite(distance_)) {
+                    curve_.controls = before;
+                }
                 becomeExact();
                 refreshDirections(kRoughBlend);
                 result = minimiseOnce(effort_.rough);
