@@ -27,11 +27,11 @@ enum class KnotRule { EnergyAndDistance, FeatureFunction };
 
 /// Options of one curve. The defaults are what measured best; paperPreset() is what the paper says.
 struct SolverOptions {
-    int degree = 3;        ///< polynomial degree (the paper's k), 2, 3 or 4
-    bool closed = false;   ///< a periodic curve through the picks; at least 3 picks
-    double tension = 0.0;  ///< lambda of (4), in [0, 1]: 0 smooth, 1 straight
-    double fieldWeight =
-        1500.0;  ///< mu of (7), >= 0, for costs between 0 and 1; has no effect without a field
+    int degree = 3;               ///< polynomial degree (the paper's k), 2, 3 or 4
+    bool closed = false;          ///< a periodic curve through the picks; at least 3 picks
+    double tension = 0.0;         ///< lambda of (4), in [0, 1]: 0 smooth, 1 straight
+    double fieldWeight = 2000.0;  ///< mu of (7), >= 0, for costs between 0 and 1; has no effect
+                                  ///< without a field
     FieldCost fieldCost = FieldCost::Identity;
     bool fieldGuidesPath = true;  ///< the first curve follows the field as well, not only geodesics
 
