@@ -65,11 +65,17 @@ std::optional<std::vector<int>> StripSearch::find(
         if (best.cost > arrivalAt(best.crossing).cost) {
             continue;  // found cheaper since
         }
-        const int face = faceBehind(best.crossing);
-        if (contains(goalFaces, face)) {
+        if (best.isWhole) {
             return stripTo(best.crossing);
         }
-        leave(face, middle(best.crossing), best.cost, best.crossing);
+        const int face = faceBehind(best.crossing);
+        const Vec3 from = middle(best.crossing);
+        if (contains(goalFaces, face)) {
+            // The last leg may cost much, and a way into another of these faces less.
+            const double whole = best.cost + costOf(face) * (goal_ - from).norm();
+            push({whole, best.cost, best.crossing, true});
+        }
+        leave(face, from, best.cost, best.crossing);
     }
     return std::nullopt;
 }
@@ -107,7 +113,11 @@ void StripSearch::offer(double cost, int crossing, int before) {
         touched_.push_back(static_cast<int>(&arrival - arrivals_.data()));
     }
     arrival = {cost, crossing, before};
-    queue_.push_back({cost + leastCost_ * (goal_ - middle(crossing)).norm(), cost, crossing});
+    push({cost + leastCost_ * (goal_ - middle(crossing)).norm(), cost, crossing});
+}
+
+void StripSearch::push(const Offer& entry) {
+    queue_.push_back(entry);
     std::ranges::push_heap(queue_, std::greater<>());
 }
 

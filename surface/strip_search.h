@@ -44,6 +44,7 @@ private:
         double estimate;  // of the whole way
         double cost;
         int crossing;
+        bool isWhole = false;  // the goal lies behind the crossing, and the estimate is exact
 
         bool operator>(const Offer& other) const {
             return estimate != other.estimate ? estimate > other.estimate
@@ -55,6 +56,7 @@ private:
     [[nodiscard]] int faceBehind(int crossing) const;
     [[nodiscard]] Arrival& arrivalAt(int crossing);
     void offer(double cost, int crossing, int before);
+    void push(const Offer& entry);
     void leave(int face, const Vec3& from, double cost, int before);
     void clear();
     [[nodiscard]] std::vector<int> stripTo(int crossing);

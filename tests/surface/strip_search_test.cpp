@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/strip_search.h"
+
+#include "support/many_cases.h"
+#include "support/meshes.h"
+#include "support/random.h"
+#include "surface/surface_point.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+Vec3 middleBetween(const Surface& surface, int face, int neighbour) {
+    const Triangle& neighbours = surface.faceNeighbours()[at(face)];
+    const auto k =
+        static_cast<std::size_t>(std::ranges::find(neighbours, neighbour) - neighbours.begin());
+    const Triangle& corners = surface.faces()[at(face)];
+    return 0.5 * (surface.vertices()[at(corners[(k + 1) % 3])] +
+                  surface.vertices()[at(corners[(k + 2) % 3])]);
+}
+
+/// What the way in a strip costs, over the midpoints of its edges.
+double costOf(
+    const Surface& surface,
+    const std::vector<int>& strip,
+    const std::vector<double>& costs,
+    const SurfacePoint& start,
+    const SurfacePoint& goal
+) {
+    double sum = 0.0;
+    Vec3 from = surface.position(start);
+    for (std::size_t i = 0; i < strip.size(); ++i) {
+        const Vec3 to = i + 1 < strip.size() ? middleBetween(surface, strip[i], strip[i + 1])
+                                             : surface.position(goal);
+        sum += costs[at(strip[i])] * (to - from).norm();
+        from = to;
+    }
+    return sum;
+}
+
+/// The least cost of all ways, by relaxing every face until nothing changes: no queue, no estimate.
+double leastCost(
+    const Surface& surface,
+    const std::vector<double>& costs,
+    const SurfacePoint& start,
+    const SurfacePoint& goal
+) {
+    const auto isOpen = [&](int f) { return f >= 0 && std::isfinite(costs[at(f)]); };
+    // Of the way into a face over each of its edges.
+    std::vector<std::array<double, 3>> entry(surface.faces().size(), {kFar, kFar, kFar});
+    const auto relax = [&](int f, const Vec3& from, double cost) {
+        bool isChanged = false;
+        for (const int g : surface.faceNeighbours()[at(f)]) {
+            if (!isOpen(g)) {
+                continue;
+            }
+            const Triangle& back = surface.faceNeighbours()[at(g)];
+            double& known =
+                entry[at(g)][at(static_cast<int>(std::ranges::find(back, f) - back.begin()))];
+            const double offered =
+                cost + costs[at(f)] * (middleBetween(surface, f, g) - from).norm();
+            if (offered < known) {
+                known = offered;
+                isChanged = true;
+            }
+        }
+        return isChanged;
+    };
+    for (const int f : facesHolding(surface, start)) {
+        if (isOpen(f)) {
+            relax(f, surface.position(start), 0.0);
+        }
+    }
+    for (bool isChanged = true; isChanged;) {
+        isChanged = false;
+        for (int f = 0; f < surface.faceCount(); ++f) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double cost = entry[at(f)][k];
+                if (std::isfinite(cost)) {
+                    const int g = surface.faceNeighbours()[at(f)][k];
+                    isChanged |= relax(f, middleBetween(surface, f, g), cost);
+                }
+            }
+        }
+    }
+    double least = kFar;
+    for (const int f : facesHolding(surface, goal)) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (std::isfinite(entry[at(f)][k])) {
+                const int g = surface.faceNeighbours()[at(f)][k];
+                const Vec3 last = surface.position(goal) - middleBetween(surface, f, g);
+                least = std::min(least, entry[at(f)][k] + costs[at(f)] * last.norm());
+            }
+        }
+    }
+    return least;
+}
+
+class StripsOfLeastCost : public testing::TestWithParam<std::uint64_t> {
+protected:
+    SurfacePoint randomPoint() {
+        SurfacePoint point{random_.integer(0, surface_.faceCount() - 1), random_.barycentric()};
+        if (random_.integer(0, 1) == 0) {
+            point.barycentric = Vec3::Unit(random_.integer(0, 2));
+        }
+        return point;
+    }
+
+    Random random_{GetParam()};
+    Surface surface_{withNoise(icosphere(2), 0.03, GetParam())};
+    testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(GetParam())};
+};
+
+TEST_P(StripsOfLeastCost, AreThoseOfAnExhaustiveSearch) {
+    for (int i = 0; i < caseCount(20, 4); ++i) {
+        SCOPED_TRACE("case " + std::to_string(i));
+        std::vector<double> costs;
+        for (int f = 0; f < surface_.faceCount(); ++f) {
+            costs.push_back(random_.integer(0, 4) == 0 ? kFar : random_.uniform(1.0, 20.0));
+        }
+        StripSearch search(surface_, costs);
+        for (int query = 0; query < 10; ++query) {
+            SCOPED_TRACE("query " + std::to_string(query));
+            const SurfacePoint a = randomPoint();
+            const SurfacePoint b = randomPoint();
+            const std::optional<std::vector<int>> strip = search.find(a, b);
+            const double least = leastCost(surface_, costs, a, b);
+            if (!strip) {
+                EXPECT_EQ(least, kFar);
+                continue;
+            }
+            for (const int f : *strip) {
+                EXPECT_TRUE(std::isfinite(costs[at(f)])) << "face " << f;
+            }
+            if (strip->size() > 1) {
+                // Sums of at most a hundred legs, in another order.
+                EXPECT_NEAR(costOf(surface_, *strip, costs, a, b), least, 1e-12 * least);
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, StripsOfLeastCost, testing::Values(1, 2, 3));
+
+}  // namespace
+}  // namespace bspline_curve
