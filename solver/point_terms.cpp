@@ -43,7 +43,7 @@ AffineForm beyondForm(const CurveProblem& problem, const ShellCell& cell) {
 }  // namespace
 
 double fieldWeight(const CurveProblem& problem) {
-    return problem.field.empty() ? 0.0 : problem.options.fieldWeight;
+    return problem.fieldCosts.meanExcess > 0.0 ? problem.options.fieldWeight : 0.0;
 }
 
 double fieldStrength(const CurveProblem& problem) {

@@ -64,7 +64,7 @@ private:
     ClosenessForm closeness_;
 };
 
-/// The weight of the field: mu of (7), or 0 without a field.
+/// The weight of the field: mu of (7), or 0 without a field or where it costs the same everywhere.
 [[nodiscard]] double fieldWeight(const CurveProblem& problem);
 
 /// How strong the field is beside bending: mu times what the field costs on average over its least

@@ -67,12 +67,26 @@ constexpr double kStuckDecrement = 0.1;
 // curves keep about half the margin where they bend round an obstacle.
 constexpr double kAvoidance = 3.0;
 
+// A field whose pull is less than the digits that are asked of E_int, at 5 and more, is none.
+constexpr double kFaintField = 1e-6;
+
+bool hasPull(const CurveProblem& problem) {
+    return fieldStrength(problem) > kFaintField;
+}
+
+// E_ext; what costs the same everywhere is not integrated.
+double meanFieldCost(const CurveProblem& problem, const EnergyTerms& terms) {
+    if (problem.options.fieldWeight == 0.0) {
+        return 0.0;
+    }
+    return fieldWeight(problem) > 0.0 ? terms.external : problem.fieldCosts.least;
+}
+
 int firstSegments(const CurveProblem& problem) {
     if (problem.options.quadrature == Quadrature::Samples) {
         return problem.options.samplesPerSpan;
     }
-    const bool isSmooth =
-        problem.options.tension <= kHighestRoughTension && fieldStrength(problem) == 0.0;
+    const bool isSmooth = problem.options.tension <= kHighestRoughTension && !hasPull(problem);
     // Straight walks between samples cut the corners of what the curve avoids.
     const bool isFree = problem.obstacles == nullptr;
     return problem.shell->isFullResolution() || !isSmooth || !isFree ? 0 : kRoughSegments;
@@ -124,7 +138,7 @@ public:
           options_(problem.options),
           curve_(std::move(first)),
           segments_(firstSegments(problem)),
-          effort_(fieldStrength(problem) > 0.0 ? kFieldEffort : kPlainEffort),
+          effort_(hasPull(problem) ? kFieldEffort : kPlainEffort),
           stage_(std::make_unique<Stage>(problem, curve_.space, segments_)),
           tolerance_(options_.distanceTolerance * problem.averageEdgeLength),
           restingMove_(std::min(tolerance_, kMoveShare * shortestPickDistance(problem))),
@@ -229,9 +243,8 @@ private:
         if (options_.interpolation == Interpolation::Constraint) {
             stage_->system.meetConstraints(curve_.controls);  // rounding of many steps
         }
-        report_.fieldCost = fieldWeight(problem_) > 0.0 ? result.value.terms.external : 0.0;
-        report_.fieldAtRest =
-            fieldStrength(problem_) == 0.0 || result.status == MinimiseStatus::Converged;
+        report_.fieldCost = meanFieldCost(problem_, result.value.terms);
+        report_.fieldAtRest = !hasPull(problem_) || result.status == MinimiseStatus::Converged;
         report_.newtonIterations += static_cast<int>(result.iterations.size());
         report_.seconds.minimise += watch_.lap();
         return result;
