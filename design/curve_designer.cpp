@@ -161,7 +161,7 @@ struct CurveDesigner::State {
         std::vector<PickConstraint> picks,
         std::span<const double> field
     ) const;
-    void checkField(std::span<const double> field) const;
+    void checkField(std::span<const double> field, FieldCost cost) const;
     [[nodiscard]] std::vector<double> fieldOnPillars(std::span<const double> field) const;
     void refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const;
     [[nodiscard]] Region regionOf(std::span<const int> faces) const;
@@ -186,7 +186,7 @@ struct CurveDesigner::State {
     ) const;
 };
 
-void CurveDesigner::State::checkField(std::span<const double> field) const {
+void CurveDesigner::State::checkField(std::span<const double> field, FieldCost cost) const {
     if (field.empty()) {
         return;
     }
@@ -199,15 +199,15 @@ void CurveDesigner::State::checkField(std::span<const double> field) const {
     }
     std::vector<std::int64_t> bad;
     for (std::size_t v = 0; v < field.size(); ++v) {
-        if (!std::isfinite(field[v])) {
+        if (!std::isfinite(field[v]) || !std::isfinite(fieldCost(cost, field[v]).value)) {
             bad.push_back(static_cast<std::int64_t>(v));
         }
     }
     if (!bad.empty()) {
         throw InputError(
             InputErrorCode::BadField,
-            "the field is not finite at " + std::to_string(bad.size()) + " vertices (" +
-                describeElements(bad) + "): give a number there",
+            "the field or its cost is not finite at " + std::to_string(bad.size()) + " vertices (" +
+                describeElements(bad) + "): give another number there",
             bad
         );
     }
@@ -408,7 +408,7 @@ Curve CurveDesigner::design(
     options.validate();
     sampling.validate();
     const State& state = *state_;
-    state.checkField(guidance.field);
+    state.checkField(guidance.field, options.fieldCost);
     const std::vector<SurfacePoint> located =
         locatePicks(state.surface, state.tree, picks, options.closed);
     state.refuseBlockedPicks(located);

@@ -62,6 +62,20 @@ TEST_F(Refusals, FieldsThatAreNotFiniteAreRefusedWithTheirVertices) {
     EXPECT_EQ(error->elements(), (std::vector<std::int64_t>{7, 11}));
 }
 
+TEST_F(Refusals, FieldsWhoseCostIsNotFiniteAreRefusedWithTheirVertices) {
+    std::vector<double> field(25, 1.0);
+    field[7] = -1000.0;
+    SolverOptions options;
+    options.fieldCost = FieldCost::ExpMinus;
+    const auto error = refusal([&] {
+        static_cast<void>(designer_.design(picks_, options, {}, {.field = field}));
+    });
+    ASSERT_TRUE(error.has_value());
+    EXPECT_EQ(error->code(), InputErrorCode::BadField);
+    EXPECT_EQ(error->elements(), std::vector<std::int64_t>{7});
+    EXPECT_NO_THROW(static_cast<void>(designer_.design(picks_, {}, {}, {.field = field})));
+}
+
 TEST_F(Refusals, OptionsOutOfRangeAreRefused) {
     SolverOptions options;
     options.degree = 5;
