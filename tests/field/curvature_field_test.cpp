@@ -115,7 +115,7 @@ TEST(CurvatureField, OfATorusHasBothOfItsCurvatures) {
     }
 }
 
-// (25) is the constant 1 / 0.3 on the outside of a torus; ridges are strongest on its outer circle,
+// (25) is the constant 1 / 0.3 on the outside of a torus; ridges are strongest on its outer half,
 // and valleys of the torus turned inside out as well.
 TEST(CurvatureField, RidgesTellTheCirclesOfATorusApart) {
     const TriangleMesh mesh = torus(200, 60);
