@@ -120,83 +120,94 @@ INSTANTIATE_TEST_SUITE_P(Shells, TorusField, kEitherShell, nameOfShell);
 
 // ---- A groove along a helix, engraved in a cylinder ----
 
-// The mesh is an unrolled grid of edges of 0.05. The groove has the profile -kDepth exp(-(s /
-// kWidth)^2).
-constexpr double kStart = 0.5, kPitch = 2.5, kTurns = 1.5;
-constexpr double kHeight = 2.0 * kStart + kTurns * kPitch;
+// The groove has the profile -kDepth exp(-(s / kWidth)^2), s the distance along the unrolled
+// cylinder.
 constexpr double kDepth = 0.1, kWidth = 0.12;
-constexpr int kSegments = 128;
 
-/// Along the unrolled cylinder.
-double distanceToHelix(const Vec3& p) {
-    const double turns = std::atan2(p.y(), p.x()) / (2.0 * kPi);
-    const double above = (p.z() - kStart) / kPitch - turns;
-    return std::abs(above - std::round(above)) * kPitch * std::cos(std::atan2(kPitch, 2.0 * kPi));
-}
+struct Helix {
+    double pitch = 2.5;
+    int segments = 128;  // of the mesh, an unrolled grid of nearly square cells
 
-TriangleMesh engravedCylinder() {
-    const auto rings = static_cast<int>(std::lround(kSegments * kHeight / (2.0 * kPi)));
-    TriangleMesh mesh = openCylinder(kSegments, rings, 1.0, kHeight);
-    for (Vec3& v : mesh.vertices) {
-        v.head<2>() *= 1.0 - kDepth * std::exp(-std::pow(distanceToHelix(v) / kWidth, 2.0));
+    static constexpr double kStart = 0.5, kTurns = 1.5;
+
+    [[nodiscard]] double edge() const { return 2.0 * kPi / segments; }
+
+    [[nodiscard]] double distance(const Vec3& p) const {
+        const double turns = std::atan2(p.y(), p.x()) / (2.0 * kPi);
+        const double above = (p.z() - kStart) / pitch - turns;
+        const double slope = std::atan2(pitch, 2.0 * kPi);
+        return std::abs(above - std::round(above)) * pitch * std::cos(slope);
     }
-    return mesh;
-}
 
-/// The vertices next to points of the helix.
-std::vector<Vec3> picksOnHelix(const TriangleMesh& mesh, const std::vector<double>& turns) {
-    std::vector<Vec3> picks;
-    for (const double turn : turns) {
-        const double angle = 2.0 * kPi * turn;
-        const Vec3 p(std::cos(angle), std::sin(angle), kStart + kPitch * turn);
-        picks.push_back(*std::ranges::min_element(mesh.vertices, {}, [&](const Vec3& v) {
-            return (v - p).squaredNorm();
-        }));
+    [[nodiscard]] TriangleMesh engraved() const {
+        const double height = 2.0 * kStart + kTurns * pitch;
+        const auto rings = static_cast<int>(std::lround(height / edge()));
+        TriangleMesh mesh = openCylinder(segments, rings, 1.0, height);
+        for (Vec3& v : mesh.vertices) {
+            v.head<2>() *= 1.0 - kDepth * std::exp(-std::pow(distance(v) / kWidth, 2.0));
+        }
+        return mesh;
     }
-    return picks;
-}
 
-double meanFromHelix(const Curve& curve) {
-    return meanWhere(curve.polyline, distanceToHelix);
-}
+    /// The vertices next to points of the helix.
+    [[nodiscard]] std::vector<Vec3> picks(
+        const TriangleMesh& mesh, const std::vector<double>& turns
+    ) const {
+        std::vector<Vec3> found;
+        for (const double turn : turns) {
+            const double angle = 2.0 * kPi * turn;
+            const Vec3 p(std::cos(angle), std::sin(angle), kStart + pitch * turn);
+            found.push_back(*std::ranges::min_element(mesh.vertices, {}, [&](const Vec3& v) {
+                return (v - p).squaredNorm();
+            }));
+        }
+        return found;
+    }
+
+    [[nodiscard]] double meanDistance(const Curve& curve) const {
+        return meanWhere(curve.polyline, [this](const Vec3& p) { return distance(p); });
+    }
+};
 
 const FieldOptions kValley{.kind = FieldKind::Valley};
 
 // The way along the groove is twice as long as the one across: the first curve must lie in the
 // groove, since no small change of the one across leads there.
 TEST(HelixField, CurvesFollowTheGrooveByTheirFirstPath) {
-    const TriangleMesh mesh = engravedCylinder();
+    const Helix helix;
+    const TriangleMesh mesh = helix.engraved();
     const CurveDesigner designer(mesh);
     SolverOptions unguided;
     unguided.fieldGuidesPath = false;
     for (const double turns : {1.0, 1.5}) {
         SCOPED_TRACE(std::to_string(turns) + " turns");
-        const std::vector<Vec3> picks = picksOnHelix(mesh, {0.0, turns});
+        const std::vector<Vec3> picks = helix.picks(mesh, {0.0, turns});
         const Curve along = curveAlong(designer, picks, kValley);
         const Curve unaided = curveAlong(designer, picks, kValley, unguided);
-        EXPECT_LT(meanFromHelix(along), 0.1 * kWidth);
-        EXPECT_GT(meanFromHelix(designer.design(picks)), 3.0 * kWidth);
-        EXPECT_GT(meanFromHelix(unaided), kWidth);
+        EXPECT_LT(helix.meanDistance(along), 0.1 * kWidth);
+        EXPECT_GT(helix.meanDistance(designer.design(picks)), 3.0 * kWidth);
+        EXPECT_GT(helix.meanDistance(unaided), kWidth);
         EXPECT_LT(along.report.fieldCost, 0.5 * unaided.report.fieldCost);
     }
 }
 
 TEST(HelixField, CurvesFollowTheGrooveOfANoisyMesh) {
-    constexpr double kEdge = 2.0 * kPi / kSegments;
+    const Helix helix;
     for (const std::uint64_t seed : {3U, 4U}) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        const TriangleMesh mesh = withNoise(engravedCylinder(), 0.05 * kEdge, seed);
+        const TriangleMesh mesh = withNoise(helix.engraved(), 0.05 * helix.edge(), seed);
         const CurveDesigner designer(mesh);
-        const Curve curve = curveAlong(designer, picksOnHelix(mesh, {0.0, 1.0}), kValley);
+        const Curve curve = curveAlong(designer, helix.picks(mesh, {0.0, 1.0}), kValley);
         // Half an edge: curvature sees the noise of two rings.
-        EXPECT_LT(meanFromHelix(curve), 0.5 * kEdge);
+        EXPECT_LT(helix.meanDistance(curve), 0.5 * helix.edge());
     }
 }
 
 // Rounding alone differs; 1e-11 measured.
 TEST(FieldUnits, TheSameWeightMeansTheSameInEveryUnit) {
-    const TriangleMesh mesh = withNoise(engravedCylinder(), 0.002, 3);
-    const std::vector<Vec3> picks = picksOnHelix(mesh, {0.0, 0.6, 1.2});
+    const Helix helix;
+    const TriangleMesh mesh = withNoise(helix.engraved(), 0.002, 3);
+    const std::vector<Vec3> picks = helix.picks(mesh, {0.0, 0.6, 1.2});
     const Curve reference = curveAlong(CurveDesigner(mesh), picks, kValley);
     const double diagonal = Surface(mesh).diagonal();
     for (const double scale : {1e-3, 1e3}) {
