@@ -188,7 +188,13 @@ void addModel(OptionTable<SolverOptions>& table) {
             {"geodesic-fit", InitialCurve::GeodesicFit},
             {"control-polygon", InitialCurve::ControlPolygon}
         },
-        "First spline: a fit to the geodesic through the picks, or Alg. 2 of the paper"
+        "First spline: a fit to the path through the picks, or Alg. 2 of the paper"
+    );
+    table.choice(
+        "--field-guides-path",
+        &S::fieldGuidesPath,
+        Names<bool>{{"on", true}, {"off", false}},
+        "The path through the picks goes where the field costs little, or is a geodesic"
     );
     table.choice(
         "--quadrature",

@@ -74,6 +74,7 @@ const QStringList kShells = {name(ShellKind::Simplified), name(ShellKind::FullRe
 // In these the first choice leaves the decision to the preset.
 const QStringList kBendings = {"preset", "geodesic", "ambient"};
 const QStringList kInitialCurves = {"preset", "geodesic-fit", "control-polygon"};
+const QStringList kSwitch = {"preset", "off", "on"};
 const QStringList kQuadratures = {"preset", "cells", "samples"};
 const QStringList kBarrierWidths = {"preset", "full", "tight"};
 const QStringList kDistanceWeights = {"preset", "schedule", "adaptive"};
@@ -323,8 +324,16 @@ void addMethodParameters(RichParameterList& list) {
         0,
         kInitialCurves,
         "Initial curve",
-        "geodesic-fit: a fit to the shortest path through the picks; control-polygon: Alg. 2 of "
-        "the paper.",
+        "geodesic-fit: a fit to the path through the picks; control-polygon: Alg. 2 of the paper.",
+        kAdvanced
+    ));
+    list.addParam(RichEnum(
+        "field_guides_path",
+        0,
+        kSwitch,
+        "Field guides the path",
+        "on: the path through the picks, which the curve starts from, goes where the field costs "
+        "little; off: it is the shortest one, as in the paper.",
         kAdvanced
     ));
     list.addParam(RichEnum(
@@ -431,6 +440,7 @@ SolverOptions readSolverOptions(
 
     overridePreset(options.bending, parameters, "bending", kBendings);
     overridePreset(options.initialCurve, parameters, "initial_curve", kInitialCurves);
+    overridePreset(options.fieldGuidesPath, parameters, "field_guides_path", kSwitch);
     overridePreset(options.quadrature, parameters, "quadrature", kQuadratures);
     overridePreset(options.barrierWidth, parameters, "barrier_width", kBarrierWidths);
     overridePreset(options.distanceWeight, parameters, "distance_weight", kDistanceWeights);

@@ -57,6 +57,7 @@ SolverOptions paperPreset() {
     SolverOptions options;
     options.bending = Bending::Ambient;
     options.initialCurve = InitialCurve::ControlPolygon;
+    options.fieldGuidesPath = false;
     options.quadrature = Quadrature::Samples;
     options.barrierWidth = BarrierWidth::Tight;
     options.distanceWeight = DistanceWeight::Adaptive;

@@ -43,6 +43,11 @@ TEST(SolverOptionsValidation, AcceptsDefaultsAndThePaper) {
     EXPECT_NO_THROW(paperPreset().validate());
 }
 
+TEST(PaperPreset, StartsFromGeodesicsWhateverTheField) {
+    EXPECT_TRUE(SolverOptions().fieldGuidesPath);
+    EXPECT_FALSE(paperPreset().fieldGuidesPath);
+}
+
 TEST(SolverOptionsValidation, ChecksWholeNumbers) {
     for (const int degree : {2, 3, 4}) {
         expectAccepted(&SolverOptions::degree, degree);
