@@ -192,14 +192,14 @@ def shadow(points, triangles, vertices, light, diagonal):
     return lit / len(steps) ** 2
 
 
-def shade(normals, toward_viewer, lit, colours):
-    """Three lights, a highlight of the first one, and a rim."""
+def shade(normals, toward_viewer, lit, colours, even):
+    """Three lights, a highlight of the first one, and a rim; even: share of the colours that needs no light."""
     key, fill, back = (normalised(np.array(v, float)) for v in ((-0.45, 0.75, 0.65), (0.9, 0.1, 0.45), (0.1, 0.6, -0.9)))
     diffuse = lambda light: np.clip(normals @ light, 0, 1)
     half = normalised(key + [0, 0, 1])
     gloss = np.clip(normals @ half, 0, 1) ** 40 * 0.16 * lit
     brightness = 0.25 + 0.10 * normals[:, 1] + 0.78 * diffuse(key) * (0.35 + 0.65 * lit) + 0.22 * diffuse(fill) + 0.12 * diffuse(back)
-    return colours * brightness[:, None] + gloss[:, None]
+    return colours * (even + (1 - even) * brightness)[:, None] + (1 - even) * gloss[:, None]
 
 
 def turned_away(screen, faces):
@@ -209,18 +209,22 @@ def turned_away(screen, faces):
     return area > 0  # y points down on the screen
 
 
-def render(shapes, frame, size, supersampling):
-    """shapes: (vertices, faces, normals, colour) each; frame: rows right, up, towards the viewer."""
+def render(shapes, frame, size, supersampling, window=None, even=0.0):
+    """shapes: (vertices, faces, normals, colour) each, one colour or one per vertex; frame: rows right, up, towards the
+    viewer; window: lowest and highest corner of what is seen, in that frame (without it everything is, under a shadow);
+    even: see shade()."""
     vertices = np.concatenate([s[0] for s in shapes])
     normals = np.concatenate([s[2] for s in shapes])
-    colours = np.concatenate([np.tile(s[3], (len(s[0]), 1)) for s in shapes])
+    colours = np.concatenate([np.broadcast_to(s[3], s[0].shape) for s in shapes])
     start = np.cumsum([0] + [len(s[0]) for s in shapes])
     faces = np.concatenate([s[1] + offset for s, offset in zip(shapes, start)])
 
     width, height = (n * supersampling for n in size)
     seen = vertices @ frame.T
-    low, high = seen.min(0), seen.max(0)
-    scale = 0.9 * min(width / (high - low)[0], height / (high - low)[1])
+    low, high = window or (seen.min(0), seen.max(0))
+    box = seen[faces][:, :, :2]
+    faces = faces[((box.max(1) >= low[:2]) & (box.min(1) <= high[:2])).all(1)]
+    scale = (1 if window else 0.9) * min(width / (high - low)[0], height / (high - low)[1])
     centre = (low + high)[:2] / 2
     screen = np.c_[(seen[:, 0] - centre[0]) * scale + width / 2, (centre[1] - seen[:, 1]) * scale + height / 2, seen[:, 2]]
     away = turned_away(screen, faces)
@@ -238,8 +242,8 @@ def render(shapes, frame, size, supersampling):
     view_normals[away[face_at[hit]]] *= -1  # both sides of an open surface are shown
     diagonal = np.linalg.norm(high - low)
     light = np.array([-0.45, 0.75, 0.65]) @ frame
-    lit = shadow(mix(vertices), faces, vertices, light, diagonal)
-    image[hit] = shade(view_normals, frame[2], lit, mix(colours)) * creases(depth, diagonal, width // 60)[hit][:, None]
+    lit = np.ones(hit.sum()) if window else shadow(mix(vertices), faces, vertices, light, diagonal)
+    image[hit] = shade(view_normals, frame[2], lit, mix(colours), even) * creases(depth, diagonal, width // 60)[hit][:, None]
     image = np.clip(image, 0, 1)
     return image.reshape(size[1], supersampling, size[0], supersampling, 3).mean((1, 3))
 
