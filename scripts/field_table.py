@@ -6,10 +6,11 @@
     scripts/field_table.py MESH:PICKS... -- OPTION...    these, with further options of the program for both curves
 
 Costs are means of c = exp(-I) along the polyline, by the trapezoid rule between its vertices. Times are the program's own
-for further curves on the same shell (warm): the least of the medians of several runs.
+for further curves on the same shell (warm), one thread: the least of the medians of several runs.
 """
 import argparse
 import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -32,7 +33,7 @@ class NoCurve(Exception):
 
 
 def run(*words):
-    done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
     if done.returncode != 0:
         raise NoCurve(done.stderr.strip().replace("\n", " "))
 
@@ -89,7 +90,7 @@ def main():
     parser.add_argument("--program", type=Path, default=ROOT / "build/release/bin/bspline_curve")
     parser.add_argument("--field-weight", type=float, help="of the field; left out: the program's default")
     parser.add_argument("--repeats", type=int, default=5, help="further curves in each run")
-    parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--page", type=Path, help="a page to write the table into as well")
     words = sys.argv[1:]
     end = words.index("--") if "--" in words else len(words)
