@@ -139,6 +139,7 @@ public:
           curve_(std::move(first)),
           segments_(firstSegments(problem)),
           effort_(hasPull(problem) ? kFieldEffort : kPlainEffort),
+          decrement_(effort_.rough),
           stage_(std::make_unique<Stage>(problem, curve_.space, segments_)),
           tolerance_(options_.distanceTolerance * problem.averageEdgeLength),
           restingMove_(std::min(tolerance_, kMoveShare * shortestPickDistance(problem))),
@@ -159,7 +160,7 @@ public:
             bspline_curve::report(problem_.progress, progressFraction(), "minimising");
             refreshDirections(kRoughBlend);
             const ControlPoints before = curve_.controls;
-            MinimiseResult result = minimiseOnce(isRough() ? kSampledDecrement : effort_.rough);
+            MinimiseResult result = minimiseOnce(isRough() ? kSampledDecrement : decrement_);
             double largestHeight = measure();
             if (isRough() && (!std::isfinite(distance_) || isStuck(result))) {
                 // It left the shell between two samples, or a kink of the sampled energy holds it.
@@ -168,8 +169,12 @@ public:
                 }
                 becomeExact();
                 refreshDirections(kRoughBlend);
-                result = minimiseOnce(effort_.rough);
+                result = minimiseOnce(decrement_);
                 largestHeight = measure();
+            }
+            if (!isNear() && result.iterations.size() <= 1) {
+                // It stopped where it started: from now on further, else alpha grows in vain.
+                decrement_ = std::min(decrement_, effort_.rest);
             }
             addRound(result);
             std::vector<double> breaks = chooseBreaks(result.value.scale);
@@ -400,6 +405,7 @@ private:
     SplineCurve curve_;
     int segments_;  // on each span, of two samples each; 0: integrals cell by cell
     Effort effort_;
+    double decrement_;  // at which exact rounds stop
     std::unique_ptr<Stage> stage_;
     EnergyWeights weights_;
     BendingDirections directions_;
