@@ -113,7 +113,7 @@ def test_a_field_is_carried_over_to_duplicated_vertices(run, tmp_path):
     V, F, _, _ = spots()["three faces at an edge"]
     field = V[:, 1] ** 2
     meshes.write_ply(tmp_path / "bad.ply", V, F, quality=field)
-    _, _, vertex = run_curve(run, tmp_path, "bad.ply", V, F, "--repair", "--field", "quality")
+    _, _, vertex = run_curve(run, tmp_path, "bad.ply", V, F, "--repair", "--field", "quality", "--mu", "1")
     weights = np.stack([vertex[f"barycentric_{k}"] for k in range(3)], 1)
     assert np.abs((field[F[vertex["face"]]] * weights).sum(1) - vertex["quality"]).max() < 1e-12
 
