@@ -387,7 +387,7 @@ TEST_P(Avoidance, RandomLayoutsAreDrawnOutsideOrRefused) {
     int refused = 0;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         const CurveDesigner designer = designerOn(meshes[m]);
-        for (std::uint64_t seed = 1; seed <= std::uint64_t{caseCount(20, 3)}; ++seed) {
+        for (std::uint64_t seed = 1; seed <= std::uint64_t{caseCount(20, 10)}; ++seed) {
             SCOPED_TRACE("mesh " + std::to_string(m) + ", seed " + std::to_string(seed));
             const Layout layout = randomLayout(designer.surface(), seed);
             SolverOptions options;
