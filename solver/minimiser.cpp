@@ -30,6 +30,23 @@ struct State {
     EnergyDerivatives& derivatives;
     ControlPoints& trial;
     EnergyDerivatives& trialDerivatives;
+
+    void tryMove(const Eigen::VectorXd& step, double length) {
+        Eigen::Map<Eigen::VectorXd>(trial.data(), trial.size()) =
+            Eigen::Map<const Eigen::VectorXd>(controls.data(), controls.size()) + length * step;
+    }
+
+    // Whether the energy falls enough for a move of this length.
+    [[nodiscard]] bool isBetter(const EnergyValue& tried, double length, double slope) const {
+        return tried.inside && tried.total <= value.total + kSufficientDecrease * length * slope;
+    }
+
+    // With the derivatives of the trial.
+    void accept(const EnergyValue& tried) {
+        controls.swap(trial);
+        std::swap(derivatives, trialDerivatives);
+        value = tried;
+    }
 };
 
 struct LineSearch {
@@ -43,23 +60,18 @@ struct LineSearch {
 // its derivatives are computed with its value.
 double takeStep(const LineSearch& search, const Eigen::VectorXd& step, double slope, State& state) {
     for (double length = 1.0; length >= search.leastStep; length *= 0.5) {
-        const ControlPoints& from = state.controls;
-        Eigen::Map<Eigen::VectorXd>(state.trial.data(), state.trial.size()) =
-            Eigen::Map<const Eigen::VectorXd>(from.data(), from.size()) + length * step;
+        state.tryMove(step, length);
         EnergyValue value =
             length == 1.0
                 ? search.energy.evaluate(state.trial, search.weights, state.trialDerivatives)
                 : search.energy.evaluate(state.trial, search.weights);
-        if (!value.inside ||
-            value.total > state.value.total + kSufficientDecrease * length * slope) {
+        if (!state.isBetter(value, length, slope)) {
             continue;
         }
         if (length < 1.0) {
             value = search.energy.evaluate(state.trial, search.weights, state.trialDerivatives);
         }
-        state.controls.swap(state.trial);
-        std::swap(state.derivatives, state.trialDerivatives);
-        state.value = value;
+        state.accept(value);
         return length;
     }
     return 0.0;
@@ -72,18 +84,13 @@ double lengthenStep(
 ) {
     double length = 1.0;
     while (state.derivatives.gradient.dot(step) < kSteepShare * slope && length < kLongestStep) {
-        Eigen::Map<Eigen::VectorXd>(state.trial.data(), state.trial.size()) =
-            Eigen::Map<const Eigen::VectorXd>(state.controls.data(), state.controls.size()) +
-            length * step;
+        state.tryMove(step, length);
         const EnergyValue value =
             search.energy.evaluate(state.trial, search.weights, state.trialDerivatives);
-        if (!value.inside ||
-            value.total > state.value.total + kSufficientDecrease * length * slope) {
+        if (!state.isBetter(value, length, slope)) {
             break;
         }
-        state.controls.swap(state.trial);
-        std::swap(state.derivatives, state.trialDerivatives);
-        state.value = value;
+        state.accept(value);
         length *= 2.0;
     }
     return length;
