@@ -3,9 +3,9 @@
 
 #include "cli/mesh_input.h"
 #include "cli/option_table.h"
+#include "cli/parse_with.h"
 #include "cli/shell_cache_option.h"
 #include "cli/shell_options.h"
-#include "cli/verb.h"
 #include "surface/input_error.h"
 
 #include <algorithm>
@@ -348,15 +348,7 @@ private:
 }  // namespace
 
 std::variant<CurveArguments, ExitCode> parseCurveArguments(Arguments arguments) {
-    CurveParser parser;
-    try {
-        return parser.parse(arguments);
-    } catch (const CLI::ParseError& error) {
-        return explainParseError(parser.app(), error);
-    } catch (const InputError& error) {
-        printError(error.what());
-        return ExitCode::Usage;
-    }
+    return parseWith<CurveParser>(arguments);
 }
 
 }  // namespace bspline_curve::cli

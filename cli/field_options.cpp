@@ -2,7 +2,7 @@
 #include "cli/field_options.h"
 
 #include "cli/mesh_input.h"
-#include "cli/verb.h"
+#include "cli/parse_with.h"
 #include "surface/input_error.h"
 
 #include <string>
@@ -76,15 +76,7 @@ private:
 }  // namespace
 
 std::variant<FieldArguments, ExitCode> parseFieldArguments(Arguments arguments) {
-    FieldParser parser;
-    try {
-        return parser.parse(arguments);
-    } catch (const CLI::ParseError& error) {
-        return explainParseError(parser.app(), error);
-    } catch (const InputError& error) {
-        printError(error.what());
-        return ExitCode::Usage;
-    }
+    return parseWith<FieldParser>(arguments);
 }
 
 }  // namespace bspline_curve::cli

@@ -2,8 +2,8 @@
 #include "cli/shell_options.h"
 
 #include "cli/mesh_input.h"
+#include "cli/parse_with.h"
 #include "cli/shell_cache_option.h"
-#include "cli/verb.h"
 #include "surface/input_error.h"
 
 namespace bspline_curve::cli {
@@ -127,15 +127,7 @@ void addShellOptions(OptionTable<ShellOptions>& table) {
 }
 
 std::variant<ShellArguments, ExitCode> parseShellArguments(Arguments arguments) {
-    ShellParser parser;
-    try {
-        return parser.parse(arguments);
-    } catch (const CLI::ParseError& error) {
-        return explainParseError(parser.app(), error);
-    } catch (const InputError& error) {
-        printError(error.what());
-        return ExitCode::Usage;
-    }
+    return parseWith<ShellParser>(arguments);
 }
 
 }  // namespace bspline_curve::cli
