@@ -161,7 +161,9 @@ struct CurveDesigner::State {
         std::vector<PickConstraint> picks,
         std::span<const double> field
     ) const;
-    void checkField(std::span<const double> field, FieldCost cost) const;
+    [[nodiscard]] std::vector<double> checkedCosts(
+        std::span<const double> field, FieldCost cost
+    ) const;
     [[nodiscard]] std::vector<double> fieldOnPillars(std::span<const double> field) const;
     void refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const;
     [[nodiscard]] Region regionOf(std::span<const int> faces) const;
@@ -171,7 +173,8 @@ struct CurveDesigner::State {
     [[nodiscard]] Start startCurve(
         const std::vector<SurfacePoint>& picks,
         const SolverOptions& options,
-        const Guidance& guidance,
+        std::span<const double> field,
+        std::span<const double> vertexCosts,
         const Obstacles* obstacles
     ) const;
     void measureClearance(const Region& region, Curve& curve) const;
@@ -186,9 +189,12 @@ struct CurveDesigner::State {
     ) const;
 };
 
-void CurveDesigner::State::checkField(std::span<const double> field, FieldCost cost) const {
+// c(I) at each vertex.
+std::vector<double> CurveDesigner::State::checkedCosts(
+    std::span<const double> field, FieldCost cost
+) const {
     if (field.empty()) {
-        return;
+        return {};
     }
     if (field.size() != surface.vertices().size()) {
         throw InputError(
@@ -197,9 +203,10 @@ void CurveDesigner::State::checkField(std::span<const double> field, FieldCost c
                 std::to_string(surface.vertices().size()) + " vertices: give one value per vertex"
         );
     }
+    std::vector<double> costs = vertexCostsOf(field, cost);
     std::vector<std::int64_t> bad;
     for (std::size_t v = 0; v < field.size(); ++v) {
-        if (!std::isfinite(field[v]) || !std::isfinite(fieldCost(cost, field[v]).value)) {
+        if (!std::isfinite(field[v]) || !std::isfinite(costs[v])) {
             bad.push_back(static_cast<std::int64_t>(v));
         }
     }
@@ -211,6 +218,7 @@ void CurveDesigner::State::checkField(std::span<const double> field, FieldCost c
             bad
         );
     }
+    return costs;
 }
 
 std::vector<double> CurveDesigner::State::fieldOnPillars(std::span<const double> field) const {
@@ -265,7 +273,6 @@ CurveProblem CurveDesigner::State::makeProblem(
     problem.picks = std::move(picks);
     problem.field = fieldOnPillars(field);
     problem.options = options;
-    problem.fieldCosts = fieldCostsOf(field, options.fieldCost);
     problem.averageEdgeLength = surface.averageEdgeLength() / base->frame.scale;
     for (std::size_t i = 0; i + 1 < problem.picks.size(); ++i) {
         problem.chordLength += (problem.picks[i + 1].position - problem.picks[i].position).norm();
@@ -280,12 +287,13 @@ CurveProblem CurveDesigner::State::makeProblem(
 Start CurveDesigner::State::startCurve(
     const std::vector<SurfacePoint>& picks,
     const SolverOptions& options,
-    const Guidance& guidance,
+    std::span<const double> field,
+    std::span<const double> vertexCosts,
     const Obstacles* obstacles
 ) const {
     Stopwatch lap;
     for (const double share : kGuideShares) {
-        std::vector<double> costs = faceCostsOf(surface, guidance.field, options, share);
+        std::vector<double> costs = faceCostsOf(surface, vertexCosts, options, share);
         if (share > 0.0 && costs.empty()) {
             continue;
         }
@@ -296,7 +304,8 @@ Start CurveDesigner::State::startCurve(
             options.closed,
             {obtained.build.report.blockedFaces, std::move(costs), obstacles}
         );
-        CurveProblem problem = makeProblem(options, std::move(path.picks), guidance.field);
+        CurveProblem problem = makeProblem(options, std::move(path.picks), field);
+        problem.fieldCosts = summaryOf(vertexCosts);
         problem.obstacles = obstacles;
         const double pathSeconds = lap.lap();
         std::optional<SplineCurve> first = makeFirstCurve(problem, path.guide);
@@ -408,7 +417,7 @@ Curve CurveDesigner::design(
     options.validate();
     sampling.validate();
     const State& state = *state_;
-    state.checkField(guidance.field, options.fieldCost);
+    const std::vector<double> vertexCosts = state.checkedCosts(guidance.field, options.fieldCost);
     const std::vector<SurfacePoint> located =
         locatePicks(state.surface, state.tree, picks, options.closed);
     state.refuseBlockedPicks(located);
@@ -417,7 +426,9 @@ Curve CurveDesigner::design(
     if (obstacles) {
         refuseAvoidedPicks(state.surface, *obstacles, located);
     }
-    Start start = state.startCurve(located, options, guidance, obstacles ? &*obstacles : nullptr);
+    Start start = state.startCurve(
+        located, options, guidance.field, vertexCosts, obstacles ? &*obstacles : nullptr
+    );
     CurveProblem& problem = start.problem;
     problem.progress = progress;
     std::optional<ShellBoundary> boundary;

@@ -135,24 +135,19 @@ PickPath makePickPath(
 
 std::vector<double> faceCostsOf(
     const Surface& surface,
-    std::span<const double> field,
+    std::span<const double> vertexCosts,
     const SolverOptions& options,
     double share
 ) {
     const double weight = share * options.fieldWeight / kUsualBending;
-    if (field.empty() || weight == 0.0 || !options.fieldGuidesPath) {
+    if (vertexCosts.empty() || weight == 0.0 || !options.fieldGuidesPath) {
         return {};
-    }
-    std::vector<double> atVertices;
-    atVertices.reserve(field.size());
-    for (const double value : field) {
-        atVertices.push_back(fieldCost(options.fieldCost, value).value);
     }
     std::vector<double> costs;
     costs.reserve(surface.faces().size());
     for (const Triangle& face : surface.faces()) {
         const double sum =
-            atVertices[at(face[0])] + atVertices[at(face[1])] + atVertices[at(face[2])];
+            vertexCosts[at(face[0])] + vertexCosts[at(face[1])] + vertexCosts[at(face[2])];
         costs.push_back(sum / 3.0);
     }
     const double least = std::ranges::min(costs);

@@ -37,10 +37,10 @@ struct Terrain {
 
 /// The cost of faces by which paths follow a field: 1 in the cheapest face, and more with mu and
 /// `share` of the cost c of the field. Empty where the field has no say.
-/// `field`: one finite value per vertex, or empty.
+/// `vertexCosts`: c at each vertex, or empty.
 [[nodiscard]] std::vector<double> faceCostsOf(
     const Surface& surface,
-    std::span<const double> field,
+    std::span<const double> vertexCosts,
     const SolverOptions& options,
     double share = 1.0
 );

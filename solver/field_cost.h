@@ -35,19 +35,26 @@ struct FieldCosts {
     double meanExcess = 0.0;  ///< over the least; 0 exactly where all cost the same
 };
 
-/// 0 where there is no field.
-[[nodiscard]] inline FieldCosts fieldCostsOf(std::span<const double> field, FieldCost kind) {
-    FieldCosts costs;
-    std::vector<double> all;
-    all.reserve(field.size());
+/// c(I) at each vertex.
+[[nodiscard]] inline std::vector<double> vertexCostsOf(
+    std::span<const double> field, FieldCost kind
+) {
+    std::vector<double> costs;
+    costs.reserve(field.size());
     for (const double value : field) {
-        all.push_back(fieldCost(kind, value).value);
+        costs.push_back(fieldCost(kind, value).value);
     }
-    if (!all.empty()) {
-        costs.least = std::ranges::min(all);
+    return costs;
+}
+
+/// 0 where there is no field.
+[[nodiscard]] inline FieldCosts summaryOf(std::span<const double> vertexCosts) {
+    FieldCosts costs;
+    if (!vertexCosts.empty()) {
+        costs.least = std::ranges::min(vertexCosts);
     }
-    for (const double cost : all) {
-        costs.meanExcess += (cost - costs.least) / static_cast<double>(all.size());
+    for (const double cost : vertexCosts) {
+        costs.meanExcess += (cost - costs.least) / static_cast<double>(vertexCosts.size());
     }
     return costs;
 }

@@ -62,7 +62,7 @@ void ProblemFixture::avoid(const Region& region, double margin) {
 
 void ProblemFixture::setField(const std::vector<double>& field) {
     problem_.field = field;
-    problem_.fieldCosts = fieldCostsOf(field, problem_.options.fieldCost);
+    problem_.fieldCosts = summaryOf(vertexCostsOf(field, problem_.options.fieldCost));
     for (const int origin : shell_->base->ghostOrigin) {
         problem_.field.push_back(field[static_cast<std::size_t>(origin)]);
     }
