@@ -199,8 +199,13 @@ void addModel(OptionTable<SolverOptions>& table) {
     table.choice(
         "--quadrature",
         &S::quadrature,
-        Names<Quadrature>{{"cells", Quadrature::Cells}, {"samples", Quadrature::Samples}},
-        "Integrals exactly cell by cell, or at evenly spaced parameters"
+        Names<Quadrature>{
+            {"foot-points", Quadrature::FootPoints},
+            {"cells", Quadrature::Cells},
+            {"samples", Quadrature::Samples}
+        },
+        "Integrals at samples by their foot points on the surface, exactly cell by cell, or at "
+        "evenly spaced samples in the shell"
     );
     table.number(
         "--samples-per-span",
