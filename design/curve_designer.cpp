@@ -293,8 +293,8 @@ Start CurveDesigner::State::startCurve(
 ) const {
     Stopwatch lap;
     for (const double share : kGuideShares) {
-        std::vector<double> costs = faceCostsOf(surface, vertexCosts, options, share);
-        if (share > 0.0 && costs.empty()) {
+        const FieldTravel travel = fieldTravelOf(surface, vertexCosts, options, share);
+        if (share > 0.0 && travel.empty()) {
             continue;
         }
         PickPath path = makePickPath(
@@ -302,7 +302,7 @@ Start CurveDesigner::State::startCurve(
             *base,
             picks,
             options.closed,
-            {obtained.build.report.blockedFaces, std::move(costs), obstacles}
+            {obtained.build.report.blockedFaces, travel, obstacles}
         );
         CurveProblem problem = makeProblem(options, std::move(path.picks), field);
         problem.fieldCosts = summaryOf(vertexCosts);

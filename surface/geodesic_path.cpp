@@ -79,13 +79,10 @@ void trim(
 
 }  // namespace
 
-GeodesicPathFinder::GeodesicPathFinder(const Surface& surface, std::vector<double> faceCosts)
-    : surface_(surface), search_(surface, std::move(faceCosts)) {}
-
 // Moves the strip to the other side of a vertex that the path bends around, where that is
 // possible. `portal` is the edge between strip[portal] and
 // strip[portal + 1] where the path meets it.
-bool GeodesicPathFinder::rerouteAround(int vertex, std::size_t portal, Strip& strip) const {
+bool GeodesicPathFinder::rerouteAround(int vertex, std::size_t portal, Strip& strip) {
     const auto holds = [&](std::size_t i) {
         return cornerOf(surface_.faces()[at(strip[i])], vertex) >= 0;
     };
@@ -133,7 +130,7 @@ Vec3 GeodesicPathFinder::crossingPosition(const Route& route, std::size_t portal
            s * surface_.vertices()[at(route.path.rights[portal])];
 }
 
-GeodesicPathFinder::Route GeodesicPathFinder::routeIn(Strip strip, const Ends& ends) const {
+GeodesicPathFinder::Route GeodesicPathFinder::routeIn(Strip strip, const Ends& ends) {
     Route route;
     route.path = shortestPathInStrip(
         surface_,
@@ -155,7 +152,7 @@ GeodesicPathFinder::Route GeodesicPathFinder::routeIn(Strip strip, const Ends& e
 // The route on the other side of a corner, if it is cheaper.
 std::optional<GeodesicPathFinder::Route> GeodesicPathFinder::otherSide(
     const Route& route, const StripPath::Corner& corner, const Ends& ends
-) const {
+) {
     // The path has the angle pi + bend on the strip's side; less than pi on the other makes that
     // side shorter.
     const double angle = totalAngle(surface_, corner.vertex) - std::numbers::pi - corner.bend;
@@ -174,7 +171,7 @@ std::optional<GeodesicPathFinder::Route> GeodesicPathFinder::otherSide(
 
 // Sharpest corner first. Each accepted move makes the path cheaper, so this ends; a corner whose
 // other side is not cheaper is left alone.
-void GeodesicPathFinder::straighten(Route& route, const Ends& ends) const {
+void GeodesicPathFinder::straighten(Route& route, const Ends& ends) {
     std::vector<int> settled;
     while (true) {
         const StripPath::Corner* sharpest = nullptr;

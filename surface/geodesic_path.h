@@ -5,7 +5,9 @@
 #include "surface/strip_unfolding.h"
 #include "surface/surface.h"
 
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -27,13 +29,16 @@ struct GeodesicPath {
 /// globally shortest one.
 class GeodesicPathFinder {
 public:
-    /// `faceCosts`: see StripSearch.
-    GeodesicPathFinder(const Surface& surface, std::vector<double> faceCosts);
+    GeodesicPathFinder(const Surface& surface, TravelCosts costs)
+        : surface_(surface), search_(surface, std::move(costs)) {}
 
     /// The path, or nothing if there is none. Cost: see StripSearch::find.
     [[nodiscard]] std::optional<GeodesicPath> find(
         const SurfacePoint& start, const SurfacePoint& goal
     );
+
+    /// See StripSearch.
+    [[nodiscard]] std::size_t explored() const { return search_.explored(); }
 
 private:
     using Strip = std::vector<int>;
@@ -51,12 +56,12 @@ private:
         std::vector<int> startFaces, goalFaces;
     };
 
-    [[nodiscard]] Route routeIn(Strip strip, const Ends& ends) const;
-    void straighten(Route& route, const Ends& ends) const;
+    [[nodiscard]] Route routeIn(Strip strip, const Ends& ends);
+    void straighten(Route& route, const Ends& ends);
     [[nodiscard]] std::optional<Route> otherSide(
         const Route& route, const StripPath::Corner& corner, const Ends& ends
-    ) const;
-    [[nodiscard]] bool rerouteAround(int vertex, std::size_t portal, Strip& strip) const;
+    );
+    [[nodiscard]] bool rerouteAround(int vertex, std::size_t portal, Strip& strip);
     [[nodiscard]] Vec3 crossingPosition(const Route& route, std::size_t portal) const;
 
     const Surface& surface_;

@@ -4,10 +4,8 @@
 #include "surface/surface_point.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
-#include <utility>
 
 namespace bspline_curve {
 namespace {
@@ -24,20 +22,7 @@ bool contains(const std::vector<int>& list, int value) {
 
 }  // namespace
 
-StripSearch::StripSearch(const Surface& surface, std::vector<double> faceCosts)
-    : surface_(surface),
-      faceCosts_(std::move(faceCosts)),
-      arrivals_(3 * surface.faces().size(), {kFar, -1, -1}) {
-    if (!faceCosts_.empty()) {
-        leastCost_ = std::ranges::min(faceCosts_);
-    }
-}
-
-bool StripSearch::isOpen(int face) const {
-    return std::isfinite(costOf(face));
-}
-
-std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) const {
+std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) {
     std::vector<int> faces = facesHolding(surface_, point);
     std::erase_if(faces, [this](int f) { return !isOpen(f); });
     return faces;
@@ -62,7 +47,7 @@ std::optional<std::vector<int>> StripSearch::find(
         std::ranges::pop_heap(queue_, std::greater<>());
         const Offer best = queue_.back();
         queue_.pop_back();
-        if (best.cost > arrivalAt(best.crossing).cost) {
+        if (best.cost > arrivals_.find(edgeOf(best.crossing))->cost) {
             continue;  // found cheaper since
         }
         if (best.isWhole) {
@@ -91,29 +76,25 @@ int StripSearch::faceBehind(int crossing) const {
     return surface_.faceNeighbours()[at(crossing / 3)][at(crossing % 3)];
 }
 
-// The edge's own entry: that of the crossing from the face with the smaller id.
-StripSearch::Arrival& StripSearch::arrivalAt(int crossing) {
+// The smaller of the two crossings of an edge stands for it.
+int StripSearch::edgeOf(int crossing) const {
     const int face = crossing / 3;
     const int behind = faceBehind(crossing);
     if (face < behind) {
-        return arrivals_[at(crossing)];
+        return crossing;
     }
     // Two faces may share two edges, so it is found by an end of the edge.
     const int end = surface_.faces()[at(face)][at((crossing % 3 + 1) % 3)];
-    const int k = (cornerOf(surface_.faces()[at(behind)], end) + 1) % 3;
-    return arrivals_[at(3 * behind + k)];
+    return 3 * behind + (cornerOf(surface_.faces()[at(behind)], end) + 1) % 3;
 }
 
 void StripSearch::offer(double cost, int crossing, int before) {
-    Arrival& arrival = arrivalAt(crossing);
+    Arrival& arrival = arrivals_.at(edgeOf(crossing), {kFar, -1, -1});
     if (cost >= arrival.cost) {
         return;
     }
-    if (arrival.cost == kFar) {
-        touched_.push_back(static_cast<int>(&arrival - arrivals_.data()));
-    }
     arrival = {cost, crossing, before};
-    push({cost + leastCost_ * (goal_ - middle(crossing)).norm(), cost, crossing});
+    push({cost + costs_.least() * (goal_ - middle(crossing)).norm(), cost, crossing});
 }
 
 void StripSearch::push(const Offer& entry) {
@@ -133,16 +114,14 @@ void StripSearch::leave(int face, const Vec3& from, double cost, int before) {
 }
 
 void StripSearch::clear() {
-    for (const int edge : touched_) {
-        arrivals_[at(edge)].cost = kFar;
-    }
-    touched_.clear();
+    explored_ += arrivals_.size();
+    arrivals_.clear();
     queue_.clear();
 }
 
-std::vector<int> StripSearch::stripTo(int crossing) {
+std::vector<int> StripSearch::stripTo(int crossing) const {
     std::vector<int> strip{faceBehind(crossing)};
-    for (int c = crossing; c >= 0; c = arrivalAt(c).before) {
+    for (int c = crossing; c >= 0; c = arrivals_.find(edgeOf(c))->before) {
         strip.push_back(c / 3);
     }
     std::ranges::reverse(strip);

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/sparse_map.h"
 #include "surface/surface.h"
+#include "surface/travel_costs.h"
 
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
 
 /// Finds strips of faces, each joined to the next by an edge, along which the way from one point to
-/// another over midpoints of edges costs least (A*). Holds work arrays of O(#F), so keep one for
-/// many queries.
+/// another over midpoints of edges costs least (A*). Its memory is in proportion to what it has
+/// looked at, and is used again, so keep one for many queries.
 class StripSearch {
 public:
-    /// `faceCosts`: what a unit of length costs in each face, positive, infinite where no way may
-    /// enter; empty: 1 everywhere.
-    StripSearch(const Surface& surface, std::vector<double> faceCosts);
+    StripSearch(const Surface& surface, TravelCosts costs)
+        : surface_(surface), costs_(std::move(costs)) {}
 
     /// The strip, from a face that holds the start to one that holds the goal, or nothing if there
     /// is none. O(k log k), k the faces nearer to the start than the goal is.
@@ -24,13 +27,14 @@ public:
     );
 
     /// The faces that hold a point and may be entered.
-    [[nodiscard]] std::vector<int> openFacesHolding(const SurfacePoint& point) const;
+    [[nodiscard]] std::vector<int> openFacesHolding(const SurfacePoint& point);
 
-    [[nodiscard]] double costOf(int face) const {
-        return faceCosts_.empty() ? 1.0 : faceCosts_[static_cast<std::size_t>(face)];
-    }
+    [[nodiscard]] double costOf(int face) { return costs_.of(face); }
 
-    [[nodiscard]] bool isOpen(int face) const;
+    [[nodiscard]] bool isOpen(int face) { return costs_.isOpen(face); }
+
+    /// How many edges all queries so far have looked at.
+    [[nodiscard]] std::size_t explored() const { return explored_ + arrivals_.size(); }
 
 private:
     // A crossing 3 f + k leaves face f over the edge opposite to its corner k.
@@ -54,19 +58,18 @@ private:
 
     [[nodiscard]] Vec3 middle(int crossing) const;
     [[nodiscard]] int faceBehind(int crossing) const;
-    [[nodiscard]] Arrival& arrivalAt(int crossing);
+    [[nodiscard]] int edgeOf(int crossing) const;
     void offer(double cost, int crossing, int before);
     void push(const Offer& entry);
     void leave(int face, const Vec3& from, double cost, int before);
     void clear();
-    [[nodiscard]] std::vector<int> stripTo(int crossing);
+    [[nodiscard]] std::vector<int> stripTo(int crossing) const;
 
     const Surface& surface_;
-    std::vector<double> faceCosts_;
-    double leastCost_ = 1.0;
-    std::vector<Arrival> arrivals_;  // at an edge, under the smaller of its two crossings
-    std::vector<int> touched_;
-    std::vector<Offer> queue_;  // a heap
+    KnownCosts costs_;
+    SparseMap<Arrival> arrivals_;  // at an edge
+    std::vector<Offer> queue_;     // a heap
+    std::size_t explored_ = 0;
     Vec3 goal_ = Vec3::Zero();
 };
 
