@@ -150,6 +150,7 @@ struct CurveDesigner::State {
     Surface surface;
     double validated;
     TriangleTree tree;
+    PatchLevels patches{surface};
     double treeBuilt;
     std::shared_ptr<const ShellBase> base;
     ObtainedShell obtained;
@@ -302,7 +303,7 @@ Start CurveDesigner::State::startCurve(
             *base,
             picks,
             options.closed,
-            {obtained.build.report.blockedFaces, travel, obstacles}
+            {obtained.build.report.blockedFaces, travel, obstacles, &patches}
         );
         CurveProblem problem = makeProblem(options, std::move(path.picks), field);
         problem.fieldCosts = summaryOf(vertexCosts);

@@ -102,7 +102,7 @@ PickPath makePickPath(
     bool closed,
     const Terrain& terrain
 ) {
-    GeodesicPathFinder finder(surface, totalCosts(surface, terrain));
+    GeodesicPathFinder finder(surface, totalCosts(surface, terrain), terrain.patches);
     PickPath result;
     double length = 0.0;
     const auto add = [&](const SurfacePoint& point) {

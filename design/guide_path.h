@@ -4,6 +4,7 @@
 #include "shell/shell_base.h"
 #include "solver/initial_curve.h"
 #include "solver/obstacles.h"
+#include "surface/patch_levels.h"
 #include "surface/surface.h"
 
 #include <span>
@@ -33,6 +34,9 @@ struct Terrain {
     std::span<const int> blockedFaces;  ///< where no shell is: no path enters them; ascending
     FieldTravel field{};
     const Obstacles* obstacles = nullptr;  ///< what paths keep clear of; null: nothing
+    /// Of the surface, to find paths in a time that hardly depends on its number of faces; null:
+    /// faces all over the surface are searched.
+    const PatchLevels* patches = nullptr;
 };
 
 /// Paths from pick to pick, parametrised by length: geodesics where all faces cost the same.

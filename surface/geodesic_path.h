@@ -29,8 +29,11 @@ struct GeodesicPath {
 /// globally shortest one.
 class GeodesicPathFinder {
 public:
-    GeodesicPathFinder(const Surface& surface, TravelCosts costs)
-        : surface_(surface), search_(surface, std::move(costs)) {}
+    /// `patches`: see StripSearch.
+    GeodesicPathFinder(
+        const Surface& surface, TravelCosts costs, const PatchLevels* patches = nullptr
+    )
+        : surface_(surface), search_(surface, std::move(costs), patches) {}
 
     /// The path, or nothing if there is none. Cost: see StripSearch::find.
     [[nodiscard]] std::optional<GeodesicPath> find(

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace bspline_curve {
 namespace {
@@ -22,6 +23,13 @@ bool contains(const std::vector<int>& list, int value) {
 
 }  // namespace
 
+StripSearch::StripSearch(const Surface& surface, TravelCosts costs, const PatchLevels* patches)
+    : surface_(surface), costs_(std::move(costs)) {
+    if (patches != nullptr && !patches->levels().empty()) {
+        corridor_.emplace(surface, *patches, costs_.costs());
+    }
+}
+
 std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) {
     std::vector<int> faces = facesHolding(surface_, point);
     std::erase_if(faces, [this](int f) { return !isOpen(f); });
@@ -31,17 +39,30 @@ std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) {
 std::optional<std::vector<int>> StripSearch::find(
     const SurfacePoint& start, const SurfacePoint& goal
 ) {
-    const std::vector<int> startFaces = openFacesHolding(start);
-    const std::vector<int> goalFaces = openFacesHolding(goal);
-    for (const int f : startFaces) {
-        if (contains(goalFaces, f)) {
+    const Ends ends{start, goal, openFacesHolding(start), openFacesHolding(goal)};
+    for (const int f : ends.startFaces) {
+        if (contains(ends.goalFaces, f)) {
             return std::vector<int>{f};
         }
     }
+    const std::vector<int>& components = surface_.faceComponents();
+    if (components[at(start.face)] != components[at(goal.face)]) {
+        return std::nullopt;
+    }
+    if (corridor_ && corridor_->find(start, goal)) {
+        if (std::optional<std::vector<int>> strip = search(ends, Extent::Corridor)) {
+            return strip;
+        }
+    }
+    return search(ends, Extent::Everywhere);
+}
+
+std::optional<std::vector<int>> StripSearch::search(const Ends& ends, Extent extent) {
     clear();
-    goal_ = surface_.position(goal);
-    for (const int f : startFaces) {
-        leave(f, surface_.position(start), 0.0, -1);
+    extent_ = extent;
+    goal_ = surface_.position(ends.goal);
+    for (const int f : ends.startFaces) {
+        leave(f, surface_.position(ends.start), 0.0, -1);
     }
     while (!queue_.empty()) {
         std::ranges::pop_heap(queue_, std::greater<>());
@@ -55,7 +76,7 @@ std::optional<std::vector<int>> StripSearch::find(
         }
         const int face = faceBehind(best.crossing);
         const Vec3 from = middle(best.crossing);
-        if (contains(goalFaces, face)) {
+        if (contains(ends.goalFaces, face)) {
             // The last leg may cost much, and a way into another of these faces less.
             const double whole = best.cost + costOf(face) * (goal_ - from).norm();
             push({whole, best.cost, best.crossing, true});
@@ -63,6 +84,10 @@ std::optional<std::vector<int>> StripSearch::find(
         leave(face, from, best.cost, best.crossing);
     }
     return std::nullopt;
+}
+
+bool StripSearch::mayEnter(int face) {
+    return (extent_ == Extent::Everywhere || corridor_->holds(face)) && isOpen(face);
 }
 
 Vec3 StripSearch::middle(int crossing) const {
@@ -94,7 +119,7 @@ void StripSearch::offer(double cost, int crossing, int before) {
         return;
     }
     arrival = {cost, crossing, before};
-    push({cost + costs_.least() * (goal_ - middle(crossing)).norm(), cost, crossing});
+    push({cost + costs_.costs().least * (goal_ - middle(crossing)).norm(), cost, crossing});
 }
 
 void StripSearch::push(const Offer& entry) {
@@ -107,7 +132,7 @@ void StripSearch::leave(int face, const Vec3& from, double cost, int before) {
     for (int k = 0; k < 3; ++k) {
         const int crossing = 3 * face + k;
         const int next = faceBehind(crossing);
-        if (next >= 0 && isOpen(next)) {
+        if (next >= 0 && mayEnter(next)) {
             offer(cost + costOf(face) * (middle(crossing) - from).norm(), crossing, before);
         }
     }

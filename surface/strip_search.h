@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/corridor_search.h"
+#include "surface/patch_levels.h"
 #include "surface/sparse_map.h"
 #include "surface/surface.h"
 #include "surface/travel_costs.h"
@@ -17,8 +19,16 @@ namespace bspline_curve {
 /// looked at, and is used again, so keep one for many queries.
 class StripSearch {
 public:
-    StripSearch(const Surface& surface, TravelCosts costs)
-        : surface_(surface), costs_(std::move(costs)) {}
+    /// `patches`: of the surface; null, or no levels: the strips are those of least cost. Else they
+    /// are sought along the way of least cost among patches, in work that grows with the length
+    /// of the way instead of the number of faces, and everywhere only where that leads to none.
+    /// Refers to both.
+    StripSearch(const Surface& surface, TravelCosts costs, const PatchLevels* patches = nullptr);
+    StripSearch(const StripSearch&) = delete;
+    StripSearch& operator=(const StripSearch&) = delete;
+    StripSearch(StripSearch&&) = delete;
+    StripSearch& operator=(StripSearch&&) = delete;
+    ~StripSearch() = default;
 
     /// The strip, from a face that holds the start to one that holds the goal, or nothing if there
     /// is none. O(k log k), k the faces nearer to the start than the goal is.
@@ -33,8 +43,10 @@ public:
 
     [[nodiscard]] bool isOpen(int face) { return costs_.isOpen(face); }
 
-    /// How many edges all queries so far have looked at.
-    [[nodiscard]] std::size_t explored() const { return explored_ + arrivals_.size(); }
+    /// How many edges and patches all queries so far have looked at.
+    [[nodiscard]] std::size_t explored() const {
+        return explored_ + arrivals_.size() + (corridor_ ? corridor_->explored() : 0);
+    }
 
 private:
     // A crossing 3 f + k leaves face f over the edge opposite to its corner k.
@@ -56,6 +68,18 @@ private:
         }
     };
 
+    // The points of one query, and the open faces that hold them.
+    struct Ends {
+        const SurfacePoint& start;
+        const SurfacePoint& goal;
+        std::vector<int> startFaces, goalFaces;
+    };
+
+    // Where a search may go.
+    enum class Extent : char { Corridor, Everywhere };
+
+    [[nodiscard]] std::optional<std::vector<int>> search(const Ends& ends, Extent extent);
+    [[nodiscard]] bool mayEnter(int face);
     [[nodiscard]] Vec3 middle(int crossing) const;
     [[nodiscard]] int faceBehind(int crossing) const;
     [[nodiscard]] int edgeOf(int crossing) const;
@@ -67,6 +91,8 @@ private:
 
     const Surface& surface_;
     KnownCosts costs_;
+    std::optional<CorridorSearch> corridor_;
+    Extent extent_ = Extent::Everywhere;
     SparseMap<Arrival> arrivals_;  // at an edge
     std::vector<Offer> queue_;     // a heap
     std::size_t explored_ = 0;

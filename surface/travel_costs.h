@@ -35,10 +35,7 @@ public:
 
     [[nodiscard]] bool isOpen(int face) { return std::isfinite(of(face)); }
 
-    [[nodiscard]] double least() const { return costs_.ofFace ? costs_.least : 1.0; }
-
-    /// Whether no face costs other than 1.
-    [[nodiscard]] bool areAllOne() const { return !costs_.ofFace; }
+    [[nodiscard]] const TravelCosts& costs() const { return costs_; }
 
 private:
     TravelCosts costs_;
