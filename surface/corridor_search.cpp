@@ -74,12 +74,14 @@ void CorridorSearch::leave(
 ) {
     const std::vector<PatchLevels::Level>& levels = patches_.levels();
     const PatchLevels::Level& patches = levels[level];
+    const bool isInCorridor = level + 1 < levels.size();
+    const double estimate = isInCorridor ? kCorridorEstimate * costs_.least : costs_.least;
     const double costHere = costOf(level, from.patch);
     const Vec3& here =
         from.patch == start.patches[level] ? start.position : patches.centres[at(from.patch)];
     for (int i = patches.offsets[at(from.patch)]; i < patches.offsets[at(from.patch) + 1]; ++i) {
         const int next = patches.neighbours[at(i)];
-        if (level + 1 < levels.size() && !corridor_.contains(levels[level + 1].patchOf[at(next)])) {
+        if (isInCorridor && !corridor_.contains(levels[level + 1].patchOf[at(next)])) {
             continue;
         }
         const Vec3& there = next == goal.patches[level] ? goal.position : patches.centres[at(next)];
@@ -88,7 +90,7 @@ void CorridorSearch::leave(
         Arrival& arrival = arrivals_.at(next, {kFar, -1});
         if (cost < arrival.cost) {
             arrival = {cost, from.patch};
-            const double ahead = costs_.least * (goal.position - there).norm();
+            const double ahead = estimate * (goal.position - there).norm();
             queue_.push_back({cost + ahead, cost, next});
             std::ranges::push_heap(queue_, std::greater<>());
         }

@@ -11,6 +11,10 @@
 
 namespace bspline_curve {
 
+/// In a corridor the rest of a way is taken to be longer by this, as it is over midpoints and
+/// centres: far fewer of them are looked at, and the path is straightened in the end anyway.
+inline constexpr double kCorridorEstimate = 1.25;
+
 /// Finds corridors: the patches around a cheap way between two points. The way is sought among the
 /// largest patches, then among the smaller ones that lie in or beside those on the way, and so on:
 /// the work grows with the length of the way in faces, not with their number.

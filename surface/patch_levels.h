@@ -30,7 +30,7 @@ public:
         [[nodiscard]] int count() const { return static_cast<int>(centres.size()); }
     };
 
-    /// O(#F): about 10 ms for 100,000 faces.
+    /// O(#F): about 30 ms for 100,000 faces.
     explicit PatchLevels(const Surface& surface);
 
     /// Finest first, each while there are many patches; none where the surface has few faces.

@@ -32,7 +32,7 @@ StripSearch::StripSearch(const Surface& surface, TravelCosts costs, const PatchL
 
 std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) {
     std::vector<int> faces = facesHolding(surface_, point);
-    std::erase_if(faces, [this](int f) { return !isOpen(f); });
+    std::erase_if(faces, [this](int f) { return !costs_.isOpen(f); });
     return faces;
 }
 
@@ -78,7 +78,7 @@ std::optional<std::vector<int>> StripSearch::search(const Ends& ends, Extent ext
         const Vec3 from = middle(best.crossing);
         if (contains(ends.goalFaces, face)) {
             // The last leg may cost much, and a way into another of these faces less.
-            const double whole = best.cost + costOf(face) * (goal_ - from).norm();
+            const double whole = best.cost + costs_.of(face) * (goal_ - from).norm();
             push({whole, best.cost, best.crossing, true});
         }
         leave(face, from, best.cost, best.crossing);
@@ -87,7 +87,7 @@ std::optional<std::vector<int>> StripSearch::search(const Ends& ends, Extent ext
 }
 
 bool StripSearch::mayEnter(int face) {
-    return (extent_ == Extent::Everywhere || corridor_->holds(face)) && isOpen(face);
+    return (extent_ == Extent::Everywhere || corridor_->holds(face)) && costs_.isOpen(face);
 }
 
 Vec3 StripSearch::middle(int crossing) const {
@@ -119,7 +119,9 @@ void StripSearch::offer(double cost, int crossing, int before) {
         return;
     }
     arrival = {cost, crossing, before};
-    push({cost + costs_.costs().least * (goal_ - middle(crossing)).norm(), cost, crossing});
+    const double least = costs_.costs().least;
+    const double estimate = extent_ == Extent::Corridor ? kCorridorEstimate * least : least;
+    push({cost + estimate * (goal_ - middle(crossing)).norm(), cost, crossing});
 }
 
 void StripSearch::push(const Offer& entry) {
@@ -133,7 +135,7 @@ void StripSearch::leave(int face, const Vec3& from, double cost, int before) {
         const int crossing = 3 * face + k;
         const int next = faceBehind(crossing);
         if (next >= 0 && mayEnter(next)) {
-            offer(cost + costOf(face) * (middle(crossing) - from).norm(), crossing, before);
+            offer(cost + costs_.of(face) * (middle(crossing) - from).norm(), crossing, before);
         }
     }
 }

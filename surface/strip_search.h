@@ -36,12 +36,7 @@ public:
         const SurfacePoint& start, const SurfacePoint& goal
     );
 
-    /// The faces that hold a point and may be entered.
-    [[nodiscard]] std::vector<int> openFacesHolding(const SurfacePoint& point);
-
-    [[nodiscard]] double costOf(int face) { return costs_.of(face); }
-
-    [[nodiscard]] bool isOpen(int face) { return costs_.isOpen(face); }
+    [[nodiscard]] KnownCosts& costs() { return costs_; }
 
     /// How many edges and patches all queries so far have looked at.
     [[nodiscard]] std::size_t explored() const {
@@ -79,6 +74,7 @@ private:
     enum class Extent : char { Corridor, Everywhere };
 
     [[nodiscard]] std::optional<std::vector<int>> search(const Ends& ends, Extent extent);
+    [[nodiscard]] std::vector<int> openFacesHolding(const SurfacePoint& point);
     [[nodiscard]] bool mayEnter(int face);
     [[nodiscard]] Vec3 middle(int crossing) const;
     [[nodiscard]] int faceBehind(int crossing) const;

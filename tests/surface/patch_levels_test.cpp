@@ -152,6 +152,58 @@ TEST(PathsAlongPatches, AreAsLongAsThoseOfASearchOfAllFaces) {
     }
 }
 
+// A field with valleys across the sphere.
+TravelCosts valleys(const Surface& surface) {
+    return {[&surface](int f) {
+        const Vec3 p = centreOf(surface, f);
+        return 1.0 + 4.0 * std::abs(std::sin(9.0 * p.x()) + std::sin(7.0 * p.y() * p.z()));
+    }};
+}
+
+struct Work {
+    double length = 0.0;
+    std::size_t explored = 0;
+};
+
+Work workOn(const Surface& surface, TravelCosts costs) {
+    const PatchLevels patches(surface);
+    GeodesicPathFinder finder(surface, std::move(costs), &patches);
+    Work work;
+    for (int i = 0; i < 12; ++i) {
+        const double a = 0.5 * i;
+        const Vec3 from(std::cos(a), std::sin(a), 0.1);
+        const Vec3 to(std::cos(a + 1.3), std::sin(a + 1.3), std::sin(a));
+        const std::optional<GeodesicPath> path =
+            finder.find(nearest(surface, from), nearest(surface, to));
+        EXPECT_TRUE(path.has_value());
+        work.length += path ? path->length : 0.0;
+    }
+    work.explored = finder.explored();
+    return work;
+}
+
+// Twice as many are on the way itself. Each step may add a level of patches, so the mean of two
+// steps counts.
+TEST(PathsAlongPatches, LookAtTwiceAsMuchOfASurfaceWithFourTimesTheFaces) {
+    const TriangleMesh mesh = withNoise(icosphere(4), 0.003, 5);
+    const Surface coarse(mesh);
+    const Surface fine(midpointSubdivide(midpointSubdivide(mesh)));
+    constexpr double kMostPerStep = 2.3;
+    const Work plain = workOn(coarse, {});
+    const Work plainFine = workOn(fine, {});
+    EXPECT_LT(
+        std::sqrt(static_cast<double>(plainFine.explored) / static_cast<double>(plain.explored)),
+        kMostPerStep
+    );
+    EXPECT_NEAR(plainFine.length, plain.length, 0.01 * plain.length);
+    const Work costly = workOn(coarse, valleys(coarse));
+    const Work costlyFine = workOn(fine, valleys(fine));
+    EXPECT_LT(
+        std::sqrt(static_cast<double>(costlyFine.explored) / static_cast<double>(costly.explored)),
+        kMostPerStep
+    );
+}
+
 // The plate's upper side is as near as can be to the lower one.
 TEST(PathsAlongPatches, GoRoundTheEdgeOfAThinPlate) {
     const Surface surface(box(40, {1.0, 1.0, 1e-3}));
