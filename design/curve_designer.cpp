@@ -16,6 +16,8 @@
 #include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -115,15 +117,30 @@ void refuseAvoidedPicks(
     );
 }
 
+double areaOf(const Surface& surface) {
+    double twice = 0.0;
+    for (const Triangle& face : surface.faces()) {
+        const Vec3& corner = surface.vertices()[at(face[0])];
+        const Vec3 u = surface.vertices()[at(face[1])] - corner;
+        const Vec3 v = surface.vertices()[at(face[2])] - corner;
+        twice += u.cross(v).norm();
+    }
+    return 0.5 * twice;
+}
+
 // Shares of the field by which paths follow it: less where no spline along them stays in the shell.
 constexpr std::array<double, 3> kGuideShares = {1.0, 0.25, 0.0};
 
-// What to solve, and from where.
-struct Start {
+// What draws a curve somewhere, or keeps it away.
+struct Guides {
+    std::span<const double> field, vertexCosts;  // and c(I) at each vertex
+    const Obstacles* obstacles;
+};
+
+// What was solved, and how.
+struct Solved {
     CurveProblem problem;
-    GuidePath guide;
-    SplineCurve curve;
-    double pathSeconds = 0.0, fitSeconds = 0.0;
+    Solution solution;
 };
 
 }  // namespace
@@ -151,6 +168,7 @@ struct CurveDesigner::State {
     double validated;
     TriangleTree tree;
     PatchLevels patches{surface};
+    double finestEdge = kFinestEdge * std::sqrt(areaOf(surface));  ///< shorter ones count as that
     double treeBuilt;
     std::shared_ptr<const ShellBase> base;
     ObtainedShell obtained;
@@ -171,12 +189,11 @@ struct CurveDesigner::State {
     [[nodiscard]] std::optional<Obstacles> obstaclesOf(
         const Region& region, const SolverOptions& options
     ) const;
-    [[nodiscard]] Start startCurve(
+    [[nodiscard]] Solved solveCurve(
         const std::vector<SurfacePoint>& picks,
         const SolverOptions& options,
-        std::span<const double> field,
-        std::span<const double> vertexCosts,
-        const Obstacles* obstacles
+        const Guides& guides,
+        const Progress& progress
     ) const;
     void measureClearance(const Region& region, Curve& curve) const;
     [[nodiscard]] SurfacePolyline polylineOf(
@@ -275,6 +292,9 @@ CurveProblem CurveDesigner::State::makeProblem(
     problem.field = fieldOnPillars(field);
     problem.options = options;
     problem.averageEdgeLength = surface.averageEdgeLength() / base->frame.scale;
+    problem.distanceTolerance = options.distanceTolerance *
+                                std::max(surface.averageEdgeLength(), finestEdge) /
+                                base->frame.scale;
     for (std::size_t i = 0; i + 1 < problem.picks.size(); ++i) {
         problem.chordLength += (problem.picks[i + 1].position - problem.picks[i].position).norm();
     }
@@ -285,16 +305,19 @@ CurveProblem CurveDesigner::State::makeProblem(
     return problem;
 }
 
-Start CurveDesigner::State::startCurve(
+Solved CurveDesigner::State::solveCurve(
     const std::vector<SurfacePoint>& picks,
     const SolverOptions& options,
-    std::span<const double> field,
-    std::span<const double> vertexCosts,
-    const Obstacles* obstacles
+    const Guides& guides,
+    const Progress& progress
 ) const {
+    std::optional<ShellBoundary> boundary;
+    if (options.quadrature == Quadrature::Samples) {
+        boundary.emplace(obtained.build.shell);
+    }
     Stopwatch lap;
     for (const double share : kGuideShares) {
-        const FieldTravel travel = fieldTravelOf(surface, vertexCosts, options, share);
+        const FieldTravel travel = fieldTravelOf(surface, guides.vertexCosts, options, share);
         if (share > 0.0 && travel.empty()) {
             continue;
         }
@@ -303,17 +326,18 @@ Start CurveDesigner::State::startCurve(
             *base,
             picks,
             options.closed,
-            {obtained.build.report.blockedFaces, travel, obstacles, &patches}
+            {obtained.build.report.blockedFaces, travel, guides.obstacles, &patches}
         );
-        CurveProblem problem = makeProblem(options, std::move(path.picks), field);
-        problem.fieldCosts = summaryOf(vertexCosts);
-        problem.obstacles = obstacles;
+        CurveProblem problem = makeProblem(options, std::move(path.picks), guides.field);
+        problem.fieldCosts = summaryOf(guides.vertexCosts);
+        problem.obstacles = guides.obstacles;
+        problem.boundary = boundary ? &*boundary : nullptr;
+        problem.progress = progress;
         const double pathSeconds = lap.lap();
-        std::optional<SplineCurve> first = makeFirstCurve(problem, path.guide);
-        if (first) {
-            return {
-                std::move(problem), std::move(path.guide), std::move(*first), pathSeconds, lap.lap()
-            };
+        if (std::optional<Solution> solution = solve(problem, path.guide)) {
+            problem.boundary = nullptr;  // it ends here
+            solution->report.seconds.path = pathSeconds;
+            return {std::move(problem), std::move(*solution)};
         }
     }
     throw InputError(
@@ -336,7 +360,7 @@ SurfacePolyline CurveDesigner::State::polylineOf(
     if (problem.shell->isFullResolution()) {
         return makeStrictPolyline(surface, problem, shadow, sampling);
     }
-    const double tolerance = problem.options.distanceTolerance * problem.averageEdgeLength;
+    const double tolerance = problem.distanceTolerance;
     const NearShell near(surface, *base, shadow, tolerance);
     CurveProblem nearProblem = problem;
     nearProblem.shell = &near.shell;
@@ -427,16 +451,9 @@ Curve CurveDesigner::design(
     if (obstacles) {
         refuseAvoidedPicks(state.surface, *obstacles, located);
     }
-    Start start = state.startCurve(
-        located, options, guidance.field, vertexCosts, obstacles ? &*obstacles : nullptr
+    const auto [problem, solution] = state.solveCurve(
+        located, options, {guidance.field, vertexCosts, obstacles ? &*obstacles : nullptr}, progress
     );
-    CurveProblem& problem = start.problem;
-    problem.progress = progress;
-    std::optional<ShellBoundary> boundary;
-    if (options.quadrature == Quadrature::Samples) {
-        problem.boundary = &boundary.emplace(state.obtained.build.shell);
-    }
-    const Solution solution = solve(problem, start.guide, std::move(start.curve));
     if (!std::isfinite(solution.report.maxDistance)) {
         refuseLostCurve(solution.report.status);
     }
@@ -451,8 +468,6 @@ Curve CurveDesigner::design(
         requireClear(state.surface, curve.polyline, *obstacles);
         state.measureClearance(region, curve);
     }
-    curve.report.seconds.path = start.pathSeconds;
-    curve.report.seconds.initial = start.fitSeconds;
     curve.report.seconds.polyline = watch.lap();
     report(progress, 1.0, "done");
     return curve;

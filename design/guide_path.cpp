@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/guide_path.h"
 
+#include "design/taut_path.h"
 #include "solver/field_cost.h"
 #include "surface/geodesic_path.h"
 #include "surface/input_error.h"
@@ -93,6 +94,56 @@ SurfacePoint keptClear(
     return point;
 }
 
+// What pulls a taut path. The energy E_int of a path is its squared length over the squared
+// distance of its ends, so this weight of the field has the minimum of length times cost.
+CurveProblem tautProblem(
+    const ShellBase& base, const FieldTravel& field, const GeodesicPath& path
+) {
+    CurveProblem problem;
+    problem.base = &base;
+    if (!field.empty()) {
+        problem.field.assign(field.vertexCosts.begin(), field.vertexCosts.end());
+        for (const int origin : base.ghostOrigin) {
+            problem.field.push_back(field.vertexCosts[at(origin)]);
+        }
+        double excess = 0.0;
+        for (const SurfacePoint& point : path.points) {
+            const double cost = field.costOf(base.faces[at(point.face)]);
+            excess += (cost - 1.0) / static_cast<double>(path.points.size());
+        }
+        const double detour = path.length / (path.positions.back() - path.positions.front()).norm();
+        problem.options.fieldWeight = 2.0 * field.weight * detour * detour / (1.0 + excess);
+        problem.options.fieldCost = FieldCost::Identity;
+        problem.fieldCosts = {.least = field.least, .meanExcess = 1.0};
+    }
+    return problem;
+}
+
+// Longer strips of faces are pulled taut at samples instead of straightened vertex by vertex, where
+// there is nothing to keep out of: that takes as long as to straighten a strip of about this many.
+constexpr std::size_t kLongStrip = 64;
+
+std::optional<std::vector<SurfacePoint>> findPath(
+    GeodesicPathFinder& finder,
+    const ShellBase& base,
+    const Terrain& terrain,
+    const SurfacePoint& start,
+    const SurfacePoint& goal
+) {
+    const bool isOpen = terrain.obstacles == nullptr && terrain.blockedFaces.empty();
+    std::optional<GeodesicPath> path =
+        isOpen ? finder.find(start, goal, kLongStrip) : finder.find(start, goal);
+    if (path && !path->isStraight) {
+        std::optional<std::vector<SurfacePoint>> taut =
+            pullTaut(tautProblem(base, terrain.field, *path), path->points);
+        if (taut) {
+            return taut;
+        }
+        path = finder.find(start, goal);
+    }
+    return path ? std::optional(std::move(path->points)) : std::nullopt;
+}
+
 }  // namespace
 
 PickPath makePickPath(
@@ -115,20 +166,21 @@ PickPath makePickPath(
     const std::size_t intervals = closed ? picks.size() : picks.size() - 1;
     for (std::size_t i = 0; i < intervals; ++i) {
         const std::size_t next = (i + 1) % picks.size();
-        const std::optional<GeodesicPath> path = finder.find(picks[i], picks[next]);
+        const std::optional<std::vector<SurfacePoint>> path =
+            findPath(finder, base, terrain, picks[i], picks[next]);
         if (!path) {
             throwNoPath(i, next, terrain);
         }
-        for (std::size_t k = 0; k < path->points.size(); ++k) {
+        for (std::size_t k = 0; k < path->size(); ++k) {
             // A path starts where the one before ended, but perhaps in another of the faces that
             // hold the pick.
-            const bool isPick = k == 0 || k + 1 == path->points.size();
+            const bool isPick = k == 0 || k + 1 == path->size();
             add(terrain.obstacles == nullptr || isPick
-                    ? path->points[k]
-                    : keptClear(surface, *terrain.obstacles, path->points[k], path->points[k + 1]));
+                    ? (*path)[k]
+                    : keptClear(surface, *terrain.obstacles, (*path)[k], (*path)[k + 1]));
             if (k == 0) {
                 result.picks.push_back(
-                    {path->points[0], result.guide.points.back().position, length}
+                    {path->front(), result.guide.points.back().position, length}
                 );
             }
         }

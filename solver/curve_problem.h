@@ -33,6 +33,7 @@ struct CurveProblem {
     SolverOptions options;
     double chordLength = 0.0;        ///< L of (4)
     double averageEdgeLength = 0.0;  ///< in the shell's frame
+    double distanceTolerance = 0.0;  ///< epsilon of (3), in the shell's frame
     Progress progress;
 };
 

@@ -167,6 +167,32 @@ std::optional<SplineCurve> makeFirstCurve(const CurveProblem& problem, const Gui
                : makeControlPolygon(problem, guide);
 }
 
+SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, double distance) {
+    std::vector<double> breaks = firstBreaks(problem);
+    while (true) {
+        SplineSpace space(problem.options.degree, problem.options.closed, breaks);
+        ControlPoints controls = fit(problem, guide, space);
+        std::vector<double> finer{breaks.front()};
+        for (int span = 0; span < space.spanCount(); ++span) {
+            const PolynomialCurve curve = space.polynomial(controls, span);
+            bool isNear = 0.5 * space.spanLength(span) < problem.options.minimumSpan;
+            for (int i = 0; i < kSamplesPerSpan && !isNear; ++i) {
+                const double tau = (i + 0.5) / kSamplesPerSpan;
+                const double t = breaks[at(span)] + tau * space.spanLength(span);
+                if ((curve.at(tau) - guidePosition(guide, t)).norm() > distance) {
+                    finer.push_back(0.5 * (breaks[at(span)] + breaks[at(span) + 1]));
+                    break;
+                }
+            }
+            finer.push_back(breaks[at(span) + 1]);
+        }
+        if (finer.size() == breaks.size()) {
+            return {std::move(space), std::move(controls)};
+        }
+        breaks.swap(finer);
+    }
+}
+
 std::optional<SplineCurve> fitGuidePath(const CurveProblem& problem, const GuidePath& guide) {
     std::vector<double> breaks = firstBreaks(problem);
     const double highestStart = kHighestStart / relativeReach(problem);

@@ -37,6 +37,11 @@ struct SplineCurve {
     const CurveProblem& problem, const GuidePath& guide
 );
 
+/// The same within a distance of the guide, in the shell's frame, instead of within the shell.
+[[nodiscard]] SplineCurve fitLoosely(
+    const CurveProblem& problem, const GuidePath& guide, double distance
+);
+
 /// First spline by Alg. 2 of the paper: its control polygon runs in turn to the top and to the
 /// bottom of the shell over the picks, with midpoints of the guide path where a segment would leave
 /// the shell. It may leave the shell all the same (the paper's eta, see integrateSamples).

@@ -26,6 +26,12 @@ enum class Interpolation { Constraint, Penalty };
 /// (19)-(23).
 enum class KnotRule { EnergyAndDistance, FeatureFunction };
 
+/// In units of the square root of the surface's area. On finer meshes the tolerance would ask for
+/// more knots, and more time, than what anyone sees of a curve: with the default tolerance the
+/// spline then is within a thousandth of that root of the surface, on which its polyline lies in
+/// any case.
+inline constexpr double kFinestEdge = 0.01;
+
 /// Options of one curve. The defaults are what measured best; paperPreset() is what the paper says.
 struct SolverOptions {
     int degree = 3;               ///< polynomial degree (the paper's k), 2, 3 or 4
@@ -39,7 +45,9 @@ struct SolverOptions {
     double avoidMargin = 0.02;  ///< what is avoided pushes the curve from this far away on,
                                 ///< relative to the diagonal, in (0, 1]
 
-    double distanceTolerance = 0.1;  ///< epsilon of (3), in average edge lengths, > 0
+    /// epsilon of (3), in average edge lengths, where edges shorter than kFinestEdge count as that
+    /// long, > 0
+    double distanceTolerance = 0.1;
     Bending bending = Bending::Geodesic;
     double normalBendingWeight =
         0.05;  ///< delta: share of normal bending kept by Bending::Geodesic, in (0, 1]

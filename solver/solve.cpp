@@ -142,7 +142,7 @@ public:
           effort_(hasPull(problem) ? kFieldEffort : kPlainEffort),
           decrement_(effort_.rough),
           stage_(std::make_unique<Stage>(problem, curve_.space, segments_)),
-          tolerance_(options_.distanceTolerance * problem.averageEdgeLength),
+          tolerance_(problem.distanceTolerance),
           restingMove_(std::min(tolerance_, kMoveShare * shortestPickDistance(problem))),
           tensionFloor_(tensionFloor(problem, guide)) {
         report_.knotsFirst = knotCount();
@@ -421,11 +421,23 @@ private:
 
 }  // namespace
 
-Solution solve(const CurveProblem& problem, const GuidePath& guide, SplineCurve first) {
-    if (std::optional<Solution> relaxed = relax(problem, guide, first)) {
-        return std::move(*relaxed);
-    }
+Solution solveInShell(const CurveProblem& problem, const GuidePath& guide, SplineCurve first) {
     return Solver(problem, guide, std::move(first)).run();
+}
+
+std::optional<Solution> solve(const CurveProblem& problem, const GuidePath& guide) {
+    if (std::optional<Solution> relaxed = relax(problem, guide)) {
+        return relaxed;
+    }
+    Stopwatch watch;
+    std::optional<SplineCurve> first = makeFirstCurve(problem, guide);
+    if (!first) {
+        return std::nullopt;
+    }
+    const double initial = watch.lap();
+    Solution solution = solveInShell(problem, guide, std::move(*first));
+    solution.report.seconds.initial = initial;
+    return solution;
 }
 
 }  // namespace bspline_curve

@@ -3,12 +3,19 @@
 
 #include "solver/solution.h"
 
+#include <optional>
+
 namespace bspline_curve {
 
-/// Alg. 1 of the paper: from the first spline along the guide, minimise, raise the weights, insert
-/// knots, until the curve is near enough to the surface and more knots no longer change it. Throws
+/// A curve along the guide, by relax(), or where that is not for it or fails as solveInShell() does
+/// from makeFirstCurve(). Nothing where no first spline along the guide stays in the shell. Throws
 /// Cancelled.
-[[nodiscard]] Solution solve(
+[[nodiscard]] std::optional<Solution> solve(const CurveProblem& problem, const GuidePath& guide);
+
+/// Alg. 1 of the paper: from a first spline along the guide, minimise, raise the weights, insert
+/// knots, until the curve is near enough to the surface and more knots no longer change it; every
+/// iterate lies in the shell. Throws Cancelled.
+[[nodiscard]] Solution solveInShell(
     const CurveProblem& problem, const GuidePath& guide, SplineCurve first
 );
 

@@ -16,18 +16,22 @@ std::size_t at(int index) {
 }  // namespace
 
 std::optional<GeodesicPath> GeodesicPathFinder::find(
-    const SurfacePoint& start, const SurfacePoint& goal
+    const SurfacePoint& start, const SurfacePoint& goal, std::size_t mostFaces
 ) {
     std::optional<std::vector<int>> found = search_.find(start, goal);
     if (!found) {
         return std::nullopt;
     }
     StripRoute route(surface_, search_.costs(), std::move(*found), start, goal);
-    route.straighten();
+    const bool isShort = route.strip().size() <= mostFaces;
+    if (isShort) {
+        route.straighten();
+    }
 
     const std::vector<int>& strip = route.strip();
     const StripPath& path = route.path();
     GeodesicPath result;
+    result.isStraight = isShort;
     result.points.push_back(inFace(surface_, start, strip.front()));
     for (std::size_t i = 0; i + 1 < strip.size(); ++i) {
         const Triangle& face = surface_.faces()[at(strip[i])];

@@ -5,6 +5,7 @@
 #include "surface/surface.h"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@ struct GeodesicPath {
     std::vector<SurfacePoint> points;  ///< start, a point on each edge crossed, goal
     std::vector<Vec3> positions;
     double length = 0.0;
+    bool isStraight = true;  ///< see GeodesicPathFinder::find
 };
 
 /// Finds locally shortest paths, or where faces cost differently, cheap ones.
@@ -34,9 +36,13 @@ public:
     )
         : surface_(surface), search_(surface, std::move(costs), patches) {}
 
-    /// The path, or nothing if there is none. Cost: see StripSearch::find.
+    /// The path, or nothing if there is none. In strips of more faces than `mostFaces` it stays the
+    /// shortest within the strip: to straighten a path costs about as much as all faces between
+    /// it and the geodesic. Cost of the search: see StripSearch::find.
     [[nodiscard]] std::optional<GeodesicPath> find(
-        const SurfacePoint& start, const SurfacePoint& goal
+        const SurfacePoint& start,
+        const SurfacePoint& goal,
+        std::size_t mostFaces = std::numeric_limits<std::size_t>::max()
     );
 
     /// See StripSearch.

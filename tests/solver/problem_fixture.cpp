@@ -32,6 +32,7 @@ ProblemFixture::ProblemFixture(
     problem_.options = options;
     makePath();
     problem_.averageEdgeLength = surface.averageEdgeLength() / shell_->base->frame.scale;
+    problem_.distanceTolerance = problem_.options.distanceTolerance * problem_.averageEdgeLength;
     for (std::size_t i = 0; i + 1 < problem_.picks.size(); ++i) {
         problem_.chordLength +=
             (problem_.picks[i + 1].position - problem_.picks[i].position).norm();
@@ -69,11 +70,7 @@ void ProblemFixture::setField(const std::vector<double>& field) {
 }
 
 Solution solved(const ProblemFixture& fixture) {
-    return solve(
-        fixture.problem(),
-        fixture.guide(),
-        makeFirstCurve(fixture.problem(), fixture.guide()).value()
-    );
+    return solve(fixture.problem(), fixture.guide()).value();
 }
 
 }  // namespace bspline_curve::test_support

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/foot_energy.h"
+#include "solver/initial_curve.h"
+
+#include <optional>
+
+namespace bspline_curve {
+
+/// Newton's method for FootEnergy in one space of splines; the picks stay met.
+class FootNewton {
+public:
+    /// Feet are found by follow(), from where the caller puts them in now().
+    FootNewton(const CurveProblem& problem, SplineCurve curve, double heightUnit);
+    FootNewton(const FootNewton&) = delete;  // parts of it refer to others
+    FootNewton& operator=(const FootNewton&) = delete;
+
+    [[nodiscard]] const SplineSpace& space() const { return space_; }
+
+    [[nodiscard]] const FootEnergy& energy() const { return energy_; }
+
+    [[nodiscard]] const SplineSystem& system() const { return system_; }
+
+    [[nodiscard]] FootedSpline& now() { return now_; }
+
+    void follow(const FootFinder& finder) { energy_.follow(finder, now_); }
+
+    struct Step {
+        EnergyTerms terms;  ///< before it
+        double total, scale;
+        double decrement;  ///< what the whole step promises
+        double length;     ///< share of it that was taken; 0 where the energy does not fall
+    };
+
+    /// One step, with the bending directions of where it starts. Nothing where the Hessian is
+    /// positive with no share of the surface's bending.
+    std::optional<Step> step(const FootFinder& finder, double alpha);
+
+private:
+    [[nodiscard]] std::optional<Eigen::VectorXd> direction(double alpha);
+    double advance(
+        const FootFinder& finder, const Eigen::VectorXd& direction, double alpha, const Step& step
+    );
+
+    SplineSpace space_;
+    FootEnergy energy_;
+    SplineSystem system_;
+    FootedSpline now_, trial_;
+    Eigen::VectorXd gradient_;
+    std::vector<SpanMatrix> hessian_;
+};
+
+}  // namespace bspline_curve
