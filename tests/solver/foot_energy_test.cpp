@@ -556,5 +556,16 @@ TEST(GainOfBulge, ForetellsWhatHalvingAllSpansOfCubicsGainsOnASphere) {
     }
 }
 
+// b'' is orthogonal to the second derivatives of cubics, but not of quartics: bending counts too.
+TEST(GainOfBulge, PromisesNoMoreThanHalvingAllSpansOfQuarticsGains) {
+    for (const std::vector<Vec3>& picks : kWays) {
+        for (const double alpha : {100.0, 3000.0}) {
+            SCOPED_TRACE(std::to_string(picks.size()) + " picks, alpha " + std::to_string(alpha));
+            const Halving halving = halveAllSpans(picks, 4, alpha);
+            EXPECT_LT(halving.promised, 3.0 * halving.fall);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace bspline_curve

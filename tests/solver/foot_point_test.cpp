@@ -459,6 +459,17 @@ TEST(FeetBeyondABoundary, AreOnTheOuterRimWhereGhostsEnd) {
     }
 }
 
+TEST(FeetBeyondABoundary, AreNearestOfAllFacesAroundARimsVertex) {
+    const ShellBase base = baseOf(jitteredPlate(12, 12, 0.2, 3));
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Vec3 p = pointBesideAPlate(base, seed);
+        Random random(seed);
+        const Found found = find(base, p, centreOf(random.integer(0, base.surfaceFaceCount - 1)));
+        EXPECT_FALSE(expectFootOrNearest(base, p, found));
+    }
+}
+
 // ---- Any point, any directions ----
 
 TEST(FeetOfAnyPoint, AreFiniteAndHereOrNearestWhateverTheDirections) {

@@ -178,6 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
         sphere(true),
         noisySphere(),
         noisySphere(true),
+        noisySphere(false, 2),
         noisySphere(false, 4),
         noisySphere(true, 2),
         noisySphere(true, 4),
@@ -361,6 +362,19 @@ TEST(RelaxationOfCurves, IsTheSameBesideWhatIsFarAway) {
     const std::optional<Solution> with = relaxed(fixture);
     ASSERT_TRUE(without && with);
     expectSame(*without, *with);
+}
+
+TEST(RelaxationIsNotFor, CurvesWhoseProgressFalls) {
+    ProblemFixture fixture = makeFixture(noisySphere(true));
+    fixture.avoid(ball(fixture.surface(), {0.3, 0.8, 0.5}, 0.3), 0.2);
+    EXPECT_FALSE(relaxed(fixture).has_value());
+    double last = 0.0;
+    fixture.problem().progress = [&](double fraction, const char*) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return true;
+    };
+    static_cast<void>(solved(fixture));
 }
 
 // ---- Curves that are refused ----
