@@ -1,0 +1,516 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Feet of points over surfaces: P = q + height n(q), wherever the fibres allow it, and the nearest
+// point nearby elsewhere.
+#include "solver/foot_point.h"
+
+#include "shell/built_shell.h"
+#include "support/meshes.h"
+#include "support/random.h"
+#include "surface/closest_point.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+int faceCountOf(const ShellBase& base) {
+    return static_cast<int>(base.faces.size());
+}
+
+ShellBase baseOf(const TriangleMesh& mesh) {
+    return makeShellBase(Surface(mesh), 3);
+}
+
+double meanEdge(const ShellBase& base) {
+    double sum = 0.0;
+    int count = 0;
+    for (const double length : base.edgeLengths) {
+        sum += length;
+        count += length > 0.0 ? 1 : 0;
+    }
+    return sum / count;
+}
+
+Vec3 combine(const std::vector<Vec3>& values, const Triangle& face, const Vec3& weights) {
+    return weights[0] * values[at(face[0])] + weights[1] * values[at(face[1])] +
+           weights[2] * values[at(face[2])];
+}
+
+Vec3 directionAt(const ShellBase& base, const FootPoint& foot) {
+    return combine(base.directions, base.faces[at(foot.face)], foot.barycentric());
+}
+
+Vec3 footPosition(const ShellBase& base, const FootPoint& foot) {
+    return base.position({foot.face, foot.barycentric()});
+}
+
+Vec3 pointOver(const ShellBase& base, const FootPoint& foot) {
+    return footPosition(base, foot) + foot.height * directionAt(base, foot);
+}
+
+FootPoint centreOf(int face) {
+    return {face, 1.0 / 3.0, 1.0 / 3.0, 0.0};
+}
+
+FootPoint randomFoot(const ShellBase& base, Random& random, double highest) {
+    const int face = random.integer(0, faceCountOf(base) - 1);
+    const Vec3 barycentric = random.barycentric();
+    return {face, barycentric[1], barycentric[2], random.uniform(-highest, highest)};
+}
+
+struct Found {
+    FootPoint foot;
+    FootFrame frame;
+};
+
+Found find(const ShellBase& base, const Vec3& p, const FootPoint& start) {
+    Found found{start, {}};
+    FootFinder(base).move(p, found.foot, found.frame);
+    return found;
+}
+
+// ---- Brute force over all faces ----
+
+// The foot of p in one face, where its fibres lead there; Newton's method on the 3 x 3 system, with
+// the matrix inverted as a whole.
+std::optional<FootPoint> footIn(const ShellBase& base, int face, const Vec3& p) {
+    const Triangle& corners = base.faces[at(face)];
+    const auto difference = [&](const std::vector<Vec3>& values, std::size_t corner) {
+        return Vec3(values[at(corners[corner])] - values[at(corners[0])]);
+    };
+    FootPoint foot = centreOf(face);
+    for (int step = 0; step < 30; ++step) {
+        Eigen::Matrix3d jacobian;
+        jacobian.col(0) =
+            difference(base.vertices, 1) + foot.height * difference(base.directions, 1);
+        jacobian.col(1) =
+            difference(base.vertices, 2) + foot.height * difference(base.directions, 2);
+        jacobian.col(2) = directionAt(base, foot);
+        const Vec3 change = jacobian.fullPivLu().solve(p - pointOver(base, foot));
+        foot.u += change[0];
+        foot.v += change[1];
+        foot.height += change[2];
+    }
+    const bool isSolved = (pointOver(base, foot) - p).norm() < 1e-12;
+    return isSolved && foot.barycentric().minCoeff() >= -1e-9 ? std::optional(foot) : std::nullopt;
+}
+
+// All feet of p with heights up to a bound.
+std::vector<FootPoint> allFeet(const ShellBase& base, const Vec3& p, double highest) {
+    std::vector<FootPoint> feet;
+    for (int face = 0; face < faceCountOf(base); ++face) {
+        const std::optional<FootPoint> foot = footIn(base, face, p);
+        if (foot && std::abs(foot->height) <= highest) {
+            feet.push_back(*foot);
+        }
+    }
+    return feet;
+}
+
+double distanceToSurface(const ShellBase& base, const Vec3& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Triangle& face : base.faces) {
+        least = std::min(least, closestPointOnTriangle(base.vertices, face, p).squaredDistance);
+    }
+    return std::sqrt(least);
+}
+
+Vec3 normalOf(const ShellBase& base, int face) {
+    const Triangle& corners = base.faces[at(face)];
+    const Vec3& a = base.vertices[at(corners[0])];
+    return (base.vertices[at(corners[1])] - a)
+        .cross(base.vertices[at(corners[2])] - a)
+        .normalized();
+}
+
+// Distance to the faces that hold a foot: one, two on an edge, all around a vertex.
+double distanceNearby(const ShellBase& base, const Vec3& p, const FootPoint& foot) {
+    const Triangle& here = base.faces[at(foot.face)];
+    const Vec3 barycentric = foot.barycentric();
+    double least = std::numeric_limits<double>::infinity();
+    for (const Triangle& other : base.faces) {
+        bool holds = true;
+        for (int k = 0; k < 3; ++k) {
+            holds &= barycentric[k] < 1e-12 || std::ranges::find(other, here[at(k)]) != other.end();
+        }
+        if (holds) {
+            least =
+                std::min(least, closestPointOnTriangle(base.vertices, other, p).squaredDistance);
+        }
+    }
+    return std::sqrt(least);
+}
+
+void expectFinite(const Found& found) {
+    EXPECT_TRUE(std::isfinite(found.foot.u) && std::isfinite(found.foot.v));
+    EXPECT_TRUE(std::isfinite(found.foot.height));
+    for (const Vec3& v :
+         {found.frame.direction,
+          found.frame.height,
+          found.frame.u,
+          found.frame.v,
+          found.frame.turnU,
+          found.frame.turnV}) {
+        EXPECT_TRUE(v.allFinite());
+    }
+}
+
+// Expects that a foot lies under p by its fibre, or else is the nearest point of the faces that
+// hold it. Returns whether the first is so.
+bool expectFootOrNearest(const ShellBase& base, const Vec3& p, const Found& found) {
+    expectFinite(found);
+    EXPECT_GE(found.foot.face, 0);
+    EXPECT_GE(found.foot.barycentric().minCoeff(), -1e-3);
+    EXPECT_NEAR(found.frame.direction.norm(), 1.0, 1e-12);
+    if ((pointOver(base, found.foot) - p).norm() < 1e-9) {
+        return true;
+    }
+    const double distance = (footPosition(base, found.foot) - p).norm();
+    EXPECT_NEAR(std::abs(found.foot.height), distance, 1e-12);
+    EXPECT_NEAR(distance, distanceNearby(base, p, found.foot), 1e-12);
+    return false;
+}
+
+// ---- Surfaces where fibres are of use all around ----
+
+struct Shape {
+    std::string name;
+    TriangleMesh mesh;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Shape& shape) {
+    return stream << shape.name;
+}
+
+class FeetNear : public testing::TestWithParam<Shape> {
+protected:
+    ShellBase base_ = baseOf(GetParam().mesh);
+    double edge_ = meanEdge(base_);
+};
+
+TEST_P(FeetNear, AreThoseThatPointsWereRaisedFrom) {
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const FootPoint from = randomFoot(base_, random, 0.2 * edge_);
+        const Vec3 p = pointOver(base_, from);
+        // From its own face, and from those beside it, but not round an edge of a box.
+        std::vector<int> starts = {from.face};
+        for (const int next : base_.faceNeighbours[at(from.face)]) {
+            if (next >= 0 && normalOf(base_, from.face).dot(normalOf(base_, next)) > 0.5) {
+                starts.push_back(next);
+            }
+        }
+        for (const int start : starts) {
+            const Found found = find(base_, p, centreOf(start));
+            EXPECT_TRUE(expectFootOrNearest(base_, p, found));
+            EXPECT_NEAR(found.foot.height, from.height, 1e-3 * edge_);
+            if (found.foot.face == from.face) {
+                EXPECT_NEAR(found.foot.u, from.u, 1e-9);
+                EXPECT_NEAR(found.foot.v, from.v, 1e-9);
+                EXPECT_NEAR(found.foot.height, from.height, 1e-9 * edge_);
+            } else {
+                EXPECT_LT(from.barycentric().minCoeff(), 1e-2);
+            }
+        }
+    }
+}
+
+TEST_P(FeetNear, HaveTheFramesOfTheirDifferences) {
+    int tried = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const FootPoint from = randomFoot(base_, random, 0.2 * edge_);
+        if (from.barycentric().minCoeff() < 0.02) {
+            continue;
+        }
+        ++tried;
+        const Vec3 p = pointOver(base_, from);
+        const Found here = find(base_, p, from);
+        const double h = 1e-4 * edge_;
+        for (int axis = 0; axis < 3; ++axis) {
+            const FootPoint up = find(base_, p + h * Vec3::Unit(axis), from).foot;
+            const FootPoint down = find(base_, p - h * Vec3::Unit(axis), from).foot;
+            ASSERT_EQ(up.face, from.face);
+            ASSERT_EQ(down.face, from.face);
+            const double scale = 1e-5 / edge_;
+            EXPECT_NEAR((up.height - down.height) / (2.0 * h), here.frame.height[axis], 1e-5);
+            EXPECT_NEAR((up.u - down.u) / (2.0 * h), here.frame.u[axis], scale);
+            EXPECT_NEAR((up.v - down.v) / (2.0 * h), here.frame.v[axis], scale);
+        }
+        const Vec3 n = directionAt(base_, from);
+        EXPECT_LT((here.frame.direction - n.normalized()).norm(), 1e-9);
+        FootPoint beside = from;
+        beside.u += 0.01;
+        EXPECT_LT((here.frame.turnU - (directionAt(base_, beside) - n) / 0.01).norm(), 1e-9);
+        beside = from;
+        beside.v += 0.01;
+        EXPECT_LT((here.frame.turnV - (directionAt(base_, beside) - n) / 0.01).norm(), 1e-9);
+    }
+    EXPECT_GT(tried, 50);
+}
+
+TEST_P(FeetNear, AreAmongThoseOfASearchOverAllFaces) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const FootPoint from = randomFoot(base_, random, 0.2 * edge_);
+        const Vec3 p = pointOver(base_, from);
+        const Found found = find(base_, p, from);
+        const std::vector<FootPoint> feet = allFeet(base_, p, 0.3 * edge_);
+        ASSERT_FALSE(feet.empty());
+        EXPECT_TRUE(std::ranges::any_of(feet, [&](const FootPoint& foot) {
+            return (footPosition(base_, foot) - footPosition(base_, found.foot)).norm() <
+                       1e-6 * edge_ &&
+                   std::abs(foot.height - found.foot.height) < 1e-6 * edge_;
+        }));
+    }
+}
+
+TEST_P(FeetNear, AreTheSameAfterAWalkOverManyFaces) {
+    int far = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const FootPoint from = randomFoot(base_, random, 0.1 * edge_);
+        const FootPoint start = randomFoot(base_, random, 0.1 * edge_);
+        const double away = (footPosition(base_, from) - footPosition(base_, start)).norm();
+        // No farther than that the surface goes on without turning away.
+        if (away > 8.0 * edge_ ||
+            normalOf(base_, from.face).dot(normalOf(base_, start.face)) < 0.8) {
+            continue;
+        }
+        far += away > 3.0 * edge_ ? 1 : 0;
+        const Vec3 p = pointOver(base_, from);
+        const Found found = find(base_, p, start);
+        EXPECT_TRUE(expectFootOrNearest(base_, p, found));
+        EXPECT_LT(
+            (footPosition(base_, found.foot) - footPosition(base_, from)).norm(), 1e-2 * edge_
+        );
+        EXPECT_NEAR(found.foot.height, from.height, 1e-2 * edge_);
+    }
+    EXPECT_GT(far, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    FeetNear,
+    testing::Values(
+        Shape{"Sphere", icosphere(3)},
+        Shape{"NoisySphere", withNoise(icosphere(3), 0.01, 7)},
+        Shape{"Torus", torus(36, 16)},
+        Shape{"Plate", jitteredPlate(12, 12, 0.25, 5)},
+        Shape{"Box", box(6, {1.0, 0.8, 0.6})}
+    ),
+    [](const auto& testInfo) { return testInfo.param.name; }
+);
+
+// ---- Far from the surface ----
+
+TEST(FeetOfFarPoints, AreFoundAlongFibresWhereTheseSpread) {
+    const ShellBase base = baseOf(withNoise(icosphere(3), 0.01, 7));
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        FootPoint from = randomFoot(base, random, 0.0);
+        from.height = random.uniform(0.1, 3.0);
+        const Vec3 p = pointOver(base, from);
+        const Found found = find(base, p, centreOf(from.face));
+        EXPECT_TRUE(expectFootOrNearest(base, p, found));
+        EXPECT_NEAR(found.foot.height, from.height, 0.02 * from.height);
+    }
+}
+
+TEST(FeetOfFarPoints, AreNearestPointsWhereFibresMeet) {
+    const ShellBase base = baseOf(icosphere(3));
+    const double radius = 1.0 / base.frame.scale;
+    for (const double share : {0.0, 0.02}) {
+        int nearest = 0;
+        for (int face = 0; face < faceCountOf(base); face += 37) {
+            const Vec3 p = share * radius * footPosition(base, centreOf(face)).normalized();
+            const Found found = find(base, p, centreOf(face));
+            nearest += expectFootOrNearest(base, p, found) ? 0 : 1;
+            EXPECT_NEAR(found.foot.height, -(1.0 - share) * radius, 0.01 * radius);
+        }
+        EXPECT_GT(nearest, 10);
+    }
+}
+
+// ---- Creases ----
+
+// A plate bent along the line x = 0, upwards: fibres cross above it.
+TriangleMesh groove(int cells, double slope) {
+    TriangleMesh mesh = plate(2 * cells, cells, 2.0, 1.0);
+    for (Vec3& p : mesh.vertices) {
+        p.x() -= 1.0;
+        p.z() = slope * std::abs(p.x());
+    }
+    return mesh;
+}
+
+TEST(FeetInAGroove, AreNearestPointsWhereFibresCross) {
+    const ShellBase base = baseOf(groove(10, 1.0));
+    int nearest = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const Vec3 p = base.frame.toUnit(
+            {random.uniform(-0.5, 0.5), random.uniform(0.1, 0.9), random.uniform(0.6, 1.4)}
+        );
+        const int start = random.integer(0, base.surfaceFaceCount - 1);
+        const Found found = find(base, p, centreOf(start));
+        if (expectFootOrNearest(base, p, found)) {
+            continue;
+        }
+        ++nearest;
+        EXPECT_GT(found.foot.height, 0.0);
+        // Either side of the groove has a nearest point of its own.
+        EXPECT_GE(found.foot.height, distanceToSurface(base, p) - 1e-12);
+        // The height is the distance, so its gradient has unit length and points to p.
+        const Vec3 gap = p - footPosition(base, found.foot);
+        EXPECT_LT((found.frame.height - gap.normalized()).norm(), 1e-9);
+    }
+    EXPECT_GT(nearest, 30);
+}
+
+TEST(FeetInAGroove, HaveTheSideOfTheirPoints) {
+    // Deep under a ridge the fibres of both sides cross: the same mesh from below.
+    TriangleMesh ridge = groove(10, 1.0);
+    for (Vec3& p : ridge.vertices) {
+        p.z() = -p.z();
+    }
+    const ShellBase base = baseOf(ridge);
+    int nearest = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const Vec3 p = base.frame.toUnit(
+            {random.uniform(-0.4, 0.4), random.uniform(0.1, 0.9), random.uniform(-1.4, -0.6)}
+        );
+        const Found found = find(base, p, centreOf(random.integer(0, base.surfaceFaceCount - 1)));
+        nearest += expectFootOrNearest(base, p, found) ? 0 : 1;
+        EXPECT_LT(found.foot.height, 0.0);
+    }
+    EXPECT_GT(nearest, 5);
+}
+
+// ---- Boundaries ----
+
+// Farther beyond the boundary of a unit plate than its ghosts.
+Vec3 pointBesideAPlate(const ShellBase& base, std::uint64_t seed) {
+    Random random(seed);
+    Vec3 user{random.uniform(-0.5, 1.5), random.uniform(1.1, 1.5), random.uniform(-0.1, 0.1)};
+    if (seed % 2 == 0) {
+        std::swap(user.x(), user.y());
+    }
+    return base.frame.toUnit(user);
+}
+
+TEST(FeetBeyondABoundary, LieInGhostFaces) {
+    const ShellBase base = baseOf(jitteredPlate(12, 12, 0.2, 3));
+    const double edge = meanEdge(base);
+    for (int face = base.surfaceFaceCount; face < faceCountOf(base); ++face) {
+        FootPoint from = centreOf(face);
+        from.height = 0.1 * edge;
+        const Vec3 p = pointOver(base, from);
+        const int inside = *std::ranges::max_element(base.faceNeighbours[at(face)]);
+        const int start = *std::ranges::min_element(
+            base.faceNeighbours[at(face)], {}, [&](int next) { return next < 0 ? inside : next; }
+        );
+        const Found found = find(base, p, centreOf(start));
+        EXPECT_TRUE(expectFootOrNearest(base, p, found));
+        EXPECT_GE(found.foot.face, base.surfaceFaceCount);
+        EXPECT_NEAR(found.foot.height, from.height, 1e-9);
+    }
+}
+
+TEST(FeetBeyondABoundary, AreOnTheOuterRimWhereGhostsEnd) {
+    const ShellBase base = baseOf(jitteredPlate(12, 12, 0.2, 3));
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Vec3 p = pointBesideAPlate(base, seed);
+        Random random(seed);
+        const Found found = find(base, p, centreOf(random.integer(0, base.surfaceFaceCount - 1)));
+        expectFinite(found);
+        EXPECT_GE(found.foot.face, base.surfaceFaceCount);
+        EXPECT_NEAR(found.foot.barycentric().minCoeff(), 0.0, 1e-12);
+        EXPECT_NEAR(
+            std::abs(found.foot.height), (footPosition(base, found.foot) - p).norm(), 1e-12
+        );
+        EXPECT_GE(std::abs(found.foot.height), distanceToSurface(base, p) - 1e-12);
+        EXPECT_EQ(found.foot.height < 0.0, p.z() < 0.0);
+    }
+}
+
+TEST(FeetBeyondABoundary, AreNearestOfAllFacesAroundARimsVertex) {
+    const ShellBase base = baseOf(jitteredPlate(12, 12, 0.2, 3));
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Vec3 p = pointBesideAPlate(base, seed);
+        Random random(seed);
+        const Found found = find(base, p, centreOf(random.integer(0, base.surfaceFaceCount - 1)));
+        EXPECT_FALSE(expectFootOrNearest(base, p, found));
+    }
+}
+
+// ---- Any point, any directions ----
+
+TEST(FeetOfAnyPoint, AreFiniteAndHereOrNearestWhateverTheDirections) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        ShellBase base =
+            baseOf(seed % 3 == 0 ? tennisBallVertex() : withNoise(icosphere(1), 0.2, seed));
+        if (seed % 3 == 1) {
+            // Directions that see their faces from behind, from the side, or not at all.
+            for (Vec3& direction : base.directions) {
+                direction = random.point(-1.0, 1.0).normalized();
+            }
+        } else if (seed % 3 == 2) {
+            base.directions[at(random.integer(0, 10))] = Vec3::Zero();
+        }
+        for (int i = 0; i < 30; ++i) {
+            const int face = random.integer(0, faceCountOf(base) - 1);
+            const Vec3 barycentric = random.awkwardBarycentric();
+            const Vec3 p =
+                i % 3 == 0 ? random.point(-1.0, 1.0) : base.position({face, barycentric});
+            const int start = random.integer(0, faceCountOf(base) - 1);
+            const Found found = find(base, p, centreOf(start));
+            expectFinite(found);
+            EXPECT_GE(found.foot.barycentric().minCoeff(), -1e-3);
+        }
+    }
+}
+
+TEST(FeetOfAnyPoint, AreOnTheSurfaceForPointsOfIt) {
+    const ShellBase base = baseOf(withNoise(icosphere(2), 0.02, 3));
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const int face = random.integer(0, faceCountOf(base) - 1);
+        const Vec3 p = base.position({face, random.awkwardBarycentric()});
+        const Found found = find(base, p, centreOf(face));
+        EXPECT_TRUE(expectFootOrNearest(base, p, found));
+        EXPECT_NEAR(found.foot.height, 0.0, 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace bspline_curve
