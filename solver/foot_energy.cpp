@@ -288,6 +288,7 @@ double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int spa
         const Vec3 bending = curve.secondDerivativeAt(tau) / (length * length);
         force += value * point.force +
                  second * table.normalBending * direction.dot(bending) * direction +
+                 (second * scale * (1.0 - tension) * table.weight) * bending +
                  slope * scale * tension * table.weight / length * curve.derivativeAt(tau);
         stiffness += (value * value) * point.second;
         stiffness += rankOne(direction, second * second * table.normalBending);

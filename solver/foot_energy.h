@@ -63,8 +63,9 @@ public:
     ) const;
 
     /// How much the energy would fall if a span could bulge by itself: one Newton step for the
-    /// bubble tau^2 (1 - tau)^2 times a vector, which no spline of the space has. Its second
-    /// derivative is orthogonal to those of cubic splines.
+    /// bubble tau^2 (1 - tau)^2 times a vector, which no cubic spline of the space has and some of
+    /// a finer one nearly have. Its second derivative is orthogonal to those of cubics; quadratic
+    /// splines gain more by halving than it promises.
     [[nodiscard]] double gainOfBulge(const FootedSpline& spline, double alpha, int span) const;
 
     [[nodiscard]] double largestHeight(const FootedSpline& spline) const;

@@ -174,9 +174,11 @@ void FootFinder::toNearest(const Vec3& p, FootPoint& foot, FootFrame& frame) con
             if (barycentric[k] > 0.0) {
                 continue;
             }
-            // All faces around the vertex where the point is one, else that across the edge.
-            const bool isVertex = barycentric[(k + 1) % 3] <= 0.0;
-            const int centre = base_.faces[at(here)][at((k + 2) % 3)];
+            // Across the edge, and on around the vertex where the point is one, this way; the way
+            // from the other edge at it goes round the other side.
+            const bool isFirstEnd = barycentric[(k + 1) % 3] <= 0.0;
+            const bool isVertex = isFirstEnd || barycentric[(k + 2) % 3] <= 0.0;
+            const int centre = base_.faces[at(here)][at((k + (isFirstEnd ? 2 : 1)) % 3)];
             int other = base_.faceNeighbours[at(here)][at(k)];
             for (int turn = 0; other >= 0 && other != here && turn < kMaxValence; ++turn) {
                 compare(other);
@@ -184,7 +186,7 @@ void FootFinder::toNearest(const Vec3& p, FootPoint& foot, FootFrame& frame) con
                     break;
                 }
                 const int slot = slotOf(base_.faces[at(other)], centre);
-                other = base_.faceNeighbours[at(other)][at((slot + 1) % 3)];
+                other = base_.faceNeighbours[at(other)][at((slot + (isFirstEnd ? 1 : 2)) % 3)];
             }
         }
     }

@@ -52,9 +52,10 @@ struct SolverOptions {
     double normalBendingWeight =
         0.05;  ///< delta: share of normal bending kept by Bending::Geodesic, in (0, 1]
     InitialCurve initialCurve = InitialCurve::GeodesicFit;
-    /// FootPoints is for tension up to 0.5, fields of up to usual strength, curves that what they
-    /// avoid does not push, and the defaults of the options from here to knotRule; other curves,
-    /// and those that do not come to lie in the shell that way, are integrated by Cells.
+    /// FootPoints is for degrees 3 and 4, tension up to 0.5, fields of up to usual strength, curves
+    /// that what they avoid does not push, and the defaults of the options from here to knotRule;
+    /// other curves, and those that do not come to lie in the shell that way, are integrated by
+    /// Cells.
     Quadrature quadrature = Quadrature::FootPoints;
     int samplesPerSpan = 24;  ///< evenly spaced samples per knot span for Quadrature::Samples, >= 4
     BarrierWidth barrierWidth = BarrierWidth::Full;

@@ -54,6 +54,8 @@ constexpr int kMaxRestSteps = 6;
 // than this share. 0.02 gives 3 % more bending with a tenth fewer knots.
 constexpr double kNegligibleGain = 0.01;
 
+// Bulges do not say what quadratic splines gain by knots.
+constexpr int kLeastDegree = 3;
 // With more tension little holds a curve between samples, and corners at picks want knots that
 // bulges do not ask for.
 constexpr double kHighestTension = 0.5;
@@ -62,7 +64,7 @@ constexpr double kStrongestField = 20.0;
 
 bool isForFootPoints(const CurveProblem& problem) {
     const SolverOptions& options = problem.options;
-    return options.quadrature == Quadrature::FootPoints &&
+    return options.quadrature == Quadrature::FootPoints && options.degree >= kLeastDegree &&
            options.initialCurve == InitialCurve::GeodesicFit &&
            options.barrierWidth == BarrierWidth::Full &&
            options.distanceWeight == DistanceWeight::Schedule &&
@@ -151,7 +153,7 @@ private:
     [[nodiscard]] int knotCount() const { return static_cast<int>(space().knotVector().size()); }
 
     [[nodiscard]] static double progressFraction(int round) {
-        return 0.9 * (1.0 - std::pow(0.75, round));
+        return kRelaxedShare * (1.0 - std::pow(0.75, round));
     }
 
     [[nodiscard]] std::unique_ptr<FootNewton> newtonFrom(SplineCurve curve) const {

@@ -7,6 +7,10 @@
 
 namespace bspline_curve {
 
+/// Share of the progress at most that relax() reports; what is left is for a curve that it does not
+/// find.
+inline constexpr double kRelaxedShare = 0.5;
+
 /// Alg. 1 of the paper with energies at samples (FootEnergy): from a fit to the guide, a few Newton
 /// steps, then a larger weight of the distance and knots where a span would gain by bulging, again
 /// and again; at last the whole curve is traced through the shell, and spans that leave the

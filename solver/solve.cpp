@@ -134,9 +134,12 @@ struct Stage {
 
 class Solver {
 public:
-    Solver(const CurveProblem& problem, const GuidePath& guide, SplineCurve first)
+    Solver(
+        const CurveProblem& problem, const GuidePath& guide, SplineCurve first, double progressFrom
+    )
         : problem_(problem),
           options_(problem.options),
+          progressFrom_(progressFrom),
           curve_(std::move(first)),
           segments_(firstSegments(problem)),
           effort_(hasPull(problem) ? kFieldEffort : kPlainEffort),
@@ -226,7 +229,9 @@ private:
     }
 
     // Distance falls geometrically, so progress is its logarithm; rounds bound it from below.
-    [[nodiscard]] double progressFraction() const { return 0.9 * (1.0 - std::pow(0.75, round_)); }
+    [[nodiscard]] double progressFraction() const {
+        return progressFrom_ + (0.9 - progressFrom_) * (1.0 - std::pow(0.75, round_));
+    }
 
     MinimiseResult minimiseOnce(
         double decrement, int mostIterations = std::numeric_limits<int>::max()
@@ -403,6 +408,7 @@ private:
     const CurveProblem& problem_;
     const SolverOptions& options_;
     Stopwatch watch_;
+    double progressFrom_;
     SplineCurve curve_;
     int segments_;  // on each span, of two samples each; 0: integrals cell by cell
     Effort effort_;
@@ -421,8 +427,10 @@ private:
 
 }  // namespace
 
-Solution solveInShell(const CurveProblem& problem, const GuidePath& guide, SplineCurve first) {
-    return Solver(problem, guide, std::move(first)).run();
+Solution solveInShell(
+    const CurveProblem& problem, const GuidePath& guide, SplineCurve first, double progressFrom
+) {
+    return Solver(problem, guide, std::move(first), progressFrom).run();
 }
 
 std::optional<Solution> solve(const CurveProblem& problem, const GuidePath& guide) {
@@ -435,7 +443,7 @@ std::optional<Solution> solve(const CurveProblem& problem, const GuidePath& guid
         return std::nullopt;
     }
     const double initial = watch.lap();
-    Solution solution = solveInShell(problem, guide, std::move(*first));
+    Solution solution = solveInShell(problem, guide, std::move(*first), kRelaxedShare);
     solution.report.seconds.initial = initial;
     return solution;
 }

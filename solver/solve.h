@@ -14,9 +14,12 @@ namespace bspline_curve {
 
 /// Alg. 1 of the paper: from a first spline along the guide, minimise, raise the weights, insert
 /// knots, until the curve is near enough to the surface and more knots no longer change it; every
-/// iterate lies in the shell. Throws Cancelled.
+/// iterate lies in the shell. Progress starts at `progressFrom`. Throws Cancelled.
 [[nodiscard]] Solution solveInShell(
-    const CurveProblem& problem, const GuidePath& guide, SplineCurve first
+    const CurveProblem& problem,
+    const GuidePath& guide,
+    SplineCurve first,
+    double progressFrom = 0.0
 );
 
 }  // namespace bspline_curve

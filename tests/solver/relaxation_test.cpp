@@ -90,11 +90,7 @@ ProblemFixture byCells(const Scene& scene, SolverOptions options = {}) {
 }
 
 std::optional<Solution> relaxed(const ProblemFixture& fixture) {
-    return relax(
-        fixture.problem(),
-        fixture.guide(),
-        makeFirstCurve(fixture.problem(), fixture.guide()).value()
-    );
+    return relax(fixture.problem(), fixture.guide());
 }
 
 void expectSame(const Solution& a, const Solution& b) {
@@ -276,14 +272,12 @@ TEST(RelaxationSteps, StopWhereTheCallbackSaysSo) {
         ++calls;
         return true;
     };
-    EXPECT_TRUE(relax(fixture.problem(), fixture.guide(), first).has_value());
+    EXPECT_TRUE(relax(fixture.problem(), fixture.guide()).has_value());
     ASSERT_GT(calls, 1);
     for (int allowed = 0; allowed < calls; ++allowed) {
         int left = allowed;
         fixture.problem().progress = [&](double, const char*) { return left-- > 0; };
-        EXPECT_THROW(
-            static_cast<void>(relax(fixture.problem(), fixture.guide(), first)), Cancelled
-        );
+        EXPECT_THROW(static_cast<void>(relax(fixture.problem(), fixture.guide())), Cancelled);
     }
 }
 
