@@ -69,6 +69,14 @@ struct ParameterDescription {
     [[nodiscard]] std::string fullHelp() const;
 };
 
+/// What a filter is founded on; an item of CSL-JSON.
+struct Publication {
+    std::string id;
+    std::string title, container;
+    int year = 0;
+    std::string url;
+};
+
 struct FilterDescription {
     std::string id;
     std::string name;        ///< for menus
@@ -77,13 +85,11 @@ struct FilterDescription {
     std::string shortDescription;         ///< one sentence
     std::string longDescriptionMarkdown;  ///< paragraphs
     std::string inputDomain, outputDomain;
+    std::vector<Publication> publications;
     std::vector<ParameterDescription> parameters;  ///< in the order of dialogs
 
     /// Throws std::out_of_range where there is none: a bug of the caller.
     [[nodiscard]] const ParameterDescription& parameter(std::string_view parameterId) const;
-
-    /// The long description as the HTML subset that Qt's dialogs show: paragraphs, emphasis, code.
-    [[nodiscard]] std::string longDescriptionHtml() const;
 };
 
 /// All filters of a description, in its order. Throws std::invalid_argument naming the place and

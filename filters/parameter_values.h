@@ -17,9 +17,8 @@ public:
     explicit ParameterValues(const FilterDescription& filter);
 
     /// Throws InputError (BadOption) where an enumeration has no such option, naming those that it
-    /// has, or where a number is not finite; std::out_of_range or std::bad_variant_access where
-    /// there is no such parameter or where it has another type: a bug of the caller. Ranges are
-    /// checked by requests (see curveRequest()).
+    /// has; std::out_of_range or std::invalid_argument where there is no such parameter or where it
+    /// has another type: a bug of the caller. Ranges are checked by requests (see curveRequest()).
     void set(std::string_view id, ParameterValue value);
 
     /// The option with this number, of an enumeration. Throws as set() does.

@@ -7,7 +7,6 @@
 #include "shell/shell_options.h"
 #include "solver/options.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -27,32 +26,19 @@ struct FieldRequest {
 /// field (without one, of the quality) is under or over a threshold.
 enum class Avoid { Nothing, SelectedFaces, SelectedVertices, UnderThreshold, OverThreshold };
 
-/// Where the picks of a curve come from; at most one of these may be given, and without any of them
-/// the points of the host's own tool are taken.
-struct PicksRequest {
-    std::string text;            ///< empty: none
-    std::filesystem::path file;  ///< empty: none
-    LayerId layer;               ///< the surface itself, or no id: none
-};
-
-/// What a curve leaves besides its layer.
-struct ExtrasRequest {
-    double tubeRadius = 0.0;  ///< world units; 0: no tube
-    bool controlPolygon = false;
-    bool shellLayers = false;    ///< top and bottom of the shell
-    std::filesystem::path save;  ///< the curve as a file, see writeCurve(); empty: none
-};
-
 struct CurveRequest {
     LayerId surface;
-    PicksRequest picks;
-    SolverOptions solver;
-    SamplingOptions sampling;
-    ShellOptions shell;
+    // Where the picks come from: at most one of these is given, and where none is, the points of
+    // the host's own tool are taken.
+    LayerId picksLayer;     ///< the surface itself, or no id: none
+    std::string picksFile;  ///< UTF-8; empty: none
+    std::string picksText;  ///< empty: none
     std::optional<FieldRequest> field;
     Avoid avoid = Avoid::Nothing;
     double avoidThreshold = 0.0;
-    ExtrasRequest extras;
+    SolverOptions solver;
+    SamplingOptions sampling;
+    ShellOptions shell;
 };
 
 /// What a user of curveFilter() asked for. Throws InputError (BadOption) naming the value and its
