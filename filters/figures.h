@@ -18,7 +18,7 @@ struct Figure {
 using Figures = std::vector<Figure>;
 
 /// "usable=true vertices=311 length=1.41421 …": the figures that are no lists, for logs. Doubles
-/// with six significant digits, the same in every locale.
+/// with as many digits as it takes to tell them from others, the same in every locale.
 [[nodiscard]] std::string keyValueText(const Figures& figures);
 
 }  // namespace bspline_curve

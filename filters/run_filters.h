@@ -9,7 +9,6 @@
 #include "surface/progress.h"
 
 #include <exception>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,24 +21,10 @@ struct FilterLog {
     std::vector<std::string> warnings;  ///< whole sentences
 };
 
-/// Points in order, with edges between them.
-struct ControlPolygon {
-    std::vector<Vec3> points;
-    bool closed = false;  ///< the last is joined to the first
-};
-
-/// Top and bottom of a shell, counter-clockwise seen from outside the shell.
-struct ShellLayers {
-    TriangleMesh top, bottom;
-};
-
 /// A curve, all in world coordinates; face ids and vertex ids are those of LayerInput.
 struct CurveResult {
     Curve curve;
     std::vector<double> quality;  ///< of each vertex: the field or, where there is none, t
-    std::optional<TriangleMesh> tube;
-    std::optional<ControlPolygon> controlPolygon;
-    std::optional<ShellLayers> shellLayers;
     Figures figures;
     FilterLog log;
 };
@@ -50,9 +35,8 @@ struct FieldResult {
     FilterLog log;
 };
 
-/// Draws a curve; writes the file that request.extras.save asks for, where the curve is usable.
-/// `designers` keeps what the next curve on the same mesh can use again. Throws InputError,
-/// Cancelled, std::bad_alloc; see describeFailure().
+/// Draws a curve. `designers` keeps what the next curve on the same mesh can use again. Throws
+/// InputError, Cancelled, std::bad_alloc; see describeFailure().
 [[nodiscard]] CurveResult runCurveFilter(
     const LayerInput& surface,
     const PickCandidates& picks,
