@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pymeshlab
 from curves import FILTER, CurveLayer, as_text, draw, write_pp
 from meshes import wavy_plate
 
@@ -25,10 +26,19 @@ document.apply_filter({FILTER!r}, picks={as_text(picks)!r}, shell="simplified")
     return done.stdout + done.stderr
 
 
-def test_the_second_curve_is_served_from_the_cache(cache, plate, plate_picks):
-    first, figures = draw(plate, plate_picks, shell="simplified")
+def plate_of_its_own(n):
+    """A plate that no other test draws on, so that the session has kept nothing of it; and picks."""
+    vertices, faces = wavy_plate(n)
+    document = pymeshlab.MeshSet()
+    document.add_mesh(pymeshlab.Mesh(vertices, faces), "plate")
+    return document, vertices[[4 * (n + 1) + 5, 15 * (n + 1) + 30, 33 * (n + 1) + 20]]
+
+
+def test_the_second_curve_is_served_from_the_cache(cache):
+    plate, picks = plate_of_its_own(35)
+    first, figures = draw(plate, picks, shell="simplified")
     assert not figures["shell_cached"]
-    second, again = draw(plate, plate_picks, shell="simplified")
+    second, again = draw(plate, picks, shell="simplified")
     assert again["shell_cached"] and again["prisms"] == figures["prisms"]
     np.testing.assert_array_equal(CurveLayer(second).points, CurveLayer(first).points)
     np.testing.assert_array_equal(again["control_points"], figures["control_points"])
@@ -39,15 +49,15 @@ def test_the_log_says_where_the_shell_came_from(cache, plate_picks, plugin_path)
     assert " shell=cached " in log_of_a_curve(plugin_path, plate_picks)
 
 
-def test_a_damaged_entry_is_rebuilt_and_the_log_says_so(cache, plate, plate_picks, plugin_path):
-    draw(plate, plate_picks, shell="simplified")
+def test_a_damaged_entry_is_rebuilt_and_the_log_says_so(cache, plate_picks, plugin_path):
+    log_of_a_curve(plugin_path, plate_picks)
     (entry,) = cache.iterdir()
     stored = entry.read_bytes()
     entry.write_bytes(stored[:-9])
     log = log_of_a_curve(plugin_path, plate_picks)
     assert " shell=simplified " in log and entry.name in log
     assert entry.read_bytes() == stored
-    assert draw(plate, plate_picks, shell="simplified")[1]["shell_cached"]
+    assert " shell=cached " in log_of_a_curve(plugin_path, plate_picks)
 
 
 def test_the_program_has_stored_it_for_the_filter(cache, plate, plate_picks, program, tmp_path):
@@ -60,6 +70,7 @@ def test_the_program_has_stored_it_for_the_filter(cache, plate, plate_picks, pro
     assert draw(plate, plate_picks, shell="simplified", target_thickness=0.1)[1]["shell_cached"]
 
 
-def test_full_shells_are_not_kept(cache, plate, plate_picks):
-    assert not draw(plate, plate_picks, shell="full")[1]["shell_cached"]
+def test_full_shells_are_not_kept_in_files(cache):
+    plate, picks = plate_of_its_own(36)
+    assert not draw(plate, picks, shell="full")[1]["shell_cached"]
     assert not cache.exists()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filter_bspline_curve/picked_points.h"
+#include "filter_bspline_curve/common/picked_points.h"
 
 #include <QString>
 #include <string>
@@ -25,12 +25,12 @@ namespace bspline_curve {
 
 std::vector<Point3m> pickedPointsOf(const CMeshO& mesh) {
     std::vector<Point3m> result;
-    const std::string key = "PickedPoints";
-    const auto handle = vcg::tri::Allocator<CMeshO>::FindPerMeshAttribute<PickedPoints*>(mesh, key);
-    if (!vcg::tri::Allocator<CMeshO>::IsValidHandle(mesh, handle) || handle() == nullptr) {
+    PickedPoints* const* const attribute =
+        host::perMeshAttribute<PickedPoints*>(mesh, "PickedPoints");
+    if (attribute == nullptr || *attribute == nullptr) {
         return result;
     }
-    for (const PickedPoint* pick : handle()->points) {
+    for (const PickedPoint* pick : (*attribute)->points) {
         if (pick->present) {
             result.push_back(pick->point);
         }

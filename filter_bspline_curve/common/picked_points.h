@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <common/ml_document/cmesh.h>
+#include "host_document.h"
 
 #include <vector>
 

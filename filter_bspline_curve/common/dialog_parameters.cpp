@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/common/dialog_parameters.h"
+
+#include "filter_bspline_curve/common/surface_choice.h"
+
+#include <QStringList>
+#include <array>
+#include <charconv>
+#include <string>
+#include <variant>
+
+namespace bspline_curve {
+
+namespace {
+
+QString textOf(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+// ---- from the description to the dialog ----
+
+/// "*.pp", …: the patterns of Qt's file dialogs.
+QStringList patternsOf(const ParameterDescription& parameter) {
+    QStringList patterns;
+    for (const std::string& extension : parameter.extensions) {
+        patterns << "*" + textOf(extension);
+    }
+    return patterns;
+}
+
+QStringList optionsOf(const ParameterDescription& parameter) {
+    QStringList options;
+    for (const EnumOption& option : parameter.options) {
+        options << textOf(option.id);
+    }
+    return options;
+}
+
+/// Adds the parameters of a filter to a list, one after the other.
+class DialogBuilder {
+public:
+    DialogBuilder(RichParameterList& list, host::DialogDocument& document)
+        : list_(list), document_(document), surface_(defaultSurface(document)) {}
+
+    void add(const ParameterDescription& p) {
+        switch (p.type) {
+            case ParameterType::Layer:
+                host::addLayer(
+                    list_, textOf(p.id), textOf(p.label), textOf(p.fullHelp()), surface_, document_
+                );
+                return;
+            case ParameterType::Bool:
+                return addAs<RichBool>(p, std::get<bool>(p.defaultValue));
+            case ParameterType::Int:
+                return addAs<RichInt>(p, std::get<int>(p.defaultValue));
+            case ParameterType::Double:
+                return addNumber(p);
+            case ParameterType::Percentage:
+                return addAs<host::Percentage>(
+                    p,
+                    static_cast<Scalarm>(std::get<double>(p.defaultValue)),
+                    Scalarm(0),
+                    diagonal()
+                );
+            case ParameterType::Enum:
+                return addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
+            case ParameterType::String:
+                return addAs<RichString>(p, defaultText(p));
+            case ParameterType::OpenFile:
+                return addAs<host::FileOpen>(p, defaultText(p), patternsOf(p));
+            case ParameterType::SaveFile:
+                return addAs<host::FileSave>(p, defaultText(p), patternsOf(p).join(" "));
+        }
+    }
+
+private:
+    template <class Rich, class... Values>
+    void addAs(const ParameterDescription& p, Values&&... values) {
+        host::add<Rich>(
+            list_,
+            textOf(p.id),
+            textOf(p.label),
+            textOf(p.fullHelp()),
+            p.isAdvanced(),
+            std::forward<Values>(values)...
+        );
+    }
+
+    void addNumber(const ParameterDescription& p) {
+        const auto standard = static_cast<Scalarm>(std::get<double>(p.defaultValue));
+        if (p.isSlider) {
+            const auto least = static_cast<Scalarm>(p.min.value());
+            const auto most = static_cast<Scalarm>(p.max.value());
+            return addAs<RichDynamicFloat>(p, standard, least, most);
+        }
+        addAs<RichFloat>(p, standard);
+    }
+
+    static QString defaultText(const ParameterDescription& p) {
+        return textOf(std::get<std::string>(p.defaultValue));
+    }
+
+    [[nodiscard]] Scalarm diagonal() const {
+        return surface_ == nullptr || surface_->cm.VN() == 0 ? Scalarm(1)
+                                                             : surface_->cm.trBB().Diag();
+    }
+
+    RichParameterList& list_;
+    host::DialogDocument& document_;
+    const MeshModel* surface_;
+};
+
+// ---- from the dialog to values ----
+
+/// MeshLab keeps a parameter as float even where its scalar is double, so 0.1 arrives as
+/// 0.10000000149. The number that the user typed is the shortest decimal that rounds to that float.
+double typedNumber(Scalarm value) {
+    std::array<char, 32> digits{};
+    const char* const end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<float>(value)).ptr;
+    double number = 0.0;
+    std::from_chars(digits.data(), end, number);
+    return number;
+}
+
+std::string trimmedText(const QString& text) {
+    return text.trimmed().toStdString();
+}
+
+void read(const RichParameterList& list, const ParameterDescription& p, ParameterValues& values) {
+    const QString name = textOf(p.id);
+    switch (p.type) {
+        case ParameterType::Layer:
+            return values.set(p.id, host::layerOf(list, name));
+        case ParameterType::Bool:
+            return values.set(p.id, list.getBool(name));
+        case ParameterType::Int:
+            return values.set(p.id, list.getInt(name));
+        case ParameterType::Double:
+            return values.set(
+                p.id, typedNumber(p.isSlider ? list.getDynamicFloat(name) : list.getFloat(name))
+            );
+        case ParameterType::Percentage:
+            return values.set(p.id, typedNumber(list.getAbsPerc(name)));
+        case ParameterType::Enum:
+            return values.setOption(p.id, list.getEnum(name));
+        case ParameterType::String:
+            return values.set(p.id, trimmedText(list.getString(name)));
+        case ParameterType::OpenFile:
+            return values.set(p.id, trimmedText(list.getOpenFileName(name)));
+        case ParameterType::SaveFile:
+            return values.set(p.id, trimmedText(list.getSaveFileName(name)));
+    }
+}
+
+}  // namespace
+
+RichParameterList dialogParameters(
+    const FilterDescription& filter, host::DialogDocument& document
+) {
+    RichParameterList list;
+    DialogBuilder builder(list, document);
+    for (const ParameterDescription& parameter : filter.parameters) {
+        builder.add(parameter);
+    }
+    return list;
+}
+
+ParameterValues valuesOf(const RichParameterList& list, const FilterDescription& filter) {
+    ParameterValues values(filter);
+    for (const ParameterDescription& parameter : filter.parameters) {
+        read(list, parameter, values);
+    }
+    return values;
+}
+
+}  // namespace bspline_curve
