@@ -59,10 +59,18 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
     addCacheOption(app, arguments.noCache);
 }
 
-/// Parameters of the filter that have no meaning here: layers, selections, and picks other than a
-/// file, which is required.
-constexpr std::array<std::string_view, 5> kOfHosts = {
-    "surface_layer", "picks_layer", "picks_file", "picks", "field_region"
+/// Parameters of the filter that have no meaning here: layers, selections, and files, which the
+/// program has options of its own for.
+constexpr std::array<std::string_view, 9> kOfHosts = {
+    "surface_layer",
+    "picks_layer",
+    "picks_file",
+    "picks",
+    "field_region",
+    "tube_radius",
+    "save",
+    "control_polygon",
+    "shell_layers"
 };
 
 std::string groupOf(const ParameterDescription& parameter) {

@@ -119,7 +119,7 @@ FilterLog FilterBsplineCurveLegacyPlugin::drawCurve(
         designers_,
         hostProgress(callback)
     );
-    addCurveLayer(document, surface, arrays, result);
+    addResultLayers(document, surface, arrays, result);
     return result.log;
 }
 

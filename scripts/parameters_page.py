@@ -26,6 +26,7 @@ for which it has files (`bspline_curve --help`).
 
 GROUPS = {
     "main": "",
+    "advanced.layers": "Further layers",
     "advanced.avoid": "Faces to avoid",
     "advanced.field": "The field",
     "advanced.method": "The method",
@@ -33,8 +34,11 @@ GROUPS = {
     "advanced.limits": "Limits",
 }
 
-# Those that the program has no option for; the region is a file or a threshold there.
-OF_HOSTS = {"surface_layer", "picks_layer", "picks_file", "picks", "field_region", "region"}
+# Those that the program has no option for: it has files in place of layers and selections.
+OF_HOSTS = {
+    "surface_layer", "picks_layer", "picks_file", "picks", "field_region", "region",
+    "tube_radius", "save", "control_polygon", "shell_layers",
+}
 
 
 def number(value):

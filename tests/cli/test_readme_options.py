@@ -14,8 +14,9 @@ README = (ROOT / "README.md").read_text()
 FILTERS = json.loads((ROOT / "filters" / "filters.json").read_text())["filters"]
 CURVE, FIELD = ({p["id"]: p for p in f["parameters"]} for f in FILTERS)
 
-# Layers, selections, and picks other than a file; and what the program writes otherwise.
-OF_HOSTS = {"surface_layer", "picks_layer", "picks_file", "picks", "field_region", "region"}
+# Layers, selections, and files that the program has options of its own for.
+OF_HOSTS = {"surface_layer", "picks_layer", "picks_file", "picks", "field_region", "region", "tube_radius", "save",
+            "control_polygon", "shell_layers"}
 # What the program alone has.
 OF_PROGRAM = {
     (): {"picks", "output", "report", "repeat", "repair", "no-cache", "field-region", "field-region-under",
