@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Polylines as arrays: read from OBJ, measured, compared."""
+import igl
 import numpy as np
 
 
@@ -35,3 +36,8 @@ def distance_to(points, vertices, edges):
 def distance(a, b):
     """The largest distance between two polylines, each given as vertices and edges."""
     return max(distance_to(a[0], *b), distance_to(b[0], *a))
+
+
+def distance_to_mesh(points, vertices, faces):
+    """The largest distance of points to a triangle mesh."""
+    return np.sqrt(igl.point_mesh_squared_distance(points, vertices, faces.astype(np.int64))[0].max())

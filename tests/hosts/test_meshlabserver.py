@@ -4,7 +4,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import igl
 import numpy as np
 import polylines
 import pymeshlab
@@ -73,8 +72,7 @@ def test_an_example_draws_the_same_curve_in_both_hosts(
 
     (expected, expected_edges), (surface, faces) = drawn_by_pymeshlab(bunny, f"mlx/{name}")
     assert polylines.distance((vertices, edges), (expected, expected_edges)) <= 1e-5 * diagonal(surface)
-    squared = igl.point_mesh_squared_distance(vertices, surface, faces.astype(np.int64))[0]
-    assert np.sqrt(squared.max()) <= 2 * ROUNDING
+    assert polylines.distance_to_mesh(vertices, surface, faces) <= 2 * ROUNDING
     picks = picks_of(example_scripts.BUNNY_PICKS)
     assert polylines.distance_to(picks, vertices, edges) <= 2 * ROUNDING
 
