@@ -132,7 +132,7 @@ Figures FilterBsplineCurvePlugin::drawCurve(
         designers_,
         hostProgress(callback)
     );
-    addCurveLayer(document, surface, arrays, result);
+    addResultLayers(document, surface, arrays, result);
     writeLog(result.log);
     return result.figures;
 }

@@ -122,7 +122,7 @@ FilterLog FilterBsplineCurveLegacyPlugin::drawCurve(
         designers_,
         hostProgress(callback)
     );
-    addCurveLayer(document, surface, arrays, result);
+    addResultLayers(document, surface, arrays, result);
     return result.log;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/choose_picks.h"
 
+#include "filters/utf8_path.h"
 #include "surface/input_error.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,11 +13,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) {
     throw InputError(InputErrorCode::TooFewPicks, message);
-}
-
-/// UTF-8, whatever the locale.
-std::filesystem::path pathOf(const std::string& text) {
-    return {std::u8string(text.begin(), text.end())};
 }
 
 std::vector<Vec3> picksOf(const PicksLayer& layer) {
@@ -71,7 +66,7 @@ PicksFile choosePicks(const CurveRequest& request, const PickCandidates& candida
         return {.picks = parsePicksText(request.picksText), .closed = {}};
     }
     if (sources.front() == "picks_file") {
-        return readPicks(pathOf(request.picksFile));
+        return readPicks(utf8Path(request.picksFile));
     }
     return {.picks = picksOf(*candidates.layer), .closed = {}};
 }

@@ -250,16 +250,26 @@ std::size_t ParameterDescription::defaultOption() const {
     return indexOf(std::get<std::string>(defaultValue)).value_or(0);  // parsing has checked it
 }
 
-std::string ParameterDescription::fullHelp() const {
+std::string ParameterDescription::fullHelp(bool hasSelections) const {
     std::string text = help;
     const char* separator = " ";
     for (const EnumOption& option : options) {
-        if (!option.help.empty()) {
+        if (!option.help.empty() && (hasSelections || !option.needsSelection)) {
             text += separator + option.id + ": " + option.help;
             separator = "; ";
         }
     }
     return options.empty() ? text : text + ".";
+}
+
+std::vector<std::string> ParameterDescription::optionIds(bool hasSelections) const {
+    std::vector<std::string> ids;
+    for (const EnumOption& option : options) {
+        if (hasSelections || !option.needsSelection) {
+            ids.push_back(option.id);
+        }
+    }
+    return ids;
 }
 
 const ParameterDescription& FilterDescription::parameter(std::string_view parameterId) const {

@@ -65,8 +65,12 @@ struct ParameterDescription {
     /// Position of the default in `options`.
     [[nodiscard]] std::size_t defaultOption() const;
 
-    /// `help` and what each enum option is, as one text.
-    [[nodiscard]] std::string fullHelp() const;
+    /// `help` and what each enum option is, as one text; for hosts without selections without the
+    /// options that need one.
+    [[nodiscard]] std::string fullHelp(bool hasSelections = true) const;
+
+    /// The ids of `options`; likewise.
+    [[nodiscard]] std::vector<std::string> optionIds(bool hasSelections = true) const;
 };
 
 /// What a filter is founded on; an item of CSL-JSON.

@@ -198,6 +198,10 @@ Bindings<CurveRequest> curveBindings() {
             }
         ),
         bound("avoid_threshold", &C::avoidThreshold),
+        bound("tube_radius", &C::tubeRadius),
+        bound("save", &C::saveFile),
+        bound("control_polygon", &C::controlPolygon),
+        bound("shell_layers", &C::shellLayers),
     };
 }
 

@@ -2,6 +2,9 @@
 #include "filters/requests.h"
 
 #include "filters/option_bindings.h"
+#include "surface/input_error.h"
+
+#include <cmath>
 
 namespace bspline_curve {
 
@@ -14,6 +17,16 @@ template <class Options>
 void readAll(const ParameterValues& values, const Bindings<Options>& bindings, Options& options) {
     for (const Binding<Options>& binding : bindings) {
         binding.read(values.value(binding.id), options);
+    }
+}
+
+void checkTubeRadius(double radius) {
+    if (!(radius >= 0.0) || !std::isfinite(radius)) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "radius of the tube is " + describeNumber(radius) +
+                ", but must be finite and not negative"
+        );
     }
 }
 
@@ -47,6 +60,7 @@ CurveRequest curveRequest(const ParameterValues& values) {
     request.solver.validate();
     request.sampling.validate();
     request.shell.validate();
+    checkTubeRadius(request.tubeRadius);
     return request;
 }
 

@@ -39,6 +39,11 @@ struct CurveRequest {
     SolverOptions solver;
     SamplingOptions sampling;
     ShellOptions shell;
+    // What the curve leaves besides its layer.
+    double tubeRadius = 0.0;      ///< world units; 0: no tube
+    std::string saveFile;         ///< UTF-8, the format by its extension; empty: none
+    bool controlPolygon = false;  ///< as a layer
+    bool shellLayers = false;     ///< top and bottom of the shell
 };
 
 /// What a user of curveFilter() asked for. Throws InputError (BadOption) naming the value and its

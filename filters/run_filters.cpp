@@ -3,6 +3,7 @@
 
 #include "field/make_field.h"
 #include "filters/choose_picks.h"
+#include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
 #include "io/curve_writer.h"
 #include "io/shell_cache.h"
@@ -162,12 +163,14 @@ CurveResult runCurveFilter(
     const Progress& progress
 ) {
     Stopwatch watch;
+    checkSaveFile(request);
     const PicksFile chosen = choosePicks(request, picks);
     SolverOptions options = request.solver;
     options.closed = options.closed || chosen.closed.value_or(false);
     const DesignerCache::Found found =
         designerFor(surface, request.shell, designers, partOf(progress, 0.0, kSurfaceShare));
     const CurveDesigner& designer = *found.designer;
+    checkTube(request, designer.surface());
     std::vector<double> field;
     if (request.field) {
         field = madeFrom(surface, [&] {
@@ -188,13 +191,16 @@ CurveResult runCurveFilter(
         {.field = field, .avoid = avoid},
         partOf(progress, kFieldShare, 1.0)
     );
-    result.quality = field.empty() ? result.curve.polyline.parameters
-                                   : fieldAlong(result.curve.polyline, surface.mesh.faces, field);
+    const std::vector<double> along =
+        field.empty() ? std::vector<double>()
+                      : fieldAlong(result.curve.polyline, surface.mesh.faces, field);
+    result.quality = field.empty() ? result.curve.polyline.parameters : along;
     result.figures = curveFigures(result.curve, found, watch.lap());
     result.log = {
         .figures = shellWord(found) + keyValueText(result.figures),
         .warnings = warningsOf(result.curve, found)
     };
+    addExtras(request, designer, along, result);
     return result;
 }
 

@@ -6,9 +6,11 @@
 #include "filters/figures.h"
 #include "filters/layer_input.h"
 #include "filters/requests.h"
+#include "shell/shell_layers.h"
 #include "surface/progress.h"
 
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +23,20 @@ struct FilterLog {
     std::vector<std::string> warnings;  ///< whole sentences
 };
 
+/// The control points of a spline in order, with segments between them.
+struct ControlPolygon {
+    std::vector<Vec3> points;
+    bool closed = false;  ///< the last is joined to the first, which is not repeated
+};
+
 /// A curve, all in world coordinates; face ids and vertex ids are those of LayerInput.
 struct CurveResult {
     Curve curve;
     std::vector<double> quality;  ///< of each vertex: the field or, where there is none, t
+    // What the request asks for besides the curve.
+    std::optional<TriangleMesh> tube;
+    std::optional<ControlPolygon> controlPolygon;
+    std::optional<ShellLayers> shellLayers;
     Figures figures;
     FilterLog log;
 };
@@ -35,7 +47,8 @@ struct FieldResult {
     FilterLog log;
 };
 
-/// Draws a curve. `designers` keeps what the next curve on the same mesh can use again. Throws
+/// Draws a curve, and writes the file that the request names where the curve is usable. `designers`
+/// keeps what the next curve on the same mesh can use again. Throws
 /// InputError, Cancelled, std::bad_alloc; see describeFailure().
 [[nodiscard]] CurveResult runCurveFilter(
     const LayerInput& surface,

@@ -3,7 +3,12 @@
 
 #include "filter_bspline_curve/common/surface_choice.h"
 
+#include <Eigen/LU>
+
+#include <vcg/complex/algorithms/update/normal.h>
+
 #include <cstddef>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -12,6 +17,9 @@ namespace {
 using Allocator = vcg::tri::Allocator<CMeshO>;
 
 const vcg::Color4b kCurveColour(225, 60, 30, 255);
+const vcg::Color4b kPolygonColour(40, 90, 200, 255);
+const vcg::Color4b kTopColour(200, 80, 60, 255);
+const vcg::Color4b kBottomColour(66, 110, 180, 255);
 
 /// The layer's label without the extension of its file.
 QString nameOf(const MeshModel& layer) {
@@ -66,9 +74,15 @@ void setAttributes(CMeshO& curve, const LayerArrays& arrays, const SurfacePolyli
     }
 }
 
-}  // namespace
+/// Remembers the surface, and moves with it.
+void attachTo(const MeshModel& surface, MeshModel& layer) {
+    Allocator::AddPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() =
+        static_cast<int>(surface.id());
+    layer.cm.Tr = surface.cm.Tr;
+    vcg::tri::UpdateBounding<CMeshO>::Box(layer.cm);
+}
 
-MeshModel& addCurveLayer(
+void addCurveLayer(
     MeshDocument& document,
     const MeshModel& surface,
     const LayerArrays& arrays,
@@ -83,11 +97,96 @@ MeshModel& addCurveLayer(
         layer.cm.vert[i].Q() = static_cast<CVertexO::QualityType>(result.quality[i]);
     }
     setAttributes(layer.cm, arrays, polyline);
-    Allocator::AddPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() =
-        static_cast<int>(surface.id());
-    layer.cm.Tr = surface.cm.Tr;
-    vcg::tri::UpdateBounding<CMeshO>::Box(layer.cm);
+    attachTo(surface, layer);
+}
+
+/// World coordinates as those of a layer; exactly the same where its matrix is the identity.
+class FromWorld {
+public:
+    explicit FromWorld(const Matrix44m& matrix) : isIdentity_(matrix == Matrix44m::Identity()) {
+        Eigen::Matrix4d toWorld;
+        for (int row = 0; row < 4; ++row) {
+            for (int column = 0; column < 4; ++column) {
+                toWorld(row, column) = static_cast<double>(matrix.ElementAt(row, column));
+            }
+        }
+        inverse_ = toWorld.inverse();
+    }
+
+    [[nodiscard]] Point3m operator()(const Vec3& world) const {
+        return toPoint3m(
+            isIdentity_ ? world : Vec3((inverse_ * world.homogeneous()).hnormalized())
+        );
+    }
+
+private:
+    bool isIdentity_;
+    Eigen::Matrix4d inverse_;
+};
+
+/// A layer beside the surface, not the current one.
+MeshModel& addLayer(
+    MeshDocument& document,
+    const MeshModel& surface,
+    const char* suffix,
+    const std::vector<Vec3>& points,
+    const vcg::Color4b& colour
+) {
+    MeshModel& layer = *document.addNewMesh("", nameOf(surface) + suffix, false);
+    layer.updateDataMask(MeshModel::MM_VERTCOLOR);
+    const FromWorld fromWorld(surface.cm.Tr);
+    Allocator::AddVertices(layer.cm, points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        layer.cm.vert[i].P() = fromWorld(points[i]);
+        layer.cm.vert[i].C() = colour;
+    }
     return layer;
+}
+
+void addMeshLayer(
+    MeshDocument& document,
+    const MeshModel& surface,
+    const char* suffix,
+    const TriangleMesh& mesh,
+    const vcg::Color4b& colour
+) {
+    MeshModel& layer = addLayer(document, surface, suffix, mesh.vertices, colour);
+    for (const Triangle& face : mesh.faces) {
+        const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(face[k]); };
+        Allocator::AddFace(layer.cm, corner(0), corner(1), corner(2));
+    }
+    vcg::tri::UpdateNormal<CMeshO>::PerVertexNormalizedPerFaceNormalized(layer.cm);
+    attachTo(surface, layer);
+}
+
+void addPolygonLayer(
+    MeshDocument& document, const MeshModel& surface, const ControlPolygon& polygon
+) {
+    MeshModel& layer =
+        addLayer(document, surface, " control polygon", polygon.points, kPolygonColour);
+    addEdges(layer.cm, polygon.closed);
+    attachTo(surface, layer);
+}
+
+}  // namespace
+
+void addResultLayers(
+    MeshDocument& document,
+    const MeshModel& surface,
+    const LayerArrays& arrays,
+    const CurveResult& result
+) {
+    addCurveLayer(document, surface, arrays, result);
+    if (result.tube) {
+        addMeshLayer(document, surface, " tube", *result.tube, kCurveColour);
+    }
+    if (result.controlPolygon) {
+        addPolygonLayer(document, surface, *result.controlPolygon);
+    }
+    if (result.shellLayers) {
+        addMeshLayer(document, surface, " shell top", result.shellLayers->top, kTopColour);
+        addMeshLayer(document, surface, " shell bottom", result.shellLayers->bottom, kBottomColour);
+    }
 }
 
 void setQuality(MeshModel& layer, const LayerArrays& arrays, const FieldResult& result) {

@@ -10,8 +10,9 @@ namespace bspline_curve {
 /// them, in the coordinates of the surface's layer and under its matrix, so that both stay
 /// together. Per vertex: quality (the field or, where there is none, the spline's parameter t), the
 /// surface's normal, colour, and the custom attributes face_index (in the surface's layer),
-/// barycentric, t.
-MeshModel& addCurveLayer(
+/// barycentric, t. After it come the layers that the request asked for besides: "… tube", "…
+/// control polygon", "… shell top" and "… shell bottom", likewise in the surface's coordinates.
+void addResultLayers(
     MeshDocument& document,
     const MeshModel& surface,
     const LayerArrays& arrays,

@@ -65,6 +65,19 @@ TEST(FilterDescription, KeepsWhatTheFileSays) {
     EXPECT_THROW(static_cast<void>(filter.parameter("m")), std::out_of_range);
 }
 
+TEST(FilterDescription, LeavesOutWhatNeedsASelectionForHostsWithout) {
+    json document = smallDescription();
+    json& option = document["filters"][0]["parameters"][0]["enumOptions"][1];
+    option["help"] = "two";
+    option["needsSelection"] = true;
+    const FilterDescription filter = parsed(document);
+    const ParameterDescription& choice = filter.parameter("e");
+    EXPECT_EQ(choice.fullHelp(), "h a: one; b: two.");
+    EXPECT_EQ(choice.fullHelp(false), "h a: one.");
+    EXPECT_EQ(choice.optionIds(), (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(choice.optionIds(false), std::vector<std::string>{"a"});
+}
+
 TEST(FilterDescription, WhatIsMalformedIsRefusedWithItsPlace) {
     using Damage = std::function<void(json&, json&, json&)>;  // filter, enumeration, number
     const std::vector<std::pair<Damage, std::string>> damages = {

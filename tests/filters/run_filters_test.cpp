@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/run_filters.h"
 
+#include "io/temporary_files.h"
 #include "support/meshes.h"
 #include "surface/input_error.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <new>
 #include <set>
 #include <stdexcept>
@@ -220,6 +223,101 @@ TEST(RunCurveFilter, ReportsProgressThatNeverFallsAndCanBeCancelled) {
         )),
         Cancelled
     );
+}
+
+// ---- what a curve leaves besides its layer ----
+
+TEST(RunCurveFilter, LeavesNothingElseUnlessItIsAskedFor) {
+    const CurveResult result = draw(plateLayer(), {});
+    EXPECT_FALSE(result.tube);
+    EXPECT_FALSE(result.controlPolygon);
+    EXPECT_FALSE(result.shellLayers);
+}
+
+TEST(RunCurveFilter, MakesATubeAroundTheCurve) {
+    CurveRequest request;
+    request.tubeRadius = 0.01;
+    request.solver.closed = true;
+    const CurveResult result = draw(plateLayer(), request);
+    ASSERT_TRUE(result.tube);
+    const Surface tube(*result.tube);
+    EXPECT_EQ(tube.vertexCount() - tube.faceCount() / 2, 0) << "a torus";
+    for (const Vec3& vertex : tube.vertices()) {
+        EXPECT_LE(std::abs(vertex.z()), 0.01 + 1e-12);
+    }
+    request.tubeRadius = 10.0;
+    expectPart(
+        refusal([&] { return draw(plateLayer(), request); }),
+        "radius of the tube is 10, but must be at most the diagonal of the mesh, 1.414"
+    );
+}
+
+TEST(RunCurveFilter, GivesTheControlPolygonWithoutRepeatedPoints) {
+    CurveRequest request;
+    request.controlPolygon = true;
+    for (const bool closed : {false, true}) {
+        request.solver.closed = closed;
+        const CurveResult result = draw(plateLayer(), request);
+        ASSERT_TRUE(result.controlPolygon);
+        EXPECT_EQ(result.controlPolygon->closed, closed);
+        const std::vector<Vec3>& points = result.controlPolygon->points;
+        const std::size_t repeated = closed ? 3 : 0;
+        EXPECT_EQ(points.size() + repeated, result.curve.spline.controlPoints.size());
+        EXPECT_GT((points.front() - points.back()).norm(), 1e-3);
+    }
+}
+
+TEST(RunCurveFilter, GivesTopAndBottomOfTheShell) {
+    CurveRequest request;
+    request.shellLayers = true;
+    const CurveResult result = draw(plateLayer(), request);
+    ASSERT_TRUE(result.shellLayers);
+    EXPECT_GE(result.shellLayers->top.faces.size(), plateLayer().mesh.faces.size());
+    EXPECT_GT(result.shellLayers->top.vertices.front().z(), 0.0);
+    EXPECT_LT(result.shellLayers->bottom.vertices.front().z(), 0.0);
+}
+
+using SavedCurve = io_tests::FileTest;
+
+TEST_F(SavedCurve, IsOfTheFormatOfItsExtension) {
+    for (const std::string& extension : curveFilter().parameter("save").extensions) {
+        CurveRequest request;
+        request.saveFile = path("kurve ä" + extension).string();
+        static_cast<void>(draw(plateLayer(), request));
+        EXPECT_GT(std::filesystem::file_size(request.saveFile), 100u) << extension;
+    }
+}
+
+TEST(RunCurveFilter, RefusesFilesThatItCannotWriteBeforeItDraws) {
+    CurveRequest request;
+    request.saveFile = "/no/such/folder/curve.ply";
+    DesignerCache designers;
+    const auto refused = [&] {
+        return refusal([&] { return draw(plateLayer(), request, designers); });
+    };
+    expectPart(refused(), "/no/such/folder");
+    request.saveFile = "curve.doc";
+    expectPart(refused(), "\".doc\"");
+}
+
+TEST_F(SavedCurve, IsNotWrittenWhereItIsNotUsable) {
+    LayerInput layer;
+    layer.mesh = icosphere(2);
+    CurveRequest request;
+    request.solver.distanceTolerance = 1e-9;
+    request.solver.maxRounds = 1;
+    request.solver.maxIterations = 1;
+    request.saveFile = path("curve.ply").string();
+    DesignerCache designers;
+    const CurveResult result = runCurveFilter(
+        layer,
+        {.tool = {layer.mesh.vertices[0], layer.mesh.vertices[40]}, .layer = {}},
+        request,
+        designers
+    );
+    EXPECT_FALSE(std::filesystem::exists(request.saveFile));
+    ASSERT_EQ(result.log.warnings.size(), 2u);
+    expectPart(result.log.warnings[1], "was not written to " + request.saveFile);
 }
 
 // ---- picks ----
