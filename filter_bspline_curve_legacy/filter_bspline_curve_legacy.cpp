@@ -38,7 +38,7 @@ const FilterDescription& description(int filter) {
 }  // namespace
 
 FilterBsplineCurveLegacyPlugin::FilterBsplineCurveLegacyPlugin() {
-    typeList = {BsplineCurveOnSurface, ScalarFieldForCurves};
+    typeList = {BsplineCurveOnSurface, BsplineCurveAllOptions, ScalarFieldForCurves};
     for (const FilterIDType type : types()) {
         actionList.push_back(new QAction(filterName(type), this));
     }
@@ -49,7 +49,8 @@ QString FilterBsplineCurveLegacyPlugin::pluginName() const {
 }
 
 QString FilterBsplineCurveLegacyPlugin::filterName(FilterIDType filter) const {
-    return QString::fromStdString(description(filter).name);
+    const QString name = QString::fromStdString(description(filter).name);
+    return filter == BsplineCurveAllOptions ? name + " (All Options)" : name;
 }
 
 QString FilterBsplineCurveLegacyPlugin::filterScriptFunctionName(FilterIDType filter) {
@@ -77,7 +78,9 @@ int FilterBsplineCurveLegacyPlugin::postCondition(QAction* action) const {
 void FilterBsplineCurveLegacyPlugin::initParameterSet(
     QAction* action, MeshDocument& document, RichParameterList& parameters
 ) {
-    parameters = dialogParameters(description(ID(action)), document);
+    const FilterIDType filter = ID(action);
+    const Offered offered = filter == BsplineCurveOnSurface ? Offered::Main : Offered::All;
+    parameters = dialogParameters(description(filter), document, offered);
 }
 
 bool FilterBsplineCurveLegacyPlugin::applyFilter(

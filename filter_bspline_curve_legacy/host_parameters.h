@@ -46,7 +46,7 @@ inline void addLayer(
 }
 
 [[nodiscard]] inline LayerId layerOf(const RichParameterList& list, const QString& name) {
-    const MeshModel* const layer = list.hasParameter(name) ? list.getMesh(name) : nullptr;
+    const MeshModel* const layer = list.getMesh(name);
     return layer == nullptr ? LayerId() : LayerId{layer->id()};
 }
 

@@ -156,12 +156,14 @@ void read(const RichParameterList& list, const ParameterDescription& p, Paramete
 }  // namespace
 
 RichParameterList dialogParameters(
-    const FilterDescription& filter, host::DialogDocument& document
+    const FilterDescription& filter, host::DialogDocument& document, Offered offered
 ) {
     RichParameterList list;
     DialogBuilder builder(list, document);
     for (const ParameterDescription& parameter : filter.parameters) {
-        builder.add(parameter);
+        if (offered == Offered::All || !parameter.isAdvanced()) {
+            builder.add(parameter);
+        }
     }
     return list;
 }
@@ -169,7 +171,9 @@ RichParameterList dialogParameters(
 ParameterValues valuesOf(const RichParameterList& list, const FilterDescription& filter) {
     ParameterValues values(filter);
     for (const ParameterDescription& parameter : filter.parameters) {
-        read(list, parameter, values);
+        if (list.hasParameter(textOf(parameter.id))) {
+            read(list, parameter, values);
+        }
     }
     return values;
 }
