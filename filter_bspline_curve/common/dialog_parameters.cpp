@@ -48,28 +48,36 @@ public:
                 host::addLayer(
                     list_, textOf(p.id), textOf(p.label), textOf(p.fullHelp()), surface_, document_
                 );
-                return;
+                break;
             case ParameterType::Bool:
-                return addAs<RichBool>(p, std::get<bool>(p.defaultValue));
+                addAs<RichBool>(p, std::get<bool>(p.defaultValue));
+                break;
             case ParameterType::Int:
-                return addAs<RichInt>(p, std::get<int>(p.defaultValue));
+                addAs<RichInt>(p, std::get<int>(p.defaultValue));
+                break;
             case ParameterType::Double:
-                return addNumber(p);
+                addNumber(p);
+                break;
             case ParameterType::Percentage:
-                return addAs<host::Percentage>(
+                addAs<host::Percentage>(
                     p,
                     static_cast<Scalarm>(std::get<double>(p.defaultValue)),
                     Scalarm(0),
                     diagonal()
                 );
+                break;
             case ParameterType::Enum:
-                return addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
+                addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
+                break;
             case ParameterType::String:
-                return addAs<RichString>(p, defaultText(p));
+                addAs<RichString>(p, defaultText(p));
+                break;
             case ParameterType::OpenFile:
-                return addAs<host::FileOpen>(p, defaultText(p), patternsOf(p));
+                addAs<host::FileOpen>(p, defaultText(p), patternsOf(p));
+                break;
             case ParameterType::SaveFile:
-                return addAs<host::FileSave>(p, defaultText(p), patternsOf(p).join(" "));
+                addAs<host::FileSave>(p, defaultText(p), patternsOf(p).join(" "));
+                break;
         }
     }
 
@@ -88,12 +96,13 @@ private:
 
     void addNumber(const ParameterDescription& p) {
         const auto standard = static_cast<Scalarm>(std::get<double>(p.defaultValue));
-        if (p.isSlider) {
-            const auto least = static_cast<Scalarm>(p.min.value());
-            const auto most = static_cast<Scalarm>(p.max.value());
-            return addAs<RichDynamicFloat>(p, standard, least, most);
+        if (p.isSlider && p.min && p.max) {
+            const auto least = static_cast<Scalarm>(*p.min);
+            const auto most = static_cast<Scalarm>(*p.max);
+            addAs<RichDynamicFloat>(p, standard, least, most);
+        } else {
+            addAs<RichFloat>(p, standard);
         }
-        addAs<RichFloat>(p, standard);
     }
 
     static QString defaultText(const ParameterDescription& p) {
@@ -131,25 +140,34 @@ void read(const RichParameterList& list, const ParameterDescription& p, Paramete
     const QString name = textOf(p.id);
     switch (p.type) {
         case ParameterType::Layer:
-            return values.set(p.id, host::layerOf(list, name));
+            values.set(p.id, host::layerOf(list, name));
+            break;
         case ParameterType::Bool:
-            return values.set(p.id, list.getBool(name));
+            values.set(p.id, list.getBool(name));
+            break;
         case ParameterType::Int:
-            return values.set(p.id, list.getInt(name));
+            values.set(p.id, list.getInt(name));
+            break;
         case ParameterType::Double:
-            return values.set(
+            values.set(
                 p.id, typedNumber(p.isSlider ? list.getDynamicFloat(name) : list.getFloat(name))
             );
+            break;
         case ParameterType::Percentage:
-            return values.set(p.id, typedNumber(list.getAbsPerc(name)));
+            values.set(p.id, typedNumber(list.getAbsPerc(name)));
+            break;
         case ParameterType::Enum:
-            return values.setOption(p.id, list.getEnum(name));
+            values.setOption(p.id, list.getEnum(name));
+            break;
         case ParameterType::String:
-            return values.set(p.id, trimmedText(list.getString(name)));
+            values.set(p.id, trimmedText(list.getString(name)));
+            break;
         case ParameterType::OpenFile:
-            return values.set(p.id, trimmedText(list.getOpenFileName(name)));
+            values.set(p.id, trimmedText(list.getOpenFileName(name)));
+            break;
         case ParameterType::SaveFile:
-            return values.set(p.id, trimmedText(list.getSaveFileName(name)));
+            values.set(p.id, trimmedText(list.getSaveFileName(name)));
+            break;
     }
 }
 
