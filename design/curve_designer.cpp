@@ -53,7 +53,7 @@ void requireExactAvoidance(const SolverOptions& options) {
             option + " cannot keep a curve out of the faces to avoid: use " + needed
         );
     };
-    if (options.quadrature != Quadrature::Cells) {
+    if (options.quadrature == Quadrature::Samples) {
         refuse("quadrature = samples", "cells");
     }
     if (options.initialCurve != InitialCurve::GeodesicFit) {

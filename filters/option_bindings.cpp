@@ -92,7 +92,11 @@ Bindings<SolverOptions> solverBindings() {
         chosen(
             "quadrature",
             &S::quadrature,
-            Names<Quadrature>{{"cells", Quadrature::Cells}, {"samples", Quadrature::Samples}}
+            Names<Quadrature>{
+                {"foot-points", Quadrature::FootPoints},
+                {"cells", Quadrature::Cells},
+                {"samples", Quadrature::Samples}
+            }
         ),
         chosen(
             "barrier_width",

@@ -49,27 +49,40 @@ CurveDistance measureDistance(
 ) {
     CurveDistance result;
     const bool isOblique = !problem.shell->isFullResolution();
-    const auto measureAt = [&](const ShellCell& cell, const Vec3& p) {
+    result.perSpan.assign(at(space.spanCount()), std::numeric_limits<double>::infinity());
+    const auto measureAt = [&](int span, const ShellCell& cell, const Vec3& p) {
         result.largestHeight = std::max(result.largestHeight, std::abs(cell.relativeHeight(p)));
         double distance = distanceToShadow(problem, cell, p);
         // The shadow bounds the distance from above, mostly below the largest so far.
-        if (distance > result.largest && isOblique && !problem.shell->isGhost(cell.face)) {
+        double& ofSpan = result.perSpan[at(span)];
+        if (distance > ofSpan && isOblique && !problem.shell->isGhost(cell.face)) {
             distance = distanceToFaces(*problem.base, cell.face, p);
         }
-        result.largest = std::max(result.largest, distance);
+        ofSpan = std::max(ofSpan, distance);
     };
+    int current = -1;
     const int spans = traceCurve(
         problem,
         space,
         controls,
-        [&](int, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1) {
-            measureAt(cell, curve.at(tau0));
-            measureAt(cell, curve.at(0.5 * (tau0 + tau1)));
+        [&](
+            int span, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1
+        ) {
+            if (span != current) {
+                current = span;
+                result.perSpan[at(span)] = 0.0;
+            }
+            measureAt(span, cell, curve.at(tau0));
+            measureAt(span, cell, curve.at(0.5 * (tau0 + tau1)));
         },
         [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
     );
+    result.largest = std::ranges::max(result.perSpan);
     if (spans != space.spanCount()) {
-        result = {std::numeric_limits<double>::infinity(), 1.0};
+        // Where it leaves is on the span that was begun.
+        result.perSpan[at(spans)] = std::numeric_limits<double>::infinity();
+        result.largest = std::numeric_limits<double>::infinity();
+        result.largestHeight = 1.0;
     }
     return result;
 }

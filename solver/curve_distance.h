@@ -11,6 +11,8 @@ struct CurveDistance {
     /// Largest distance sampled; infinite where the curve leaves the shell.
     double largest = 0.0;
     double largestHeight = 0.0;  ///< largest relative height d (10)
+    /// Largest distance on each span; infinite where the curve leaves the shell there or before.
+    std::vector<double> perSpan;
 };
 
 /// Samples every piece of the curve at its start and middle. In a shell of full resolution the

@@ -10,10 +10,6 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// Most of the field's term stays whatever the curve does. 1e-6 took a tenth more iterations for the
-// same curves, 1 left curves beside their valleys.
-constexpr double kFieldShare = 0.2;
-
 }  // namespace
 
 CurveEnergy::CurveEnergy(

@@ -120,26 +120,39 @@ std::optional<BendingDirections> bendingDirectionsAlong(
                          : directionsAtSamples(problem, space, controls, segments);
 }
 
+SplineSpace::BasisMatrix ambientProducts(
+    const CurveProblem& problem, const SplineSpace& space, int span
+) {
+    const double tension = problem.options.tension;
+    const double scale = 2.0 / (problem.chordLength * problem.chordLength);
+    // Each derivative by t divides by the length, the integral multiplies by it.
+    const double length = space.spanLength(span);
+    const double stretch = scale * tension / length;
+    const double bend = scale * (1.0 - tension) / (length * length * length);
+    SplineSpace::BasisMatrix products = SplineSpace::BasisMatrix::Zero();
+    for (int j1 = 0; j1 < space.basisCount(); ++j1) {
+        for (int j2 = 0; j2 <= j1; ++j2) {
+            double value = bend * derivativeProduct(space, span, j1, j2, 2);
+            if (tension > 0.0) {
+                value += stretch * derivativeProduct(space, span, j1, j2, 1);
+            }
+            products(j1, j2) = value;
+            products(j2, j1) = value;
+        }
+    }
+    return products;
+}
+
 InternalEnergy::InternalEnergy(const CurveProblem& problem, const SplineSpace& space)
     : problem_(problem), space_(space) {
     const int n = space.basisCount();
-    const double tension = problem.options.tension;
-    const double scale = 2.0 / (problem.chordLength * problem.chordLength);
     ambient_.assign(at(space.spanCount()), SpanMatrix::Zero(3 * n, 3 * n));
     for (int span = 0; span < space.spanCount(); ++span) {
-        // Each derivative by t divides by the length, the integral multiplies by it.
-        const double length = space.spanLength(span);
-        const double stretch = scale * tension / length;
-        const double bend = scale * (1.0 - tension) / (length * length * length);
+        const SplineSpace::BasisMatrix products = ambientProducts(problem, space, span);
         for (int j1 = 0; j1 < n; ++j1) {
-            for (int j2 = 0; j2 <= j1; ++j2) {
-                double value = bend * derivativeProduct(space, span, j1, j2, 2);
-                if (tension > 0.0) {
-                    value += stretch * derivativeProduct(space, span, j1, j2, 1);
-                }
+            for (int j2 = 0; j2 < n; ++j2) {
                 for (int axis = 0; axis < 3; ++axis) {
-                    ambient_[at(span)](3 * j1 + axis, 3 * j2 + axis) = value;
-                    ambient_[at(span)](3 * j2 + axis, 3 * j1 + axis) = value;
+                    ambient_[at(span)](3 * j1 + axis, 3 * j2 + axis) = products(j1, j2);
                 }
             }
         }

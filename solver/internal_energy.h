@@ -33,6 +33,12 @@ struct BendingDirections {
     int segments
 );
 
+/// E_int (4) of a span with all of the second derivative is x^T A x / 2 for each axis of its
+/// control points; entry (i, j) of A belongs to basis functions i and j. Exact.
+[[nodiscard]] SplineSpace::BasisMatrix ambientProducts(
+    const CurveProblem& problem, const SplineSpace& space, int span
+);
+
 /// E_int (4): quadratic in the control points, integrated exactly but for the normal part.
 class InternalEnergy {
 public:

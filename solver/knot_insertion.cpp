@@ -26,6 +26,8 @@ bool canHalve(const SplineSpace& space, int span, double minimumSpan) {
     return 0.5 * space.spanLength(span) >= minimumSpan;
 }
 
+}  // namespace
+
 std::vector<double> halveSpans(
     const SplineSpace& space, const std::vector<char>& marked, double minimumSpan
 ) {
@@ -38,8 +40,6 @@ std::vector<double> halveSpans(
     }
     return breaks;
 }
-
-}  // namespace
 
 KnotDemand predictGain(
     const CurveProblem& problem,

@@ -28,6 +28,12 @@ struct KnotDemand {
     int segments
 );
 
+/// Breaks with the marked spans halved, but for those whose halves would be shorter than
+/// `minimumSpan`.
+[[nodiscard]] std::vector<double> halveSpans(
+    const SplineSpace& space, const std::vector<char>& marked, double minimumSpan
+);
+
 /// Breaks with the spans halved that together promise most of the gain, largest first.
 [[nodiscard]] std::vector<double> halveLargest(
     const SplineSpace& space, const KnotDemand& gain, double minimumSpan

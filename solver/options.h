@@ -12,8 +12,9 @@ enum class Bending { Geodesic, Ambient };
 enum class FieldCost { Identity, Square, ExpMinus };
 /// How the first spline is made: a fit to the geodesic through the picks, or Alg. 2 of the paper.
 enum class InitialCurve { GeodesicFit, ControlPolygon };
-/// Where the integrals are sampled: exactly cell by cell, or at evenly spaced parameters (14)-(16).
-enum class Quadrature { Cells, Samples };
+/// Where the integrals are taken: at samples by their foot points on the surface, which is quick on
+/// any resolution; exactly cell by cell; or at evenly spaced samples in the shell (14)-(16).
+enum class Quadrature { FootPoints, Cells, Samples };
 /// Upper bound h of the barrier (11): 1, or tightened around the current curve by (12).
 enum class BarrierWidth { Full, Tight };
 /// Weight alpha of E_dist: a geometric schedule, or (18).
@@ -43,7 +44,10 @@ struct SolverOptions {
     double normalBendingWeight =
         0.05;  ///< delta: share of normal bending kept by Bending::Geodesic, in (0, 1]
     InitialCurve initialCurve = InitialCurve::GeodesicFit;
-    Quadrature quadrature = Quadrature::Cells;
+    /// FootPoints is for tension up to 0.5, fields of up to usual strength, curves that what they
+    /// avoid does not push, and the defaults of the options from here to knotRule; other curves,
+    /// and those that do not come to lie in the shell that way, are integrated by Cells.
+    Quadrature quadrature = Quadrature::FootPoints;
     int samplesPerSpan = 24;  ///< evenly spaced samples per knot span for Quadrature::Samples, >= 4
     BarrierWidth barrierWidth = BarrierWidth::Full;
     DistanceWeight distanceWeight = DistanceWeight::Schedule;

@@ -5,6 +5,7 @@
 #include "solver/curve_energy.h"
 #include "solver/knot_insertion.h"
 #include "solver/minimiser.h"
+#include "solver/relaxation.h"
 #include "solver/shell_reach.h"
 #include "solver/weights.h"
 #include "surface/stopwatch.h"
@@ -211,7 +212,7 @@ private:
     [[nodiscard]] bool isNear() const { return distance_ < tolerance_; }
 
     [[nodiscard]] bool isRough() const {
-        return options_.quadrature == Quadrature::Cells && segments_ > 0;
+        return options_.quadrature != Quadrature::Samples && segments_ > 0;
     }
 
     // Integrates cell by cell from now on.
@@ -421,6 +422,9 @@ private:
 }  // namespace
 
 Solution solve(const CurveProblem& problem, const GuidePath& guide, SplineCurve first) {
+    if (std::optional<Solution> relaxed = relax(problem, guide, first)) {
+        return std::move(*relaxed);
+    }
     return Solver(problem, guide, std::move(first)).run();
 }
 

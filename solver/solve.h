@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/initial_curve.h"
-#include "solver/solve_report.h"
+#include "solver/solution.h"
 
 namespace bspline_curve {
-
-struct Solution {
-    SplineCurve curve;
-    SolveReport report;
-};
 
 /// Alg. 1 of the paper: from the first spline along the guide, minimise, raise the weights, insert
 /// knots, until the curve is near enough to the surface and more knots no longer change it. Throws

@@ -200,7 +200,17 @@ TEST(OptionBindings, EnumOptionsAreTheEnumeratorsOfTheSolver) {
     EXPECT_ENUMERATORS_2(
         solver, "initial_curve", &S::initialCurve, InitialCurve, GeodesicFit, ControlPolygon
     );
-    EXPECT_ENUMERATORS_2(solver, "quadrature", &S::quadrature, Quadrature, Cells, Samples);
+    expectEnumerators(
+        curveFilter(), named(solver, "quadrature"), &S::quadrature, [](Quadrature quadrature) {
+            switch (quadrature) {
+                case Quadrature::FootPoints:
+                case Quadrature::Cells:
+                case Quadrature::Samples:
+                    return true;
+            }
+            return false;
+        }
+    );
     EXPECT_ENUMERATORS_2(solver, "barrier_width", &S::barrierWidth, BarrierWidth, Full, Tight);
     EXPECT_ENUMERATORS_2(
         solver, "distance_weight", &S::distanceWeight, DistanceWeight, Schedule, Adaptive

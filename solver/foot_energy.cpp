@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/foot_energy.h"
+
+#include "solver/field_cost.h"
+#include "solver/internal_energy.h"
+#include "solver/point_terms.h"
+#include "solver/sample_walker.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+int spanOf(int sample) {
+    return sample / FootEnergy::kSamplesPerSpan;
+}
+
+double tauOf(int sample) {
+    return sampleParameter(sample % FootEnergy::kSamplesPerSpan, FootEnergy::kSegments);
+}
+
+SymmetricMatrix operator*(double scale, const SymmetricMatrix& m) {
+    return {scale * m[0], scale * m[1], scale * m[2], scale * m[3], scale * m[4], scale * m[5]};
+}
+
+SymmetricMatrix& operator+=(SymmetricMatrix& sum, const SymmetricMatrix& m) {
+    for (std::size_t e = 0; e < sum.size(); ++e) {
+        sum[e] += m[e];
+    }
+    return sum;
+}
+
+Eigen::Matrix3d dense(const SymmetricMatrix& m) {
+    Eigen::Matrix3d result;
+    result << m[0], m[1], m[2], m[1], m[3], m[4], m[2], m[4], m[5];
+    return result;
+}
+
+}  // namespace
+
+FootEnergy::FootEnergy(const CurveProblem& problem, const SplineSpace& space, double heightUnit)
+    : problem_(problem),
+      space_(space),
+      heightUnit_(heightUnit),
+      fieldWeight_(bspline_curve::fieldWeight(problem)) {
+    const double normalShare = problem.options.bending == Bending::Geodesic
+                                   ? 1.0 - problem.options.normalBendingWeight
+                                   : 0.0;
+    const double bending =
+        2.0 / (problem.chordLength * problem.chordLength) * (1.0 - problem.options.tension);
+    samples_.reserve(at(sampleCount()));
+    for (int sample = 0; sample < sampleCount(); ++sample) {
+        const int span = spanOf(sample);
+        const double weight = space.spanLength(span) / kSamplesPerSpan;
+        samples_.push_back(
+            {weight,
+             -bending * normalShare * weight,
+             space.basisAt(span, tauOf(sample)),
+             space.basisDerivativeAt(span, tauOf(sample), 2)}
+        );
+    }
+    for (int span = 0; span < space.spanCount(); ++span) {
+        ambient_.push_back(ambientProducts(problem, space, span));
+    }
+}
+
+double FootEnergy::parameter(int sample) const {
+    const int span = spanOf(sample);
+    return space_.breaks()[at(span)] + tauOf(sample) * space_.spanLength(span);
+}
+
+Vec3 FootEnergy::combine(
+    const ControlPoints& controls, int span, const SplineSpace::BasisValues& values
+) const {
+    Vec3 sum = Vec3::Zero();
+    for (int j = 0; j < space_.basisCount(); ++j) {
+        sum += values[at(j)] * controls.row(space_.control(span, j)).transpose();
+    }
+    return sum;
+}
+
+Vec3 FootEnergy::position(const ControlPoints& controls, int sample) const {
+    return combine(controls, spanOf(sample), samples_[at(sample)].basis);
+}
+
+void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
+    for (int sample = 0; sample < sampleCount(); ++sample) {
+        finder.move(
+            position(spline.controls, sample), spline.feet[at(sample)], spline.frames[at(sample)]
+        );
+    }
+}
+
+double FootEnergy::fieldAt(const FootPoint& foot) const {
+    const Triangle& face = problem_.base->faces[at(foot.face)];
+    const Vec3 barycentric = foot.barycentric();
+    return barycentric[0] * problem_.field[at(face[0])] +
+           barycentric[1] * problem_.field[at(face[1])] +
+           barycentric[2] * problem_.field[at(face[2])];
+}
+
+Vec3 FootEnergy::fieldGradient(const FootPoint& foot, const FootFrame& frame) const {
+    const Triangle& face = problem_.base->faces[at(foot.face)];
+    const double corner = problem_.field[at(face[0])];
+    return (problem_.field[at(face[1])] - corner) * frame.u +
+           (problem_.field[at(face[2])] - corner) * frame.v;
+}
+
+// How far a foot lies beyond the boundary in a ghost face: 0 at the boundary, 1 at the outer rim.
+double FootEnergy::beyond(const FootPoint& foot) const {
+    const Triangle& face = problem_.base->faces[at(foot.face)];
+    const Vec3 barycentric = foot.barycentric();
+    double sum = 0.0;
+    for (int corner = 0; corner < 3; ++corner) {
+        if (face[at(corner)] >= problem_.base->surfaceVertexCount) {
+            sum += barycentric[corner];
+        }
+    }
+    return sum;
+}
+
+Vec3 FootEnergy::beyondGradient(const FootPoint& foot, const FootFrame& frame) const {
+    const Triangle& face = problem_.base->faces[at(foot.face)];
+    const auto isGhost = [&](std::size_t corner) {
+        return face[corner] >= problem_.base->surfaceVertexCount ? 1.0 : 0.0;
+    };
+    return (isGhost(1) - isGhost(0)) * frame.u + (isGhost(2) - isGhost(0)) * frame.v;
+}
+
+EnergyTerms FootEnergy::terms(
+    const FootedSpline& spline, const std::vector<FootFrame>& frozen
+) const {
+    EnergyTerms sum;
+    for (int sample = 0; sample < sampleCount(); ++sample) {
+        const Sample& table = samples_[at(sample)];
+        const FootPoint& foot = spline.feet[at(sample)];
+        const double height = foot.height / heightUnit_;
+        sum.distance += table.weight * height * height;
+        if (foot.face >= problem_.base->surfaceFaceCount) {
+            const double outside = beyond(foot);
+            sum.distance += table.weight * outside * outside;
+        }
+        if (fieldWeight_ > 0.0) {
+            sum.external +=
+                table.weight * fieldCost(problem_.options.fieldCost, fieldAt(foot)).value;
+        }
+        const double along = frozen[at(sample)].direction.dot(
+            combine(spline.controls, spanOf(sample), table.second)
+        );
+        sum.internal += 0.5 * table.normalBending * along * along;
+    }
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        const SplineSpace::BasisMatrix& ambient = ambient_[at(span)];
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            const auto controlJ = spline.controls.row(space_.control(span, j));
+            sum.internal += 0.5 * ambient(j, j) * controlJ.squaredNorm();
+            for (int i = 0; i < j; ++i) {
+                sum.internal +=
+                    ambient(i, j) * controlJ.dot(spline.controls.row(space_.control(span, i)));
+            }
+        }
+    }
+    return sum;
+}
+
+double FootEnergy::total(const EnergyTerms& terms, double alpha) const {
+    return terms.internal + alpha * terms.distance + fieldWeight_ * terms.external;
+}
+
+double FootEnergy::scale(const EnergyTerms& terms, double alpha) const {
+    const double aboveLeast = fieldWeight_ * (terms.external - problem_.fieldCosts.least);
+    return terms.internal + alpha * terms.distance +
+           (fieldWeight_ > 0.0 ? kFieldShare * std::abs(aboveLeast) : 0.0);
+}
+
+PointDerivatives FootEnergy::pointDerivatives(
+    const FootedSpline& spline, double alpha, double turning, int sample
+) const {
+    const FootPoint& foot = spline.feet[at(sample)];
+    const FootFrame& frame = spline.frames[at(sample)];
+    PointDerivatives point;
+    const double stiffness =
+        2.0 * alpha * samples_[at(sample)].weight / (heightUnit_ * heightUnit_);
+    const double force = stiffness * foot.height;
+    point.force = force * frame.height;
+    point.addRankOne(frame.height, stiffness);
+    // The height's second derivative is the change of n along the surface.
+    point.addProduct(frame.turnU, frame.u, 0.5 * turning * force);
+    point.addProduct(frame.turnV, frame.v, 0.5 * turning * force);
+    if (foot.face >= problem_.base->surfaceFaceCount) {
+        const Vec3 gradient = beyondGradient(foot, frame);
+        const double twice = 2.0 * alpha * samples_[at(sample)].weight;
+        point.force += twice * beyond(foot) * gradient;
+        point.addRankOne(gradient, twice);
+    }
+    if (fieldWeight_ > 0.0) {
+        const FieldCostValue cost = fieldCost(problem_.options.fieldCost, fieldAt(foot));
+        const Vec3 gradient = fieldGradient(foot, frame);
+        const double weight = fieldWeight_ * samples_[at(sample)].weight;
+        point.force += weight * cost.slope * gradient;
+        point.addRankOne(gradient, weight * std::max(0.0, cost.curvature));
+    }
+    return point;
+}
+
+void FootEnergy::differentiate(
+    const FootedSpline& spline,
+    double alpha,
+    double turning,
+    Eigen::VectorXd& gradient,
+    std::vector<SpanMatrix>& hessian
+) const {
+    const int n = space_.basisCount();
+    gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space_.controlCount()));
+    hessian.resize(at(space_.spanCount()), SpanMatrix(3 * n, 3 * n));
+    std::array<PointDerivatives, kSamplesPerSpan> points;
+    std::array<SymmetricMatrix, kSamplesPerSpan> bends{};
+    std::array<Vec3, kSamplesPerSpan> bendForces;
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        const int first = span * kSamplesPerSpan;
+        for (int i = 0; i < kSamplesPerSpan; ++i) {
+            const Sample& table = samples_[at(first + i)];
+            const Vec3& direction = spline.frames[at(first + i)].direction;
+            points[at(i)] = pointDerivatives(spline, alpha, turning, first + i);
+            bends[at(i)] = rankOne(direction, table.normalBending);
+            const double along = direction.dot(combine(spline.controls, span, table.second));
+            bendForces[at(i)] = table.normalBending * along * direction;
+        }
+        const SplineSpace::BasisMatrix& ambient = ambient_[at(span)];
+        SpanMatrix& block = hessian[at(span)];
+        for (int j = 0; j < n; ++j) {
+            Vec3 force = Vec3::Zero();
+            for (int i = 0; i < kSamplesPerSpan; ++i) {
+                const Sample& table = samples_[at(first + i)];
+                force += table.basis[at(j)] * points[at(i)].force +
+                         table.second[at(j)] * bendForces[at(i)];
+            }
+            for (int k = 0; k < n; ++k) {
+                force += ambient(k, j) * spline.controls.row(space_.control(span, k)).transpose();
+            }
+            gradient.segment<3>(3 * static_cast<Eigen::Index>(space_.control(span, j))) += force;
+            for (int k = 0; k <= j; ++k) {
+                SymmetricMatrix sum{ambient(k, j), 0.0, 0.0, ambient(k, j), 0.0, ambient(k, j)};
+                for (int i = 0; i < kSamplesPerSpan; ++i) {
+                    const Sample& table = samples_[at(first + i)];
+                    sum += (table.basis[at(j)] * table.basis[at(k)]) * points[at(i)].second;
+                    sum += (table.second[at(j)] * table.second[at(k)]) * bends[at(i)];
+                }
+                const Eigen::Matrix3d entries = dense(sum);
+                block.block<3, 3>(3 * k, 3 * j) = entries;
+                if (k < j) {
+                    block.block<3, 3>(3 * j, 3 * k) = entries;
+                }
+            }
+        }
+    }
+}
+
+double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int span) const {
+    const double length = space_.spanLength(span);
+    const PolynomialCurve curve = space_.polynomial(spline.controls, span);
+    // b = tau^2 (1 - tau)^2: the integrals of b''^2 and b'^2 over tau.
+    constexpr double kBend = 0.8;
+    constexpr double kStretch = 2.0 / 105.0;
+    const double tension = problem_.options.tension;
+    const double scale = 2.0 / (problem_.chordLength * problem_.chordLength);
+    const double own = scale * ((1.0 - tension) * kBend / (length * length * length) +
+                                tension * kStretch / length);
+    SymmetricMatrix stiffness{own, 0.0, 0.0, own, 0.0, own};
+    Vec3 force = Vec3::Zero();
+    for (int i = 0; i < kSamplesPerSpan; ++i) {
+        const int sample = span * kSamplesPerSpan + i;
+        const Sample& table = samples_[at(sample)];
+        const double tau = tauOf(sample);
+        const double rest = 1.0 - tau;
+        const double value = tau * tau * rest * rest;
+        const double slope = 2.0 * tau * rest * (rest - tau) / length;
+        const double second = (2.0 - 12.0 * tau * rest) / (length * length);
+        const PointDerivatives point = pointDerivatives(spline, alpha, 0.0, sample);
+        const Vec3& direction = spline.frames[at(sample)].direction;
+        const Vec3 bending = curve.secondDerivativeAt(tau) / (length * length);
+        force += value * point.force +
+                 second * table.normalBending * direction.dot(bending) * direction +
+                 slope * scale * tension * table.weight / length * curve.derivativeAt(tau);
+        stiffness += (value * value) * point.second;
+        stiffness += rankOne(direction, second * second * table.normalBending);
+    }
+    const Vec3 bulge = dense(stiffness).ldlt().solve(force);
+    return std::max(0.0, 0.5 * force.dot(bulge));
+}
+
+double FootEnergy::largestHeight(const FootedSpline& spline) const {
+    double largest = 0.0;
+    for (const FootPoint& foot : spline.feet) {
+        largest = std::max(largest, std::abs(foot.height));
+    }
+    return largest;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/energy_derivatives.h"
+#include "solver/foot_point.h"
+#include "solver/solve_report.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// A spline and the feet of its samples.
+struct FootedSpline {
+    ControlPoints controls;
+    std::vector<FootPoint> feet;
+    std::vector<FootFrame> frames;
+};
+
+/// The energy (7) of a spline at samples, by their foot points: E_int (4) without the normal
+/// bending that the surface forces, E_ext (5), and in place of (8) the mean of (height / unit)^2,
+/// which has no pole. It takes no cells, so what it costs does not depend on the resolution of the
+/// surface.
+///
+/// The gradient is exact at samples whose feet lie inside faces. The second derivatives hold how
+/// the surface bends beneath a sample as the turning of the pillar directions over its face, in
+/// place of the kinks at edges, which samples do not see.
+class FootEnergy {
+public:
+    /// Two Gauss points on each of so many parts of a span.
+    static constexpr int kSegments = 3;
+    static constexpr int kSamplesPerSpan = 2 * kSegments;
+
+    /// `heightUnit`: in the shell's frame.
+    FootEnergy(const CurveProblem& problem, const SplineSpace& space, double heightUnit);
+
+    [[nodiscard]] int sampleCount() const { return space_.spanCount() * kSamplesPerSpan; }
+
+    [[nodiscard]] double parameter(int sample) const;
+    [[nodiscard]] Vec3 position(const ControlPoints& controls, int sample) const;
+
+    /// Finds the feet of all samples anew, each from where it is.
+    void follow(const FootFinder& finder, FootedSpline& spline) const;
+
+    /// The terms at a spline; bending along the directions of `frozen` (one frame per sample) does
+    /// not count.
+    [[nodiscard]] EnergyTerms terms(
+        const FootedSpline& spline, const std::vector<FootFrame>& frozen
+    ) const;
+
+    /// The weighted sum of the terms; and what changes of it are measured against, which leaves
+    /// most of the field's least cost out.
+    [[nodiscard]] double total(const EnergyTerms& terms, double alpha) const;
+    [[nodiscard]] double scale(const EnergyTerms& terms, double alpha) const;
+
+    /// Gradient and Hessian with the spline's own directions frozen. `turning`: share of the
+    /// surface's bending in the Hessian, which can make it indefinite.
+    void differentiate(
+        const FootedSpline& spline,
+        double alpha,
+        double turning,
+        Eigen::VectorXd& gradient,
+        std::vector<SpanMatrix>& hessian
+    ) const;
+
+    /// How much the energy would fall if a span could bulge by itself: one Newton step for the
+    /// bubble tau^2 (1 - tau)^2 times a vector, which no spline of the space has. Its second
+    /// derivative is orthogonal to those of cubic splines.
+    [[nodiscard]] double gainOfBulge(const FootedSpline& spline, double alpha, int span) const;
+
+    [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
+
+private:
+    // What E_dist and E_ext say at a sample, by the position.
+    [[nodiscard]] PointDerivatives pointDerivatives(
+        const FootedSpline& spline, double alpha, double turning, int sample
+    ) const;
+    [[nodiscard]] double fieldAt(const FootPoint& foot) const;
+    [[nodiscard]] Vec3 fieldGradient(const FootPoint& foot, const FootFrame& frame) const;
+    [[nodiscard]] double beyond(const FootPoint& foot) const;
+    [[nodiscard]] Vec3 beyondGradient(const FootPoint& foot, const FootFrame& frame) const;
+    [[nodiscard]] Vec3 combine(
+        const ControlPoints& controls, int span, const SplineSpace::BasisValues& values
+    ) const;
+
+    struct Sample {
+        double weight;         // of the quadrature over [0, 1]
+        double normalBending;  // of (n . P'')^2 in E_int: negative
+        SplineSpace::BasisValues basis, second;
+    };
+
+    const CurveProblem& problem_;
+    const SplineSpace& space_;
+    double heightUnit_;
+    double fieldWeight_;
+    std::vector<Sample> samples_;
+    std::vector<SplineSpace::BasisMatrix>
+        ambient_;  // E_int with all bending = x^T A x / 2, by span
+};
+
+}  // namespace bspline_curve

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/foot_point.h"
+
+#include "surface/closest_point.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// Newton's method on a face: it converges quadratically, so a step this small was the last.
+constexpr double kLastStep = 1e-6;
+constexpr int kMaxSteps = 6;
+// The foot lies in another face for certain: no need to converge first.
+constexpr double kFarOutside = -0.3;
+// Rounding: a foot on an edge is in both of its faces.
+constexpr double kOnEdge = -1e-9;
+// Where a walk comes straight back, the foot lies in a gap or an overlap of the fibres of two faces
+// this much wider than rounding.
+constexpr double kInGap = -1e-3;
+// Far more than any walk between neighbouring samples needs.
+constexpr int kMaxCrossings = 200;
+// The fibres of a face narrow with the height; where the area that they leave is less than this
+// share, feet would run away.
+constexpr double kLeastArea = 0.05;
+constexpr int kMaxDescent = 1000;
+constexpr int kMaxValence = 256;
+
+// Which corner of a face a vertex is; -1: none.
+int slotOf(const Triangle& face, int vertex) {
+    for (int k = 0; k < 3; ++k) {
+        if (face[at(k)] == vertex) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+// The same point seen from the face across the edge opposite to corner k, moved onto that edge.
+void carryOver(const Triangle& from, const Triangle& to, int k, FootPoint& foot) {
+    const Vec3 before = foot.barycentric();
+    Vec3 after = Vec3::Zero();
+    for (int corner = 0; corner < 3; ++corner) {
+        const int slot = corner == k ? -1 : slotOf(to, from[at(corner)]);
+        if (slot >= 0) {
+            after[slot] = std::clamp(before[corner], 0.0, 1.0);
+        }
+    }
+    const double sum = after.sum();
+    if (sum > 0.0) {
+        after /= sum;
+    }
+    foot.u = after[1];
+    foot.v = after[2];
+}
+
+}  // namespace
+
+// The corner 0 of a face with the edges from there, and the same of the directions.
+struct FootFinder::Fibres {
+    Vec3 corner, edgeU, edgeV;
+    Vec3 direction, turnU, turnV;
+
+    [[nodiscard]] Vec3 positionAt(const FootPoint& foot) const {
+        return corner + foot.u * edgeU + foot.v * edgeV;
+    }
+
+    [[nodiscard]] Vec3 directionAt(const FootPoint& foot) const {
+        return direction + foot.u * turnU + foot.v * turnV;
+    }
+};
+
+FootFinder::Fibres FootFinder::fibresOver(int face) const {
+    const Triangle& corners = base_.faces[at(face)];
+    const Vec3& origin = base_.vertices[at(corners[0])];
+    const Vec3& direction = base_.directions[at(corners[0])];
+    return {
+        origin,
+        base_.vertices[at(corners[1])] - origin,
+        base_.vertices[at(corners[2])] - origin,
+        direction,
+        base_.directions[at(corners[1])] - direction,
+        base_.directions[at(corners[2])] - direction
+    };
+}
+
+void FootFinder::move(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
+    const FootPoint before = foot;
+    if (!alongFibres(p, foot, frame)) {
+        foot = before;
+        toNearest(p, foot, frame);
+    }
+}
+
+// Solves q(u, v) + height n(u, v) = p face by face.
+bool FootFinder::alongFibres(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
+    int previous = -1;
+    for (int crossing = 0; crossing < kMaxCrossings; ++crossing) {
+        const Fibres fibres = fibresOver(foot.face);
+        const double flatArea = fibres.direction.dot(fibres.edgeU.cross(fibres.edgeV));
+        for (int step = 0; step < kMaxSteps; ++step) {
+            const Vec3 byU = fibres.edgeU + foot.height * fibres.turnU;
+            const Vec3 byV = fibres.edgeV + foot.height * fibres.turnV;
+            const Vec3 direction = fibres.directionAt(foot);
+            const Vec3 area = byU.cross(byV);
+            const double determinant = direction.dot(area);
+            if (!(determinant > kLeastArea * flatArea)) {
+                return false;
+            }
+            const double inverse = 1.0 / determinant;
+            frame.height = inverse * area;
+            frame.u = inverse * byV.cross(direction);
+            frame.v = inverse * direction.cross(byU);
+            frame.direction = direction;
+            const Vec3 gap = p - fibres.positionAt(foot) - foot.height * direction;
+            const double moveU = frame.u.dot(gap);
+            const double moveV = frame.v.dot(gap);
+            foot.u += moveU;
+            foot.v += moveV;
+            foot.height += frame.height.dot(gap);
+            if (std::abs(moveU) + std::abs(moveV) < kLastStep ||
+                foot.barycentric().minCoeff() < kFarOutside) {
+                break;
+            }
+        }
+        int outer = 0;
+        const double least = foot.barycentric().minCoeff(&outer);
+        const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
+        if (least >= kOnEdge || (least > kInGap && next == previous)) {
+            frame.direction.normalize();
+            frame.turnU = fibres.turnU;
+            frame.turnV = fibres.turnV;
+            return true;
+        }
+        if (next < 0) {
+            return false;
+        }
+        previous = foot.face;
+        carryOver(base_.faces[at(foot.face)], base_.faces[at(next)], outer, foot);
+        foot.face = next;
+    }
+    return false;
+}
+
+void FootFinder::toNearest(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
+    const auto nearestIn = [&](int face) {
+        return closestPointOnTriangle(base_.vertices, base_.faces[at(face)], p);
+    };
+    int face = foot.face;
+    ClosestPointOnTriangle nearest = nearestIn(face);
+    bool found = true;
+    for (int step = 0; found && step < kMaxDescent; ++step) {
+        found = false;
+        const auto compare = [&](int other) {
+            const ClosestPointOnTriangle there = nearestIn(other);
+            if (there.squaredDistance < nearest.squaredDistance) {
+                nearest = there;
+                face = other;
+                found = true;
+            }
+        };
+        const int here = face;
+        const Vec3 barycentric = nearest.barycentric;
+        for (int k = 0; k < 3; ++k) {
+            if (barycentric[k] > 0.0) {
+                continue;
+            }
+            // All faces around the vertex where the point is one, else that across the edge.
+            const bool isVertex = barycentric[(k + 1) % 3] <= 0.0;
+            const int centre = base_.faces[at(here)][at((k + 2) % 3)];
+            int other = base_.faceNeighbours[at(here)][at(k)];
+            for (int turn = 0; other >= 0 && other != here && turn < kMaxValence; ++turn) {
+                compare(other);
+                if (!isVertex) {
+                    break;
+                }
+                const int slot = slotOf(base_.faces[at(other)], centre);
+                other = base_.faceNeighbours[at(other)][at((slot + 1) % 3)];
+            }
+        }
+    }
+    const Fibres fibres = fibresOver(face);
+    foot.face = face;
+    foot.u = nearest.barycentric[1];
+    foot.v = nearest.barycentric[2];
+    const Vec3 normal = fibres.edgeU.cross(fibres.edgeV);
+    Vec3 direction = fibres.directionAt(foot);
+    if (!(direction.dot(normal) > 0.0)) {
+        direction = normal;  // a vertex that no direction sees all faces of
+    }
+    const Vec3 gap = p - nearest.position;
+    const double distance = std::sqrt(nearest.squaredDistance);
+    const double side = gap.dot(direction) < 0.0 ? -1.0 : 1.0;
+    foot.height = side * distance;
+    const double inverse = 1.0 / direction.dot(normal);
+    frame.direction = direction.normalized();
+    frame.height = distance > 0.0 ? Vec3(side / distance * gap) : frame.direction;
+    frame.u = inverse * fibres.edgeV.cross(direction);
+    frame.v = inverse * direction.cross(fibres.edgeU);
+    frame.turnU = fibres.turnU;
+    frame.turnV = fibres.turnV;
+}
+
+}  // namespace bspline_curve

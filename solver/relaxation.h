@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/solution.h"
+
+#include <optional>
+
+namespace bspline_curve {
+
+/// Alg. 1 of the paper with energies at samples (FootEnergy): from the first spline along the
+/// guide, a few Newton steps, then a larger weight of the distance and knots where a span would
+/// gain by bulging, again and again; at last the whole curve is traced through the shell, and spans
+/// that leave the tolerance are halved. Hardly depends on the resolution of the surface.
+///
+/// Nothing where that is not for this curve (see SolverOptions::quadrature), or where the curve
+/// does not come to lie in the shell and within the tolerance: solve() then finds one with every
+/// iterate inside. Throws Cancelled.
+[[nodiscard]] std::optional<Solution> relax(
+    const CurveProblem& problem, const GuidePath& guide, const SplineCurve& first
+);
+
+}  // namespace bspline_curve
