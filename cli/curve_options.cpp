@@ -6,6 +6,7 @@
 #include "cli/parse_with.h"
 #include "cli/shell_cache_option.h"
 #include "cli/shell_options.h"
+#include "io/curve_writer.h"
 #include "surface/input_error.h"
 
 #include <algorithm>
@@ -29,12 +30,13 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
     app.add_option(
            "--picks",
            arguments.picks,
-           "Points to pass through, in order: .pp, .json, .xyz or .csv; at most 1 % of the mesh's "
-           "diagonal from it"
+           "Points to pass through, in order: .pp, .json, .xyz or .csv; at most 1 % of "
+           "the "
+           "mesh's diagonal from it"
     )
         ->required()
         ->type_name("FILE");
-    app.add_option("--output", arguments.output, "Curve to write: .ply, .obj or .json")
+    app.add_option("--output", arguments.output, "Curve to write: " + curveExtensions())
         ->required()
         ->type_name("FILE");
     app.add_option(

@@ -158,9 +158,10 @@ def test_a_field_pulls_the_curve_and_is_written_along_it(run, plate, source):
     assert means[1] < means[0]
 
 
-def test_without_a_field_there_is_no_quality(run, plate):
+def test_without_a_field_quality_is_t(run, plate):
     succeed(run(*DEFAULT))
-    assert "quality" not in read_ply(plate / "curve.ply")["vertex"].dtype.names
+    vertex = read_ply(plate / "curve.ply")["vertex"]
+    assert np.array_equal(vertex["quality"], vertex["t"])
 
 
 def test_the_report_holds_times_figures_rounds_and_iterations(run, plate):
