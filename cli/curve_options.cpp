@@ -30,7 +30,7 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
     app.add_option(
            "--picks",
            arguments.picks,
-           "Points to pass through, in order: .pp, .json, .xyz or .csv; at most 1 % of "
+           "Points to pass through, in order: .pp, .json, .mrk.json, .xyz or .csv; at most 1 % of "
            "the "
            "mesh's diagonal from it"
     )
