@@ -329,7 +329,7 @@ private:
         "a\n"
         "polyline whose every segment lies in one face. The verb \"curve\" may go before the "
         "mesh;\n"
-        "the other verbs are \"field\" and \"shell\": bspline_curve field --help.\n\n"
+        "the other verbs are \"batch\", \"field\" and \"shell\": bspline_curve batch --help.\n\n"
         "Exit status: 0 done; 1 bad mesh, picks or file, or no usable curve; 2 wrong usage;\n"
         "130 interrupted by Ctrl-C. No output is written unless the status is 0.\n",
         "bspline_curve"
@@ -351,6 +351,29 @@ private:
 
 std::variant<CurveArguments, ExitCode> parseCurveArguments(Arguments arguments) {
     return parseWith<CurveParser>(arguments);
+}
+
+std::vector<CurveOption> curveOptions() {
+    const CurveParser parser;
+    const CLI::App& app = parser.app();
+    std::vector<CurveOption> options;
+    for (const CLI::Option* const option : app.get_options()) {
+        if (option == app.get_help_ptr() || option == app.get_version_ptr()) {
+            continue;
+        }
+        for (const std::string& name : option->get_lnames()) {
+            options.push_back({.name = name, .isFlag = option->get_expected_max() == 0});
+        }
+    }
+    return options;
+}
+
+CurveArguments readCurveArguments(Arguments arguments) {
+    try {
+        return CurveParser().parse(arguments);
+    } catch (const CLI::ParseError& error) {
+        throw InputError(InputErrorCode::BadOption, error.what());
+    }
 }
 
 }  // namespace bspline_curve::cli

@@ -48,6 +48,17 @@ def test_every_mesh_format_gives_the_same_curve(run, plate, name):
     "name, text",
     [
         ("a.json", json.dumps({"name": "a case", "picks": PICKS, "closed": False})),
+        (
+            "a.mrk.json",
+            json.dumps({
+                "markups": [{
+                    "type": "Curve",
+                    "coordinateSystem": "RAS",
+                    "controlPoints": [{"position": [-x, -y, z], "positionStatus": "defined"} for x, y, z in PICKS]
+                    + [{"position": "", "positionStatus": "undefined"}],
+                }]
+            }),
+        ),
         ("a.xyz", "# picked by hand\n" + "".join("%r %r %r\n" % tuple(p) for p in PICKS)),
         ("a.csv", "id,x,y,z\n" + "".join("%d,%r,%r,%r\n" % (i, *p) for i, p in enumerate(PICKS))),
         ("b.csv", "".join("%s;%s;%s\n" % tuple(str(x).replace(".", ",") for x in p) for p in PICKS)),
