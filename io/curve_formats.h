@@ -36,6 +36,7 @@ struct CurveContent {
 [[nodiscard]] std::string curvePly(const CurveContent& content);
 [[nodiscard]] std::string curveObj(const CurveContent& content);
 [[nodiscard]] std::string curveDxf(const CurveContent& content);
+[[nodiscard]] std::string curveVtu(const CurveContent& content);
 [[nodiscard]] std::string curveCsv(const CurveContent& content);
 
 // Polyline and spline.

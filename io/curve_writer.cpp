@@ -29,6 +29,7 @@ constexpr std::array kFormats{
     CurveFormat{.end = ".obj", .bytes = curveObj},
     CurveFormat{.end = ".bspline.dxf", .bytes = splineDxf},
     CurveFormat{.end = ".dxf", .bytes = curveDxf},
+    CurveFormat{.end = ".vtu", .bytes = curveVtu},
     CurveFormat{.end = ".csv", .bytes = curveCsv},
     CurveFormat{.end = ".json", .bytes = curveJson},
 };

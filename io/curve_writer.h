@@ -35,6 +35,8 @@ void checkCurveExtension(const std::filesystem::path& file);
 ///                 control points of a closed one are named again at its end
 ///   .dxf          the polyline: a 3D POLYLINE of R12, closed where the curve is
 ///   .bspline.dxf  the spline: a SPLINE of R2000; a closed one with clamped knots
+///   .vtu          the polyline, VTK XML, base64: lines; points: quality t barycentric (double),
+///                 face (int), is_pick (uchar)
 ///   .csv          the polyline: x,y,z,t,face,b0,b1,b2,quality,is_pick, one line per vertex
 ///   .json         {"closed", "polyline": {"points", "faces", "barycentrics", "t", "picks"},
 ///                 "spline": {"degree", "closed", "knots", "control_points", "pick_parameters"}};

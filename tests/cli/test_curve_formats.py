@@ -159,6 +159,16 @@ def test_dxf_spline_in_ezdxf(case):
     assert np.abs(by_ezdxf[0] - by_ezdxf[-1]).max() < 1e-12 or not case.closed
 
 
+def test_vtu_in_meshio(case):
+    mesh = meshio.read(case.file("curve.vtu"))
+    assert np.array_equal(mesh.points, case.points)
+    assert [block.type for block in mesh.cells] == ["line"] and mesh.cells[0].data.tolist() == case.edges
+    for name, expected in {"quality": case.t, "t": case.t, "face": case.polyline["faces"],
+                           "barycentric": case.polyline["barycentrics"]}.items():
+        assert np.array_equal(mesh.point_data[name], expected), name
+    assert np.flatnonzero(mesh.point_data["is_pick"]).tolist() == sorted(case.polyline["picks"])
+
+
 def test_csv(case):
     with open(case.file("curve.csv"), newline="") as stream:
         rows = list(csv.DictReader(stream))

@@ -172,7 +172,8 @@ TEST_F(CurveWriter, RefusesOtherExtensionsAndPlaces) {
     };
     expectContains(
         refused(path("a.txt")),
-        "\".txt\" of the output is none of .ply, .bspline.obj, .obj, .bspline.dxf, .dxf, .csv, "
+        "\".txt\" of the output is none of .ply, .bspline.obj, .obj, .bspline.dxf, .dxf, .vtu, "
+        ".csv, "
         ".json"
     );
     refused(path(".ply"));
