@@ -7,6 +7,7 @@
 #include "cli/shell_cache_option.h"
 #include "cli/value_checks.h"
 #include "filters/requests.h"
+#include "io/curve_writer.h"
 #include "surface/input_error.h"
 
 #include <CLI/CLI.hpp>
@@ -33,12 +34,13 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
     app.add_option(
            "--picks",
            arguments.picks,
-           "Points to pass through, in order: .pp, .json, .xyz or .csv; at most 1 % of the mesh's "
-           "diagonal from it"
+           "Points to pass through, in order: .pp, .json, .mrk.json, .xyz or .csv; at most 1 % of "
+           "the "
+           "mesh's diagonal from it"
     )
         ->required()
         ->type_name("FILE");
-    app.add_option("--output", arguments.output, "Curve to write: .ply, .obj or .json")
+    app.add_option("--output", arguments.output, "Curve to write: " + curveExtensions())
         ->required()
         ->type_name("FILE");
     app.add_option(
@@ -168,7 +170,7 @@ private:
         "a\n"
         "polyline whose every segment lies in one face. The verb \"curve\" may go before the "
         "mesh;\n"
-        "the other verbs are \"field\" and \"shell\": bspline_curve field --help.\n\n"
+        "the other verbs are \"batch\", \"field\" and \"shell\": bspline_curve batch --help.\n\n"
         "Exit status: 0 done; 1 bad mesh, picks or file, or no usable curve; 2 wrong usage;\n"
         "130 interrupted by Ctrl-C. No output is written unless the status is 0.\n",
         "bspline_curve"
@@ -182,6 +184,29 @@ private:
 
 std::variant<CurveArguments, ExitCode> parseCurveArguments(Arguments arguments) {
     return parseWith<CurveParser>(arguments);
+}
+
+std::vector<CurveOption> curveOptions() {
+    const CurveParser parser;
+    const CLI::App& app = parser.app();
+    std::vector<CurveOption> options;
+    for (const CLI::Option* const option : app.get_options()) {
+        if (option == app.get_help_ptr() || option == app.get_version_ptr()) {
+            continue;
+        }
+        for (const std::string& name : option->get_lnames()) {
+            options.push_back({.name = name, .isFlag = option->get_expected_max() == 0});
+        }
+    }
+    return options;
+}
+
+CurveArguments readCurveArguments(Arguments arguments) {
+    try {
+        return CurveParser().parse(arguments);
+    } catch (const CLI::ParseError& error) {
+        throw InputError(InputErrorCode::BadOption, error.what());
+    }
 }
 
 }  // namespace bspline_curve::cli

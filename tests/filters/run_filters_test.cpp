@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/run_filters.h"
 
+#include "io/curve_writer.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
 #include "surface/input_error.h"
@@ -278,6 +279,14 @@ TEST(RunCurveFilter, GivesTopAndBottomOfTheShell) {
 }
 
 using SavedCurve = io_tests::FileTest;
+
+TEST_F(SavedCurve, HasTheFormatsOfTheWriter) {
+    std::string extensions;
+    for (const std::string& extension : curveFilter().parameter("save").extensions) {
+        extensions += (extensions.empty() ? "" : ", ") + extension;
+    }
+    EXPECT_EQ(extensions, curveExtensions());
+}
 
 TEST_F(SavedCurve, IsOfTheFormatOfItsExtension) {
     for (const std::string& extension : curveFilter().parameter("save").extensions) {
