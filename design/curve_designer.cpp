@@ -150,6 +150,7 @@ struct CurveDesigner::State {
     Surface surface;
     double validated;
     TriangleTree tree;
+    PatchLevels patches{surface};
     double treeBuilt;
     std::shared_ptr<const ShellBase> base;
     ObtainedShell obtained;
@@ -293,8 +294,8 @@ Start CurveDesigner::State::startCurve(
 ) const {
     Stopwatch lap;
     for (const double share : kGuideShares) {
-        std::vector<double> costs = faceCostsOf(surface, vertexCosts, options, share);
-        if (share > 0.0 && costs.empty()) {
+        const FieldTravel travel = fieldTravelOf(surface, vertexCosts, options, share);
+        if (share > 0.0 && travel.empty()) {
             continue;
         }
         PickPath path = makePickPath(
@@ -302,7 +303,7 @@ Start CurveDesigner::State::startCurve(
             *base,
             picks,
             options.closed,
-            {obtained.build.report.blockedFaces, std::move(costs), obstacles}
+            {obtained.build.report.blockedFaces, travel, obstacles, &patches}
         );
         CurveProblem problem = makeProblem(options, std::move(path.picks), field);
         problem.fieldCosts = summaryOf(vertexCosts);

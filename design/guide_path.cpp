@@ -18,7 +18,7 @@ std::size_t at(int index) {
 }
 
 [[noreturn]] void throwNoPath(std::size_t from, std::size_t to, const Terrain& terrain) {
-    const std::vector<int>& blockedFaces = terrain.blockedFaces;
+    const std::span<const int> blockedFaces = terrain.blockedFaces;
     std::string message = "no way along the surface from pick " + std::to_string(from) +
                           " to pick " + std::to_string(to);
     if (terrain.obstacles != nullptr) {
@@ -43,21 +43,38 @@ std::size_t at(int index) {
     throw InputError(InputErrorCode::SelfIntersection, message, std::move(elements));
 }
 
-// What a unit of length costs in each face, all told.
-std::vector<double> totalCosts(const Surface& surface, const Terrain& terrain) {
-    std::vector<double> costs = terrain.faceCosts;
-    if (costs.empty() && (terrain.obstacles != nullptr || !terrain.blockedFaces.empty())) {
-        costs.assign(at(surface.faceCount()), 1.0);
+// What a unit of length costs in each face, all told. Refers to both.
+TravelCosts totalCosts(const Surface& surface, const Terrain& terrain) {
+    if (terrain.field.empty() && terrain.blockedFaces.empty() && terrain.obstacles == nullptr) {
+        return {};
     }
-    for (const int f : terrain.blockedFaces) {
-        costs[at(f)] = std::numeric_limits<double>::infinity();
-    }
-    if (terrain.obstacles != nullptr) {
-        for (int f = 0; f < surface.faceCount(); ++f) {
-            costs[at(f)] *= terrain.obstacles->pathCost(f);
+    return {[&surface, &terrain](int face) {
+        if (std::ranges::binary_search(terrain.blockedFaces, face)) {
+            return std::numeric_limits<double>::infinity();
+        }
+        const double cost =
+            terrain.field.empty() ? 1.0 : terrain.field.costOf(surface.faces()[at(face)]);
+        return terrain.obstacles == nullptr ? cost : cost * terrain.obstacles->pathCost(face);
+    }};
+}
+
+double meanOver(const Triangle& face, std::span<const double> vertexCosts) {
+    const double sum =
+        vertexCosts[at(face[0])] + vertexCosts[at(face[1])] + vertexCosts[at(face[2])];
+    return sum / 3.0;
+}
+
+// The least of all faces' means. A face below another has a vertex below that, and few are.
+double leastMean(const Surface& surface, std::span<const double> vertexCosts) {
+    double least = meanOver(surface.faces().front(), vertexCosts);
+    for (int v = 0; v < surface.vertexCount(); ++v) {
+        if (vertexCosts[at(v)] < least) {
+            for (const int f : surface.facesAround(v)) {
+                least = std::min(least, meanOver(surface.faces()[at(f)], vertexCosts));
+            }
         }
     }
-    return costs;
+    return least;
 }
 
 // The point where a path leaves a face for that of the next point, away from the obstacles.
@@ -85,7 +102,7 @@ PickPath makePickPath(
     bool closed,
     const Terrain& terrain
 ) {
-    GeodesicPathFinder finder(surface, totalCosts(surface, terrain));
+    GeodesicPathFinder finder(surface, totalCosts(surface, terrain), terrain.patches);
     PickPath result;
     double length = 0.0;
     const auto add = [&](const SurfacePoint& point) {
@@ -133,7 +150,11 @@ PickPath makePickPath(
     return result;
 }
 
-std::vector<double> faceCostsOf(
+double FieldTravel::costOf(const Triangle& face) const {
+    return 1.0 + weight * (meanOver(face, vertexCosts) - least);
+}
+
+FieldTravel fieldTravelOf(
     const Surface& surface,
     std::span<const double> vertexCosts,
     const SolverOptions& options,
@@ -143,18 +164,7 @@ std::vector<double> faceCostsOf(
     if (vertexCosts.empty() || weight == 0.0 || !options.fieldGuidesPath) {
         return {};
     }
-    std::vector<double> costs;
-    costs.reserve(surface.faces().size());
-    for (const Triangle& face : surface.faces()) {
-        const double sum =
-            vertexCosts[at(face[0])] + vertexCosts[at(face[1])] + vertexCosts[at(face[2])];
-        costs.push_back(sum / 3.0);
-    }
-    const double least = std::ranges::min(costs);
-    for (double& cost : costs) {
-        cost = 1.0 + weight * (cost - least);
-    }
-    return costs;
+    return {vertexCosts, weight, leastMean(surface, vertexCosts)};
 }
 
 }  // namespace bspline_curve

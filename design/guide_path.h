@@ -4,6 +4,7 @@
 #include "shell/shell_base.h"
 #include "solver/initial_curve.h"
 #include "solver/obstacles.h"
+#include "surface/patch_levels.h"
 #include "surface/surface.h"
 
 #include <span>
@@ -16,12 +17,26 @@ struct PickPath {
     std::vector<PickConstraint> picks;  ///< with parameters by length along the guide
 };
 
-/// What paths meet on the surface.
+/// By how much a field makes paths through a face cost more.
+struct FieldTravel {
+    std::span<const double> vertexCosts;  ///< c at each vertex; empty: the field has no say
+    double weight = 0.0;
+    double least = 0.0;  ///< mean of c in the cheapest face
+
+    [[nodiscard]] bool empty() const { return vertexCosts.empty(); }
+
+    /// What a unit of length costs in a face: 1 in the cheapest.
+    [[nodiscard]] double costOf(const Triangle& face) const;
+};
+
+/// What paths meet on the surface. Refers to what it is made from.
 struct Terrain {
-    std::vector<int> blockedFaces;  ///< where no shell is: no path enters them; ascending
-    /// What a unit of length costs in each face, finite and positive; empty: 1 everywhere.
-    std::vector<double> faceCosts{};
+    std::span<const int> blockedFaces;  ///< where no shell is: no path enters them; ascending
+    FieldTravel field{};
     const Obstacles* obstacles = nullptr;  ///< what paths keep clear of; null: nothing
+    /// Of the surface, to find paths in a time that hardly depends on its number of faces; null:
+    /// faces all over the surface are searched.
+    const PatchLevels* patches = nullptr;
 };
 
 /// Paths from pick to pick, parametrised by length: geodesics where all faces cost the same.
@@ -35,10 +50,10 @@ struct Terrain {
     const Terrain& terrain
 );
 
-/// The cost of faces by which paths follow a field: 1 in the cheapest face, and more with mu and
-/// `share` of the cost c of the field. Empty where the field has no say.
-/// `vertexCosts`: c at each vertex, or empty.
-[[nodiscard]] std::vector<double> faceCostsOf(
+/// How paths follow a field: a unit of length costs 1 in the cheapest face, and more with mu and
+/// `share` of the cost c of the field. Empty where the field has no say. One pass over the
+/// vertices. `vertexCosts`: c at each vertex, or empty; referred to.
+[[nodiscard]] FieldTravel fieldTravelOf(
     const Surface& surface,
     std::span<const double> vertexCosts,
     const SolverOptions& options,

@@ -43,7 +43,9 @@ constexpr double kAimedShare = 0.8;
 // in place of either takes a fifth more steps, and bending stays the same.
 constexpr double kRoundDecrement = 0.05;
 constexpr double kRestDecrement = 1e-3;
-constexpr int kMaxSteps = 30;  // in one round
+// In one round, and at last: samples have kinks that the steps near the end wander between.
+constexpr int kMaxSteps = 30;
+constexpr int kMaxRestSteps = 6;
 constexpr int kMaxHalvings = 8;
 constexpr double kSufficientDecrease = 1e-4;
 // Share of the surface's bending that is tried in turn until the Hessian is positive.
@@ -129,13 +131,13 @@ public:
         for (int round = 0; round < options_.maxRounds; ++round) {
             bspline_curve::report(problem_.progress, progressFraction(round), "minimising");
             steps_ = 0;
-            descend(round, kRoundDecrement);
+            descend(round, kRoundDecrement, kMaxSteps);
             const double ratio = energy().largestHeight(now()) / tolerance_;
             std::vector<double> breaks = chooseBreaks();
             const bool isSettled = breaks == space().breaks();
             addRound(ratio);
             if (isSettled && ratio < kAimedShare) {
-                descend(round, kRestDecrement);
+                descend(round, kRestDecrement, kMaxRestSteps);
                 if (isWithinTolerance(breaks)) {
                     return finish();
                 }
@@ -192,9 +194,9 @@ private:
     }
 
     // Newton's method until a step promises less than this share of the energy.
-    void descend(int round, double decrementShare) {
+    void descend(int round, double decrementShare, int mostSteps) {
         status_ = MinimiseStatus::IterationLimit;
-        const int most = std::min(kMaxSteps, options_.maxIterations);
+        const int most = std::min(mostSteps, options_.maxIterations);
         for (int step = 0; step < most && status_ == MinimiseStatus::IterationLimit; ++step) {
             const EnergyTerms terms = energy().terms(now(), now().frames);
             const std::optional<Eigen::VectorXd> direction = newtonDirection();

@@ -4,7 +4,6 @@
 #include "surface/surface_point.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -24,45 +23,52 @@ bool contains(const std::vector<int>& list, int value) {
 
 }  // namespace
 
-StripSearch::StripSearch(const Surface& surface, std::vector<double> faceCosts)
-    : surface_(surface),
-      faceCosts_(std::move(faceCosts)),
-      arrivals_(3 * surface.faces().size(), {kFar, -1, -1}) {
-    if (!faceCosts_.empty()) {
-        leastCost_ = std::ranges::min(faceCosts_);
+StripSearch::StripSearch(const Surface& surface, TravelCosts costs, const PatchLevels* patches)
+    : surface_(surface), costs_(std::move(costs)) {
+    if (patches != nullptr && !patches->levels().empty()) {
+        corridor_.emplace(surface, *patches, costs_.costs());
     }
 }
 
-bool StripSearch::isOpen(int face) const {
-    return std::isfinite(costOf(face));
-}
-
-std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) const {
+std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) {
     std::vector<int> faces = facesHolding(surface_, point);
-    std::erase_if(faces, [this](int f) { return !isOpen(f); });
+    std::erase_if(faces, [this](int f) { return !costs_.isOpen(f); });
     return faces;
 }
 
 std::optional<std::vector<int>> StripSearch::find(
     const SurfacePoint& start, const SurfacePoint& goal
 ) {
-    const std::vector<int> startFaces = openFacesHolding(start);
-    const std::vector<int> goalFaces = openFacesHolding(goal);
-    for (const int f : startFaces) {
-        if (contains(goalFaces, f)) {
+    const Ends ends{start, goal, openFacesHolding(start), openFacesHolding(goal)};
+    for (const int f : ends.startFaces) {
+        if (contains(ends.goalFaces, f)) {
             return std::vector<int>{f};
         }
     }
+    const std::vector<int>& components = surface_.faceComponents();
+    if (components[at(start.face)] != components[at(goal.face)]) {
+        return std::nullopt;
+    }
+    if (corridor_ && corridor_->find(start, goal)) {
+        if (std::optional<std::vector<int>> strip = search(ends, Extent::Corridor)) {
+            return strip;
+        }
+    }
+    return search(ends, Extent::Everywhere);
+}
+
+std::optional<std::vector<int>> StripSearch::search(const Ends& ends, Extent extent) {
     clear();
-    goal_ = surface_.position(goal);
-    for (const int f : startFaces) {
-        leave(f, surface_.position(start), 0.0, -1);
+    extent_ = extent;
+    goal_ = surface_.position(ends.goal);
+    for (const int f : ends.startFaces) {
+        leave(f, surface_.position(ends.start), 0.0, -1);
     }
     while (!queue_.empty()) {
         std::ranges::pop_heap(queue_, std::greater<>());
         const Offer best = queue_.back();
         queue_.pop_back();
-        if (best.cost > arrivalAt(best.crossing).cost) {
+        if (best.cost > arrivals_.find(edgeOf(best.crossing))->cost) {
             continue;  // found cheaper since
         }
         if (best.isWhole) {
@@ -70,14 +76,18 @@ std::optional<std::vector<int>> StripSearch::find(
         }
         const int face = faceBehind(best.crossing);
         const Vec3 from = middle(best.crossing);
-        if (contains(goalFaces, face)) {
+        if (contains(ends.goalFaces, face)) {
             // The last leg may cost much, and a way into another of these faces less.
-            const double whole = best.cost + costOf(face) * (goal_ - from).norm();
+            const double whole = best.cost + costs_.of(face) * (goal_ - from).norm();
             push({whole, best.cost, best.crossing, true});
         }
         leave(face, from, best.cost, best.crossing);
     }
     return std::nullopt;
+}
+
+bool StripSearch::mayEnter(int face) {
+    return (extent_ == Extent::Everywhere || corridor_->holds(face)) && costs_.isOpen(face);
 }
 
 Vec3 StripSearch::middle(int crossing) const {
@@ -91,29 +101,27 @@ int StripSearch::faceBehind(int crossing) const {
     return surface_.faceNeighbours()[at(crossing / 3)][at(crossing % 3)];
 }
 
-// The edge's own entry: that of the crossing from the face with the smaller id.
-StripSearch::Arrival& StripSearch::arrivalAt(int crossing) {
+// The smaller of the two crossings of an edge stands for it.
+int StripSearch::edgeOf(int crossing) const {
     const int face = crossing / 3;
     const int behind = faceBehind(crossing);
     if (face < behind) {
-        return arrivals_[at(crossing)];
+        return crossing;
     }
     // Two faces may share two edges, so it is found by an end of the edge.
     const int end = surface_.faces()[at(face)][at((crossing % 3 + 1) % 3)];
-    const int k = (cornerOf(surface_.faces()[at(behind)], end) + 1) % 3;
-    return arrivals_[at(3 * behind + k)];
+    return 3 * behind + (cornerOf(surface_.faces()[at(behind)], end) + 1) % 3;
 }
 
 void StripSearch::offer(double cost, int crossing, int before) {
-    Arrival& arrival = arrivalAt(crossing);
+    Arrival& arrival = arrivals_.at(edgeOf(crossing), {kFar, -1, -1});
     if (cost >= arrival.cost) {
         return;
     }
-    if (arrival.cost == kFar) {
-        touched_.push_back(static_cast<int>(&arrival - arrivals_.data()));
-    }
     arrival = {cost, crossing, before};
-    push({cost + leastCost_ * (goal_ - middle(crossing)).norm(), cost, crossing});
+    const double least = costs_.costs().least;
+    const double estimate = extent_ == Extent::Corridor ? kCorridorEstimate * least : least;
+    push({cost + estimate * (goal_ - middle(crossing)).norm(), cost, crossing});
 }
 
 void StripSearch::push(const Offer& entry) {
@@ -126,23 +134,21 @@ void StripSearch::leave(int face, const Vec3& from, double cost, int before) {
     for (int k = 0; k < 3; ++k) {
         const int crossing = 3 * face + k;
         const int next = faceBehind(crossing);
-        if (next >= 0 && isOpen(next)) {
-            offer(cost + costOf(face) * (middle(crossing) - from).norm(), crossing, before);
+        if (next >= 0 && mayEnter(next)) {
+            offer(cost + costs_.of(face) * (middle(crossing) - from).norm(), crossing, before);
         }
     }
 }
 
 void StripSearch::clear() {
-    for (const int edge : touched_) {
-        arrivals_[at(edge)].cost = kFar;
-    }
-    touched_.clear();
+    explored_ += arrivals_.size();
+    arrivals_.clear();
     queue_.clear();
 }
 
-std::vector<int> StripSearch::stripTo(int crossing) {
+std::vector<int> StripSearch::stripTo(int crossing) const {
     std::vector<int> strip{faceBehind(crossing)};
-    for (int c = crossing; c >= 0; c = arrivalAt(c).before) {
+    for (int c = crossing; c >= 0; c = arrivals_.find(edgeOf(c))->before) {
         strip.push_back(c / 3);
     }
     std::ranges::reverse(strip);

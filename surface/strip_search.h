@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/corridor_search.h"
+#include "surface/patch_levels.h"
+#include "surface/sparse_map.h"
 #include "surface/surface.h"
+#include "surface/travel_costs.h"
 
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
 
 /// Finds strips of faces, each joined to the next by an edge, along which the way from one point to
-/// another over midpoints of edges costs least (A*). Holds work arrays of O(#F), so keep one for
-/// many queries.
+/// another over midpoints of edges costs least (A*). Its memory is in proportion to what it has
+/// looked at, and is used again, so keep one for many queries.
 class StripSearch {
 public:
-    /// `faceCosts`: what a unit of length costs in each face, positive, infinite where no way may
-    /// enter; empty: 1 everywhere.
-    StripSearch(const Surface& surface, std::vector<double> faceCosts);
+    /// `patches`: of the surface; null, or no levels: the strips are those of least cost. Else they
+    /// are sought along the way of least cost among patches, in work that grows with the length
+    /// of the way instead of the number of faces, and everywhere only where that leads to none.
+    /// Refers to both.
+    StripSearch(const Surface& surface, TravelCosts costs, const PatchLevels* patches = nullptr);
+    StripSearch(const StripSearch&) = delete;
+    StripSearch& operator=(const StripSearch&) = delete;
+    StripSearch(StripSearch&&) = delete;
+    StripSearch& operator=(StripSearch&&) = delete;
+    ~StripSearch() = default;
 
     /// The strip, from a face that holds the start to one that holds the goal, or nothing if there
     /// is none. O(k log k), k the faces nearer to the start than the goal is.
@@ -23,14 +36,12 @@ public:
         const SurfacePoint& start, const SurfacePoint& goal
     );
 
-    /// The faces that hold a point and may be entered.
-    [[nodiscard]] std::vector<int> openFacesHolding(const SurfacePoint& point) const;
+    [[nodiscard]] KnownCosts& costs() { return costs_; }
 
-    [[nodiscard]] double costOf(int face) const {
-        return faceCosts_.empty() ? 1.0 : faceCosts_[static_cast<std::size_t>(face)];
+    /// How many edges and patches all queries so far have looked at.
+    [[nodiscard]] std::size_t explored() const {
+        return explored_ + arrivals_.size() + (corridor_ ? corridor_->explored() : 0);
     }
-
-    [[nodiscard]] bool isOpen(int face) const;
 
 private:
     // A crossing 3 f + k leaves face f over the edge opposite to its corner k.
@@ -52,21 +63,35 @@ private:
         }
     };
 
+    // The points of one query, and the open faces that hold them.
+    struct Ends {
+        const SurfacePoint& start;
+        const SurfacePoint& goal;
+        std::vector<int> startFaces, goalFaces;
+    };
+
+    // Where a search may go.
+    enum class Extent : char { Corridor, Everywhere };
+
+    [[nodiscard]] std::optional<std::vector<int>> search(const Ends& ends, Extent extent);
+    [[nodiscard]] std::vector<int> openFacesHolding(const SurfacePoint& point);
+    [[nodiscard]] bool mayEnter(int face);
     [[nodiscard]] Vec3 middle(int crossing) const;
     [[nodiscard]] int faceBehind(int crossing) const;
-    [[nodiscard]] Arrival& arrivalAt(int crossing);
+    [[nodiscard]] int edgeOf(int crossing) const;
     void offer(double cost, int crossing, int before);
     void push(const Offer& entry);
     void leave(int face, const Vec3& from, double cost, int before);
     void clear();
-    [[nodiscard]] std::vector<int> stripTo(int crossing);
+    [[nodiscard]] std::vector<int> stripTo(int crossing) const;
 
     const Surface& surface_;
-    std::vector<double> faceCosts_;
-    double leastCost_ = 1.0;
-    std::vector<Arrival> arrivals_;  // at an edge, under the smaller of its two crossings
-    std::vector<int> touched_;
-    std::vector<Offer> queue_;  // a heap
+    KnownCosts costs_;
+    std::optional<CorridorSearch> corridor_;
+    Extent extent_ = Extent::Everywhere;
+    SparseMap<Arrival> arrivals_;  // at an edge
+    std::vector<Offer> queue_;     // a heap
+    std::size_t explored_ = 0;
     Vec3 goal_ = Vec3::Zero();
 };
 

@@ -99,13 +99,20 @@ void expectWellFormed(
     EXPECT_NEAR(path.length, length, 1e-13 * (1.0 + length));
 }
 
+TravelCosts travelCosts(const std::vector<double>& costs) {
+    return {[costs](int face) { return costs[at(face)]; }, *std::ranges::min_element(costs)};
+}
+
 // Costs that let paths enter all faces but those with a flag.
-std::vector<double> costsAround(const std::vector<char>& blocked) {
+TravelCosts costsAround(const std::vector<char>& blocked) {
+    if (blocked.empty()) {
+        return {};
+    }
     std::vector<double> costs;
     for (const char flag : blocked) {
         costs.push_back(flag != 0 ? std::numeric_limits<double>::infinity() : 1.0);
     }
-    return costs;
+    return travelCosts(costs);
 }
 
 GeodesicPath goodPath(
@@ -275,7 +282,7 @@ TEST(GeodesicPaths, TakeTheWayRoundWhereThatIsCheaper) {
     const SurfacePoint a = locate(surface, {0.1, 0.6, 0});
     const SurfacePoint b = locate(surface, {0.9, 0.6, 0});
     const SurfacePoint near = locate(surface, {0.15, 0.6, 0});
-    GeodesicPathFinder finder(surface, costs);
+    GeodesicPathFinder finder(surface, travelCosts(costs));
     const std::optional<GeodesicPath> far = finder.find(a, b);
     ASSERT_TRUE(far.has_value());
     expectWellFormed(surface, *far, a, b);
@@ -296,7 +303,7 @@ TEST(GeodesicPaths, AreTheSameWhateverAllFacesCost) {
         const SurfacePoint a = randomPointOfAnyKind(surface, random);
         const SurfacePoint b = randomPointOfAnyKind(surface, random);
         GeodesicPathFinder plain(surface, {});
-        GeodesicPathFinder costly(surface, costs);
+        GeodesicPathFinder costly(surface, travelCosts(costs));
         EXPECT_NEAR(plain.find(a, b)->length, costly.find(a, b)->length, 1e-12);
     }
 }

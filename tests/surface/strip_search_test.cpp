@@ -136,7 +136,9 @@ TEST_P(StripsOfLeastCost, AreThoseOfAnExhaustiveSearch) {
         for (int f = 0; f < surface_.faceCount(); ++f) {
             costs.push_back(random_.integer(0, 4) == 0 ? kFar : random_.uniform(1.0, 20.0));
         }
-        StripSearch search(surface_, costs);
+        StripSearch search(
+            surface_, {[&](int f) { return costs[at(f)]; }, *std::ranges::min_element(costs)}
+        );
         for (int query = 0; query < 10; ++query) {
             SCOPED_TRACE("query " + std::to_string(query));
             const SurfacePoint a = randomPoint();

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/patch_levels.h"
+#include "surface/sparse_map.h"
+#include "surface/surface.h"
+#include "surface/travel_costs.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace bspline_curve {
+
+/// In a corridor the rest of a way is taken to be longer by this, as it is over midpoints and
+/// centres: far fewer of them are looked at, and the path is straightened in the end anyway.
+inline constexpr double kCorridorEstimate = 1.25;
+
+/// Finds corridors: the patches around a cheap way between two points. The way is sought among the
+/// largest patches, then among the smaller ones that lie in or beside those on the way, and so on:
+/// the work grows with the length of the way in faces, not with their number.
+class CorridorSearch {
+public:
+    /// Refers to all of these.
+    CorridorSearch(const Surface& surface, const PatchLevels& patches, const TravelCosts& costs);
+
+    /// Looks for the corridor between two points, each in its face; false where there is none that
+    /// patches know of. A way along the surface may exist all the same, and none need exist in a
+    /// corridor where faces are closed.
+    [[nodiscard]] bool find(const SurfacePoint& start, const SurfacePoint& goal);
+
+    /// Whether a face lies in the corridor that was found last.
+    [[nodiscard]] bool holds(int face) const {
+        return corridor_.contains(
+            patches_.levels().front().patchOf[static_cast<std::size_t>(face)]
+        );
+    }
+
+    /// How many patches all queries so far have looked at.
+    [[nodiscard]] std::size_t explored() const { return explored_; }
+
+private:
+    struct Arrival {
+        double cost;
+        int before;  // the patch before, or -1
+    };
+
+    struct Offer {
+        double estimate;  // of the whole way
+        double cost;
+        int patch;
+
+        bool operator>(const Offer& other) const {
+            return estimate != other.estimate ? estimate > other.estimate : patch > other.patch;
+        }
+    };
+
+    // Where a way begins or ends, and the patches that hold it, one of each level.
+    struct End {
+        Vec3 position;
+        std::vector<int> patches;
+    };
+
+    [[nodiscard]] End endAt(const SurfacePoint& point) const;
+    [[nodiscard]] bool findIn(std::size_t level, const End& start, const End& goal);
+    void leave(const Offer& from, std::size_t level, const End& start, const End& goal);
+    void keepAround(int last, std::size_t level);
+    [[nodiscard]] double costOf(std::size_t level, int patch);
+
+    const Surface& surface_;
+    const PatchLevels& patches_;
+    const TravelCosts& costs_;
+    std::vector<SparseMap<double>> known_;  // costs of patches, by level
+    SparseMap<char> corridor_;              // patches of the level searched last
+    SparseMap<Arrival> arrivals_;
+    std::vector<Offer> queue_;  // a heap
+    std::size_t explored_ = 0;
+};
+
+}  // namespace bspline_curve

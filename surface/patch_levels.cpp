@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/patch_levels.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace bspline_curve {
+namespace {
+
+// Patches are not made larger where there are no more than these: searching them all takes less
+// than a millisecond.
+constexpr int kFewPatches = 4096;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// The faces as a graph.
+class FaceGraph {
+public:
+    explicit FaceGraph(const Surface& surface) : surface_(surface) {
+        areas_.reserve(surface.faces().size());
+        centres_.reserve(surface.faces().size());
+        for (const Triangle& face : surface.faces()) {
+            const Vec3& a = surface.vertices()[at(face[0])];
+            const Vec3& b = surface.vertices()[at(face[1])];
+            const Vec3& c = surface.vertices()[at(face[2])];
+            areas_.push_back(0.5 * (b - a).cross(c - a).norm());
+            centres_.emplace_back((a + b + c) / 3.0);
+        }
+    }
+
+    [[nodiscard]] int count() const { return surface_.faceCount(); }
+
+    [[nodiscard]] const Vec3& centre(int node) const { return centres_[at(node)]; }
+
+    [[nodiscard]] double area(int node) const { return areas_[at(node)]; }
+
+    template <class Visit>
+    void visitNeighbours(int node, const Visit& visit) const {
+        for (const int neighbour : surface_.faceNeighbours()[at(node)]) {
+            if (neighbour >= 0) {
+                visit(neighbour);
+            }
+        }
+    }
+
+    template <class Visit>
+    void visitSamples(int node, const Visit& visit) const {
+        visit(node);
+    }
+
+private:
+    const Surface& surface_;
+    std::vector<double> areas_;
+    std::vector<Vec3> centres_;
+};
+
+// Patches as a graph.
+struct PatchGraph {
+    PatchLevels::Level level;  // without patchOf
+    std::vector<double> areas;
+
+    explicit PatchGraph(int count) {
+        areas.reserve(at(count));
+        level.centres.reserve(at(count));
+        level.samples.reserve(at(count));
+        level.offsets.reserve(at(count) + 1);
+        level.offsets.push_back(0);
+    }
+
+    [[nodiscard]] int count() const { return level.count(); }
+
+    [[nodiscard]] const Vec3& centre(int node) const { return level.centres[at(node)]; }
+
+    [[nodiscard]] double area(int node) const { return areas[at(node)]; }
+
+    template <class Visit>
+    void visitNeighbours(int node, const Visit& visit) const {
+        for (int i = level.offsets[at(node)]; i < level.offsets[at(node) + 1]; ++i) {
+            visit(level.neighbours[at(i)]);
+        }
+    }
+
+    template <class Visit>
+    void visitSamples(int node, const Visit& visit) const {
+        for (const int face : level.samples[at(node)]) {
+            if (face >= 0) {
+                visit(face);
+            }
+        }
+    }
+};
+
+// Nodes in pairs, each with the nearest that is left; a node whose neighbours are all taken joins
+// the nearest of them.
+struct Pairing {
+    std::vector<int> patchOf;
+    int count = 0;
+
+    template <class Graph>
+    explicit Pairing(const Graph& graph) : patchOf(at(graph.count()), -1) {
+        for (int node = 0; node < graph.count(); ++node) {
+            if (patchOf[at(node)] < 0) {
+                place(graph, node);
+            }
+        }
+    }
+
+private:
+    template <class Graph>
+    void place(const Graph& graph, int node) {
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        const Vec3& centre = graph.centre(node);
+        int left = -1;
+        int taken = -1;
+        double leftDistance = kFar;
+        double takenDistance = kFar;
+        graph.visitNeighbours(node, [&](int neighbour) {
+            const double distance = (graph.centre(neighbour) - centre).squaredNorm();
+            const bool isTaken = patchOf[at(neighbour)] >= 0;
+            double& least = isTaken ? takenDistance : leftDistance;
+            if (distance < least) {
+                least = distance;
+                (isTaken ? taken : left) = neighbour;
+            }
+        });
+        if (left < 0 && taken >= 0) {
+            patchOf[at(node)] = patchOf[at(taken)];
+            return;
+        }
+        patchOf[at(node)] = count;
+        if (left >= 0) {
+            patchOf[at(left)] = count;
+        }
+        ++count;
+    }
+};
+
+// The nodes of each patch, one patch after the other.
+struct Members {
+    std::vector<int> offsets, nodes;
+
+    explicit Members(const Pairing& pairing)
+        : offsets(at(pairing.count) + 1), nodes(pairing.patchOf.size()) {
+        for (const int patch : pairing.patchOf) {
+            ++offsets[at(patch) + 1];
+        }
+        for (std::size_t i = 1; i < offsets.size(); ++i) {
+            offsets[i] += offsets[i - 1];
+        }
+        std::vector<int> next(offsets.begin(), offsets.end() - 1);
+        for (std::size_t node = 0; node < pairing.patchOf.size(); ++node) {
+            nodes[at(next[at(pairing.patchOf[node])]++)] = static_cast<int>(node);
+        }
+    }
+};
+
+// As many of the faces as there is room for, evenly.
+PatchLevels::Samples thinned(const std::vector<int>& faces) {
+    PatchLevels::Samples samples;
+    samples.fill(-1);
+    const std::size_t kept = std::min(samples.size(), faces.size());
+    for (std::size_t i = 0; i < kept; ++i) {
+        samples[i] = faces[i * faces.size() / kept];
+    }
+    return samples;
+}
+
+template <class Graph>
+PatchGraph coarsened(const Graph& fine, const Pairing& pairing) {
+    const Members members(pairing);
+    PatchGraph coarse(pairing.count);
+    std::vector<int> seenFrom(at(pairing.count), -1);
+    std::vector<int> faces;
+    for (int patch = 0; patch < pairing.count; ++patch) {
+        double area = 0.0;
+        Vec3 moment = Vec3::Zero();
+        faces.clear();
+        seenFrom[at(patch)] = patch;
+        for (int i = members.offsets[at(patch)]; i < members.offsets[at(patch) + 1]; ++i) {
+            const int node = members.nodes[at(i)];
+            area += fine.area(node);
+            moment += fine.area(node) * fine.centre(node);
+            fine.visitSamples(node, [&](int face) { faces.push_back(face); });
+            fine.visitNeighbours(node, [&](int neighbour) {
+                const int other = pairing.patchOf[at(neighbour)];
+                if (seenFrom[at(other)] != patch) {
+                    seenFrom[at(other)] = patch;
+                    coarse.level.neighbours.push_back(other);
+                }
+            });
+        }
+        coarse.areas.push_back(area);
+        coarse.level.centres.emplace_back(moment / area);
+        coarse.level.samples.push_back(thinned(faces));
+        coarse.level.offsets.push_back(static_cast<int>(coarse.level.neighbours.size()));
+    }
+    return coarse;
+}
+
+// Pairs of pairs: their graph, with the patch of each node.
+template <class Graph>
+PatchGraph quartered(const Graph& fine) {
+    const Pairing pairs(fine);
+    const PatchGraph paired = coarsened(fine, pairs);
+    const Pairing pairsOfPairs(paired);
+    PatchGraph coarse = coarsened(paired, pairsOfPairs);
+    coarse.level.patchOf = pairs.patchOf;
+    for (int& patch : coarse.level.patchOf) {
+        patch = pairsOfPairs.patchOf[at(patch)];
+    }
+    return coarse;
+}
+
+}  // namespace
+
+PatchLevels::PatchLevels(const Surface& surface) {
+    if (surface.faceCount() <= kFewPatches) {
+        return;
+    }
+    PatchGraph graph = quartered(FaceGraph(surface));
+    int below = surface.faceCount();
+    // Components of one face stay.
+    while (graph.count() < below) {
+        levels_.push_back(graph.level);
+        below = graph.count();
+        if (below <= kFewPatches) {
+            return;
+        }
+        graph = quartered(graph);
+    }
+}
+
+}  // namespace bspline_curve
