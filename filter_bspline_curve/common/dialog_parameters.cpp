@@ -6,7 +6,9 @@
 #include <QStringList>
 #include <array>
 #include <charconv>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace bspline_curve {
@@ -45,31 +47,32 @@ public:
     void add(const ParameterDescription& p) {
         switch (p.type) {
             case ParameterType::Layer:
-                host::addLayer(
-                    list_, textOf(p.id), textOf(p.label), textOf(p.fullHelp()), surface_, document_
-                );
-                return;
+                addLayer(p);
+                break;
             case ParameterType::Bool:
-                return addAs<RichBool>(p, std::get<bool>(p.defaultValue));
+                addAs<RichBool>(p, std::get<bool>(p.defaultValue));
+                break;
             case ParameterType::Int:
-                return addAs<RichInt>(p, std::get<int>(p.defaultValue));
+                addAs<RichInt>(p, std::get<int>(p.defaultValue));
+                break;
             case ParameterType::Double:
-                return addNumber(p);
+                addNumber(p);
+                break;
             case ParameterType::Percentage:
-                return addAs<host::Percentage>(
-                    p,
-                    static_cast<Scalarm>(std::get<double>(p.defaultValue)),
-                    Scalarm(0),
-                    diagonal()
-                );
+                addAs<host::Percentage>(p, defaultNumber(p), Scalarm(0), diagonal());
+                break;
             case ParameterType::Enum:
-                return addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
+                addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
+                break;
             case ParameterType::String:
-                return addAs<RichString>(p, defaultText(p));
+                addAs<RichString>(p, defaultText(p));
+                break;
             case ParameterType::OpenFile:
-                return addAs<host::FileOpen>(p, defaultText(p), patternsOf(p));
+                addAs<host::FileOpen>(p, defaultText(p), patternsOf(p));
+                break;
             case ParameterType::SaveFile:
-                return addAs<host::FileSave>(p, defaultText(p), patternsOf(p).join(" "));
+                addAs<host::FileSave>(p, defaultText(p), patternsOf(p).join(" "));
+                break;
         }
     }
 
@@ -86,14 +89,24 @@ private:
         );
     }
 
+    void addLayer(const ParameterDescription& p) {
+        host::addLayer(
+            list_, textOf(p.id), textOf(p.label), textOf(p.fullHelp()), surface_, document_
+        );
+    }
+
     void addNumber(const ParameterDescription& p) {
-        const auto standard = static_cast<Scalarm>(std::get<double>(p.defaultValue));
         if (p.isSlider) {
             const auto least = static_cast<Scalarm>(p.min.value());
             const auto most = static_cast<Scalarm>(p.max.value());
-            return addAs<RichDynamicFloat>(p, standard, least, most);
+            addAs<RichDynamicFloat>(p, defaultNumber(p), least, most);
+        } else {
+            addAs<RichFloat>(p, defaultNumber(p));
         }
-        addAs<RichFloat>(p, standard);
+    }
+
+    static Scalarm defaultNumber(const ParameterDescription& p) {
+        return static_cast<Scalarm>(std::get<double>(p.defaultValue));
     }
 
     static QString defaultText(const ParameterDescription& p) {
@@ -127,29 +140,38 @@ std::string trimmedText(const QString& text) {
     return text.trimmed().toStdString();
 }
 
-void read(const RichParameterList& list, const ParameterDescription& p, ParameterValues& values) {
+/// Of an enumeration: the number of the option.
+ParameterValue given(const RichParameterList& list, const ParameterDescription& p) {
     const QString name = textOf(p.id);
     switch (p.type) {
         case ParameterType::Layer:
-            return values.set(p.id, host::layerOf(list, name));
+            return host::layerOf(list, name);
         case ParameterType::Bool:
-            return values.set(p.id, list.getBool(name));
+            return list.getBool(name);
         case ParameterType::Int:
-            return values.set(p.id, list.getInt(name));
+            return list.getInt(name);
         case ParameterType::Double:
-            return values.set(
-                p.id, typedNumber(p.isSlider ? list.getDynamicFloat(name) : list.getFloat(name))
-            );
+            return typedNumber(p.isSlider ? list.getDynamicFloat(name) : list.getFloat(name));
         case ParameterType::Percentage:
-            return values.set(p.id, typedNumber(list.getAbsPerc(name)));
+            return typedNumber(list.getAbsPerc(name));
         case ParameterType::Enum:
-            return values.setOption(p.id, list.getEnum(name));
+            return list.getEnum(name);
         case ParameterType::String:
-            return values.set(p.id, trimmedText(list.getString(name)));
+            return trimmedText(list.getString(name));
         case ParameterType::OpenFile:
-            return values.set(p.id, trimmedText(list.getOpenFileName(name)));
+            return trimmedText(list.getOpenFileName(name));
         case ParameterType::SaveFile:
-            return values.set(p.id, trimmedText(list.getSaveFileName(name)));
+            return trimmedText(list.getSaveFileName(name));
+    }
+    throw std::logic_error("a parameter without a type: " + p.id);
+}
+
+void read(const RichParameterList& list, const ParameterDescription& p, ParameterValues& values) {
+    const ParameterValue value = given(list, p);
+    if (p.type == ParameterType::Enum) {
+        values.setOption(p.id, std::get<int>(value));
+    } else {
+        values.set(p.id, value);
     }
 }
 
