@@ -121,7 +121,7 @@ public:
     void addRing(const Vec3& centre, const Vec3& normal, const Vec3& tangent, double radius) {
         for (int j = 0; j < sides_; ++j) {
             const double angle = 2.0 * std::numbers::pi * j / sides_;
-            mesh_.vertices.push_back(centre + radius * rotated(normal, tangent, angle));
+            mesh_.vertices.emplace_back(centre + radius * rotated(normal, tangent, angle));
         }
         ++rings_;
     }

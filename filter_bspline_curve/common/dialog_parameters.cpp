@@ -6,9 +6,7 @@
 #include <QStringList>
 #include <array>
 #include <charconv>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <variant>
 
 namespace bspline_curve {
@@ -47,7 +45,9 @@ public:
     void add(const ParameterDescription& p) {
         switch (p.type) {
             case ParameterType::Layer:
-                addLayer(p);
+                host::addLayer(
+                    list_, textOf(p.id), textOf(p.label), textOf(p.fullHelp()), surface_, document_
+                );
                 break;
             case ParameterType::Bool:
                 addAs<RichBool>(p, std::get<bool>(p.defaultValue));
@@ -59,7 +59,12 @@ public:
                 addNumber(p);
                 break;
             case ParameterType::Percentage:
-                addAs<host::Percentage>(p, defaultNumber(p), Scalarm(0), diagonal());
+                addAs<host::Percentage>(
+                    p,
+                    static_cast<Scalarm>(std::get<double>(p.defaultValue)),
+                    Scalarm(0),
+                    diagonal()
+                );
                 break;
             case ParameterType::Enum:
                 addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
@@ -89,24 +94,15 @@ private:
         );
     }
 
-    void addLayer(const ParameterDescription& p) {
-        host::addLayer(
-            list_, textOf(p.id), textOf(p.label), textOf(p.fullHelp()), surface_, document_
-        );
-    }
-
     void addNumber(const ParameterDescription& p) {
-        if (p.isSlider) {
-            const auto least = static_cast<Scalarm>(p.min.value());
-            const auto most = static_cast<Scalarm>(p.max.value());
-            addAs<RichDynamicFloat>(p, defaultNumber(p), least, most);
+        const auto standard = static_cast<Scalarm>(std::get<double>(p.defaultValue));
+        if (p.isSlider && p.min && p.max) {
+            const auto least = static_cast<Scalarm>(*p.min);
+            const auto most = static_cast<Scalarm>(*p.max);
+            addAs<RichDynamicFloat>(p, standard, least, most);
         } else {
-            addAs<RichFloat>(p, defaultNumber(p));
+            addAs<RichFloat>(p, standard);
         }
-    }
-
-    static Scalarm defaultNumber(const ParameterDescription& p) {
-        return static_cast<Scalarm>(std::get<double>(p.defaultValue));
     }
 
     static QString defaultText(const ParameterDescription& p) {
@@ -140,38 +136,38 @@ std::string trimmedText(const QString& text) {
     return text.trimmed().toStdString();
 }
 
-/// Of an enumeration: the number of the option.
-ParameterValue given(const RichParameterList& list, const ParameterDescription& p) {
+void read(const RichParameterList& list, const ParameterDescription& p, ParameterValues& values) {
     const QString name = textOf(p.id);
     switch (p.type) {
         case ParameterType::Layer:
-            return host::layerOf(list, name);
+            values.set(p.id, host::layerOf(list, name));
+            break;
         case ParameterType::Bool:
-            return list.getBool(name);
+            values.set(p.id, list.getBool(name));
+            break;
         case ParameterType::Int:
-            return list.getInt(name);
+            values.set(p.id, list.getInt(name));
+            break;
         case ParameterType::Double:
-            return typedNumber(p.isSlider ? list.getDynamicFloat(name) : list.getFloat(name));
+            values.set(
+                p.id, typedNumber(p.isSlider ? list.getDynamicFloat(name) : list.getFloat(name))
+            );
+            break;
         case ParameterType::Percentage:
-            return typedNumber(list.getAbsPerc(name));
+            values.set(p.id, typedNumber(list.getAbsPerc(name)));
+            break;
         case ParameterType::Enum:
-            return list.getEnum(name);
+            values.setOption(p.id, list.getEnum(name));
+            break;
         case ParameterType::String:
-            return trimmedText(list.getString(name));
+            values.set(p.id, trimmedText(list.getString(name)));
+            break;
         case ParameterType::OpenFile:
-            return trimmedText(list.getOpenFileName(name));
+            values.set(p.id, trimmedText(list.getOpenFileName(name)));
+            break;
         case ParameterType::SaveFile:
-            return trimmedText(list.getSaveFileName(name));
-    }
-    throw std::logic_error("a parameter without a type: " + p.id);
-}
-
-void read(const RichParameterList& list, const ParameterDescription& p, ParameterValues& values) {
-    const ParameterValue value = given(list, p);
-    if (p.type == ParameterType::Enum) {
-        values.setOption(p.id, std::get<int>(value));
-    } else {
-        values.set(p.id, value);
+            values.set(p.id, trimmedText(list.getSaveFileName(name)));
+            break;
     }
 }
 

@@ -25,8 +25,7 @@ namespace bspline_curve {
 
 std::vector<Point3m> pickedPointsOf(const CMeshO& mesh) {
     std::vector<Point3m> result;
-    PickedPoints* const* const attribute =
-        host::perMeshAttribute<PickedPoints*>(mesh, "PickedPoints");
+    const auto* const attribute = host::perMeshAttribute<PickedPoints*>(mesh, "PickedPoints");
     if (attribute == nullptr || *attribute == nullptr) {
         return result;
     }

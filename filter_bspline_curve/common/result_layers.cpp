@@ -76,8 +76,7 @@ void setAttributes(CMeshO& curve, const LayerArrays& arrays, const SurfacePolyli
 
 /// Remembers the surface, and moves with it.
 void attachTo(const MeshModel& surface, MeshModel& layer) {
-    Allocator::AddPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() =
-        static_cast<int>(surface.id());
+    Allocator::AddPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() = surface.id();
     layer.cm.Tr = surface.cm.Tr;
     vcg::tri::UpdateBounding<CMeshO>::Box(layer.cm);
 }

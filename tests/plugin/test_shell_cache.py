@@ -74,3 +74,48 @@ def test_full_shells_are_not_kept_in_files(cache):
     plate, picks = plate_of_its_own(36)
     assert not draw(plate, picks, shell="full")[1]["shell_cached"]
     assert not cache.exists()
+
+
+# ---- kept within the session ----
+
+
+def kept(document, picks, **parameters):
+    """Whether a further curve on layer 0 found what an earlier one had left."""
+    document.set_current_mesh(0)
+    _, figures = draw(document, picks, **parameters)
+    assert figures["usable"]
+    assert (figures["seconds_shell"] == 0) == figures["shell_kept"]
+    return figures["shell_kept"]
+
+
+def test_a_further_curve_builds_no_shell_whatever_else_changed():
+    document, picks = plate_of_its_own(37)
+    assert not kept(document, picks)
+    assert kept(document, picks, closed=True, degree=2)
+    # Layers come, names and qualities change.
+    document.create_sphere()
+    document.set_current_mesh(0)
+    document.set_mesh_name(newname="another name")
+    document.compute_scalar_by_function_per_vertex(q="x")
+    document.compute_selection_by_condition_per_face(condselect="x0 > 0.5")
+    assert kept(document, picks, field="quality", field_weight=1.0)
+    # Not even the document has to be the same.
+    assert kept(plate_of_its_own(37)[0], picks)
+    assert not kept(document, picks, shell_thickness=0.5)
+
+
+def test_a_mesh_that_changed_gets_a_new_shell_and_one_that_changed_back_its_old_one():
+    document, picks = plate_of_its_own(38)
+    assert not kept(document, picks)
+    moved = np.array([0, 0, 0.25])
+    document.set_current_mesh(0)
+    document.compute_matrix_from_translation(axisz=0.25, freeze=False)
+    assert not kept(document, picks + moved), "the layer's matrix counts"
+    document.set_current_mesh(0)
+    document.compute_matrix_from_translation(axisz=-0.25, freeze=False)
+    assert kept(document, picks)
+    document.set_current_mesh(0)
+    document.compute_selection_by_condition_per_face(condselect="(x0+x1+x2 > 2.8) && (y0+y1+y2 > 2.8)")
+    assert document.current_mesh().selected_face_number() > 0
+    document.meshing_remove_selected_faces()
+    assert not kept(document, picks), "some faces are gone"
