@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """meshlabserver 2020.09 draws what pymeshlab draws, from the same scripts, and says what is wrong."""
+import os
+import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +14,7 @@ import pytest
 from meshlabserver import run_server
 
 ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", ROOT / "build" / "release"))
 EXAMPLES = ROOT / "examples"
 SCRIPTS = sorted(path.name for path in (EXAMPLES / "mlx").glob("*.mlx"))
 CURVE = "generate_bspline_curve_on_surface"
@@ -75,6 +79,20 @@ def test_an_example_draws_the_same_curve_in_both_hosts(
     assert polylines.distance_to_mesh(vertices, surface, faces) <= 2 * ROUNDING
     picks = picks_of(example_scripts.BUNNY_PICKS)
     assert polylines.distance_to(picks, vertices, edges) <= 2 * ROUNDING
+
+
+def test_the_commands_of_the_page_work(prefix, display, tmp_path):
+    page = (ROOT / "docs" / "MESHLAB.md").read_text()
+    commands = re.search(r"## meshlabserver\n\n((?:    .*\n)+)", page).group(1)
+    shutil.copytree(EXAMPLES, tmp_path / "examples")
+    (tmp_path / "build").mkdir()
+    (tmp_path / "build" / "release").symlink_to(BUILD)
+    (tmp_path / "build" / "meshlab-2020.09").symlink_to(prefix)
+    shutil.copy(Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj", tmp_path)
+    done = display.run(["bash", "-e", "-c", commands], cwd=tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+    vertices, edges = polylines.read_obj(tmp_path / "examples" / "curve.obj")
+    assert len(edges) == len(vertices) - 1 > 100
 
 
 def test_an_example_asks_for_what_it_says(example_scripts):
