@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """meshlabserver 2020.09 draws what pymeshlab draws, from the same scripts, and says what is wrong."""
+import json
 import os
 import re
 import shutil
@@ -154,6 +155,22 @@ def test_a_second_curve_needs_no_second_shell(serve, sphere, write_script, tmp_p
     first, second = run.figures[0], run.figures[-1]  # it prints what it logged before once more
     assert (first["shell_kept"], second["shell_kept"]) == ("false", "true")
     assert polylines.distance_to(picks_of(other), *polylines.read_obj(tmp_path / "second.obj")) <= 2 * ROUNDING
+
+
+def test_the_filter_saves_the_curve_and_adds_a_tube(serve, sphere, write_script, tmp_path):
+    saved = tmp_path / "saved.json"
+    script = write_script((CURVE, {"picks": SPHERE_PICKS, "tube_radius": 0.02, "save": str(saved)}))
+    run = serve("-i", sphere, "-s", script, "-o", tmp_path / "curve.obj", "-o", tmp_path / "tube.ply", "-l", "x")
+    assert run.status == 0, run.output
+    points = np.array(json.loads(saved.read_text())["polyline"]["points"])
+    vertices, edges = polylines.read_obj(tmp_path / "curve.obj")
+    np.testing.assert_allclose(vertices, points, atol=ROUNDING)
+    document = pymeshlab.MeshSet()
+    document.load_new_mesh(str(tmp_path / "tube.ply"))
+    assert document.get_topological_measures()["boundary_edges"] == 0
+    tube = document.current_mesh()
+    distance = polylines.distance_to_mesh(vertices, tube.vertex_matrix(), tube.face_matrix())
+    assert 0.015 < distance < 0.021  # a tube with corners is a little thinner between them
 
 
 def test_the_twin_has_the_advanced_options(serve, sphere, write_script, tmp_path):
