@@ -59,7 +59,7 @@ def test_the_example_scripts_list_every_parameter():
 
 @pytest.mark.parametrize("name", SCRIPTS)
 def test_an_example_draws_the_same_curve_in_both_hosts(
-    name, serve, bunny, tmp_path, modern_plugin, monkeypatch, example_scripts
+    name, serve, bunny, tmp_path, loaded_plugin, monkeypatch, example_scripts
 ):
     monkeypatch.chdir(EXAMPLES)  # where the paths in the scripts begin
     run = serve("-i", bunny, "-s", EXAMPLES / "mlx" / name, "-o", tmp_path / "curve.obj", cwd=EXAMPLES)
@@ -110,7 +110,7 @@ def test_quality_of_the_curve_is_the_field_or_t(serve, sphere, write_script, tmp
     assert (np.diff(t) > 0).all()
 
 
-def test_the_field_becomes_the_quality(serve, sphere, write_script, tmp_path, modern_plugin):
+def test_the_field_becomes_the_quality(serve, sphere, write_script, tmp_path, loaded_plugin):
     script = write_script((FIELD, {"kind": "maximal-curvature"}))
     run = serve("-i", sphere, "-s", script, "-o", tmp_path / "field.ply", "-m", "vq")
     assert run.status == 0, run.output
