@@ -43,15 +43,6 @@ def prefix(legacy_plugin, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def modern_plugin():
-    """Loads the plugin into pymeshlab, once."""
-    path = BUILD / "plugins" / "libfilter_bspline_curve.so"
-    assert path.is_file(), f"{path} is not there: build it, or set BSPLINE_CURVE_BUILD"
-    pymeshlab.load_plugin(str(path))
-    return path
-
-
-@pytest.fixture(scope="session")
 def example_scripts():
     """The module that writes filter scripts."""
     spec = importlib.util.spec_from_file_location("example_scripts", ROOT / "scripts" / "example_scripts.py")

@@ -142,7 +142,7 @@ class MeshLabWindow:
         before = self.display.picture()
         self.type(name)
         self.change_of_picture(right_half, before)
-        self._wait_for_still_picture()  # the list of what it found
+        self.wait_for_still_picture()  # the list of what it found
         self.key("Down")
         self.key("Return")
 
@@ -152,7 +152,7 @@ class MeshLabWindow:
         self.wait_for_log("Started Mode PickPoints")
         self.wait_for_window("^Form$")
         for x, y in points:
-            self._wait_for_still_picture()
+            self.wait_for_still_picture()
             before = self.display.picture()
             self.click(x, y, button=3)
             self.change_of_picture((int(x) - 6, int(y) - 12, int(x) + 6, int(y) + 12), before)
@@ -196,7 +196,7 @@ class MeshLabWindow:
         """Clicks beside the mesh."""
         self.click(self.main.x + 20, self.main.y + 150)
 
-    def _wait_for_still_picture(self):
+    def wait_for_still_picture(self):
         """Until the display looks the same twice in a row. The frame rate below the mesh never does."""
 
         def is_still():

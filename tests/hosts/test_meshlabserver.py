@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """meshlabserver 2020.09 draws what pymeshlab draws, from the same scripts, and says what is wrong."""
+import json
+import os
+import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +15,7 @@ import pytest
 from meshlabserver import run_server
 
 ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", ROOT / "build" / "release"))
 EXAMPLES = ROOT / "examples"
 SCRIPTS = sorted(path.name for path in (EXAMPLES / "mlx").glob("*.mlx"))
 CURVE = "generate_bspline_curve_on_surface"
@@ -54,7 +59,7 @@ def test_the_example_scripts_list_every_parameter():
 
 @pytest.mark.parametrize("name", SCRIPTS)
 def test_an_example_draws_the_same_curve_in_both_hosts(
-    name, serve, bunny, tmp_path, modern_plugin, monkeypatch, example_scripts
+    name, serve, bunny, tmp_path, loaded_plugin, monkeypatch, example_scripts
 ):
     monkeypatch.chdir(EXAMPLES)  # where the paths in the scripts begin
     run = serve("-i", bunny, "-s", EXAMPLES / "mlx" / name, "-o", tmp_path / "curve.obj", cwd=EXAMPLES)
@@ -77,6 +82,20 @@ def test_an_example_draws_the_same_curve_in_both_hosts(
     assert polylines.distance_to(picks, vertices, edges) <= 2 * ROUNDING
 
 
+def test_the_commands_of_the_page_work(prefix, display, tmp_path):
+    page = (ROOT / "docs" / "MESHLAB.md").read_text()
+    commands = re.search(r"## meshlabserver\n\n((?:    .*\n)+)", page).group(1)
+    shutil.copytree(EXAMPLES, tmp_path / "examples")
+    (tmp_path / "build").mkdir()
+    (tmp_path / "build" / "release").symlink_to(BUILD)
+    (tmp_path / "build" / "meshlab-2020.09").symlink_to(prefix)
+    shutil.copy(Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj", tmp_path)
+    done = display.run(["bash", "-e", "-c", commands], cwd=tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+    vertices, edges = polylines.read_obj(tmp_path / "examples" / "curve.obj")
+    assert len(edges) == len(vertices) - 1 > 100
+
+
 def test_an_example_asks_for_what_it_says(example_scripts):
     assert set(SCRIPTS) == set(example_scripts.EXAMPLES)
 
@@ -91,7 +110,7 @@ def test_quality_of_the_curve_is_the_field_or_t(serve, sphere, write_script, tmp
     assert (np.diff(t) > 0).all()
 
 
-def test_the_field_becomes_the_quality(serve, sphere, write_script, tmp_path, modern_plugin):
+def test_the_field_becomes_the_quality(serve, sphere, write_script, tmp_path, loaded_plugin):
     script = write_script((FIELD, {"kind": "maximal-curvature"}))
     run = serve("-i", sphere, "-s", script, "-o", tmp_path / "field.ply", "-m", "vq")
     assert run.status == 0, run.output
@@ -136,6 +155,22 @@ def test_a_second_curve_needs_no_second_shell(serve, sphere, write_script, tmp_p
     first, second = run.figures[0], run.figures[-1]  # it prints what it logged before once more
     assert (first["shell_kept"], second["shell_kept"]) == ("false", "true")
     assert polylines.distance_to(picks_of(other), *polylines.read_obj(tmp_path / "second.obj")) <= 2 * ROUNDING
+
+
+def test_the_filter_saves_the_curve_and_adds_a_tube(serve, sphere, write_script, tmp_path):
+    saved = tmp_path / "saved.json"
+    script = write_script((CURVE, {"picks": SPHERE_PICKS, "tube_radius": 0.02, "save": str(saved)}))
+    run = serve("-i", sphere, "-s", script, "-o", tmp_path / "curve.obj", "-o", tmp_path / "tube.ply", "-l", "x")
+    assert run.status == 0, run.output
+    points = np.array(json.loads(saved.read_text())["polyline"]["points"])
+    vertices, edges = polylines.read_obj(tmp_path / "curve.obj")
+    np.testing.assert_allclose(vertices, points, atol=ROUNDING)
+    document = pymeshlab.MeshSet()
+    document.load_new_mesh(str(tmp_path / "tube.ply"))
+    assert document.get_topological_measures()["boundary_edges"] == 0
+    tube = document.current_mesh()
+    distance = polylines.distance_to_mesh(vertices, tube.vertex_matrix(), tube.face_matrix())
+    assert 0.015 < distance < 0.021  # a tube with corners is a little thinner between them
 
 
 def test_the_twin_has_the_advanced_options(serve, sphere, write_script, tmp_path):

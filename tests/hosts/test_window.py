@@ -40,7 +40,7 @@ def program_of(host, request, display):
         pytest.skip("the window of MeshLab 2025.07 is not built; scripts/build_meshlab_gui builds it in 15 minutes")
     plugins = display.home / "data" / "VCG" / "MeshLab_64bit_dp" / "MeshLabExtraPlugins" / "2025.07d"
     plugins.mkdir(parents=True, exist_ok=True)
-    shutil.copy(request.getfixturevalue("modern_plugin"), plugins)
+    shutil.copy(request.getfixturevalue("plugin_path"), plugins)
     return program
 
 

@@ -31,7 +31,7 @@ class VirtualDisplay:
 
     PROGRAMS = ("Xvfb", "openbox", "xdotool", "import")
 
-    def __init__(self, width=1280, height=1024):
+    def __init__(self, width=1280, height=1200):
         self.width, self.height = width, height
         self.environment = None
         self._processes = []
