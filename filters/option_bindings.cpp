@@ -11,9 +11,9 @@ namespace {
 
 /// Binds a member whose type is the value's own.
 template <class Options, class Value>
-Binding<Options> bound(std::string id, Value Options::* member) {
+Binding<Options> bound(const std::string& id, Value Options::* member) {
     return {
-        .id = std::move(id),
+        .id = id,
         .read = [member](
                     const ParameterValue& value, Options& options
                 ) { options.*member = std::get<Value>(value); },
@@ -26,7 +26,7 @@ using Names = std::vector<std::pair<std::string, Enum>>;
 
 /// Binds a member that is chosen by name.
 template <class Options, class Enum>
-Binding<Options> chosen(std::string id, Enum Options::* member, Names<Enum> names) {
+Binding<Options> chosen(const std::string& id, Enum Options::* member, const Names<Enum>& names) {
     const auto read = [member, names](const ParameterValue& value, Options& options) {
         const auto found = std::ranges::find(
             names, std::get<std::string>(value), &std::pair<std::string, Enum>::first
@@ -43,7 +43,7 @@ Binding<Options> chosen(std::string id, Enum Options::* member, Names<Enum> name
         }
         return found->first;
     };
-    return {.id = std::move(id), .read = read, .write = write};
+    return {.id = id, .read = read, .write = write};
 }
 
 Names<FieldKind> fieldKinds() {
@@ -62,9 +62,8 @@ Names<FieldCost> fieldCosts() {
     return names;
 }
 
-}  // namespace
-
-Bindings<SolverOptions> solverBindings() {
+/// What the curve is.
+Bindings<SolverOptions> shapeBindings() {
     using S = SolverOptions;
     return {
         bound("closed", &S::closed),
@@ -73,6 +72,13 @@ Bindings<SolverOptions> solverBindings() {
         chosen("field_cost", &S::fieldCost, fieldCosts()),
         bound("field_weight", &S::fieldWeight),
         bound("avoid_margin", &S::avoidMargin),
+    };
+}
+
+/// What is minimised, and from where.
+Bindings<SolverOptions> modelBindings() {
+    using S = SolverOptions;
+    return {
         chosen(
             "bending",
             &S::bending,
@@ -98,6 +104,13 @@ Bindings<SolverOptions> solverBindings() {
                 {"samples", Quadrature::Samples}
             }
         ),
+    };
+}
+
+/// How it is minimised.
+Bindings<SolverOptions> methodBindings() {
+    using S = SolverOptions;
+    return {
         chosen(
             "barrier_width",
             &S::barrierWidth,
@@ -130,6 +143,16 @@ Bindings<SolverOptions> solverBindings() {
         bound("max_iterations", &S::maxIterations),
         bound("minimum_span", &S::minimumSpan),
     };
+}
+
+}  // namespace
+
+Bindings<SolverOptions> solverBindings() {
+    Bindings<SolverOptions> all = shapeBindings();
+    for (const Bindings<SolverOptions>& more : {modelBindings(), methodBindings()}) {
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
 }
 
 Bindings<SamplingOptions> samplingBindings() {

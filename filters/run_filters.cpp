@@ -205,12 +205,12 @@ CurveResult runCurveFilter(
 }
 
 FieldResult runFieldFilter(
-    const LayerInput& layer, const FieldRequest& request, const Progress& progress
+    const LayerInput& surface, const FieldRequest& request, const Progress& progress
 ) {
     FieldResult result;
-    result.values = madeFrom(layer, [&] {
-        const Surface surface(layer.mesh);
-        return fieldOf(layer, surface, request, progress);
+    result.values = madeFrom(surface, [&] {
+        const Surface validated(surface.mesh);
+        return fieldOf(surface, validated, request, progress);
     });
     const auto [minimum, maximum] = std::ranges::minmax(result.values);
     const double sum = std::accumulate(result.values.begin(), result.values.end(), 0.0);
