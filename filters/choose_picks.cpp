@@ -53,22 +53,22 @@ PicksFile choosePicks(const CurveRequest& request, const PickCandidates& candida
         }
         refuse("picks are given more than once, by " + names + ": give one of them");
     }
-    if (sources.empty() && candidates.tool.empty()) {
+    if (!request.picksText.empty()) {
+        return {.picks = parsePicksText(request.picksText), .closed = {}};
+    }
+    if (!request.picksFile.empty()) {
+        return readPicks(utf8Path(request.picksFile));
+    }
+    if (candidates.layer) {
+        return {.picks = picksOf(*candidates.layer), .closed = {}};
+    }
+    if (candidates.tool.empty()) {
         refuse(
             "no picks: give picks, picks_file or picks_layer, or pick points on the surface with "
             "Edit > PickPoints"
         );
     }
-    if (sources.empty()) {
-        return {.picks = candidates.tool, .closed = {}};
-    }
-    if (sources.front() == "picks") {
-        return {.picks = parsePicksText(request.picksText), .closed = {}};
-    }
-    if (sources.front() == "picks_file") {
-        return readPicks(utf8Path(request.picksFile));
-    }
-    return {.picks = picksOf(*candidates.layer), .closed = {}};
+    return {.picks = candidates.tool, .closed = {}};
 }
 
 }  // namespace bspline_curve
