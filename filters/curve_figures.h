@@ -10,7 +10,7 @@ namespace bspline_curve {
 /// What the filter for curves answers with; lengths and control points in world units. `seconds`:
 /// of the whole run. Times of what was kept from an earlier curve are 0.
 [[nodiscard]] Figures curveFigures(
-    const Curve& curve, const DesignerCache::Found& designer, double seconds
+    const Curve& curve, const DesignerCache::Found& found, double seconds
 );
 
 }  // namespace bspline_curve

@@ -11,7 +11,7 @@
 
 namespace bspline_curve {
 
-extern const std::string_view embeddedFilters;  // made from filters.json
+extern const std::string_view kEmbeddedFilters;  // made from filters.json
 
 namespace {
 
@@ -300,7 +300,7 @@ std::vector<FilterDescription> parseFilterDescriptions(std::string_view text) {
 }
 
 std::string_view filterDescriptionsJson() {
-    return embeddedFilters;
+    return kEmbeddedFilters;
 }
 
 const FilterDescription& curveFilter() {

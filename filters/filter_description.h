@@ -98,7 +98,7 @@ struct FilterDescription {
 
 /// All filters of a description, in its order. Throws std::invalid_argument naming the place and
 /// what is wrong with it: an unknown key or type, a missing text, a default outside its range …
-[[nodiscard]] std::vector<FilterDescription> parseFilterDescriptions(std::string_view json);
+[[nodiscard]] std::vector<FilterDescription> parseFilterDescriptions(std::string_view text);
 
 /// The text of filters.json.
 [[nodiscard]] std::string_view filterDescriptionsJson();
