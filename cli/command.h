@@ -20,6 +20,9 @@ using Arguments = std::span<const char* const>;
 /// Prints one line "bspline_curve: …" to stderr; line ends within become blanks.
 void printError(const std::string& message);
 
+/// The verb batch: many curves, as a file lists them.
+[[nodiscard]] ExitCode runBatch(Arguments arguments);
+
 /// The verb without a name: one curve through picks on a mesh.
 [[nodiscard]] ExitCode runCurve(Arguments arguments);
 

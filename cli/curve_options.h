@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace bspline_curve::cli {
 
@@ -35,5 +36,17 @@ struct CurveArguments {
 /// Reads the command line; or, after --help, --version or a wrong one, says how the program ends.
 /// Prints help to stdout and one line about what is wrong to stderr.
 [[nodiscard]] std::variant<CurveArguments, ExitCode> parseCurveArguments(Arguments arguments);
+
+/// An option of the command line, for those who write one.
+struct CurveOption {
+    std::string name;  ///< without dashes; each alias is one of its own
+    bool isFlag = false;
+};
+
+/// All but --help and --version.
+[[nodiscard]] std::vector<CurveOption> curveOptions();
+
+/// Reads a command line. Throws InputError (BadOption) saying what is wrong; prints nothing.
+[[nodiscard]] CurveArguments readCurveArguments(Arguments arguments);
 
 }  // namespace bspline_curve::cli

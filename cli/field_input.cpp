@@ -5,6 +5,8 @@
 #include "io/region_reader.h"
 #include "surface/input_error.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -54,59 +56,6 @@ std::span<const double> qualityForThreshold(const GivenMesh& given) {
 
 }  // namespace
 
-void addFieldOptions(OptionTable<FieldOptions>& table, const std::string& prefix) {
-    using F = FieldOptions;
-    const auto number =
-        [&](const char* flag, double F::* member, const Interval<double>& range, const char* help) {
-            table.number((prefix + flag).c_str(), member, range, help);
-        };
-    number(
-        "curvature-scale",
-        &F::curvatureScale,
-        within(0.0, 1.0),
-        "Curvature, ridge, valley: radius that curvatures are averaged over, relative to the "
-        "mesh's diagonal"
-    );
-    number(
-        "crease-angle",
-        &F::creaseAngle,
-        within(0.0, 180.0),
-        "Crease distance: creases turn by more than this, in degrees"
-    );
-    number(
-        "reach",
-        &F::reach,
-        withinAbove(0.0, 1.0),
-        "Crease and boundary distance: the distance that becomes 1, relative to the diagonal"
-    );
-    number(
-        "obstacle-value",
-        &F::obstacleValue,
-        atLeast(0.0),
-        "Obstacle: value on the region's boundary"
-    );
-    number(
-        "obstacle-slope",
-        &F::obstacleSlope,
-        moreThan(0.0),
-        "Obstacle: growth from the boundary inwards, per diagonal"
-    );
-    number(
-        "smoothing",
-        &F::smoothing,
-        within(0.0, 1.0),
-        "Radius that the values are averaged over in the end, relative to the diagonal; 0: none"
-    );
-    table.flag(
-        (prefix + "normalised").c_str(),
-        &F::normalised,
-        "Map the values to [0, 1], between their quantiles of 1 % and 99 %"
-    );
-    table.flag(
-        (prefix + "inverted").c_str(), &F::inverted, "Let high and low values change places"
-    );
-}
-
 void addRegionOptions(
     CLI::App& app, const std::string& group, const std::string& prefix, RegionArguments& region
 ) {
@@ -143,14 +92,6 @@ void checkRegion(const RegionArguments& region, FieldKind kind, const std::strin
     if (kind != FieldKind::Obstacle && sources > 0) {
         throw CLI::ValidationError(options + " are for the field obstacle only");
     }
-}
-
-std::vector<std::string> fieldKindNames() {
-    std::vector<std::string> names;
-    for (const FieldKind kind : kFieldKinds) {
-        names.emplace_back(name(kind));
-    }
-    return names;
 }
 
 std::optional<FieldKind> findFieldKind(const std::string& word) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/option_table.h"
 #include "field/field_options.h"
 #include "surface/region.h"
 #include "surface/repair.h"
@@ -11,7 +10,11 @@
 #include <span>
 #include <string>
 
-// The options of fields, as every verb has them, and what they are made from.
+namespace CLI {
+class App;
+}  // namespace CLI
+
+// The regions of fields, as every verb has them, and what they are made from.
 namespace bspline_curve::cli {
 
 /// A region of faces as the command line names it: at most one of these.
@@ -22,10 +25,7 @@ struct RegionArguments {
     [[nodiscard]] bool isGiven() const { return !file.empty() || under || over; }
 };
 
-/// Options without the kind; `prefix` goes before the name: "--" or "--field-".
-void addFieldOptions(OptionTable<FieldOptions>& table, const std::string& prefix);
-
-/// The options of a region, likewise.
+/// The options of a region; `prefix` goes before the name: "--" or "--field-".
 void addRegionOptions(
     CLI::App& app, const std::string& group, const std::string& prefix, RegionArguments& region
 );
@@ -33,9 +33,6 @@ void addRegionOptions(
 /// Throws CLI::ValidationError where a region is missing, named more than once, or not used by the
 /// kind.
 void checkRegion(const RegionArguments& region, FieldKind kind, const std::string& prefix);
-
-/// The names of the kinds, in the order of kFieldKinds.
-[[nodiscard]] std::vector<std::string> fieldKindNames();
 
 /// None where no kind has this name.
 [[nodiscard]] std::optional<FieldKind> findFieldKind(const std::string& word);

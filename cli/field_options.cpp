@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/field_options.h"
 
+#include "cli/described_options.h"
 #include "cli/mesh_input.h"
 #include "cli/parse_with.h"
+#include "filters/requests.h"
 #include "surface/input_error.h"
+
+#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>
@@ -22,10 +26,7 @@ public:
         app_.add_option("MESH", arguments_.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
             ->required()
             ->type_name("");
-        app_.add_option("--kind", kind_, "What the values are made from")
-            ->required()
-            ->check(oneOf(fieldKindNames()))
-            ->type_name(joined(fieldKindNames()));
+        options_.add("kind", kMain, {.isRequired = true});
         app_.add_option(
                 "--output",
                 arguments_.output,
@@ -39,7 +40,12 @@ public:
                 "Write minimum, mean and maximum of the field, and times, as .json"
         )
             ->type_name("FILE.json");
-        addFieldOptions(table_, kPrefix);
+        for (const ParameterDescription& parameter : fieldFilter().parameters) {
+            // The region is a selection elsewhere; here it is a file or a threshold.
+            if (parameter.id != "kind" && parameter.id != "region") {
+                options_.add(parameter.id, kMain);
+            }
+        }
         addRegionOptions(app_, kMain, kPrefix, arguments_.region);
         addRepairOption(app_, arguments_.repair);
     }
@@ -48,11 +54,8 @@ public:
     FieldArguments parse(Arguments words) {
         // CLI11 takes them in reverse order.
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-        table_.apply(arguments_.field);
-        // The check let only names pass.
-        arguments_.field.kind = findFieldKind(kind_).value_or(FieldKind::Quality);
+        arguments_.field = fieldRequest(options_.values()).options;
         checkRegion(arguments_.region, arguments_.field.kind, kPrefix);
-        arguments_.field.validate();
         return arguments_;
     }
 
@@ -69,8 +72,7 @@ private:
         "bspline_curve field"
     };
     FieldArguments arguments_;
-    std::string kind_;
-    OptionTable<FieldOptions> table_{app_, kMain};
+    DescribedOptions options_{app_, fieldFilter()};
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ struct Verb {
 
 // A first argument that is none of these is a mesh, or an option of `curve`.
 constexpr std::array kVerbs{
+    Verb{.name = "batch", .run = runBatch},
     Verb{.name = "curve", .run = runCurve},
     Verb{.name = "field", .run = runField},
     Verb{.name = "shell", .run = runShell}

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/shell_options.h"
 
+#include "cli/described_options.h"
 #include "cli/mesh_input.h"
 #include "cli/parse_with.h"
 #include "cli/shell_cache_option.h"
+#include "filters/requests.h"
 #include "surface/input_error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
 
 namespace bspline_curve::cli {
 
 namespace {
 
-constexpr const char* kMain = "Options";
-constexpr const char* kAdvanced = "Advanced options";
+constexpr const char* kGroup = "Options";
 
 void addFiles(CLI::App& app, ShellArguments& arguments) {
     app.add_option("MESH", arguments.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
@@ -45,9 +51,15 @@ class ShellParser {
 public:
     ShellParser() {
         addFiles(app_, arguments_);
-        addShellKind(kind_);
-        addShellTargets(kind_);
-        addShellOptions(shell_);
+        options_.setDefault("shell", std::string(name(ShellKind::Simplified)));
+        for (const char* const id :
+             {"shell",
+              "target_thickness",
+              "target_edge_length",
+              "shell_thickness",
+              "shell_smoothing_passes"}) {
+            options_.add(id, kGroup);
+        }
     }
 
     /// Throws CLI::ParseError, InputError (BadOption).
@@ -57,9 +69,7 @@ public:
         if (arguments_.output.empty() && arguments_.report.empty() && !arguments_.check) {
             throw CLI::RequiredError("one of --output, --report, --check");
         }
-        kind_.apply(arguments_.shell);
-        shell_.apply(arguments_.shell);
-        arguments_.shell.validate();
+        arguments_.shell = curveRequest(options_.values()).shell;
         return arguments_;
     }
 
@@ -76,55 +86,10 @@ private:
         "bspline_curve shell"
     };
     ShellArguments arguments_;
-    OptionTable<ShellOptions> kind_{app_, kMain, arguments_.shell};
-    OptionTable<ShellOptions> shell_{app_, kAdvanced};
+    DescribedOptions options_{app_, curveFilter()};
 };
 
 }  // namespace
-
-void addShellKind(OptionTable<ShellOptions>& table) {
-    table.choice(
-        "--shell",
-        &ShellOptions::kind,
-        Names<ShellKind>{
-            {name(ShellKind::Simplified), ShellKind::Simplified},
-            {name(ShellKind::FullResolution), ShellKind::FullResolution}
-        },
-        "Few thick prisms, or one thin prism per face"
-    );
-}
-
-void addShellTargets(OptionTable<ShellOptions>& table) {
-    table.number(
-        "--target-thickness",
-        &ShellOptions::targetThickness,
-        withinAbove(0.0, 1.0),
-        "Simplified: largest length of a pillar, bottom to top, relative to the longest side of "
-        "the mesh's box"
-    );
-    table.number(
-        "--target-edge-length",
-        &ShellOptions::targetEdgeLength,
-        withinAbove(0.0, 1.0),
-        "Simplified: middle edges shorter than this are collapsed where the invariants allow it, "
-        "relative to the longest side of the mesh's box"
-    );
-}
-
-void addShellOptions(OptionTable<ShellOptions>& table) {
-    table.number(
-        "--shell-thickness",
-        &ShellOptions::thickness,
-        moreThan(0.0),
-        "Largest distance of a full shell's top and bottom from the mesh, in mean edge lengths"
-    );
-    table.number(
-        "--shell-smoothing-passes",
-        &ShellOptions::smoothingPasses,
-        atLeast(0),
-        "Rounds of averaging of the shell's directions"
-    );
-}
 
 std::variant<ShellArguments, ExitCode> parseShellArguments(Arguments arguments) {
     return parseWith<ShellParser>(arguments);

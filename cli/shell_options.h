@@ -2,7 +2,6 @@
 #pragma once
 
 #include "cli/command.h"
-#include "cli/option_table.h"
 #include "shell/shell_options.h"
 
 #include <filesystem>
@@ -19,17 +18,6 @@ struct ShellArguments {
     bool noCache = false;
     ShellOptions shell{.kind = ShellKind::Simplified};
 };
-
-// The options of shells, as every verb that builds one has them.
-
-/// Which kind of shell.
-void addShellKind(OptionTable<ShellOptions>& table);
-
-/// What a simplified shell is wanted to look like.
-void addShellTargets(OptionTable<ShellOptions>& table);
-
-/// The rest, mostly of full shells.
-void addShellOptions(OptionTable<ShellOptions>& table);
 
 /// Reads the command line; or, after --help or a wrong one, says how the program ends. Prints help
 /// to stdout and one line about what is wrong to stderr.

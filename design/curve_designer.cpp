@@ -432,6 +432,10 @@ const ShellSummary& CurveDesigner::shell() const {
     return state_->summary;
 }
 
+ShellLayers CurveDesigner::shellLayers() const {
+    return makeShellLayers(state_->obtained.build.shell, state_->base->frame);
+}
+
 Curve CurveDesigner::design(
     const std::vector<Vec3>& picks,
     const SolverOptions& options,

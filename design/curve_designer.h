@@ -2,6 +2,7 @@
 #pragma once
 
 #include "design/curve.h"
+#include "shell/shell_layers.h"
 #include "shell/shell_options.h"
 #include "shell/shell_store.h"
 #include "solver/options.h"
@@ -61,6 +62,9 @@ public:
     [[nodiscard]] const Surface& surface() const;
     [[nodiscard]] const StageSeconds& seconds() const;
     [[nodiscard]] const ShellSummary& shell() const;
+
+    /// What the shell looks like, for people.
+    [[nodiscard]] ShellLayers shellLayers() const;
 
 private:
     struct State;

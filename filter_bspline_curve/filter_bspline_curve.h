@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/designer_cache.h"
+#include "filters/run_filters.h"
+
 #include <common/plugins/interfaces/filter_plugin.h>
 
-/// The filters "B-spline Curve on Surface" and "Scalar Field for Curves" for MeshLab 2022 and later
-/// and for pymeshlab: they convert between layers and the libraries and hold no algorithm.
+/// The filters for MeshLab 2022.02 and later and for pymeshlab: they convert between layers and the
+/// library of the filters and hold no algorithm.
 class FilterBsplineCurvePlugin : public QObject, public FilterPlugin {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
@@ -35,4 +38,15 @@ public:
         unsigned int& postConditionMask,
         vcg::CallBackPos* callback
     ) override;
+
+private:
+    bspline_curve::Figures drawCurve(
+        MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
+    );
+    bspline_curve::Figures computeField(
+        MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
+    );
+    void writeLog(const bspline_curve::FilterLog& written);
+
+    bspline_curve::DesignerCache designers_;
 };

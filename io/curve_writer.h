@@ -19,25 +19,37 @@ namespace bspline_curve {
     std::span<const double> field
 );
 
-/// Throws InputError (UnwritableFile) where writeCurve knows no format for the extension.
+/// The ends of names of curve files, for help and messages: ".ply, .obj, …".
+[[nodiscard]] std::string curveExtensions();
+
+/// Throws InputError (UnwritableFile) where writeCurve knows no format for the file's name.
 void checkCurveExtension(const std::filesystem::path& file);
 
-/// The bytes of a curve file; the format by the extension of `file`:
-///   .ply   binary, little-endian; vertex: x y z (double), t (double), face (int), barycentric_0..2
-///   (double), and
-///          quality (double) where given; edge: vertex1 vertex2 (int), in order along the curve
-///   .obj   v with 17 digits, and one l per segment (MeshLab's importer reads two indices per l)
-///   .json  {"closed", "polyline": {"points", "faces", "barycentrics", "t"},
-///          "spline": {"degree", "knots", "control_points", "pick_parameters"}}; "quality" in
-///          "polyline" where given
-/// `quality`: one value per polyline vertex, or empty. Throws InputError (UnwritableFile).
+/// The bytes of a curve file; the format by the end of the name of `file`, in either case:
+///   .ply          the polyline, binary, little-endian; vertex: x y z quality t (double), face
+///                 (int), barycentric_0..2 (double), is_pick (uchar, 1 where a pick is); edge:
+///                 vertex1 vertex2 (int), in order along the curve
+///   .obj          the polyline: v, and one l per segment (MeshLab's importer reads two indices
+///                 per l)
+///   .bspline.obj  the spline: v, cstype bspline, deg, curv, parm u, end; the first `degree`
+///                 control points of a closed one are named again at its end
+///   .dxf          the polyline: a 3D POLYLINE of R12, closed where the curve is
+///   .bspline.dxf  the spline: a SPLINE of R2000; a closed one with clamped knots
+///   .vtu          the polyline, VTK XML, base64: lines; points: quality t barycentric (double),
+///                 face (int), is_pick (uchar)
+///   .csv          the polyline: x,y,z,t,face,b0,b1,b2,quality,is_pick, one line per vertex
+///   .json         {"closed", "polyline": {"points", "faces", "barycentrics", "t", "picks"},
+///                 "spline": {"degree", "closed", "knots", "control_points", "pick_parameters"}};
+///                 "quality" in "polyline" where there is a field
+/// Numbers are written without loss. `field`: one value per polyline vertex, or empty; quality is
+/// the field or, without one, t. Throws InputError (UnwritableFile).
 [[nodiscard]] std::string curveBytes(
-    const std::filesystem::path& file, const Curve& curve, std::span<const double> quality = {}
+    const std::filesystem::path& file, const Curve& curve, std::span<const double> field = {}
 );
 
 /// Writes curveBytes() to the file: wholly, or not at all. Throws InputError (UnwritableFile).
 void writeCurve(
-    const std::filesystem::path& file, const Curve& curve, std::span<const double> quality = {}
+    const std::filesystem::path& file, const Curve& curve, std::span<const double> field = {}
 );
 
 }  // namespace bspline_curve

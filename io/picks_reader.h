@@ -16,12 +16,14 @@ struct PicksFile {
 };
 
 /// Picked points by extension:
-///   .pp    MeshLab's PickPoints (points that are not active are left out)
-///   .json  {"picks": [[x, y, z], …], "closed": true or false}; other keys are left alone
-///   .xyz   x y z per line, more columns are left alone; # starts a comment
-///   .csv   commas, semicolons or tabs; a first line of names chooses the columns x, y, z; with
-///   semicolons decimal
-///          commas may be used
+///   .pp        MeshLab's PickPoints (points that are not active are left out)
+///   .json      {"picks": [[x, y, z], …], "closed": true or false}; other keys are left alone
+///   .mrk.json  (or .json) the markups of 3D Slicer: the placed control points of the one Fiducial,
+///              Curve, ClosedCurve or Line that has any, in LPS; curves and lines say whether they
+///              are closed
+///   .xyz       x y z per line, more columns are left alone; # starts a comment
+///   .csv       commas, semicolons or tabs; a first line of names chooses the columns x, y, z; with
+///              semicolons decimal commas may be used
 /// Throws InputError (UnreadableFile) naming file, line (where there are lines) and reason.
 [[nodiscard]] PicksFile readPicks(const std::filesystem::path& file);
 

@@ -11,7 +11,11 @@ build_packages=(
     qtbase5-dev libqt5opengl5-dev libglew-dev
     libgl1 libopengl0 libegl1 libglu1-mesa  # pymeshlab's wheel loads them
 )
-test_packages=(libgtest-dev libbenchmark-dev)
+test_packages=(
+    libgtest-dev libbenchmark-dev
+    meshlab  # 2020.09 in bookworm, with meshlabserver
+    xvfb xauth openbox xdotool imagemagick libgl1-mesa-dri  # to show, drive and photograph its window
+)
 
 step() { printf '\n== %s\n' "$*"; }
 

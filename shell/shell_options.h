@@ -29,6 +29,8 @@ struct ShellOptions {
 
     /// Throws InputError (BadOption).
     void validate() const;
+
+    friend bool operator==(const ShellOptions&, const ShellOptions&) = default;
 };
 
 }  // namespace bspline_curve

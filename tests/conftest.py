@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """No test reads or writes the cache of whoever runs it."""
 
+import os
+from pathlib import Path
+
 import pytest
+
+BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", Path(__file__).resolve().parents[1] / "build" / "release"))
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -10,6 +15,21 @@ def no_cache():
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("BSPLINE_CURVE_CACHE", "")
         yield
+
+
+@pytest.fixture(scope="session")
+def plugin_path():
+    return BUILD / "plugins" / "libfilter_bspline_curve.so"
+
+
+@pytest.fixture(scope="session")
+def loaded_plugin(plugin_path):
+    """Loads the plugin into pymeshlab, once: it takes no plugin twice."""
+    import pymeshlab
+
+    assert plugin_path.is_file(), f"{plugin_path} is not there: build it, or set BSPLINE_CURVE_BUILD"
+    pymeshlab.load_plugin(str(plugin_path))
+    return plugin_path
 
 
 @pytest.fixture

@@ -38,4 +38,4 @@ def test_the_first_path_takes_the_road(run, road):
 
 def test_the_option_is_on_or_off(run, road):
     process = run("plate.ply", "--picks", "picks.json", "--output", "curve.ply", "--field-guides-path", "yes")
-    assert process.returncode == 2 and "yes is none of on|off" in process.stderr
+    assert process.returncode == 2 and "yes is none of preset|off|on" in process.stderr

@@ -48,6 +48,17 @@ def test_every_mesh_format_gives_the_same_curve(run, plate, name):
     "name, text",
     [
         ("a.json", json.dumps({"name": "a case", "picks": PICKS, "closed": False})),
+        (
+            "a.mrk.json",
+            json.dumps({
+                "markups": [{
+                    "type": "Curve",
+                    "coordinateSystem": "RAS",
+                    "controlPoints": [{"position": [-x, -y, z], "positionStatus": "defined"} for x, y, z in PICKS]
+                    + [{"position": "", "positionStatus": "undefined"}],
+                }]
+            }),
+        ),
         ("a.xyz", "# picked by hand\n" + "".join("%r %r %r\n" % tuple(p) for p in PICKS)),
         ("a.csv", "id,x,y,z\n" + "".join("%d,%r,%r,%r\n" % (i, *p) for i, p in enumerate(PICKS))),
         ("b.csv", "".join("%s;%s;%s\n" % tuple(str(x).replace(".", ",") for x in p) for p in PICKS)),
@@ -158,9 +169,10 @@ def test_a_field_pulls_the_curve_and_is_written_along_it(run, plate, source):
     assert means[1] < means[0]
 
 
-def test_without_a_field_there_is_no_quality(run, plate):
+def test_without_a_field_quality_is_t(run, plate):
     succeed(run(*DEFAULT))
-    assert "quality" not in read_ply(plate / "curve.ply")["vertex"].dtype.names
+    vertex = read_ply(plate / "curve.ply")["vertex"]
+    assert np.array_equal(vertex["quality"], vertex["t"])
 
 
 def test_the_report_holds_times_figures_rounds_and_iterations(run, plate):

@@ -57,7 +57,7 @@ def refused(run, plate):
         (("--minimum-span", "0.2"), "0.1"),
         (("--max-rounds", "0"), ">= 1"),
         (("--samples-per-span", "3"), ">= 4"),
-        (("--shell-thickness", "0"), "> 0"),
+        (("--shell-thickness", "0"), "(0, 1000]"),
     ],
 )
 def test_wrong_options(refused, words, part):

@@ -97,6 +97,11 @@ TEST_F(PicksReader, ReadsCsvOfEitherSeparator) {
             .picks,
         kPicks
     );
+    EXPECT_EQ(
+        readPicks(write("f.csv", "z,label,y,x\n3,\"a, b\",2,1\n0,\"say \"\"c\"\"\",0.001,-0.5\n"))
+            .picks,
+        kPicks
+    );
     EXPECT_EQ(readPicks(write("e.csv", "x\ty\tz\n1\t2\t3\n-0.5\t1e-3\t0\n")).picks, kPicks);
 }
 

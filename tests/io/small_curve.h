@@ -19,6 +19,12 @@ inline Curve smallCurve(bool closed) {
     curve.spline.closed = closed;
     curve.spline.knots = {0, 0, 0, 0, 1, 1, 1, 1};
     curve.spline.controlPoints = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0.1, 0}};
+    if (closed) {
+        curve.spline.knots = {-0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75};
+        curve.spline.controlPoints = {
+            {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0.1, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}
+        };
+    }
     curve.spline.pickParameters = {0.0, 1.0};
     curve.report.usable = true;
     curve.report.status = SolveStatus::Converged;

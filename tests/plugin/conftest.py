@@ -12,16 +12,11 @@ ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", ROOT / "build" / "release"))
 
 
-@pytest.fixture(scope="session")
-def plugin_path():
-    return BUILD / "plugins" / "libfilter_bspline_curve.so"
-
-
 @pytest.fixture(scope="session", autouse=True)
-def plugins(plugin_path):
-    for path in (plugin_path, BUILD / "tests" / "plugin" / "libprepare_layers.so"):
-        assert path.is_file(), f"{path} is not there: build it, or set BSPLINE_CURVE_BUILD"
-        pymeshlab.load_plugin(str(path))
+def plugins(loaded_plugin):
+    path = BUILD / "tests" / "plugin" / "libprepare_layers.so"
+    assert path.is_file(), f"{path} is not there: build it, or set BSPLINE_CURVE_BUILD"
+    pymeshlab.load_plugin(str(path))
 
 
 @pytest.fixture(scope="session")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prepare_layers.h"
 
-#include "filter_bspline_curve/layer_mesh.h"
+#include "filter_bspline_curve/common/layer_arrays.h"
 
 #include <meshlabplugins/edit_pickpoints/pickedPoints.h>
 #include <vcg/complex/algorithms/clean.h>
@@ -40,11 +40,11 @@ std::map<std::string, QVariant> convertWithDeleted(MeshModel& layer, int faces) 
         Allocator::DeleteFace(layer.cm, layer.cm.face[static_cast<std::size_t>(f)]);
     }
     vcg::tri::Clean<CMeshO>::RemoveUnreferencedVertex(layer.cm);
-    const bspline_curve::LayerMesh mesh = bspline_curve::meshOf(layer);
+    const bspline_curve::LayerArrays mesh = bspline_curve::arraysOf(layer);
     return {
-        {"has_layers_ids", mesh.hasLayersIds},
-        {"vertices", flattened(mesh.world.vertices)},
-        {"faces", flattened(mesh.world.faces)},
+        {"has_layers_ids", mesh.input.hasLayersIds},
+        {"vertices", flattened(mesh.input.mesh.vertices)},
+        {"faces", flattened(mesh.input.mesh.faces)},
         {"vertex_ids", flattened(std::array{mesh.vertexIds})},
         {"face_ids", flattened(std::array{mesh.faceIds})},
     };

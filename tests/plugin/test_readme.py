@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README's example runs as it stands there, and its options are those of the filter and the program."""
+"""README's example runs as it stands there, and the host lists the parameters that the description and the page name."""
+import json
 import re
 import subprocess
 import sys
@@ -8,7 +9,10 @@ from pathlib import Path
 import pytest
 from curves import FILTER
 
-README = (Path(__file__).resolve().parents[2] / "README.md").read_text()
+ROOT = Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text()
+PAGE = (ROOT / "docs" / "PARAMETERS.md").read_text()
+DESCRIBED = json.loads((ROOT / "filters" / "filters.json").read_text())["filters"]
 
 
 @pytest.fixture(scope="module")
@@ -16,12 +20,16 @@ def help_text(program):
     return subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout
 
 
-@pytest.fixture(scope="module")
-def parameters(plugin_path):
-    """Names of the filter's parameters, as the host prints them."""
-    code = f"import pymeshlab; pymeshlab.load_plugin({str(plugin_path)!r}); pymeshlab.print_filter_parameter_list({FILTER!r})"
+def listed(plugin_path, name):
+    """Names of a filter's parameters, as the host prints them."""
+    code = f"import pymeshlab; pymeshlab.load_plugin({str(plugin_path)!r}); pymeshlab.print_filter_parameter_list({name!r})"
     printed = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
     return re.findall(r"^\t(\w+) : ", printed, re.M)
+
+
+@pytest.fixture(scope="module")
+def parameters(plugin_path):
+    return listed(plugin_path, FILTER)
 
 
 def test_the_python_example_runs(capsys):
@@ -33,10 +41,16 @@ def test_the_python_example_runs(capsys):
 
 def test_every_parameter_of_the_filter_is_explained(parameters):
     assert len(parameters) > 20
-    assert [name for name in parameters if f"`{name}`" not in README] == []
+    assert [name for name in parameters if f"\n| `{name}`" not in PAGE] == []
+
+
+@pytest.mark.parametrize("described", DESCRIBED, ids=lambda described: described["id"])
+def test_the_host_has_the_described_parameters_in_their_order(plugin_path, described):
+    assert listed(plugin_path, described["pythonName"]) == [p["id"] for p in described["parameters"]]
 
 
 def test_the_program_has_the_filters_options(parameters, help_text):
-    only_in_the_filter = {"surface_layer", "picks_layer", "picks_file"}
+    only_in_the_filter = {"surface_layer", "picks_layer", "picks_file", "save", "tube_radius", "control_polygon",
+                          "shell_layers"}
     names = set(parameters) - only_in_the_filter
     assert [name for name in names if "--" + name.replace("_", "-") not in help_text] == []

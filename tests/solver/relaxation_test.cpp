@@ -262,7 +262,6 @@ TEST(RelaxationSteps, AreAsManyOnASubdividedMesh) {
 
 TEST(RelaxationSteps, StopWhereTheCallbackSaysSo) {
     ProblemFixture fixture = makeFixture(noisySphere(true));
-    const SplineCurve first = makeFirstCurve(fixture.problem(), fixture.guide()).value();
     int calls = 0;
     double last = 0.0;
     fixture.problem().progress = [&](double fraction, const char*) {

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/child_process.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <system_error>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+constexpr const char* kThisProgram = "/proc/self/exe";
+constexpr const char* kNothing = "/dev/null";
+constexpr std::int64_t kKilobyte = 1024;
+constexpr std::size_t kMostPrinted = 1 << 16;
+
+[[noreturn]] void refuseErrno(const char* what) {
+    throw std::system_error(errno, std::generic_category(), what);
+}
+
+/// What a child needs between fork and exec, where nothing may be allocated.
+struct Launch {
+    std::vector<char*> words;  ///< ends with a null pointer
+    const char* directory;
+    const std::optional<std::uint64_t>& memoryBytes;
+    int standardError;
+    pid_t parent;
+};
+
+/// Replaces the child's standard streams; 0 where that went well.
+bool redirectStreams(int standardError) {
+    const int nothing = ::open(kNothing, O_RDWR);
+    return nothing >= 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
+           ::dup2(nothing, STDOUT_FILENO) >= 0 && ::dup2(standardError, STDERR_FILENO) >= 0;
+}
+
+bool limitMemory(const std::optional<std::uint64_t>& bytes) {
+    if (!bytes) {
+        return true;
+    }
+    const rlimit limit{.rlim_cur = *bytes, .rlim_max = *bytes};
+    return ::setrlimit(RLIMIT_AS, &limit) == 0;
+}
+
+/// The child's part: only calls that are safe after fork.
+[[noreturn]] void becomeChild(const Launch& launch) {
+    constexpr int kNotStarted = 127;
+    static_cast<void>(::setpgid(0, 0));
+#ifdef __linux__
+    static_cast<void>(::prctl(PR_SET_PDEATHSIG, SIGINT));
+    if (::getppid() != launch.parent) {
+        ::_exit(kNotStarted);  // it ended before the line above
+    }
+#endif
+    if (redirectStreams(launch.standardError) && ::chdir(launch.directory) == 0 &&
+        limitMemory(launch.memoryBytes)) {
+        ::execv(kThisProgram, launch.words.data());
+    }
+    const char* const reason = std::strerror(errno);
+    static_cast<void>(::write(STDERR_FILENO, reason, std::strlen(reason)) < 0);
+    ::_exit(kNotStarted);
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const Request& request) {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+        refuseErrno("no pipe");
+    }
+    std::vector<std::string> texts{"bspline_curve"};
+    texts.insert(texts.end(), request.arguments.begin(), request.arguments.end());
+    Launch launch{
+        .words = {},
+        .directory = request.directory.c_str(),
+        .memoryBytes = request.memoryBytes,
+        .standardError = ends[1],
+        .parent = ::getpid()
+    };
+    for (std::string& text : texts) {
+        launch.words.push_back(text.data());
+    }
+    launch.words.push_back(nullptr);
+    id_ = ::fork();
+    if (id_ == 0) {
+        becomeChild(launch);
+    }
+    const int reason = errno;
+    ::close(ends[1]);
+    pipe_ = ends[0];
+    if (id_ < 0) {
+        ::close(pipe_);
+        errno = reason;
+        refuseErrno("no process");
+    }
+}
+
+ChildProcess::~ChildProcess() {
+    ::close(pipe_);
+    if (id_ > 0) {
+        interrupt();
+        static_cast<void>(::waitpid(id_, nullptr, 0));
+    }
+}
+
+bool ChildProcess::read() {
+    std::array<char, 4096> block{};
+    const ssize_t count = ::read(pipe_, block.data(), block.size());
+    if (count < 0) {
+        return errno == EINTR || errno == EAGAIN;
+    }
+    const std::size_t room = kMostPrinted - std::min(printed_.size(), kMostPrinted);
+    printed_.append(block.data(), std::min(static_cast<std::size_t>(count), room));
+    return count > 0;
+}
+
+void ChildProcess::interrupt() const {
+    static_cast<void>(::kill(id_, SIGINT));
+}
+
+ChildProcess::End ChildProcess::wait() {
+    int status = 0;
+    rusage usage{};
+    while (::wait4(id_, &status, 0, &usage) < 0) {
+        if (errno != EINTR) {
+            refuseErrno("no end of a process");
+        }
+    }
+    id_ = -1;
+    return {
+        .exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 0,
+        .signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+        .peakMemoryBytes = static_cast<std::int64_t>(usage.ru_maxrss) * kKilobyte
+    };
+}
+
+}  // namespace bspline_curve::cli

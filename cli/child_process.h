@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bspline_curve::cli {
+
+/// This program, run once more as a process of its own. It ends by itself where this one ends;
+/// Ctrl-C in a terminal does not reach it.
+class ChildProcess {
+public:
+    struct Request {
+        std::vector<std::string> arguments;        ///< after the program's name
+        std::filesystem::path directory;           ///< to run in
+        std::optional<std::uint64_t> memoryBytes;  ///< address space at most
+    };
+
+    /// How it ended.
+    struct End {
+        int exitCode = 0;
+        int signal = 0;  ///< that ended it; 0: none
+        std::int64_t peakMemoryBytes = 0;
+    };
+
+    /// Throws std::system_error where the system starts no more processes.
+    explicit ChildProcess(const Request& request);
+    ~ChildProcess();  ///< interrupts it where wait() was not called, and waits
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
+
+    /// Where its stderr can be read; readable also at its end.
+    [[nodiscard]] int descriptor() const { return pipe_; }
+
+    /// Takes what there is of its stderr; false at the end.
+    [[nodiscard]] bool read();
+
+    /// What it printed to stderr so far; only the beginning where that is very long.
+    [[nodiscard]] const std::string& printed() const { return printed_; }
+
+    /// As Ctrl-C.
+    void interrupt() const;
+
+    /// Once, after read() said false.
+    [[nodiscard]] End wait();
+
+private:
+    pid_t id_ = -1;
+    int pipe_ = -1;
+    std::string printed_;
+};
+
+}  // namespace bspline_curve::cli

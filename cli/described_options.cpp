@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/described_options.h"
+
+#include "cli/value_checks.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+constexpr bool kHasSelections = false;
+
+template <class Number>
+Interval<Number> rangeOf(const ParameterDescription& parameter) {
+    using Limits = std::numeric_limits<Number>;
+    return {
+        .low = parameter.min ? static_cast<Number>(*parameter.min) : Limits::lowest(),
+        .high = parameter.max ? static_cast<Number>(*parameter.max) : Limits::max(),
+        .withLow = !parameter.excludesMin
+    };
+}
+
+}  // namespace
+
+std::string flagOf(std::string_view parameterId) {
+    std::string flag = "--" + std::string(parameterId);
+    std::ranges::replace(flag, '_', '-');
+    return flag;
+}
+
+void DescribedOptions::keep(const std::string& id, ParameterValue value) {
+    values_.set(id, std::move(value));
+    given_.insert(id);
+}
+
+template <class Number>
+CLI::Option* DescribedOptions::addNumber(
+    const ParameterDescription& parameter, const std::string& flags, const OptionExtras& extras
+) {
+    const Interval<Number> range = rangeOf<Number>(parameter);
+    const auto keepNumber = [this, id = parameter.id](const Number& value) { keep(id, value); };
+    const std::string help = parameter.help + " (" + range.text() + ")";
+    CLI::Option* const option = app_.add_option_function<Number>(flags, keepNumber, help)
+                                    ->check(range.validator())
+                                    ->type_name(std::is_integral_v<Number> ? "N" : "X");
+    if (extras.hasDefault) {
+        option->default_str(CLI::detail::to_string(values_.get<Number>(parameter.id)));
+    }
+    return option;
+}
+
+CLI::Option* DescribedOptions::addChoice(
+    const ParameterDescription& parameter, const std::string& flags, const OptionExtras& extras
+) {
+    const std::vector<std::string> ids = parameter.optionIds(kHasSelections);
+    const auto keepWord =
+        [this, id = parameter.id, ids, file = extras.file](const std::string& word) {
+            given_.insert(id);
+            if (std::ranges::find(ids, word) != ids.end()) {
+                keep(id, word);
+            } else {
+                *file = word;  // without a file the check lets only options pass
+            }
+        };
+    std::string help = parameter.fullHelp(kHasSelections);
+    std::string words = joined(ids);
+    if (extras.file != nullptr) {
+        help += " Or a file: " + extras.fileHelp;
+        words += "|FILE";
+    }
+    CLI::Option* const option =
+        app_.add_option_function<std::string>(flags, keepWord, help)->type_name(words);
+    if (extras.file == nullptr) {
+        option->check(oneOf(ids));
+    }
+    return extras.isRequired ? option->required()
+                             : option->default_str(values_.get<std::string>(parameter.id));
+}
+
+void DescribedOptions::add(
+    std::string_view id, const std::string& group, const OptionExtras& extras
+) {
+    const ParameterDescription& parameter = values_.filter().parameter(id);
+    const std::string flags = flagOf(id) + extras.aliases;
+    CLI::Option* option = nullptr;
+    switch (parameter.type) {
+        case ParameterType::Bool:
+            option = app_.add_flag_function(
+                flags,
+                [this, key = parameter.id](std::int64_t /*times*/) { keep(key, true); },
+                parameter.help
+            );
+            break;
+        case ParameterType::Int:
+            option = addNumber<int>(parameter, flags, extras);
+            break;
+        case ParameterType::Double:
+        case ParameterType::Percentage:
+            option = addNumber<double>(parameter, flags, extras);
+            break;
+        case ParameterType::Enum:
+            option = addChoice(parameter, flags, extras);
+            break;
+        default:
+            throw std::invalid_argument(parameter.id + " is no option of the program");
+    }
+    option->group(group);
+}
+
+}  // namespace bspline_curve::cli

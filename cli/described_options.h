@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/parameter_values.h"
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace bspline_curve::cli {
+
+/// What the program has beyond the description of a parameter.
+struct OptionExtras {
+    std::string aliases{};        ///< ",--lambda"
+    std::string* file = nullptr;  ///< of an enumeration: any other word is a file and goes here
+    std::string fileHelp{};       ///< what the file holds
+    bool isRequired = false;      ///< of an enumeration
+    bool hasDefault = true;       ///< of a number; false: the help names none
+};
+
+/// Options of a verb that the parameters of a filter describe: avoid_margin is --avoid-margin, with
+/// its help, range and default. Options of enumerations that need a selection are left out.
+class DescribedOptions {
+public:
+    /// Both must outlive this.
+    DescribedOptions(CLI::App& app, const FilterDescription& filter) : app_(app), values_(filter) {}
+
+    /// The default that this verb has instead.
+    void setDefault(std::string_view id, ParameterValue value) {
+        values_.set(id, std::move(value));
+    }
+
+    /// Declares the option of a parameter, listed under `group` in the help.
+    void add(std::string_view id, const std::string& group, const OptionExtras& extras = {});
+
+    /// What was given, else the defaults.
+    [[nodiscard]] const ParameterValues& values() const { return values_; }
+
+    /// Whether the option was on the command line.
+    [[nodiscard]] bool isGiven(std::string_view id) const { return given_.contains(id); }
+
+private:
+    void keep(const std::string& id, ParameterValue value);
+    CLI::Option* addChoice(
+        const ParameterDescription& parameter, const std::string& flags, const OptionExtras& extras
+    );
+    template <class Number>
+    CLI::Option* addNumber(
+        const ParameterDescription& parameter, const std::string& flags, const OptionExtras& extras
+    );
+
+    CLI::App& app_;
+    ParameterValues values_;
+    std::set<std::string, std::less<>> given_;
+};
+
+/// "--avoid-margin" for avoid_margin.
+[[nodiscard]] std::string flagOf(std::string_view parameterId);
+
+}  // namespace bspline_curve::cli

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/common/dialog_parameters.h"
+
+#include "filter_bspline_curve/common/surface_choice.h"
+
+#include <QStringList>
+#include <array>
+#include <charconv>
+#include <string>
+#include <variant>
+
+namespace bspline_curve {
+
+namespace {
+
+QString textOf(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+// ---- from the description to the dialog ----
+
+/// "*.pp", …: the patterns of Qt's file dialogs.
+QStringList patternsOf(const ParameterDescription& parameter) {
+    QStringList patterns;
+    for (const std::string& extension : parameter.extensions) {
+        patterns << "*" + textOf(extension);
+    }
+    return patterns;
+}
+
+QStringList optionsOf(const ParameterDescription& parameter) {
+    QStringList options;
+    for (const EnumOption& option : parameter.options) {
+        options << textOf(option.id);
+    }
+    return options;
+}
+
+/// Adds the parameters of a filter to a list, one after the other.
+class DialogBuilder {
+public:
+    DialogBuilder(RichParameterList& list, host::DialogDocument& document)
+        : list_(list), document_(document), surface_(defaultSurface(document)) {}
+
+    void add(const ParameterDescription& p) {
+        switch (p.type) {
+            case ParameterType::Layer:
+                host::addLayer(
+                    list_, textOf(p.id), textOf(p.label), textOf(p.fullHelp()), surface_, document_
+                );
+                break;
+            case ParameterType::Bool:
+                addAs<RichBool>(p, std::get<bool>(p.defaultValue));
+                break;
+            case ParameterType::Int:
+                addAs<RichInt>(p, std::get<int>(p.defaultValue));
+                break;
+            case ParameterType::Double:
+                addNumber(p);
+                break;
+            case ParameterType::Percentage:
+                addAs<host::Percentage>(
+                    p,
+                    static_cast<Scalarm>(std::get<double>(p.defaultValue)),
+                    Scalarm(0),
+                    diagonal()
+                );
+                break;
+            case ParameterType::Enum:
+                addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
+                break;
+            case ParameterType::String:
+                addAs<RichString>(p, defaultText(p));
+                break;
+            case ParameterType::OpenFile:
+                addAs<host::FileOpen>(p, defaultText(p), patternsOf(p));
+                break;
+            case ParameterType::SaveFile:
+                addAs<host::FileSave>(p, defaultText(p), patternsOf(p).join(" "));
+                break;
+        }
+    }
+
+private:
+    template <class Rich, class... Values>
+    void addAs(const ParameterDescription& p, Values&&... values) {
+        host::add<Rich>(
+            list_,
+            textOf(p.id),
+            textOf(p.label),
+            textOf(p.fullHelp()),
+            p.isAdvanced(),
+            std::forward<Values>(values)...
+        );
+    }
+
+    void addNumber(const ParameterDescription& p) {
+        const auto standard = static_cast<Scalarm>(std::get<double>(p.defaultValue));
+        if (p.isSlider && p.min && p.max) {
+            const auto least = static_cast<Scalarm>(*p.min);
+            const auto most = static_cast<Scalarm>(*p.max);
+            addAs<RichDynamicFloat>(p, standard, least, most);
+        } else {
+            addAs<RichFloat>(p, standard);
+        }
+    }
+
+    static QString defaultText(const ParameterDescription& p) {
+        return textOf(std::get<std::string>(p.defaultValue));
+    }
+
+    [[nodiscard]] Scalarm diagonal() const {
+        return surface_ == nullptr || surface_->cm.VN() == 0 ? Scalarm(1)
+                                                             : surface_->cm.trBB().Diag();
+    }
+
+    RichParameterList& list_;
+    host::DialogDocument& document_;
+    const MeshModel* surface_;
+};
+
+// ---- from the dialog to values ----
+
+/// MeshLab keeps a parameter as float even where its scalar is double, so 0.1 arrives as
+/// 0.10000000149. The number that the user typed is the shortest decimal that rounds to that float.
+double typedNumber(Scalarm value) {
+    std::array<char, 32> digits{};
+    const char* const end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<float>(value)).ptr;
+    double number = 0.0;
+    std::from_chars(digits.data(), end, number);
+    return number;
+}
+
+std::string trimmedText(const QString& text) {
+    return text.trimmed().toStdString();
+}
+
+void read(const RichParameterList& list, const ParameterDescription& p, ParameterValues& values) {
+    const QString name = textOf(p.id);
+    switch (p.type) {
+        case ParameterType::Layer:
+            values.set(p.id, host::layerOf(list, name));
+            break;
+        case ParameterType::Bool:
+            values.set(p.id, list.getBool(name));
+            break;
+        case ParameterType::Int:
+            values.set(p.id, list.getInt(name));
+            break;
+        case ParameterType::Double:
+            values.set(
+                p.id, typedNumber(p.isSlider ? list.getDynamicFloat(name) : list.getFloat(name))
+            );
+            break;
+        case ParameterType::Percentage:
+            values.set(p.id, typedNumber(list.getAbsPerc(name)));
+            break;
+        case ParameterType::Enum:
+            values.setOption(p.id, list.getEnum(name));
+            break;
+        case ParameterType::String:
+            values.set(p.id, trimmedText(list.getString(name)));
+            break;
+        case ParameterType::OpenFile:
+            values.set(p.id, trimmedText(list.getOpenFileName(name)));
+            break;
+        case ParameterType::SaveFile:
+            values.set(p.id, trimmedText(list.getSaveFileName(name)));
+            break;
+    }
+}
+
+}  // namespace
+
+RichParameterList dialogParameters(
+    const FilterDescription& filter, host::DialogDocument& document, Offered offered
+) {
+    RichParameterList list;
+    DialogBuilder builder(list, document);
+    for (const ParameterDescription& parameter : filter.parameters) {
+        if (offered == Offered::All || !parameter.isAdvanced()) {
+            builder.add(parameter);
+        }
+    }
+    return list;
+}
+
+ParameterValues valuesOf(const RichParameterList& list, const FilterDescription& filter) {
+    ParameterValues values(filter);
+    for (const ParameterDescription& parameter : filter.parameters) {
+        if (list.hasParameter(textOf(parameter.id))) {
+            read(list, parameter, values);
+        }
+    }
+    return values;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/filter_description.h"
+#include "filters/parameter_values.h"
+#include "host_parameters.h"
+
+namespace bspline_curve {
+
+/// Which parameters of a filter a host is told of.
+enum class Offered {
+    All,
+    Main,  ///< without the advanced ones, for hosts that cannot fold them away
+};
+
+/// The parameters of a filter as the host's dialogs, scripts and Python calls take them, with the
+/// defaults for this document.
+[[nodiscard]] RichParameterList dialogParameters(
+    const FilterDescription& filter, host::DialogDocument& document, Offered offered = Offered::All
+);
+
+/// What the user gave; a parameter that was not offered has its default. Throws InputError where an
+/// enumeration has no such option.
+[[nodiscard]] ParameterValues valuesOf(
+    const RichParameterList& list, const FilterDescription& filter
+);
+
+}  // namespace bspline_curve

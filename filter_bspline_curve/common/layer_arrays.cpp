@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/common/layer_arrays.h"
+
+#include "surface/input_error.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <cstddef>
+
+namespace bspline_curve {
+
+namespace {
+
+Eigen::Matrix4d matrixOf(const MeshModel& layer) {
+    Eigen::Matrix4d matrix;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            matrix(row, column) = double(layer.cm.Tr.ElementAt(row, column));
+        }
+    }
+    return matrix;
+}
+
+/// World coordinates of a point of the layer; exactly its own ones where the matrix is the
+/// identity.
+class ToWorld {
+public:
+    explicit ToWorld(const MeshModel& layer)
+        : matrix_(matrixOf(layer)), isIdentity_(matrix_ == Eigen::Matrix4d::Identity()) {}
+
+    [[nodiscard]] Vec3 operator()(const Point3m& p) const {
+        return isIdentity_ ? toVec3(p) : (matrix_ * toVec3(p).homogeneous()).hnormalized();
+    }
+
+    [[nodiscard]] bool isInvertible() const {
+        const double determinant = matrix_.determinant();
+        return std::isfinite(determinant) && determinant != 0.0;
+    }
+
+private:
+    Eigen::Matrix4d matrix_;
+    bool isIdentity_;
+};
+
+void addVertices(LayerArrays& arrays, const MeshModel& layer, std::vector<int>& newIds) {
+    const ToWorld toWorld(layer);
+    if (!toWorld.isInvertible()) {
+        throw InputError(
+            InputErrorCode::NonFiniteCoordinate,
+            "the matrix of layer \"" + arrays.input.label +
+                "\" is singular: reset it, or freeze a valid one"
+        );
+    }
+    const bool hasQuality = host::hasQuality(layer);
+    for (std::size_t v = 0; v < layer.cm.vert.size(); ++v) {
+        const CVertexO& vertex = layer.cm.vert[v];
+        if (vertex.IsD()) {
+            continue;
+        }
+        newIds[v] = static_cast<int>(arrays.vertexIds.size());
+        arrays.vertexIds.push_back(static_cast<int>(v));
+        arrays.input.mesh.vertices.push_back(toWorld(vertex.cP()));
+        arrays.input.selectedVertices.push_back(vertex.IsS() ? 1 : 0);
+        if (hasQuality) {
+            arrays.input.quality.push_back(double(vertex.cQ()));
+        }
+    }
+}
+
+void addFaces(LayerArrays& arrays, const MeshModel& layer, const std::vector<int>& newIds) {
+    for (std::size_t f = 0; f < layer.cm.face.size(); ++f) {
+        const CFaceO& face = layer.cm.face[f];
+        if (face.IsD()) {
+            continue;
+        }
+        const auto corner = [&](int k) { return newIds[vcg::tri::Index(layer.cm, face.cV(k))]; };
+        arrays.faceIds.push_back(static_cast<int>(f));
+        arrays.input.mesh.faces.push_back({corner(0), corner(1), corner(2)});
+        arrays.input.selectedFaces.push_back(face.IsS() ? 1 : 0);
+    }
+}
+
+}  // namespace
+
+LayerArrays arraysOf(const MeshModel& layer) {
+    LayerArrays arrays;
+    arrays.input.label = layer.label().toStdString();
+    if (layer.cm.FN() == 0) {
+        throw InputError(
+            InputErrorCode::EmptyMesh,
+            "layer \"" + arrays.input.label + "\" has no faces: choose the layer of a triangle mesh"
+        );
+    }
+    std::vector<int> newIds(layer.cm.vert.size(), -1);
+    addVertices(arrays, layer, newIds);
+    addFaces(arrays, layer, newIds);
+    arrays.input.hasLayersIds = arrays.vertexIds.size() == layer.cm.vert.size() &&
+                                arrays.faceIds.size() == layer.cm.face.size();
+    return arrays;
+}
+
+std::vector<Vec3> pointsOf(const MeshModel& layer) {
+    std::vector<Vec3> points;
+    const ToWorld toWorld(layer);
+    for (const CVertexO& vertex : layer.cm.vert) {
+        if (!vertex.IsD()) {
+            points.push_back(toWorld(vertex.cP()));
+        }
+    }
+    return points;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/layer_input.h"
+#include "host_document.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// A layer as plain arrays, without its deleted elements. The layer itself is not changed.
+struct LayerArrays {
+    LayerInput input;
+    std::vector<int> vertexIds;  ///< index in the layer of each vertex
+    std::vector<int> faceIds;    ///< index in the layer of each face
+};
+
+/// Throws InputError where the layer has no faces or its matrix is singular. In double precision
+/// from the layer's coordinates on, whatever the host's scalar is.
+[[nodiscard]] LayerArrays arraysOf(const MeshModel& layer);
+
+/// Vertices of a layer in order, without deleted ones, in world coordinates.
+[[nodiscard]] std::vector<Vec3> pointsOf(const MeshModel& layer);
+
+[[nodiscard]] inline Vec3 toVec3(const Point3m& p) {
+    return {double(p[0]), double(p[1]), double(p[2])};
+}
+
+[[nodiscard]] inline Point3m toPoint3m(const Vec3& v) {
+    return {static_cast<Scalarm>(v[0]), static_cast<Scalarm>(v[1]), static_cast<Scalarm>(v[2])};
+}
+
+}  // namespace bspline_curve

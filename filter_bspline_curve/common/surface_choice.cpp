@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/common/surface_choice.h"
+
+#include "filter_bspline_curve/common/layer_arrays.h"
+#include "filter_bspline_curve/common/picked_points.h"
+#include "surface/input_error.h"
+
+#include <string>
+
+namespace bspline_curve {
+
+namespace {
+
+const MeshModel* onlyLayerWithFaces(const MeshDocument& document) {
+    const MeshModel* found = nullptr;
+    for (const MeshModel* layer : host::layersOf(document)) {
+        if (layer->cm.FN() > 0) {
+            if (found != nullptr) {
+                return nullptr;
+            }
+            found = layer;
+        }
+    }
+    return found;
+}
+
+/// The layer that a curve of this filter was drawn on; null where the layer is no such curve or its
+/// surface is gone.
+const MeshModel* surfaceOfCurve(const MeshDocument& document, const MeshModel& layer) {
+    const int* const id = host::perMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute);
+    return id == nullptr ? nullptr : host::layerWithId(document, *id);
+}
+
+const MeshModel& layerNamed(
+    const MeshDocument& document, const LayerId& layer, const char* parameter
+) {
+    const MeshModel* found = host::layerWithId(document, layer.id);
+    if (found == nullptr) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            std::string(parameter) + ": there is no layer " + std::to_string(layer.id)
+        );
+    }
+    return *found;
+}
+
+}  // namespace
+
+const MeshModel* defaultSurface(const MeshDocument& document) {
+    const MeshModel* current = document.mm();
+    if (current == nullptr || current->cm.FN() > 0) {
+        return current;
+    }
+    if (const MeshModel* surface = surfaceOfCurve(document, *current)) {
+        return surface;
+    }
+    const MeshModel* only = onlyLayerWithFaces(document);
+    return only == nullptr ? current : only;
+}
+
+const MeshModel& surfaceOf(const MeshDocument& document, const CurveRequest& request) {
+    return layerNamed(document, request.surface, "surface_layer");
+}
+
+PickCandidates pickCandidates(
+    const MeshDocument& document, const MeshModel& surface, const CurveRequest& request
+) {
+    PickCandidates candidates;
+    for (const Point3m& point : pickedPointsOf(surface.cm)) {
+        candidates.tool.push_back(toVec3(point));
+    }
+    if (request.picksLayer.id >= 0 && !(request.picksLayer == request.surface)) {
+        const MeshModel& layer = layerNamed(document, request.picksLayer, "picks_layer");
+        candidates.layer = PicksLayer{
+            .label = layer.label().toStdString(),
+            .points = pointsOf(layer),
+            .hasFaces = layer.cm.FN() > 0,
+        };
+    }
+    return candidates;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/designer_cache.h"
+#include "filters/run_filters.h"
+
+#include <common/interfaces.h>
+
+/// The filters for MeshLab 2020.09 and its meshlabserver: they convert between layers and the
+/// library of the filters and hold no algorithm. Dialogs of this version are as high as their
+/// parameters are many and fold none away, so the filter for curves offers the main ones, and is
+/// there once more with all of them, for scripts.
+class FilterBsplineCurveLegacyPlugin : public QObject, public MeshFilterInterface {
+    Q_OBJECT
+    MESHLAB_PLUGIN_IID_EXPORTER(MESH_FILTER_INTERFACE_IID)
+    Q_INTERFACES(MeshFilterInterface)
+
+public:
+    enum Filter : FilterIDType {
+        BsplineCurveOnSurface,
+        BsplineCurveAllOptions,
+        ScalarFieldForCurves,
+    };
+
+    FilterBsplineCurveLegacyPlugin();
+
+    [[nodiscard]] QString pluginName() const override;
+    [[nodiscard]] QString filterName(FilterIDType filter) const override;
+    QString filterScriptFunctionName(FilterIDType filter) override;
+    [[nodiscard]] QString filterInfo(FilterIDType filter) const override;
+    FilterClass getClass(QAction* action) override;
+    FILTER_ARITY filterArity(QAction* action) const override;
+    int postCondition(QAction* action) const override;
+    void initParameterSet(
+        QAction* action, MeshDocument& document, RichParameterList& parameters
+    ) override;
+
+    /// False where the filter failed; the reason is then in errorMsg() and in the log, since
+    /// meshlabserver prints only the log. Throws nothing: an exception ends the host.
+    bool applyFilter(
+        QAction* action,
+        MeshDocument& document,
+        const RichParameterList& parameters,
+        vcg::CallBackPos* callback
+    ) override;
+
+private:
+    bspline_curve::FilterLog drawCurve(
+        MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
+    );
+    bspline_curve::FilterLog computeField(
+        MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
+    );
+
+    void writeLog(const bspline_curve::FilterLog& written);
+
+    bspline_curve::DesignerCache designers_;
+};

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/choose_picks.h"
+
+#include "filters/utf8_path.h"
+#include "surface/input_error.h"
+
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) {
+    throw InputError(InputErrorCode::TooFewPicks, message);
+}
+
+std::vector<Vec3> picksOf(const PicksLayer& layer) {
+    if (layer.hasFaces) {
+        refuse(
+            "picks_layer: layer \"" + layer.label +
+            "\" has faces; a layer of picks has points only, in the order of the curve"
+        );
+    }
+    return layer.points;
+}
+
+/// The names of the parameters that give picks.
+std::vector<std::string> givenSources(
+    const CurveRequest& request, const PickCandidates& candidates
+) {
+    std::vector<std::string> sources;
+    if (!request.picksText.empty()) {
+        sources.emplace_back("picks");
+    }
+    if (!request.picksFile.empty()) {
+        sources.emplace_back("picks_file");
+    }
+    if (candidates.layer) {
+        sources.emplace_back("picks_layer");
+    }
+    return sources;
+}
+
+}  // namespace
+
+PicksFile choosePicks(const CurveRequest& request, const PickCandidates& candidates) {
+    const std::vector<std::string> sources = givenSources(request, candidates);
+    if (sources.size() > 1) {
+        std::string names = sources.front();
+        for (std::size_t i = 1; i < sources.size(); ++i) {
+            names += " and " + sources[i];
+        }
+        refuse("picks are given more than once, by " + names + ": give one of them");
+    }
+    if (!request.picksText.empty()) {
+        return {.picks = parsePicksText(request.picksText), .closed = {}};
+    }
+    if (!request.picksFile.empty()) {
+        return readPicks(utf8Path(request.picksFile));
+    }
+    if (candidates.layer) {
+        return {.picks = picksOf(*candidates.layer), .closed = {}};
+    }
+    if (candidates.tool.empty()) {
+        refuse(
+            "no picks: give picks, picks_file or picks_layer, or pick points on the surface with "
+            "Edit > PickPoints"
+        );
+    }
+    return {.picks = candidates.tool, .closed = {}};
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/layer_input.h"
+#include "filters/requests.h"
+#include "io/picks_reader.h"
+
+namespace bspline_curve {
+
+/// The picks of a request, in order, in world coordinates: from its text, its file or its layer, or
+/// from the host's own tool where none of them is given; `closed` only where a file says so.
+/// Throws InputError where more than one is given, or none, where the layer has faces, or where the
+/// text or the file cannot be read.
+[[nodiscard]] PicksFile choosePicks(const CurveRequest& request, const PickCandidates& candidates);
+
+}  // namespace bspline_curve

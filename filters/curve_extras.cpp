@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/curve_extras.h"
+
+#include "design/curve_tube.h"
+#include "filters/utf8_path.h"
+#include "io/atomic_file.h"
+#include "io/curve_writer.h"
+#include "surface/input_error.h"
+
+namespace bspline_curve {
+
+namespace {
+
+ControlPolygon controlPolygonOf(const SplineData& spline) {
+    ControlPolygon polygon{.points = spline.controlPoints, .closed = spline.closed};
+    if (spline.closed) {
+        const auto repeated = static_cast<std::size_t>(spline.degree);
+        polygon.points.resize(polygon.points.size() - repeated);
+    }
+    return polygon;
+}
+
+}  // namespace
+
+void checkSaveFile(const CurveRequest& request) {
+    if (!request.saveFile.empty()) {
+        const std::filesystem::path file = utf8Path(request.saveFile);
+        checkCurveExtension(file);
+        checkWritable(file);
+    }
+}
+
+void checkTube(const CurveRequest& request, const Surface& surface) {
+    if (request.tubeRadius > surface.diagonal()) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "radius of the tube is " + describeNumber(request.tubeRadius) +
+                ", but must be at most the diagonal of the mesh, " +
+                describeNumber(surface.diagonal())
+        );
+    }
+}
+
+void addExtras(
+    const CurveRequest& request,
+    const CurveDesigner& designer,
+    std::span<const double> field,
+    CurveResult& result
+) {
+    const Curve& curve = result.curve;
+    if (request.tubeRadius > 0.0) {
+        result.tube = makeTube(curve.polyline.points, curve.polyline.closed, request.tubeRadius);
+    }
+    if (request.controlPolygon) {
+        result.controlPolygon = controlPolygonOf(curve.spline);
+    }
+    if (request.shellLayers) {
+        result.shellLayers = designer.shellLayers();
+    }
+    if (request.saveFile.empty()) {
+        return;
+    }
+    if (curve.report.usable) {
+        writeCurve(utf8Path(request.saveFile), curve, field);
+    } else {
+        result.log.warnings.push_back(
+            "The curve is not usable and was not written to " + request.saveFile + "."
+        );
+    }
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/curve_figures.h"
+
+namespace bspline_curve {
+
+namespace {
+
+double lengthOf(const SurfacePolyline& polyline) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < polyline.points.size(); ++i) {
+        length += (polyline.points[i] - polyline.points[i - 1]).norm();
+    }
+    return polyline.closed ? length + (polyline.points.front() - polyline.points.back()).norm()
+                           : length;
+}
+
+/// Of one curve on a surface that is ready.
+double secondsOf(const SolveReport& report) {
+    const auto& [path, initial, minimise, knots, polyline] = report.seconds;
+    return path + initial + minimise + knots + polyline;
+}
+
+/// x, y, z of each point in turn: hosts keep vectors, but no matrix of n rows.
+std::vector<double> flattened(const std::vector<Vec3>& points) {
+    std::vector<double> values;
+    for (const Vec3& p : points) {
+        values.insert(values.end(), {p.x(), p.y(), p.z()});
+    }
+    return values;
+}
+
+std::vector<double> asNumbers(const std::vector<int>& indices) {
+    return {indices.begin(), indices.end()};
+}
+
+}  // namespace
+
+Figures curveFigures(const Curve& curve, const DesignerCache::Found& found, double seconds) {
+    const SolveReport& report = curve.report;
+    const ShellSummary& shell = found.designer->shell();
+    const StageSeconds stages = found.isKept ? StageSeconds() : found.designer->seconds();
+    return {
+        {"usable", report.usable},
+        {"converged", report.status == SolveStatus::Converged},
+        {"closed", curve.polyline.closed},
+        {"degree", curve.spline.degree},
+        {"vertices", static_cast<int>(curve.polyline.points.size())},
+        {"length", lengthOf(curve.polyline)},
+        {"knots_first", report.knotsFirst},
+        {"knots_last", report.knotsLast},
+        {"max_distance", report.maxDistance},
+        {"max_pick_gap", report.maxPickGap},
+        {"rounds", static_cast<int>(report.rounds.size())},
+        {"newton_iterations", report.newtonIterations},
+        {"field_cost", report.fieldCost},
+        {"field_at_rest", report.fieldAtRest},
+        {"avoided_faces", report.avoidedFaces},
+        {"clearance", report.clearance},
+        {"prisms", shell.prisms},
+        {"shell_cached", shell.isFromStore || found.isKept},
+        {"shell_kept", found.isKept},
+        {"seconds", seconds},
+        {"seconds_surface", stages.validate + stages.tree},
+        {"seconds_shell", stages.shell},
+        {"seconds_curve", secondsOf(report)},
+        {"knots", curve.spline.knots},
+        {"control_points", flattened(curve.spline.controlPoints)},
+        {"pick_parameters", curve.spline.pickParameters},
+        {"pick_vertices", asNumbers(curve.polyline.picks)},
+    };
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/curve.h"
+#include "filters/designer_cache.h"
+#include "filters/figures.h"
+
+namespace bspline_curve {
+
+/// What the filter for curves answers with; lengths and control points in world units. `seconds`:
+/// of the whole run. Times of what was kept from an earlier curve are 0.
+[[nodiscard]] Figures curveFigures(
+    const Curve& curve, const DesignerCache::Found& found, double seconds
+);
+
+}  // namespace bspline_curve

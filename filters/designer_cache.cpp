@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/designer_cache.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+/// Mixes words into a hash; the constants are those of the SplitMix64 generator.
+class Hash {
+public:
+    void add(std::uint64_t word) {
+        state_ = (state_ ^ word) + 0x9e3779b97f4a7c15ULL;
+        state_ = (state_ ^ (state_ >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+        state_ = (state_ ^ (state_ >> 27U)) * 0x94d049bb133111ebULL;
+        state_ ^= state_ >> 31U;
+    }
+
+    void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+
+    void add(int number) { add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(number))); }
+
+    [[nodiscard]] std::uint64_t value() const { return state_; }
+
+private:
+    std::uint64_t state_ = 0;
+};
+
+std::uint64_t hashOf(const TriangleMesh& mesh, const ShellOptions& options) {
+    Hash hash;
+    for (const Vec3& vertex : mesh.vertices) {
+        for (const double x : vertex) {
+            hash.add(x);
+        }
+    }
+    for (const Triangle& face : mesh.faces) {
+        for (const int v : face) {
+            hash.add(v);
+        }
+    }
+    hash.add(static_cast<int>(options.kind));
+    hash.add(options.smoothingPasses);
+    for (const double x : {options.thickness, options.targetThickness, options.targetEdgeLength}) {
+        hash.add(x);
+    }
+    return hash.value();
+}
+
+/// Bit by bit, so that not even the sign of a zero differs.
+template <class Element>
+bool isSame(const std::vector<Element>& a, const std::vector<Element>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Element)) == 0;
+}
+
+bool isSame(const TriangleMesh& mesh, const Surface& surface) {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double), "no padding to compare");
+    return isSame(mesh.vertices, surface.vertices()) && isSame(mesh.faces, surface.faces());
+}
+
+}  // namespace
+
+std::shared_ptr<const CurveDesigner> DesignerCache::find(
+    std::uint64_t hash, const TriangleMesh& mesh, const ShellOptions& options
+) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
+        return entry.hash == hash && entry.options == options &&
+               isSame(mesh, entry.designer->surface());
+    });
+    if (found == entries_.end()) {
+        return nullptr;
+    }
+    entries_.splice(entries_.begin(), entries_, found);
+    return found->designer;
+}
+
+DesignerCache::Found DesignerCache::findOrMake(
+    const TriangleMesh& mesh,
+    const ShellOptions& options,
+    const std::function<CurveDesigner()>& make
+) {
+    const std::uint64_t hash = hashOf(mesh, options);
+    if (auto designer = find(hash, mesh, options)) {
+        return {.designer = std::move(designer), .isKept = true};
+    }
+    auto designer = std::make_shared<const CurveDesigner>(make());
+    const std::lock_guard lock(mutex_);
+    entries_.push_front({.hash = hash, .options = options, .designer = designer});
+    while (entries_.size() > capacity_) {
+        entries_.pop_back();
+    }
+    return {.designer = std::move(designer), .isKept = false};
+}
+
+}  // namespace bspline_curve

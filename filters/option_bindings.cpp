@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/option_bindings.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+/// Binds a member whose type is the value's own.
+template <class Options, class Value>
+Binding<Options> bound(const std::string& id, Value Options::* member) {
+    return {
+        .id = id,
+        .read = [member](
+                    const ParameterValue& value, Options& options
+                ) { options.*member = std::get<Value>(value); },
+        .write = [member](const Options& options) -> ParameterValue { return options.*member; }
+    };
+}
+
+template <class Enum>
+using Names = std::vector<std::pair<std::string, Enum>>;
+
+/// Binds a member that is chosen by name.
+template <class Options, class Enum>
+Binding<Options> chosen(const std::string& id, Enum Options::* member, const Names<Enum>& names) {
+    const auto read = [member, names](const ParameterValue& value, Options& options) {
+        const auto found = std::ranges::find(
+            names, std::get<std::string>(value), &std::pair<std::string, Enum>::first
+        );
+        if (found != names.end()) {
+            options.*member = found->second;
+        }
+    };
+    const auto write = [member, names](const Options& options) -> ParameterValue {
+        const auto found =
+            std::ranges::find(names, options.*member, &std::pair<std::string, Enum>::second);
+        if (found == names.end()) {
+            throw std::logic_error("an enumerator without a name");
+        }
+        return found->first;
+    };
+    return {.id = id, .read = read, .write = write};
+}
+
+Names<FieldKind> fieldKinds() {
+    Names<FieldKind> names;
+    for (const FieldKind kind : kFieldKinds) {
+        names.emplace_back(name(kind), kind);
+    }
+    return names;
+}
+
+Names<FieldCost> fieldCosts() {
+    Names<FieldCost> names;
+    for (const FieldCost cost : {FieldCost::Identity, FieldCost::Square, FieldCost::ExpMinus}) {
+        names.emplace_back(name(cost), cost);
+    }
+    return names;
+}
+
+/// What the curve is.
+Bindings<SolverOptions> shapeBindings() {
+    using S = SolverOptions;
+    return {
+        bound("closed", &S::closed),
+        bound("degree", &S::degree),
+        bound("tension", &S::tension),
+        chosen("field_cost", &S::fieldCost, fieldCosts()),
+        bound("field_weight", &S::fieldWeight),
+        bound("avoid_margin", &S::avoidMargin),
+    };
+}
+
+/// What is minimised, and from where.
+Bindings<SolverOptions> modelBindings() {
+    using S = SolverOptions;
+    return {
+        chosen(
+            "bending",
+            &S::bending,
+            Names<Bending>{{"geodesic", Bending::Geodesic}, {"ambient", Bending::Ambient}}
+        ),
+        bound("normal_bending_weight", &S::normalBendingWeight),
+        bound("distance_tolerance", &S::distanceTolerance),
+        chosen(
+            "initial_curve",
+            &S::initialCurve,
+            Names<InitialCurve>{
+                {"geodesic-fit", InitialCurve::GeodesicFit},
+                {"control-polygon", InitialCurve::ControlPolygon}
+            }
+        ),
+        chosen("field_guides_path", &S::fieldGuidesPath, Names<bool>{{"off", false}, {"on", true}}),
+        chosen(
+            "quadrature",
+            &S::quadrature,
+            Names<Quadrature>{
+                {"foot-points", Quadrature::FootPoints},
+                {"cells", Quadrature::Cells},
+                {"samples", Quadrature::Samples}
+            }
+        ),
+    };
+}
+
+/// How it is minimised.
+Bindings<SolverOptions> methodBindings() {
+    using S = SolverOptions;
+    return {
+        chosen(
+            "barrier_width",
+            &S::barrierWidth,
+            Names<BarrierWidth>{{"full", BarrierWidth::Full}, {"tight", BarrierWidth::Tight}}
+        ),
+        chosen(
+            "distance_weight",
+            &S::distanceWeight,
+            Names<DistanceWeight>{
+                {"schedule", DistanceWeight::Schedule}, {"adaptive", DistanceWeight::Adaptive}
+            }
+        ),
+        chosen(
+            "interpolation",
+            &S::interpolation,
+            Names<Interpolation>{
+                {"constraint", Interpolation::Constraint}, {"penalty", Interpolation::Penalty}
+            }
+        ),
+        chosen(
+            "knot_rule",
+            &S::knotRule,
+            Names<KnotRule>{
+                {"energy-and-distance", KnotRule::EnergyAndDistance},
+                {"feature-function", KnotRule::FeatureFunction}
+            }
+        ),
+        bound("samples_per_span", &S::samplesPerSpan),
+        bound("max_rounds", &S::maxRounds),
+        bound("max_iterations", &S::maxIterations),
+        bound("minimum_span", &S::minimumSpan),
+    };
+}
+
+}  // namespace
+
+Bindings<SolverOptions> solverBindings() {
+    Bindings<SolverOptions> all = shapeBindings();
+    for (const Bindings<SolverOptions>& more : {modelBindings(), methodBindings()}) {
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+}
+
+Bindings<SamplingOptions> samplingBindings() {
+    return {
+        bound("samples", &SamplingOptions::samples),
+        bound("max_segment_length", &SamplingOptions::maxSegmentLength),
+    };
+}
+
+Bindings<ShellOptions> shellBindings() {
+    using S = ShellOptions;
+    return {
+        chosen(
+            "shell",
+            &S::kind,
+            Names<ShellKind>{
+                {name(ShellKind::Simplified), ShellKind::Simplified},
+                {name(ShellKind::FullResolution), ShellKind::FullResolution}
+            }
+        ),
+        bound("target_thickness", &S::targetThickness),
+        bound("target_edge_length", &S::targetEdgeLength),
+        bound("shell_thickness", &S::thickness),
+        bound("shell_smoothing_passes", &S::smoothingPasses),
+    };
+}
+
+Bindings<FieldOptions> fieldBindings(const std::string& kind, const std::string& prefix) {
+    using F = FieldOptions;
+    return {
+        chosen(kind, &F::kind, fieldKinds()),
+        bound(prefix + "curvature_scale", &F::curvatureScale),
+        bound(prefix + "crease_angle", &F::creaseAngle),
+        bound(prefix + "reach", &F::reach),
+        bound(prefix + "obstacle_value", &F::obstacleValue),
+        bound(prefix + "obstacle_slope", &F::obstacleSlope),
+        bound(prefix + "smoothing", &F::smoothing),
+        bound(prefix + "normalised", &F::normalised),
+        bound(prefix + "inverted", &F::inverted),
+    };
+}
+
+Bindings<FieldRequest> regionBindings(const std::string& prefix) {
+    return {chosen(
+        prefix + "region",
+        &FieldRequest::region,
+        Names<RegionSource>{
+            {"selected-faces", RegionSource::SelectedFaces},
+            {"selected-vertices", RegionSource::SelectedVertices}
+        }
+    )};
+}
+
+Bindings<CurveRequest> curveBindings() {
+    using C = CurveRequest;
+    return {
+        bound("surface_layer", &C::surface),
+        bound("picks_layer", &C::picksLayer),
+        bound("picks_file", &C::picksFile),
+        bound("picks", &C::picksText),
+        chosen(
+            "avoid",
+            &C::avoid,
+            Names<Avoid>{
+                {"none", Avoid::Nothing},
+                {"selected-faces", Avoid::SelectedFaces},
+                {"selected-vertices", Avoid::SelectedVertices},
+                {"under-threshold", Avoid::UnderThreshold},
+                {"over-threshold", Avoid::OverThreshold}
+            }
+        ),
+        bound("avoid_threshold", &C::avoidThreshold),
+        bound("tube_radius", &C::tubeRadius),
+        bound("save", &C::saveFile),
+        bound("control_polygon", &C::controlPolygon),
+        bound("shell_layers", &C::shellLayers),
+    };
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/curve.h"
+#include "field/field_options.h"
+#include "filters/parameter_value.h"
+#include "filters/requests.h"
+#include "shell/shell_options.h"
+#include "solver/options.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+// Which parameter of the filters sets which member of the libraries' options.
+namespace bspline_curve {
+
+template <class Options>
+struct Binding {
+    std::string id;  ///< of the parameter
+    /// Sets the member. Options of enumerations that stand for no enumerator (preset, natural,
+    /// none) leave it as it is.
+    std::function<void(const ParameterValue&, Options&)> read;
+    /// The value that sets the member to what it is.
+    std::function<ParameterValue(const Options&)> write;
+};
+
+template <class Options>
+using Bindings = std::vector<Binding<Options>>;
+
+[[nodiscard]] Bindings<SolverOptions> solverBindings();
+[[nodiscard]] Bindings<SamplingOptions> samplingBindings();
+[[nodiscard]] Bindings<ShellOptions> shellBindings();
+
+/// `kind`: the parameter that says which field; `prefix` goes before the ids of the others.
+[[nodiscard]] Bindings<FieldOptions> fieldBindings(
+    const std::string& kind, const std::string& prefix
+);
+
+/// What the requests hold besides these.
+[[nodiscard]] Bindings<CurveRequest> curveBindings();
+[[nodiscard]] Bindings<FieldRequest> regionBindings(const std::string& prefix);
+
+}  // namespace bspline_curve

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/requests.h"
+
+#include "filters/option_bindings.h"
+#include "surface/input_error.h"
+
+#include <cmath>
+
+namespace bspline_curve {
+
+namespace {
+
+constexpr const char* kNone = "none";
+constexpr const char* kNatural = "natural";
+
+template <class Options>
+void readAll(const ParameterValues& values, const Bindings<Options>& bindings, Options& options) {
+    for (const Binding<Options>& binding : bindings) {
+        binding.read(values.value(binding.id), options);
+    }
+}
+
+void checkTubeRadius(double radius) {
+    if (!(radius >= 0.0) || !std::isfinite(radius)) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "radius of the tube is " + describeNumber(radius) +
+                ", but must be finite and not negative"
+        );
+    }
+}
+
+FieldRequest readField(
+    const ParameterValues& values, const std::string& kind, const std::string& prefix
+) {
+    FieldRequest request;
+    readAll(values, fieldBindings(kind, prefix), request.options);
+    readAll(values, regionBindings(prefix), request);
+    request.options.validate();
+    return request;
+}
+
+}  // namespace
+
+CurveRequest curveRequest(const ParameterValues& values) {
+    CurveRequest request;
+    readAll(values, curveBindings(), request);
+    if (values.get<std::string>("field") != kNone) {
+        request.field = readField(values, "field", "field_");
+    }
+    if (values.get<std::string>("preset") == "paper") {
+        request.solver = paperPreset();
+    }
+    readAll(values, solverBindings(), request.solver);
+    if (request.field && values.get<std::string>("field_cost") == kNatural) {
+        request.solver.fieldCost = naturalCost(request.field->options.kind);
+    }
+    readAll(values, samplingBindings(), request.sampling);
+    readAll(values, shellBindings(), request.shell);
+    request.solver.validate();
+    request.sampling.validate();
+    request.shell.validate();
+    checkTubeRadius(request.tubeRadius);
+    return request;
+}
+
+FieldRequest fieldRequest(const ParameterValues& values) {
+    return readField(values, "kind", "");
+}
+
+}  // namespace bspline_curve

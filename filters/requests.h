@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/curve.h"
+#include "field/field_options.h"
+#include "filters/parameter_values.h"
+#include "shell/shell_options.h"
+#include "solver/options.h"
+
+#include <optional>
+#include <string>
+
+// What users ask for, as the libraries take it.
+namespace bspline_curve {
+
+/// Which selection of a layer is a region.
+enum class RegionSource { SelectedFaces, SelectedVertices };
+
+/// A field that the user asked for.
+struct FieldRequest {
+    FieldOptions options;
+    RegionSource region = RegionSource::SelectedFaces;
+};
+
+/// What a curve does not enter: a selection of the layer, or the faces over which the mean of the
+/// field (without one, of the quality) is under or over a threshold.
+enum class Avoid { Nothing, SelectedFaces, SelectedVertices, UnderThreshold, OverThreshold };
+
+struct CurveRequest {
+    LayerId surface;
+    // Where the picks come from: at most one of these is given, and where none is, the points of
+    // the host's own tool are taken.
+    LayerId picksLayer;     ///< the surface itself, or no id: none
+    std::string picksFile;  ///< UTF-8; empty: none
+    std::string picksText;  ///< empty: none
+    std::optional<FieldRequest> field;
+    Avoid avoid = Avoid::Nothing;
+    double avoidThreshold = 0.0;
+    SolverOptions solver;
+    SamplingOptions sampling;
+    ShellOptions shell;
+    // What the curve leaves besides its layer.
+    double tubeRadius = 0.0;      ///< world units; 0: no tube
+    std::string saveFile;         ///< UTF-8, the format by its extension; empty: none
+    bool controlPolygon = false;  ///< as a layer
+    bool shellLayers = false;     ///< top and bottom of the shell
+};
+
+/// What a user of curveFilter() asked for. Throws InputError (BadOption) naming the value and its
+/// range where a number is outside.
+[[nodiscard]] CurveRequest curveRequest(const ParameterValues& values);
+
+/// What a user of fieldFilter() asked for. Throws likewise.
+[[nodiscard]] FieldRequest fieldRequest(const ParameterValues& values);
+
+}  // namespace bspline_curve

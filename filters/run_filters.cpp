@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/run_filters.h"
+
+#include "field/make_field.h"
+#include "filters/choose_picks.h"
+#include "filters/curve_extras.h"
+#include "filters/curve_figures.h"
+#include "io/curve_writer.h"
+#include "io/shell_cache.h"
+#include "surface/input_error.h"
+#include "surface/region.h"
+#include "surface/stopwatch.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <new>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+// Shares of the work, for progress only.
+constexpr double kSurfaceShare = 0.5;
+constexpr double kFieldShare = 0.6;
+
+/// Makes something from the arrays of a layer. Ids in errors count elements that are not deleted;
+/// where the layer has others, a message with ids has to say so.
+template <class Make>
+auto madeFrom(const LayerInput& layer, const Make& make) {
+    try {
+        return make();
+    } catch (const InputError& error) {
+        if (layer.hasLayersIds || error.elements().empty()) {
+            throw;
+        }
+        throw InputError(
+            error.code(),
+            error.what() + std::string(" (ids count without the layer's deleted elements)"),
+            error.elements()
+        );
+    }
+}
+
+std::span<const double> qualityOf(const LayerInput& layer) {
+    if (layer.quality.empty()) {
+        throw InputError(
+            InputErrorCode::BadField,
+            "layer \"" + layer.label +
+                "\" has no per-vertex quality: compute one first, or choose another field"
+        );
+    }
+    return layer.quality;
+}
+
+Region selectedRegion(const LayerInput& layer, const Surface& surface, RegionSource source) {
+    if (source == RegionSource::SelectedVertices) {
+        return layer.selectedVertices.empty() ? Region()
+                                              : facesOfVertices(surface, layer.selectedVertices);
+    }
+    Region region;
+    for (std::size_t f = 0; f < layer.selectedFaces.size(); ++f) {
+        if (layer.selectedFaces[f] != 0) {
+            region.push_back(static_cast<int>(f));
+        }
+    }
+    return region;
+}
+
+std::vector<double> fieldOf(
+    const LayerInput& layer,
+    const Surface& surface,
+    const FieldRequest& request,
+    const Progress& progress
+) {
+    std::span<const double> quality;
+    Region region;
+    if (request.options.kind == FieldKind::Quality) {
+        quality = qualityOf(layer);
+    } else if (request.options.kind == FieldKind::Obstacle) {
+        region = selectedRegion(layer, surface, request.region);
+    }
+    return makeField(surface, request.options, {.quality = quality, .region = region}, progress);
+}
+
+/// The faces to avoid. `field` is empty where there is none.
+Region avoidedRegion(
+    const CurveRequest& request,
+    const LayerInput& layer,
+    const Surface& surface,
+    std::span<const double> field
+) {
+    const auto values = [&] { return field.empty() ? qualityOf(layer) : field; };
+    switch (request.avoid) {
+        case Avoid::SelectedFaces:
+            return selectedRegion(layer, surface, RegionSource::SelectedFaces);
+        case Avoid::SelectedVertices:
+            return selectedRegion(layer, surface, RegionSource::SelectedVertices);
+        case Avoid::UnderThreshold:
+            return facesUnder(surface, values(), request.avoidThreshold);
+        case Avoid::OverThreshold:
+            return facesOver(surface, values(), request.avoidThreshold);
+        case Avoid::Nothing:
+            break;
+    }
+    return {};
+}
+
+/// A kept designer, else one whose shell comes from the cache on disk or is built.
+DesignerCache::Found designerFor(
+    const LayerInput& layer,
+    const ShellOptions& options,
+    DesignerCache& designers,
+    const Progress& progress
+) {
+    return designers.findOrMake(layer.mesh, options, [&] {
+        const std::optional<ShellCache> cache = ShellCache::ofUser();
+        return madeFrom(layer, [&] {
+            return CurveDesigner(layer.mesh, options, progress, cache ? &*cache : nullptr);
+        });
+    });
+}
+
+std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Found& found) {
+    std::vector<std::string> warnings;
+    if (!found.isKept) {
+        warnings = found.designer->shell().notes;
+    }
+    if (!curve.report.fieldAtRest) {
+        warnings.emplace_back(
+            "The field could still be lowered where the iterations ended: it pulls the curve into "
+            "bends that are sharper than its knots. Smooth the field, or lower its weight."
+        );
+    }
+    if (!curve.report.usable) {
+        warnings.emplace_back(
+            "The curve did not reach the distance tolerance: its layer shows how far it came. More "
+            "picks, a thicker shell or more rounds may help."
+        );
+    }
+    return warnings;
+}
+
+/// What logs say of the shell; no figure, since pymeshlab warns of texts.
+std::string shellWord(const DesignerCache::Found& found) {
+    if (found.isKept) {
+        return "shell=kept ";
+    }
+    const ShellSummary& shell = found.designer->shell();
+    return std::string("shell=") +
+           (shell.isFromStore ? "cached " : name(shell.kind) + std::string(" "));
+}
+
+}  // namespace
+
+CurveResult runCurveFilter(
+    const LayerInput& surface,
+    const PickCandidates& picks,
+    const CurveRequest& request,
+    DesignerCache& designers,
+    const Progress& progress
+) {
+    Stopwatch watch;
+    checkSaveFile(request);
+    const PicksFile chosen = choosePicks(request, picks);
+    SolverOptions options = request.solver;
+    options.closed = options.closed || chosen.closed.value_or(false);
+    const DesignerCache::Found found =
+        designerFor(surface, request.shell, designers, partOf(progress, 0.0, kSurfaceShare));
+    const CurveDesigner& designer = *found.designer;
+    checkTube(request, designer.surface());
+    std::vector<double> field;
+    if (request.field) {
+        field = madeFrom(surface, [&] {
+            return fieldOf(
+                surface,
+                designer.surface(),
+                *request.field,
+                partOf(progress, kSurfaceShare, kFieldShare)
+            );
+        });
+    }
+    const Region avoid = avoidedRegion(request, surface, designer.surface(), field);
+    CurveResult result;
+    result.curve = designer.design(
+        chosen.picks,
+        options,
+        request.sampling,
+        {.field = field, .avoid = avoid},
+        partOf(progress, kFieldShare, 1.0)
+    );
+    const std::vector<double> along =
+        field.empty() ? std::vector<double>()
+                      : fieldAlong(result.curve.polyline, surface.mesh.faces, field);
+    result.quality = field.empty() ? result.curve.polyline.parameters : along;
+    result.figures = curveFigures(result.curve, found, watch.lap());
+    result.log = {
+        .figures = shellWord(found) + keyValueText(result.figures),
+        .warnings = warningsOf(result.curve, found)
+    };
+    addExtras(request, designer, along, result);
+    return result;
+}
+
+FieldResult runFieldFilter(
+    const LayerInput& surface, const FieldRequest& request, const Progress& progress
+) {
+    FieldResult result;
+    result.values = madeFrom(surface, [&] {
+        const Surface validated(surface.mesh);
+        return fieldOf(surface, validated, request, progress);
+    });
+    const auto [minimum, maximum] = std::ranges::minmax(result.values);
+    const double sum = std::accumulate(result.values.begin(), result.values.end(), 0.0);
+    result.figures = {
+        {"minimum", minimum},
+        {"mean", sum / static_cast<double>(result.values.size())},
+        {"maximum", maximum},
+    };
+    result.log.figures = keyValueText(result.figures);
+    return result;
+}
+
+std::string describeFailure(const char* what, const std::exception& error) {
+    const std::string subject = std::string("The ") + what;
+    if (dynamic_cast<const InputError*>(&error) != nullptr) {
+        return error.what();
+    }
+    if (dynamic_cast<const Cancelled*>(&error) != nullptr) {
+        return subject + " was cancelled.";
+    }
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+        return std::string("There is not enough memory for a ") + what + " on this mesh.";
+    }
+    return subject + " could not be made: " + error.what();
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/curve.h"
+#include "filters/designer_cache.h"
+#include "filters/figures.h"
+#include "filters/layer_input.h"
+#include "filters/requests.h"
+#include "shell/shell_layers.h"
+#include "surface/progress.h"
+
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+// The filters, from arrays to arrays. Hosts convert, show and log.
+namespace bspline_curve {
+
+/// What a host is to write into its log.
+struct FilterLog {
+    std::string figures;                ///< one line "key=value key=value …"
+    std::vector<std::string> warnings;  ///< whole sentences
+};
+
+/// The control points of a spline in order, with segments between them.
+struct ControlPolygon {
+    std::vector<Vec3> points;
+    bool closed = false;  ///< the last is joined to the first, which is not repeated
+};
+
+/// A curve, all in world coordinates; face ids and vertex ids are those of LayerInput.
+struct CurveResult {
+    Curve curve;
+    std::vector<double> quality;  ///< of each vertex: the field or, where there is none, t
+    // What the request asks for besides the curve.
+    std::optional<TriangleMesh> tube;
+    std::optional<ControlPolygon> controlPolygon;
+    std::optional<ShellLayers> shellLayers;
+    Figures figures;
+    FilterLog log;
+};
+
+struct FieldResult {
+    std::vector<double> values;  ///< one per vertex of LayerInput
+    Figures figures;
+    FilterLog log;
+};
+
+/// Draws a curve, and writes the file that the request names where the curve is usable. `designers`
+/// keeps what the next curve on the same mesh can use again. Throws
+/// InputError, Cancelled, std::bad_alloc; see describeFailure().
+[[nodiscard]] CurveResult runCurveFilter(
+    const LayerInput& surface,
+    const PickCandidates& picks,
+    const CurveRequest& request,
+    DesignerCache& designers,
+    const Progress& progress = {}
+);
+
+/// Computes a field. Throws likewise.
+[[nodiscard]] FieldResult runFieldFilter(
+    const LayerInput& surface, const FieldRequest& request, const Progress& progress = {}
+);
+
+/// What to tell the user about an exception of a filter. `what`: "curve" or "field".
+[[nodiscard]] std::string describeFailure(const char* what, const std::exception& error);
+
+}  // namespace bspline_curve

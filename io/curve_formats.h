@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/curve.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The formats of curves, one function each; curveBytes() chooses among them.
+namespace bspline_curve {
+
+/// What a curve file is made from.
+struct CurveContent {
+    const Curve& curve;
+    std::span<const double> field{};  ///< per vertex of the polyline; empty: there is none
+
+    /// What is shown along the curve: the field or, where there is none, t.
+    [[nodiscard]] std::span<const double> quality() const {
+        return field.empty() ? std::span<const double>(curve.polyline.parameters) : field;
+    }
+};
+
+/// Segments as pairs of vertices, in order along the curve; the last of a closed one leads back to
+/// vertex 0.
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> segmentsOf(
+    const SurfacePolyline& polyline
+);
+
+/// Per vertex: 1 where a pick is, else 0.
+[[nodiscard]] std::vector<char> pickFlags(const SurfacePolyline& polyline);
+
+// The polyline.
+[[nodiscard]] std::string curvePly(const CurveContent& content);
+[[nodiscard]] std::string curveObj(const CurveContent& content);
+[[nodiscard]] std::string curveDxf(const CurveContent& content);
+[[nodiscard]] std::string curveVtu(const CurveContent& content);
+[[nodiscard]] std::string curveCsv(const CurveContent& content);
+
+// Polyline and spline.
+[[nodiscard]] std::string curveJson(const CurveContent& content);
+
+// The spline alone.
+[[nodiscard]] std::string splineObj(const CurveContent& content);
+[[nodiscard]] std::string splineDxf(const CurveContent& content);
+
+}  // namespace bspline_curve

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/picks_reader.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+// The formats of picks, one function each; readPicks() chooses among them. Each throws InputError
+// (UnreadableFile) naming file and place.
+namespace bspline_curve {
+
+[[nodiscard]] PicksFile picksOfPickPoints(
+    const std::filesystem::path& file, const std::string& bytes
+);
+[[nodiscard]] PicksFile picksOfXyz(const std::filesystem::path& file, std::string_view bytes);
+[[nodiscard]] PicksFile picksOfCsv(const std::filesystem::path& file, std::string_view bytes);
+/// Ours, or the markups of 3D Slicer, whichever the file holds.
+[[nodiscard]] PicksFile picksOfJson(const std::filesystem::path& file, const std::string& bytes);
+
+/// The one markup of 3D Slicer with points in a document that has "markups".
+[[nodiscard]] PicksFile picksOfMarkups(
+    const std::filesystem::path& file, const nlohmann::json& document
+);
+
+/// [x, y, z]; `name` says in messages what that is.
+[[nodiscard]] Vec3 pointOfJson(
+    const std::filesystem::path& file, const nlohmann::json& value, const std::string& name
+);
+
+/// A coordinate of a file: a finite number.
+[[nodiscard]] double coordinateOf(
+    const std::filesystem::path& file, std::size_t line, std::string_view word
+);
+
+}  // namespace bspline_curve

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/picks_formats.h"
+#include "io/text_parsing.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace bspline_curve {
+
+namespace {
+
+using std::filesystem::path;
+
+nlohmann::json parseJson(const path& file, const std::string& bytes) {
+    try {
+        return nlohmann::json::parse(bytes);
+    } catch (const nlohmann::json::exception& error) {
+        // "[json.exception.parse_error.101] parse error at line 1, column 2: …"
+        const std::string text = error.what();
+        const std::size_t end = text.find("] ");
+        refuseFile(
+            file, "is not JSON: " + (end == std::string::npos ? text : text.substr(end + 2))
+        );
+    }
+}
+
+}  // namespace
+
+Vec3 pointOfJson(const path& file, const nlohmann::json& value, const std::string& name) {
+    const bool isPoint =
+        value.is_array() && value.size() == 3 &&
+        std::ranges::all_of(value, [](const nlohmann::json& x) { return x.is_number(); });
+    if (!isPoint) {
+        refuseFile(file, name + " is not [x, y, z] but " + inQuotes(value.dump()));
+    }
+    const Vec3 point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
+    if (!point.allFinite()) {
+        refuseFile(file, name + " is not finite");
+    }
+    return point;
+}
+
+PicksFile picksOfJson(const path& file, const std::string& bytes) {
+    const nlohmann::json document = parseJson(file, bytes);
+    if (document.is_object() && document.contains("markups")) {
+        return picksOfMarkups(file, document);
+    }
+    if (!document.is_object() || !document.contains("picks") || !document["picks"].is_array()) {
+        refuseFile(file, R"(needs {"picks": [[x, y, z], …]}, or the "markups" of 3D Slicer)");
+    }
+    PicksFile result;
+    for (const nlohmann::json& value : document["picks"]) {
+        result.picks.push_back(
+            pointOfJson(file, value, "pick " + std::to_string(result.picks.size()))
+        );
+    }
+    if (document.contains("closed")) {
+        if (!document["closed"].is_boolean()) {
+            refuseFile(file, R"("closed" must be true or false)");
+        }
+        result.closed = document["closed"].get<bool>();
+    }
+    return result;
+}
+
+}  // namespace bspline_curve

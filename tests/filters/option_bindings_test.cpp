@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/option_bindings.h"
+
+#include "filters/filter_description.h"
+#include "filters/parameter_values.h"
+#include "surface/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+// The description of the filters and the options of the libraries say the same.
+namespace bspline_curve {
+namespace {
+
+/// Initialises any member.
+struct Anything {
+    template <class Member>
+    operator Member() const;  // NOLINT(google-explicit-constructor)
+};
+
+/// How many members an aggregate has.
+template <class Options, class... Members>
+consteval std::size_t memberCount() {
+    if constexpr (requires { Options{Members{}..., Anything{}}; }) {
+        return memberCount<Options, Members..., Anything>();
+    } else {
+        return sizeof...(Members);
+    }
+}
+
+bool leavesAsItIs(const std::string& option) {
+    return option == "preset" || option == "natural" || option == "none";
+}
+
+/// A value of the parameter that differs from `value`; one that the options accept.
+ParameterValue otherValue(const ParameterDescription& parameter, const ParameterValue& value) {
+    if (const auto* const flag = std::get_if<bool>(&value)) {
+        return !*flag;
+    }
+    if (const auto* const whole = std::get_if<int>(&value)) {
+        return parameter.max == *whole ? *whole - 1 : *whole + 1;
+    }
+    if (const auto* const number = std::get_if<double>(&value)) {
+        return *number == 0.5 ? 0.25 : 0.5;
+    }
+    for (const EnumOption& option : parameter.options) {
+        if (ParameterValue(option.id) != value && !leavesAsItIs(option.id)) {
+            return option.id;
+        }
+    }
+    throw std::logic_error(parameter.id + " has only one value");
+}
+
+/// Each binding sets a member of its own, and there are as many as members.
+template <class Options>
+void expectAllMembersBound(const FilterDescription& filter, const Bindings<Options>& bindings) {
+    EXPECT_EQ(bindings.size(), memberCount<Options>());
+    const Options standard;
+    for (const Binding<Options>& binding : bindings) {
+        const ParameterValue before = binding.write(standard);
+        const ParameterValue other = otherValue(filter.parameter(binding.id), before);
+        Options options;
+        binding.read(other, options);
+        EXPECT_EQ(binding.write(options), other) << binding.id;
+        for (const Binding<Options>& rest : bindings) {
+            if (rest.id != binding.id) {
+                EXPECT_EQ(rest.write(options), rest.write(standard))
+                    << binding.id << " sets " << rest.id << " too";
+            }
+        }
+    }
+}
+
+TEST(OptionBindings, EveryMemberOfTheOptionsHasAParameterOfItsOwn) {
+    expectAllMembersBound(curveFilter(), solverBindings());
+    expectAllMembersBound(curveFilter(), samplingBindings());
+    expectAllMembersBound(curveFilter(), shellBindings());
+    expectAllMembersBound(curveFilter(), fieldBindings("field", "field_"));
+    expectAllMembersBound(fieldFilter(), fieldBindings("kind", ""));
+}
+
+template <class Options>
+void addIds(std::multiset<std::string>& ids, const Bindings<Options>& bindings) {
+    for (const Binding<Options>& binding : bindings) {
+        ids.insert(binding.id);
+    }
+}
+
+std::multiset<std::string> idsOf(const FilterDescription& filter) {
+    std::multiset<std::string> ids;
+    for (const ParameterDescription& parameter : filter.parameters) {
+        ids.insert(parameter.id);
+    }
+    return ids;
+}
+
+TEST(OptionBindings, EveryParameterIsBoundOnce) {
+    std::multiset<std::string> curve{"preset"};  // sets many members at once
+    addIds(curve, solverBindings());
+    addIds(curve, samplingBindings());
+    addIds(curve, shellBindings());
+    addIds(curve, fieldBindings("field", "field_"));
+    addIds(curve, regionBindings("field_"));
+    addIds(curve, curveBindings());
+    EXPECT_EQ(curve, idsOf(curveFilter()));
+
+    std::multiset<std::string> field;
+    addIds(field, fieldBindings("kind", ""));
+    addIds(field, regionBindings(""));
+    EXPECT_EQ(field, idsOf(fieldFilter()));
+}
+
+template <class Options>
+void expectDefaults(const FilterDescription& filter, const Bindings<Options>& bindings) {
+    const Options standard;
+    for (const Binding<Options>& binding : bindings) {
+        const ParameterDescription& parameter = filter.parameter(binding.id);
+        const ParameterValue& value = parameter.defaultValue;
+        const auto* const word = std::get_if<std::string>(&value);
+        if (word != nullptr && leavesAsItIs(*word) && parameter.id != "avoid") {
+            const EnumOption& option = parameter.options[parameter.defaultOption()];
+            const auto actual = std::get<std::string>(binding.write(standard));
+            EXPECT_TRUE(parameter.indexOf(actual)) << parameter.id << " has no " << actual;
+            if (*word == "preset") {
+                EXPECT_EQ(option.help, "as the preset says, by default " + actual) << parameter.id;
+            }
+        } else {
+            EXPECT_EQ(value, binding.write(standard)) << parameter.id;
+        }
+    }
+}
+
+TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
+    expectDefaults(curveFilter(), solverBindings());
+    expectDefaults(curveFilter(), samplingBindings());
+    expectDefaults(curveFilter(), shellBindings());
+    expectDefaults(curveFilter(), fieldBindings("field", "field_"));
+    expectDefaults(curveFilter(), regionBindings("field_"));
+    expectDefaults(curveFilter(), curveBindings());
+    expectDefaults(fieldFilter(), fieldBindings("kind", ""));
+    expectDefaults(fieldFilter(), regionBindings(""));
+}
+
+/// Every option of the parameter stands for an enumerator of its own, and every enumerator has one.
+/// `isEnumerator` holds a switch, which compilers keep complete.
+template <class Options, class Enum, class IsEnumerator>
+void expectEnumerators(
+    const FilterDescription& filter,
+    const Binding<Options>& binding,
+    Enum Options::* member,
+    const IsEnumerator& isEnumerator
+) {
+    std::set<Enum> reached;
+    for (const EnumOption& option : filter.parameter(binding.id).options) {
+        Options options;
+        binding.read(option.id, options);
+        if (!leavesAsItIs(option.id)) {
+            EXPECT_EQ(binding.write(options), ParameterValue(option.id));
+            EXPECT_TRUE(reached.insert(options.*member).second) << option.id;
+        }
+    }
+    std::size_t enumerators = 0;
+    for (int value = 0; value < 64; ++value) {
+        enumerators += isEnumerator(static_cast<Enum>(value)) ? 1 : 0;
+    }
+    EXPECT_EQ(reached.size(), enumerators) << binding.id;
+}
+
+template <class Options>
+Binding<Options> named(const Bindings<Options>& bindings, const std::string& id) {
+    for (const Binding<Options>& binding : bindings) {
+        if (binding.id == id) {
+            return binding;
+        }
+    }
+    throw std::logic_error("no binding " + id);
+}
+
+// NOLINTBEGIN(bugprone-macro-parentheses)
+#define EXPECT_ENUMERATORS_2(bindings, id, member, Enum, a, b)                     \
+    expectEnumerators(curveFilter(), named(bindings, id), member, [](Enum value) { \
+        switch (value) {                                                           \
+            case Enum::a:                                                          \
+            case Enum::b:                                                          \
+                return true;                                                       \
+        }                                                                          \
+        return false;                                                              \
+    })
+
+// NOLINTEND(bugprone-macro-parentheses)
+
+TEST(OptionBindings, EnumOptionsAreTheEnumeratorsOfTheSolver) {
+    using S = SolverOptions;
+    const Bindings<S> solver = solverBindings();
+    EXPECT_ENUMERATORS_2(solver, "bending", &S::bending, Bending, Geodesic, Ambient);
+    EXPECT_ENUMERATORS_2(
+        solver, "initial_curve", &S::initialCurve, InitialCurve, GeodesicFit, ControlPolygon
+    );
+    expectEnumerators(
+        curveFilter(), named(solver, "quadrature"), &S::quadrature, [](Quadrature quadrature) {
+            switch (quadrature) {
+                case Quadrature::FootPoints:
+                case Quadrature::Cells:
+                case Quadrature::Samples:
+                    return true;
+            }
+            return false;
+        }
+    );
+    EXPECT_ENUMERATORS_2(solver, "barrier_width", &S::barrierWidth, BarrierWidth, Full, Tight);
+    EXPECT_ENUMERATORS_2(
+        solver, "distance_weight", &S::distanceWeight, DistanceWeight, Schedule, Adaptive
+    );
+    EXPECT_ENUMERATORS_2(
+        solver, "interpolation", &S::interpolation, Interpolation, Constraint, Penalty
+    );
+    EXPECT_ENUMERATORS_2(
+        solver, "knot_rule", &S::knotRule, KnotRule, EnergyAndDistance, FeatureFunction
+    );
+    EXPECT_ENUMERATORS_2(
+        shellBindings(), "shell", &ShellOptions::kind, ShellKind, Simplified, FullResolution
+    );
+    EXPECT_ENUMERATORS_2(
+        regionBindings("field_"),
+        "field_region",
+        &FieldRequest::region,
+        RegionSource,
+        SelectedFaces,
+        SelectedVertices
+    );
+}
+
+TEST(OptionBindings, EnumOptionsAreTheEnumeratorsOfFields) {
+    const auto isCost = [](FieldCost cost) {
+        switch (cost) {
+            case FieldCost::Identity:
+            case FieldCost::Square:
+            case FieldCost::ExpMinus:
+                return true;
+        }
+        return false;
+    };
+    expectEnumerators(
+        curveFilter(), named(solverBindings(), "field_cost"), &SolverOptions::fieldCost, isCost
+    );
+    const auto isKind = [](FieldKind kind) {
+        switch (kind) {
+            case FieldKind::NormalVariation:
+            case FieldKind::MaximalCurvature:
+            case FieldKind::Ridge:
+            case FieldKind::Valley:
+            case FieldKind::CreaseDistance:
+            case FieldKind::BoundaryDistance:
+            case FieldKind::Quality:
+            case FieldKind::Obstacle:
+                return true;
+        }
+        return false;
+    };
+    expectEnumerators(
+        curveFilter(), named(fieldBindings("field", "field_"), "field"), &FieldOptions::kind, isKind
+    );
+    expectEnumerators(
+        fieldFilter(), named(fieldBindings("kind", ""), "kind"), &FieldOptions::kind, isKind
+    );
+}
+
+TEST(OptionBindings, EnumOptionsAreWhatCanBeAvoided) {
+    const Binding<CurveRequest> binding = named(curveBindings(), "avoid");
+    std::set<Avoid> reached;
+    for (const EnumOption& option : curveFilter().parameter("avoid").options) {
+        CurveRequest request;
+        request.avoid = Avoid::OverThreshold;
+        binding.read(option.id, request);
+        EXPECT_TRUE(reached.insert(request.avoid).second) << option.id;
+    }
+    const auto isAvoid = [](Avoid avoid) {
+        switch (avoid) {
+            case Avoid::Nothing:
+            case Avoid::SelectedFaces:
+            case Avoid::SelectedVertices:
+            case Avoid::UnderThreshold:
+            case Avoid::OverThreshold:
+                return true;
+        }
+        return false;
+    };
+    for (const Avoid avoid : reached) {
+        EXPECT_TRUE(isAvoid(avoid));
+    }
+    EXPECT_EQ(reached.size(), 5u);
+}
+
+// ---- ranges ----
+
+bool isAccepted(
+    const FilterDescription& filter, const std::string& id, const ParameterValue& value
+) {
+    ParameterValues values(filter);
+    values.set(id, value);
+    const bool isCurve = &filter == &curveFilter();
+    if (isCurve) {
+        values.set("field", std::string("ridge"));  // else nothing of the field is asked for
+    }
+    try {
+        if (isCurve) {
+            static_cast<void>(curveRequest(values));
+        } else {
+            static_cast<void>(fieldRequest(values));
+        }
+        return true;
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), InputErrorCode::BadOption);
+        return false;
+    }
+}
+
+void expectWholeRange(const FilterDescription& filter, const ParameterDescription& parameter) {
+    const auto check = [&](int value, bool isInside) {
+        EXPECT_EQ(isAccepted(filter, parameter.id, value), isInside)
+            << parameter.id << " " << value;
+    };
+    ASSERT_TRUE(parameter.min) << parameter.id;
+    check(static_cast<int>(*parameter.min), true);
+    check(static_cast<int>(*parameter.min) - 1, false);
+    if (parameter.max) {
+        check(static_cast<int>(*parameter.max), true);
+        check(static_cast<int>(*parameter.max) + 1, false);
+    } else {
+        check(std::numeric_limits<int>::max(), true);
+    }
+}
+
+void expectRealRange(const FilterDescription& filter, const ParameterDescription& parameter) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const auto check = [&](double value, bool isInside) {
+        EXPECT_EQ(isAccepted(filter, parameter.id, value), isInside)
+            << parameter.id << " " << value;
+    };
+    ASSERT_TRUE(parameter.min) << parameter.id;
+    check(*parameter.min, !parameter.excludesMin);
+    check(std::nextafter(*parameter.min, kInfinity), true);
+    check(std::nextafter(*parameter.min, -kInfinity), false);
+    const double max = parameter.max.value_or(std::numeric_limits<double>::max());
+    check(max, true);
+    check(std::nextafter(max, kInfinity), false);
+    check(std::numeric_limits<double>::quiet_NaN(), false);
+}
+
+TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
+    for (const FilterDescription* const filter : {&curveFilter(), &fieldFilter()}) {
+        for (const ParameterDescription& parameter : filter->parameters) {
+            if (parameter.type == ParameterType::Int) {
+                expectWholeRange(*filter, parameter);
+            } else if (std::holds_alternative<double>(parameter.defaultValue) &&
+                       parameter.id != "avoid_threshold") {  // any number: values of fields are
+                expectRealRange(*filter, parameter);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace bspline_curve

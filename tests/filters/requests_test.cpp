@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/requests.h"
+
+#include "filters/option_bindings.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+using Text = std::string;
+
+void expectEqual(const SolverOptions& a, const SolverOptions& b) {
+    for (const Binding<SolverOptions>& binding : solverBindings()) {
+        EXPECT_EQ(binding.write(a), binding.write(b)) << binding.id;
+    }
+}
+
+TEST(CurveRequest, IsTheOptionsDefaultsWhereNothingWasGiven) {
+    const CurveRequest request = curveRequest(ParameterValues(curveFilter()));
+    expectEqual(request.solver, SolverOptions());
+    EXPECT_FALSE(request.field);
+    EXPECT_EQ(request.avoid, Avoid::Nothing);
+    EXPECT_EQ(request.surface, LayerId());
+    EXPECT_TRUE(request.picksText.empty());
+}
+
+TEST(CurveRequest, FollowsThePresetWhereNothingElseWasGiven) {
+    ParameterValues values(curveFilter());
+    values.set("preset", Text("paper"));
+    expectEqual(curveRequest(values).solver, paperPreset());
+    values.set("bending", Text("geodesic"));
+    values.set("max_rounds", 7);
+    SolverOptions expected = paperPreset();
+    expected.bending = Bending::Geodesic;
+    expected.maxRounds = 7;
+    expectEqual(curveRequest(values).solver, expected);
+}
+
+TEST(CurveRequest, TakesTheNaturalCostOfItsFieldUnlessAnotherIsGiven) {
+    ParameterValues values(curveFilter());
+    values.set("field", Text("crease-distance"));
+    CurveRequest request = curveRequest(values);
+    ASSERT_TRUE(request.field);
+    EXPECT_EQ(request.field->options.kind, FieldKind::CreaseDistance);
+    EXPECT_EQ(request.solver.fieldCost, FieldCost::Square);
+    values.set("field_cost", Text("exp-minus"));
+    EXPECT_EQ(curveRequest(values).solver.fieldCost, FieldCost::ExpMinus);
+    values.set("field", Text("none"));
+    EXPECT_FALSE(curveRequest(values).field);
+}
+
+TEST(CurveRequest, HoldsWhatWasGiven) {
+    ParameterValues values(curveFilter());
+    values.set("surface_layer", LayerId{4});
+    values.set("picks", Text("0 0 0; 1 0 0"));
+    values.set("closed", true);
+    values.set("avoid", Text("under-threshold"));
+    values.set("avoid_threshold", -2.5);
+    values.set("shell", Text("simplified"));
+    values.set("target_thickness", 0.25);
+    values.set("max_segment_length", 0.5);
+    values.set("field", Text("obstacle"));
+    values.set("field_region", Text("selected-vertices"));
+    values.set("field_inverted", true);
+    const CurveRequest request = curveRequest(values);
+    EXPECT_EQ(request.surface, LayerId{4});
+    EXPECT_EQ(request.picksText, "0 0 0; 1 0 0");
+    EXPECT_TRUE(request.solver.closed);
+    EXPECT_EQ(request.avoid, Avoid::UnderThreshold);
+    EXPECT_EQ(request.avoidThreshold, -2.5);
+    EXPECT_EQ(request.shell.kind, ShellKind::Simplified);
+    EXPECT_EQ(request.shell.targetThickness, 0.25);
+    EXPECT_EQ(request.sampling.maxSegmentLength, 0.5);
+    EXPECT_EQ(request.field->region, RegionSource::SelectedVertices);
+    EXPECT_TRUE(request.field->options.inverted);
+}
+
+TEST(FieldRequest, HoldsWhatWasGiven) {
+    ParameterValues values(fieldFilter());
+    EXPECT_EQ(fieldRequest(values).options.kind, FieldOptions().kind);
+    values.set("kind", Text("valley"));
+    values.set("smoothing", 0.125);
+    const FieldRequest request = fieldRequest(values);
+    EXPECT_EQ(request.options.kind, FieldKind::Valley);
+    EXPECT_EQ(request.options.smoothing, 0.125);
+}
+
+}  // namespace
+}  // namespace bspline_curve

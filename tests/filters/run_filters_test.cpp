@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/run_filters.h"
+
+#include "io/curve_writer.h"
+#include "io/temporary_files.h"
+#include "support/meshes.h"
+#include "surface/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <new>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+const std::vector<Vec3> kPicks = {{0.1, 0.15, 0.0}, {0.5, 0.8, 0.0}, {0.9, 0.2, 0.0}};
+
+LayerInput plateLayer() {
+    LayerInput layer;
+    layer.label = "plate";
+    layer.mesh = plate(8, 8);
+    return layer;
+}
+
+template <class Value>
+Value figure(const Figures& figures, const std::string& name) {
+    for (const Figure& candidate : figures) {
+        if (candidate.name == name) {
+            return std::get<Value>(candidate.value);
+        }
+    }
+    throw std::logic_error("no figure " + name);
+}
+
+CurveResult draw(const LayerInput& layer, const CurveRequest& request, DesignerCache& designers) {
+    return runCurveFilter(layer, {.tool = kPicks, .layer = {}}, request, designers);
+}
+
+CurveResult draw(const LayerInput& layer, const CurveRequest& request) {
+    DesignerCache designers;
+    return draw(layer, request, designers);
+}
+
+/// What the filter says when it refuses.
+template <class Run>
+std::string refusal(const Run& run) {
+    try {
+        static_cast<void>(run());
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "it was accepted";
+}
+
+void expectPart(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text << "\nis without: " << part;
+}
+
+TEST(RunCurveFilter, DrawsThroughThePicksOfTheTool) {
+    const CurveResult result = draw(plateLayer(), {});
+    const SurfacePolyline& line = result.curve.polyline;
+    ASSERT_EQ(line.picks.size(), kPicks.size());
+    for (std::size_t i = 0; i < kPicks.size(); ++i) {
+        EXPECT_LT((line.points[static_cast<std::size_t>(line.picks[i])] - kPicks[i]).norm(), 1e-9);
+    }
+    EXPECT_TRUE(figure<bool>(result.figures, "usable"));
+    EXPECT_EQ(figure<int>(result.figures, "vertices"), static_cast<int>(line.points.size()));
+    EXPECT_EQ(
+        figure<std::vector<double>>(result.figures, "control_points").size(),
+        3 * result.curve.spline.controlPoints.size()
+    );
+    EXPECT_EQ(result.quality, line.parameters);
+    EXPECT_TRUE(result.log.warnings.empty());
+}
+
+TEST(RunCurveFilter, NamesEachFigureOnceAndLogsThoseThatAreNoLists) {
+    const CurveResult result = draw(plateLayer(), {});
+    std::set<std::string> names;
+    expectPart(result.log.figures, "shell=full usable=true ");
+    for (const Figure& each : result.figures) {
+        EXPECT_TRUE(names.insert(each.name).second) << each.name;
+        const bool isList = std::holds_alternative<std::vector<double>>(each.value);
+        EXPECT_NE(result.log.figures.find(" " + each.name + "=") == std::string::npos, !isList)
+            << each.name;
+    }
+}
+
+TEST(RunCurveFilter, KeepsTheDesignerForTheNextCurve) {
+    DesignerCache designers;
+    const CurveResult first = draw(plateLayer(), {}, designers);
+    const CurveResult second = draw(plateLayer(), {}, designers);
+    EXPECT_FALSE(figure<bool>(first.figures, "shell_kept"));
+    EXPECT_TRUE(figure<bool>(second.figures, "shell_kept"));
+    EXPECT_EQ(figure<double>(second.figures, "seconds_shell"), 0.0);
+    expectPart(second.log.figures, "shell=kept ");
+    EXPECT_EQ(first.curve.polyline.points, second.curve.polyline.points);
+}
+
+TEST(RunCurveFilter, FollowsAMeshThatChanged) {
+    DesignerCache designers;
+    LayerInput layer = plateLayer();
+    static_cast<void>(draw(layer, {}, designers));
+    for (Vec3& vertex : layer.mesh.vertices) {
+        vertex.z() += 0.001;
+    }
+    const CurveResult moved = draw(layer, {}, designers);
+    EXPECT_FALSE(figure<bool>(moved.figures, "shell_kept"));
+    for (const Vec3& point : moved.curve.polyline.points) {
+        EXPECT_DOUBLE_EQ(point.z(), 0.001);
+    }
+}
+
+TEST(RunCurveFilter, CarriesTheFieldToTheVertices) {
+    LayerInput layer = plateLayer();
+    for (const Vec3& vertex : layer.mesh.vertices) {
+        layer.quality.push_back(2.0 * vertex.x() + vertex.y());
+    }
+    CurveRequest request;
+    request.field = FieldRequest{.options = {.kind = FieldKind::Quality}};
+    request.solver.fieldWeight = 1.0;
+    const CurveResult result = draw(layer, request);
+    const std::vector<Vec3>& points = result.curve.polyline.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_NEAR(result.quality[i], 2.0 * points[i].x() + points[i].y(), 1e-12);
+    }
+}
+
+TEST(RunCurveFilter, TakesSelectionsAsFacesToAvoid) {
+    LayerInput layer = plateLayer();
+    const std::vector<Triangle>& faces = layer.mesh.faces;
+    const auto isInWall = [&](int v) {
+        const Vec3& p = layer.mesh.vertices[static_cast<std::size_t>(v)];
+        return p.x() > 0.2 && p.x() < 0.8 && p.y() < 0.3;
+    };
+    std::size_t wall = 0;
+    for (const Triangle& face : faces) {
+        layer.selectedFaces.push_back(std::ranges::all_of(face, isInWall) ? 1 : 0);
+        wall += static_cast<std::size_t>(layer.selectedFaces.back());
+    }
+    for (int v = 0; v < static_cast<int>(layer.mesh.vertices.size()); ++v) {
+        layer.selectedVertices.push_back(isInWall(v) ? 1 : 0);
+    }
+    ASSERT_GT(wall, 0u);
+    DesignerCache designers;
+    for (const Avoid avoid : {Avoid::SelectedFaces, Avoid::SelectedVertices}) {
+        CurveRequest request;
+        request.avoid = avoid;
+        const std::vector<Vec3> picks = {{0.1, 0.1, 0.0}, {0.9, 0.1, 0.0}};
+        const CurveResult result =
+            runCurveFilter(layer, {.tool = picks, .layer = {}}, request, designers);
+        EXPECT_EQ(figure<int>(result.figures, "avoided_faces"), static_cast<int>(wall));
+        for (const SurfacePoint& point : result.curve.polyline.surfacePoints) {
+            EXPECT_EQ(layer.selectedFaces[static_cast<std::size_t>(point.face)], 0);
+        }
+    }
+}
+
+TEST(RunCurveFilter, SaysWhatIsMissing) {
+    CurveRequest request;
+    request.field = FieldRequest{.options = {.kind = FieldKind::Quality}};
+    expectPart(
+        refusal([&] { return draw(plateLayer(), request); }),
+        "layer \"plate\" has no per-vertex quality"
+    );
+    request.field.reset();
+    request.avoid = Avoid::OverThreshold;
+    expectPart(refusal([&] { return draw(plateLayer(), request); }), "no per-vertex quality");
+    request.field = FieldRequest{.options = {.kind = FieldKind::Obstacle}};
+    expectPart(refusal([&] { return draw(plateLayer(), request); }), "region has no faces");
+}
+
+TEST(RunCurveFilter, SaysThatIdsLeaveOutDeletedElements) {
+    LayerInput layer;
+    layer.mesh = bowTie();
+    expectPart(refusal([&] { return draw(layer, {}); }), "vert");
+    layer.hasLayersIds = false;
+    expectPart(refusal([&] { return draw(layer, {}); }), "without the layer's deleted elements)");
+}
+
+TEST(RunCurveFilter, WarnsOfACurveThatIsNotUsable) {
+    LayerInput layer;
+    layer.mesh = icosphere(2);
+    CurveRequest request;
+    request.solver.distanceTolerance = 1e-9;
+    request.solver.maxRounds = 1;
+    request.solver.maxIterations = 1;
+    DesignerCache designers;
+    const CurveResult result = runCurveFilter(
+        layer,
+        {.tool = {layer.mesh.vertices[0], layer.mesh.vertices[40]}, .layer = {}},
+        request,
+        designers
+    );
+    EXPECT_FALSE(figure<bool>(result.figures, "usable"));
+    ASSERT_EQ(result.log.warnings.size(), 1u);
+    expectPart(result.log.warnings[0], "did not reach the distance tolerance");
+}
+
+TEST(RunCurveFilter, ReportsProgressThatNeverFallsAndCanBeCancelled) {
+    DesignerCache designers;
+    const PickCandidates picks{.tool = kPicks, .layer = {}};
+    std::vector<double> fractions;
+    static_cast<void>(
+        runCurveFilter(plateLayer(), picks, {}, designers, [&](double fraction, const char*) {
+            fractions.push_back(fraction);
+            return true;
+        })
+    );
+    ASSERT_FALSE(fractions.empty());
+    EXPECT_TRUE(std::ranges::is_sorted(fractions));
+    EXPECT_DOUBLE_EQ(fractions.back(), 1.0);
+    EXPECT_THROW(
+        static_cast<void>(runCurveFilter(
+            plateLayer(), picks, {}, designers, [](double, const char*) { return false; }
+        )),
+        Cancelled
+    );
+}
+
+// ---- what a curve leaves besides its layer ----
+
+TEST(RunCurveFilter, LeavesNothingElseUnlessItIsAskedFor) {
+    const CurveResult result = draw(plateLayer(), {});
+    EXPECT_FALSE(result.tube);
+    EXPECT_FALSE(result.controlPolygon);
+    EXPECT_FALSE(result.shellLayers);
+}
+
+TEST(RunCurveFilter, MakesATubeAroundTheCurve) {
+    CurveRequest request;
+    request.tubeRadius = 0.01;
+    request.solver.closed = true;
+    const CurveResult result = draw(plateLayer(), request);
+    ASSERT_TRUE(result.tube);
+    const Surface tube(*result.tube);
+    EXPECT_EQ(tube.vertexCount() - tube.faceCount() / 2, 0) << "a torus";
+    for (const Vec3& vertex : tube.vertices()) {
+        EXPECT_LE(std::abs(vertex.z()), 0.01 + 1e-12);
+    }
+    request.tubeRadius = 10.0;
+    expectPart(
+        refusal([&] { return draw(plateLayer(), request); }),
+        "radius of the tube is 10, but must be at most the diagonal of the mesh, 1.414"
+    );
+}
+
+TEST(RunCurveFilter, GivesTheControlPolygonWithoutRepeatedPoints) {
+    CurveRequest request;
+    request.controlPolygon = true;
+    for (const bool closed : {false, true}) {
+        request.solver.closed = closed;
+        const CurveResult result = draw(plateLayer(), request);
+        ASSERT_TRUE(result.controlPolygon);
+        EXPECT_EQ(result.controlPolygon->closed, closed);
+        const std::vector<Vec3>& points = result.controlPolygon->points;
+        const std::size_t repeated = closed ? 3 : 0;
+        EXPECT_EQ(points.size() + repeated, result.curve.spline.controlPoints.size());
+        EXPECT_GT((points.front() - points.back()).norm(), 1e-3);
+    }
+}
+
+TEST(RunCurveFilter, GivesTopAndBottomOfTheShell) {
+    CurveRequest request;
+    request.shellLayers = true;
+    const CurveResult result = draw(plateLayer(), request);
+    ASSERT_TRUE(result.shellLayers);
+    EXPECT_GE(result.shellLayers->top.faces.size(), plateLayer().mesh.faces.size());
+    EXPECT_GT(result.shellLayers->top.vertices.front().z(), 0.0);
+    EXPECT_LT(result.shellLayers->bottom.vertices.front().z(), 0.0);
+}
+
+using SavedCurve = io_tests::FileTest;
+
+TEST_F(SavedCurve, HasTheFormatsOfTheWriter) {
+    std::string extensions;
+    for (const std::string& extension : curveFilter().parameter("save").extensions) {
+        extensions += (extensions.empty() ? "" : ", ") + extension;
+    }
+    EXPECT_EQ(extensions, curveExtensions());
+}
+
+TEST_F(SavedCurve, IsOfTheFormatOfItsExtension) {
+    for (const std::string& extension : curveFilter().parameter("save").extensions) {
+        CurveRequest request;
+        request.saveFile = path("kurve ä" + extension).string();
+        static_cast<void>(draw(plateLayer(), request));
+        EXPECT_GT(std::filesystem::file_size(request.saveFile), 100u) << extension;
+    }
+}
+
+TEST(RunCurveFilter, RefusesFilesThatItCannotWriteBeforeItDraws) {
+    CurveRequest request;
+    request.saveFile = "/no/such/folder/curve.ply";
+    DesignerCache designers;
+    const auto refused = [&] {
+        return refusal([&] { return draw(plateLayer(), request, designers); });
+    };
+    expectPart(refused(), "/no/such/folder");
+    request.saveFile = "curve.doc";
+    expectPart(refused(), "\".doc\"");
+}
+
+TEST_F(SavedCurve, IsNotWrittenWhereItIsNotUsable) {
+    LayerInput layer;
+    layer.mesh = icosphere(2);
+    CurveRequest request;
+    request.solver.distanceTolerance = 1e-9;
+    request.solver.maxRounds = 1;
+    request.solver.maxIterations = 1;
+    request.saveFile = path("curve.ply").string();
+    DesignerCache designers;
+    const CurveResult result = runCurveFilter(
+        layer,
+        {.tool = {layer.mesh.vertices[0], layer.mesh.vertices[40]}, .layer = {}},
+        request,
+        designers
+    );
+    EXPECT_FALSE(std::filesystem::exists(request.saveFile));
+    ASSERT_EQ(result.log.warnings.size(), 2u);
+    expectPart(result.log.warnings[1], "was not written to " + request.saveFile);
+}
+
+// ---- picks ----
+
+TEST(RunCurveFilter, TakesPicksFromTextAndLayerAlike) {
+    DesignerCache designers;
+    const CurveResult tool = draw(plateLayer(), {}, designers);
+    CurveRequest request;
+    request.picksText = "0.1 0.15 0; 0.5 0.8 0; 0.9 0.2 0";
+    EXPECT_EQ(
+        runCurveFilter(plateLayer(), {}, request, designers).curve.polyline.points,
+        tool.curve.polyline.points
+    );
+    const PickCandidates layer{.tool = {}, .layer = PicksLayer{"picks", kPicks, false}};
+    EXPECT_EQ(
+        runCurveFilter(plateLayer(), layer, {}, designers).curve.polyline.points,
+        tool.curve.polyline.points
+    );
+}
+
+TEST(RunCurveFilter, RefusesPicksThatAreMissingOrGivenTwice) {
+    DesignerCache designers;
+    CurveRequest request;
+    expectPart(
+        refusal([&] { return runCurveFilter(plateLayer(), {}, request, designers); }),
+        "no picks: give picks, picks_file or picks_layer"
+    );
+    request.picksText = "0 0 0; 1 0 0";
+    request.picksFile = "p.pp";
+    const PickCandidates layer{.tool = {}, .layer = PicksLayer{"p", kPicks, false}};
+    expectPart(
+        refusal([&] { return runCurveFilter(plateLayer(), layer, request, designers); }),
+        "by picks and picks_file and picks_layer: give one of them"
+    );
+    const PickCandidates mesh{.tool = {}, .layer = PicksLayer{"p", kPicks, true}};
+    expectPart(
+        refusal([&] { return runCurveFilter(plateLayer(), mesh, {}, designers); }),
+        "picks_layer: layer \"p\" has faces"
+    );
+}
+
+// ---- fields ----
+
+TEST(RunFieldFilter, AnswersWithOneValuePerVertexAndTheirRange) {
+    const LayerInput layer = plateLayer();
+    const FieldResult result =
+        runFieldFilter(layer, {.options = {.kind = FieldKind::BoundaryDistance}});
+    EXPECT_EQ(result.values.size(), layer.mesh.vertices.size());
+    EXPECT_EQ(figure<double>(result.figures, "minimum"), 0.0);
+    EXPECT_EQ(figure<double>(result.figures, "maximum"), 1.0);
+    expectPart(result.log.figures, "minimum=0 mean=0.");
+}
+
+TEST(DescribeFailure, SaysWhatHappened) {
+    const InputError input(InputErrorCode::EmptyMesh, "no faces");
+    EXPECT_EQ(describeFailure("curve", input), "no faces");
+    EXPECT_EQ(describeFailure("field", Cancelled()), "The field was cancelled.");
+    EXPECT_EQ(
+        describeFailure("curve", std::bad_alloc()),
+        "There is not enough memory for a curve on this mesh."
+    );
+    EXPECT_EQ(
+        describeFailure("curve", std::runtime_error("why")), "The curve could not be made: why"
+    );
+}
+
+}  // namespace
+}  // namespace bspline_curve

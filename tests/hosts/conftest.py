@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Real hosts: MeshLab and meshlabserver 2020.09 of Debian with our plugin beside theirs, on a display without a screen."""
+import importlib.util
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pymeshlab
+import pytest
+from virtual_display import VirtualDisplay
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", ROOT / "build" / "release"))
+
+
+@pytest.fixture(scope="session")
+def display():
+    missing = VirtualDisplay.missing_programs()
+    if missing:
+        pytest.skip(f"not installed: {', '.join(missing)} (Debian: xvfb openbox xdotool imagemagick)")
+    with VirtualDisplay() as display:
+        yield display
+
+
+@pytest.fixture(scope="session")
+def legacy_plugin():
+    path = BUILD / "plugins" / "meshlab-2020.09" / "libfilter_bspline_curve_legacy.so"
+    assert path.is_file(), f"{path} is not there: build with -DBSPLINE_CURVE_LEGACY=ON, or set BSPLINE_CURVE_BUILD"
+    return path
+
+
+@pytest.fixture(scope="session")
+def prefix(legacy_plugin, tmp_path_factory):
+    """MeshLab 2020.09 with our plugin, made as docs/MESHLAB.md says."""
+    folder = tmp_path_factory.mktemp("hosts") / "meshlab-2020.09"
+    command = [ROOT / "scripts" / "meshlab_2020_prefix", folder, legacy_plugin]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if "is not installed" in done.stderr or "not 2020.09" in done.stderr:
+        pytest.skip(done.stderr.strip())
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+@pytest.fixture(scope="session")
+def example_scripts():
+    """The module that writes filter scripts."""
+    spec = importlib.util.spec_from_file_location("example_scripts", ROOT / "scripts" / "example_scripts.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def write_script(example_scripts, tmp_path):
+    """Writes a filter script with these (filter, changed parameters) and returns its path."""
+
+    def write(*filters, name="script.mlx"):
+        text = example_scripts.script("A test's.", filters, example_scripts.descriptions())
+        (tmp_path / name).write_text(text)
+        return tmp_path / name
+
+    return write
+
+
+def write_ply(path, vertices, faces):
+    """Binary, with float coordinates, so that every host has the same numbers."""
+    head = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
+    head += [f"property float {axis}" for axis in "xyz"]
+    head += [f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
+    rows = np.empty(len(faces), dtype=[("count", "u1"), ("corners", "<i4", 3)])
+    rows["count"], rows["corners"] = 3, faces
+    path.write_bytes("\n".join(head).encode() + b"\n" + np.asarray(vertices, "<f4").tobytes() + rows.tobytes())
+    return path
+
+
+@pytest.fixture(scope="session")
+def bunny(tmp_path_factory):
+    """The bunny of pymeshlab's wheel as bunny.ply; MeshLab 2020.09 ends while it reads the wheel's OBJ file."""
+    document = pymeshlab.MeshSet()
+    document.load_new_mesh(str(Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj"))
+    mesh = document.current_mesh()
+    return write_ply(tmp_path_factory.mktemp("meshes") / "bunny.ply", mesh.vertex_matrix(), mesh.face_matrix())
+
+
+@pytest.fixture(scope="session")
+def sphere(tmp_path_factory):
+    """A sphere of radius 1 about the origin as sphere.ply."""
+    document = pymeshlab.MeshSet()
+    document.create_sphere(radius=1, subdiv=5)
+    mesh = document.current_mesh()
+    return write_ply(tmp_path_factory.mktemp("meshes") / "sphere.ply", mesh.vertex_matrix(), mesh.face_matrix())

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drives MeshLab's window as a user does, with mouse and keyboard, and waits for what MeshLab itself shows or logs."""
+import re
+import tempfile
+from dataclasses import dataclass
+
+from virtual_display import wait_until
+
+# No statistics, no look for updates, no question about either at the first start.
+SETTINGS = """[General]
+informativeShown=true
+lastTimeMeshLabVersionCheckedOnStart=Thu Dec 31 2099
+"""
+SWITCHED_OFF = ("sendAnonymousData", "checkForUpdate")
+SETTING = (
+    'MeshLab%3A%3ASystem%3A%3A{0}="<!DOCTYPE MeshLabSettings>\\n<Param name=\\"MeshLab::System::{0}\\" '
+    'type=\\"RichBool\\" value=\\"false\\" description=\\"\\" tooltip=\\"\\"/>\\n"\n'
+)
+
+# From the bottom of a filter's dialog to the middle of its last row of buttons, Close and Apply.
+BUTTON_HEIGHT = 22
+
+
+@dataclass
+class Window:
+    id: str
+    name: str
+    x: int
+    y: int
+    width: int
+    height: int
+
+
+def write_settings(display):
+    folder = display.home / "config" / "VCG"
+    folder.mkdir(parents=True, exist_ok=True)
+    for scalar in ("fp", "dp"):
+        text = SETTINGS + "".join(SETTING.format(name) for name in SWITCHED_OFF)
+        (folder / f"MeshLab_64bit_{scalar}.conf").write_text(text)
+
+
+class MeshLabWindow:
+    """A running MeshLab with one mesh. Use it in a `with` statement; it ends with it."""
+
+    def __init__(self, display, program, mesh, **environment):
+        self.display, self.program, self.mesh = display, program, mesh
+        self._environment = {"BSPLINE_CURVE_CACHE": "", **environment}
+        self._process = None
+        self._log_path = None
+
+    def __enter__(self):
+        write_settings(self.display)
+        self._log_path = self.display.home / "meshlab.log"
+        with open(self._log_path, "wb") as log:
+            self._process = self.display.start([self.program, self.mesh], output=log, **self._environment)
+        try:
+            self.wait_for_log("All files opened")
+            self.main = wait_until(lambda: self.window(r"^MeshLab .*\["), "MeshLab's window")
+            self._focus_view()
+        except BaseException:
+            self._end()
+            raise
+        return self
+
+    def __exit__(self, kind, error, trace):
+        if error is not None:
+            with tempfile.NamedTemporaryFile(prefix="meshlab-", suffix=".png", delete=False) as file:
+                self.display.picture().save(file, "PNG")
+            error.add_note(f"The display as it was then: {file.name}. The log: {self.log()}")
+        self._end()
+
+    # ---- what MeshLab says ----
+
+    def log(self):
+        """What MeshLab logged, line by line, without levels."""
+        text = self._log_path.read_text(errors="replace")
+        return [match.group(1) for match in re.finditer(r"^LOG: \d (.*)$", text, re.MULTILINE)]
+
+    def wait_for_log(self, expected, count=1):
+        """Waits until so many lines hold an expression; the last of them."""
+
+        def found():
+            lines = [line for line in self.log() if re.search(expected, line)]
+            if len(lines) < count and self._process.poll() is not None:
+                raise RuntimeError(f"MeshLab ended: {self._log_path.read_text(errors='replace')[-2000:]}")
+            return lines[count - 1 :] and lines[-1]
+
+        return wait_until(found, f"{count} lines of the log with {expected!r}")
+
+    # ---- windows ----
+
+    def window(self, name):
+        """The visible window whose title matches; None where there is none."""
+        ids = self.display.xdotool("search", "--onlyvisible", "--name", name)
+        return self._described(ids[-1]) if ids else None
+
+    def wait_for_window(self, name):
+        return wait_until(lambda: self._settled(name), f"a window called {name!r}")
+
+    def wait_for_no_window(self, name):
+        wait_until(lambda: self.window(name) is None, f"the end of the window called {name!r}")
+
+    def _settled(self, name):
+        """The window, where it stays where it is."""
+        first = self.window(name)
+        self.display.picture()  # takes a moment
+        return first if first is not None and first == self.window(name) else None
+
+    def _described(self, window_id):
+        answer = self.display.run(["xdotool", "getwindowgeometry", "--shell", window_id])
+        values = dict(line.split("=", 1) for line in answer.stdout.splitlines() if "=" in line)
+        if not {"X", "Y", "WIDTH", "HEIGHT"} <= set(values):
+            return None  # it is gone
+        name = self.display.run(["xdotool", "getwindowname", window_id]).stdout.strip()
+        return Window(window_id, name, *(int(values[key]) for key in ("X", "Y", "WIDTH", "HEIGHT")))
+
+    # ---- mouse and keyboard ----
+
+    def click(self, x, y, button=1):
+        self.display.xdotool("mousemove", str(int(x)), str(int(y)))
+        self.display.xdotool("click", str(button))
+
+    def key(self, *keys):
+        self.display.xdotool("key", "--delay", "50", *keys)
+
+    def type(self, text):
+        self.display.xdotool("type", "--delay", "30", str(text))
+
+    def change_of_picture(self, box, before):
+        """Waits until a part (left, top, right, bottom) of the display no longer looks as before."""
+        wait_until(lambda: self.display.picture().crop(box) != before.crop(box), f"a change in {box}")
+
+    # ---- what users do ----
+
+    def start_action(self, name):
+        """Finds an action of the menus by its name, with Ctrl+F, and starts it."""
+        self._focus_view()
+        before = self.display.picture()
+        right_half = (self.main.width // 2, self.main.y, self.main.width, self.main.y + 200)
+        self.key("ctrl+f")
+        self.change_of_picture(right_half, before)
+        before = self.display.picture()
+        self.type(name)
+        self.change_of_picture(right_half, before)
+        self.wait_for_still_picture()  # the list of what it found
+        self.key("Down")
+        self.key("Return")
+
+    def pick(self, points):
+        """Right-clicks points (x, y) of the display with the tool PickPoints, and stays in it."""
+        self.start_action("PickPoints")
+        self.wait_for_log("Started Mode PickPoints")
+        self.wait_for_window("^Form$")
+        for x, y in points:
+            self.wait_for_still_picture()
+            before = self.display.picture()
+            self.click(x, y, button=3)
+            self.change_of_picture((int(x) - 6, int(y) - 12, int(x) + 6, int(y) + 12), before)
+
+    def open_filter(self, name):
+        """Opens a filter's dialog; its window."""
+        self.start_action(name)
+        return self.wait_for_window(f"^{re.escape(name)}$")
+
+    def apply(self, dialog):
+        """Clicks Apply of a filter's dialog; see applied() and wait_for_window("^Filter Failure$")."""
+        self.click(dialog.x + dialog.width * 0.74, dialog.y + dialog.height - BUTTON_HEIGHT)
+
+    def applied(self, name, count=1):
+        """Waits until a filter was applied so many times, in all."""
+        self.wait_for_log(f"^Applied filter:? {re.escape(name)} in", count)
+
+    def close(self, dialog):
+        """Clicks Close of a filter's dialog."""
+        self.click(dialog.x + dialog.width * 0.25, dialog.y + dialog.height - BUTTON_HEIGHT)
+        self.wait_for_no_window(f"^{re.escape(dialog.name)}$")
+
+    def export_layer(self, path):
+        """Writes the current layer to a file that is not there yet, with File > Export Mesh as."""
+        self.key("ctrl+shift+e")
+        self.wait_for_window("^Save .* Layer$")
+        self.type(path)
+        self.key("Return")
+        self.wait_for_window("^Choose Saving Options")
+        self.key("Return")
+        self.wait_for_log(f"^Saved Mesh {re.escape(str(path))}")
+
+    def view(self):
+        """The part of the window that shows the mesh."""
+        ids = self.display.xdotool("search", "--onlyvisible", "--class", "meshlab")
+        parts = [window for window in map(self._described, ids) if window and window.name.startswith("MeshLab_64bit")]
+        # Of those that are equally large the last one holds no other, and only its place is exact.
+        return max(reversed(parts), key=lambda window: window.width * window.height)
+
+    def _focus_view(self):
+        """Clicks beside the mesh."""
+        self.click(self.main.x + 20, self.main.y + 150)
+
+    def wait_for_still_picture(self):
+        """Until the display looks the same twice in a row. The frame rate below the mesh never does."""
+
+        def is_still():
+            first, second = (self.display.picture() for _ in range(2))
+            upper = (0, 0, first.width, self.main.y + self.main.height * 3 // 4)
+            return first.crop(upper) == second.crop(upper)
+
+        wait_until(is_still, "a still picture")
+
+    def _end(self):
+        self._process.kill()
+        self._process.wait()

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The windows of MeshLab 2020.09 and 2025.07: points picked with the mouse become a curve on the mesh."""
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import polylines
+import pymeshlab
+import pytest
+from meshlab_window import MeshLabWindow
+from meshlabserver import figures_of
+
+ROOT = Path(__file__).resolve().parents[2]
+CURVE = "B-spline Curve on Surface"
+FIELD = "Scalar Field for Curves"
+
+# Where the mouse picks, in pixels from the middle of the view.
+CLICKS = np.array([[0, -110], [90, -60], [70, 60], [-50, 70]])
+
+
+@dataclass
+class Session:
+    """What was seen and written while the window was used."""
+
+    error_shown: bool
+    log: list
+    view_height: int
+    curve: tuple  # vertices and edges of the last curve, as MeshLab exported it
+
+
+def program_of(host, request, display):
+    """MeshLab's program, with the plugin where it looks for it."""
+    if host == "2020.09":
+        return request.getfixturevalue("prefix") / "bin" / "meshlab"
+    where = subprocess.run([ROOT / "scripts" / "build_meshlab_gui", "--where"], capture_output=True, text=True)
+    program = Path(where.stdout.strip()) / "bin" / "meshlab"
+    if not program.is_file():
+        pytest.skip("the window of MeshLab 2025.07 is not built; scripts/build_meshlab_gui builds it in 15 minutes")
+    plugins = display.home / "data" / "VCG" / "MeshLab_64bit_dp" / "MeshLabExtraPlugins" / "2025.07d"
+    plugins.mkdir(parents=True, exist_ok=True)
+    shutil.copy(request.getfixturevalue("plugin_path"), plugins)
+    return program
+
+
+@pytest.fixture(scope="module", params=["2020.09", "2025.07"])
+def session(request, display, sphere, tmp_path_factory):
+    exported = tmp_path_factory.mktemp("exported") / "curve.obj"
+    with MeshLabWindow(display, program_of(request.param, request, display), sphere) as meshlab:
+        dialog = meshlab.open_filter(FIELD)
+        meshlab.apply(dialog)
+        meshlab.applied(FIELD)
+        meshlab.close(dialog)
+
+        dialog = meshlab.open_filter(CURVE)
+        meshlab.apply(dialog)
+        error_shown = meshlab.wait_for_window("^Filter Failure$") is not None
+        meshlab.key("Return")
+        meshlab.wait_for_no_window("^Filter Failure$")
+        meshlab.close(dialog)
+
+        view = meshlab.view()
+        meshlab.pick(CLICKS + [view.x + view.width / 2, view.y + view.height / 2])
+        dialog = meshlab.open_filter(CURVE)
+        for count in (1, 2):  # the first curve is the current layer when the second is drawn
+            meshlab.apply(dialog)
+            meshlab.applied(CURVE, count)
+        meshlab.export_layer(exported)
+        return Session(error_shown, meshlab.log(), view.height, polylines.read_obj(exported))
+
+
+def curves_of(session):
+    return [figures for figures in map(figures_of, session.log) if figures and "usable" in figures]
+
+
+def test_an_error_is_shown_and_logged(session):
+    assert session.error_shown
+    assert any("no picks: give picks, picks_file or picks_layer" in line for line in session.log)
+
+
+def test_a_field_is_computed(session):
+    (figures,) = [figures for figures in map(figures_of, session.log) if figures and "mean" in figures]
+    assert float(figures["maximum"]) == pytest.approx(float(figures["minimum"]), rel=0.01)  # the mesh is a sphere
+
+
+def test_apply_works_twice_in_a_row_and_the_second_needs_no_shell(session):
+    first, second = curves_of(session)
+    assert (first["usable"], second["usable"]) == ("true", "true")
+    assert (first["shell_kept"], second["shell_kept"]) == ("false", "true")
+    assert first["length"] == second["length"]
+
+
+def test_the_layer_holds_the_curve(session, sphere):
+    vertices, edges = session.curve
+    assert edges.tolist() == polylines.in_order(vertices, closed=False)
+    figures = curves_of(session)[-1]
+    assert len(vertices) == int(figures["vertices"])
+    assert polylines.length(vertices, edges) == pytest.approx(float(figures["length"]), rel=1e-4)
+    document = pymeshlab.MeshSet()
+    document.load_new_mesh(str(sphere))
+    surface = document.current_mesh()
+    assert polylines.distance_to_mesh(vertices, surface.vertex_matrix(), surface.face_matrix()) <= 2e-6
+
+
+def test_the_curve_passes_where_the_mouse_picked(session):
+    vertices, edges = session.curve
+    focal = session.view_height / 2 / np.tan(np.radians(30))  # MeshLab's field of view is 60 degrees
+    up = CLICKS * [1, -1]
+    # How far the eye is from the middle of the sphere, as either end of the curve tells.
+    ends = vertices[[0, -1]]
+    eye = ends[:, 2] + focal * np.linalg.norm(ends[:, :2], axis=1) / np.linalg.norm(up[[0, -1]], axis=1)
+    assert eye[0] == pytest.approx(eye[1], rel=0.01)
+    picks = [on_sphere(click / focal, eye.mean()) for click in up]
+    assert polylines.distance_to(picks, vertices, edges) <= 0.02
+    np.testing.assert_allclose(ends, [picks[0], picks[-1]], atol=0.02)
+
+
+def on_sphere(slope, eye):
+    """Where a ray from (0, 0, eye), which moves by `slope` (x, y) for each unit of depth, meets the unit sphere."""
+    squared = slope @ slope
+    depth = (eye - np.sqrt(eye**2 - (1 + squared) * (eye**2 - 1))) / (1 + squared)
+    return np.array([*(slope * depth), eye - depth])
