@@ -63,6 +63,27 @@ void carryOver(const Triangle& from, const Triangle& to, int k, FootPoint& foot)
     foot.v = after[2];
 }
 
+// The faces that share a point on the edge opposite to corner k of a face: the one across it, and
+// where the point is a vertex those on around that, this way; the way from the other edge at it
+// goes round the other side.
+template <class Visit>
+void forEachAcross(
+    const ShellBase& base, int face, int k, const Vec3& barycentric, const Visit& visit
+) {
+    const bool isFirstEnd = barycentric[(k + 1) % 3] <= 0.0;
+    const bool isVertex = isFirstEnd || barycentric[(k + 2) % 3] <= 0.0;
+    const int centre = base.faces[at(face)][at((k + (isFirstEnd ? 2 : 1)) % 3)];
+    int other = base.faceNeighbours[at(face)][at(k)];
+    for (int turn = 0; other >= 0 && other != face && turn < kMaxValence; ++turn) {
+        visit(other);
+        if (!isVertex) {
+            return;
+        }
+        const int slot = slotOf(base.faces[at(other)], centre);
+        other = base.faceNeighbours[at(other)][at((slot + (isFirstEnd ? 1 : 2)) % 3)];
+    }
+}
+
 }  // namespace
 
 // The corner 0 of a face with the edges from there, and the same of the directions.
@@ -171,22 +192,8 @@ void FootFinder::toNearest(const Vec3& p, FootPoint& foot, FootFrame& frame) con
         const int here = face;
         const Vec3 barycentric = nearest.barycentric;
         for (int k = 0; k < 3; ++k) {
-            if (barycentric[k] > 0.0) {
-                continue;
-            }
-            // Across the edge, and on around the vertex where the point is one, this way; the way
-            // from the other edge at it goes round the other side.
-            const bool isFirstEnd = barycentric[(k + 1) % 3] <= 0.0;
-            const bool isVertex = isFirstEnd || barycentric[(k + 2) % 3] <= 0.0;
-            const int centre = base_.faces[at(here)][at((k + (isFirstEnd ? 2 : 1)) % 3)];
-            int other = base_.faceNeighbours[at(here)][at(k)];
-            for (int turn = 0; other >= 0 && other != here && turn < kMaxValence; ++turn) {
-                compare(other);
-                if (!isVertex) {
-                    break;
-                }
-                const int slot = slotOf(base_.faces[at(other)], centre);
-                other = base_.faceNeighbours[at(other)][at((slot + (isFirstEnd ? 1 : 2)) % 3)];
+            if (barycentric[k] <= 0.0) {
+                forEachAcross(base_, here, k, barycentric, compare);
             }
         }
     }

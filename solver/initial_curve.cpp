@@ -175,8 +175,8 @@ SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, doub
         std::vector<double> finer{breaks.front()};
         for (int span = 0; span < space.spanCount(); ++span) {
             const PolynomialCurve curve = space.polynomial(controls, span);
-            bool isNear = 0.5 * space.spanLength(span) < problem.options.minimumSpan;
-            for (int i = 0; i < kSamplesPerSpan && !isNear; ++i) {
+            const bool isShort = 0.5 * space.spanLength(span) < problem.options.minimumSpan;
+            for (int i = 0; i < kSamplesPerSpan && !isShort; ++i) {
                 const double tau = (i + 0.5) / kSamplesPerSpan;
                 const double t = breaks[at(span)] + tau * space.spanLength(span);
                 if ((curve.at(tau) - guidePosition(guide, t)).norm() > distance) {
