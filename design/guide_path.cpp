@@ -120,8 +120,8 @@ CurveProblem tautProblem(
 }
 
 // Longer strips of faces are pulled taut at samples instead of straightened vertex by vertex, where
-// there is nothing to keep out of: that takes as long as to straighten a strip of about this many.
-constexpr std::size_t kLongStrip = 64;
+// there is nothing to keep out of. That depends on roundings a little more than straightening.
+constexpr std::size_t kLongStrip = 200;
 
 std::optional<std::vector<SurfacePoint>> findPath(
     GeodesicPathFinder& finder,

@@ -20,7 +20,7 @@ constexpr int kSegments = 8;
 constexpr double kUnitShare = 0.01;
 constexpr std::array<double, 2> kWeights = {10.0, 1e3};
 constexpr int kMaxSteps = 6;
-constexpr double kDecrement = 1e-5;
+constexpr double kDecrement = 1e-10;
 // No path floats as high as this, or is longer than the one that it comes from by more.
 constexpr double kHighest = 0.02;
 constexpr double kLongest = 1.02;
