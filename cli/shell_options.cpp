@@ -70,6 +70,12 @@ public:
             throw CLI::RequiredError("one of --output, --report, --check");
         }
         arguments_.shell = curveRequest(options_.values()).shell;
+        if (arguments_.shell.kind == ShellKind::Local) {
+            throw CLI::ValidationError(
+                "--shell",
+                "local shells are built near a curve as it is drawn: use simplified or full"
+            );
+        }
         return arguments_;
     }
 

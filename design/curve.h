@@ -51,6 +51,7 @@ struct Curve {
     SurfacePolyline polyline;
     SplineData spline;
     SolveReport report;
+    int prisms = 0;  ///< of the shell that it was drawn in, without those that are blocked
 };
 
 }  // namespace bspline_curve

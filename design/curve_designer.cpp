@@ -2,11 +2,14 @@
 #include "design/curve_designer.h"
 
 #include "design/guide_path.h"
-#include "design/near_shell.h"
+#include "design/prepared_surface.h"
+#include "design/shadow_curve.h"
 #include "design/strict_polyline.h"
+#include "shell/near_shell.h"
 #include "shell/shell_boundary.h"
 #include "shell/shell_store.h"
 #include "solver/obstacles.h"
+#include "solver/relaxation.h"
 #include "solver/solve.h"
 #include "surface/index_sets.h"
 #include "surface/input_error.h"
@@ -14,7 +17,6 @@
 #include "surface/region.h"
 #include "surface/stopwatch.h"
 #include "surface/surface_point.h"
-#include "surface/triangle_tree.h"
 
 #include <Eigen/Geometry>
 
@@ -34,18 +36,16 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-ShellSummary summaryOf(const ObtainedShell& obtained) {
-    const Shell& shell = obtained.build.shell;
-    const auto count = std::ranges::count_if(shell.prisms(), [](const Prism& prism) {
+int countPrisms(const Shell& shell) {
+    return static_cast<int>(std::ranges::count_if(shell.prisms(), [](const Prism& prism) {
         return prism.orientation != 0;
-    });
-    return {
-        .kind = shell.kind(),
-        .prisms = static_cast<int>(count),
-        .isFromStore = obtained.isFromStore,
-        .notes = obtained.notes
-    };
+    }));
 }
+
+// Half a prism through which the shadow of a curve in a simplified shell is drawn, in mean edge
+// lengths, and at least in tolerances of the curve.
+constexpr double kShadowThickness = 0.5;
+constexpr double kLeastShadowTolerances = 2.5;
 
 // What the curve avoids is certain only where every iterate is checked as a whole.
 void requireExactAvoidance(const SolverOptions& options) {
@@ -128,6 +128,11 @@ double areaOf(const Surface& surface) {
     return 0.5 * twice;
 }
 
+// Share of the progress for what comes before the shell.
+constexpr double kPreparedShare = 0.1;
+// And for building the whole shell where a curve needs it.
+constexpr double kWholeShare = 0.5;
+
 // Shares of the field by which paths follow it: less where no spline along them stays in the shell.
 constexpr std::array<double, 3> kGuideShares = {1.0, 0.25, 0.0};
 
@@ -145,36 +150,15 @@ struct Solved {
 
 }  // namespace
 
-struct CurveDesigner::State {
-    State(
-        TriangleMesh mesh,
-        const ShellOptions& options,
-        const Progress& progress,
-        const ShellStore* store
-    )
-        : surface(std::move(mesh)),
-          validated(watch.lap()),
-          tree(surface.vertices(), surface.faces()),
-          treeBuilt(watch.lap()),
-          base(std::make_shared<const ShellBase>(makeShellBase(surface, options.smoothingPasses))),
-          obtained(findOrMakeShell(surface, base, options, store, progress)) {
-        seconds = {validated, treeBuilt, watch.lap()};
-        keepShell(surface, *base, options, store, obtained);
-        summary = summaryOf(obtained);
-    }
+struct CurveDesigner::State : PreparedSurface {
+    using PreparedSurface::PreparedSurface;
 
-    Stopwatch watch;
-    Surface surface;
-    double validated;
-    TriangleTree tree;
-    PatchLevels patches{surface};
-    double finestEdge = kFinestEdge * std::sqrt(areaOf(surface));  ///< shorter ones count as that
-    double treeBuilt;
-    std::shared_ptr<const ShellBase> base;
-    ObtainedShell obtained;
-    StageSeconds seconds;
-    ShellSummary summary;
+    double finestEdge = kFinestEdge * std::sqrt(areaOf(surface()));  ///< shorter ones count as that
 
+    [[nodiscard]] StageSeconds stageSeconds() const;
+    [[nodiscard]] ShellSummary summary() const;
+
+    /// Without a shell.
     [[nodiscard]] CurveProblem makeProblem(
         const SolverOptions& options,
         std::vector<PickConstraint> picks,
@@ -189,23 +173,61 @@ struct CurveDesigner::State {
     [[nodiscard]] std::optional<Obstacles> obstaclesOf(
         const Region& region, const SolverOptions& options
     ) const;
+    [[nodiscard]] CurveProblem problemOnPath(
+        PickPath& path, const SolverOptions& options, const Guides& guides, const Progress& progress
+    ) const;
     [[nodiscard]] Solved solveCurve(
         const std::vector<SurfacePoint>& picks,
         const SolverOptions& options,
         const Guides& guides,
         const Progress& progress
     ) const;
+    [[nodiscard]] std::optional<Solved> solveNearby(
+        const std::vector<SurfacePoint>& picks,
+        const SolverOptions& options,
+        const Guides& guides,
+        const Progress& progress
+    ) const;
+    [[nodiscard]] Solved solveInWhole(
+        const std::vector<SurfacePoint>& picks,
+        const SolverOptions& options,
+        const Guides& guides,
+        const Progress& progress
+    ) const;
+    /// Where it is local and holds the curve.
+    [[nodiscard]] std::optional<NearShell> shellNear(
+        const SurfacePolyline& line,
+        const CurveProblem& problem,
+        const SplineSpace& space,
+        const ControlPoints& controls
+    ) const;
     void measureClearance(const Region& region, Curve& curve) const;
     [[nodiscard]] SurfacePolyline polylineOf(
         const CurveProblem& problem,
         const SplineSpace& space,
         const ControlPoints& controls,
+        const NearShell* near,
         const SamplingOptions& sampling
     ) const;
     [[nodiscard]] SplineData exportSpline(
         const SplineCurve& curve, const CurveProblem& problem
     ) const;
 };
+
+StageSeconds CurveDesigner::State::stageSeconds() const {
+    const Seconds all = seconds();
+    return {all.validate, all.tree, all.base + all.wholeShell};
+}
+
+ShellSummary CurveDesigner::State::summary() const {
+    ShellSummary summary;
+    summary.kind = options().kind;
+    if (const ObtainedShell* const whole = wholeShellIfBuilt()) {
+        summary.isFromStore = whole->isFromStore;
+        summary.notes = whole->notes;
+    }
+    return summary;
+}
 
 // c(I) at each vertex.
 std::vector<double> CurveDesigner::State::checkedCosts(
@@ -214,11 +236,11 @@ std::vector<double> CurveDesigner::State::checkedCosts(
     if (field.empty()) {
         return {};
     }
-    if (field.size() != surface.vertices().size()) {
+    if (field.size() != surface().vertices().size()) {
         throw InputError(
             InputErrorCode::BadField,
             "the field has " + std::to_string(field.size()) + " values for " +
-                std::to_string(surface.vertices().size()) + " vertices: give one value per vertex"
+                std::to_string(surface().vertices().size()) + " vertices: give one value per vertex"
         );
     }
     std::vector<double> costs = vertexCostsOf(field, cost);
@@ -244,14 +266,14 @@ std::vector<double> CurveDesigner::State::fieldOnPillars(std::span<const double>
         return {};
     }
     std::vector<double> values(field.begin(), field.end());
-    for (const int origin : base->ghostOrigin) {
+    for (const int origin : base()->ghostOrigin) {
         values.push_back(field[at(origin)]);
     }
     return values;
 }
 
 void CurveDesigner::State::refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const {
-    const std::vector<int>& blocked = obtained.build.report.blockedFaces;
+    const std::vector<int>& blocked = wholeShell().build.report.blockedFaces;
     for (std::size_t i = 0; i < picks.size(); ++i) {
         if (std::binary_search(blocked.begin(), blocked.end(), picks[i].face)) {
             throw InputError(
@@ -267,7 +289,7 @@ void CurveDesigner::State::refuseBlockedPicks(const std::vector<SurfacePoint>& p
 }
 
 Region CurveDesigner::State::regionOf(std::span<const int> faces) const {
-    return makeRegion(surface, std::vector<std::int64_t>(faces.begin(), faces.end()));
+    return makeRegion(surface(), std::vector<std::int64_t>(faces.begin(), faces.end()));
 }
 
 std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
@@ -278,7 +300,7 @@ std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
     }
     requireExactAvoidance(options);
     return std::optional<Obstacles>(
-        std::in_place, surface, *base, region, options.avoidMargin * surface.diagonal()
+        std::in_place, surface(), *base(), region, options.avoidMargin * surface().diagonal()
     );
 }
 
@@ -286,15 +308,16 @@ CurveProblem CurveDesigner::State::makeProblem(
     const SolverOptions& options, std::vector<PickConstraint> picks, std::span<const double> field
 ) const {
     CurveProblem problem;
-    problem.shell = &obtained.build.shell;
-    problem.base = base.get();
+    problem.surface = &surface();
+    problem.base = base().get();
+    problem.nearThickness = this->PreparedSurface::options().thickness;
     problem.picks = std::move(picks);
     problem.field = fieldOnPillars(field);
     problem.options = options;
-    problem.averageEdgeLength = surface.averageEdgeLength() / base->frame.scale;
+    problem.averageEdgeLength = surface().averageEdgeLength() / base()->frame.scale;
     problem.distanceTolerance = options.distanceTolerance *
-                                std::max(surface.averageEdgeLength(), finestEdge) /
-                                base->frame.scale;
+                                std::max(surface().averageEdgeLength(), finestEdge) /
+                                base()->frame.scale;
     for (std::size_t i = 0; i + 1 < problem.picks.size(); ++i) {
         problem.chordLength += (problem.picks[i + 1].position - problem.picks[i].position).norm();
     }
@@ -305,37 +328,96 @@ CurveProblem CurveDesigner::State::makeProblem(
     return problem;
 }
 
+CurveProblem CurveDesigner::State::problemOnPath(
+    PickPath& path, const SolverOptions& options, const Guides& guides, const Progress& progress
+) const {
+    CurveProblem problem = makeProblem(options, std::move(path.picks), guides.field);
+    problem.fieldCosts = summaryOf(guides.vertexCosts);
+    problem.obstacles = guides.obstacles;
+    problem.progress = progress;
+    return problem;
+}
+
 Solved CurveDesigner::State::solveCurve(
     const std::vector<SurfacePoint>& picks,
     const SolverOptions& options,
     const Guides& guides,
     const Progress& progress
 ) const {
+    if (this->PreparedSurface::options().kind == ShellKind::Local) {
+        if (std::optional<Solved> solved = solveNearby(picks, options, guides, progress)) {
+            return std::move(*solved);
+        }
+    }
+    return solveInWhole(picks, options, guides, partOf(progress, kRelaxedShare, 1.0));
+}
+
+// Relaxed in a shell of its own; nothing where that fails, or where it comes upon a face in which
+// the surface crosses itself.
+std::optional<Solved> CurveDesigner::State::solveNearby(
+    const std::vector<SurfacePoint>& picks,
+    const SolverOptions& options,
+    const Guides& guides,
+    const Progress& progress
+) const {
+    Stopwatch lap;
+    const FieldTravel travel = fieldTravelOf(surface(), guides.vertexCosts, options);
+    PickPath path = makePickPath(
+        surface(), *base(), picks, options.closed, {{}, travel, guides.obstacles, &patches()}
+    );
+    CurveProblem problem = problemOnPath(path, options, guides, progress);
+    const double pathSeconds = lap.lap();
+    std::optional<Solution> solution = relax(problem, path.guide);
+    if (!solution) {
+        return std::nullopt;
+    }
+    solution->report.seconds.path = pathSeconds;
+    const ShadowCurve shadow(
+        tracedShellOf(problem, solution->near.get()),
+        solution->curve.space,
+        solution->curve.controls
+    );
+    const std::vector<int> passed = shadow.faces();
+    const bool isCrossed = std::ranges::any_of(passed, [&](int f) {
+        const int face = solution->near->faces[at(f)];
+        return face < surface().faceCount() && crossings().hasCrossing(face);
+    });
+    return isCrossed ? std::nullopt : std::optional<Solved>({problem, std::move(*solution)});
+}
+
+Solved CurveDesigner::State::solveInWhole(
+    const std::vector<SurfacePoint>& picks,
+    const SolverOptions& options,
+    const Guides& guides,
+    const Progress& progress
+) const {
+    const ObtainedShell& whole = wholeShell(partOf(progress, 0.0, kWholeShare));
+    refuseBlockedPicks(picks);
     std::optional<ShellBoundary> boundary;
     if (options.quadrature == Quadrature::Samples) {
-        boundary.emplace(obtained.build.shell);
+        boundary.emplace(whole.build.shell);
     }
     Stopwatch lap;
     for (const double share : kGuideShares) {
-        const FieldTravel travel = fieldTravelOf(surface, guides.vertexCosts, options, share);
+        const FieldTravel travel = fieldTravelOf(surface(), guides.vertexCosts, options, share);
         if (share > 0.0 && travel.empty()) {
             continue;
         }
         PickPath path = makePickPath(
-            surface,
-            *base,
+            surface(),
+            *base(),
             picks,
             options.closed,
-            {obtained.build.report.blockedFaces, travel, guides.obstacles, &patches}
+            {whole.build.report.blockedFaces, travel, guides.obstacles, &patches()}
         );
-        CurveProblem problem = makeProblem(options, std::move(path.picks), guides.field);
-        problem.fieldCosts = summaryOf(guides.vertexCosts);
-        problem.obstacles = guides.obstacles;
+        CurveProblem problem =
+            problemOnPath(path, options, guides, partOf(progress, kWholeShare, 1.0));
+        problem.shell = &whole.build.shell;
         problem.boundary = boundary ? &*boundary : nullptr;
-        problem.progress = progress;
         const double pathSeconds = lap.lap();
         if (std::optional<Solution> solution = solve(problem, path.guide)) {
             problem.boundary = nullptr;  // it ends here
+            problem.progress = {};       // and this
             solution->report.seconds.path = pathSeconds;
             return {std::move(problem), std::move(*solution)};
         }
@@ -351,37 +433,67 @@ SurfacePolyline CurveDesigner::State::polylineOf(
     const CurveProblem& problem,
     const SplineSpace& space,
     const ControlPoints& controls,
+    const NearShell* near,
     const SamplingOptions& sampling
 ) const {
-    const ShadowCurve shadow(problem, space, controls);
+    const ShadowCurve shadow(tracedShellOf(problem, near), space, controls);
     if (!shadow.isWhole()) {
         throw std::logic_error("the polyline was asked of a spline that leaves its shell");
     }
-    if (problem.shell->isFullResolution()) {
-        return makeStrictPolyline(surface, problem, shadow, sampling);
+    if (near != nullptr || problem.shell->isFullResolution()) {
+        return makeStrictPolyline(surface(), problem, shadow, sampling);
     }
-    const double tolerance = problem.distanceTolerance;
-    const NearShell near(surface, *base, shadow, tolerance);
-    CurveProblem nearProblem = problem;
-    nearProblem.shell = &near.shell;
-    nearProblem.base = &near.base;
-    for (PickConstraint& pick : nearProblem.picks) {
-        pick.point.face = near.indexOf(pick.point.face);
-    }
-    const ShadowCurve fine(nearProblem, space, controls, &near.faces);
+    // The fibres of a simplified shell are oblique to the surface, so a spline that is smooth and
+    // within its tolerance has a shadow along them that is less smooth.
+    const NearShell fineShell(
+        surface(),
+        *base(),
+        shadow.faces(),
+        {.thickness = kShadowThickness, .least = kLeastShadowTolerances * problem.distanceTolerance}
+    );
+    const ShadowCurve fine(tracedShellOf(problem, &fineShell), space, controls);
     // Other fibres may lead into what the curve avoids.
-    const auto isAvoided = [&](int f) { return problem.obstacles->isAvoided(near.faces[at(f)]); };
+    const auto isAvoided = [&](int f) {
+        return problem.obstacles->isAvoided(fineShell.faces[at(f)]);
+    };
     const bool isUsable = fine.isWhole() && (problem.obstacles == nullptr ||
                                              std::ranges::none_of(fine.faces(), isAvoided));
-    return makeStrictPolyline(surface, problem, isUsable ? fine : shadow, sampling);
+    return makeStrictPolyline(surface(), problem, isUsable ? fine : shadow, sampling);
+}
+
+std::optional<NearShell> CurveDesigner::State::shellNear(
+    const SurfacePolyline& line,
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls
+) const {
+    if (options().kind != ShellKind::Local) {
+        return std::nullopt;
+    }
+    std::vector<int> faces;
+    for (const SurfacePoint& point : line.surfacePoints) {
+        faces.push_back(point.face);
+    }
+    std::optional<NearShell> near(
+        std::in_place,
+        surface(),
+        *base(),
+        faces,
+        NearShellSize{
+            .thickness = options().thickness,
+            .least = kLeastShadowTolerances * problem.distanceTolerance
+        }
+    );
+    const ShadowCurve shadow(tracedShellOf(problem, &*near), space, controls);
+    return shadow.isWhole() ? std::move(near) : std::nullopt;
 }
 
 void CurveDesigner::State::measureClearance(const Region& region, Curve& curve) const {
     std::vector<Triangle> avoided;
     for (const int f : region) {
-        avoided.push_back(surface.faces()[at(f)]);
+        avoided.push_back(surface().faces()[at(f)]);
     }
-    const TriangleTree avoidedTree(surface.vertices(), avoided);
+    const TriangleTree avoidedTree(surface().vertices(), avoided);
     curve.report.avoidedFaces = static_cast<int>(region.size());
     for (const Vec3& point : curve.polyline.points) {
         curve.report.clearance = std::min(
@@ -400,7 +512,7 @@ SplineData CurveDesigner::State::exportSpline(
     const int repeated = data.closed ? data.degree : 0;
     for (int i = 0; i < curve.space.controlCount() + repeated; ++i) {
         const int c = i % curve.space.controlCount();
-        data.controlPoints.push_back(base->frame.toUser(curve.controls.row(c).transpose()));
+        data.controlPoints.push_back(base()->frame.toUser(curve.controls.row(c).transpose()));
     }
     for (const PickConstraint& pick : problem.picks) {
         data.pickParameters.push_back(pick.parameter);
@@ -413,27 +525,33 @@ CurveDesigner::CurveDesigner(
     const ShellOptions& options,
     const Progress& progress,
     const ShellStore* store
-)
-    : state_(std::make_unique<State>(std::move(mesh), options, progress, store)) {}
+) {
+    bspline_curve::report(progress, 0.0, "preparing the surface");
+    state_ = std::make_unique<State>(std::move(mesh), options);
+    bspline_curve::report(progress, kPreparedShare, "building the shell");
+    if (options.kind != ShellKind::Local) {
+        static_cast<void>(state_->wholeShell(partOf(progress, kPreparedShare, 1.0), store));
+    }
+}
 
 CurveDesigner::~CurveDesigner() = default;
 CurveDesigner::CurveDesigner(CurveDesigner&&) noexcept = default;
 CurveDesigner& CurveDesigner::operator=(CurveDesigner&&) noexcept = default;
 
 const Surface& CurveDesigner::surface() const {
-    return state_->surface;
+    return state_->surface();
 }
 
-const StageSeconds& CurveDesigner::seconds() const {
-    return state_->seconds;
+StageSeconds CurveDesigner::seconds() const {
+    return state_->stageSeconds();
 }
 
-const ShellSummary& CurveDesigner::shell() const {
-    return state_->summary;
+ShellSummary CurveDesigner::shell() const {
+    return state_->summary();
 }
 
 ShellLayers CurveDesigner::shellLayers() const {
-    return makeShellLayers(state_->obtained.build.shell, state_->base->frame);
+    return makeShellLayers(state_->wholeShell().build.shell, state_->base()->frame);
 }
 
 Curve CurveDesigner::design(
@@ -448,12 +566,11 @@ Curve CurveDesigner::design(
     const State& state = *state_;
     const std::vector<double> vertexCosts = state.checkedCosts(guidance.field, options.fieldCost);
     const std::vector<SurfacePoint> located =
-        locatePicks(state.surface, state.tree, picks, options.closed);
-    state.refuseBlockedPicks(located);
+        locatePicks(state.surface(), state.tree(), picks, options.closed);
     const Region region = state.regionOf(guidance.avoid);
     const std::optional<Obstacles> obstacles = state.obstaclesOf(region, options);
     if (obstacles) {
-        refuseAvoidedPicks(state.surface, *obstacles, located);
+        refuseAvoidedPicks(state.surface(), *obstacles, located);
     }
     const auto [problem, solution] = state.solveCurve(
         located, options, {guidance.field, vertexCosts, obstacles ? &*obstacles : nullptr}, progress
@@ -464,12 +581,14 @@ Curve CurveDesigner::design(
 
     Stopwatch watch;
     Curve curve;
-    curve.polyline =
-        state.polylineOf(problem, solution.curve.space, solution.curve.controls, sampling);
+    curve.polyline = state.polylineOf(
+        problem, solution.curve.space, solution.curve.controls, solution.near.get(), sampling
+    );
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;
+    curve.prisms = countPrisms(tracedShellOf(problem, solution.near.get()).shell);
     if (obstacles) {
-        requireClear(state.surface, curve.polyline, *obstacles);
+        requireClear(state.surface(), curve.polyline, *obstacles);
         state.measureClearance(region, curve);
     }
     curve.report.seconds.polyline = watch.lap();
@@ -491,12 +610,12 @@ SurfacePolyline CurveDesigner::resample(
     );
     ControlPoints controls(space.controlCount(), 3);
     for (int c = 0; c < space.controlCount(); ++c) {
-        controls.row(c) = state.base->frame.toUnit(data.controlPoints[at(c)]).transpose();
+        controls.row(c) = state.base()->frame.toUnit(data.controlPoints[at(c)]).transpose();
     }
     std::vector<PickConstraint> picks;
     for (std::size_t i = 0; i < data.pickParameters.size(); ++i) {
         const SurfacePoint& point = curve.polyline.surfacePoints[at(curve.polyline.picks[i])];
-        picks.push_back({point, state.base->position(point), data.pickParameters[i]});
+        picks.push_back({point, state.base()->position(point), data.pickParameters[i]});
     }
     SolverOptions options;
     options.degree = data.degree;
@@ -504,9 +623,14 @@ SurfacePolyline CurveDesigner::resample(
     CurveProblem problem = state.makeProblem(options, std::move(picks), {});
     const std::optional<Obstacles> obstacles = state.obstaclesOf(state.regionOf(avoid), options);
     problem.obstacles = obstacles ? &*obstacles : nullptr;
-    SurfacePolyline line = state.polylineOf(problem, space, controls, sampling);
+    const std::optional<NearShell> near = state.shellNear(curve.polyline, problem, space, controls);
+    if (!near) {
+        problem.shell = &state.wholeShell().build.shell;
+    }
+    SurfacePolyline line =
+        state.polylineOf(problem, space, controls, near ? &*near : nullptr, sampling);
     if (obstacles) {
-        requireClear(state.surface, line, *obstacles);
+        requireClear(state.surface(), line, *obstacles);
     }
     return line;
 }

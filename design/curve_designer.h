@@ -22,17 +22,19 @@ struct StageSeconds {
 
 /// The shell that curves are sought in.
 struct ShellSummary {
-    ShellKind kind = ShellKind::FullResolution;
-    int prisms = 0;  ///< with those beyond boundaries, without those that are blocked
+    ShellKind kind = ShellKind::Local;
     bool isFromStore = false;
     std::vector<std::string> notes;  ///< about the store; empty where all is well
 };
 
 /// Draws curves on one surface; keeps what can be used again for the next curve (tree, shell).
+/// Several threads may draw at once.
 class CurveDesigner {
 public:
     /// Validates the mesh and builds the shell, or takes it from `store` where one is given (null:
-    /// none); a shell that it has built is stored there. Throws InputError, Cancelled.
+    /// none); a simplified shell that it has built is stored there. A local shell is built near
+    /// each curve, and the whole of it with the first curve that needs it. Throws InputError,
+    /// Cancelled. A local shell: O(n log n), about 0.6 us per face with two threads.
     explicit CurveDesigner(
         TriangleMesh mesh,
         const ShellOptions& options = {},
@@ -60,10 +62,10 @@ public:
     ) const;
 
     [[nodiscard]] const Surface& surface() const;
-    [[nodiscard]] const StageSeconds& seconds() const;
-    [[nodiscard]] const ShellSummary& shell() const;
+    [[nodiscard]] StageSeconds seconds() const;
+    [[nodiscard]] ShellSummary shell() const;
 
-    /// What the shell looks like, for people.
+    /// What the shell looks like, for people: the whole of it, which this builds where it is local.
     [[nodiscard]] ShellLayers shellLayers() const;
 
 private:

@@ -22,17 +22,14 @@ Vec3 clamped(Vec3 barycentric) {
 }  // namespace
 
 ShadowCurve::ShadowCurve(
-    const CurveProblem& problem,
-    const SplineSpace& space,
-    const ControlPoints& controls,
-    const std::vector<int>* faceNames
+    const TracedShell& traced, const SplineSpace& space, const ControlPoints& controls
 )
-    : problem_(problem), space_(space), controls_(controls), faceNames_(faceNames) {
+    : traced_(traced), space_(space), controls_(controls) {
     const auto parameter = [&](int span, double tau) {
         return space.breaks()[bspline_curve::at(span)] + tau * space.spanLength(span);
     };
     const int spans = traceCurve(
-        problem,
+        traced,
         space,
         controls,
         [&](int span, const PolynomialCurve&, const ShellCell& cell, double, double tau1) {
@@ -48,8 +45,8 @@ ShadowCurve::ShadowCurve(
                 return;
             }
             Vec3 shadow = from.shadow(curve.at(tau));
-            const Triangle& face = problem_.base->faces[bspline_curve::at(from.face)];
-            const Triangle& other = problem_.base->faces[bspline_curve::at(to.face)];
+            const Triangle& face = traced_.base.faces[bspline_curve::at(from.face)];
+            const Triangle& other = traced_.base.faces[bspline_curve::at(to.face)];
             for (int corner = 0; corner < 3; ++corner) {
                 if (cornerOf(other, face[bspline_curve::at(corner)]) < 0) {
                     shadow[corner] = 0.0;
@@ -72,13 +69,13 @@ std::vector<int> ShadowCurve::faces() const {
 }
 
 SurfacePoint ShadowCurve::toSurface(int face, const Vec3& shadow) const {
-    const ShellBase& base = *problem_.base;
-    if (!problem_.shell->isGhost(face)) {
+    const ShellBase& base = traced_.base;
+    if (!traced_.shell.isGhost(face)) {
         return named({face, shadow});
     }
     // A ghost triangle collapses onto the boundary edge that it grew from.
     int inner = face;
-    while (problem_.shell->isGhost(inner)) {
+    while (traced_.shell.isGhost(inner)) {
         inner = base.faceNeighbours[bspline_curve::at(inner)][2];
     }
     SurfacePoint point{inner, Vec3::Zero()};
@@ -91,9 +88,7 @@ SurfacePoint ShadowCurve::toSurface(int face, const Vec3& shadow) const {
 }
 
 SurfacePoint ShadowCurve::named(SurfacePoint point) const {
-    if (faceNames_ != nullptr) {
-        point.face = (*faceNames_)[bspline_curve::at(point.face)];
-    }
+    point.face = traced_.nameOf(point.face);
     return point;
 }
 
@@ -105,7 +100,7 @@ SurfacePoint ShadowCurve::at(double t) const {
     const Piece& piece = found == pieces_.end() ? pieces_.back() : *found;
     const double tau =
         (t - space_.breaks()[bspline_curve::at(piece.span)]) / space_.spanLength(piece.span);
-    const ShellCell cell(*problem_.shell, piece.tet, piece.foot, piece.face);
+    const ShellCell cell(traced_.shell, piece.tet, piece.foot, piece.face);
     return toSurface(
         cell.face, clamped(cell.shadow(space_.polynomial(controls_, piece.span).at(tau)))
     );

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/curve_problem.h"
 #include "solver/spline_space.h"
+#include "solver/traced_shell.h"
 
 #include <vector>
 
@@ -12,14 +12,8 @@ namespace bspline_curve {
 /// each piece carried to its face.
 class ShadowCurve {
 public:
-    /// `faceNames`: what each face of the base is called in the surface, where the base is only a
-    /// part of it; all arguments must outlive this.
-    ShadowCurve(
-        const CurveProblem& problem,
-        const SplineSpace& space,
-        const ControlPoints& controls,
-        const std::vector<int>* faceNames = nullptr
-    );
+    /// `space` and `controls` must outlive this, and so must what `traced` refers to.
+    ShadowCurve(const TracedShell& traced, const SplineSpace& space, const ControlPoints& controls);
 
     /// Whether the spline lies in the shell. If not, there is no shadow.
     [[nodiscard]] bool isWhole() const { return isWhole_; }
@@ -48,10 +42,9 @@ private:
     [[nodiscard]] SurfacePoint named(SurfacePoint point) const;
     [[nodiscard]] SurfacePoint toSurface(int face, const Vec3& shadow) const;
 
-    const CurveProblem& problem_;
+    TracedShell traced_;
     const SplineSpace& space_;
     const ControlPoints& controls_;
-    const std::vector<int>* faceNames_;
     bool isWhole_ = false;
     std::vector<Piece> pieces_;
     std::vector<Crossing> crossings_;

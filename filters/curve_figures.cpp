@@ -56,7 +56,7 @@ Figures curveFigures(const Curve& curve, const DesignerCache::Found& found, doub
         {"field_at_rest", report.fieldAtRest},
         {"avoided_faces", report.avoidedFaces},
         {"clearance", report.clearance},
-        {"prisms", shell.prisms},
+        {"prisms", curve.prisms},
         {"shell_cached", shell.isFromStore || found.isKept},
         {"shell_kept", found.isKept},
         {"seconds", seconds},

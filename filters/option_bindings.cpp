@@ -170,7 +170,8 @@ Bindings<ShellOptions> shellBindings() {
             &S::kind,
             Names<ShellKind>{
                 {name(ShellKind::Simplified), ShellKind::Simplified},
-                {name(ShellKind::FullResolution), ShellKind::FullResolution}
+                {name(ShellKind::FullResolution), ShellKind::FullResolution},
+                {name(ShellKind::Local), ShellKind::Local}
             }
         ),
         bound("target_thickness", &S::targetThickness),

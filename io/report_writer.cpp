@@ -114,7 +114,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"status", name(report.status)},
         {"usable", report.usable},
         {"shell", name(figures.shell.kind)},
-        {"prisms", figures.shell.prisms},
+        {"prisms", curve.prisms},
         {"cached", figures.shell.isFromStore},
         {"notes", figures.shell.notes},
         {"field", fieldOf(report, figures)},

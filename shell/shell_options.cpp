@@ -23,7 +23,15 @@ void checkShare(double value, const char* name) {
 }  // namespace
 
 const char* name(ShellKind kind) {
-    return kind == ShellKind::Simplified ? "simplified" : "full";
+    switch (kind) {
+        case ShellKind::Simplified:
+            return "simplified";
+        case ShellKind::FullResolution:
+            return "full";
+        case ShellKind::Local:
+            return "local";
+    }
+    return "";
 }
 
 void ShellOptions::validate() const {

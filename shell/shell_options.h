@@ -6,15 +6,16 @@ namespace bspline_curve {
 inline constexpr double kMaxShellThickness = 1000.0;
 
 enum class ShellKind {
-    Simplified,     ///< few thick prisms; takes seconds on large meshes, once
-    FullResolution  ///< one thin prism per face; quick to build
+    Simplified,      ///< few thick prisms; takes seconds on large meshes, once
+    FullResolution,  ///< one thin prism per face
+    Local            ///< one thin prism per face, near each curve only, while that is enough for it
 };
 
 /// As users write it.
 [[nodiscard]] const char* name(ShellKind kind);
 
 struct ShellOptions {
-    ShellKind kind = ShellKind::FullResolution;
+    ShellKind kind = ShellKind::Local;
     /// Full resolution: largest distance of top and bottom from the surface, in mean lengths of the
     /// edges at each vertex, in (0, kMaxShellThickness].
     double thickness = 0.75;

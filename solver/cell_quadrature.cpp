@@ -140,7 +140,7 @@ bool integrateCells(
             addKink(problem, space, weights, {from, to, wall, curve, span, tau}, *collector);
         }
     };
-    const int spans = traceCurve(problem, space, controls, onPiece, onCrossing);
+    const int spans = traceCurve(tracedShellOf(problem), space, controls, onPiece, onCrossing);
     if (collector) {
         collector->finish();
     }

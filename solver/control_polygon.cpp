@@ -161,7 +161,9 @@ SplineCurve makeControlPolygon(const CurveProblem& problem, const GuidePath& gui
     // shorter segments do.
     double longest = 1.0;
     SplineCurve curve = splineOf(problem, guide, longest);
-    while (!std::isfinite(measureDistance(problem, curve.space, curve.controls).largest) &&
+    while (!std::isfinite(
+               measureDistance(tracedShellOf(problem), curve.space, curve.controls).largest
+           ) &&
            longest > kShortestInterval) {
         longest *= 0.5;
         curve = splineOf(problem, guide, longest);

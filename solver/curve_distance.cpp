@@ -15,8 +15,7 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-double distanceToShadow(const CurveProblem& problem, const ShellCell& cell, const Vec3& p) {
-    const ShellBase& base = *problem.base;
+double distanceToShadow(const ShellBase& base, const ShellCell& cell, const Vec3& p) {
     const Triangle& face = base.faces[at(cell.face)];
     const Vec3 shadow = cell.shadow(p);
     Vec3 onSurface = Vec3::Zero();
@@ -45,24 +44,24 @@ double distanceToFaces(const ShellBase& base, int face, const Vec3& p) {
 }  // namespace
 
 CurveDistance measureDistance(
-    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+    const TracedShell& traced, const SplineSpace& space, const ControlPoints& controls
 ) {
     CurveDistance result;
-    const bool isOblique = !problem.shell->isFullResolution();
+    const bool isOblique = !traced.shell.isFullResolution();
     result.perSpan.assign(at(space.spanCount()), std::numeric_limits<double>::infinity());
     const auto measureAt = [&](int span, const ShellCell& cell, const Vec3& p) {
         result.largestHeight = std::max(result.largestHeight, std::abs(cell.relativeHeight(p)));
-        double distance = distanceToShadow(problem, cell, p);
+        double distance = distanceToShadow(traced.base, cell, p);
         // The shadow bounds the distance from above, mostly below the largest so far.
         double& ofSpan = result.perSpan[at(span)];
-        if (distance > ofSpan && isOblique && !problem.shell->isGhost(cell.face)) {
-            distance = distanceToFaces(*problem.base, cell.face, p);
+        if (distance > ofSpan && isOblique && !traced.shell.isGhost(cell.face)) {
+            distance = distanceToFaces(traced.base, cell.face, p);
         }
         ofSpan = std::max(ofSpan, distance);
     };
     int current = -1;
     const int spans = traceCurve(
-        problem,
+        traced,
         space,
         controls,
         [&](

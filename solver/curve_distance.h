@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/curve_problem.h"
 #include "solver/spline_space.h"
+#include "solver/traced_shell.h"
 
 namespace bspline_curve {
 
@@ -19,7 +19,7 @@ struct CurveDistance {
 /// distance is |P - M_S(P)|; in a simplified one, whose fibres are oblique, that to the face of the
 /// shadow and those next to it. Beyond a boundary it is the distance to the boundary.
 [[nodiscard]] CurveDistance measureDistance(
-    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+    const TracedShell& traced, const SplineSpace& space, const ControlPoints& controls
 );
 
 }  // namespace bspline_curve

@@ -6,6 +6,7 @@
 #include "solver/field_cost.h"
 #include "solver/options.h"
 #include "surface/progress.h"
+#include "surface/surface.h"
 
 #include <vector>
 
@@ -23,7 +24,9 @@ struct PickConstraint {
 
 /// One curve to solve for: the shell, the picks, the field; all in the shell's frame.
 struct CurveProblem {
-    const Shell* shell = nullptr;
+    const Shell* shell = nullptr;  ///< null: relax() makes shells near the curve, and solve() fails
+    const Surface* surface = nullptr;  ///< needed where there is no shell
+    double nearThickness = 0.0;        ///< of shells near the curve, see NearShellSize
     const ShellBase* base = nullptr;
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     const Obstacles* obstacles = nullptr;     ///< what the curve avoids; null: nothing

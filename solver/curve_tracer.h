@@ -2,8 +2,8 @@
 #pragma once
 
 #include "shell/polynomial_trace.h"
-#include "solver/curve_problem.h"
 #include "solver/spline_space.h"
+#include "solver/traced_shell.h"
 
 #include <optional>
 
@@ -12,13 +12,12 @@ namespace bspline_curve {
 /// The cell at the start of a curve, found by walking from the first pick, near which every curve
 /// starts. Nothing where that walk leaves the shell.
 [[nodiscard]] inline std::optional<TraceState> startOfCurve(
-    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+    const TracedShell& traced, const SplineSpace& space, const ControlPoints& controls
 ) {
-    const PickConstraint& first = problem.picks.front();
-    TraceState state{ShellCell(*problem.shell, first.point)};
+    TraceState state{ShellCell(traced.shell, traced.start)};
     const Vec3 start = space.polynomial(controls, 0).coefficients[0];
-    return walkStraight(*problem.shell, first.position, start, state) ? std::optional(state)
-                                                                      : std::nullopt;
+    return walkStraight(traced.shell, traced.startPosition, start, state) ? std::optional(state)
+                                                                          : std::nullopt;
 }
 
 /// Traces a whole spline: onPiece(span, curve, cell, tau0, tau1), onCrossing(span, curve, from, to,
@@ -26,20 +25,20 @@ namespace bspline_curve {
 /// leaves the shell.
 template <class OnPiece, class OnCrossing>
 int traceCurve(
-    const CurveProblem& problem,
+    const TracedShell& traced,
     const SplineSpace& space,
     const ControlPoints& controls,
     OnPiece&& onPiece,
     OnCrossing&& onCrossing
 ) {
-    std::optional<TraceState> state = startOfCurve(problem, space, controls);
+    std::optional<TraceState> state = startOfCurve(traced, space, controls);
     if (!state) {
         return 0;
     }
     for (int span = 0; span < space.spanCount(); ++span) {
         const PolynomialCurve curve = space.polynomial(controls, span);
         const bool inside = tracePolynomial(
-            *problem.shell,
+            traced.shell,
             curve,
             1.0,
             *state,

@@ -44,7 +44,7 @@ std::optional<BendingDirections> directionsInCells(
 ) {
     BendingDirections result;
     const int spans = traceCurve(
-        problem,
+        tracedShellOf(problem),
         space,
         controls,
         [&](

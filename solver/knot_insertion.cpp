@@ -165,7 +165,7 @@ KnotDemand featureFunction(
                                       weights.alpha * barrierValue(height, weights.barrierWidth));
     };
     traceCurve(
-        problem,
+        tracedShellOf(problem),
         space,
         controls,
         onPiece,

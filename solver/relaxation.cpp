@@ -3,12 +3,14 @@
 
 #include "solver/curve_distance.h"
 #include "solver/curve_tracer.h"
+#include "solver/faces_below.h"
 #include "solver/foot_newton.h"
 #include "solver/knot_insertion.h"
 #include "solver/point_terms.h"
 #include "surface/stopwatch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -62,6 +64,12 @@ constexpr double kHighestTension = 0.5;
 // Stronger fields draw the samples into valleys that are narrower than the way between two samples.
 constexpr double kStrongestField = 20.0;
 
+// Shells near the curve have so many rings of faces about those below it: more where it leaves
+// them.
+constexpr std::array<int, 2> kRings = {1, 4};
+// Half a prism at least, in tolerances.
+constexpr double kLeastTolerances = 2.5;
+
 bool isForFootPoints(const CurveProblem& problem) {
     const SolverOptions& options = problem.options;
     return options.quadrature == Quadrature::FootPoints && options.degree >= kLeastDegree &&
@@ -74,16 +82,17 @@ bool isForFootPoints(const CurveProblem& problem) {
 }
 
 // Whether what the curve avoids is too far away to push it anywhere.
-bool isClear(const CurveProblem& problem, const SplineCurve& curve) {
+bool isClear(const CurveProblem& problem, const Solution& solution) {
     bool clear = true;
     if (problem.obstacles != nullptr) {
+        const TracedShell traced = tracedShellOf(problem, solution.near.get());
         traceCurve(
-            problem,
-            curve.space,
-            curve.controls,
+            traced,
+            solution.curve.space,
+            solution.curve.controls,
             [&](int, const PolynomialCurve&, const ShellCell& cell, double, double) {
-                clear &=
-                    problem.obstacles->isFar(cell.face) && !problem.obstacles->isAvoided(cell.face);
+                const int face = traced.nameOf(cell.face);
+                clear &= problem.obstacles->isFar(face) && !problem.obstacles->isAvoided(face);
             },
             [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
         );
@@ -217,7 +226,7 @@ private:
 
     // Traces the whole curve; where it leaves the tolerance, sets finer breaks.
     [[nodiscard]] bool isWithinTolerance(std::vector<double>& breaks) {
-        const CurveDistance distance = measureDistance(problem_, space(), now().controls);
+        const CurveDistance distance = measure();
         report_.maxDistance = distance.largest / problem_.averageEdgeLength;
         if (distance.largest < tolerance_) {
             return true;
@@ -230,6 +239,33 @@ private:
         }
         breaks = halveSpans(space(), marked, options_.minimumSpan);
         return false;
+    }
+
+    [[nodiscard]] CurveDistance measure() {
+        CurveDistance distance;
+        if (problem_.shell != nullptr) {
+            return measureDistance(tracedShellOf(problem_), space(), now().controls);
+        }
+        std::vector<FootAt> feet;
+        for (int sample = 0; sample < energy().sampleCount(); ++sample) {
+            feet.push_back({energy().parameter(sample), now().feet[at(sample)]});
+        }
+        const std::vector<int> below = facesBelow(problem_, space(), now().controls, feet);
+        for (const int rings : kRings) {
+            near_ = std::make_shared<const NearShell>(
+                *problem_.surface,
+                *problem_.base,
+                below,
+                NearShellSize{rings, problem_.nearThickness, kLeastTolerances * tolerance_}
+            );
+            distance = measureDistance(
+                tracedShellOf(*near_, problem_.picks.front()), space(), now().controls
+            );
+            if (std::isfinite(distance.largest)) {
+                break;
+            }
+        }
+        return distance;
     }
 
     void insert(std::vector<double> breaks) {
@@ -278,7 +314,7 @@ private:
             report_.fieldCost = problem_.fieldCosts.least;
         }
         report_.seconds.knots += watch_.lap();
-        return {{space(), std::move(now().controls)}, std::move(report_)};
+        return {{space(), std::move(now().controls)}, std::move(report_), std::move(near_)};
     }
 
     const CurveProblem& problem_;
@@ -291,6 +327,7 @@ private:
     MinimiseStatus status_ = MinimiseStatus::IterationLimit;  // of the last descent
     int steps_ = 0;                                           // of the round
     std::unique_ptr<FootNewton> newton_;
+    std::shared_ptr<const NearShell> near_;  // about the curve when it was measured
     SolveReport report_;
 };
 
@@ -301,7 +338,7 @@ std::optional<Solution> relax(const CurveProblem& problem, const GuidePath& guid
         return std::nullopt;
     }
     std::optional<Solution> solution = Relaxer(problem, guide).run();
-    if (solution && !isClear(problem, solution->curve)) {
+    if (solution && !isClear(problem, *solution)) {
         return std::nullopt;
     }
     return solution;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/near_shell.h"
 #include "solver/initial_curve.h"
 #include "solver/solve_report.h"
+
+#include <memory>
 
 namespace bspline_curve {
 
@@ -10,6 +13,8 @@ namespace bspline_curve {
 struct Solution {
     SplineCurve curve;
     SolveReport report;
+    /// The shell that the curve lies in, where the problem has none.
+    std::shared_ptr<const NearShell> near;
 };
 
 }  // namespace bspline_curve

@@ -208,7 +208,7 @@ public:
             insert(std::move(breaks));
         }
         finish();
-        return {std::move(curve_), std::move(report_)};
+        return {std::move(curve_), std::move(report_), nullptr};
     }
 
 private:
@@ -288,7 +288,8 @@ private:
 
     // Updates the distance to the surface; returns the largest relative height.
     double measure() {
-        const CurveDistance distance = measureDistance(problem_, curve_.space, curve_.controls);
+        const CurveDistance distance =
+            measureDistance(tracedShellOf(problem_), curve_.space, curve_.controls);
         distance_ = distance.largest;
         return distance.largestHeight;
     }

@@ -131,9 +131,6 @@ struct TriangleTree::ClosestSearch {
             double squaredDistance;
         };
 
-        // Depth: at most one level per Morton bit (63) and per halving of equal codes (31); each
-        // level leaves one sibling pending.
-        constexpr std::size_t kStackSize = 128;
         std::array<Pending, kStackSize> stack;
         std::size_t stackSize = 0;
         const auto pending = [&](int i) {

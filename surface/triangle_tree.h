@@ -35,8 +35,16 @@ public:
     template <class Visitor>
     void forEachOverlappingPair(const Visitor& visit) const;
 
+    /// Calls visit(j) for every triangle whose box overlaps that of a triangle (touching counts),
+    /// this one included. The order is the same on every platform. O(log n) where few do.
+    template <class Visitor>
+    void forEachOverlapping(int triangle, const Visitor& visit) const;
+
 private:
     static constexpr int kLeafSize = 4;
+    /// Nodes that wait in a search, at most. Depth: at most one level per Morton bit (63) and per
+    /// halving of equal codes (31); each level leaves one sibling pending.
+    static constexpr std::size_t kStackSize = 128;
 
     struct Box {
         Vec3 low, high;
@@ -128,6 +136,31 @@ void TriangleTree::forEachOverlappingPair(const Visitor& visit) const {
             const int kept = openA ? b : a;
             push(node(opened).first, kept);
             push(opened + 1, kept);
+        }
+    }
+}
+
+template <class Visitor>
+void TriangleTree::forEachOverlapping(int triangle, const Visitor& visit) const {
+    const Box box = boxOf(triangle);
+    std::array<int, kStackSize> stack;
+    std::size_t stackSize = 0;
+    stack[stackSize++] = 0;
+    while (stackSize > 0) {
+        const int here = stack[--stackSize];
+        if (!node(here).box.overlaps(box)) {
+            continue;
+        }
+        if (!node(here).isLeaf()) {
+            stack[stackSize++] = node(here).first;
+            stack[stackSize++] = here + 1;
+            continue;
+        }
+        for (int i = node(here).first; i < node(here).first + node(here).count; ++i) {
+            const int other = order_[static_cast<std::size_t>(i)];
+            if (boxOf(other).overlaps(box)) {
+                visit(other);
+            }
         }
     }
 }

@@ -14,7 +14,7 @@ namespace bspline_curve::test_support {
     return CurveDesigner(std::move(mesh), {.kind = kind});
 }
 
-/// Tests that hold in shells of full resolution and in simplified ones.
+/// Tests that hold in shells of every kind.
 class EitherShell : public testing::TestWithParam<ShellKind> {
 protected:
     [[nodiscard]] static CurveDesigner designerOn(TriangleMesh mesh) {
@@ -22,10 +22,19 @@ protected:
     }
 };
 
-inline const auto kEitherShell = testing::Values(ShellKind::FullResolution, ShellKind::Simplified);
+inline const auto kEitherShell =
+    testing::Values(ShellKind::Local, ShellKind::FullResolution, ShellKind::Simplified);
 
 [[nodiscard]] inline std::string nameOf(ShellKind kind) {
-    return kind == ShellKind::Simplified ? "Simplified" : "FullResolution";
+    switch (kind) {
+        case ShellKind::Simplified:
+            return "Simplified";
+        case ShellKind::FullResolution:
+            return "FullResolution";
+        case ShellKind::Local:
+            return "Local";
+    }
+    return "";
 }
 
 [[nodiscard]] inline std::string nameOfShell(const testing::TestParamInfo<ShellKind>& instance) {

@@ -221,8 +221,16 @@ TEST(OptionBindings, EnumOptionsAreTheEnumeratorsOfTheSolver) {
     EXPECT_ENUMERATORS_2(
         solver, "knot_rule", &S::knotRule, KnotRule, EnergyAndDistance, FeatureFunction
     );
-    EXPECT_ENUMERATORS_2(
-        shellBindings(), "shell", &ShellOptions::kind, ShellKind, Simplified, FullResolution
+    expectEnumerators(
+        curveFilter(), named(shellBindings(), "shell"), &ShellOptions::kind, [](ShellKind kind) {
+            switch (kind) {
+                case ShellKind::Simplified:
+                case ShellKind::FullResolution:
+                case ShellKind::Local:
+                    return true;
+            }
+            return false;
+        }
     );
     EXPECT_ENUMERATORS_2(
         regionBindings("field_"),

@@ -85,7 +85,7 @@ TEST(RunCurveFilter, DrawsThroughThePicksOfTheTool) {
 TEST(RunCurveFilter, NamesEachFigureOnceAndLogsThoseThatAreNoLists) {
     const CurveResult result = draw(plateLayer(), {});
     std::set<std::string> names;
-    expectPart(result.log.figures, "shell=full usable=true ");
+    expectPart(result.log.figures, "shell=local usable=true ");
     for (const Figure& each : result.figures) {
         EXPECT_TRUE(names.insert(each.name).second) << each.name;
         const bool isList = std::holds_alternative<std::vector<double>>(each.value);

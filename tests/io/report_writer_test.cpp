@@ -33,9 +33,8 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     figures.meshFile = "a.ply";
     figures.coldSeconds = 1.5;
     figures.stages.shell = 0.75;
-    figures.shell = {
-        .kind = ShellKind::Simplified, .prisms = 142, .isFromStore = true, .notes = {"a note"}
-    };
+    curve.prisms = 142;
+    figures.shell = {.kind = ShellKind::Simplified, .isFromStore = true, .notes = {"a note"}};
     const auto report = reportOf(curve, figures);
     expectValues(
         report,

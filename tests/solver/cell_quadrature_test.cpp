@@ -35,7 +35,7 @@ protected:
     [[nodiscard]] std::optional<double> reference(const ControlPoints& controls, int steps) const {
         double sum = 0.0;
         const int spans = traceCurve(
-            fixture_.problem(),
+            tracedShellOf(fixture_.problem()),
             space_,
             controls,
             [&](int, const PolynomialCurve& curve, const ShellCell& cell, double from, double to) {

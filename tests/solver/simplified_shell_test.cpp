@@ -136,7 +136,9 @@ struct Drawn {
 
 Drawn draw(const ProblemFixture& fixture, const std::vector<Vec3>& picks) {
     Solution solution = solved(fixture);
-    const ShadowCurve shadow(fixture.problem(), solution.curve.space, solution.curve.controls);
+    const ShadowCurve shadow(
+        tracedShellOf(fixture.problem()), solution.curve.space, solution.curve.controls
+    );
     SurfacePolyline line =
         makeStrictPolyline(fixture.surface(), fixture.problem(), shadow, SamplingOptions());
     EXPECT_TRUE(solution.report.usable);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Thin prisms near a curve: upright, connected, and named as in the whole surface.
-#include "design/near_shell.h"
+#include "shell/near_shell.h"
 
+#include "shell/polynomial_trace.h"
 #include "shell/shell_builder.h"
 #include "support/meshes.h"
 #include "surface/predicates.h"
@@ -23,40 +24,33 @@ std::size_t at(int index) {
 
 const Vec3 kCentroid = Vec3::Constant(1.0 / 3.0);
 
-// A surface in its shell, and the faces that a straight spline between two points of it passes.
+// A surface in its shell, and the faces that a straight line between two points of it passes.
 class Line {
 public:
     Line(TriangleMesh mesh, const SurfacePoint& from, const SurfacePoint& to)
-        : surface(std::move(mesh)),
-          base(makeShellBase(surface, 3)),
-          shell_(buildShell(base, {}).shell),
-          space_(2, false, {0.0, 1.0}),
-          controls_(3, 3) {
-        problem_.shell = &shell_;
-        problem_.base = &base;
-        problem_.picks = {{from, base.position(from), 0.0}, {to, base.position(to), 1.0}};
-        const Vec3& start = problem_.picks.front().position;
-        const Vec3& end = problem_.picks.back().position;
-        controls_ << start.transpose(), 0.5 * (start + end).transpose(), end.transpose();
+        : surface(std::move(mesh)), base(makeShellBase(surface, 3)) {
+        const Shell shell = buildShell(base, {}).shell;
+        PolynomialCurve line{.degree = 1, .coefficients = {}};
+        line.coefficients[0] = base.position(from);
+        line.coefficients[1] = base.position(to) - base.position(from);
+        TraceState state{ShellCell(shell, from)};
+        EXPECT_TRUE(tracePolynomial(
+            shell,
+            line,
+            1.0,
+            state,
+            [&](const ShellCell& cell, double, double) { passed.push_back(cell.face); },
+            [](const ShellCell&, const ShellCell&, double, int) {}
+        ));
     }
 
-    Line(const Line&) = delete;
-    Line& operator=(const Line&) = delete;
-
-    [[nodiscard]] ShadowCurve shadow() const { return {problem_, space_, controls_}; }
-
-    [[nodiscard]] NearShell near(double tolerance) const {
-        return {surface, base, shadow(), tolerance};
+    [[nodiscard]] NearShell near(double least) const {
+        return {surface, base, passed, {.least = least}};
     }
 
     Surface surface;
     ShellBase base;
-
-private:
-    Shell shell_;
-    CurveProblem problem_;
-    SplineSpace space_;
-    ControlPoints controls_;
+    std::vector<int> passed;
 };
 
 // Across the middle of a plate of 10 x 10 cells, and along its lower edge.
@@ -133,10 +127,48 @@ std::vector<int> withRing(const Surface& surface, const std::vector<int>& faces)
 TEST(NearShell, HoldsTwoRingsAboutTheCurve) {
     const Line line = acrossPlate();
     const NearShell near = line.near(1e-3);
-    const std::vector<int> passed = line.shadow().faces();
+    const std::vector<int> passed = line.passed;
     EXPECT_GE(passed.size(), 8U);
     for (const int face : withRing(line.surface, withRing(line.surface, passed))) {
         EXPECT_GE(near.indexOf(face), 0) << "face " << face;
+    }
+}
+
+TEST(NearShell, HoldsAsManyRingsAsAsked) {
+    const Line line(icosphere(3), {0, kCentroid}, {3, kCentroid});
+    std::size_t before = 0;
+    for (int rings = 0; rings <= 3; ++rings) {
+        const NearShell near(line.surface, line.base, line.passed, {.rings = rings});
+        std::vector<int> expected = line.passed;
+        for (int ring = 0; ring < rings; ++ring) {
+            expected = withRing(line.surface, expected);
+        }
+        std::ranges::sort(expected);
+        expected.erase(std::ranges::unique(expected).begin(), expected.end());
+        EXPECT_EQ(near.faces, expected);
+        EXPECT_GT(near.faces.size(), before);
+        before = near.faces.size();
+    }
+}
+
+// Where nothing is in their way, prisms are those of the whole shell.
+TEST(NearShell, HasThePrismsOfTheWholeShell) {
+    const Line line(icosphere(3), {0, kCentroid}, {3, kCentroid});
+    const ShellOptions options;
+    const NearShell near(
+        line.surface, line.base, line.passed, {.rings = 1, .thickness = options.thickness}
+    );
+    const Shell whole = buildShell(line.base, options).shell;
+    for (int here = 0; here < static_cast<int>(near.faces.size()); ++here) {
+        const int there = near.faces[at(here)];
+        for (int k = 0; k < kTetrahedraPerPrism; ++k) {
+            for (int corner = 0; corner < 4; ++corner) {
+                EXPECT_EQ(
+                    near.shell.position(here * kTetrahedraPerPrism + k, corner),
+                    whole.position(there * kTetrahedraPerPrism + k, corner)
+                );
+            }
+        }
     }
 }
 
@@ -187,29 +219,29 @@ TEST(NearShell, HoldsTheFaceBehindEveryGhost) {
     }
 }
 
-TEST(NearShell, MakesPillarsHighEnoughForTheTolerance) {
+TEST(NearShell, MakesPillarsAsHighAsAsked) {
     const Line line = acrossPlate();
     const NearShell low = line.near(1e-6);
     const double least = lengthOf(low.shell.pillars().front());
-    const double tolerance = 0.05;
-    const NearShell near = line.near(tolerance);
+    const double half = 0.125;
+    const NearShell near = line.near(half);
     for (const Pillar& pillar : near.shell.pillars()) {
         EXPECT_GT(lengthOf(pillar), least);
-        EXPECT_GE(lengthOf(pillar), 4.0 * tolerance);
+        EXPECT_NEAR(lengthOf(pillar), 2.0 * half, 1e-12);
     }
 }
 
 // A surface so curved that prisms of that height would turn over.
 TEST(NearShell, ShrinksPillarsUntilPrismsAreUpright) {
     const Line line(withNoise(icosphere(2), 0.04, 3), {0, kCentroid}, {3, kCentroid});
-    const double tolerance = 0.2;
-    const NearShell near = line.near(tolerance);
+    const double half = 0.5;
+    const NearShell near = line.near(half);
     const Shell& shell = near.shell;
     double shortest = 1.0;
     for (const Pillar& pillar : shell.pillars()) {
         shortest = std::min(shortest, lengthOf(pillar));
     }
-    EXPECT_LT(shortest, 4.0 * tolerance);
+    EXPECT_LT(shortest, 1.6 * half);
     EXPECT_GT(shortest, 0.0);
     for (int prism = 0; prism < static_cast<int>(shell.prisms().size()); ++prism) {
         EXPECT_NE(shell.prisms()[at(prism)].orientation, 0) << "prism " << prism;
@@ -222,7 +254,7 @@ TEST(NearShell, LeavesOutPrismsThatNeverAreUpright) {
     ShellBase turned = line.base;
     const int vertex = 5 * 11 + 5;  // the middle
     turned.directions[at(vertex)] *= -1.0;
-    const NearShell near(line.surface, turned, line.shadow(), 1e-3);
+    const NearShell near(line.surface, turned, line.passed, {});
     const Shell& shell = near.shell;
     const auto isLeftOut = [&](int prism) {
         return prism >= 0 &&

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/prepared_surface.h"
+
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+ShellOptions validated(const ShellOptions& options) {
+    options.validate();
+    return options;
+}
+
+}  // namespace
+
+PreparedSurface::PreparedSurface(TriangleMesh mesh, const ShellOptions& options)
+    : options_(validated(options)),
+      surface_(std::move(mesh)),
+      validateSeconds_(watch_.lap()),
+      futureBase_(
+          std::async(
+              std::launch::async,
+              [this] { return makeShellBase(surface_, options_.smoothingPasses); }
+          )
+      ),
+      tree_(surface_.vertices(), surface_.faces()),
+      patches_(surface_),
+      crossings_(surface_, tree_),
+      treeSeconds_(watch_.lap()),
+      base_(std::make_shared<const ShellBase>(futureBase_.get())),
+      baseSeconds_(watch_.lap()) {}
+
+const ObtainedShell& PreparedSurface::wholeShell(
+    const Progress& progress, const ShellStore* store
+) const {
+    const std::scoped_lock lock(wholeMutex_);
+    if (!whole_) {
+        Stopwatch building;
+        ShellOptions whole = options_;
+        if (whole.kind == ShellKind::Local) {
+            whole.kind = ShellKind::FullResolution;
+        }
+        auto obtained = std::make_unique<ObtainedShell>(
+            findOrMakeShell(surface_, base_, whole, store, progress)
+        );
+        wholeSeconds_ = building.lap();
+        keepShell(surface_, *base_, whole, store, *obtained);
+        whole_ = std::move(obtained);
+    }
+    return *whole_;
+}
+
+const ObtainedShell* PreparedSurface::wholeShellIfBuilt() const {
+    const std::scoped_lock lock(wholeMutex_);
+    return whole_.get();
+}
+
+PreparedSurface::Seconds PreparedSurface::seconds() const {
+    const std::scoped_lock lock(wholeMutex_);
+    return {validateSeconds_, treeSeconds_, baseSeconds_, wholeSeconds_};
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/shell_base.h"
+#include "shell/shell_options.h"
+#include "shell/shell_store.h"
+#include "surface/face_crossings.h"
+#include "surface/patch_levels.h"
+#include "surface/progress.h"
+#include "surface/stopwatch.h"
+#include "surface/surface.h"
+#include "surface/triangle_tree.h"
+
+#include <future>
+#include <memory>
+#include <mutex>
+
+namespace bspline_curve {
+
+/// A surface and what curves on it need of it, made once; the shell of the whole surface when it is
+/// first asked for. Several threads may use it at once.
+class PreparedSurface {
+public:
+    /// Validates the mesh; two threads. Throws InputError.
+    PreparedSurface(TriangleMesh mesh, const ShellOptions& options);
+
+    PreparedSurface(const PreparedSurface&) = delete;
+    PreparedSurface& operator=(const PreparedSurface&) = delete;
+
+    [[nodiscard]] const Surface& surface() const { return surface_; }
+
+    [[nodiscard]] const TriangleTree& tree() const { return tree_; }
+
+    [[nodiscard]] const PatchLevels& patches() const { return patches_; }
+
+    [[nodiscard]] const FaceCrossings& crossings() const { return crossings_; }
+
+    [[nodiscard]] const std::shared_ptr<const ShellBase>& base() const { return base_; }
+
+    [[nodiscard]] const ShellOptions& options() const { return options_; }
+
+    /// The shell of the whole surface, of full resolution where the options say local. Where it is
+    /// not there yet it is taken from the store (null: none) or built. Throws Cancelled.
+    [[nodiscard]] const ObtainedShell& wholeShell(
+        const Progress& progress = {}, const ShellStore* store = nullptr
+    ) const;
+
+    /// The same if it is there; else null.
+    [[nodiscard]] const ObtainedShell* wholeShellIfBuilt() const;
+
+    /// `base`: what the others did not hide of it.
+    struct Seconds {
+        double validate = 0.0, tree = 0.0, base = 0.0, wholeShell = 0.0;
+    };
+
+    [[nodiscard]] Seconds seconds() const;
+
+private:
+    ShellOptions options_;
+    Stopwatch watch_;
+    Surface surface_;
+    double validateSeconds_;
+    std::future<ShellBase> futureBase_;  // before the others, so that it is made meanwhile
+    TriangleTree tree_;
+    PatchLevels patches_;
+    FaceCrossings crossings_;
+    double treeSeconds_;
+    std::shared_ptr<const ShellBase> base_;
+    double baseSeconds_;
+    mutable std::mutex wholeMutex_;
+    mutable std::unique_ptr<const ObtainedShell> whole_;
+    mutable double wholeSeconds_ = 0.0;
+};
+
+}  // namespace bspline_curve

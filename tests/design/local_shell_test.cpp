@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves in shells that are built near them alone.
+#include "curve_checks.h"
+#include "design/curve_designer.h"
+#include "either_shell.h"
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <future>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+TriangleMesh bumpySphere() {
+    return withNoise(icosphere(4), 0.004, 11);
+}
+
+std::vector<Vec3> fewPicks(const TriangleMesh& mesh) {
+    return {mesh.vertices[5], mesh.vertices[100], mesh.vertices[400], mesh.vertices[900]};
+}
+
+// Largest distance of the vertices of a polyline to the segments of another.
+double distanceTo(const SurfacePolyline& line, const SurfacePolyline& other) {
+    double largest = 0.0;
+    for (const Vec3& point : line.points) {
+        double nearest = 1e300;
+        for (std::size_t i = 1; i < other.points.size(); ++i) {
+            const Vec3 start = other.points[i - 1];
+            const Vec3 along = other.points[i] - start;
+            const double s = std::clamp((point - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
+            nearest = std::min(nearest, (point - start - s * along).norm());
+        }
+        largest = std::max(largest, nearest);
+    }
+    return largest;
+}
+
+TEST(LocalShell, GivesTheCurveOfTheWholeShell) {
+    const TriangleMesh mesh = bumpySphere();
+    const std::vector<Vec3> picks = fewPicks(mesh);
+    const CurveDesigner local = designerIn(ShellKind::Local, mesh);
+    const CurveDesigner full = designerIn(ShellKind::FullResolution, mesh);
+    const Curve near = goodCurve(local, picks);
+    const Curve whole = goodCurve(full, picks);
+    EXPECT_EQ(near.spline.controlPoints, whole.spline.controlPoints);
+    const double tolerance = SolverOptions().distanceTolerance * full.surface().averageEdgeLength();
+    EXPECT_LT(distanceTo(near.polyline, whole.polyline), tolerance);
+    EXPECT_EQ(whole.prisms, full.surface().faceCount());
+    EXPECT_LT(near.prisms, whole.prisms / 4);
+}
+
+// Integrals cell by cell take the whole shell, so everything is the same.
+TEST(LocalShell, IsTheWholeOneForCurvesThatNeedIt) {
+    const TriangleMesh mesh = bumpySphere();
+    const std::vector<Vec3> picks = fewPicks(mesh);
+    SolverOptions options;
+    options.quadrature = Quadrature::Cells;
+    const Curve near = designerIn(ShellKind::Local, mesh).design(picks, options);
+    const Curve whole = designerIn(ShellKind::FullResolution, mesh).design(picks, options);
+    EXPECT_EQ(near.polyline.points, whole.polyline.points);
+    EXPECT_EQ(near.prisms, whole.prisms);
+}
+
+TEST(LocalShell, DoesNotRememberOtherCurves) {
+    const TriangleMesh mesh = bumpySphere();
+    const std::vector<Vec3> picks = fewPicks(mesh);
+    const CurveDesigner fresh = designerIn(ShellKind::Local, mesh);
+    const CurveDesigner used = designerIn(ShellKind::Local, mesh);
+    static_cast<void>(goodCurve(used, {mesh.vertices[50], mesh.vertices[300], mesh.vertices[900]}));
+    SolverOptions cells;
+    cells.quadrature = Quadrature::Cells;
+    static_cast<void>(used.design(picks, cells));
+    EXPECT_EQ(goodCurve(fresh, picks).polyline.points, goodCurve(used, picks).polyline.points);
+}
+
+TEST(LocalShell, ServesThreadsAtOnce) {
+    const TriangleMesh mesh = bumpySphere();
+    const std::vector<Vec3> picks = fewPicks(mesh);
+    const CurveDesigner designer = designerIn(ShellKind::Local, mesh);
+    SolverOptions cells;
+    cells.quadrature = Quadrature::Cells;
+    const auto draw = [&](const SolverOptions& options) {
+        return designer.design(picks, options).polyline.points;
+    };
+    std::vector<std::future<std::vector<Vec3>>> relaxed;
+    std::vector<std::future<std::vector<Vec3>>> inCells;
+    for (int i = 0; i < 3; ++i) {
+        relaxed.push_back(std::async(std::launch::async, draw, SolverOptions()));
+        inCells.push_back(std::async(std::launch::async, draw, cells));
+    }
+    const std::vector<Vec3> first = draw({});
+    const std::vector<Vec3> firstInCells = draw(cells);
+    for (auto& each : relaxed) {
+        EXPECT_EQ(each.get(), first);
+    }
+    for (auto& each : inCells) {
+        EXPECT_EQ(each.get(), firstInCells);
+    }
+}
+
+TEST(LocalShell, DrawsAlongBoundaries) {
+    const TriangleMesh mesh = plate(20, 20);
+    const std::vector<Vec3> picks = {{0.1, 0.0, 0.0}, {0.5, 0.02, 0.0}, {0.9, 0.0, 0.0}};
+    const CurveDesigner local = designerIn(ShellKind::Local, mesh);
+    const CurveDesigner full = designerIn(ShellKind::FullResolution, mesh);
+    const Curve near = goodCurve(local, picks);
+    const Curve whole = goodCurve(full, picks);
+    EXPECT_EQ(near.spline.controlPoints, whole.spline.controlPoints);
+    EXPECT_LT(distanceTo(near.polyline, whole.polyline), 1e-9);
+}
+
+TEST(LocalShell, SamplesAnew) {
+    const TriangleMesh mesh = bumpySphere();
+    const CurveDesigner designer = designerIn(ShellKind::Local, mesh);
+    SamplingOptions dense;
+    dense.samples = 1000;
+    const Curve curve = goodCurve(designer, fewPicks(mesh));
+    const SurfacePolyline again = designer.resample(curve, dense);
+    EXPECT_GT(again.points.size(), curve.polyline.points.size());
+    const Curve drawn = designer.design(fewPicks(mesh), {}, dense);
+    EXPECT_LT(distanceTo(again, drawn.polyline), 1e-12);
+    EXPECT_EQ(again.points.size(), drawn.polyline.points.size());
+}
+
+}  // namespace
+}  // namespace bspline_curve
