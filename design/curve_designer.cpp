@@ -372,17 +372,12 @@ std::optional<Solved> CurveDesigner::State::solveNearby(
         return std::nullopt;
     }
     solution->report.seconds.path = pathSeconds;
-    const ShadowCurve shadow(
-        tracedShellOf(problem, solution->near.get()),
-        solution->curve.space,
-        solution->curve.controls
-    );
-    const std::vector<int> passed = shadow.faces();
-    const bool isCrossed = std::ranges::any_of(passed, [&](int f) {
-        const int face = solution->near->faces[at(f)];
-        return face < surface().faceCount() && crossings().hasCrossing(face);
-    });
-    return isCrossed ? std::nullopt : std::optional<Solved>({problem, std::move(*solution)});
+    for (const int face : solution->facesPassed) {
+        if (face < surface().faceCount() && crossings().hasCrossing(face)) {
+            return std::nullopt;
+        }
+    }
+    return Solved{std::move(problem), std::move(*solution)};
 }
 
 Solved CurveDesigner::State::solveInWhole(

@@ -28,7 +28,7 @@ public:
     NearFaces(const Surface& surface, const ShellBase& whole) : surface_(surface), whole_(whole) {}
 
     void add(int face) {
-        if (!std::exchange(known_.at(face, 0), char{1})) {
+        if (std::exchange(known_.at(face, 0), char{1}) == 0) {
             faces_.push_back(face);
         }
     }
@@ -68,9 +68,10 @@ public:
             }
         }
         // What a ghost leads to, its neighbour 2 or that one's, holds the shadows of its points.
-        for (std::size_t i = 0; i < faces_.size(); ++i) {
-            if (isGhost(faces_[i])) {
-                add(whole_.faceNeighbours[at(faces_[i])][2]);
+        for (std::size_t i = 0; i < faces_.size();) {
+            const int face = faces_[i++];
+            if (isGhost(face)) {
+                add(whole_.faceNeighbours[at(face)][2]);
             }
         }
     }

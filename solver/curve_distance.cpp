@@ -71,6 +71,10 @@ CurveDistance measureDistance(
                 current = span;
                 result.perSpan[at(span)] = 0.0;
             }
+            const int face = traced.nameOf(cell.face);
+            if (result.faces.empty() || result.faces.back() != face) {
+                result.faces.push_back(face);
+            }
             measureAt(span, cell, curve.at(tau0));
             measureAt(span, cell, curve.at(0.5 * (tau0 + tau1)));
         },

@@ -13,6 +13,8 @@ struct CurveDistance {
     double largestHeight = 0.0;  ///< largest relative height d (10)
     /// Largest distance on each span; infinite where the curve leaves the shell there or before.
     std::vector<double> perSpan;
+    /// The faces passed, in order, as the whole base calls them; one may come several times.
+    std::vector<int> faces;
 };
 
 /// Samples every piece of the curve at its start and middle. In a shell of full resolution the

@@ -265,6 +265,7 @@ private:
                 break;
             }
         }
+        facesPassed_ = std::move(distance.faces);
         return distance;
     }
 
@@ -314,7 +315,7 @@ private:
             report_.fieldCost = problem_.fieldCosts.least;
         }
         report_.seconds.knots += watch_.lap();
-        return {{space(), std::move(now().controls)}, std::move(report_), std::move(near_)};
+        return {{space(), std::move(now().controls)}, std::move(report_), std::move(near_), std::move(facesPassed_)};
     }
 
     const CurveProblem& problem_;
@@ -328,6 +329,7 @@ private:
     int steps_ = 0;                                           // of the round
     std::unique_ptr<FootNewton> newton_;
     std::shared_ptr<const NearShell> near_;  // about the curve when it was measured
+    std::vector<int> facesPassed_;
     SolveReport report_;
 };
 

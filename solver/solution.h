@@ -6,6 +6,7 @@
 #include "solver/solve_report.h"
 
 #include <memory>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -15,6 +16,9 @@ struct Solution {
     SolveReport report;
     /// The shell that the curve lies in, where the problem has none.
     std::shared_ptr<const NearShell> near;
+    /// The faces of the whole base that its shadow passes there, in order, ghosts included; one may
+    /// come several times.
+    std::vector<int> facesPassed;
 };
 
 }  // namespace bspline_curve
