@@ -14,6 +14,10 @@
 namespace bspline_curve {
 namespace {
 
+// Energies below this are rounding: a curve that strays from a straight one by 1e-7 of its length
+// has more (E_int is dimensionless).
+constexpr double kRoundingEnergy = 1e-12;
+
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
@@ -176,7 +180,7 @@ double FootEnergy::total(const EnergyTerms& terms, double alpha) const {
 
 double FootEnergy::scale(const EnergyTerms& terms, double alpha) const {
     const double aboveLeast = fieldWeight_ * (terms.external - problem_.fieldCosts.least);
-    return terms.internal + alpha * terms.distance +
+    return kRoundingEnergy + terms.internal + alpha * terms.distance +
            (fieldWeight_ > 0.0 ? kFieldShare * std::abs(aboveLeast) : 0.0);
 }
 

@@ -17,23 +17,13 @@ std::size_t at(int index) {
 constexpr double kConstraintAccuracy = 1e-15;
 constexpr int kMaxMultiplierSteps = 12;
 
-// For each control point those before it that share a span with it, ascending.
-std::vector<std::vector<int>> coupledControls(const SplineSpace& space) {
-    std::vector<std::vector<int>> coupled(at(space.controlCount()));
-    for (int span = 0; span < space.spanCount(); ++span) {
-        for (int i = 0; i < space.basisCount(); ++i) {
-            for (int j = 0; j < space.basisCount(); ++j) {
-                const int from = space.control(span, i);
-                const int to = space.control(span, j);
-                std::vector<int>& before = coupled[at(from)];
-                const auto place = std::ranges::lower_bound(before, to);
-                if (to < from && (place == before.end() || *place != to)) {
-                    before.insert(place, to);
-                }
-            }
-        }
-    }
-    return coupled;
+BandCholesky factorFor(const SplineSpace& space) {
+    const int controls = space.controlCount();
+    return {
+        3 * controls,
+        3 * space.degree() + 2,
+        space.closed() ? 3 * std::min(space.degree(), controls) : 0
+    };
 }
 
 }  // namespace
@@ -51,78 +41,37 @@ std::vector<InterpolationRow> interpolationRows(
 }
 
 SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows)
-    : space_(space), rows_(std::move(rows)) {
-    const std::vector<std::vector<int>> coupled = coupledControls(space);
-    makePattern(coupled);
-    factor_.analyzePattern(matrix_);
+    : space_(space), rows_(std::move(rows)), factor_(factorFor(space)) {}
 
-    const int n = space.basisCount();
-    slots_.assign(at(space.spanCount() * 9 * n * n), -1);
-    int* slot = slots_.data();
-    for (int span = 0; span < space.spanCount(); ++span) {
-        for (int j = 0; j < n; ++j) {
-            const int column = space.control(span, j);
-            for (int i = 0; i < n; ++i) {
-                const int row = space.control(span, i);
-                if (row <= column) {
-                    setSlots(coupled[at(column)], row, column, slot + 9 * n * j + 3 * i);
-                }
-            }
-        }
-        slot += 9 * static_cast<std::ptrdiff_t>(n) * n;
-    }
-}
-
-// Of each column whole blocks of the control points before its own, then the upper part of that.
-void SplineSystem::makePattern(const std::vector<std::vector<int>>& coupled) {
-    std::vector<int> firstOfColumn{0};
-    std::vector<int> rows;
-    for (int c = 0; c < space_.controlCount(); ++c) {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const int before : coupled[at(c)]) {
-                rows.insert(rows.end(), {3 * before, 3 * before + 1, 3 * before + 2});
-            }
-            for (int above = 0; above <= axis; ++above) {
-                rows.push_back(3 * c + above);
-            }
-            firstOfColumn.push_back(static_cast<int>(rows.size()));
-        }
-    }
-    matrix_.resize(3 * space_.controlCount(), 3 * space_.controlCount());
-    matrix_.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
-    std::ranges::copy(firstOfColumn, matrix_.outerIndexPtr());
-    std::ranges::copy(rows, matrix_.innerIndexPtr());
-    std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 1.0);
-}
-
-// The nine slots of two control points; `before` are those coupled to the column's, which comes
-// after all of them.
-void SplineSystem::setSlots(const std::vector<int>& before, int row, int column, int* slots) const {
-    const auto place = static_cast<int>(std::ranges::lower_bound(before, row) - before.begin());
-    for (int b = 0; b < 3; ++b) {
-        const int last = row == column ? b : 2;
-        for (int a = 0; a <= last; ++a) {
-            slots[3 * space_.basisCount() * b + a] =
-                matrix_.outerIndexPtr()[3 * column + b] + 3 * place + a;
-        }
-    }
-}
-
+// A row of the block is one of its columns, as it is symmetric.
 void SplineSystem::addBlock(int span, const SpanMatrix& block) {
-    const int size = 3 * space_.basisCount();
-    const int* slot = slots_.data() + static_cast<std::ptrdiff_t>(span) * size * size;
-    double* values = matrix_.valuePtr();
-    for (int j = 0; j < size; ++j) {
-        for (int i = 0; i < size; ++i, ++slot) {
-            if (*slot >= 0) {
-                values[*slot] += block(i, j);
+    const int count = space_.basisCount();
+    const int first = space_.control(span, 0);
+    const bool isInOrder = space_.control(span, count - 1) == first + count - 1;
+    for (int i = 0; i < count; ++i) {
+        const int control = space_.control(span, i);
+        for (int axis = 0; axis < 3; ++axis) {
+            const int row = 3 * control + axis;
+            const double* const values = block.col(3 * i + axis).data();
+            if (isInOrder) {
+                factor_.addToRow(row, 3 * first, row, values);
+                continue;
+            }
+            for (int j = 0; j < count; ++j) {
+                const int other = space_.control(span, j);
+                if (other <= control) {
+                    const int last = other < control ? 3 * other + 2 : row;
+                    factor_.addToRow(
+                        row, 3 * other, last, values + 3 * static_cast<std::ptrdiff_t>(j)
+                    );
+                }
             }
         }
     }
 }
 
 bool SplineSystem::factorise(const std::vector<SpanMatrix>& blocks, double fitWeight) {
-    std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
+    factor_.clear();
     for (int span = 0; span < space_.spanCount(); ++span) {
         addBlock(span, blocks[at(span)]);
     }
@@ -136,8 +85,7 @@ bool SplineSystem::factorise(const std::vector<SpanMatrix>& blocks, double fitWe
         }
         addBlock(row.span, block);
     }
-    factor_.factorize(matrix_);
-    return factor_.info() == Eigen::Success;
+    return factor_.factorise();
 }
 
 Eigen::VectorXd SplineSystem::applyConstraints(const Eigen::VectorXd& x) const {
@@ -192,7 +140,7 @@ Eigen::VectorXd SplineSystem::constrainedStep(
     for (int i = 0; i < kMaxMultiplierSteps; ++i) {
         Eigen::VectorXd right = -gradient;
         addTransposed(-multipliers - fitWeight * residual, right);
-        step = factor_.solve(right);
+        step = factor_.solve(std::move(right));
         const Eigen::VectorXd violation = applyConstraints(step) + residual;
         multipliers += fitWeight * violation;
         if (violation.lpNorm<Eigen::Infinity>() <=

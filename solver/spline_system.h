@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "solver/band_cholesky.h"
 #include "solver/curve_problem.h"
 #include "solver/spline_space.h"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -35,8 +36,8 @@ struct InterpolationRow {
     const SplineSpace& space, const std::vector<PickConstraint>& picks
 );
 
-/// The Newton system of a spline: a banded (cyclic when closed) sparse matrix whose pattern is
-/// analysed once per knot vector, and the interpolation constraints.
+/// The Newton system of a spline: a matrix that is banded (cyclic when closed, so that the last
+/// control points border on all), and the interpolation constraints.
 class SplineSystem {
 public:
     SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows);
@@ -46,8 +47,8 @@ public:
     [[nodiscard]] bool factorise(const std::vector<SpanMatrix>& blocks, double fitWeight);
 
     /// Solution of the factorised system.
-    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
-        return factor_.solve(right);
+    [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd right) const {
+        return factor_.solve(std::move(right));
     }
 
     /// The step d that minimises d^T H d / 2 + gradient^T d under A d = -residual, by the method of
@@ -67,20 +68,11 @@ public:
     [[nodiscard]] const std::vector<InterpolationRow>& rows() const { return rows_; }
 
 private:
-    using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-
-    void makePattern(const std::vector<std::vector<int>>& coupled);
-    void setSlots(const std::vector<int>& before, int row, int column, int* slots) const;
     void addBlock(int span, const SpanMatrix& block);
 
     const SplineSpace& space_;
     std::vector<InterpolationRow> rows_;
-    Matrix matrix_;
-    std::vector<int> slots_;  // position in matrix_'s values of each upper entry of each span
-                              // block, -1 for lower ones
-    // In its natural order: the factor of a banded matrix has the same band, that of a cyclic one
-    // dense rows for the last control points in addition, and upper triangles are not copied.
-    Eigen::SimplicialLLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor_;
+    BandCholesky factor_;
 };
 
 }  // namespace bspline_curve

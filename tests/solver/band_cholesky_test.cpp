@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/band_cholesky.h"
+
+#include "support/random.h"
+
+#include <Eigen/Cholesky>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+using test_support::Random;
+
+struct Shape {
+    int size, bandwidth, border;
+};
+
+class BandCholeskyShapes : public testing::TestWithParam<Shape> {
+protected:
+    [[nodiscard]] bool isStored(int row, int column) const {
+        const auto [size, bandwidth, border] = GetParam();
+        return row >= size - border || row - column <= bandwidth;
+    }
+
+    // Random entries where there may be some, and a heavy diagonal.
+    [[nodiscard]] Eigen::MatrixXd randomMatrix() {
+        const int size = GetParam().size;
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+        for (int row = 0; row < size; ++row) {
+            for (int column = 0; column < row; ++column) {
+                if (isStored(row, column)) {
+                    matrix(row, column) = matrix(column, row) = random_.uniform(-1.0, 1.0);
+                }
+            }
+            matrix(row, row) = size + random_.uniform(0.0, 1.0);
+        }
+        return matrix;
+    }
+
+    static void setTo(const Eigen::MatrixXd& matrix, BandCholesky& factor) {
+        const Shape& shape = GetParam();
+        factor.clear();
+        for (int row = 0; row < shape.size; ++row) {
+            const bool isBorder = row >= shape.size - shape.border;
+            const int first = isBorder ? 0 : std::max(0, row - shape.bandwidth);
+            const Eigen::VectorXd entries = matrix.row(row).transpose();
+            factor.addToRow(row, first, row, entries.data() + first);
+        }
+    }
+
+    Random random_{123};
+    BandCholesky factor_{GetParam().size, GetParam().bandwidth, GetParam().border};
+};
+
+TEST_P(BandCholeskyShapes, SolveAsDenseOnes) {
+    for (int again = 0; again < 3; ++again) {
+        const Eigen::MatrixXd matrix = randomMatrix();
+        setTo(matrix, factor_);
+        ASSERT_TRUE(factor_.factorise());
+        Eigen::VectorXd right(GetParam().size);
+        for (double& value : right) {
+            value = random_.uniform(-1.0, 1.0);
+        }
+        const Eigen::VectorXd expected = matrix.llt().solve(right);
+        EXPECT_LT((factor_.solve(right) - expected).norm(), 1e-14 * (1.0 + expected.norm()));
+    }
+}
+
+TEST_P(BandCholeskyShapes, KnowWhatIsNotPositiveDefinite) {
+    for (const int at : {0, GetParam().size / 2, GetParam().size - 1}) {
+        Eigen::MatrixXd matrix = randomMatrix();
+        matrix(at, at) = -1.0;
+        setTo(matrix, factor_);
+        EXPECT_FALSE(factor_.factorise()) << at;
+    }
+    Eigen::MatrixXd matrix = randomMatrix();
+    matrix(0, 0) = std::nan("");
+    setTo(matrix, factor_);
+    EXPECT_FALSE(factor_.factorise());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    BandCholeskyShapes,
+    testing::Values(
+        Shape{1, 0, 0},
+        Shape{40, 0, 0},
+        Shape{40, 11, 0},
+        Shape{40, 11, 9},
+        Shape{40, 60, 0},
+        Shape{9, 11, 9},
+        Shape{61, 14, 12}
+    ),
+    [](const testing::TestParamInfo<Shape>& instance) {
+        return "Size" + std::to_string(instance.param.size) + "Band" +
+               std::to_string(instance.param.bandwidth) + "Border" +
+               std::to_string(instance.param.border);
+    }
+);
+
+}  // namespace
+}  // namespace bspline_curve
