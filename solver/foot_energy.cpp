@@ -80,25 +80,27 @@ double FootEnergy::parameter(int sample) const {
     return space_.breaks()[at(span)] + tauOf(sample) * space_.spanLength(span);
 }
 
-Vec3 FootEnergy::combine(
-    const ControlPoints& controls, int span, const SplineSpace::BasisValues& values
-) const {
-    Vec3 sum = Vec3::Zero();
-    for (int j = 0; j < space_.basisCount(); ++j) {
-        sum += values[at(j)] * controls.row(space_.control(span, j)).transpose();
-    }
-    return sum;
-}
-
-Vec3 FootEnergy::position(const ControlPoints& controls, int sample) const {
-    return combine(controls, spanOf(sample), samples_[at(sample)].basis);
-}
-
 void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
-    for (int sample = 0; sample < sampleCount(); ++sample) {
-        finder.move(
-            position(spline.controls, sample), spline.feet[at(sample)], spline.frames[at(sample)]
-        );
+    spline.seconds.resize(at(sampleCount()));
+    const int count = space_.basisCount();
+    std::array<Vec3, kMaxBasis> controls;
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        for (int j = 0; j < count; ++j) {
+            controls[at(j)] = spline.controls.row(space_.control(span, j)).transpose();
+        }
+        for (std::size_t sample = at(span * kSamplesPerSpan);
+             sample < at((span + 1) * kSamplesPerSpan);
+             ++sample) {
+            const Sample& table = samples_[sample];
+            Vec3 position = table.basis[0] * controls[0];
+            Vec3 second = table.second[0] * controls[0];
+            for (std::size_t j = 1; j < at(count); ++j) {
+                position += table.basis[j] * controls[j];
+                second += table.second[j] * controls[j];
+            }
+            finder.move(position, spline.feet[sample], spline.frames[sample]);
+            spline.seconds[sample] = second;
+        }
     }
 }
 
@@ -155,9 +157,7 @@ EnergyTerms FootEnergy::terms(
             sum.external +=
                 table.weight * fieldCost(problem_.options.fieldCost, fieldAt(foot)).value;
         }
-        const double along = frozen[at(sample)].direction.dot(
-            combine(spline.controls, spanOf(sample), table.second)
-        );
+        const double along = frozen[at(sample)].direction.dot(spline.seconds[at(sample)]);
         sum.internal += 0.5 * table.normalBending * along * along;
     }
     for (int span = 0; span < space_.spanCount(); ++span) {
@@ -234,7 +234,7 @@ void FootEnergy::differentiate(
             const Vec3& direction = spline.frames[at(first + i)].direction;
             points[at(i)] = pointDerivatives(spline, alpha, turning, first + i);
             bends[at(i)] = rankOne(direction, table.normalBending);
-            const double along = direction.dot(combine(spline.controls, span, table.second));
+            const double along = direction.dot(spline.seconds[at(first + i)]);
             bendForces[at(i)] = table.normalBending * along * direction;
         }
         const SplineSpace::BasisMatrix& ambient = ambient_[at(span)];

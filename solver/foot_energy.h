@@ -9,11 +9,12 @@
 
 namespace bspline_curve {
 
-/// A spline and the feet of its samples.
+/// A spline, the feet of its samples, and its second derivatives by t there.
 struct FootedSpline {
     ControlPoints controls;
     std::vector<FootPoint> feet;
     std::vector<FootFrame> frames;
+    std::vector<Vec3> seconds;
 };
 
 /// The energy (7) of a spline at samples, by their foot points: E_int (4) without the normal
@@ -36,9 +37,8 @@ public:
     [[nodiscard]] int sampleCount() const { return space_.spanCount() * kSamplesPerSpan; }
 
     [[nodiscard]] double parameter(int sample) const;
-    [[nodiscard]] Vec3 position(const ControlPoints& controls, int sample) const;
 
-    /// Finds the feet of all samples anew, each from where it is.
+    /// Finds the feet of all samples anew, each from where it is, and their second derivatives.
     void follow(const FootFinder& finder, FootedSpline& spline) const;
 
     /// The terms at a spline; bending along the directions of `frozen` (one frame per sample) does
@@ -79,9 +79,6 @@ private:
     [[nodiscard]] Vec3 fieldGradient(const FootPoint& foot, const FootFrame& frame) const;
     [[nodiscard]] double beyond(const FootPoint& foot) const;
     [[nodiscard]] Vec3 beyondGradient(const FootPoint& foot, const FootFrame& frame) const;
-    [[nodiscard]] Vec3 combine(
-        const ControlPoints& controls, int span, const SplineSpace::BasisValues& values
-    ) const;
 
     struct Sample {
         double weight;         // of the quadrature over [0, 1]

@@ -96,11 +96,12 @@ public:
         FootedSpline spline{
             std::move(controls),
             std::vector<FootPoint>(at(energy.sampleCount())),
-            std::vector<FootFrame>(at(energy.sampleCount()))
+            std::vector<FootFrame>(at(energy.sampleCount())),
+            {}
         };
         for (int i = 0; i < energy.sampleCount(); ++i) {
             const SurfacePoint nearest =
-                tree_.closestPoint(energy.position(spline.controls, i)).point;
+                tree_.closestPoint(space_.evaluate(spline.controls, energy.parameter(i))).point;
             spline.feet[at(i)] = {
                 nearest.face, nearest.barycentric[1], nearest.barycentric[2], 0.0
             };
@@ -435,8 +436,8 @@ TEST_P(FootEnergyOverASphere, TurnsAsTheSphereDoes) {
         double expected = 0.0;
         for (int i = 0; i < energy_.sampleCount(); ++i) {
             const int span = i / FootEnergy::kSamplesPerSpan;
-            const Vec3 p = energy_.position(scene_.controls(), i);
-            const Vec3 moves = energy_.position(change, i);
+            const Vec3 p = scene_.space().evaluate(scene_.controls(), energy_.parameter(i));
+            const Vec3 moves = scene_.space().evaluate(change, energy_.parameter(i));
             const Vec3 along = moves - p.normalized().dot(moves) * p.normalized();
             expected += scene_.space().spanLength(span) / FootEnergy::kSamplesPerSpan * 2.0 *
                         kAlpha / (scene_.edge() * scene_.edge()) * (p.norm() - radius) *
@@ -487,10 +488,12 @@ Relaxed relaxed(
     FootedSpline spline{
         std::move(controls),
         std::vector<FootPoint>(at(energy.sampleCount())),
-        std::vector<FootFrame>(at(energy.sampleCount()))
+        std::vector<FootFrame>(at(energy.sampleCount())),
+        {}
     };
     for (int i = 0; i < energy.sampleCount(); ++i) {
-        const SurfacePoint nearest = tree.closestPoint(energy.position(spline.controls, i)).point;
+        const SurfacePoint nearest =
+            tree.closestPoint(space.evaluate(spline.controls, energy.parameter(i))).point;
         spline.feet[at(i)] = {nearest.face, nearest.barycentric[1], nearest.barycentric[2], 0.0};
     }
     Eigen::VectorXd gradient;
