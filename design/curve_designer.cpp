@@ -2,6 +2,7 @@
 #include "design/curve_designer.h"
 
 #include "design/guide_path.h"
+#include "design/known_field.h"
 #include "design/prepared_surface.h"
 #include "design/shadow_curve.h"
 #include "design/strict_polyline.h"
@@ -138,7 +139,7 @@ constexpr std::array<double, 3> kGuideShares = {1.0, 0.25, 0.0};
 
 // What draws a curve somewhere, or keeps it away.
 struct Guides {
-    std::span<const double> field, vertexCosts;  // and c(I) at each vertex
+    const CheckedField& field;
     const Obstacles* obstacles;
 };
 
@@ -154,20 +155,15 @@ struct CurveDesigner::State : PreparedSurface {
     using PreparedSurface::PreparedSurface;
 
     double finestEdge = kFinestEdge * std::sqrt(areaOf(surface()));  ///< shorter ones count as that
+    mutable KnownField knownField;
 
     [[nodiscard]] StageSeconds stageSeconds() const;
     [[nodiscard]] ShellSummary summary() const;
 
     /// Without a shell.
     [[nodiscard]] CurveProblem makeProblem(
-        const SolverOptions& options,
-        std::vector<PickConstraint> picks,
-        std::span<const double> field
+        const SolverOptions& options, std::vector<PickConstraint> picks
     ) const;
-    [[nodiscard]] std::vector<double> checkedCosts(
-        std::span<const double> field, FieldCost cost
-    ) const;
-    [[nodiscard]] std::vector<double> fieldOnPillars(std::span<const double> field) const;
     void refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const;
     [[nodiscard]] Region regionOf(std::span<const int> faces) const;
     [[nodiscard]] std::optional<Obstacles> obstaclesOf(
@@ -229,49 +225,6 @@ ShellSummary CurveDesigner::State::summary() const {
     return summary;
 }
 
-// c(I) at each vertex.
-std::vector<double> CurveDesigner::State::checkedCosts(
-    std::span<const double> field, FieldCost cost
-) const {
-    if (field.empty()) {
-        return {};
-    }
-    if (field.size() != surface().vertices().size()) {
-        throw InputError(
-            InputErrorCode::BadField,
-            "the field has " + std::to_string(field.size()) + " values for " +
-                std::to_string(surface().vertices().size()) + " vertices: give one value per vertex"
-        );
-    }
-    std::vector<double> costs = vertexCostsOf(field, cost);
-    std::vector<std::int64_t> bad;
-    for (std::size_t v = 0; v < field.size(); ++v) {
-        if (!std::isfinite(field[v]) || !std::isfinite(costs[v])) {
-            bad.push_back(static_cast<std::int64_t>(v));
-        }
-    }
-    if (!bad.empty()) {
-        throw InputError(
-            InputErrorCode::BadField,
-            "the field or its cost is not finite at " + std::to_string(bad.size()) + " vertices (" +
-                describeElements(bad) + "): give another number there",
-            bad
-        );
-    }
-    return costs;
-}
-
-std::vector<double> CurveDesigner::State::fieldOnPillars(std::span<const double> field) const {
-    if (field.empty()) {
-        return {};
-    }
-    std::vector<double> values(field.begin(), field.end());
-    for (const int origin : base()->ghostOrigin) {
-        values.push_back(field[at(origin)]);
-    }
-    return values;
-}
-
 void CurveDesigner::State::refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const {
     const std::vector<int>& blocked = wholeShell().build.report.blockedFaces;
     for (std::size_t i = 0; i < picks.size(); ++i) {
@@ -305,14 +258,13 @@ std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
 }
 
 CurveProblem CurveDesigner::State::makeProblem(
-    const SolverOptions& options, std::vector<PickConstraint> picks, std::span<const double> field
+    const SolverOptions& options, std::vector<PickConstraint> picks
 ) const {
     CurveProblem problem;
     problem.surface = &surface();
     problem.base = base().get();
     problem.nearThickness = this->PreparedSurface::options().thickness;
     problem.picks = std::move(picks);
-    problem.field = fieldOnPillars(field);
     problem.options = options;
     problem.averageEdgeLength = surface().averageEdgeLength() / base()->frame.scale;
     problem.distanceTolerance = options.distanceTolerance *
@@ -331,8 +283,9 @@ CurveProblem CurveDesigner::State::makeProblem(
 CurveProblem CurveDesigner::State::problemOnPath(
     PickPath& path, const SolverOptions& options, const Guides& guides, const Progress& progress
 ) const {
-    CurveProblem problem = makeProblem(options, std::move(path.picks), guides.field);
-    problem.fieldCosts = summaryOf(guides.vertexCosts);
+    CurveProblem problem = makeProblem(options, std::move(path.picks));
+    problem.field = guides.field.values;
+    problem.fieldCosts = guides.field.costs;
     problem.obstacles = guides.obstacles;
     problem.progress = progress;
     return problem;
@@ -361,7 +314,7 @@ std::optional<Solved> CurveDesigner::State::solveNearby(
     const Progress& progress
 ) const {
     Stopwatch lap;
-    const FieldTravel travel = fieldTravelOf(surface(), guides.vertexCosts, options);
+    const FieldTravel travel = guides.field.travel(options, 1.0);
     PickPath path = makePickPath(
         surface(), *base(), picks, options.closed, {{}, travel, guides.obstacles, &patches()}
     );
@@ -394,7 +347,7 @@ Solved CurveDesigner::State::solveInWhole(
     }
     Stopwatch lap;
     for (const double share : kGuideShares) {
-        const FieldTravel travel = fieldTravelOf(surface(), guides.vertexCosts, options, share);
+        const FieldTravel travel = guides.field.travel(options, share);
         if (share > 0.0 && travel.empty()) {
             continue;
         }
@@ -559,7 +512,8 @@ Curve CurveDesigner::design(
     options.validate();
     sampling.validate();
     const State& state = *state_;
-    const std::vector<double> vertexCosts = state.checkedCosts(guidance.field, options.fieldCost);
+    const std::shared_ptr<const CheckedField> field =
+        state.knownField.find(state.surface(), *state.base(), guidance.field, options.fieldCost);
     const std::vector<SurfacePoint> located =
         locatePicks(state.surface(), state.tree(), picks, options.closed);
     const Region region = state.regionOf(guidance.avoid);
@@ -567,9 +521,8 @@ Curve CurveDesigner::design(
     if (obstacles) {
         refuseAvoidedPicks(state.surface(), *obstacles, located);
     }
-    const auto [problem, solution] = state.solveCurve(
-        located, options, {guidance.field, vertexCosts, obstacles ? &*obstacles : nullptr}, progress
-    );
+    const auto [problem, solution] =
+        state.solveCurve(located, options, {*field, obstacles ? &*obstacles : nullptr}, progress);
     if (!std::isfinite(solution.report.maxDistance)) {
         refuseLostCurve(solution.report.status);
     }
@@ -615,7 +568,7 @@ SurfacePolyline CurveDesigner::resample(
     SolverOptions options;
     options.degree = data.degree;
     options.closed = data.closed;
-    CurveProblem problem = state.makeProblem(options, std::move(picks), {});
+    CurveProblem problem = state.makeProblem(options, std::move(picks));
     const std::optional<Obstacles> obstacles = state.obstaclesOf(state.regionOf(avoid), options);
     problem.obstacles = obstacles ? &*obstacles : nullptr;
     const std::optional<NearShell> near = state.shellNear(curve.polyline, problem, space, controls);

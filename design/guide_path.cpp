@@ -2,7 +2,7 @@
 #include "design/guide_path.h"
 
 #include "design/taut_path.h"
-#include "solver/field_cost.h"
+#include "surface/corridor_search.h"
 #include "surface/geodesic_path.h"
 #include "surface/input_error.h"
 
@@ -59,25 +59,6 @@ TravelCosts totalCosts(const Surface& surface, const Terrain& terrain) {
     }};
 }
 
-double meanOver(const Triangle& face, std::span<const double> vertexCosts) {
-    const double sum =
-        vertexCosts[at(face[0])] + vertexCosts[at(face[1])] + vertexCosts[at(face[2])];
-    return sum / 3.0;
-}
-
-// The least of all faces' means. A face below another has a vertex below that, and few are.
-double leastMean(const Surface& surface, std::span<const double> vertexCosts) {
-    double least = meanOver(surface.faces().front(), vertexCosts);
-    for (int v = 0; v < surface.vertexCount(); ++v) {
-        if (vertexCosts[at(v)] < least) {
-            for (const int f : surface.facesAround(v)) {
-                least = std::min(least, meanOver(surface.faces()[at(f)], vertexCosts));
-            }
-        }
-    }
-    return least;
-}
-
 // The point where a path leaves a face for that of the next point, away from the obstacles.
 SurfacePoint keptClear(
     const Surface& surface,
@@ -94,55 +75,69 @@ SurfacePoint keptClear(
     return point;
 }
 
-// What pulls a taut path. The energy E_int of a path is its squared length over the squared
-// distance of its ends, so this weight of the field has the minimum of length times cost.
-CurveProblem tautProblem(
-    const ShellBase& base, const FieldTravel& field, const GeodesicPath& path
-) {
-    CurveProblem problem;
-    problem.base = &base;
-    if (!field.empty()) {
-        problem.field.assign(field.vertexCosts.begin(), field.vertexCosts.end());
-        for (const int origin : base.ghostOrigin) {
-            problem.field.push_back(field.vertexCosts[at(origin)]);
-        }
-        double excess = 0.0;
-        for (const SurfacePoint& point : path.points) {
-            const double cost = field.costOf(base.faces[at(point.face)]);
-            excess += (cost - 1.0) / static_cast<double>(path.points.size());
-        }
-        const double detour = path.length / (path.positions.back() - path.positions.front()).norm();
-        problem.options.fieldWeight = 2.0 * field.weight * detour * detour / (1.0 + excess);
-        problem.options.fieldCost = FieldCost::Identity;
-        problem.fieldCosts = {.least = field.least, .meanExcess = 1.0};
-    }
-    return problem;
-}
+// Ways are sought among patches alone where the surface has as many of them, which are then small
+// beside all that the first path is for, and the way leads over as many.
+constexpr int kFinePatches = 8192;
+constexpr int kLongWay = 12;
+// Else among faces. Longer strips of these are pulled taut at points of them instead of
+// straightened vertex by vertex.
+constexpr std::size_t kLongStrip = 64;
 
-// Longer strips of faces are pulled taut at samples instead of straightened vertex by vertex, where
-// there is nothing to keep out of. That depends on roundings a little more than straightening.
-constexpr std::size_t kLongStrip = 200;
-
-std::optional<std::vector<SurfacePoint>> findPath(
-    GeodesicPathFinder& finder,
-    const ShellBase& base,
-    const Terrain& terrain,
-    const SurfacePoint& start,
-    const SurfacePoint& goal
-) {
-    const bool isOpen = terrain.obstacles == nullptr && terrain.blockedFaces.empty();
-    std::optional<GeodesicPath> path =
-        isOpen ? finder.find(start, goal, kLongStrip) : finder.find(start, goal);
-    if (path && !path->isStraight) {
-        std::optional<std::vector<SurfacePoint>> taut =
-            pullTaut(tautProblem(base, terrain.field, *path), path->points);
-        if (taut) {
-            return taut;
+// Finds paths from pick to pick.
+class PathFinder {
+public:
+    PathFinder(const Surface& surface, const ShellBase& base, const Terrain& terrain)
+        : base_(base),
+          terrain_(terrain),
+          costs_(totalCosts(surface, terrain)),
+          finder_(surface, costs_, terrain.patches) {
+        if (isOpen() && terrain.patches != nullptr) {
+            ways_.emplace(surface, *terrain.patches, costs_);
         }
-        path = finder.find(start, goal);
     }
-    return path ? std::optional(std::move(path->points)) : std::nullopt;
-}
+
+    [[nodiscard]] std::optional<std::vector<SurfacePoint>> find(
+        const SurfacePoint& start, const SurfacePoint& goal
+    ) {
+        std::optional<std::vector<SurfacePoint>> path;
+        if (ways_) {
+            path = ways_->findWay(start, goal, kFinePatches, kLongWay);
+            path = path ? pullTaut(base_, terrain_.field, *path) : std::nullopt;
+        }
+        if (!path) {
+            path = findOverFaces(start, goal);
+        }
+        return path;
+    }
+
+private:
+    // Whether there is nothing to keep out of.
+    [[nodiscard]] bool isOpen() const {
+        return terrain_.obstacles == nullptr && terrain_.blockedFaces.empty();
+    }
+
+    [[nodiscard]] std::optional<std::vector<SurfacePoint>> findOverFaces(
+        const SurfacePoint& start, const SurfacePoint& goal
+    ) {
+        std::optional<GeodesicPath> path =
+            isOpen() ? finder_.find(start, goal, kLongStrip) : finder_.find(start, goal);
+        if (path && !path->isStraight) {
+            std::optional<std::vector<SurfacePoint>> taut =
+                pullTaut(base_, terrain_.field, path->points);
+            if (taut) {
+                return taut;
+            }
+            path = finder_.find(start, goal);
+        }
+        return path ? std::optional(std::move(path->points)) : std::nullopt;
+    }
+
+    const ShellBase& base_;
+    const Terrain& terrain_;
+    TravelCosts costs_;
+    GeodesicPathFinder finder_;
+    std::optional<CorridorSearch> ways_;
+};
 
 }  // namespace
 
@@ -153,7 +148,7 @@ PickPath makePickPath(
     bool closed,
     const Terrain& terrain
 ) {
-    GeodesicPathFinder finder(surface, totalCosts(surface, terrain), terrain.patches);
+    PathFinder finder(surface, base, terrain);
     PickPath result;
     double length = 0.0;
     const auto add = [&](const SurfacePoint& point) {
@@ -166,8 +161,7 @@ PickPath makePickPath(
     const std::size_t intervals = closed ? picks.size() : picks.size() - 1;
     for (std::size_t i = 0; i < intervals; ++i) {
         const std::size_t next = (i + 1) % picks.size();
-        const std::optional<std::vector<SurfacePoint>> path =
-            findPath(finder, base, terrain, picks[i], picks[next]);
+        const std::optional<std::vector<SurfacePoint>> path = finder.find(picks[i], picks[next]);
         if (!path) {
             throwNoPath(i, next, terrain);
         }
@@ -200,23 +194,6 @@ PickPath makePickPath(
         result.picks.back().parameter = 1.0;
     }
     return result;
-}
-
-double FieldTravel::costOf(const Triangle& face) const {
-    return 1.0 + weight * (meanOver(face, vertexCosts) - least);
-}
-
-FieldTravel fieldTravelOf(
-    const Surface& surface,
-    std::span<const double> vertexCosts,
-    const SolverOptions& options,
-    double share
-) {
-    const double weight = share * options.fieldWeight / kUsualBending;
-    if (vertexCosts.empty() || weight == 0.0 || !options.fieldGuidesPath) {
-        return {};
-    }
-    return {vertexCosts, weight, leastMean(surface, vertexCosts)};
 }
 
 }  // namespace bspline_curve

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "design/field_travel.h"
 #include "shell/shell_base.h"
 #include "solver/initial_curve.h"
 #include "solver/obstacles.h"
@@ -15,18 +16,6 @@ namespace bspline_curve {
 struct PickPath {
     GuidePath guide;
     std::vector<PickConstraint> picks;  ///< with parameters by length along the guide
-};
-
-/// By how much a field makes paths through a face cost more.
-struct FieldTravel {
-    std::span<const double> vertexCosts;  ///< c at each vertex; empty: the field has no say
-    double weight = 0.0;
-    double least = 0.0;  ///< mean of c in the cheapest face
-
-    [[nodiscard]] bool empty() const { return vertexCosts.empty(); }
-
-    /// What a unit of length costs in a face: 1 in the cheapest.
-    [[nodiscard]] double costOf(const Triangle& face) const;
 };
 
 /// What paths meet on the surface. Refers to what it is made from.
@@ -48,16 +37,6 @@ struct Terrain {
     const std::vector<SurfacePoint>& picks,
     bool closed,
     const Terrain& terrain
-);
-
-/// How paths follow a field: a unit of length costs 1 in the cheapest face, and more with mu and
-/// `share` of the cost c of the field. Empty where the field has no say. One pass over the
-/// vertices. `vertexCosts`: c at each vertex, or empty; referred to.
-[[nodiscard]] FieldTravel fieldTravelOf(
-    const Surface& surface,
-    std::span<const double> vertexCosts,
-    const SolverOptions& options,
-    double share = 1.0
 );
 
 }  // namespace bspline_curve

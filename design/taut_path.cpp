@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/taut_path.h"
 
-#include "solver/foot_newton.h"
+#include "solver/foot_point.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -10,118 +12,329 @@
 namespace bspline_curve {
 namespace {
 
+using Matrix2 = Eigen::Matrix2d;
+using Vec2 = Eigen::Vector2d;
+using Tangents = Eigen::Matrix<double, 3, 2>;
+
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-constexpr int kSegments = 8;
-// Heights are measured in this share of the distance of the ends, and cost so much, one after the
-// other: first so that the path may slide, at last so that it lies on the surface to 1e-6 of that.
-constexpr double kUnitShare = 0.01;
-constexpr std::array<double, 2> kWeights = {10.0, 1e3};
-constexpr int kMaxSteps = 6;
-constexpr double kDecrement = 1e-10;
-// No path floats as high as this, or is longer than the one that it comes from by more.
-constexpr double kHighest = 0.02;
-constexpr double kLongest = 1.02;
+constexpr int kSegments = 48;
+constexpr int kMaxSteps = 16;
+// Under a field more steps gain less than they take: the curve itself follows it better.
+constexpr int kMaxFieldSteps = 4;
+// The string is at rest where a step changes the energy by no more than this share of it, or on
+// rough surfaces, where steps do not get any better, by this after a few.
+constexpr double kRest = 1e-8;
+constexpr double kSettledShare = 1e-4;
+constexpr int kManySteps = 4;
+constexpr double kRiseShare = 1e-4;
+constexpr int kMaxHalvings = 6;
+// Shares of the surface's bending that are tried in turn until the Hessian is positive.
+constexpr std::array<double, 3> kTurningShares = {1.0, 0.5, 0.0};
+// Points nearer than this share of their segment are one.
+constexpr double kSameShare = 0.3;
+constexpr int kShortSteps = 8;
+// No path becomes longer by more.
+constexpr double kLongest = 1.001;
 
-// Points of a path by their share of its length.
+// Points of a path by their share of what it costs.
 struct MeasuredPath {
     std::vector<Vec3> positions;
-    std::vector<double> lengths;
+    std::vector<double> costs;
+    double length = 0.0;
 
-    MeasuredPath(const ShellBase& base, std::span<const SurfacePoint> path) {
+    MeasuredPath(
+        const ShellBase& base, const FieldTravel& field, std::span<const SurfacePoint> path
+    ) {
         for (const SurfacePoint& point : path) {
             positions.push_back(base.position(point));
-            const Vec3& before = positions[positions.size() < 2 ? 0 : positions.size() - 2];
-            lengths.push_back(
-                (lengths.empty() ? 0.0 : lengths.back()) + (positions.back() - before).norm()
-            );
+            if (costs.empty()) {
+                costs.push_back(0.0);
+                continue;
+            }
+            const double leg = (positions.back() - *(positions.end() - 2)).norm();
+            const double cost = field.empty() ? 1.0 : field.costOf(base.faces[at(point.face)]);
+            length += leg;
+            costs.push_back(costs.back() + leg * cost);
         }
     }
 
-    [[nodiscard]] double length() const { return lengths.back(); }
-
-    // The last point before a share of the length, but for the last of all.
+    // The last point before a share of the cost, but for the last of all.
     [[nodiscard]] std::size_t indexAt(double share) const {
-        const auto above = std::ranges::upper_bound(lengths, share * length());
-        const auto index = static_cast<std::size_t>(above - lengths.begin());
-        return std::clamp<std::size_t>(index, 1, lengths.size() - 1) - 1;
+        const auto above = std::ranges::upper_bound(costs, share * costs.back());
+        const auto index = static_cast<std::size_t>(above - costs.begin());
+        return std::clamp<std::size_t>(index, 1, costs.size() - 1) - 1;
     }
 
     [[nodiscard]] Vec3 positionAt(double share) const {
         const std::size_t i = indexAt(share);
-        const double gap = lengths[i + 1] - lengths[i];
-        const double s = gap > 0.0 ? (share * length() - lengths[i]) / gap : 0.0;
+        const double gap = costs[i + 1] - costs[i];
+        const double s = gap > 0.0 ? (share * costs.back() - costs[i]) / gap : 0.0;
         return (1.0 - s) * positions[i] + s * positions[i + 1];
     }
 };
 
-SplineCurve polygonAlong(const MeasuredPath& path) {
-    std::vector<double> breaks;
-    ControlPoints controls(kSegments + 1, 3);
-    for (int i = 0; i <= kSegments; ++i) {
-        breaks.push_back(static_cast<double>(i) / kSegments);
-        controls.row(i) = path.positionAt(breaks.back()).transpose();
+// A string of points on the surface. Its energy is half the sum of the squared lengths of its
+// segments, each times the mean of the squared costs at its ends: least where the string runs along
+// the cheapest path and its points lie evenly by cost.
+class String {
+public:
+    String(const ShellBase& base, const FieldTravel& field, std::span<const SurfacePoint> path)
+        : base_(base), field_(field), finder_(base) {
+        const MeasuredPath measured(base, field, path);
+        pathLength_ = measured.length;
+        chord_ = (measured.positions.back() - measured.positions.front()).norm();
+        now_.assign(kSegments + 1, {});
+        for (int i = 0; i <= kSegments; ++i) {
+            const double share = static_cast<double>(i) / kSegments;
+            const SurfacePoint& near = i == kSegments ? path.back() : path[measured.indexAt(share)];
+            Bead& bead = now_[at(i)];
+            bead.foot = {near.face, near.barycentric[1], near.barycentric[2], 0.0};
+            place(bead, i == kSegments ? measured.positions.back() : measured.positionAt(share));
+        }
+        now_.front().position = measured.positions.front();
+        now_.back().position = measured.positions.back();
+        trial_ = now_;
     }
-    return {SplineSpace(1, false, std::move(breaks)), std::move(controls)};
-}
 
-bool comesToRest(FootNewton& newton, const FootFinder& finder) {
-    bool isAtRest = false;
-    for (const double weight : kWeights) {
-        isAtRest = false;
-        for (int i = 0; i < kMaxSteps && !isAtRest; ++i) {
-            const std::optional<FootNewton::Step> step = newton.step(finder, weight);
-            if (!step) {
+    [[nodiscard]] bool comesToRest() {
+        if (!(chord_ > 0.0)) {
+            return false;
+        }
+        for (int step = 0; step < (field_.empty() ? kMaxSteps : kMaxFieldSteps); ++step) {
+            if (!solve()) {
                 return false;
             }
-            isAtRest = step->decrement <= kDecrement * step->scale || step->length == 0.0;
+            if (move(step)) {
+                break;
+            }
+        }
+        return true;
+    }
+
+    // The points but for the ends; nothing where one is beyond a boundary, or not on the same side
+    // of the surface as the one before.
+    [[nodiscard]] std::optional<std::vector<SurfacePoint>> points() const {
+        double length = 0.0;
+        std::vector<SurfacePoint> result;
+        for (int i = 1; i <= kSegments; ++i) {
+            const Bead& bead = now_[at(i)];
+            length += (bead.position - now_[at(i - 1)].position).norm();
+            if (bead.foot.face >= base_.surfaceFaceCount || !isJoined(now_[at(i - 1)], bead)) {
+                return std::nullopt;
+            }
+            if (i == kSegments) {
+                continue;
+            }
+            const Vec3 barycentric = bead.foot.barycentric().cwiseMax(0.0);
+            result.push_back({bead.foot.face, barycentric / barycentric.sum()});
+        }
+        if (field_.empty() && length > kLongest * pathLength_) {
+            return std::nullopt;
+        }
+        return result;
+    }
+
+private:
+    struct Bead {
+        FootPoint foot;
+        FootFrame frame;
+        Vec3 position = Vec3::Zero();
+        double cost = 1.0;
+    };
+
+    [[nodiscard]] double costAt(int vertex) const {
+        return field_.costAt(base_.surfaceVertex(vertex));
+    }
+
+    // Puts a bead on the surface, at the foot of a point.
+    void place(Bead& bead, const Vec3& point) const {
+        finder_.move(point, bead.foot, bead.frame);
+        bead.foot.height = 0.0;
+        bead.position = base_.position({bead.foot.face, bead.foot.barycentric()});
+        if (!field_.empty()) {
+            const Triangle& face = base_.faces[at(bead.foot.face)];
+            const Vec3 costs(costAt(face[0]), costAt(face[1]), costAt(face[2]));
+            bead.cost = costs.dot(bead.foot.barycentric());
         }
     }
-    return true;
-}
+
+    // Whether a walk over the surface leads from one bead to the next, over sharp edges by short
+    // steps: a string may have slipped off the rim of a thin plate, and then it passes through it.
+    [[nodiscard]] bool isJoined(const Bead& from, const Bead& to) const {
+        return arrives(from, to, 1) || arrives(from, to, kShortSteps);
+    }
+
+    [[nodiscard]] bool arrives(const Bead& from, const Bead& to, int steps) const {
+        Bead walker = from;
+        const Vec3 way = to.position - from.position;
+        for (int i = 1; i <= steps; ++i) {
+            const double share = static_cast<double>(i) / steps;
+            finder_.move(from.position + share * way, walker.foot, walker.frame);
+        }
+        const Vec3 reached = base_.position({walker.foot.face, walker.foot.barycentric()});
+        return (reached - to.position).norm() <= kSameShare * way.norm() &&
+               walker.frame.direction.dot(to.frame.direction) > 0.0;
+    }
+
+    [[nodiscard]] Vec3 costGradient(const Bead& bead) const {
+        if (field_.empty()) {
+            return Vec3::Zero();
+        }
+        const Triangle& face = base_.faces[at(bead.foot.face)];
+        const double corner = costAt(face[0]);
+        return (costAt(face[1]) - corner) * bead.frame.u +
+               (costAt(face[2]) - corner) * bead.frame.v;
+    }
+
+    [[nodiscard]] static double stiffness(const Bead& a, const Bead& b) {
+        return 0.5 * (a.cost * a.cost + b.cost * b.cost);
+    }
+
+    [[nodiscard]] static double energy(const std::vector<Bead>& beads) {
+        double sum = 0.0;
+        for (std::size_t i = 1; i < beads.size(); ++i) {
+            sum += 0.5 * stiffness(beads[i - 1], beads[i]) *
+                   (beads[i].position - beads[i - 1].position).squaredNorm();
+        }
+        return sum;
+    }
+
+    static Tangents tangentsAt(const Vec3& direction) {
+        Tangents tangents;
+        tangents.col(0) = direction.unitOrthogonal();
+        tangents.col(1) = direction.cross(tangents.col(0));
+        return tangents;
+    }
+
+    // The second fundamental form: how the direction turns along the surface.
+    static Matrix2 bendingAt(const FootFrame& frame, const Tangents& tangents) {
+        const Tangents turning = frame.turnU * (frame.u.transpose() * tangents) +
+                                 frame.turnV * (frame.v.transpose() * tangents);
+        const Matrix2 form = tangents.transpose() * turning;
+        return 0.5 * (form + form.transpose());
+    }
+
+    // Newton's step, by elimination from the first bead to the last; false where the Hessian is not
+    // positive.
+    [[nodiscard]] bool solve() {
+        return std::ranges::any_of(kTurningShares, [this](double share) {
+            return eliminate(share);
+        });
+    }
+
+    [[nodiscard]] bool eliminate(double turningShare) {
+        decrement_ = 0.0;
+        Tangents tangentsBefore = Tangents::Zero();
+        Matrix2 inverseBefore = Matrix2::Zero();
+        Vec2 solvedBefore = Vec2::Zero();
+        for (int i = 1; i < kSegments; ++i) {
+            const Bead& bead = now_[at(i)];
+            const Bead& last = now_[at(i - 1)];
+            const Bead& next = now_[at(i + 1)];
+            Row& row = rows_[at(i)];
+            row.tangents = tangentsAt(bead.frame.direction);
+            const double before = stiffness(last, bead);
+            const double after = stiffness(bead, next);
+            const Vec3 in = bead.position - last.position;
+            const Vec3 out = next.position - bead.position;
+            const Vec3 pull = after * out - before * in;
+            const Vec2 slope = row.tangents.transpose() * costGradient(bead);
+            const double share = 0.5 * (in.squaredNorm() + out.squaredNorm());
+            row.force = row.tangents.transpose() * pull - bead.cost * share * slope;
+            Matrix2 block =
+                (before + after) * Matrix2::Identity() + share * slope * slope.transpose() +
+                turningShare * pull.dot(bead.frame.direction) * bendingAt(bead.frame, row.tangents);
+            Vec2 right = row.force;
+            row.coupling = -before * tangentsBefore.transpose() * row.tangents;
+            if (i > 1) {
+                block -= row.coupling.transpose() * inverseBefore * row.coupling;
+                right -= row.coupling.transpose() * solvedBefore;
+            }
+            const double determinant = block.determinant();
+            if (block(0, 0) <= 0.0 || !(determinant > kLeastDeterminant * block.squaredNorm())) {
+                return false;
+            }
+            row.inverse = block.inverse();
+            row.solved = row.inverse * right;
+            tangentsBefore = row.tangents;
+            inverseBefore = row.inverse;
+            solvedBefore = row.solved;
+        }
+        for (int i = kSegments - 1; i > 0; --i) {
+            Row& row = rows_[at(i)];
+            if (i + 1 < kSegments) {
+                const Row& next = rows_[at(i + 1)];
+                row.solved -= row.inverse * (next.coupling * next.solved);
+            }
+            decrement_ += 0.5 * row.force.dot(row.solved);
+        }
+        return true;
+    }
+
+    void placeTrial(double length) {
+        for (int i = 1; i < kSegments; ++i) {
+            const Row& row = rows_[at(i)];
+            trial_[at(i)] = now_[at(i)];
+            place(trial_[at(i)], now_[at(i)].position + length * (row.tangents * row.solved));
+        }
+    }
+
+    // Moves as far as the energy falls, and returns whether the string is at rest. Without a field
+    // the energy may rise by a little: the condition that the string pulls along the directions has
+    // no kinks, so whole steps meet it to rounding, unlike the energy on flat faces.
+    [[nodiscard]] bool move(int step) {
+        const double before = energy(now_);
+        if (!field_.empty() && decrement_ <= kSettledShare * before) {
+            return true;
+        }
+        const double highest = field_.empty() ? (1.0 + kRiseShare) * before : before;
+        double length = 1.0;
+        for (int halving = 0; halving < kMaxHalvings; ++halving, length *= 0.5) {
+            placeTrial(length);
+            const double after = energy(trial_);
+            if (after < highest) {
+                std::swap(now_, trial_);
+                const double change = std::abs(before - after) / before;
+                return change <= kRest || (step >= kManySteps && change <= kSettledShare);
+            }
+        }
+        return true;
+    }
+
+    static constexpr double kLeastDeterminant = 1e-9;
+
+    struct Row {
+        Tangents tangents;
+        Matrix2 coupling, inverse;  // coupling: with the bead before
+        Vec2 force, solved;
+    };
+
+    const ShellBase& base_;
+    const FieldTravel& field_;
+    FootFinder finder_;
+    double pathLength_ = 0.0;
+    double chord_ = 0.0;
+    double decrement_ = 0.0;
+    std::vector<Bead> now_, trial_;
+    std::array<Row, kSegments> rows_;
+};
 
 }  // namespace
 
 std::optional<std::vector<SurfacePoint>> pullTaut(
-    CurveProblem problem, std::span<const SurfacePoint> path
+    const ShellBase& base, const FieldTravel& field, std::span<const SurfacePoint> path
 ) {
-    const ShellBase& base = *problem.base;
-    const MeasuredPath measured(base, path);
-    problem.chordLength = (measured.positions.back() - measured.positions.front()).norm();
-    if (!(problem.chordLength > 0.0)) {
+    String string(base, field, path);
+    if (!string.comesToRest()) {
         return std::nullopt;
     }
-    problem.options.tension = 1.0;
-    problem.options.bending = Bending::Ambient;
-    problem.picks = {
-        {path.front(), measured.positions.front(), 0.0},
-        {path.back(), measured.positions.back(), 1.0}
-    };
-    const FootFinder finder(base);
-    FootNewton newton(problem, polygonAlong(measured), kUnitShare * problem.chordLength);
-    for (int sample = 0; sample < newton.energy().sampleCount(); ++sample) {
-        const SurfacePoint& near = path[measured.indexAt(newton.energy().parameter(sample))];
-        newton.now().feet[at(sample)] = {near.face, near.barycentric[1], near.barycentric[2], 0.0};
-    }
-    newton.follow(finder);
-    if (!comesToRest(newton, finder) ||
-        newton.energy().largestHeight(newton.now()) > kHighest * problem.chordLength) {
-        return std::nullopt;
-    }
-    std::vector<SurfacePoint> taut{path.front()};
-    for (const FootPoint& foot : newton.now().feet) {
-        if (foot.face >= base.surfaceFaceCount) {
-            return std::nullopt;
-        }
-        const Vec3 barycentric = foot.barycentric().cwiseMax(0.0);
-        taut.push_back({foot.face, barycentric / barycentric.sum()});
-    }
-    taut.push_back(path.back());
-    const bool hasField = !problem.field.empty();
-    if (!hasField && MeasuredPath(base, taut).length() > kLongest * measured.length()) {
-        return std::nullopt;
+    std::optional<std::vector<SurfacePoint>> taut = string.points();
+    if (taut) {
+        taut->insert(taut->begin(), path.front());
+        taut->push_back(path.back());
     }
     return taut;
 }

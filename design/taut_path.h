@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "design/field_travel.h"
 #include "shell/shell_base.h"
-#include "solver/curve_problem.h"
 #include "surface/surface_point.h"
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace bspline_curve {
 
-/// Pulls a path of many faces taut: the polyline of a fixed number of segments, near the surface,
-/// that minimises E_int (4) with full tension, and E_ext where `problem` has a field, from the path
-/// on. Its feet stand for the geodesic in the path's neighbourhood, to about a thousandth of its
-/// length; the time does not depend on how many faces lie between.
+/// Pulls a path taut at a fixed number of points of it, which move over the surface: along a
+/// geodesic in the path's neighbourhood, to about a thousandth of its length, or where a field
+/// makes lengths cost more, to a path that is cheaper and about the cheapest there. The time
+/// hardly depends on how many faces lie between.
 ///
-/// `problem`: base, field, its cost and weight. `path`: consecutive points, first and last stay.
-/// Nothing where the polyline does not come to rest on the surface.
+/// `path`: ascending along the way, two points at least; the first and the last stay. Nothing where
+/// the points do not come to rest, or leave the surface over its boundary.
 [[nodiscard]] std::optional<std::vector<SurfacePoint>> pullTaut(
-    CurveProblem problem, std::span<const SurfacePoint> path
+    const ShellBase& base, const FieldTravel& field, std::span<const SurfacePoint> path
 );
 
 }  // namespace bspline_curve

@@ -8,6 +8,7 @@
 #include "surface/progress.h"
 #include "surface/surface.h"
 
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -22,7 +23,8 @@ struct PickConstraint {
     double parameter = 0.0;  ///< t_ki; 0 for the first
 };
 
-/// One curve to solve for: the shell, the picks, the field; all in the shell's frame.
+/// One curve to solve for: the shell, the picks, the field; all in the shell's frame. Refers to the
+/// shell, the base, the obstacles and the field.
 struct CurveProblem {
     const Shell* shell = nullptr;  ///< null: relax() makes shells near the curve, and solve() fails
     const Surface* surface = nullptr;  ///< needed where there is no shell
@@ -31,8 +33,8 @@ struct CurveProblem {
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     const Obstacles* obstacles = nullptr;     ///< what the curve avoids; null: nothing
     std::vector<PickConstraint> picks;
-    std::vector<double> field;  ///< one value per vertex of the base, or empty
-    FieldCosts fieldCosts;      ///< of `field`, as the options say
+    std::span<const double> field;  ///< one value per vertex of the base, or empty
+    FieldCosts fieldCosts;          ///< of `field`, as the options say
     SolverOptions options;
     double chordLength = 0.0;        ///< L of (4)
     double averageEdgeLength = 0.0;  ///< in the shell's frame

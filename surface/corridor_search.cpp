@@ -37,6 +37,49 @@ bool CorridorSearch::find(const SurfacePoint& start, const SurfacePoint& goal) {
     return !patches_.levels().empty();
 }
 
+std::optional<std::vector<SurfacePoint>> CorridorSearch::findWay(
+    const SurfacePoint& start, const SurfacePoint& goal, int leastCount, int leastLength
+) {
+    const End from = endAt(start);
+    const End to = endAt(goal);
+    corridor_.clear();
+    for (std::size_t level = patches_.levels().size(); level-- > 0;) {
+        if (!findIn(level, from, to)) {
+            return std::nullopt;
+        }
+        if (patches_.levels()[level].count() < leastCount ||
+            static_cast<int>(way_.size()) < leastLength) {
+            continue;
+        }
+        std::vector<SurfacePoint> points{start};
+        for (std::size_t i = way_.size() - 1; i-- > 1;) {
+            points.push_back({centralFace(level, way_[i]), Vec3::Constant(1.0 / 3.0)});
+        }
+        points.push_back(goal);
+        return points;
+    }
+    return std::nullopt;
+}
+
+// Of the faces that a patch is measured by, the one nearest to its centre.
+int CorridorSearch::centralFace(std::size_t level, int patch) const {
+    const PatchLevels::Level& patches = patches_.levels()[level];
+    int central = -1;
+    double least = kFar;
+    for (const int face : patches.samples[at(patch)]) {
+        if (face < 0) {
+            continue;
+        }
+        const Vec3 centre = surface_.position({face, Vec3::Constant(1.0 / 3.0)});
+        const double distance = (centre - patches.centres[at(patch)]).squaredNorm();
+        if (distance < least) {
+            least = distance;
+            central = face;
+        }
+    }
+    return central;
+}
+
 CorridorSearch::End CorridorSearch::endAt(const SurfacePoint& point) const {
     End end{surface_.position(point), {}};
     int node = point.face;
@@ -57,7 +100,11 @@ bool CorridorSearch::findIn(std::size_t level, const End& start, const End& goal
         queue_.pop_back();
         if (best.patch == goal.patches[level]) {
             explored_ += arrivals_.size();
-            keepAround(best.patch, level);
+            way_.clear();
+            for (int patch = best.patch; patch >= 0; patch = arrivals_.find(patch)->before) {
+                way_.push_back(patch);
+            }
+            keepAround(level);
             return true;
         }
         if (best.cost <= arrivals_.find(best.patch)->cost) {
@@ -97,14 +144,13 @@ void CorridorSearch::leave(
     }
 }
 
-// The corridor becomes the way to a patch and what lies within kRings patches beside it.
-void CorridorSearch::keepAround(int last, std::size_t level) {
+// The corridor becomes the way and what lies within kRings patches beside it.
+void CorridorSearch::keepAround(std::size_t level) {
     const PatchLevels::Level& patches = patches_.levels()[level];
     corridor_.clear();
-    std::vector<int> ring;
-    for (int patch = last; patch >= 0; patch = arrivals_.find(patch)->before) {
+    std::vector<int> ring = way_;
+    for (const int patch : way_) {
         corridor_.at(patch, 1);
-        ring.push_back(patch);
     }
     for (int i = 0; i < kRings; ++i) {
         std::vector<int> next;

@@ -7,6 +7,7 @@
 #include "surface/travel_costs.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace bspline_curve {
@@ -27,6 +28,14 @@ public:
     /// patches know of. A way along the surface may exist all the same, and none need exist in a
     /// corridor where faces are closed.
     [[nodiscard]] bool find(const SurfacePoint& start, const SurfacePoint& goal);
+
+    /// The way itself, where it leads over `leastLength` patches at least, of a level of
+    /// `leastCount` at least: the two points, and between them a face in each patch. The coarsest
+    /// such level is as good as any, so the work does not depend on the number of faces. Else
+    /// nothing. Leaves no corridor that could be asked for.
+    [[nodiscard]] std::optional<std::vector<SurfacePoint>> findWay(
+        const SurfacePoint& start, const SurfacePoint& goal, int leastCount, int leastLength
+    );
 
     /// Whether a face lies in the corridor that was found last.
     [[nodiscard]] bool holds(int face) const {
@@ -63,7 +72,8 @@ private:
     [[nodiscard]] End endAt(const SurfacePoint& point) const;
     [[nodiscard]] bool findIn(std::size_t level, const End& start, const End& goal);
     void leave(const Offer& from, std::size_t level, const End& start, const End& goal);
-    void keepAround(int last, std::size_t level);
+    void keepAround(std::size_t level);
+    [[nodiscard]] int centralFace(std::size_t level, int patch) const;
     [[nodiscard]] double costOf(std::size_t level, int patch);
 
     const Surface& surface_;
@@ -71,6 +81,7 @@ private:
     const TravelCosts& costs_;
     std::vector<SparseMap<double>> known_;  // costs of patches, by level
     SparseMap<char> corridor_;              // patches of the level searched last
+    std::vector<int> way_;                  // and those that its way leads over, from the goal on
     SparseMap<Arrival> arrivals_;
     std::vector<Offer> queue_;  // a heap
     std::size_t explored_ = 0;

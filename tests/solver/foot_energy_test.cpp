@@ -72,10 +72,11 @@ public:
     Scene& operator=(const Scene&) = delete;
 
     void setField(const std::function<double(const Vec3&)>& value) {
-        problem_.field.clear();
+        field_.clear();
         for (const Vec3& v : base_.vertices) {
-            problem_.field.push_back(value(base_.frame.toUser(v)));
+            field_.push_back(value(base_.frame.toUser(v)));
         }
+        problem_.field = field_;
         problem_.fieldCosts = summaryOf(vertexCostsOf(problem_.field, problem_.options.fieldCost));
     }
 
@@ -127,6 +128,7 @@ private:
     FootFinder finder_;
     double edge_;
     SplineSpace space_;
+    std::vector<double> field_;
     CurveProblem problem_;
     ControlPoints controls_;
 };

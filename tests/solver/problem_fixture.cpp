@@ -62,11 +62,12 @@ void ProblemFixture::avoid(const Region& region, double margin) {
 }
 
 void ProblemFixture::setField(const std::vector<double>& field) {
-    problem_.field = field;
+    field_ = field;
     problem_.fieldCosts = summaryOf(vertexCostsOf(field, problem_.options.fieldCost));
     for (const int origin : shell_->base->ghostOrigin) {
-        problem_.field.push_back(field[static_cast<std::size_t>(origin)]);
+        field_.push_back(field[static_cast<std::size_t>(origin)]);
     }
+    problem_.field = field_;
 }
 
 Solution solved(const ProblemFixture& fixture) {

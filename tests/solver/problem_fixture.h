@@ -49,6 +49,7 @@ private:
     std::vector<SurfacePoint> picks_;
     std::unique_ptr<Obstacles> obstacles_;
     GuidePath guide_;
+    std::vector<double> field_;
     CurveProblem problem_;
 };
 

@@ -89,9 +89,11 @@ TEST(IntegrandOfACell, HasTheDerivativesOfItsDifferences) {
         problem.base = coarse.base.get();
         problem.options.fieldWeight = 1.0;
         problem.options.fieldCost = FieldCost::Square;
+        std::vector<double> field;
         for (const Vec3& v : coarse.base->vertices) {
-            problem.field.push_back(std::sin(3.0 * v.x()) + v.y() * v.z());
+            field.push_back(std::sin(3.0 * v.x()) + v.y() * v.z());
         }
+        problem.field = field;
         const EnergyWeights weights{20.0, 5.0, 1.0};
         for (const CellPoint& point : cellsAlongLines(coarse, 51)) {
             const double height = point.cell.relativeHeight(point.position);

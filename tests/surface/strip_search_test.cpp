@@ -162,5 +162,32 @@ TEST_P(StripsOfLeastCost, AreThoseOfAnExhaustiveSearch) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, StripsOfLeastCost, testing::Values(1, 2, 3));
 
+TEST(PatchWays, LeadOverPatchesThatTouch) {
+    const Surface surface(icosphere(6));
+    const PatchLevels patches(surface);
+    const TravelCosts even;
+    CorridorSearch search(surface, patches, even);
+    const SurfacePoint start{17, {0.2, 0.3, 0.5}};
+    const SurfacePoint goal{surface.faceCount() - 5, {0.2, 0.3, 0.5}};
+    const int count = patches.levels().front().count();
+    const auto way = search.findWay(start, goal, count, 12);
+    ASSERT_TRUE(way);
+    EXPECT_GE(way->size(), 12U);
+    EXPECT_EQ(way->front().face, start.face);
+    EXPECT_EQ(way->back().face, goal.face);
+    double length = 0.0;
+    for (std::size_t i = 1; i < way->size(); ++i) {
+        const double leg = (surface.position((*way)[i]) - surface.position((*way)[i - 1])).norm();
+        EXPECT_LT(leg, 0.2);
+        length += leg;
+    }
+    const double shortest =
+        std::acos(surface.position(start).normalized().dot(surface.position(goal).normalized()));
+    EXPECT_GT(length, 0.99 * shortest);
+    EXPECT_LT(length, 1.4 * shortest);
+    EXPECT_FALSE(search.findWay(start, goal, count + 1, 12));
+    EXPECT_FALSE(search.findWay(start, start, count, 12));
+}
+
 }  // namespace
 }  // namespace bspline_curve
