@@ -41,17 +41,22 @@ struct SamplingOptions {
     void validate() const;
 };
 
-/// What a curve is drawn by, besides its picks. Both may be empty.
-struct Guidance {
-    std::span<const double> field{};  ///< one finite value per vertex
-    std::span<const int> avoid{};     ///< faces that the curve must not enter
-};
-
 struct Curve {
     SurfacePolyline polyline;
     SplineData spline;
     SolveReport report;
     int prisms = 0;  ///< of the shell that it was drawn in, without those that are blocked
+};
+
+/// What a curve is drawn by, besides its picks. All may be empty.
+struct Guidance {
+    std::span<const double> field{};  ///< one finite value per vertex
+    std::span<const int> avoid{};     ///< faces that the curve must not enter
+    /// A curve of the same designer through as many picks, each near the one of now: the new curve
+    /// is relaxed from there, in a third of the time, while a pick is dragged. It may come to rest
+    /// elsewhere than one from scratch, and gathers knots, so draw the last one from scratch. No
+    /// start where degree or closedness differ, or where it was not relaxed at foot points.
+    const Curve* start = nullptr;
 };
 
 }  // namespace bspline_curve

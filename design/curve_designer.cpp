@@ -131,16 +131,34 @@ double areaOf(const Surface& surface) {
 
 // Share of the progress for what comes before the shell.
 constexpr double kPreparedShare = 0.1;
+// For an attempt to start from another curve.
+constexpr double kStartShare = 0.2;
 // And for building the whole shell where a curve needs it.
 constexpr double kWholeShare = 0.5;
 
 // Shares of the field by which paths follow it: less where no spline along them stays in the shell.
 constexpr std::array<double, 3> kGuideShares = {1.0, 0.25, 0.0};
 
+// In the shell's frame.
+SplineCurve splineOf(const SplineData& data, const ShellFrame& frame) {
+    const auto degree = static_cast<std::ptrdiff_t>(data.degree);
+    SplineSpace space(
+        data.degree,
+        data.closed,
+        std::vector<double>(data.knots.begin() + degree, data.knots.end() - degree)
+    );
+    ControlPoints controls(space.controlCount(), 3);
+    for (int c = 0; c < space.controlCount(); ++c) {
+        controls.row(c) = frame.toUnit(data.controlPoints[at(c)]).transpose();
+    }
+    return {std::move(space), std::move(controls)};
+}
+
 // What draws a curve somewhere, or keeps it away.
 struct Guides {
     const CheckedField& field;
     const Obstacles* obstacles;
+    const Curve* start;
 };
 
 // What was solved, and how.
@@ -183,6 +201,16 @@ struct CurveDesigner::State : PreparedSurface {
         const SolverOptions& options,
         const Guides& guides,
         const Progress& progress
+    ) const;
+    [[nodiscard]] std::optional<Solved> solveFrom(
+        const Curve& start,
+        const std::vector<SurfacePoint>& picks,
+        const SolverOptions& options,
+        const Guides& guides,
+        const Progress& progress
+    ) const;
+    [[nodiscard]] std::optional<Solved> relaxed(
+        CurveProblem problem, const GuidePath& guide, std::optional<RelaxationStart> start
     ) const;
     [[nodiscard]] Solved solveInWhole(
         const std::vector<SurfacePoint>& picks,
@@ -297,12 +325,20 @@ Solved CurveDesigner::State::solveCurve(
     const Guides& guides,
     const Progress& progress
 ) const {
-    if (this->PreparedSurface::options().kind == ShellKind::Local) {
-        if (std::optional<Solved> solved = solveNearby(picks, options, guides, progress)) {
+    if (guides.start != nullptr) {
+        const Progress begin = partOf(progress, 0.0, kStartShare);
+        if (std::optional<Solved> solved =
+                solveFrom(*guides.start, picks, options, guides, begin)) {
             return std::move(*solved);
         }
     }
-    return solveInWhole(picks, options, guides, partOf(progress, kRelaxedShare, 1.0));
+    const Progress rest = partOf(progress, guides.start != nullptr ? kStartShare : 0.0, 1.0);
+    if (this->PreparedSurface::options().kind == ShellKind::Local) {
+        if (std::optional<Solved> solved = solveNearby(picks, options, guides, rest)) {
+            return std::move(*solved);
+        }
+    }
+    return solveInWhole(picks, options, guides, partOf(rest, kRelaxedShare, 1.0));
 }
 
 // Relaxed in a shell of its own; nothing where that fails, or where it comes upon a face in which
@@ -320,11 +356,55 @@ std::optional<Solved> CurveDesigner::State::solveNearby(
     );
     CurveProblem problem = problemOnPath(path, options, guides, progress);
     const double pathSeconds = lap.lap();
-    std::optional<Solution> solution = relax(problem, path.guide);
+    std::optional<Solved> solved = relaxed(std::move(problem), path.guide, {});
+    if (solved) {
+        solved->solution.report.seconds.path = pathSeconds;
+    }
+    return solved;
+}
+
+// From a curve through picks nearby.
+std::optional<Solved> CurveDesigner::State::solveFrom(
+    const Curve& start,
+    const std::vector<SurfacePoint>& picks,
+    const SolverOptions& options,
+    const Guides& guides,
+    const Progress& progress
+) const {
+    const SplineData& spline = start.spline;
+    if (!start.report.isRelaxed || spline.degree != options.degree ||
+        spline.closed != options.closed || spline.pickParameters.size() != picks.size()) {
+        return std::nullopt;
+    }
+    PickPath path;
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        path.picks.push_back({picks[i], base()->position(picks[i]), spline.pickParameters[i]});
+    }
+    const SurfacePolyline& line = start.polyline;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const SurfacePoint& point = line.surfacePoints[i];
+        path.guide.points.push_back({line.parameters[i], point, base()->position(point)});
+    }
+    CurveProblem problem = problemOnPath(path, options, guides, progress);
+    if (this->PreparedSurface::options().kind != ShellKind::Local) {
+        problem.shell = &wholeShell().build.shell;
+    }
+    return relaxed(
+        std::move(problem),
+        path.guide,
+        RelaxationStart{splineOf(spline, base()->frame), start.report.rounds.back().alpha}
+    );
+}
+
+// Nothing where a curve near which its shell is made comes upon a crossing.
+std::optional<Solved> CurveDesigner::State::relaxed(
+    CurveProblem problem, const GuidePath& guide, std::optional<RelaxationStart> start
+) const {
+    std::optional<Solution> solution = relax(problem, guide, std::move(start));
+    problem.progress = {};  // it ends here
     if (!solution) {
         return std::nullopt;
     }
-    solution->report.seconds.path = pathSeconds;
     for (const int face : solution->facesPassed) {
         if (face < surface().faceCount() && crossings().hasCrossing(face)) {
             return std::nullopt;
@@ -365,7 +445,7 @@ Solved CurveDesigner::State::solveInWhole(
         const double pathSeconds = lap.lap();
         if (std::optional<Solution> solution = solve(problem, path.guide)) {
             problem.boundary = nullptr;  // it ends here
-            problem.progress = {};       // and this
+            problem.progress = {};
             solution->report.seconds.path = pathSeconds;
             return {std::move(problem), std::move(*solution)};
         }
@@ -521,8 +601,9 @@ Curve CurveDesigner::design(
     if (obstacles) {
         refuseAvoidedPicks(state.surface(), *obstacles, located);
     }
-    const auto [problem, solution] =
-        state.solveCurve(located, options, {*field, obstacles ? &*obstacles : nullptr}, progress);
+    const auto [problem, solution] = state.solveCurve(
+        located, options, {*field, obstacles ? &*obstacles : nullptr, guidance.start}, progress
+    );
     if (!std::isfinite(solution.report.maxDistance)) {
         refuseLostCurve(solution.report.status);
     }
@@ -550,16 +631,7 @@ SurfacePolyline CurveDesigner::resample(
     sampling.validate();
     const State& state = *state_;
     const SplineData& data = curve.spline;
-    const auto degree = static_cast<std::ptrdiff_t>(data.degree);
-    const SplineSpace space(
-        data.degree,
-        data.closed,
-        std::vector<double>(data.knots.begin() + degree, data.knots.end() - degree)
-    );
-    ControlPoints controls(space.controlCount(), 3);
-    for (int c = 0; c < space.controlCount(); ++c) {
-        controls.row(c) = state.base()->frame.toUnit(data.controlPoints[at(c)]).transpose();
-    }
+    const auto [space, controls] = splineOf(data, state.base()->frame);
     std::vector<PickConstraint> picks;
     for (std::size_t i = 0; i < data.pickParameters.size(); ++i) {
         const SurfacePoint& point = curve.polyline.surfacePoints[at(curve.polyline.picks[i])];

@@ -104,19 +104,19 @@ bool isClear(const CurveProblem& problem, const Solution& solution) {
 
 class Relaxer {
 public:
-    Relaxer(const CurveProblem& problem, const GuidePath& guide)
+    Relaxer(
+        const CurveProblem& problem, const GuidePath& guide, std::optional<RelaxationStart> start
+    )
         : problem_(problem),
           options_(problem.options),
           finder_(*problem.base),
           tolerance_(problem.distanceTolerance),
           heightUnit_(kUnitInTolerances * tolerance_),
-          alpha_(
-              std::max(
-                  kLeastFirstAlpha,
-                  kFirstStiffness * std::pow(heightUnit_ / problem.chordLength, 2.0)
-              )
-          ),
-          newton_(newtonFrom(fitLoosely(problem, guide, kFirstDistance * problem.chordLength))) {
+          alpha_(start ? start->alpha : firstAlpha()),
+          newton_(newtonFrom(
+              start ? std::move(start->curve)
+                    : fitLoosely(problem, guide, kFirstDistance * problem.chordLength)
+          )) {
         startOnGuide(guide);
         report_.knotsFirst = knotCount();
         report_.seconds.initial = watch_.lap();
@@ -155,6 +155,11 @@ public:
     }
 
 private:
+    [[nodiscard]] double firstAlpha() const {
+        const double share = heightUnit_ / problem_.chordLength;
+        return std::max(kLeastFirstAlpha, kFirstStiffness * share * share);
+    }
+
     [[nodiscard]] FootedSpline& now() { return newton_->now(); }
 
     [[nodiscard]] const FootEnergy& energy() const { return newton_->energy(); }
@@ -308,6 +313,7 @@ private:
         newton_->system().meetConstraints(now().controls);  // rounding of many steps
         report_.status = isAtRest() ? SolveStatus::Converged : SolveStatus::DistanceReached;
         report_.usable = true;
+        report_.isRelaxed = true;
         report_.knotsLast = knotCount();
         report_.maxPickGap = newton_->system().residual(now().controls).lpNorm<Eigen::Infinity>();
         if (fieldWeight(problem_) > 0.0) {
@@ -317,7 +323,12 @@ private:
             report_.fieldCost = problem_.fieldCosts.least;
         }
         report_.seconds.knots += watch_.lap();
-        return {{space(), std::move(now().controls)}, std::move(report_), std::move(near_), std::move(facesPassed_)};
+        return {
+            {space(), std::move(now().controls)},
+            std::move(report_),
+            std::move(near_),
+            std::move(facesPassed_)
+        };
     }
 
     const CurveProblem& problem_;
@@ -337,11 +348,13 @@ private:
 
 }  // namespace
 
-std::optional<Solution> relax(const CurveProblem& problem, const GuidePath& guide) {
+std::optional<Solution> relax(
+    const CurveProblem& problem, const GuidePath& guide, std::optional<RelaxationStart> start
+) {
     if (!isForFootPoints(problem)) {
         return std::nullopt;
     }
-    std::optional<Solution> solution = Relaxer(problem, guide).run();
+    std::optional<Solution> solution = Relaxer(problem, guide, std::move(start)).run();
     if (solution && !isClear(problem, *solution)) {
         return std::nullopt;
     }

@@ -56,6 +56,7 @@ struct SolveReport {
     /// surface.
     bool usable = false;
     int knotsFirst = 0, knotsLast = 0;  ///< length of the knot vector, end knots with multiplicity
+    bool isRelaxed = false;             ///< at foot points (solver/relaxation.h), not cell by cell
     double maxDistance = 0.0;  ///< largest distance of spline and surface, in average edge lengths
     double maxPickGap = 0.0;   ///< largest |P(t_ki) - x_i|, relative to the diagonal
     int newtonIterations = 0;

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <future>
 #include <utility>
 #include <vector>
@@ -25,22 +24,6 @@ std::vector<Vec3> fewPicks(const TriangleMesh& mesh) {
     return {mesh.vertices[5], mesh.vertices[100], mesh.vertices[400], mesh.vertices[900]};
 }
 
-// Largest distance of the vertices of a polyline to the segments of another.
-double distanceTo(const SurfacePolyline& line, const SurfacePolyline& other) {
-    double largest = 0.0;
-    for (const Vec3& point : line.points) {
-        double nearest = 1e300;
-        for (std::size_t i = 1; i < other.points.size(); ++i) {
-            const Vec3 start = other.points[i - 1];
-            const Vec3 along = other.points[i] - start;
-            const double s = std::clamp((point - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
-            nearest = std::min(nearest, (point - start - s * along).norm());
-        }
-        largest = std::max(largest, nearest);
-    }
-    return largest;
-}
-
 TEST(LocalShell, GivesTheCurveOfTheWholeShell) {
     const TriangleMesh mesh = bumpySphere();
     const std::vector<Vec3> picks = fewPicks(mesh);
@@ -50,7 +33,7 @@ TEST(LocalShell, GivesTheCurveOfTheWholeShell) {
     const Curve whole = goodCurve(full, picks);
     EXPECT_EQ(near.spline.controlPoints, whole.spline.controlPoints);
     const double tolerance = SolverOptions().distanceTolerance * full.surface().averageEdgeLength();
-    EXPECT_LT(distanceTo(near.polyline, whole.polyline), tolerance);
+    EXPECT_LT(largestDistance(near.polyline, whole.polyline), tolerance);
     EXPECT_EQ(whole.prisms, full.surface().faceCount());
     EXPECT_LT(near.prisms, whole.prisms / 4);
 }
@@ -112,7 +95,7 @@ TEST(LocalShell, DrawsAlongBoundaries) {
     const Curve near = goodCurve(local, picks);
     const Curve whole = goodCurve(full, picks);
     EXPECT_EQ(near.spline.controlPoints, whole.spline.controlPoints);
-    EXPECT_LT(distanceTo(near.polyline, whole.polyline), 1e-9);
+    EXPECT_LT(largestDistance(near.polyline, whole.polyline), 1e-9);
 }
 
 TEST(LocalShell, SamplesAnew) {
@@ -124,7 +107,7 @@ TEST(LocalShell, SamplesAnew) {
     const SurfacePolyline again = designer.resample(curve, dense);
     EXPECT_GT(again.points.size(), curve.polyline.points.size());
     const Curve drawn = designer.design(fewPicks(mesh), {}, dense);
-    EXPECT_LT(distanceTo(again, drawn.polyline), 1e-12);
+    EXPECT_LT(largestDistance(again, drawn.polyline), 1e-12);
     EXPECT_EQ(again.points.size(), drawn.polyline.points.size());
 }
 
