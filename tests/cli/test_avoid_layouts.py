@@ -18,7 +18,8 @@ def plate_file(folder):
 
 
 def test_no_curve_enters_an_obstacle_and_all_impossible_ones_are_refused(program, tmp_path):
-    command = [sys.executable, SCRIPTS / "avoid_layouts.py", plate_file(tmp_path), "--program", program, "--layouts", "12"]
+    layouts = ["--layouts", "12", "--first", "38"]
+    command = [sys.executable, SCRIPTS / "avoid_layouts.py", plate_file(tmp_path), "--program", program, *layouts]
     process = subprocess.run(list(map(str, command)), capture_output=True, text=True)
     assert process.returncode == 0, process.stdout + process.stderr
     drawn, refused = (int(word.split()[0]) for word in process.stdout.split(": ")[1].split(", ")[:2])
