@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -51,6 +52,8 @@ constexpr double kRestDecrement = 1e-3;
 // In one round, and at last: samples have kinks that the steps near the end wander between.
 constexpr int kMaxSteps = 30;
 constexpr int kMaxRestSteps = 6;
+// Under a field a round ends where so many steps gain less than one of them should.
+constexpr int kLastSteps = 3;
 
 // More knots no longer change the curve where bulges of all spans would lower the energy by less
 // than this share. 0.02 gives 3 % more bending with a tenth fewer knots.
@@ -192,6 +195,7 @@ private:
     // Newton's method until a step promises less than this share of the energy.
     void descend(int round, double decrementShare, int mostSteps) {
         status_ = MinimiseStatus::IterationLimit;
+        std::vector<double> totals;
         const int most = std::min(mostSteps, options_.maxIterations);
         for (int step = 0; step < most && status_ == MinimiseStatus::IterationLimit; ++step) {
             const std::optional<FootNewton::Step> taken = newton_->step(finder_, alpha_);
@@ -199,9 +203,12 @@ private:
                 status_ = MinimiseStatus::NotPositive;
                 break;
             }
-            if (taken->decrement <= decrementShare * taken->scale) {
+            totals.push_back(taken->total);
+            if (promised(*taken) <= decrementShare * taken->scale) {
                 status_ = MinimiseStatus::Converged;
-            } else if (taken->length == 0.0) {
+            } else if (taken->length == 0.0 ||
+                       (mostSteps > kMaxRestSteps && hasField() &&
+                        fallOfLast(totals) < decrementShare * taken->scale)) {
                 status_ = MinimiseStatus::LineSearchStalled;
             }
             IterationReport entry;
@@ -216,6 +223,24 @@ private:
         }
         report_.seconds.minimise += watch_.lap();
     }
+
+    // What a step gains by its promise: a short one not all of that. Only kinks of a field make
+    // steps short again and again.
+    [[nodiscard]] double promised(const FootNewton::Step& step) const {
+        const bool isShort = hasField() && step.length > 0.0;
+        return step.decrement * (isShort ? step.length * (2.0 - step.length) : 1.0);
+    }
+
+    // By how much the last steps have brought the energy below all before; infinite after few.
+    [[nodiscard]] static double fallOfLast(const std::vector<double>& totals) {
+        if (totals.size() <= kLastSteps) {
+            return std::numeric_limits<double>::infinity();
+        }
+        const auto last = totals.end() - kLastSteps;
+        return *std::min_element(totals.begin(), last) - *std::min_element(last, totals.end());
+    }
+
+    [[nodiscard]] bool hasField() const { return fieldWeight(problem_) > 0.0; }
 
     [[nodiscard]] bool isAtRest() const { return status_ == MinimiseStatus::Converged; }
 

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""scripts/avoid_layouts.py draws round random obstacles, and sees curves that enter what they avoid."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import made_meshes as meshes
+import numpy as np
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+
+
+def plate_file(folder):
+    V, F = meshes.plate(cells=16)
+    meshes.write_ply(folder / "plate.ply", V, F)
+    return folder / "plate.ply"
+
+
+def test_no_curve_enters_an_obstacle_and_all_impossible_ones_are_refused(program, tmp_path):
+    layouts = ["--layouts", "12", "--first", "38"]
+    command = [sys.executable, SCRIPTS / "avoid_layouts.py", plate_file(tmp_path), "--program", program, *layouts]
+    process = subprocess.run(list(map(str, command)), capture_output=True, text=True)
+    assert process.returncode == 0, process.stdout + process.stderr
+    drawn, refused = (int(word.split()[0]) for word in process.stdout.split(": ")[1].split(", ")[:2])
+    assert drawn > 0 and refused > 0 and drawn + refused == 12
+
+
+def test_a_segment_through_a_face_avoided_is_seen(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(SCRIPTS)
+    import avoid_layouts
+
+    mesh = avoid_layouts.Mesh(plate_file(tmp_path))
+    left, right = mesh.pairs[0]
+    shared = np.intersect1d(mesh.faces[left], mesh.faces[right])
+    on_edge = [0.5 if v in shared else 0.0 for v in mesh.faces[left]]
+    centre = [1 / 3] * 3
+    curve = {"closed": False, "polyline": {"faces": [left, left, right], "barycentrics": [centre, on_edge, centre]}}
+    none = np.zeros(len(mesh.faces), dtype=bool)
+    assert not avoid_layouts.enters(mesh, curve, none)
+    for face in (left, right):
+        avoided = none.copy()
+        avoided[face] = True
+        assert avoid_layouts.enters(mesh, curve, avoided)
+    alone = {"closed": False, "polyline": {"faces": [left, right], "barycentrics": [centre, centre]}}
+    assert avoid_layouts.enters(mesh, alone, none)
