@@ -12,6 +12,19 @@ if(NOT meshlab_source_cache)
   set(meshlab_source_cache "$ENV{HOME}/.cache")
 endif()
 
+# Fills the cache with the sources of a version, or ends with what went wrong as a part of the one error.
+function(fetch_meshlab_sources version variable)
+  execute_process(
+    COMMAND "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../scripts/fetch_meshlab" ${version}
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR
+      "The headers of MeshLab ${version} and vcglib are not there, and could not be fetched:\n${said}\n"
+      "With the network back run it again; else clone MeshLab with its submodules and set ${variable} to the checkout "
+      "(pip: -C cmake.define.${variable}=<the checkout>).")
+  endif()
+endfunction()
+
 # Finds the sources of a version: sets <prefix>_VCGLIB_DIR, <prefix>_COMMON_DIR and <prefix>_VERSION. `variable`: names
 # the checkout; `header`: of the plugin interface.
 function(find_meshlab_sources prefix version variable header)
@@ -20,10 +33,14 @@ function(find_meshlab_sources prefix version variable header)
   if(${variable})
     set(source "${${variable}}")
   elseif(NOT EXISTS "${source}/ML_VERSION")
-    message(FATAL_ERROR
-      "The headers of MeshLab ${version} and vcglib are not there.\n"
-      "Run scripts/fetch_meshlab ${version} (it downloads 5 to 12 MB from this machine's Debian mirror), or clone "
-      "MeshLab with its submodules and configure with -D${variable}=<the checkout>.")
+    if(BSPLINE_CURVE_FETCH)
+      fetch_meshlab_sources(${version} ${variable})
+    else()
+      message(FATAL_ERROR
+        "The headers of MeshLab ${version} and vcglib are not there.\n"
+        "Run scripts/fetch_meshlab ${version} (it downloads 5 to 12 MB from this machine's Debian mirror), or clone "
+        "MeshLab with its submodules and configure with -D${variable}=<the checkout>.")
+    endif()
   endif()
   # vcglib lies in src/ since MeshLab 2022, beside it before.
   find_path(vcglib vcg/complex/complex.h

@@ -1,0 +1,2 @@
+MESHLAB_VERSION: str
+SCALAR: str

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The filters as filters.json describes them, and options checked against that."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+CURVE = "generate_bspline_curve_on_surface"
+FIELD = "compute_scalar_field_for_curves_per_vertex"
+
+
+@cache
+def parameters(filter_name: str) -> dict[str, dict[str, Any]]:
+    """The descriptions of a filter's parameters by id."""
+    described = json.loads((Path(__file__).parent / "filters.json").read_text(encoding="utf-8"))
+    found = next(each for each in described["filters"] if each["pythonName"] == filter_name)
+    return {parameter["id"]: parameter for parameter in found["parameters"]}
+
+
+def check_options(filter_name: str, options: Mapping[str, object]) -> None:
+    """Raises TypeError or ValueError where an option is not what its description allows.
+
+    pymeshlab itself moves some values into their range and goes on.
+    """
+    described = parameters(filter_name)
+    for name, value in options.items():
+        check_option(described[name], value)
+
+
+def check_option(parameter: Mapping[str, Any], value: object) -> None:
+    name, kind = parameter["id"], parameter["type"]
+    if kind == "bool":
+        if not isinstance(value, bool):
+            raise TypeError(f"{name} is {value!r}, but must be True or False")
+    elif kind == "enum":
+        allowed = [option["id"] for option in parameter["enumOptions"]]
+        if value not in allowed:
+            raise ValueError(f"{name} is {value!r}, but must be one of {', '.join(map(repr, allowed))}")
+    elif kind in ("int", "double", "absperc"):
+        check_number(parameter, value)
+    elif not isinstance(value, str):
+        raise TypeError(f"{name} is {value!r}, but must be text")
+
+
+def check_number(parameter: Mapping[str, Any], value: object) -> None:
+    name, is_integer = parameter["id"], parameter["type"] == "int"
+    if isinstance(value, bool) or not isinstance(value, int if is_integer else (int, float)):
+        raise TypeError(f"{name} is {value!r}, but must be {'an integer' if is_integer else 'a number'}")
+    low, high = parameter.get("min", -math.inf), parameter.get("max", math.inf)
+    is_above = value > low if parameter.get("excludesMin") else value >= low
+    if not (is_above and value <= high and math.isfinite(value)):
+        raise ValueError(f"{name} is {value!r}, but must be {allowed_range(parameter)}")
+
+
+def allowed_range(parameter: Mapping[str, Any]) -> str:
+    """ "in (0, 1]", "at least 0", "more than 0" or "finite"."""
+    low, high, excludes = parameter.get("min"), parameter.get("max"), parameter.get("excludesMin")
+    if high is not None:
+        return f"in {'(' if excludes else '['}{low:g}, {high:g}]"
+    if low is not None:
+        return f"finite and {'more than' if excludes else 'at least'} {low:g}"
+    return "finite"

@@ -1,0 +1,368 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Made from filters/filters.json by scripts/python_filters.py; do not edit.
+"""Curves and fields on arrays."""
+
+from __future__ import annotations
+
+import os
+from typing import Literal, TypeAlias
+
+import numpy.typing as npt
+
+from . import run
+from .arrays import Floats
+from .curve import Curve
+
+Field: TypeAlias = Literal[
+    "none", "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance",
+    "quality", "obstacle",
+]
+FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
+Avoid: TypeAlias = Literal["none", "under-threshold", "over-threshold"]
+Shell: TypeAlias = Literal["simplified", "full"]
+Preset: TypeAlias = Literal["default", "paper"]
+Bending: TypeAlias = Literal["preset", "geodesic", "ambient"]
+InitialCurve: TypeAlias = Literal["preset", "geodesic-fit", "control-polygon"]
+FieldGuidesPath: TypeAlias = Literal["preset", "off", "on"]
+Quadrature: TypeAlias = Literal["preset", "foot-points", "cells", "samples"]
+BarrierWidth: TypeAlias = Literal["preset", "full", "tight"]
+DistanceWeight: TypeAlias = Literal["preset", "schedule", "adaptive"]
+Interpolation: TypeAlias = Literal["preset", "constraint", "penalty"]
+KnotRule: TypeAlias = Literal["preset", "energy-and-distance", "feature-function"]
+Kind: TypeAlias = Literal[
+    "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance", "quality",
+    "obstacle",
+]
+
+
+def draw_curve(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    picks: npt.ArrayLike,
+    *,
+    closed: bool = False,
+    degree: int = 3,
+    tension: float = 0.0,
+    field: Field | npt.ArrayLike = 'none',
+    quality: npt.ArrayLike | None = None,
+    field_cost: FieldCost = 'natural',
+    field_weight: float = 2000.0,
+    samples: int = 256,
+    max_segment_length: float = 0.0,
+    tube_radius: float = 0.0,
+    save: str | os.PathLike[str] | None = None,
+    avoid: Avoid | npt.ArrayLike = 'none',
+    avoid_threshold: float = 0.0,
+    avoid_margin: float = 0.02,
+    shell: Shell = 'full',
+    field_curvature_scale: float = 0.015,
+    field_crease_angle: float = 40.0,
+    field_reach: float = 0.1,
+    field_region: npt.ArrayLike | None = None,
+    field_obstacle_value: float = 0.0,
+    field_obstacle_slope: float = 40.0,
+    field_smoothing: float = 0.0,
+    field_normalised: bool = False,
+    field_inverted: bool = False,
+    preset: Preset = 'default',
+    bending: Bending = 'preset',
+    normal_bending_weight: float = 0.05,
+    distance_tolerance: float = 0.1,
+    target_thickness: float = 0.135,
+    target_edge_length: float = 1.0,
+    shell_thickness: float = 0.75,
+    shell_smoothing_passes: int = 3,
+    initial_curve: InitialCurve = 'preset',
+    field_guides_path: FieldGuidesPath = 'preset',
+    quadrature: Quadrature = 'preset',
+    barrier_width: BarrierWidth = 'preset',
+    distance_weight: DistanceWeight = 'preset',
+    interpolation: Interpolation = 'preset',
+    knot_rule: KnotRule = 'preset',
+    samples_per_span: int = 24,
+    max_rounds: int = 24,
+    max_iterations: int = 100,
+    minimum_span: float = 0.0001,
+) -> Curve:
+    """Draw a smooth curve through points on a triangle mesh.
+
+    A variational B-spline, found in a thin shell around the surface, and its exact shadow as a polyline every segment
+    of which lies inside one face. A further curve on the same arrays needs no second shell.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array of float
+        Of the mesh.
+    faces : (m, 3) array of int
+        Of the mesh: ids of vertices, from 0 on, all oriented alike.
+    picks : (p, 3) array of float
+        Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.
+    closed : bool, default False
+        On: a closed curve through at least 3 picks. Off: an open curve from the first to the last of at least 2 picks,
+        unless the file of picks says that it is closed.
+    degree : int in [2, 4], default 3
+        Polynomial degree of the spline.
+    tension : float in [0, 1], default 0.0
+        From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
+    field : {'none', 'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
+        'quality', 'obstacle'} or (n,) array of float: its values, one for each vertex, default 'none'
+        A scalar that draws the curve to where its cost is low. none: no field; normal-variation: least product of the
+        normals of a vertex and its faces; maximal-curvature: largest principal curvature, at a scale; ridge: how convex
+        the surface is across, at a scale; valley: how concave the surface is across, at a scale; crease-distance: along
+        the surface, to its sharp edges; boundary-distance: along the surface, to its own edges; quality: the per-vertex
+        quality of the mesh; obstacle: a hill on a region of faces.
+    quality : (n,) array of float, optional
+        A value for each vertex, for field 'quality' and for faces to avoid where there is no field.
+    field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
+        What a value x of the field costs. natural: what the kind of field is meant for, exp-minus for curvature, ridge
+        and valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus:
+        exp(-x), which draws the curve to large values.
+    field_weight : float ≥ 0, default 2000.0
+        How much the field counts against smoothness; 0 has no effect, nor has any weight without a field. For costs
+        between 0 and 1, in units of 1 / cost.
+    samples : int ≥ 0, default 256
+        At least this many vertices at even steps of the spline's parameter, besides those where the curve crosses mesh
+        edges and the picks. 0: none.
+    max_segment_length : float ≥ 0, default 0.0
+        No segment of the polyline is longer than this, in the unit of the mesh. 0: not limited.
+    tube_radius : float ≥ 0, default 0.0
+        A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
+        diagonal. 0: no tube.
+    save : str, optional
+        A file that a usable curve is written to, in world coordinates: the polyline, or the spline itself where the
+        name ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality
+        or the spline. Empty: no file.
+    avoid : {'none', 'under-threshold', 'over-threshold'} or (k,) array of int, ids of the faces, or (m,) array of bool,
+        one for each face, default 'none'
+        Faces of the surface that the curve does not enter. none: it may enter all; under-threshold: the faces over
+        which the mean of the field, or without a field of the per-vertex quality, is under the threshold;
+        over-threshold: likewise over it.
+    avoid_threshold : float, default 0.0
+        The threshold of under-threshold and over-threshold, in the unit of the field. Only with avoid under-threshold
+        or over-threshold.
+    avoid_margin : float in (0, 1], default 0.02
+        From this far away on they push the curve, relative to the diagonal of the mesh's box.
+    shell : {'simplified', 'full'}, default 'full'
+        The shell around the surface, in which the curve is sought. simplified: few thick prisms, which take seconds to
+        build on large meshes and are kept for the next curve; full: one thin prism per face.
+    field_curvature_scale : float in [0, 1], default 0.015
+        Fields of curvature, ridges and valleys: radius that curvatures are averaged over, relative to the diagonal of
+        the mesh's box. More: less noise. Only with field maximal-curvature or ridge or valley.
+    field_crease_angle : float in [0, 180], default 40.0
+        Field of crease distance: creases are edges whose faces turn by more than this, in degrees. Only with field
+        crease-distance.
+    field_reach : float in (0, 1], default 0.1
+        Fields of crease and boundary distance: the distance that becomes 1, relative to the diagonal. Only with field
+        crease-distance or boundary-distance.
+    field_region : (k,) array of int, ids, or (m,) array of bool, one for each face, optional
+        Field of obstacles: the faces where they are.
+    field_obstacle_value : float ≥ 0, default 0.0
+        Field of obstacles: its value on the boundary of the region. Only with field obstacle.
+    field_obstacle_slope : float > 0, default 40.0
+        Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal. Only with field
+        obstacle.
+    field_smoothing : float in [0, 1], default 0.0
+        Radius that the values of any field are averaged over in the end, relative to the diagonal. 0: not at all.
+    field_normalised : bool, default False
+        Maps the values to [0, 1], between their quantiles of 1 % and 99 %.
+    field_inverted : bool, default False
+        Lets high and low values change places.
+    preset : {'default', 'paper'}, default 'default'
+        What the settings below are where they say preset. default: the settings that measured best; paper: those of the
+        paper (2023), for comparison.
+    bending : {'preset', 'geodesic', 'ambient'}, default 'preset'
+        What smoothness means. preset: as the preset says, by default geodesic; geodesic: only bending within the
+        surface is penalised; ambient: all bending, as in the paper.
+    normal_bending_weight : float in (0, 1], default 0.05
+        Share of the bending along the normal that counts with geodesic bending.
+    distance_tolerance : float > 0, default 0.1
+        Largest distance of the spline to the surface, in mean edge lengths; edges shorter than a hundredth of the
+        square root of the surface's area count as that long. The polyline lies on the surface in any case.
+    target_thickness : float in (0, 1], default 0.135
+        Simplified shell: longest pillar, bottom to top, relative to the longest side of the mesh's box. Only with shell
+        simplified.
+    target_edge_length : float in (0, 1], default 1.0
+        Simplified shell: shorter edges are collapsed where its invariants allow it, relative to the longest side of the
+        mesh's box. Only with shell simplified.
+    shell_thickness : float in (0, 1000], default 0.75
+        Full shell: largest distance of its top and bottom from the surface, in mean edge lengths. Only with shell full.
+    shell_smoothing_passes : int ≥ 0, default 3
+        Rounds of averaging of the directions of the shell's pillars.
+    initial_curve : {'preset', 'geodesic-fit', 'control-polygon'}, default 'preset'
+        How the first spline is made. preset: as the preset says, by default geodesic-fit; geodesic-fit: a fit to the
+        path through the picks; control-polygon: Alg. 2 of the paper.
+    field_guides_path : {'preset', 'off', 'on'}, default 'preset'
+        The path from pick to pick that the curve starts from. preset: as the preset says, by default on; off: it is a
+        geodesic, as in the paper; on: it goes where the field costs little.
+    quadrature : {'preset', 'foot-points', 'cells', 'samples'}, default 'preset'
+        Where integrals are taken. preset: as the preset says, by default foot-points; foot-points: at samples by their
+        foot points on the surface, which is quick on any resolution; curves that it is not for, or that do not come to
+        lie in the shell that way, are integrated by cells; cells: exactly, cell by cell of the shell; samples: at even
+        steps in the shell, as in the paper.
+    barrier_width : {'preset', 'full', 'tight'}, default 'preset'
+        How wide the barrier of the distance is. preset: as the preset says, by default full; full: the whole shell;
+        tight: narrowed around the current curve, (12) of the paper.
+    distance_weight : {'preset', 'schedule', 'adaptive'}, default 'preset'
+        How the weight of the distance to the surface changes. preset: as the preset says, by default schedule;
+        schedule: grows from round to round; adaptive: (18) of the paper.
+    interpolation : {'preset', 'constraint', 'penalty'}, default 'preset'
+        How the spline is held at the picks. preset: as the preset says, by default constraint; constraint: exactly;
+        penalty: by (9) of the paper.
+    knot_rule : {'preset', 'energy-and-distance', 'feature-function'}, default 'preset'
+        Where knots are inserted. preset: as the preset says, by default energy-and-distance; energy-and-distance: where
+        they ask for them; feature-function: (19)-(23) of the paper.
+    samples_per_span : int ≥ 4, default 24
+        Samples per knot span where quadrature is samples.
+    max_rounds : int ≥ 1, default 24
+        Most rounds of minimisation and knot insertion.
+    max_iterations : int ≥ 1, default 100
+        Most Newton iterations a round.
+    minimum_span : float in (0, 0.1], default 0.0001
+        No knot span is made shorter than this, as a share of the whole.
+
+    Returns
+    -------
+    Curve
+        Where it is not `usable`, it shows how far it came.
+
+    Raises
+    ------
+    ValueError, TypeError
+        An argument has a wrong shape or type, or is out of its range.
+    CurveError
+        The filter refuses the mesh or the picks, or fails; the message says which and what to do.
+    """
+    return run.draw(
+        (vertices, faces),
+        picks,
+        {"field": field, "quality": quality, "avoid": avoid, "field_region": field_region},
+        save,
+        {
+            "closed": closed,
+            "degree": degree,
+            "tension": tension,
+            "field_cost": field_cost,
+            "field_weight": field_weight,
+            "samples": samples,
+            "max_segment_length": max_segment_length,
+            "tube_radius": tube_radius,
+            "avoid_threshold": avoid_threshold,
+            "avoid_margin": avoid_margin,
+            "shell": shell,
+            "field_curvature_scale": field_curvature_scale,
+            "field_crease_angle": field_crease_angle,
+            "field_reach": field_reach,
+            "field_obstacle_value": field_obstacle_value,
+            "field_obstacle_slope": field_obstacle_slope,
+            "field_smoothing": field_smoothing,
+            "field_normalised": field_normalised,
+            "field_inverted": field_inverted,
+            "preset": preset,
+            "bending": bending,
+            "normal_bending_weight": normal_bending_weight,
+            "distance_tolerance": distance_tolerance,
+            "target_thickness": target_thickness,
+            "target_edge_length": target_edge_length,
+            "shell_thickness": shell_thickness,
+            "shell_smoothing_passes": shell_smoothing_passes,
+            "initial_curve": initial_curve,
+            "field_guides_path": field_guides_path,
+            "quadrature": quadrature,
+            "barrier_width": barrier_width,
+            "distance_weight": distance_weight,
+            "interpolation": interpolation,
+            "knot_rule": knot_rule,
+            "samples_per_span": samples_per_span,
+            "max_rounds": max_rounds,
+            "max_iterations": max_iterations,
+            "minimum_span": minimum_span,
+        },
+    )
+
+
+def compute_field(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    kind: Kind = 'maximal-curvature',
+    *,
+    quality: npt.ArrayLike | None = None,
+    region: npt.ArrayLike | None = None,
+    curvature_scale: float = 0.015,
+    crease_angle: float = 40.0,
+    reach: float = 0.1,
+    obstacle_value: float = 0.0,
+    obstacle_slope: float = 40.0,
+    smoothing: float = 0.0,
+    normalised: bool = False,
+    inverted: bool = False,
+) -> Floats:
+    """Compute a scalar per vertex that curves can follow or avoid.
+
+    It is the same in every unit and, but for the variation of normals, hardly depends on how fine the mesh is.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array of float
+        Of the mesh.
+    faces : (m, 3) array of int
+        Of the mesh: ids of vertices, from 0 on, all oriented alike.
+    kind : {'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
+        'quality', 'obstacle'}, default 'maximal-curvature'
+        What the values are made from. normal-variation: least product of the normals of a vertex and its faces;
+        maximal-curvature: largest principal curvature, at a scale; ridge: how convex the surface is across, at a scale;
+        valley: how concave the surface is across, at a scale; crease-distance: along the surface, to its sharp edges;
+        boundary-distance: along the surface, to its own edges; quality: the per-vertex quality of the mesh; obstacle: a
+        hill on a region of faces.
+    quality : (n,) array of float, optional
+        A value for each vertex, for kind 'quality'.
+    region : (k,) array of int, ids, or (m,) array of bool, one for each face, optional
+        The faces of obstacles, for kind 'obstacle'.
+    curvature_scale : float in [0, 1], default 0.015
+        Fields of curvature, ridges and valleys: radius that curvatures are averaged over, relative to the diagonal of
+        the mesh's box. More: less noise. Only with kind maximal-curvature or ridge or valley.
+    crease_angle : float in [0, 180], default 40.0
+        Field of crease distance: creases are edges whose faces turn by more than this, in degrees. Only with kind
+        crease-distance.
+    reach : float in (0, 1], default 0.1
+        Fields of crease and boundary distance: the distance that becomes 1, relative to the diagonal. Only with kind
+        crease-distance or boundary-distance.
+    obstacle_value : float ≥ 0, default 0.0
+        Field of obstacles: its value on the boundary of the region. Only with kind obstacle.
+    obstacle_slope : float > 0, default 40.0
+        Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal. Only with kind
+        obstacle.
+    smoothing : float in [0, 1], default 0.0
+        Radius that the values of any field are averaged over in the end, relative to the diagonal. 0: not at all.
+    normalised : bool, default False
+        Maps the values to [0, 1], between their quantiles of 1 % and 99 %.
+    inverted : bool, default False
+        Lets high and low values change places.
+
+    Returns
+    -------
+    (n,) array of float
+        A value for each vertex.
+
+    Raises
+    ------
+    ValueError, TypeError
+        An argument has a wrong shape or type, or is out of its range.
+    CurveError
+        The filter refuses the mesh or the picks, or fails; the message says which and what to do.
+    """
+    return run.compute(
+        (vertices, faces),
+        quality,
+        region,
+        {
+            "kind": kind,
+            "curvature_scale": curvature_scale,
+            "crease_angle": crease_angle,
+            "reach": reach,
+            "obstacle_value": obstacle_value,
+            "obstacle_slope": obstacle_slope,
+            "smoothing": smoothing,
+            "normalised": normalised,
+            "inverted": inverted,
+        },
+    )
