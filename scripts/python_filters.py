@@ -20,10 +20,18 @@ WIDTH = 120
 # Of the functions on arrays: what needs a layer or a selection is an array there, or is not there.
 LEFT_OUT = {"surface_layer", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers", "region"}
 OWN = {
-    "field": ("{} | npt.ArrayLike", "or (n,) array of float: its values, one for each vertex"),
-    "avoid": ("{} | npt.ArrayLike", "or (k,) array of int, ids of the faces, or (m,) array of bool, one for each face"),
-    "field_region": ("npt.ArrayLike | None", "the faces: (k,) array of int, ids, or (m,) array of bool, one for each face"),
+    "field": ("{} | npt.ArrayLike", "or (n,) array of float, its values"),
+    "avoid": ("{} | npt.ArrayLike", "or (k,) array of int, ids of the faces, or (m,) array of bool"),
+    "field_region": ("npt.ArrayLike | None", "(k,) array of int, ids of the faces, or (m,) array of bool"),
     "save": ("str | os.PathLike[str] | None", ""),
+}
+# Where words for layers and files are of no use.
+HELP = {
+    "closed": "True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.",
+    "tube_radius": "A closed tube mesh around the curve is made too, with this radius in the unit of the mesh, at most its "
+                   "diagonal. 0: none.",
+    "save": "A file that a usable curve is written to: the polyline (.ply, .obj, .dxf, .vtu, .csv), the spline itself "
+            "(.bspline.obj, .bspline.dxf) or both (.json).",
 }
 CHOICES = ("field", "avoid", "field_region")  # words or arrays, which run.draw looks at together
 
@@ -64,7 +72,8 @@ def type_of(parameter, with_selections):
 
 
 def default_of(parameter):
-    return "None" if parameter["type"] == "mesh" else repr(parameter["default"])
+    value = parameter["default"]
+    return "None" if parameter["type"] == "mesh" else json.dumps(value) if isinstance(value, str) else repr(value)
 
 
 def aliases(parameters, with_selections):
@@ -91,7 +100,7 @@ def range_of(parameter):
 def documented(parameter, with_selections):
     """Name, type and meaning, as a docstring has them."""
     kind, default = parameter["type"], parameter["default"]
-    words = {"bool": "bool", "int": "int", "double": "float", "absperc": "float", "mesh": "int"}.get(kind, "str")
+    words = {"saveFile": "str or path", "bool": "bool", "int": "int", "double": "float", "absperc": "float", "mesh": "int"}.get(kind, "str")
     text = parameter["help"]
     if kind == "enum":
         words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, with_selections)) + "}"
@@ -99,12 +108,14 @@ def documented(parameter, with_selections):
         text += " " + "; ".join(told) + "."
     if condition := parameter.get("enabledWhen"):
         text += f" Only with {condition['parameter']} " + " or ".join(condition["in"]) + "."
+    if not with_selections:
+        text = HELP.get(parameter["id"], text)
     words += range_of(parameter) if kind in ("int", "double", "absperc") else ""
     optional = "optional" if kind == "mesh" or default == "" else f"default {default!r}"
     if not with_selections and parameter["id"] in OWN:
         note = OWN[parameter["id"]][1]
         if parameter["id"] == "field_region":
-            words, text, optional = note.partition(": ")[2], "Field of obstacles: the faces where they are.", "optional"
+            words, text, optional = note, "Field of obstacles: the faces where they are.", "optional"
         elif note:
             words += " " + note
     return parameter["id"], f"{words}, {optional}", text
@@ -185,7 +196,7 @@ def field_function(flt, parameters):
         {"Parameters": [
             *MESH_HELP, documented(kind, False),
             (*QUALITY_HELP, "A value for each vertex, for kind 'quality'."),
-            ("region", OWN["field_region"][1].partition(": ")[2] + ", optional", "The faces of obstacles, for kind 'obstacle'."),
+            ("region", OWN["field_region"][1] + ", optional", "The faces of obstacles, for kind 'obstacle'."),
             *(documented(p, False) for p in others)],
          "Returns": [("", "(n,) array of float", "A value for each vertex.")],
          "Raises": [("", kind, text) for kind, text in RAISES]},
@@ -219,7 +230,7 @@ def functions(filters):
 def method(flt):
     parameters = flt["parameters"]
     doc = docstring(
-        flt["shortDescription"], plain(flt["longDescriptionMarkdown"].partition(": ")[2] or flt["longDescriptionMarkdown"]),
+        flt["shortDescription"], plain(flt["longDescriptionMarkdown"]),
         {"Parameters": [documented(p, True) for p in parameters],
          "Returns": [("", "dict", "Figures, by name.")],
          "Raises": [("", "pymeshlab.PyMeshLabException", "The filter refuses something, or fails; the message says why.")]},

@@ -13,6 +13,7 @@ build_packages=(
 )
 test_packages=(
     libgtest-dev libbenchmark-dev
+    ccache  # the Python package is built from the objects of the release build
     meshlab  # 2020.09 in bookworm, with meshlabserver
     xvfb xauth openbox xdotool imagemagick libgl1-mesa-dri  # to show, drive and photograph its window
 )
@@ -63,6 +64,9 @@ install_python_packages() {
 build_preset() {
     local preset=$1
     shift
+    if command -v ccache >/dev/null; then
+        export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    fi
     cmake --preset "$preset" --log-level=WARNING "$@"
     cmake --build --preset "$preset" --parallel "$(nproc)"
 }

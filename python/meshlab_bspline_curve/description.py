@@ -7,8 +7,11 @@ import json
 import math
 from collections.abc import Mapping
 from functools import cache
+from numbers import Integral, Real
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 CURVE = "generate_bspline_curve_on_surface"
 FIELD = "compute_scalar_field_for_curves_per_vertex"
@@ -22,39 +25,43 @@ def parameters(filter_name: str) -> dict[str, dict[str, Any]]:
     return {parameter["id"]: parameter for parameter in found["parameters"]}
 
 
-def check_options(filter_name: str, options: Mapping[str, object]) -> None:
-    """Raises TypeError or ValueError where an option is not what its description allows.
+def checked(filter_name: str, options: Mapping[str, object]) -> dict[str, Any]:
+    """The options, with numbers of numpy as Python's own.
 
-    pymeshlab itself moves some values into their range and goes on.
+    Raises TypeError or ValueError where one is not what its description allows; pymeshlab itself moves some values into
+    their range and goes on.
     """
     described = parameters(filter_name)
-    for name, value in options.items():
-        check_option(described[name], value)
+    return {name: checked_option(described[name], value) for name, value in options.items()}
 
 
-def check_option(parameter: Mapping[str, Any], value: object) -> None:
+def checked_option(parameter: Mapping[str, Any], value: object) -> bool | int | float | str:
     name, kind = parameter["id"], parameter["type"]
+    if kind in ("int", "double", "absperc"):
+        return checked_number(parameter, value)
     if kind == "bool":
-        if not isinstance(value, bool):
+        if not isinstance(value, (bool, np.bool_)):
             raise TypeError(f"{name} is {value!r}, but must be True or False")
-    elif kind == "enum":
+        return bool(value)
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is {value!r}, but must be text")
+    if kind == "enum":
         allowed = [option["id"] for option in parameter["enumOptions"]]
         if value not in allowed:
             raise ValueError(f"{name} is {value!r}, but must be one of {', '.join(map(repr, allowed))}")
-    elif kind in ("int", "double", "absperc"):
-        check_number(parameter, value)
-    elif not isinstance(value, str):
-        raise TypeError(f"{name} is {value!r}, but must be text")
+    return str(value)
 
 
-def check_number(parameter: Mapping[str, Any], value: object) -> None:
+def checked_number(parameter: Mapping[str, Any], value: object) -> int | float:
     name, is_integer = parameter["id"], parameter["type"] == "int"
-    if isinstance(value, bool) or not isinstance(value, int if is_integer else (int, float)):
+    if isinstance(value, bool) or not isinstance(value, Integral if is_integer else Real):
         raise TypeError(f"{name} is {value!r}, but must be {'an integer' if is_integer else 'a number'}")
+    number = int(value) if isinstance(value, Integral) else float(value)
     low, high = parameter.get("min", -math.inf), parameter.get("max", math.inf)
-    is_above = value > low if parameter.get("excludesMin") else value >= low
-    if not (is_above and value <= high and math.isfinite(value)):
-        raise ValueError(f"{name} is {value!r}, but must be {allowed_range(parameter)}")
+    is_above = number > low if parameter.get("excludesMin") else number >= low
+    if not (is_above and number <= high and math.isfinite(number)):
+        raise ValueError(f"{name} is {number!r}, but must be {allowed_range(parameter)}")
+    return number
 
 
 def allowed_range(parameter: Mapping[str, Any]) -> str:

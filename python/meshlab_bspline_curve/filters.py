@@ -43,18 +43,18 @@ def draw_curve(
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
-    field: Field | npt.ArrayLike = 'none',
+    field: Field | npt.ArrayLike = "none",
     quality: npt.ArrayLike | None = None,
-    field_cost: FieldCost = 'natural',
+    field_cost: FieldCost = "natural",
     field_weight: float = 2000.0,
     samples: int = 256,
     max_segment_length: float = 0.0,
     tube_radius: float = 0.0,
     save: str | os.PathLike[str] | None = None,
-    avoid: Avoid | npt.ArrayLike = 'none',
+    avoid: Avoid | npt.ArrayLike = "none",
     avoid_threshold: float = 0.0,
     avoid_margin: float = 0.02,
-    shell: Shell = 'full',
+    shell: Shell = "full",
     field_curvature_scale: float = 0.015,
     field_crease_angle: float = 40.0,
     field_reach: float = 0.1,
@@ -64,21 +64,21 @@ def draw_curve(
     field_smoothing: float = 0.0,
     field_normalised: bool = False,
     field_inverted: bool = False,
-    preset: Preset = 'default',
-    bending: Bending = 'preset',
+    preset: Preset = "default",
+    bending: Bending = "preset",
     normal_bending_weight: float = 0.05,
     distance_tolerance: float = 0.1,
     target_thickness: float = 0.135,
     target_edge_length: float = 1.0,
     shell_thickness: float = 0.75,
     shell_smoothing_passes: int = 3,
-    initial_curve: InitialCurve = 'preset',
-    field_guides_path: FieldGuidesPath = 'preset',
-    quadrature: Quadrature = 'preset',
-    barrier_width: BarrierWidth = 'preset',
-    distance_weight: DistanceWeight = 'preset',
-    interpolation: Interpolation = 'preset',
-    knot_rule: KnotRule = 'preset',
+    initial_curve: InitialCurve = "preset",
+    field_guides_path: FieldGuidesPath = "preset",
+    quadrature: Quadrature = "preset",
+    barrier_width: BarrierWidth = "preset",
+    distance_weight: DistanceWeight = "preset",
+    interpolation: Interpolation = "preset",
+    knot_rule: KnotRule = "preset",
     samples_per_span: int = 24,
     max_rounds: int = 24,
     max_iterations: int = 100,
@@ -98,14 +98,13 @@ def draw_curve(
     picks : (p, 3) array of float
         Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.
     closed : bool, default False
-        On: a closed curve through at least 3 picks. Off: an open curve from the first to the last of at least 2 picks,
-        unless the file of picks says that it is closed.
+        True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.
     degree : int in [2, 4], default 3
         Polynomial degree of the spline.
     tension : float in [0, 1], default 0.0
         From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
     field : {'none', 'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
-        'quality', 'obstacle'} or (n,) array of float: its values, one for each vertex, default 'none'
+        'quality', 'obstacle'} or (n,) array of float, its values, default 'none'
         A scalar that draws the curve to where its cost is low. none: no field; normal-variation: least product of the
         normals of a vertex and its faces; maximal-curvature: largest principal curvature, at a scale; ridge: how convex
         the surface is across, at a scale; valley: how concave the surface is across, at a scale; crease-distance: along
@@ -126,14 +125,13 @@ def draw_curve(
     max_segment_length : float ≥ 0, default 0.0
         No segment of the polyline is longer than this, in the unit of the mesh. 0: not limited.
     tube_radius : float ≥ 0, default 0.0
-        A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
-        diagonal. 0: no tube.
-    save : str, optional
-        A file that a usable curve is written to, in world coordinates: the polyline, or the spline itself where the
-        name ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality
-        or the spline. Empty: no file.
+        A closed tube mesh around the curve is made too, with this radius in the unit of the mesh, at most its diagonal.
+        0: none.
+    save : str or path, optional
+        A file that a usable curve is written to: the polyline (.ply, .obj, .dxf, .vtu, .csv), the spline itself
+        (.bspline.obj, .bspline.dxf) or both (.json).
     avoid : {'none', 'under-threshold', 'over-threshold'} or (k,) array of int, ids of the faces, or (m,) array of bool,
-        one for each face, default 'none'
+        default 'none'
         Faces of the surface that the curve does not enter. none: it may enter all; under-threshold: the faces over
         which the mean of the field, or without a field of the per-vertex quality, is under the threshold;
         over-threshold: likewise over it.
@@ -154,7 +152,7 @@ def draw_curve(
     field_reach : float in (0, 1], default 0.1
         Fields of crease and boundary distance: the distance that becomes 1, relative to the diagonal. Only with field
         crease-distance or boundary-distance.
-    field_region : (k,) array of int, ids, or (m,) array of bool, one for each face, optional
+    field_region : (k,) array of int, ids of the faces, or (m,) array of bool, optional
         Field of obstacles: the faces where they are.
     field_obstacle_value : float ≥ 0, default 0.0
         Field of obstacles: its value on the boundary of the region. Only with field obstacle.
@@ -283,7 +281,7 @@ def draw_curve(
 def compute_field(
     vertices: npt.ArrayLike,
     faces: npt.ArrayLike,
-    kind: Kind = 'maximal-curvature',
+    kind: Kind = "maximal-curvature",
     *,
     quality: npt.ArrayLike | None = None,
     region: npt.ArrayLike | None = None,
@@ -315,7 +313,7 @@ def compute_field(
         hill on a region of faces.
     quality : (n,) array of float, optional
         A value for each vertex, for kind 'quality'.
-    region : (k,) array of int, ids, or (m,) array of bool, one for each face, optional
+    region : (k,) array of int, ids of the faces, or (m,) array of bool, optional
         The faces of obstacles, for kind 'obstacle'.
     curvature_scale : float in [0, 1], default 0.015
         Fields of curvature, ridges and valleys: radius that curvatures are averaged over, relative to the diagonal of

@@ -39,48 +39,48 @@ def generate_bspline_curve_on_surface(
     *,
     surface_layer: int | None = None,
     picks_layer: int | None = None,
-    picks_file: str = '',
-    picks: str = '',
+    picks_file: str = "",
+    picks: str = "",
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
-    field: Field = 'none',
-    field_cost: FieldCost = 'natural',
+    field: Field = "none",
+    field_cost: FieldCost = "natural",
     field_weight: float = 2000.0,
     samples: int = 256,
     max_segment_length: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
-    save: str = '',
-    avoid: Avoid = 'none',
+    save: str = "",
+    avoid: Avoid = "none",
     avoid_threshold: float = 0.0,
     avoid_margin: float = 0.02,
-    shell: Shell = 'full',
+    shell: Shell = "full",
     control_polygon: bool = False,
     shell_layers: bool = False,
     field_curvature_scale: float = 0.015,
     field_crease_angle: float = 40.0,
     field_reach: float = 0.1,
-    field_region: FieldRegion = 'selected-faces',
+    field_region: FieldRegion = "selected-faces",
     field_obstacle_value: float = 0.0,
     field_obstacle_slope: float = 40.0,
     field_smoothing: float = 0.0,
     field_normalised: bool = False,
     field_inverted: bool = False,
-    preset: Preset = 'default',
-    bending: Bending = 'preset',
+    preset: Preset = "default",
+    bending: Bending = "preset",
     normal_bending_weight: float = 0.05,
     distance_tolerance: float = 0.1,
     target_thickness: float = 0.135,
     target_edge_length: float = 1.0,
     shell_thickness: float = 0.75,
     shell_smoothing_passes: int = 3,
-    initial_curve: InitialCurve = 'preset',
-    field_guides_path: FieldGuidesPath = 'preset',
-    quadrature: Quadrature = 'preset',
-    barrier_width: BarrierWidth = 'preset',
-    distance_weight: DistanceWeight = 'preset',
-    interpolation: Interpolation = 'preset',
-    knot_rule: KnotRule = 'preset',
+    initial_curve: InitialCurve = "preset",
+    field_guides_path: FieldGuidesPath = "preset",
+    quadrature: Quadrature = "preset",
+    barrier_width: BarrierWidth = "preset",
+    distance_weight: DistanceWeight = "preset",
+    interpolation: Interpolation = "preset",
+    knot_rule: KnotRule = "preset",
     samples_per_span: int = 24,
     max_rounds: int = 24,
     max_iterations: int = 100,
@@ -88,11 +88,11 @@ def generate_bspline_curve_on_surface(
 ) -> dict[str, Any]:
     """Draws a smooth curve through picked points on a triangle mesh.
 
-    a variational B-spline, found in a thin shell around the surface, and its exact shadow as a polyline every segment
-    of which lies inside one face. The curve becomes a new layer; the mesh is not changed. Picks come from Edit >
-    PickPoints, a layer of points, a file or text; their order is the order of the curve. A scalar per vertex (a field)
-    may draw the curve to where its cost is low. Each vertex of the curve knows its face (`face_index`), its barycentric
-    coordinates there (`barycentric`) and its parameter (`t`).
+    Draws a smooth curve through picked points on a triangle mesh: a variational B-spline, found in a thin shell around
+    the surface, and its exact shadow as a polyline every segment of which lies inside one face. The curve becomes a new
+    layer; the mesh is not changed. Picks come from Edit > PickPoints, a layer of points, a file or text; their order is
+    the order of the curve. A scalar per vertex (a field) may draw the curve to where its cost is low. Each vertex of
+    the curve knows its face (`face_index`), its barycentric coordinates there (`barycentric`) and its parameter (`t`).
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def generate_bspline_curve_on_surface(
     tube_radius : float ≥ 0, default 0.0
         A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
         diagonal. 0: no tube.
-    save : str, optional
+    save : str or path, optional
         A file that a usable curve is written to, in world coordinates: the polyline, or the spline itself where the
         name ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality
         or the spline. Empty: no file.
@@ -304,11 +304,11 @@ def generate_bspline_curve_on_surface(
 def compute_scalar_field_for_curves_per_vertex(
     self: pymeshlab.MeshSet,
     *,
-    kind: Kind = 'maximal-curvature',
+    kind: Kind = "maximal-curvature",
     curvature_scale: float = 0.015,
     crease_angle: float = 40.0,
     reach: float = 0.1,
-    region: Region = 'selected-faces',
+    region: Region = "selected-faces",
     obstacle_value: float = 0.0,
     obstacle_slope: float = 40.0,
     smoothing: float = 0.0,
@@ -317,6 +317,7 @@ def compute_scalar_field_for_curves_per_vertex(
 ) -> dict[str, Any]:
     """Computes a scalar per vertex that curves can follow or avoid.
 
+    Computes a scalar per vertex that curves can follow or avoid, and makes it the quality of the current layer:
     variation of normals, curvature, ridges and valleys at a scale, distances to creases and to the boundary, obstacles
     from a selection. It is the same in every unit and, but for the variation of normals, hardly depends on how fine the
     mesh is. The filter B-spline Curve on Surface takes the same fields by itself.

@@ -16,7 +16,7 @@ import pymeshlab
 from . import arrays
 from .arrays import Floats, Int32s
 from .curve import Curve, Tube
-from .description import CURVE, FIELD, check_options, parameters
+from .description import CURVE, FIELD, checked, parameters
 from .errors import CurveError
 
 # One document for all calls: pymeshlab 2025.7 may crash where a document was deleted in which a filter had failed.
@@ -50,7 +50,7 @@ def draw(
     values["avoid"], selected = chosen_faces(choices, values["field"], len(faces))
     if values["avoid"] in ("under-threshold", "over-threshold") and values["field"] == "none" and quality is None:
         raise ValueError(f"avoid is {values['avoid']!r}, which needs a field or quality: give one of them")
-    check_options(CURVE, values)
+    values = checked(CURVE, values)
     if not len(through):
         raise ValueError("picks is empty: an open curve needs 2 points, a closed one 3")
     with document() as layers:
@@ -66,7 +66,7 @@ def compute(
 ) -> Floats:
     """What compute_field does."""
     vertices, faces = mesh_arrays(mesh)
-    check_options(FIELD, options)
+    options = checked(FIELD, options)
     kind = options["kind"]
     needed = {"quality": ("quality", quality), "obstacle": ("region", region)}
     if kind in needed and needed[kind][1] is None:
@@ -147,7 +147,7 @@ def run_on(
             layers.compute_selection_by_condition_per_face(condselect="fq > 0.5")
         return apply(layers, filter_name, options)
     except pymeshlab.PyMeshLabException as error:
-        raise CurveError(reason(error)) from error
+        raise CurveError(reason(error)) from None
 
 
 def reason(error: Exception) -> str:
