@@ -82,17 +82,46 @@ def test_an_example_draws_the_same_curve_in_both_hosts(
     assert polylines.distance_to(picks, vertices, edges) <= 2 * ROUNDING
 
 
-def test_the_commands_of_the_page_work(prefix, display, tmp_path):
-    page = (ROOT / "docs" / "MESHLAB.md").read_text()
-    commands = re.search(r"## meshlabserver\n\n((?:    .*\n)+)", page).group(1)
+@pytest.fixture
+def checkout(tmp_path):
+    """What a user has after scripts/quickstart, with nothing that tests made before."""
     shutil.copytree(EXAMPLES, tmp_path / "examples")
+    (tmp_path / "scripts").symlink_to(ROOT / "scripts")
     (tmp_path / "build").mkdir()
     (tmp_path / "build" / "release").symlink_to(BUILD)
-    (tmp_path / "build" / "meshlab-2020.09").symlink_to(prefix)
     shutil.copy(Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj", tmp_path)
-    done = display.run(["bash", "-e", "-c", commands], cwd=tmp_path)
+    # As scripts/quickstart makes it.
+    command = next(line for line in (ROOT / "scripts" / "quickstart").read_text().splitlines() if "bunny.ply" in line)
+    environment = {**os.environ, "mesh": "bunny.obj", "results": "build/quickstart"}
+    (tmp_path / "build" / "quickstart").mkdir()
+    subprocess.run(["bash", "-e", "-c", command], cwd=tmp_path, env=environment, check=True)
+    return tmp_path
+
+
+def commands_in(text):
+    """Blocks of commands, without the one that opens a window."""
+    blocks = re.findall(r"(?:^    [^\n]*\n)+", text, re.M)
+    return [re.sub(r"    build/\S+/bin/meshlab .*\n", "", block) for block in blocks]
+
+
+def test_the_commands_of_readme_draw_a_curve_from_nothing(prefix, legacy_plugin, display, checkout):
+    section = re.search(r"\n## MeshLab\n(.*?)\n## ", (ROOT / "README.md").read_text(), re.S)[1]
+    # The window is opened as in test_window.py.
+    assert "    build/meshlab-2020.09/bin/meshlab build/quickstart/bunny.ply\n" in section
+    done = display.run(["bash", "-e", "-c", "\n".join(commands_in(section))], cwd=checkout)
     assert done.returncode == 0, done.stdout + done.stderr
-    vertices, edges = polylines.read_obj(tmp_path / "examples" / "curve.obj")
+    assert (checkout / "build" / "meshlab-2020.09" / "bin" / "meshlab").is_file()
+    vertices, edges = polylines.read_obj(checkout / "examples" / "curve.obj")
+    assert len(edges) == len(vertices) - 1 > 100
+
+
+def test_the_commands_of_the_page_work(prefix, display, checkout):
+    page = (ROOT / "docs" / "MESHLAB.md").read_text()
+    commands = re.search(r"## meshlabserver\n\n((?:    .*\n)+)", page).group(1)
+    (checkout / "build" / "meshlab-2020.09").symlink_to(prefix)
+    done = display.run(["bash", "-e", "-c", commands], cwd=checkout)
+    assert done.returncode == 0, done.stdout + done.stderr
+    vertices, edges = polylines.read_obj(checkout / "examples" / "curve.obj")
     assert len(edges) == len(vertices) - 1 > 100
 
 

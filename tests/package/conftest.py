@@ -30,6 +30,7 @@ class Home:
         self.environment |= {"HOME": str(folder), "XDG_CACHE_HOME": cache, "BSPLINE_CURVE_CACHE": ""}
         # Compiled as the release build is, so that ccache has the objects: seconds in place of minutes.
         self.environment["SKBUILD_CMAKE_DEFINE"] = "BSPLINE_CURVE_WERROR=ON"
+        self.environment.setdefault("CXX", "c++")  # CMake's choice; pip's would be the compiler of Python
         if shutil.which("ccache"):
             self.environment.setdefault("CMAKE_CXX_COMPILER_LAUNCHER", "ccache")
 

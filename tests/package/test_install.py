@@ -26,6 +26,12 @@ def test_the_commands_of_readme_draw_a_picture(home):
     assert np.ptp(rows) > 200 and np.ptp(columns) > 300
 
 
+def test_the_example_of_readme_runs(home):
+    code = re.search(r"\n## Python\n.*?```python\n(.*?)```", (ROOT / "README.md").read_text(), re.S)[1]
+    done = home.run("-c", code)
+    assert (done.stdout, done.stderr) == ("True True\n", "")
+
+
 def test_readme_names_the_packages_that_the_build_needs():
     named = re.search(r"apt-get install (.*?)`", (ROOT / "README.md").read_text(), re.S)[1].split()
     setup = (ROOT / "scripts" / "setup.sh").read_text()

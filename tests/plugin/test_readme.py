@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README's example runs as it stands there, and the host lists the parameters that the description and the page name."""
+"""The example with a document of pymeshlab runs as it stands in docs/PYTHON.md, and the host lists the parameters that the
+description and the page name. README's own example is run in tests/package."""
 import json
 import re
 import subprocess
@@ -10,7 +11,7 @@ import pytest
 from curves import FILTER
 
 ROOT = Path(__file__).resolve().parents[2]
-README = (ROOT / "README.md").read_text()
+PYTHON = (ROOT / "docs" / "PYTHON.md").read_text()
 PAGE = (ROOT / "docs" / "PARAMETERS.md").read_text()
 DESCRIBED = json.loads((ROOT / "filters" / "filters.json").read_text())["filters"]
 
@@ -33,9 +34,9 @@ def parameters(plugin_path):
 
 
 def test_the_python_example_runs(capsys):
-    code = re.search(r"```python\n(.*?)```", README, re.S).group(1)
+    code = re.search(r"```python\n(import pymeshlab\n.*?)```", PYTHON, re.S).group(1)
     code = re.sub(r'^pymeshlab\.load_plugin\(.*\n', "", code, flags=re.M)  # the plugin of this build is loaded
-    exec(compile(code, "README.md", "exec"), {})
+    exec(compile(code, "PYTHON.md", "exec"), {})
     assert capsys.readouterr().out.startswith("True ")
 
 
