@@ -22,7 +22,7 @@ def main() -> int:
         parser.error("--size: width and height must be in [16, 4000]")
     try:
         curve = draw_demo(arguments.output, (width, height))
-    except (RuntimeError, OSError, ValueError) as error:
+    except (RuntimeError, OSError) as error:
         print(f"meshlab_bspline_curve: {error}", file=sys.stderr)
         return 1
     print(f"{arguments.output}: a curve of {len(curve.points)} points, {curve.length:.3f} long")

@@ -23,16 +23,20 @@ def draw_demo(output: Path, size: tuple[int, int]) -> Curve:
     Raises
     ------
     RuntimeError
-        Pillow or pymeshlab's bunny is not there.
-    OSError, ValueError
-        The picture cannot be written, or its name ends with no format that Pillow knows.
+        Pillow, the directory or pymeshlab's bunny is not there, or the name ends with no format that Pillow knows.
+    OSError
+        The picture cannot be written.
     """
     try:
         from PIL import Image
     except ImportError as error:
-        raise RuntimeError("the picture is written by Pillow, which is not installed: run pip install pillow") from error
+        raise RuntimeError("Pillow, which writes the picture, is not installed: run pip install pillow") from error
+    if output.suffix.lower() not in Image.registered_extensions():
+        raise RuntimeError(f"{output}: no format of pictures has the extension {output.suffix!r}; .png will do")
+    if not output.parent.is_dir():
+        raise RuntimeError(f"{output}: the directory {output.parent} does not exist")
     if not BUNNY.is_file():
-        raise RuntimeError(f"the demo draws on the bunny of pymeshlab, but {BUNNY} is not there: install pymeshlab again")
+        raise RuntimeError(f"{BUNNY}, which the demo draws on, is not there: install pymeshlab again")
     document = pymeshlab.MeshSet()
     document.load_new_mesh(str(BUNNY))
     mesh = document.current_mesh().vertex_matrix(), document.current_mesh().face_matrix()

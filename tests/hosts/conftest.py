@@ -5,9 +5,9 @@ import os
 import subprocess
 from pathlib import Path
 
-import numpy as np
 import pymeshlab
 import pytest
+from float_ply import write_ply
 from virtual_display import VirtualDisplay
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -61,17 +61,6 @@ def write_script(example_scripts, tmp_path):
         return tmp_path / name
 
     return write
-
-
-def write_ply(path, vertices, faces):
-    """Binary, with float coordinates, so that every host has the same numbers."""
-    head = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
-    head += [f"property float {axis}" for axis in "xyz"]
-    head += [f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
-    rows = np.empty(len(faces), dtype=[("count", "u1"), ("corners", "<i4", 3)])
-    rows["count"], rows["corners"] = 3, faces
-    path.write_bytes("\n".join(head).encode() + b"\n" + np.asarray(vertices, "<f4").tobytes() + rows.tobytes())
-    return path
 
 
 @pytest.fixture(scope="session")

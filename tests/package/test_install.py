@@ -113,9 +113,9 @@ def test_a_plugin_that_is_not_there_is_said(home):
 @pytest.mark.parametrize(
     ("before", "output", "expected"),
     [
-        ("sys.modules['PIL'] = None", "a.png", "Pillow, which is not installed: run pip install pillow"),
-        ("", "nowhere/a.png", "nowhere/a.png"),
-        ("", "a.unknown", "unknown file extension: .unknown"),
+        ("sys.modules['PIL'] = None", "a.png", "Pillow, which writes the picture, is not installed: run pip install pillow"),
+        ("", "nowhere/a.png", "nowhere/a.png: the directory nowhere does not exist"),
+        ("", "a.unknown", "a.unknown: no format of pictures has the extension '.unknown'"),
     ],
 )
 def test_a_demo_that_cannot_draw_says_why_in_one_line(home, before, output, expected):
