@@ -46,7 +46,7 @@ def check_host() -> None:
 
 
 def load_plugin(filters: tuple[str, ...]) -> None:
-    """Loads the plugin unless its filters are there already, from wherever; pymeshlab takes no plugin twice."""
+    """Loads the plugin unless its filters are there already, from whatever file: a second copy would be loaded beside it."""
     if set(filters) <= set(pymeshlab.filter_list()):
         return
     if not PLUGIN.is_file():

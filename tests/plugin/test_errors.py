@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is wrong is said, the host lives on, and no layer is added."""
+from pathlib import Path
+
 import numpy as np
 import pymeshlab
 import pytest
@@ -126,3 +128,21 @@ def test_a_field_that_is_not_there(bunny_path):
     document.load_new_mesh(str(bunny_path))
     picks = document.current_mesh().vertex_matrix()[[10, 2000]]
     assert_refuses(document, "no per-vertex quality", picks=as_text(picks), field="quality")
+
+
+@pytest.mark.parametrize(("is_of_other_version", "expected"), [
+    (True, "libfilter_bspline_curve.so has different version from the running MeshLab version."),
+    (False, "libfilter_bspline_curve.so has been already loaded."),
+])
+def test_a_plugin_that_is_not_loaded_is_told_as_the_page_says(is_of_other_version, expected, plugin_path, tmp_path):
+    page = (Path(__file__).resolve().parents[2] / "docs" / "MESHLAB.md").read_text()
+    assert f"`{expected}`" in page
+    plugin = plugin_path
+    if is_of_other_version:
+        plugin = tmp_path / plugin_path.name
+        built = plugin_path.read_bytes()
+        assert b"2025.07d" in built
+        plugin.write_bytes(built.replace(b"2025.07d", b"2023.12d"))
+    with pytest.raises(pymeshlab.PyMeshLabException) as refused:
+        pymeshlab.load_plugin(str(plugin))
+    assert str(refused.value) == expected
