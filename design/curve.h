@@ -53,9 +53,10 @@ struct Guidance {
     std::span<const double> field{};  ///< one finite value per vertex
     std::span<const int> avoid{};     ///< faces that the curve must not enter
     /// A curve of the same designer through as many picks, each near the one of now: the new curve
-    /// is relaxed from there, in a third of the time, while a pick is dragged. It may come to rest
-    /// elsewhere than one from scratch, and gathers knots, so draw the last one from scratch. No
-    /// start where degree or closedness differ, or where it was not relaxed at foot points.
+    /// is relaxed from there, in three quarters of the time on average, while a pick is dragged.
+    /// Picks keep their parameters, so it may come to rest elsewhere than one from scratch and bend
+    /// more; draw the last one from scratch. No start where degree or closedness differ, or where
+    /// it was not relaxed at foot points.
     const Curve* start = nullptr;
 };
 
