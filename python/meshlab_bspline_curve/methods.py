@@ -16,7 +16,7 @@ Field: TypeAlias = Literal[
 ]
 FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
 Avoid: TypeAlias = Literal["none", "selected-faces", "selected-vertices", "under-threshold", "over-threshold"]
-Shell: TypeAlias = Literal["simplified", "full"]
+Shell: TypeAlias = Literal["local", "full", "simplified"]
 FieldRegion: TypeAlias = Literal["selected-faces", "selected-vertices"]
 Preset: TypeAlias = Literal["default", "paper"]
 Bending: TypeAlias = Literal["preset", "geodesic", "ambient"]
@@ -54,7 +54,7 @@ def generate_bspline_curve_on_surface(
     avoid: Avoid = "none",
     avoid_threshold: float = 0.0,
     avoid_margin: float = 0.02,
-    shell: Shell = "full",
+    shell: Shell = "local",
     control_polygon: bool = False,
     shell_layers: bool = False,
     field_curvature_scale: float = 0.015,
@@ -152,9 +152,11 @@ def generate_bspline_curve_on_surface(
         or over-threshold.
     avoid_margin : float in (0, 1], default 0.02
         From this far away on they push the curve, relative to the diagonal of the mesh's box.
-    shell : {'simplified', 'full'}, default 'full'
-        The shell around the surface, in which the curve is sought. simplified: few thick prisms, which take seconds to
-        build on large meshes and are kept for the next curve; full: one thin prism per face.
+    shell : {'local', 'full', 'simplified'}, default 'local'
+        The shell around the surface, in which the curve is sought. local: one thin prism per face near the curve; the
+        whole surface gets its prisms only for a curve that needs them; full: one thin prism per face, of the whole
+        surface from the start; simplified: few thick prisms, which take seconds to build on large meshes and are kept
+        for the next curve.
     control_polygon : bool, default False
         The control points of the spline and the segments between them become a layer too.
     shell_layers : bool, default False
@@ -200,7 +202,8 @@ def generate_bspline_curve_on_surface(
         Simplified shell: shorter edges are collapsed where its invariants allow it, relative to the longest side of the
         mesh's box. Only with shell simplified.
     shell_thickness : float in (0, 1000], default 0.75
-        Full shell: largest distance of its top and bottom from the surface, in mean edge lengths. Only with shell full.
+        Local or full shell: largest distance of its top and bottom from the surface, in mean edge lengths. Only with
+        shell local or full.
     shell_smoothing_passes : int ≥ 0, default 3
         Rounds of averaging of the directions of the shell's pillars.
     initial_curve : {'preset', 'geodesic-fit', 'control-polygon'}, default 'preset'
