@@ -12,6 +12,10 @@ from meshlabserver import run_server
 
 SHARED = Path(__file__).resolve().parents[3] / "shared"
 CASES = sorted((SHARED / "cases").glob("*.json"))
+
+# Relative to the diagonal. A mesh that is rounded when it is loaded is another mesh, where a decision may fall otherwise;
+# docs/MESHLAB.md tells how much that was.
+LARGEST = {"rounded first": 1e-5, "as it is": 1e-4}
 CURVE = "generate_bspline_curve_on_surface"
 
 pytestmark = pytest.mark.skipif(not CASES, reason="there are no ../shared/cases")
@@ -30,12 +34,12 @@ def loaded(path, documents):
     return document
 
 
-@pytest.mark.parametrize("rounded", [False, True], ids=["as it is", "rounded first"])
+@pytest.mark.parametrize("kind", LARGEST)
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
-def test_both_draw_the_same_curve(path, rounded, documents, display, prefix, loaded_plugin, write_script, tmp_path):
+def test_both_draw_the_same_curve(path, kind, documents, display, prefix, loaded_plugin, write_script, tmp_path):
     case = json.loads(path.read_text())
     mesh = SHARED / case["mesh"]
-    if rounded:
+    if kind == "rounded first":
         surface = loaded(mesh, documents).current_mesh()
         mesh = write_ply(tmp_path / "mesh.ply", surface.vertex_matrix(), surface.face_matrix())
     options = {"picks": "; ".join(" ".join(map(repr, pick)) for pick in case["picks"]), "closed": case["closed"]}
@@ -50,4 +54,4 @@ def test_both_draw_the_same_curve(path, rounded, documents, display, prefix, loa
     double = document.current_mesh().vertex_matrix()
     document.clear()
     edges = [np.array(polylines.in_order(vertices, case["closed"])) for vertices in (single, double)]
-    assert polylines.distance((single, edges[0]), (double, edges[1])) <= 1e-5 * diagonal
+    assert polylines.distance((single, edges[0]), (double, edges[1])) <= LARGEST[kind] * diagonal

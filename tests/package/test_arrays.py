@@ -164,7 +164,7 @@ REFUSED = [
     ("draw_curve(vertices, faces, picks, samples=1.5)", "TypeError: samples is 1.5, but must be an integer"),
     ("draw_curve(vertices, faces, picks, tension='1')", "TypeError: tension is '1', but must be a number"),
     ("draw_curve(vertices, faces, picks, closed=1)", "TypeError: closed is 1, but must be True or False"),
-    ("draw_curve(vertices, faces, picks, shell='thin')", "ValueError: shell is 'thin', but must be one of 'simplified', 'full'"),
+    ("draw_curve(vertices, faces, picks, shell='thin')", "ValueError: shell is 'thin', but must be one of 'local', "),
     ("draw_curve(vertices, faces, picks, shell=1)", "TypeError: shell is 1, but must be text"),
     ("draw_curve(vertices, faces, picks, field=[1, 2])", "field has shape (2,), but must have (2562,), a value for each vertex"),
     ("draw_curve(vertices, faces, picks, field=vertices[:, 0], quality=vertices[:, 0])", "field and quality are both given"),
