@@ -35,11 +35,6 @@ Eigen::AlignedBox3d boxOf(const Surface& surface) {
     return box;
 }
 
-struct VertexStar {
-    std::vector<Vec3> normals;
-    std::vector<Vec3> areaNormals;
-};
-
 class BaseBuilder {
 public:
     BaseBuilder(const Surface& surface, ShellBase& base) : surface_(surface), base_(base) {}
@@ -54,6 +49,10 @@ public:
         }
         base_.faces = surface_.faces();
         base_.faceNeighbours = surface_.faceNeighbours();
+        normals_.reserve(base_.faces.size());
+        for (int f = 0; f < surface_.faceCount(); ++f) {
+            normals_.push_back(normalOf(f));
+        }
     }
 
     void measureEdges() {
@@ -118,8 +117,8 @@ public:
                 }
                 sum /= length;
                 gatherNormals(v);
-                const double now = leastCosine(base_.directions[at(v)], star_.normals);
-                if (leastCosine(sum, star_.normals) >= std::min(now, kSmoothEnoughCosine)) {
+                const double now = leastCosine(base_.directions[at(v)], star_);
+                if (leastCosine(sum, star_) >= std::min(now, kSmoothEnoughCosine)) {
                     next[at(v)] = sum;
                 }
             }
@@ -131,32 +130,34 @@ private:
     // Smoothing may cost a pillar some of its view as long as it keeps this much.
     static constexpr double kSmoothEnoughCosine = 0.8;
 
+    [[nodiscard]] Vec3 normalOf(int f) const {
+        const Triangle& face = base_.faces[at(f)];
+        const Vec3& corner = base_.vertices[at(face[0])];
+        return (base_.vertices[at(face[1])] - corner)
+            .cross(base_.vertices[at(face[2])] - corner)
+            .normalized();
+    }
+
     void gatherNormals(int v) {
-        star_.normals.clear();
-        star_.areaNormals.clear();
+        star_.clear();
         for (const int f : surface_.facesAround(v)) {
-            const Triangle& face = base_.faces[at(f)];
-            const Vec3 normal =
-                (base_.vertices[at(face[1])] - base_.vertices[at(face[0])])
-                    .cross(base_.vertices[at(face[2])] - base_.vertices[at(face[0])]);
-            star_.areaNormals.push_back(normal);
-            star_.normals.push_back(normal.normalized());
+            star_.push_back(normals_[at(f)]);
         }
     }
 
     bool findDirection(int v) {
         gatherNormals(v);
         Vec3 average = Vec3::Zero();
-        for (std::size_t i = 0; i < star_.normals.size(); ++i) {
-            average += cornerAngle(surface_.facesAround(v).begin()[i], v) * star_.normals[i];
+        for (std::size_t i = 0; i < star_.size(); ++i) {
+            average += cornerAngle(surface_.facesAround(v).begin()[i], v) * star_[i];
         }
         const double length = average.norm();
-        if (length > 0.0 && leastCosine(average / length, star_.normals) >= kGoodAverageCosine) {
+        if (length > 0.0 && leastCosine(average / length, star_) >= kGoodAverageCosine) {
             base_.directions[at(v)] = average / length;
             return true;
         }
-        base_.directions[at(v)] = directionOfLeastAngle(star_.normals);
-        return leastCosine(base_.directions[at(v)], star_.normals) >= kLeastPillarCosine;
+        base_.directions[at(v)] = directionOfLeastAngle(star_);
+        return leastCosine(base_.directions[at(v)], star_) >= kLeastPillarCosine;
     }
 
     [[nodiscard]] double cornerAngle(int f, int v) const {
@@ -190,6 +191,11 @@ private:
             p += kMoveFraction * (targets[i] - p);
             moved[at(unseen[i])] = 1;
         }
+        for (const int v : unseen) {
+            for (const int f : surface_.facesAround(v)) {
+                normals_[at(f)] = normalOf(f);
+            }
+        }
         std::sort(touched.begin(), touched.end());
         touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
         std::vector<int> still;
@@ -203,7 +209,8 @@ private:
 
     const Surface& surface_;
     ShellBase& base_;
-    VertexStar star_;
+    std::vector<Vec3> normals_;  // of the surface's faces, unit
+    std::vector<Vec3> star_;     // those around a vertex
 };
 
 // Grows the ghost strip: each boundary edge gets a quad, each boundary vertex one ghost.
