@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <deque>
 #include <string>
 
@@ -12,7 +13,7 @@ namespace {
 
 using namespace bspline_curve::benchmarks;
 
-constexpr int kSubdivisions[] = {4, 6};
+constexpr std::array kSubdivisions = {4, 6};
 
 void add(const MeasuredPath& path, int faces) {
     benchmark::RegisterBenchmark(

@@ -66,7 +66,7 @@ void addMeshPaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
 std::vector<Vec3> queriesNear(const Scene& scene) {
     std::vector<Vec3> queries;
     for (const GuidePath::Point& point : scene.path.guide.points) {
-        queries.push_back(1.001 * scene.prepared.base()->frame.toUser(point.position));
+        queries.emplace_back(1.001 * scene.prepared.base()->frame.toUser(point.position));
     }
     return queries;
 }
