@@ -45,8 +45,8 @@ def short_name(function):
     name = re.sub(r"operator (new|delete)", r"operator_\1", name)
     while re.search(r"<[^<>]*>|\([^()]*\)|\{[^{}]*\}", name):
         name = re.sub(r"<[^<>]*>|\([^()]*\)|\{[^{}]*\}", "", name)
-    words = [word for word in name.split() if word not in ("const", "&", "&&")]
-    return words[-1].replace("operator_", "operator ").replace("::#1", "").strip(":") if words else function
+    words = re.sub(r" const\b|&", "", name).split()  # the last one is the name, those before what it returns
+    return re.sub("(::)+", "::", words[-1]).replace("operator_", "operator ").strip(":") if words else function
 
 
 def own_instructions(dump):

@@ -148,6 +148,15 @@ void addDesigns(const Scene& scene, std::vector<MeasuredPath>& paths) {
     paths.push_back({"design_warm", "curve", 1, [&scene, designer] {
                          static_cast<void>(designer->design(scene.picks, scene.options));
                      }});
+    // As all curves were drawn before there were foot points, and as some still are.
+    const auto whole = std::make_shared<const CurveDesigner>(
+        scene.mesh, ShellOptions{.kind = ShellKind::FullResolution}
+    );
+    paths.push_back({"design_warm_by_cells", "curve", 1, [&scene, whole] {
+                         SolverOptions options = scene.options;
+                         options.quadrature = Quadrature::Cells;
+                         static_cast<void>(whole->design(scene.picks, options));
+                     }});
     paths.push_back({"design_cold", "curve", 1, [&scene] {
                          const CurveDesigner made(scene.mesh);
                          static_cast<void>(made.design(scene.picks, scene.options));

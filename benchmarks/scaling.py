@@ -16,7 +16,8 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from cases import (PROGRAM, Case, best_of, draw, farthest_picks, is_in_whole_shell, machine, midpoint_subdivided, packaged_meshes, write_json)
+from cases import (PROGRAM, Case, best_of, draw, farthest_picks, is_in_whole_shell, machine, midpoint_subdivided,
+                   packaged_meshes, write_json)
 
 FACES = 7000
 LEVELS = 5

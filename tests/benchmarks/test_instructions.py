@@ -75,6 +75,7 @@ def test_functions_are_named_without_arguments_and_templates():
             "FootFinder::move",
         "int bspline_curve::traceCurve<bspline_curve::f(int)::{lambda(int)#1}>(bspline_curve::TracedShell const&)": "traceCurve",
         "bspline_curve::(anonymous namespace)::Fit::operator()(double) const": "Fit::call",
+        "void bspline_curve::Grid<4>::visit(int) const::{lambda(int, int)#2}::operator()(int, int) const": "Grid::visit::call",
         "operator new(unsigned long)": "operator new",
         "malloc": "malloc",
     }
