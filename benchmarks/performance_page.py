@@ -19,13 +19,14 @@ from cases import PROGRAM, ROOT, geometric_mean, replace_table
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
-from matplotlib.ticker import FuncFormatter  # noqa: E402
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 SCRIPTS = ("peers", "scaling", "table1")
 FIELD_NAMES = {"none": "no field", "waves": "waves", "maximal-curvature": "maximal curvature"}
 OURS, MESHLIB, GEODESIC = "#c33b22", "#3d6ea8", "#7a9a4f"
 MILLION = 1_000_000
+RATIO_TICKS = (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20)
 
 
 # ---------------------------------------------------------------- results
@@ -93,8 +94,8 @@ def targets_table(peers, scaling):
         ("warm, growth per four times the faces, largest", named_growth(scaling["growth"], "warm"), 1.3),
         ("cold, growth per four times the faces, largest", named_growth(scaling["growth"], "cold"), 4.2),
         (f"cold at {plain['faces']:,} faces, s", plain["cold"], 5.0),
-        (f"peak memory there, GB", plain["peak_bytes"] / 1e9, 1.5),
-        (f"bytes per face above the arrays there", plain["bytes_per_face"], 300.0),
+        ("peak memory there, GB", plain["peak_bytes"] / 1e9, 1.5),
+        ("bytes per face above the arrays there", plain["bytes_per_face"], 300.0),
     ]
     return table(["", "at most", "measured", "met"], [[label, f"{most:g}", f"{value:.0f}" if value >= 100 else f"{value:.2f}",
                                                        "yes" if value <= most else "**no**"] for label, value, most in entries])
@@ -111,7 +112,11 @@ def shares_table(counts):
     lists = [[f"`{function}` {100 * share:.0f} %" for function, share in column["own"].items()] for column in columns]
     head = [f"{label}: {column['instructions'] / MILLION:.0f} million"
             for label, column in zip(("before, cell by cell", "now, by foot points"), columns)]
-    lines = ["| " + " | ".join(head) + " |", "|---|---|"]
+    parts = [f"{label} {100 * counts['paths'][name]['instructions'] / columns[1]['instructions']:.0f} %"
+             for label, name in (("the first path", "first_path"), ("a shell near the curve", "near_shell"),
+                                 ("a trace of the whole curve", "trace"), ("a Newton step", "newton_step"))]
+    lines = [f"Of a curve by foot points now: {', '.join(parts[:-1])}, {parts[-1]} (several of the last three in each curve).", "",
+             "| " + " | ".join(head) + " |", "|---|---|"]
     lines += [f"| {before} | {now} |" for before, now in zip(*lists)]
     return "\n".join(lines)
 
@@ -170,11 +175,14 @@ def plot_peers(peers, path):
             axis.axvline(geometric_mean(ratios), color=colour, linestyle=":", linewidth=1.5)
         axis.axvline(1, color="black", linewidth=0.8)
         axis.set_xscale("log")
+        axis.xaxis.set_major_locator(FixedLocator(RATIO_TICKS))
+        axis.xaxis.set_minor_locator(NullLocator())
         axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.grid(alpha=0.3, axis="x")
         axis.set_title(f"{state}: our time / theirs (left of 1: ours is quicker)", fontsize=10)
     axes[0].set_yticks(range(len(rows)), [row["case"] for row in rows], fontsize=8)
     axes[0].invert_yaxis()
-    axes[1].legend(fontsize=8, loc="lower left")
+    figure.legend(*axes[0].get_legend_handles_labels(), fontsize=8, loc="lower left")
     save(figure, path)
 
 
@@ -208,6 +216,7 @@ def plot_instructions(counts, path):
     axis.bar_label(axis.containers[0], fmt=" %.1f", fontsize=8)
     axis.invert_yaxis()
     axis.set_xlabel("million instructions")
+    axis.margins(x=0.08)
     save(figure, path)
 
 
