@@ -26,6 +26,8 @@ constexpr double kLeastTolerances = 2.5;
 constexpr int kRings = 1;
 // Simplification takes 60 us per face: on a small mesh, whatever the scene's.
 constexpr int kSimplifiedSubdivisions = 3;
+// By how much a pick is moved for a curve that starts from the one before.
+constexpr double kMovedEdges = 2.0;
 
 int countOf(std::size_t size) {
     return static_cast<int>(size);
@@ -113,7 +115,7 @@ void addFootPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
     const Vec3 shift = Vec3::Constant(scene.problem.averageEdgeLength);
     std::vector<Vec3> here;
     for (int sample = 0; sample < samples; ++sample) {
-        here.push_back(energy->position(scene.first.controls, sample));
+        here.push_back(scene.first.space.evaluate(scene.first.controls, energy->parameter(sample)));
     }
     paths.push_back({"foot_point", "move", 2 * samples, [&scene, here, shift] {
                          const FootFinder finder(*scene.prepared.base());
@@ -148,6 +150,14 @@ void addDesigns(const Scene& scene, std::vector<MeasuredPath>& paths) {
     paths.push_back({"design_warm", "curve", 1, [&scene, designer] {
                          static_cast<void>(designer->design(scene.picks, scene.options));
                      }});
+    std::vector<Vec3> moved = scene.picks;
+    moved.front() = scene.vertexNear(0, kMovedEdges);
+    const auto before = std::make_shared<const Curve>(designer->design(scene.picks, scene.options));
+    paths.push_back(
+        {"design_moved", "curve", 1, [&scene, designer, moved, before] {
+             static_cast<void>(designer->design(moved, scene.options, {}, {.start = before.get()}));
+         }}
+    );
     // As all curves were drawn before there were foot points, and as some still are.
     const auto whole = std::make_shared<const CurveDesigner>(
         scene.mesh, ShellOptions{.kind = ShellKind::FullResolution}

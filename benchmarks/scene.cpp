@@ -119,14 +119,25 @@ CurveProblem Scene::makeProblem() const {
 FootedSpline Scene::footed(const SplineCurve& curve) const {
     const FootEnergy energy(problem, curve.space, heightUnit);
     const TriangleTree tree(prepared.base()->vertices, prepared.base()->faces);
-    FootedSpline result{curve.controls, {}, {}};
+    FootedSpline result;
+    result.controls = curve.controls;
     for (int sample = 0; sample < energy.sampleCount(); ++sample) {
-        const SurfacePoint foot = tree.closestPoint(energy.position(curve.controls, sample)).point;
+        const SurfacePoint foot =
+            tree.closestPoint(curve.space.evaluate(curve.controls, energy.parameter(sample))).point;
         result.feet.push_back({foot.face, foot.barycentric[1], foot.barycentric[2], 0.0});
     }
     result.frames.resize(result.feet.size());
+    result.seconds.resize(result.feet.size());
     energy.follow(FootFinder(*prepared.base()), result);
     return result;
+}
+
+Vec3 Scene::vertexNear(int pick, double edges) const {
+    const Vec3& from = picks[static_cast<std::size_t>(pick)];
+    const double asked = edges * prepared.surface().averageEdgeLength();
+    return *std::ranges::min_element(mesh.vertices, {}, [&](const Vec3& v) {
+        return std::abs((v - from).norm() - asked);
+    });
 }
 
 }  // namespace bspline_curve::benchmarks

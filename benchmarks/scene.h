@@ -39,6 +39,9 @@ struct Scene {
     [[nodiscard]] PickPath makePath() const;
     [[nodiscard]] CurveProblem makeProblem() const;
     [[nodiscard]] FootedSpline footed(const SplineCurve& curve) const;
+
+    /// The vertex whose distance from a pick is nearest to so many mean edges.
+    [[nodiscard]] Vec3 vertexNear(int pick, double edges) const;
 };
 
 }  // namespace bspline_curve::benchmarks
