@@ -4,6 +4,7 @@
 #include "cli/curve_options.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
+#include "cli/process_figures.h"
 #include "cli/progress_bar.h"
 #include "cli/shell_cache_option.h"
 #include "cli/verb.h"
@@ -20,6 +21,7 @@
 #include "surface/stopwatch.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iomanip>
 #include <optional>
 #include <span>
@@ -40,6 +42,7 @@ struct Inputs {
     int givenFaces = 0;
     std::optional<MeshRepair> repair;  ///< where it was asked for; mesh and quality are as repaired
     double readSeconds = 0.0;
+    std::int64_t readMemoryBytes = 0;
 };
 
 /// Refuses what could only fail after the work.
@@ -75,6 +78,7 @@ Inputs readInputs(CurveArguments& arguments) {
     Stopwatch watch;
     inputs.mesh = readInputMesh(arguments.mesh, arguments.repair);
     inputs.readSeconds = watch.lap();
+    inputs.readMemoryBytes = peakMemoryBytes();
     inputs.quality = qualityFor(arguments, inputs.mesh);
     inputs.givenFaces = static_cast<int>(inputs.mesh.mesh.faces.size());
     inputs.repair = repairIfAsked(inputs.mesh.mesh, arguments.repair);
@@ -156,7 +160,9 @@ Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar
     );
     figures.designSeconds = watch.lap();
     figures.coldSeconds = cold.lap();
+    figures.peakMemoryBytes = peakMemoryBytes();
     figures.readSeconds = inputs.readSeconds;
+    figures.readMemoryBytes = inputs.readMemoryBytes;
     figures.stages = designer.seconds();
     figures.shell = designer.shell();
     figures.meshFile = arguments.mesh.string();

@@ -120,6 +120,8 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"field", fieldOf(report, figures)},
         {"avoid", avoidanceOf(report)},
         {"seconds", secondsOf(report, figures)},
+        {"peak_memory_bytes",
+         {{"read", figures.readMemoryBytes}, {"cold", figures.peakMemoryBytes}}},
         {"knots_first", report.knotsFirst},
         {"knots_last", report.knotsLast},
         {"max_distance", report.maxDistance},

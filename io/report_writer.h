@@ -5,6 +5,7 @@
 #include "design/curve_designer.h"
 #include "surface/repair.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct RunFigures {
     double designSeconds = 0.0;         ///< the part of coldSeconds after shell and field
     std::string field, fieldCost;       ///< kind and cost of the field; empty: none
     StageSeconds stages;
+    std::int64_t peakMemoryBytes = 0;  ///< of the program until the first curve was there
+    std::int64_t readMemoryBytes = 0;  ///< likewise until the mesh was read
     ShellSummary shell;
     std::optional<RepairReport> repair;  ///< where it was asked for
 };

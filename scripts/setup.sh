@@ -12,7 +12,7 @@ build_packages=(
     libgl1 libopengl0 libegl1 libglu1-mesa  # pymeshlab's wheel loads them
 )
 test_packages=(
-    libgtest-dev libbenchmark-dev
+    libgtest-dev libbenchmark-dev valgrind
     ccache  # the Python package is built from the objects of the release build
     meshlab  # 2020.09 in bookworm, with meshlabserver
     xvfb xauth openbox xdotool imagemagick libgl1-mesa-dri  # to show, drive and photograph its window

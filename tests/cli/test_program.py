@@ -193,6 +193,7 @@ def test_the_report_holds_times_figures_rounds_and_iterations(run, plate):
     assert report["curve"]["length"] == pytest.approx(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
     assert report["mesh"]["vertices"] == 169 and report["mesh"]["faces"] == 288
     assert report["mesh"]["diagonal"] == pytest.approx(2**0.5)
+    assert 1e6 < report["peak_memory_bytes"]["read"] <= report["peak_memory_bytes"]["cold"] < 1e8
 
 
 def test_warm_is_null_unless_repeats_are_asked_for(run, plate):

@@ -33,6 +33,8 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     figures.meshFile = "a.ply";
     figures.coldSeconds = 1.5;
     figures.stages.shell = 0.75;
+    figures.readMemoryBytes = 1000000;
+    figures.peakMemoryBytes = 3000000;
     curve.prisms = 142;
     figures.shell = {.kind = ShellKind::Simplified, .isFromStore = true, .notes = {"a note"}};
     const auto report = reportOf(curve, figures);
@@ -52,6 +54,8 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
          {"/seconds/cold", 1.5},
          {"/seconds/shell", 0.75},
          {"/seconds/minimise", 0.25},
+         {"/peak_memory_bytes/read", 1000000},
+         {"/peak_memory_bytes/cold", 3000000},
          {"/rounds/0/alpha", 10},
          {"/rounds/0/status", name(MinimiseStatus::EarlyStop)},
          {"/iterations/0/distance", 3},

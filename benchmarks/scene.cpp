@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/scene.h"
+
+#include "solver/relaxation.h"
+#include "support/meshes.h"
+#include "surface/picks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+namespace bspline_curve::benchmarks {
+namespace {
+
+constexpr double kBumps = 0.1;      // height, of the radius
+constexpr double kFrequency = 4.0;  // of the bumps, along each axis
+constexpr double kNoise = 0.05;     // of an edge, along each axis
+constexpr double kEdge = 1.1;       // of an icosahedron in the unit sphere; halves with each split
+constexpr std::uint64_t kSeed = 7;
+
+// Near these the picks lie, in this order.
+const std::vector<Vec3> kPickDirections = {
+    {1.0, 0.0, 0.3},
+    {0.5, 0.9, -0.2},
+    {-0.5, 0.9, 0.4},
+    {-1.0, 0.0, -0.3},
+    {-0.5, -0.9, 0.2},
+    {0.5, -0.9, -0.4}
+};
+
+// Tolerances in the unit of heights, as in relax().
+constexpr double kHeightTolerances = 10.0;
+// Distance from the path, of the chords' length, as in relax().
+constexpr double kFirstDistance = 0.003;
+
+Vec3 vertexTowards(const TriangleMesh& mesh, const Vec3& direction) {
+    return *std::ranges::max_element(mesh.vertices, {}, [&](const Vec3& v) {
+        return v.normalized().dot(direction);
+    });
+}
+
+std::vector<Vec3> picksOn(const TriangleMesh& mesh) {
+    std::vector<Vec3> picks;
+    for (const Vec3& direction : kPickDirections) {
+        picks.push_back(vertexTowards(mesh, direction));
+    }
+    return picks;
+}
+
+SolverOptions closedCurve() {
+    SolverOptions options;
+    options.closed = true;
+    return options;
+}
+
+Solution relaxed(const CurveProblem& problem, const GuidePath& guide) {
+    std::optional<Solution> solution = relax(problem, guide);
+    if (!solution) {
+        throw std::logic_error("the curve to measure by does not come to rest");
+    }
+    return std::move(*solution);
+}
+
+}  // namespace
+
+TriangleMesh bumpySphere(int subdivisions) {
+    TriangleMesh mesh = test_support::icosphere(subdivisions);
+    for (Vec3& v : mesh.vertices) {
+        const Vec3 phase = kFrequency * v + Vec3(0.0, 1.0, 2.0);
+        v *= 1.0 + kBumps * std::sin(phase[0]) * std::sin(phase[1]) * std::sin(phase[2]);
+    }
+    const double edge = kEdge * std::pow(0.5, subdivisions);
+    return test_support::withNoise(std::move(mesh), kNoise * edge, kSeed);
+}
+
+Scene::Scene(int subdivisions)
+    : mesh(bumpySphere(subdivisions)),
+      picks(picksOn(mesh)),
+      options(closedCurve()),
+      prepared(mesh, {}),
+      located(locatePicks(prepared.surface(), prepared.tree(), picks, options.closed)),
+      path(makePath()),
+      problem(makeProblem()),
+      heightUnit(kHeightTolerances * problem.distanceTolerance),
+      first(fitLoosely(problem, path.guide, kFirstDistance * problem.chordLength)),
+      firstFooted(footed(first)),
+      solution(relaxed(problem, path.guide)) {}
+
+PickPath Scene::makePath() const {
+    return makePickPath(
+        prepared.surface(),
+        *prepared.base(),
+        located,
+        options.closed,
+        {.blockedFaces = {}, .patches = &prepared.patches()}
+    );
+}
+
+CurveProblem Scene::makeProblem() const {
+    const double scale = prepared.base()->frame.scale;
+    CurveProblem made;
+    made.surface = &prepared.surface();
+    made.base = prepared.base().get();
+    made.nearThickness = prepared.options().thickness;
+    made.picks = path.picks;
+    made.options = options;
+    made.averageEdgeLength = prepared.surface().averageEdgeLength() / scale;
+    made.distanceTolerance = options.distanceTolerance * made.averageEdgeLength;
+    for (std::size_t i = 0; i < made.picks.size(); ++i) {
+        const PickConstraint& next = made.picks[(i + 1) % made.picks.size()];
+        made.chordLength += (next.position - made.picks[i].position).norm();
+    }
+    return made;
+}
+
+FootedSpline Scene::footed(const SplineCurve& curve) const {
+    const FootEnergy energy(problem, curve.space, heightUnit);
+    const TriangleTree tree(prepared.base()->vertices, prepared.base()->faces);
+    FootedSpline result;
+    result.controls = curve.controls;
+    for (int sample = 0; sample < energy.sampleCount(); ++sample) {
+        const SurfacePoint foot =
+            tree.closestPoint(curve.space.evaluate(curve.controls, energy.parameter(sample))).point;
+        result.feet.push_back({foot.face, foot.barycentric[1], foot.barycentric[2], 0.0});
+    }
+    result.frames.resize(result.feet.size());
+    result.seconds.resize(result.feet.size());
+    energy.follow(FootFinder(*prepared.base()), result);
+    return result;
+}
+
+Vec3 Scene::vertexNear(int pick, double edges) const {
+    const Vec3& from = picks[static_cast<std::size_t>(pick)];
+    const double asked = edges * prepared.surface().averageEdgeLength();
+    return *std::ranges::min_element(mesh.vertices, {}, [&](const Vec3& v) {
+        return std::abs((v - from).norm() - asked);
+    });
+}
+
+}  // namespace bspline_curve::benchmarks

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The scripts in benchmarks/ measure what they say, in their quick mode; those that need other programs run where these are."""
+import importlib.util
+import json
+import shutil
+from pathlib import Path
+
+import cases  # on the path since conftest.py
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def needs(*modules):
+    missing = [name for name in modules if importlib.util.find_spec(name) is None]
+    return pytest.mark.skipif(bool(missing), reason=f"needs {', '.join(missing)} (benchmarks/requirements.txt)")
+
+
+def area(vertices, faces):
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+
+
+def succeed(done):
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+# ---------------------------------------------------------------- meshes and picks
+def test_the_torus_is_closed_and_oriented():
+    vertices, faces = cases.torus_of(3000)
+    edges = faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    directed = {tuple(edge) for edge in edges.tolist()}
+    assert len(directed) == len(edges) and all((b, a) in directed for a, b in directed)
+    assert len(vertices) - len(directed) // 2 + len(faces) == 0
+    assert abs(len(vertices) - 3000) < 60
+
+
+def test_subdividing_keeps_the_surface_and_shares_midpoints():
+    vertices, faces = cases.bumpy_torus(24, 12)
+    finer, split = cases.midpoint_subdivided(vertices, faces)
+    assert len(split) == 4 * len(faces) and len(finer) == len(vertices) + 3 * len(faces) // 2
+    assert np.array_equal(finer[: len(vertices)], vertices)
+    assert area(finer, split) == pytest.approx(area(vertices, faces), rel=1e-12)
+
+
+def test_picks_are_far_apart_on_the_largest_component_and_the_same_every_time():
+    vertices, faces = cases.bumpy_torus(40, 20)
+    small, few = cases.bumpy_torus(12, 12)
+    both, joined = np.vstack([small + 10, vertices]), np.vstack([few, faces + len(small)])
+    picks = cases.farthest_picks(both, joined, 6, 1)
+    assert np.array_equal(picks, cases.farthest_picks(both, joined, 6, 1))
+    assert np.abs(picks).max() < 2, "none on the smaller component"
+    distances = np.linalg.norm(picks[:, None] - picks[None], axis=2)[~np.eye(6, dtype=bool)]
+    assert distances.min() > 0.5
+
+
+def test_what_the_program_refuses_is_said(bench_program):
+    vertices, faces = cases.bumpy_torus(24, 12)
+    with pytest.raises(cases.NoCurve, match="pick 1"):
+        cases.draw(bench_program, cases.Case("far", vertices, faces, np.array([vertices[0], [9, 9, 9]]), False))
+
+
+# ---------------------------------------------------------------- scripts
+def test_scaling_draws_the_same_curve_on_four_times_the_faces(script, bench_program, tmp_path):
+    succeed(script("scaling.py", "--quick", "--program", bench_program, "--json", tmp_path / "s.json"))
+    results = json.loads((tmp_path / "s.json").read_text())
+    rows = results["rows"]
+    assert [row["faces"] for row in rows] == 3 * [rows[0]["faces"]] + 3 * [4 * rows[0]["faces"]]
+    assert [row["field"] for row in rows] == 2 * ["none", "waves", "maximal-curvature"]
+    for row in rows:
+        assert row["warm"] > 0 and row["bytes_per_face"] > 0
+        assert 0.9 * row["cold"] < sum(row["stages"].values()) < 1.001 * row["cold"], "the stages are all of a cold curve"
+        assert (row["stages"]["field"] > 0.001) == (row["field"] == "maximal-curvature"), "waves come from a file"
+    plain = [row["cold"] for row in rows if row["field"] == "none"]
+    assert results["growth"]["none"]["cold"]["worst"] == pytest.approx(plain[1] / plain[0])
+
+
+def test_the_rows_of_table_1_have_their_vertices_and_picks(script, bench_program, tmp_path):
+    succeed(script("table1.py", "--quick", "--program", bench_program, "--json", tmp_path / "t.json"))
+    rows = json.loads((tmp_path / "t.json").read_text())["rows"]
+    assert [(round(row["vertices"], -3), row["picks"]) for row in rows] == [(1000, 7), (3000, 4)]
+    assert all(row["warm"] > 0 and row["cold"] > 0 and row["knots"][1] >= row["knots"][0] for row in rows)
+
+
+@needs("potpourri3d", "meshlib")
+def test_peers_are_timed_on_the_same_curves(script, bench_program, tmp_path):
+    text = succeed(script("peers.py", "--quick", "--program", bench_program, "--json", tmp_path / "p.json"))
+    results = json.loads((tmp_path / "p.json").read_text())
+    assert len(results["rows"]) == 4 and "geometric mean" in text
+    for row in results["rows"]:
+        assert all(row[who][state] > 0 for who in ("geodesic", "meshlib", "ours") for state in ("warm", "cold"))
+    first = results["rows"][0]
+    assert results["ratios"]["cold, ours / geodesic"][0] == pytest.approx(first["ours"]["cold"] / first["geodesic"]["cold"])
+
+
+@needs("matplotlib", "potpourri3d", "meshlib")
+def test_the_page_gets_other_tables_and_plots_and_keeps_its_text(script, bench_program, tmp_path):
+    page = tmp_path / "docs" / "PERFORMANCE.md"
+    page.parent.mkdir()
+    shutil.copy(ROOT / "docs" / "PERFORMANCE.md", page)
+    succeed(script("performance_page.py", "--quick", "--program", bench_program, "--page", page, "--results", tmp_path / "results"))
+    before, after = (path.read_text().splitlines() for path in (ROOT / "docs" / "PERFORMANCE.md", page))
+    assert [line for line in before if line and line[0] not in "|TI"] == [line for line in after if line and line[0] not in "|TI"]
+    assert any(line.startswith("| torus of 1,000, 4 open |") for line in after)
+    for name in ("peers", "scaling", "instructions"):
+        assert (page.parent / "images" / f"performance_{name}.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_page_shows_every_count_that_is_kept():
+    counts = json.loads((ROOT / "benchmarks" / "instructions.json").read_text())["paths"]
+    page = (ROOT / "docs" / "PERFORMANCE.md").read_text()
+    assert [name for name in counts if f"| {name.replace('_', ' ')} |" not in page] == []
