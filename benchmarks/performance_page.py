@@ -185,7 +185,7 @@ def plot_peers(peers, path):
         axis.set_title(f"{state}: our time / theirs (left of 1: ours is quicker)", fontsize=10)
     axes[0].set_yticks(range(len(rows)), [row["case"] for row in rows], fontsize=8)
     axes[0].invert_yaxis()
-    figure.legend(*axes[0].get_legend_handles_labels(), fontsize=8, loc="lower left")
+    axes[1].legend(fontsize=8, loc="lower right")
     save(figure, path)
 
 
