@@ -96,10 +96,7 @@ Built buildStages(
 }
 
 void refuseEmptyShell(const Built& built) {
-    const bool hasPrism = std::ranges::any_of(built.shell().prisms(), [](const Prism& prism) {
-        return prism.orientation != 0;
-    });
-    if (!hasPrism) {
+    if (built.shell().prismCount() == 0) {
         throw InputError(
             InputErrorCode::NoShell,
             "no face got a prism: the surface crosses itself or folds onto itself everywhere, so "

@@ -37,12 +37,6 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-int countPrisms(const Shell& shell) {
-    return static_cast<int>(std::ranges::count_if(shell.prisms(), [](const Prism& prism) {
-        return prism.orientation != 0;
-    }));
-}
-
 // Half a prism through which the shadow of a curve in a simplified shell is drawn, in mean edge
 // lengths, and at least in tolerances of the curve.
 constexpr double kShadowThickness = 0.5;
@@ -615,7 +609,7 @@ Curve CurveDesigner::design(
     );
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;
-    curve.prisms = countPrisms(tracedShellOf(problem, solution.near.get()).shell);
+    curve.prisms = tracedShellOf(problem, solution.near.get()).shell.prismCount();
     if (obstacles) {
         requireClear(state.surface(), curve.polyline, *obstacles);
         state.measureClearance(region, curve);

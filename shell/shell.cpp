@@ -55,11 +55,18 @@ constexpr std::array<std::array<bool, 3>, 3> kTouchesUpperHalf = {
 // A tetrahedron holds points whose barycentric coordinates are above minus this: rounding.
 constexpr double kHoldingDepth = 1e-12;
 
+int countPrisms(const std::vector<Prism>& prisms) {
+    return static_cast<int>(std::ranges::count_if(prisms, [](const Prism& prism) {
+        return prism.orientation != 0;
+    }));
+}
+
 }  // namespace
 
 Shell::Shell(std::vector<Pillar> pillars, std::vector<Prism> prisms, int surfaceFaceCount)
     : pillars_(std::move(pillars)),
       prisms_(std::move(prisms)),
+      prismCount_(countPrisms(prisms_)),
       surfaceFaceCount_(surfaceFaceCount) {}
 
 Shell::Shell(
@@ -70,6 +77,7 @@ Shell::Shell(
 )
     : pillars_(std::move(pillars)),
       prisms_(std::move(prisms)),
+      prismCount_(countPrisms(prisms_)),
       surfaceFaceCount_(base->surfaceFaceCount),
       tracks_(std::move(tracks)),
       base_(std::move(base)) {

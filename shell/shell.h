@@ -99,6 +99,9 @@ public:
 
     [[nodiscard]] const std::vector<Prism>& prisms() const { return prisms_; }
 
+    /// How many prisms there are, without those that are blocked.
+    [[nodiscard]] int prismCount() const { return prismCount_; }
+
     [[nodiscard]] int tetrahedronCount() const {
         return static_cast<int>(prisms_.size()) * kTetrahedraPerPrism;
     }
@@ -166,6 +169,7 @@ private:
 
     std::vector<Pillar> pillars_;
     std::vector<Prism> prisms_;
+    int prismCount_;
     int surfaceFaceCount_;
     SurfaceTracks tracks_;
     std::vector<int> prismOffsets_, facePrisms_;  // tracks_ the other way round
