@@ -115,7 +115,8 @@ void checkWritable(const fs::path& file) {
     if (fs::is_directory(status)) {
         refuse(file, "is a directory, not a file");
     }
-    if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0) {
+    // ENOENT: another process has deleted the file meanwhile.
+    if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0 && errno != ENOENT) {
         refuseErrno(file);
     }
     const fs::path directory = directoryOf(behindLinks(file));

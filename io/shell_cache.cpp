@@ -3,6 +3,7 @@
 
 #include "io/byte_stream.h"
 #include "io/shell_file.h"
+#include "io/text_parsing.h"
 #include "surface/input_error.h"
 
 #include <algorithm>
@@ -114,18 +115,16 @@ ShellCache::Found ShellCache::find(
 ) const {
     const fs::path entry = entryOf(surface, parameters);
     std::error_code error;
-    if (!fs::exists(entry, error)) {
-        return {};
-    }
     try {
-        Found found{.build = loadShell(entry, surface, base, parameters), .note = {}};
+        const std::optional<std::string> bytes = readWholeFileIfThere(entry);
+        if (!bytes) {
+            return {};
+        }
+        Found found{.build = decodeShell(entry, *bytes, surface, base, parameters), .note = {}};
         // Where that fails the entry only looks older than it is.
         fs::last_write_time(entry, fs::file_time_type::clock::now(), error);
         return found;
     } catch (const InputError& reason) {
-        if (!fs::exists(entry, error)) {
-            return {};  // another process has deleted it
-        }
         const bool isRemoved = fs::remove(entry, error);
         return {
             .build = std::nullopt,

@@ -347,7 +347,16 @@ ShellBuild loadShell(
     const std::shared_ptr<const ShellBase>& base,
     std::string_view parameters
 ) {
-    const std::string bytes = readWholeFile(file);
+    return decodeShell(file, readWholeFile(file), surface, base, parameters);
+}
+
+ShellBuild decodeShell(
+    const fs::path& file,
+    std::string_view bytes,
+    const Surface& surface,
+    const std::shared_ptr<const ShellBase>& base,
+    std::string_view parameters
+) {
     return Decoder(file, bytes).decode(surface, base, parameters);
 }
 

@@ -52,4 +52,13 @@ void saveShell(
     std::string_view parameters
 );
 
+/// The same from the bytes of a file that is read already.
+[[nodiscard]] ShellBuild decodeShell(
+    const std::filesystem::path& file,
+    std::string_view bytes,
+    const Surface& surface,
+    const std::shared_ptr<const ShellBase>& base,
+    std::string_view parameters
+);
+
 }  // namespace bspline_curve

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <fstream>
 #include <memory>
@@ -49,16 +50,28 @@ void refuseLine(const std::filesystem::path& file, std::size_t line, const std::
 }
 
 std::string readWholeFile(const std::filesystem::path& file) {
+    std::optional<std::string> bytes = readWholeFileIfThere(file);
+    if (!bytes) {
+        refuseFile(file, "there is no such file");
+    }
+    return *std::move(bytes);
+}
+
+std::optional<std::string> readWholeFileIfThere(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) {
-        refuseFile(file, "there is no such file");
+        return std::nullopt;
     }
     if (std::filesystem::is_directory(status)) {
         refuseFile(file, "is a directory, not a file");
     }
+    errno = 0;
     std::ifstream stream(file, std::ios::binary);
     if (!stream) {
+        if (errno == ENOENT) {
+            return std::nullopt;  // deleted meanwhile
+        }
         refuseFile(file, "cannot be opened for reading");
     }
     std::string bytes;

@@ -21,6 +21,9 @@ namespace bspline_curve {
 /// readable or empty.
 [[nodiscard]] std::string readWholeFile(const std::filesystem::path& file);
 
+/// The same; nothing where there is no such file, also where another process deletes it meanwhile.
+[[nodiscard]] std::optional<std::string> readWholeFileIfThere(const std::filesystem::path& file);
+
 /// The extension in lower case, with its dot: ".ply".
 [[nodiscard]] std::string lowerCaseExtension(const std::filesystem::path& file);
 [[nodiscard]] std::string lowerCase(std::string_view text);
