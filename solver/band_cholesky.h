@@ -3,50 +3,57 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace bspline_curve {
 
-/// Cholesky factorisation of a symmetric positive definite matrix that is banded but for a few
-/// last rows: A = L L^T, without fill outside of band and last rows. Memory and pattern are kept
-/// from one matrix to the next.
+/// Cholesky factorisation of a symmetric positive definite matrix of 3 x 3 blocks, one row of them
+/// per control point, that is banded but for a few last rows: A = L L^T, without fill outside of
+/// band and last rows. Memory and pattern are kept from one matrix to the next.
 class BandCholesky {
 public:
-    /// `size` unknowns, of which the last `border` may couple with all others; others couple with
-    /// at most `bandwidth` before them.
-    BandCholesky(int size, int bandwidth, int border);
+    /// `points` rows of blocks, of which the last `border` may couple with all others; others
+    /// couple with at most `bandwidth` before them.
+    BandCholesky(int points, int bandwidth, int border);
 
     /// All entries become 0, and the factor is no more.
     void clear();
 
-    /// Adds to the entries (row, first) to (row, last), last <= row, of the lower triangle. All
-    /// must be in the band, or the row in the border.
-    void addToRow(int row, int first, int last, const double* values);
+    /// Adds to the block (row, column), column <= row, in the band or the border. `values` is its
+    /// first entry in a matrix that is stored by columns `stride` apart.
+    void add(int row, int column, const double* values, std::ptrdiff_t stride);
 
-    /// O(size bandwidth^2). False where the matrix is not positive definite.
+    /// O(points bandwidth^2). False where the matrix is not positive definite.
     [[nodiscard]] bool factorise();
 
-    /// Solves A x = right. O(size bandwidth).
+    /// Solves A x = right. O(points bandwidth).
     [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd right) const;
 
 private:
-    /// The entries of a row of the lower triangle, so that entry (row, column) is
+    /// By columns. On the diagonal of L, what it is divided by is kept inverted.
+    using Block = std::array<double, 9>;
+
+    /// The blocks of a row of the lower triangle, so that block (row, column) is
     /// rowOf(row)[column]; only those in the band (or in the border) exist.
-    [[nodiscard]] double* rowOf(int row) {
-        return entries_.data() + offsets_[static_cast<std::size_t>(row)];
+    [[nodiscard]] Block* rowOf(int row) {
+        return blocks_.data() + offsets_[static_cast<std::size_t>(row)];
     }
 
-    [[nodiscard]] const double* rowOf(int row) const {
-        return entries_.data() + offsets_[static_cast<std::size_t>(row)];
+    [[nodiscard]] const Block* rowOf(int row) const {
+        return blocks_.data() + offsets_[static_cast<std::size_t>(row)];
     }
 
     [[nodiscard]] int firstColumn(int row) const;
 
-    int size_, bandwidth_, banded_;  // banded_: rows before the border
-    std::vector<double> entries_;    // row by row
+    static void subtractProduct(Block& c, const Block& a, const Block& b);
+    static void divideByTransposed(Block& x, const Block& diagonal);
+    static bool factoriseDiagonal(Block& a);
+
+    int points_, bandwidth_, banded_;  // banded_: rows before the border
+    std::vector<Block> blocks_;        // row by row
     std::vector<std::ptrdiff_t> offsets_;
-    std::vector<double> inverseDiagonal_;  // of L
 };
 
 }  // namespace bspline_curve

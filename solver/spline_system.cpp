@@ -14,16 +14,12 @@ std::size_t at(int index) {
 }
 
 // The multipliers have converged when the constraints hold to rounding, relative to the step.
-constexpr double kConstraintAccuracy = 1e-15;
+constexpr double kConstraintAccuracy = 1e-12;
 constexpr int kMaxMultiplierSteps = 12;
 
 BandCholesky factorFor(const SplineSpace& space) {
     const int controls = space.controlCount();
-    return {
-        3 * controls,
-        3 * space.degree() + 2,
-        space.closed() ? 3 * std::min(space.degree(), controls) : 0
-    };
+    return {controls, space.degree(), space.closed() ? std::min(space.degree(), controls) : 0};
 }
 
 }  // namespace
@@ -43,28 +39,14 @@ std::vector<InterpolationRow> interpolationRows(
 SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows)
     : space_(space), rows_(std::move(rows)), factor_(factorFor(space)) {}
 
-// A row of the block is one of its columns, as it is symmetric.
 void SplineSystem::addBlock(int span, const SpanMatrix& block) {
     const int count = space_.basisCount();
-    const int first = space_.control(span, 0);
-    const bool isInOrder = space_.control(span, count - 1) == first + count - 1;
-    for (int i = 0; i < count; ++i) {
-        const int control = space_.control(span, i);
-        for (int axis = 0; axis < 3; ++axis) {
-            const int row = 3 * control + axis;
-            const double* const values = block.col(3 * i + axis).data();
-            if (isInOrder) {
-                factor_.addToRow(row, 3 * first, row, values);
-                continue;
-            }
-            for (int j = 0; j < count; ++j) {
-                const int other = space_.control(span, j);
-                if (other <= control) {
-                    const int last = other < control ? 3 * other + 2 : row;
-                    factor_.addToRow(
-                        row, 3 * other, last, values + 3 * static_cast<std::ptrdiff_t>(j)
-                    );
-                }
+    for (int j = 0; j < count; ++j) {
+        const int column = space_.control(span, j);
+        for (int i = 0; i < count; ++i) {
+            const int row = space_.control(span, i);
+            if (row >= column) {
+                factor_.add(row, column, &block(3 * i, 3 * j), block.outerStride());
             }
         }
     }
