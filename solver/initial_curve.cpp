@@ -6,6 +6,7 @@
 #include "solver/spline_system.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bspline_curve {
@@ -70,31 +71,86 @@ std::vector<double> firstBreaks(const CurveProblem& problem) {
     return breaks;
 }
 
-ControlPoints fit(const CurveProblem& problem, const GuidePath& guide, const SplineSpace& space) {
+// The guide at the samples of a span, and their first moments: the means of tau^m times position.
+struct SpanTarget {
+    std::array<Vec3, kSamplesPerSpan> positions;
+    std::array<Vec3, kMaxBasis> moments;
+};
+
+double sampleTau(int i) {
+    return (i + 0.5) / kSamplesPerSpan;
+}
+
+SpanTarget targetOf(const GuidePath& guide, double begin, double end) {
+    SpanTarget target;
+    target.moments.fill(Vec3::Zero());
+    for (int i = 0; i < kSamplesPerSpan; ++i) {
+        const double tau = sampleTau(i);
+        const Vec3 position = guidePosition(guide, begin + tau * (end - begin));
+        target.positions[at(i)] = position;
+        double power = 1.0 / kSamplesPerSpan;
+        for (Vec3& moment : target.moments) {
+            moment += power * position;
+            power *= tau;
+        }
+    }
+    return target;
+}
+
+std::vector<SpanTarget> targetsOf(const GuidePath& guide, const SplineSpace& space) {
+    std::vector<SpanTarget> targets;
+    for (int span = 0; span < space.spanCount(); ++span) {
+        targets.push_back(targetOf(guide, space.breaks()[at(span)], space.breaks()[at(span) + 1]));
+    }
+    return targets;
+}
+
+// The means of tau^(m + n) over the samples of a span.
+SplineSpace::BasisMatrix momentMatrix() {
+    SplineSpace::BasisMatrix moments = SplineSpace::BasisMatrix::Zero();
+    for (int i = 0; i < kSamplesPerSpan; ++i) {
+        for (int m = 0; m < kMaxBasis; ++m) {
+            for (int n = 0; n < kMaxBasis; ++n) {
+                moments(m, n) += std::pow(sampleTau(i), m + n) / kSamplesPerSpan;
+            }
+        }
+    }
+    return moments;
+}
+
+// Of the mean squared distance from the targets and the regulariser: the matrix of products of
+// basis functions of a span.
+SplineSpace::BasisMatrix fitProducts(const SplineSpace& space, int span) {
+    static const SplineSpace::BasisMatrix moments = momentMatrix();
+    const SplineSpace::BasisMatrix& basis = space.basis(span);
+    SplineSpace::BasisMatrix second = SplineSpace::BasisMatrix::Zero();  // by tau
+    for (int m = 2; m <= space.degree(); ++m) {
+        second.col(m - 2) = (m * (m - 1)) * basis.col(m);
+    }
+    // The span's length cancels out of the regulariser's second derivatives by t.
+    return space.spanLength(span) * (basis * moments * basis.transpose() +
+                                     kRegularisation * (second * moments * second.transpose()));
+}
+
+ControlPoints fit(
+    const CurveProblem& problem, const SplineSpace& space, const std::vector<SpanTarget>& targets
+) {
     const int n = space.basisCount();
     SplineSystem system(space, interpolationRows(space, problem.picks));
     std::vector<SpanMatrix> blocks(at(space.spanCount()), SpanMatrix::Zero(3 * n, 3 * n));
     Eigen::VectorXd gradient =
         Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space.controlCount()));
     for (int span = 0; span < space.spanCount(); ++span) {
-        const double length = space.spanLength(span);
-        for (int i = 0; i < kSamplesPerSpan; ++i) {
-            const double tau = (i + 0.5) / kSamplesPerSpan;
-            const double weight = length / kSamplesPerSpan;
-            const Vec3 target = guidePosition(guide, space.breaks()[at(span)] + tau * length);
-            const SplineSpace::BasisValues basis = space.basisAt(span, tau);
-            const SplineSpace::BasisValues second = space.basisDerivativeAt(span, tau, 2);
-            const double bending = kRegularisation * weight * length * length * length * length;
-            for (int j1 = 0; j1 < n; ++j1) {
-                for (int j2 = 0; j2 < n; ++j2) {
-                    const double value = weight * basis[at(j1)] * basis[at(j2)] +
-                                         bending * second[at(j1)] * second[at(j2)];
-                    for (int axis = 0; axis < 3; ++axis) {
-                        blocks[at(span)](3 * j1 + axis, 3 * j2 + axis) += value;
-                    }
-                }
-                gradient.segment<3>(3 * space.control(span, j1)) -= weight * basis[at(j1)] * target;
+        const SplineSpace::BasisMatrix products = fitProducts(space, span);
+        for (int j1 = 0; j1 < n; ++j1) {
+            for (int j2 = 0; j2 < n; ++j2) {
+                blocks[at(span)].block<3, 3>(3 * j1, 3 * j2).diagonal().fill(products(j1, j2));
             }
+            Vec3 mean = Vec3::Zero();
+            for (int m = 0; m < n; ++m) {
+                mean += space.basis(span)(j1, m) * targets[at(span)].moments[at(m)];
+            }
+            gradient.segment<3>(3 * space.control(span, j1)) -= space.spanLength(span) * mean;
         }
     }
     ControlPoints controls = ControlPoints::Zero(space.controlCount(), 3);
@@ -169,27 +225,37 @@ std::optional<SplineCurve> makeFirstCurve(const CurveProblem& problem, const Gui
 
 SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, double distance) {
     std::vector<double> breaks = firstBreaks(problem);
+    SplineSpace space(problem.options.degree, problem.options.closed, breaks);
+    std::vector<SpanTarget> targets = targetsOf(guide, space);
     while (true) {
-        SplineSpace space(problem.options.degree, problem.options.closed, breaks);
-        ControlPoints controls = fit(problem, guide, space);
+        ControlPoints controls = fit(problem, space, targets);
         std::vector<double> finer{breaks.front()};
+        std::vector<SpanTarget> finerTargets;
         for (int span = 0; span < space.spanCount(); ++span) {
             const PolynomialCurve curve = space.polynomial(controls, span);
-            const bool isShort = 0.5 * space.spanLength(span) < problem.options.minimumSpan;
-            for (int i = 0; i < kSamplesPerSpan && !isShort; ++i) {
-                const double tau = (i + 0.5) / kSamplesPerSpan;
-                const double t = breaks[at(span)] + tau * space.spanLength(span);
-                if ((curve.at(tau) - guidePosition(guide, t)).norm() > distance) {
-                    finer.push_back(0.5 * (breaks[at(span)] + breaks[at(span) + 1]));
-                    break;
-                }
+            const double begin = breaks[at(span)];
+            const double end = breaks[at(span) + 1];
+            bool isFar = false;
+            for (int i = 0; i < kSamplesPerSpan && !isFar; ++i) {
+                isFar =
+                    (curve.at(sampleTau(i)) - targets[at(span)].positions[at(i)]).norm() > distance;
             }
-            finer.push_back(breaks[at(span) + 1]);
+            if (isFar && 0.5 * space.spanLength(span) >= problem.options.minimumSpan) {
+                const double middle = 0.5 * (begin + end);
+                finer.push_back(middle);
+                finerTargets.push_back(targetOf(guide, begin, middle));
+                finerTargets.push_back(targetOf(guide, middle, end));
+            } else {
+                finerTargets.push_back(targets[at(span)]);
+            }
+            finer.push_back(end);
         }
         if (finer.size() == breaks.size()) {
             return {std::move(space), std::move(controls)};
         }
         breaks.swap(finer);
+        targets.swap(finerTargets);
+        space = SplineSpace(problem.options.degree, problem.options.closed, breaks);
     }
 }
 
@@ -198,7 +264,7 @@ std::optional<SplineCurve> fitGuidePath(const CurveProblem& problem, const Guide
     const double highestStart = kHighestStart / relativeReach(problem);
     for (int attempt = 0; attempt < kMaxFits; ++attempt) {
         SplineSpace space(problem.options.degree, problem.options.closed, breaks);
-        ControlPoints controls = fit(problem, guide, space);
+        ControlPoints controls = fit(problem, space, targetsOf(guide, space));
         std::vector<double> finer{breaks.front()};
         for (int span = 0; span < space.spanCount(); ++span) {
             if (!spanIsInside(problem, guide, space, controls, highestStart, span)) {
