@@ -61,6 +61,10 @@ private:
     }
 
     void collect(int samples) {
+        vertices_.reserve(
+            problem_.picks.size() + 1 + shadow_.crossings().size() +
+            static_cast<std::size_t>(std::max(samples, 0))
+        );
         for (std::size_t i = 0; i < problem_.picks.size(); ++i) {
             vertices_.push_back(makeVertex(
                 problem_.picks[i].parameter, problem_.picks[i].point, static_cast<int>(i)
@@ -69,16 +73,27 @@ private:
         if (problem_.options.closed) {
             vertices_.push_back(makeVertex(1.0, problem_.picks[0].point, 0));
         }
+        const auto picks = static_cast<std::ptrdiff_t>(vertices_.size());
         for (const ShadowCurve::Crossing& crossing : shadow_.crossings()) {
             vertices_.push_back(makeVertex(crossing.parameter, crossing.point));
         }
+        mergeFrom(picks);
+        const auto all = static_cast<std::ptrdiff_t>(vertices_.size());
         for (int i = 1; i < samples; ++i) {
             const double t = static_cast<double>(i) / samples;
             vertices_.push_back(makeVertex(t, shadow_.at(t)));
         }
-        std::stable_sort(vertices_.begin(), vertices_.end(), [](const Vertex& a, const Vertex& b) {
-            return a.parameter < b.parameter;
-        });
+        mergeFrom(all);
+    }
+
+    // Vertices before and after this one are in order, each for themselves.
+    void mergeFrom(std::ptrdiff_t second) {
+        std::inplace_merge(
+            vertices_.begin(),
+            vertices_.begin() + second,
+            vertices_.end(),
+            [](const Vertex& a, const Vertex& b) { return a.parameter < b.parameter; }
+        );
     }
 
     // Drops vertices that coincide with the one before or after and are not needed to stay in one
