@@ -127,7 +127,6 @@ FootedSpline Scene::footed(const SplineCurve& curve) const {
         result.feet.push_back({foot.face, foot.barycentric[1], foot.barycentric[2], 0.0});
     }
     result.frames.resize(result.feet.size());
-    result.seconds.resize(result.feet.size());
     energy.follow(FootFinder(*prepared.base()), result);
     return result;
 }

@@ -81,6 +81,8 @@ double FootEnergy::parameter(int sample) const {
 }
 
 void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
+    const bool isKnown = !spline.positions.empty();
+    spline.positions.resize(at(sampleCount()));
     spline.seconds.resize(at(sampleCount()));
     const int count = space_.basisCount();
     std::array<Vec3, kMaxBasis> controls;
@@ -98,7 +100,13 @@ void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
                 position += table.basis[j] * controls[j];
                 second += table.second[j] * controls[j];
             }
-            finder.move(position, spline.feet[sample], spline.frames[sample]);
+            FootPoint& foot = spline.feet[sample];
+            FootFrame& frame = spline.frames[sample];
+            if (isKnown) {
+                FootFinder::predict(position - spline.positions[sample], frame, foot);
+            }
+            finder.move(position, foot, frame);
+            spline.positions[sample] = position;
             spline.seconds[sample] = second;
         }
     }

@@ -9,12 +9,13 @@
 
 namespace bspline_curve {
 
-/// A spline, the feet of its samples, and its second derivatives by t there.
+/// A spline, the feet of its samples, and its positions and second derivatives by t there, which
+/// FootEnergy::follow sets.
 struct FootedSpline {
     ControlPoints controls;
     std::vector<FootPoint> feet;
     std::vector<FootFrame> frames;
-    std::vector<Vec3> seconds;
+    std::vector<Vec3> positions, seconds;
 };
 
 /// The energy (7) of a spline at samples, by their foot points: E_int (4) without the normal
@@ -38,7 +39,8 @@ public:
 
     [[nodiscard]] double parameter(int sample) const;
 
-    /// Finds the feet of all samples anew, each from where it is, and their second derivatives.
+    /// Finds the feet of all samples anew, each from where it is, or where it has been followed
+    /// before, from where that predicts it to be; and their positions and second derivatives.
     void follow(const FootFinder& finder, FootedSpline& spline) const;
 
     /// The terms at a spline; bending along the directions of `frozen` (one frame per sample) does

@@ -31,7 +31,8 @@ FootNewton::FootNewton(const CurveProblem& problem, SplineCurve curve, double he
           std::move(curve.controls),
           std::vector<FootPoint>(at(energy_.sampleCount())),
           std::vector<FootFrame>(at(energy_.sampleCount())),
-          std::vector<Vec3>(at(energy_.sampleCount()))
+          {},
+          {}
       } {}
 
 std::optional<FootNewton::Step> FootNewton::step(const FootFinder& finder, double alpha) {

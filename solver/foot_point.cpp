@@ -35,6 +35,10 @@ constexpr double kLeastArea = 0.05;
 constexpr int kMaxDescent = 1000;
 constexpr int kMaxValence = 256;
 
+double leastCoordinate(const Eigen::Array2d& uv) {
+    return std::min(uv.minCoeff(), 1.0 - uv.sum());
+}
+
 // Which corner of a face a vertex is; -1: none.
 int slotOf(const Triangle& face, int vertex) {
     for (int k = 0; k < 3; ++k) {
@@ -86,17 +90,42 @@ void forEachAcross(
 
 }  // namespace
 
-// The corner 0 of a face with the edges from there, and the same of the directions.
-struct FootFinder::Fibres {
-    Vec3 corner, edgeU, edgeV;
-    Vec3 direction, turnU, turnV;
+// Two vectors side by side, by u and by v, so that both are computed at once.
+struct FootFinder::PairOfVectors {
+    Eigen::Array2d x, y, z;
 
-    [[nodiscard]] Vec3 positionAt(const FootPoint& foot) const {
-        return corner + foot.u * edgeU + foot.v * edgeV;
+    static PairOfVectors of(const Vec3& u, const Vec3& v) {
+        return {{u.x(), v.x()}, {u.y(), v.y()}, {u.z(), v.z()}};
     }
 
+    [[nodiscard]] Vec3 u() const { return {x[0], y[0], z[0]}; }
+
+    [[nodiscard]] Vec3 v() const { return {x[1], y[1], z[1]}; }
+
+    [[nodiscard]] Vec3 times(const Eigen::Array2d& uv) const {
+        return {(x * uv).sum(), (y * uv).sum(), (z * uv).sum()};
+    }
+
+    [[nodiscard]] PairOfVectors plus(double scale, const PairOfVectors& other) const {
+        return {x + scale * other.x, y + scale * other.y, z + scale * other.z};
+    }
+
+    [[nodiscard]] PairOfVectors crossedFromLeftBy(const Vec3& a) const {
+        return {a.y() * z - a.z() * y, a.z() * x - a.x() * z, a.x() * y - a.y() * x};
+    }
+
+    [[nodiscard]] Eigen::Array2d dot(const Vec3& a) const {
+        return a.x() * x + a.y() * y + a.z() * z;
+    }
+};
+
+// The corner 0 of a face with the edges from there, and the same of the directions.
+struct FootFinder::Fibres {
+    Vec3 corner, direction;
+    PairOfVectors edges, turns;
+
     [[nodiscard]] Vec3 directionAt(const FootPoint& foot) const {
-        return direction + foot.u * turnU + foot.v * turnV;
+        return direction + turns.times({foot.u, foot.v});
     }
 };
 
@@ -106,12 +135,21 @@ FootFinder::Fibres FootFinder::fibresOver(int face) const {
     const Vec3& direction = base_.directions[at(corners[0])];
     return {
         origin,
-        base_.vertices[at(corners[1])] - origin,
-        base_.vertices[at(corners[2])] - origin,
         direction,
-        base_.directions[at(corners[1])] - direction,
-        base_.directions[at(corners[2])] - direction
+        PairOfVectors::of(
+            base_.vertices[at(corners[1])] - origin, base_.vertices[at(corners[2])] - origin
+        ),
+        PairOfVectors::of(
+            base_.directions[at(corners[1])] - direction,
+            base_.directions[at(corners[2])] - direction
+        )
     };
+}
+
+void FootFinder::predict(const Vec3& moved, const FootFrame& frame, FootPoint& foot) {
+    foot.u += frame.u.dot(moved);
+    foot.v += frame.v.dot(moved);
+    foot.height += frame.height.dot(moved);
 }
 
 void FootFinder::move(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
@@ -127,39 +165,42 @@ bool FootFinder::alongFibres(const Vec3& p, FootPoint& foot, FootFrame& frame) c
     int previous = -1;
     for (int crossing = 0; crossing < kMaxCrossings; ++crossing) {
         const Fibres fibres = fibresOver(foot.face);
-        const double flatArea = fibres.direction.dot(fibres.edgeU.cross(fibres.edgeV));
-        for (int step = 0; step < kMaxSteps; ++step) {
-            const Vec3 byU = fibres.edgeU + foot.height * fibres.turnU;
-            const Vec3 byV = fibres.edgeV + foot.height * fibres.turnV;
-            const Vec3 direction = fibres.directionAt(foot);
-            const Vec3 area = byU.cross(byV);
+        const double flatArea = fibres.direction.dot(fibres.edges.u().cross(fibres.edges.v()));
+        Eigen::Array2d uv(foot.u, foot.v);
+        bool isFar = leastCoordinate(uv) < kFarOutside;
+        for (int step = 0; step < kMaxSteps && !isFar; ++step) {
+            const PairOfVectors by = fibres.edges.plus(foot.height, fibres.turns);
+            const Vec3 direction = fibres.direction + fibres.turns.times(uv);
+            const Vec3 area = by.u().cross(by.v());
             const double determinant = direction.dot(area);
             if (!(determinant > kLeastArea * flatArea)) {
                 return false;
             }
             const double inverse = 1.0 / determinant;
-            frame.height = inverse * area;
-            frame.u = inverse * byV.cross(direction);
-            frame.v = inverse * direction.cross(byU);
-            frame.direction = direction;
-            const Vec3 gap = p - fibres.positionAt(foot) - foot.height * direction;
-            const double moveU = frame.u.dot(gap);
-            const double moveV = frame.v.dot(gap);
-            foot.u += moveU;
-            foot.v += moveV;
-            foot.height += frame.height.dot(gap);
-            if (std::abs(moveU) + std::abs(moveV) < kLastStep ||
-                foot.barycentric().minCoeff() < kFarOutside) {
+            const PairOfVectors across = by.crossedFromLeftBy(direction);
+            const Vec3 gap = p - fibres.corner - fibres.edges.times(uv) - foot.height * direction;
+            const Eigen::Array2d turned = inverse * across.dot(gap);
+            const Eigen::Array2d move(-turned[1], turned[0]);
+            uv += move;
+            foot.height += inverse * area.dot(gap);
+            isFar = leastCoordinate(uv) < kFarOutside;
+            if (move.abs().sum() < kLastStep || step + 1 == kMaxSteps) {
+                frame.height = inverse * area;
+                frame.u = -inverse * across.v();
+                frame.v = inverse * across.u();
+                frame.direction = direction;
                 break;
             }
         }
+        foot.u = uv[0];
+        foot.v = uv[1];
         int outer = 0;
         const double least = foot.barycentric().minCoeff(&outer);
         const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
         if (least >= kOnEdge || (least > kInGap && next == previous)) {
             frame.direction.normalize();
-            frame.turnU = fibres.turnU;
-            frame.turnV = fibres.turnV;
+            frame.turnU = fibres.turns.u();
+            frame.turnV = fibres.turns.v();
             return true;
         }
         if (next < 0) {
@@ -201,7 +242,9 @@ void FootFinder::toNearest(const Vec3& p, FootPoint& foot, FootFrame& frame) con
     foot.face = face;
     foot.u = nearest.barycentric[1];
     foot.v = nearest.barycentric[2];
-    const Vec3 normal = fibres.edgeU.cross(fibres.edgeV);
+    const Vec3 edgeU = fibres.edges.u();
+    const Vec3 edgeV = fibres.edges.v();
+    const Vec3 normal = edgeU.cross(edgeV);
     Vec3 direction = fibres.directionAt(foot);
     if (!(direction.dot(normal) > 0.0)) {
         direction = normal;  // a vertex that no direction sees all faces of
@@ -213,10 +256,10 @@ void FootFinder::toNearest(const Vec3& p, FootPoint& foot, FootFrame& frame) con
     const double inverse = 1.0 / direction.dot(normal);
     frame.direction = direction.normalized();
     frame.height = distance > 0.0 ? Vec3(side / distance * gap) : frame.direction;
-    frame.u = inverse * fibres.edgeV.cross(direction);
-    frame.v = inverse * direction.cross(fibres.edgeU);
-    frame.turnU = fibres.turnU;
-    frame.turnV = fibres.turnV;
+    frame.u = inverse * edgeV.cross(direction);
+    frame.v = inverse * direction.cross(edgeU);
+    frame.turnU = fibres.turns.u();
+    frame.turnV = fibres.turns.v();
 }
 
 }  // namespace bspline_curve

@@ -38,7 +38,12 @@ public:
     /// and 50 ns for every edge on the way.
     void move(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
 
+    /// Moves `foot`, to which `frame` belongs, by its derivatives, for a point that moves by
+    /// `moved`: the first step of move(), at a fraction of the cost.
+    static void predict(const Vec3& moved, const FootFrame& frame, FootPoint& foot);
+
 private:
+    struct PairOfVectors;
     struct Fibres;
 
     [[nodiscard]] Fibres fibresOver(int face) const;

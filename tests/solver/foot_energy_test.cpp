@@ -98,6 +98,7 @@ public:
             std::move(controls),
             std::vector<FootPoint>(at(energy.sampleCount())),
             std::vector<FootFrame>(at(energy.sampleCount())),
+            {},
             {}
         };
         for (int i = 0; i < energy.sampleCount(); ++i) {
@@ -370,6 +371,28 @@ TEST_P(FootEnergyDerivatives, AgreeWithDifferencesForFrozenDirections) {
     }
 }
 
+TEST_P(FootEnergyDerivatives, AreOfTheSameFeetWhetherTheseArePredictedOrNot) {
+    const std::unique_ptr<Scene> owner = makeScene(GetParam());
+    const Scene& scene = *owner;
+    const FootEnergy energy = scene.energy();
+    const FootedSpline spline = scene.footed(energy, scene.controls());
+    FootedSpline unknown = spline;
+    unknown.positions.clear();
+    const ControlPoints change = 1e-3 * randomChange(scene.space(), 3);
+    const FootedSpline predicted = scene.moved(energy, spline, change);
+    const FootedSpline sought = scene.moved(energy, unknown, change);
+    for (std::size_t i = 0; i < sought.feet.size(); ++i) {
+        SCOPED_TRACE("sample " + std::to_string(i));
+        EXPECT_LT((predicted.positions[i] - sought.positions[i]).norm(), 1e-12);
+        EXPECT_NEAR(predicted.feet[i].height, sought.feet[i].height, 1e-4 * scene.edge());
+        if (predicted.feet[i].face == sought.feet[i].face) {
+            EXPECT_NEAR(predicted.feet[i].height, sought.feet[i].height, 1e-9 * scene.edge());
+            EXPECT_NEAR(predicted.feet[i].u, sought.feet[i].u, 1e-9);
+            EXPECT_NEAR(predicted.feet[i].v, sought.feet[i].v, 1e-9);
+        }
+    }
+}
+
 TEST_P(FootEnergyDerivatives, HaveAPositiveHessianWithoutTurning) {
     const std::unique_ptr<Scene> owner = makeScene(GetParam());
     const Scene& scene = *owner;
@@ -491,6 +514,7 @@ Relaxed relaxed(
         std::move(controls),
         std::vector<FootPoint>(at(energy.sampleCount())),
         std::vector<FootFrame>(at(energy.sampleCount())),
+        {},
         {}
     };
     for (int i = 0; i < energy.sampleCount(); ++i) {

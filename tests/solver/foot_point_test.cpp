@@ -267,6 +267,27 @@ TEST_P(FeetNear, HaveTheFramesOfTheirDifferences) {
     EXPECT_GT(tried, 50);
 }
 
+TEST_P(FeetNear, ArePredictedToSecondOrder) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const FootPoint from = randomFoot(base_, random, 0.2 * edge_);
+        if (from.barycentric().minCoeff() < 0.02) {
+            continue;
+        }
+        const Vec3 p = pointOver(base_, from);
+        const Found here = find(base_, p, from);
+        const Vec3 way = random.point(-1.0, 1.0).normalized() * edge_;
+        const auto errorAfter = [&](double share) {
+            FootPoint foot = here.foot;
+            FootFinder::predict(share * way, here.frame, foot);
+            return (pointOver(base_, foot) - (p + share * way)).norm() / edge_;
+        };
+        EXPECT_LT(errorAfter(1e-2), 1e-3);
+        EXPECT_LT(errorAfter(1e-4), 1e-7);
+    }
+}
+
 TEST_P(FeetNear, AreAmongThoseOfASearchOverAllFaces) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
