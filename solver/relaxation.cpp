@@ -34,7 +34,7 @@ constexpr double kUnitInTolerances = 10.0;
 // curves over coarse meshes float so far above that directions change from step to step and Newton
 // goes round in circles; with three times as much they stick to where they start, for a tenth more
 // bending.
-constexpr double kFirstStiffness = 3e5;
+constexpr double kFirstStiffness = 4.5e5;
 constexpr double kLeastFirstAlpha = 5.0;
 // A curve that starts from another one starts with this share of its last weight. With all of it
 // it sticks to where the other one was, and takes knots for that; with a hundredth it takes a tenth
@@ -49,11 +49,15 @@ constexpr double kHighestAlpha = 1e9;
 // Samples are brought so far below the tolerance that most curves keep it between them as well.
 constexpr double kAimedShare = 0.8;
 
-// Newton stops at this share of the energy while weights and knots still change, and at last. 0.001
-// in place of either takes a fifth more steps, and bending stays the same.
-constexpr double kRoundDecrement = 0.05;
-constexpr double kRestDecrement = 1e-3;
-// In one round, and at last: samples have kinks that the steps near the end wander between.
+// Newton stops at this share of the energy while weights and knots still change, and at last. With
+// a quarter of either a fifth more steps are taken and bending stays the same; where rounds stop at
+// 0.5 curves bend by 7 % more.
+constexpr double kRoundDecrement = 0.2;
+constexpr double kRestDecrement = 3e-3;
+// At last also where a step has brought less than this share of what it promised: samples wander
+// between kinks of the surface.
+constexpr double kKeptPromise = 0.5;
+// In one round, and at last.
 constexpr int kMaxSteps = 30;
 constexpr int kMaxRestSteps = 6;
 // Under a field a round ends where so many steps gain less than one of them should.
@@ -200,6 +204,7 @@ private:
     void descend(int round, double decrementShare, int mostSteps) {
         status_ = MinimiseStatus::IterationLimit;
         std::vector<double> totals;
+        double promisedBefore = 0.0;
         const int most = std::min(mostSteps, options_.maxIterations);
         for (int step = 0; step < most && status_ == MinimiseStatus::IterationLimit; ++step) {
             const std::optional<FootNewton::Step> taken = newton_->step(finder_, alpha_);
@@ -208,13 +213,16 @@ private:
                 break;
             }
             totals.push_back(taken->total);
+            const bool isLast = mostSteps <= kMaxRestSteps;
             if (promised(*taken) <= decrementShare * taken->scale) {
                 status_ = MinimiseStatus::Converged;
             } else if (taken->length == 0.0 ||
-                       (mostSteps > kMaxRestSteps && hasField() &&
+                       (isLast && fallOfStep(totals) < kKeptPromise * promisedBefore) ||
+                       (!isLast && hasField() &&
                         fallOfLast(totals) < decrementShare * taken->scale)) {
                 status_ = MinimiseStatus::LineSearchStalled;
             }
+            promisedBefore = promised(*taken);
             IterationReport entry;
             entry.round = round;
             entry.terms = taken->terms;
@@ -233,6 +241,12 @@ private:
     [[nodiscard]] double promised(const FootNewton::Step& step) const {
         const bool isShort = hasField() && step.length > 0.0;
         return step.decrement * (isShort ? step.length * (2.0 - step.length) : 1.0);
+    }
+
+    // By how much the step before has brought the energy down; infinite at first.
+    [[nodiscard]] static double fallOfStep(const std::vector<double>& totals) {
+        return totals.size() < 2 ? std::numeric_limits<double>::infinity()
+                                 : totals.end()[-2] - totals.back();
     }
 
     // By how much the last steps have brought the energy below all before; infinite after few.
