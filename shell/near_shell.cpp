@@ -172,6 +172,9 @@ NearShell::NearShell(
     base.frame = whole.frame;
     std::vector<Pillar> pillars;
     pillars.reserve(vertices.size());
+    base.vertices.reserve(vertices.size());
+    base.directions.reserve(vertices.size());
+    base.edgeLengths.reserve(vertices.size());
     for (const int v : vertices) {
         const Vec3& middle = whole.vertices[at(v)];
         const double length = std::max(size.thickness * whole.edgeLengths[at(v)], size.least);
@@ -188,6 +191,8 @@ NearShell::NearShell(
     }
     std::vector<Prism> prisms;
     prisms.reserve(faces.size());
+    base.faces.reserve(faces.size());
+    base.faceNeighbours.reserve(faces.size());
     for (const int f : faces) {
         Triangle face{};
         Triangle neighbours{};

@@ -22,12 +22,25 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-int spanOf(int sample) {
-    return sample / FootEnergy::kSamplesPerSpan;
-}
-
 double tauOf(int sample) {
     return sampleParameter(sample % FootEnergy::kSamplesPerSpan, FootEnergy::kSegments);
+}
+
+// At the samples of a span, one column each: derivatives of the powers of tau.
+using SampleMatrix = Eigen::Matrix<double, kMaxBasis, FootEnergy::kSamplesPerSpan>;
+
+SampleMatrix powersAtSamples(int order) {
+    SampleMatrix powers = SampleMatrix::Zero();
+    for (int i = 0; i < FootEnergy::kSamplesPerSpan; ++i) {
+        double power = 1.0;
+        for (int m = order; m < kMaxBasis; ++m, power *= tauOf(i)) {
+            powers(m, i) = power;
+            for (int factor = m; factor > m - order; --factor) {
+                powers(m, i) *= factor;
+            }
+        }
+    }
+    return powers;
 }
 
 SymmetricMatrix operator*(double scale, const SymmetricMatrix& m) {
@@ -39,6 +52,26 @@ SymmetricMatrix& operator+=(SymmetricMatrix& sum, const SymmetricMatrix& m) {
         sum[e] += m[e];
     }
     return sum;
+}
+
+// The same as a vector, to be computed with in registers.
+using PackedMatrix = Eigen::Array<double, 6, 1>;
+
+PackedMatrix packed(const SymmetricMatrix& m) {
+    return Eigen::Map<const PackedMatrix>(m.data());
+}
+
+// The block of control points j and k of a span.
+void setBlock(SpanMatrix& matrix, int j, int k, const PackedMatrix& m) {
+    double* const column = matrix.data() + 3 * (k * matrix.outerStride() + j);
+    double* const next = column + matrix.outerStride();
+    double* const last = next + matrix.outerStride();
+    column[0] = m[0];
+    column[1] = next[0] = m[1];
+    column[2] = last[0] = m[2];
+    next[1] = m[3];
+    next[2] = last[1] = m[4];
+    last[2] = m[5];
 }
 
 Eigen::Matrix3d dense(const SymmetricMatrix& m) {
@@ -59,25 +92,25 @@ FootEnergy::FootEnergy(const CurveProblem& problem, const SplineSpace& space, do
                                    : 0.0;
     const double bending =
         2.0 / (problem.chordLength * problem.chordLength) * (1.0 - problem.options.tension);
+    static const SampleMatrix powers = powersAtSamples(0);
+    static const SampleMatrix secondPowers = powersAtSamples(2);
     samples_.reserve(at(sampleCount()));
-    for (int sample = 0; sample < sampleCount(); ++sample) {
-        const int span = spanOf(sample);
-        const double weight = space.spanLength(span) / kSamplesPerSpan;
-        samples_.push_back(
-            {weight,
-             -bending * normalShare * weight,
-             space.basisAt(span, tauOf(sample)),
-             space.basisDerivativeAt(span, tauOf(sample), 2)}
-        );
+    for (int span = 0; span < space.spanCount(); ++span) {
+        const double length = space.spanLength(span);
+        const double weight = length / kSamplesPerSpan;
+        const SampleMatrix values = space.basis(span) * powers;
+        const SampleMatrix seconds = space.basis(span) * secondPowers / (length * length);
+        for (int i = 0; i < kSamplesPerSpan; ++i) {
+            const double t = space.breaks()[at(span)] + tauOf(i) * length;
+            Sample sample{t, weight, -bending * normalShare * weight, {}, {}};
+            std::ranges::copy(values.col(i), sample.basis.begin());
+            std::ranges::copy(seconds.col(i), sample.second.begin());
+            samples_.push_back(sample);
+        }
     }
     for (int span = 0; span < space.spanCount(); ++span) {
         ambient_.push_back(ambientProducts(problem, space, span));
     }
-}
-
-double FootEnergy::parameter(int sample) const {
-    const int span = spanOf(sample);
-    return space_.breaks()[at(span)] + tauOf(sample) * space_.spanLength(span);
 }
 
 void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
@@ -232,43 +265,44 @@ void FootEnergy::differentiate(
     const int n = space_.basisCount();
     gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space_.controlCount()));
     hessian.resize(at(space_.spanCount()), SpanMatrix(3 * n, 3 * n));
-    std::array<PointDerivatives, kSamplesPerSpan> points;
-    std::array<SymmetricMatrix, kSamplesPerSpan> bends{};
+    std::array<Vec3, kSamplesPerSpan> forces;
     std::array<Vec3, kSamplesPerSpan> bendForces;
+    std::array<PackedMatrix, kSamplesPerSpan> seconds;
+    std::array<PackedMatrix, kSamplesPerSpan> bends;
     for (int span = 0; span < space_.spanCount(); ++span) {
-        const int first = span * kSamplesPerSpan;
+        const Sample* const tables = &samples_[at(span * kSamplesPerSpan)];
         for (int i = 0; i < kSamplesPerSpan; ++i) {
-            const Sample& table = samples_[at(first + i)];
-            const Vec3& direction = spline.frames[at(first + i)].direction;
-            points[at(i)] = pointDerivatives(spline, alpha, turning, first + i);
-            bends[at(i)] = rankOne(direction, table.normalBending);
-            const double along = direction.dot(spline.seconds[at(first + i)]);
-            bendForces[at(i)] = table.normalBending * along * direction;
+            const int sample = span * kSamplesPerSpan + i;
+            const Vec3& direction = spline.frames[at(sample)].direction;
+            const PointDerivatives point = pointDerivatives(spline, alpha, turning, sample);
+            forces[at(i)] = point.force;
+            seconds[at(i)] = packed(point.second);
+            bends[at(i)] = packed(rankOne(direction, tables[i].normalBending));
+            const double along = direction.dot(spline.seconds[at(sample)]);
+            bendForces[at(i)] = tables[i].normalBending * along * direction;
         }
         const SplineSpace::BasisMatrix& ambient = ambient_[at(span)];
         SpanMatrix& block = hessian[at(span)];
         for (int j = 0; j < n; ++j) {
             Vec3 force = Vec3::Zero();
             for (int i = 0; i < kSamplesPerSpan; ++i) {
-                const Sample& table = samples_[at(first + i)];
-                force += table.basis[at(j)] * points[at(i)].force +
-                         table.second[at(j)] * bendForces[at(i)];
+                force += tables[i].basis[at(j)] * forces[at(i)] +
+                         tables[i].second[at(j)] * bendForces[at(i)];
             }
             for (int k = 0; k < n; ++k) {
                 force += ambient(k, j) * spline.controls.row(space_.control(span, k)).transpose();
             }
             gradient.segment<3>(3 * static_cast<Eigen::Index>(space_.control(span, j))) += force;
             for (int k = 0; k <= j; ++k) {
-                SymmetricMatrix sum{ambient(k, j), 0.0, 0.0, ambient(k, j), 0.0, ambient(k, j)};
+                PackedMatrix sum =
+                    packed({ambient(k, j), 0.0, 0.0, ambient(k, j), 0.0, ambient(k, j)});
                 for (int i = 0; i < kSamplesPerSpan; ++i) {
-                    const Sample& table = samples_[at(first + i)];
-                    sum += (table.basis[at(j)] * table.basis[at(k)]) * points[at(i)].second;
-                    sum += (table.second[at(j)] * table.second[at(k)]) * bends[at(i)];
+                    sum += (tables[i].basis[at(j)] * tables[i].basis[at(k)]) * seconds[at(i)] +
+                           (tables[i].second[at(j)] * tables[i].second[at(k)]) * bends[at(i)];
                 }
-                const Eigen::Matrix3d entries = dense(sum);
-                block.block<3, 3>(3 * k, 3 * j) = entries;
+                setBlock(block, j, k, sum);
                 if (k < j) {
-                    block.block<3, 3>(3 * j, 3 * k) = entries;
+                    setBlock(block, k, j, sum);
                 }
             }
         }
@@ -277,7 +311,6 @@ void FootEnergy::differentiate(
 
 double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int span) const {
     const double length = space_.spanLength(span);
-    const PolynomialCurve curve = space_.polynomial(spline.controls, span);
     // b = tau^2 (1 - tau)^2: the integrals of b''^2 and b'^2 over tau.
     constexpr double kBend = 0.8;
     constexpr double kStretch = 2.0 / 105.0;
@@ -293,19 +326,25 @@ double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int spa
         const double tau = tauOf(sample);
         const double rest = 1.0 - tau;
         const double value = tau * tau * rest * rest;
-        const double slope = 2.0 * tau * rest * (rest - tau) / length;
         const double second = (2.0 - 12.0 * tau * rest) / (length * length);
         const PointDerivatives point = pointDerivatives(spline, alpha, 0.0, sample);
         const Vec3& direction = spline.frames[at(sample)].direction;
-        const Vec3 bending = curve.secondDerivativeAt(tau) / (length * length);
+        const Vec3& bending = spline.seconds[at(sample)];
         force += value * point.force +
                  second * table.normalBending * direction.dot(bending) * direction +
-                 (second * scale * (1.0 - tension) * table.weight) * bending +
-                 slope * scale * tension * table.weight / length * curve.derivativeAt(tau);
+                 (second * scale * (1.0 - tension) * table.weight) * bending;
         stiffness += (value * value) * point.second;
         stiffness += rankOne(direction, second * second * table.normalBending);
     }
-    const Vec3 bulge = dense(stiffness).ldlt().solve(force);
+    if (tension > 0.0) {
+        const PolynomialCurve curve = space_.polynomial(spline.controls, span);
+        for (int i = 0; i < kSamplesPerSpan; ++i) {
+            const double tau = tauOf(i);
+            const double slope = 2.0 * tau * (1.0 - tau) * (1.0 - 2.0 * tau) / length;
+            force += slope * scale * tension / kSamplesPerSpan * curve.derivativeAt(tau);
+        }
+    }
+    const Vec3 bulge = dense(stiffness).llt().solve(force);
     return std::max(0.0, 0.5 * force.dot(bulge));
 }
 

@@ -37,7 +37,9 @@ public:
 
     [[nodiscard]] int sampleCount() const { return space_.spanCount() * kSamplesPerSpan; }
 
-    [[nodiscard]] double parameter(int sample) const;
+    [[nodiscard]] double parameter(int sample) const {
+        return samples_[static_cast<std::size_t>(sample)].parameter;
+    }
 
     /// Finds the feet of all samples anew, each from where it is, or where it has been followed
     /// before, from where that predicts it to be; and their positions and second derivatives.
@@ -83,6 +85,7 @@ private:
     [[nodiscard]] Vec3 beyondGradient(const FootPoint& foot, const FootFrame& frame) const;
 
     struct Sample {
+        double parameter;      // t
         double weight;         // of the quadrature over [0, 1]
         double normalBending;  // of (n . P'')^2 in E_int: negative
         SplineSpace::BasisValues basis, second;

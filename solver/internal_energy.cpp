@@ -15,10 +15,8 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// Integral over tau in [0, 1] of the product of derivatives by tau (of one order) of two basis
-// functions of a span, exactly.
-double derivativeProduct(const SplineSpace& space, int span, int j1, int j2, int order) {
-    const SplineSpace::BasisMatrix& table = space.basis(span);
+// The integrals over tau of the products of derivatives of tau^a and tau^b.
+SplineSpace::BasisMatrix powerProducts(int order) {
     const auto falling = [order](int m) {
         double factor = 1.0;
         for (int i = 0; i < order; ++i) {
@@ -26,13 +24,13 @@ double derivativeProduct(const SplineSpace& space, int span, int j1, int j2, int
         }
         return factor;
     };
-    double sum = 0.0;
-    for (int a = order; a <= space.degree(); ++a) {
-        for (int b = order; b <= space.degree(); ++b) {
-            sum += falling(a) * falling(b) * table(j1, a) * table(j2, b) / (a + b - 2 * order + 1);
+    SplineSpace::BasisMatrix products = SplineSpace::BasisMatrix::Zero();
+    for (int a = order; a < kMaxBasis; ++a) {
+        for (int b = order; b < kMaxBasis; ++b) {
+            products(a, b) = falling(a) * falling(b) / (a + b - 2 * order + 1);
         }
     }
-    return sum;
+    return products;
 }
 
 Vec3 directionIn(const CurveProblem& problem, const ShellCell& cell, const Vec3& p) {
@@ -129,18 +127,10 @@ SplineSpace::BasisMatrix ambientProducts(
     const double length = space.spanLength(span);
     const double stretch = scale * tension / length;
     const double bend = scale * (1.0 - tension) / (length * length * length);
-    SplineSpace::BasisMatrix products = SplineSpace::BasisMatrix::Zero();
-    for (int j1 = 0; j1 < space.basisCount(); ++j1) {
-        for (int j2 = 0; j2 <= j1; ++j2) {
-            double value = bend * derivativeProduct(space, span, j1, j2, 2);
-            if (tension > 0.0) {
-                value += stretch * derivativeProduct(space, span, j1, j2, 1);
-            }
-            products(j1, j2) = value;
-            products(j2, j1) = value;
-        }
-    }
-    return products;
+    static const SplineSpace::BasisMatrix seconds = powerProducts(2);
+    static const SplineSpace::BasisMatrix firsts = powerProducts(1);
+    const SplineSpace::BasisMatrix& basis = space.basis(span);
+    return basis * (bend * seconds + stretch * firsts) * basis.transpose();
 }
 
 InternalEnergy::InternalEnergy(const CurveProblem& problem, const SplineSpace& space)
