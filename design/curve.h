@@ -52,11 +52,11 @@ struct Curve {
 struct Guidance {
     std::span<const double> field{};  ///< one finite value per vertex
     std::span<const int> avoid{};     ///< faces that the curve must not enter
-    /// A curve of the same designer through as many picks, each near the one of now: the new curve
-    /// is relaxed from there, in three quarters of the time on average, while a pick is dragged.
-    /// Picks keep their parameters, so it may come to rest elsewhere than one from scratch and bend
-    /// more; draw the last one from scratch. No start where degree or closedness differ, or where
-    /// it was not relaxed at foot points.
+    /// A curve of the same designer through as many picks, each near the one of now, as while a
+    /// pick is dragged: the new curve is relaxed from that one, displaced with its picks (see
+    /// dragCurve), in three quarters of the time on average, and bends as much as one from scratch.
+    /// No start where degree or closedness differ, where it was not relaxed at foot points, or
+    /// where a piece between picks would double or halve its length.
     const Curve* start = nullptr;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/curve_designer.h"
 
+#include "design/dragged_curve.h"
 #include "design/guide_path.h"
 #include "design/known_field.h"
 #include "design/prepared_surface.h"
@@ -370,24 +371,19 @@ std::optional<Solved> CurveDesigner::State::solveFrom(
         spline.closed != options.closed || spline.pickParameters.size() != picks.size()) {
         return std::nullopt;
     }
-    PickPath path;
-    for (std::size_t i = 0; i < picks.size(); ++i) {
-        path.picks.push_back({picks[i], base()->position(picks[i]), spline.pickParameters[i]});
+    std::optional<DraggedCurve> dragged = dragCurve(start, *base(), picks);
+    if (!dragged) {
+        return std::nullopt;
     }
-    const SurfacePolyline& line = start.polyline;
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-        const SurfacePoint& point = line.surfacePoints[i];
-        path.guide.points.push_back({line.parameters[i], point, base()->position(point)});
-    }
-    CurveProblem problem = problemOnPath(path, options, guides, progress);
+    CurveProblem problem = problemOnPath(dragged->path, options, guides, progress);
     if (this->PreparedSurface::options().kind != ShellKind::Local) {
         problem.shell = &wholeShell().build.shell;
     }
-    return relaxed(
-        std::move(problem),
-        path.guide,
-        RelaxationStart{splineOf(spline, base()->frame), start.report.rounds.back().alpha}
-    );
+    SplineSpace space(spline.degree, spline.closed, std::move(dragged->breaks));
+    RelaxationStart begin{
+        fitOver(problem, dragged->path.guide, std::move(space)), start.report.rounds.back().alpha
+    };
+    return relaxed(std::move(problem), dragged->path.guide, std::move(begin));
 }
 
 // Nothing where a curve near which its shell is made comes upon a crossing.

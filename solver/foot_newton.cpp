@@ -16,8 +16,6 @@ constexpr int kMaxHalvings = 8;
 constexpr double kSufficientDecrease = 1e-4;
 // Share of the surface's bending that is tried in turn until the Hessian is positive.
 constexpr std::array<double, 4> kTurningShares = {1.0, 0.5, 0.25, 0.0};
-// Gaps at picks beyond rounding, in the shell's frame.
-constexpr double kGap = 1e-10;
 // As in newtonStep().
 constexpr double kConstraintWeight = 1e3;
 
@@ -65,13 +63,11 @@ std::optional<Eigen::VectorXd> FootNewton::direction(double alpha) {
     return std::nullopt;
 }
 
-// Moves as far as the energy falls enough, or all the way where that closes gaps at picks; returns
-// the share of the step taken.
+// Moves as far as the energy falls enough; returns the share of the step taken.
 double FootNewton::advance(
     const FootFinder& finder, const Eigen::VectorXd& direction, double alpha, const Step& step
 ) {
     const double slope = -2.0 * step.decrement;
-    const bool hasGaps = system_.residual(now_.controls).lpNorm<Eigen::Infinity>() > kGap;
     double length = 1.0;
     for (int halving = 0; halving < kMaxHalvings; ++halving, length *= 0.5) {
         trial_ = now_;
@@ -79,7 +75,7 @@ double FootNewton::advance(
             length * direction;
         energy_.follow(finder, trial_);
         const double total = energy_.total(energy_.terms(trial_, now_.frames), alpha);
-        if (hasGaps || total <= step.total + kSufficientDecrease * length * slope) {
+        if (total <= step.total + kSufficientDecrease * length * slope) {
             std::swap(now_, trial_);
             return length;
         }

@@ -51,7 +51,7 @@ TEST_P(DraggedPick, PassesThePicksWithFewSteps) {
         const Curve fresh = goodCurve(designer, others);
         expectGoodCurve(designer, next, others);
         EXPECT_LE(next.report.newtonIterations, stepsFromScratch) << step;
-        EXPECT_LT(bendingOf(next), 1.2 * bendingOf(fresh)) << step;
+        EXPECT_LT(bendingOf(next), 1.1 * bendingOf(fresh)) << step;
         curve = next;
     }
 }

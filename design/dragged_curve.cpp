@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/dragged_curve.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace bspline_curve {
+namespace {
+
+constexpr double kLargestStretch = 2.0;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// The part of a curve between two picks.
+struct Piece {
+    double begin, end;         // parameters before
+    std::size_t first, last;   // points of the polyline
+    Vec3 firstMove, lastMove;  // of its picks, in the shell's frame
+    double length = 0.0, dragged = 0.0;
+    double newBegin = 0.0, newEnd = 0.0;
+
+    [[nodiscard]] double share(double parameter) const {
+        return (parameter - begin) / (end - begin);
+    }
+
+    [[nodiscard]] Vec3 move(double parameter) const {
+        const double s = share(parameter);
+        return (1.0 - s) * firstMove + s * lastMove;
+    }
+
+    [[nodiscard]] double newParameter(double parameter) const {
+        const double s = share(parameter);
+        return (1.0 - s) * newBegin + s * newEnd;
+    }
+
+    [[nodiscard]] double stretch() const { return dragged / length; }
+};
+
+class Drag {
+public:
+    Drag(const Curve& curve, const ShellBase& base, const std::vector<SurfacePoint>& picks)
+        : curve_(curve), base_(base), picks_(picks) {
+        const SurfacePolyline& line = curve.polyline;
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            points_.push_back({line.parameters[i], line.surfacePoints[i]});
+        }
+        if (line.closed) {
+            points_.push_back({1.0, line.surfacePoints.front()});
+        }
+        addPieces();
+    }
+
+    [[nodiscard]] bool isSmall() const {
+        return std::ranges::all_of(pieces_, [](const Piece& piece) {
+            return piece.dragged < kLargestStretch * piece.length &&
+                   piece.length < kLargestStretch * piece.dragged;
+        });
+    }
+
+    DraggedCurve result() {
+        setParameters();
+        DraggedCurve result;
+        for (std::size_t i = 0; i < picks_.size(); ++i) {
+            const double t = i < pieces_.size() ? pieces_[i].newBegin : 1.0;
+            result.path.picks.push_back({picks_[i], base_.position(picks_[i]), t});
+        }
+        for (const Piece& piece : pieces_) {
+            for (std::size_t i = piece.first; i <= piece.last; ++i) {
+                const Point& point = points_[i];
+                result.path.guide.points.push_back(
+                    {piece.newParameter(point.parameter), point.point, positionIn(piece, i)}
+                );
+            }
+        }
+        result.path.guide.points.back().parameter = 1.0;
+        result.breaks = newBreaks();
+        return result;
+    }
+
+private:
+    struct Point {
+        double parameter;
+        SurfacePoint point;
+    };
+
+    [[nodiscard]] Vec3 positionIn(const Piece& piece, std::size_t i) const {
+        return base_.position(points_[i].point) + piece.move(points_[i].parameter);
+    }
+
+    void addPieces() {
+        const std::vector<int>& vertices = curve_.polyline.picks;
+        const std::size_t count = curve_.polyline.closed ? picks_.size() : picks_.size() - 1;
+        const auto moveOf = [&](std::size_t pick) -> Vec3 {
+            return base_.position(picks_[pick]) - base_.position(points_[at(vertices[pick])].point);
+        };
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t next = (i + 1) % picks_.size();
+            Piece piece;
+            piece.first = at(vertices[i]);
+            piece.last = next == 0 ? points_.size() - 1 : at(vertices[next]);
+            piece.begin = points_[piece.first].parameter;
+            piece.end = points_[piece.last].parameter;
+            piece.firstMove = moveOf(i);
+            piece.lastMove = moveOf(next);
+            for (std::size_t k = piece.first; k < piece.last; ++k) {
+                piece.length +=
+                    (base_.position(points_[k + 1].point) - base_.position(points_[k].point))
+                        .norm();
+                piece.dragged += (positionIn(piece, k + 1) - positionIn(piece, k)).norm();
+            }
+            pieces_.push_back(piece);
+        }
+    }
+
+    void setParameters() {
+        double sum = 0.0;
+        for (Piece& piece : pieces_) {
+            piece.newBegin = sum;
+            sum += (piece.end - piece.begin) * piece.stretch();
+            piece.newEnd = sum;
+        }
+        for (Piece& piece : pieces_) {
+            piece.newBegin /= sum;
+            piece.newEnd /= sum;
+        }
+        pieces_.back().newEnd = 1.0;
+    }
+
+    [[nodiscard]] std::vector<double> newBreaks() const {
+        const std::vector<double>& knots = curve_.spline.knots;
+        const auto degree = static_cast<std::ptrdiff_t>(curve_.spline.degree);
+        std::vector<double> breaks;
+        auto piece = pieces_.begin();
+        for (auto knot = knots.begin() + degree; knot != knots.end() - degree; ++knot) {
+            while (std::next(piece) != pieces_.end() && *knot > piece->end) {
+                ++piece;
+            }
+            breaks.push_back(piece->newParameter(*knot));
+        }
+        breaks.front() = 0.0;
+        breaks.back() = 1.0;
+        return breaks;
+    }
+
+    const Curve& curve_;
+    const ShellBase& base_;
+    const std::vector<SurfacePoint>& picks_;
+    std::vector<Point> points_;  // of the polyline; closed: the first one once more
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace
+
+std::optional<DraggedCurve> dragCurve(
+    const Curve& curve, const ShellBase& base, const std::vector<SurfacePoint>& picks
+) {
+    Drag drag(curve, base, picks);
+    return drag.isSmall() ? std::optional(drag.result()) : std::nullopt;
+}
+
+}  // namespace bspline_curve

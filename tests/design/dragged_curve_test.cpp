@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a curve lies once its picks have been dragged, before it is relaxed.
+#include "design/dragged_curve.h"
+
+#include "curve_checks.h"
+#include "design/curve_designer.h"
+#include "shell/shell_base.h"
+#include "support/meshes.h"
+#include "surface/picks.h"
+#include "surface/triangle_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+class DraggedCurves : public testing::TestWithParam<bool> {
+protected:
+    [[nodiscard]] Curve curve() const {
+        SolverOptions options;
+        options.closed = GetParam();
+        std::vector<Vec3> picks;
+        for (const SurfacePoint& pick : picks_) {
+            picks.push_back(designer_.surface().position(pick));
+        }
+        return goodCurve(designer_, picks, options);
+    }
+
+    // The picks with one of them somewhere else.
+    [[nodiscard]] std::vector<SurfacePoint> moved(std::size_t pick, const Vec3& by) const {
+        const Surface& surface = designer_.surface();
+        const TriangleTree tree(surface.vertices(), surface.faces());
+        std::vector<SurfacePoint> picks = picks_;
+        picks[pick] = tree.closestPoint(surface.position(picks[pick]) + by).point;
+        return picks;
+    }
+
+    [[nodiscard]] DraggedCurve dragged(
+        const Curve& curve, const std::vector<SurfacePoint>& picks
+    ) const {
+        std::optional<DraggedCurve> result = dragCurve(curve, base_, picks);
+        EXPECT_TRUE(result.has_value());
+        return result.value_or(DraggedCurve{});
+    }
+
+    // Where the guide is at a pick.
+    [[nodiscard]] static Vec3 positionAt(const DraggedCurve& curve, double parameter) {
+        const auto& points = curve.path.guide.points;
+        const auto nearest =
+            std::ranges::min_element(points, {}, [&](const GuidePath::Point& point) {
+                return std::abs(point.parameter - parameter);
+            });
+        return nearest->position;
+    }
+
+    CurveDesigner designer_{withNoise(icosphere(4), 0.002, 5)};
+    ShellBase base_ = makeShellBase(designer_.surface(), 3);
+    std::vector<SurfacePoint> picks_ = [this] {
+        const Surface& surface = designer_.surface();
+        const TriangleTree tree(surface.vertices(), surface.faces());
+        std::vector<SurfacePoint> picks;
+        for (const Vec3& near :
+             {Vec3(1.0, 0.0, 0.0),
+              Vec3(0.5, 0.7, 0.3),
+              Vec3(-0.4, 0.8, 0.5),
+              Vec3(-1.0, 0.0, 0.2)}) {
+            picks.push_back(tree.closestPoint(near).point);
+        }
+        return picks;
+    }();
+};
+
+TEST_P(DraggedCurves, AreTheSameWhereNothingMoved) {
+    const Curve before = curve();
+    const DraggedCurve after = dragged(before, picks_);
+    const SurfacePolyline& line = before.polyline;
+    for (std::size_t i = 0; i < picks_.size(); ++i) {
+        EXPECT_NEAR(after.path.picks[i].parameter, before.spline.pickParameters[i], 1e-12);
+    }
+    const auto degree = static_cast<std::size_t>(before.spline.degree);
+    ASSERT_EQ(after.breaks.size() + 2 * degree, before.spline.knots.size());
+    for (std::size_t i = 0; i < after.breaks.size(); ++i) {
+        EXPECT_NEAR(after.breaks[i], before.spline.knots[i + degree], 1e-12);
+    }
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        EXPECT_LT(
+            (positionAt(after, line.parameters[i]) - base_.position(line.surfacePoints[i])).norm(),
+            1e-9
+        );
+    }
+}
+
+TEST_P(DraggedCurves, PassThePicksThatMoved) {
+    const Curve before = curve();
+    for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
+        SCOPED_TRACE("pick " + std::to_string(pick));
+        const std::vector<SurfacePoint> picks = moved(pick, {0.1, -0.05, 0.1});
+        const DraggedCurve after = dragged(before, picks);
+        for (const PickConstraint& constraint : after.path.picks) {
+            EXPECT_LT(
+                (positionAt(after, constraint.parameter) - constraint.position).norm(), 1e-12
+            );
+        }
+        EXPECT_TRUE(std::ranges::is_sorted(after.breaks));
+        EXPECT_EQ(std::ranges::adjacent_find(after.breaks), after.breaks.end());
+        EXPECT_EQ(after.breaks.front(), 0.0);
+        EXPECT_EQ(after.breaks.back(), 1.0);
+        EXPECT_TRUE(
+            std::ranges::is_sorted(after.path.guide.points, {}, [](const GuidePath::Point& p) {
+                return p.parameter;
+            })
+        );
+        EXPECT_EQ(after.path.guide.points.back().parameter, 1.0);
+    }
+}
+
+// A piece that became longer than another has as much more of the parameters.
+TEST_P(DraggedCurves, HaveParametersByTheLengthsOfTheirPieces) {
+    const Curve before = curve();
+    const DraggedCurve after = dragged(before, moved(1, {0.2, -0.1, 0.0}));
+    const auto lengths = [](const DraggedCurve& curve) {
+        std::vector<double> result(curve.path.picks.size(), 0.0);
+        const auto& points = curve.path.guide.points;
+        std::size_t piece = 0;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double middle = 0.5 * (points[i - 1].parameter + points[i].parameter);
+            while (piece + 1 < result.size() && curve.path.picks[piece + 1].parameter <= middle) {
+                ++piece;
+            }
+            result[piece] += (points[i].position - points[i - 1].position).norm();
+        }
+        return result;
+    };
+    const auto widths = [](const DraggedCurve& curve) {
+        std::vector<double> result;
+        for (std::size_t i = 1; i < curve.path.picks.size(); ++i) {
+            result.push_back(curve.path.picks[i].parameter - curve.path.picks[i - 1].parameter);
+        }
+        return result;
+    };
+    const DraggedCurve still = dragged(before, picks_);
+    const std::vector<double> lengthsBefore = lengths(still);
+    const std::vector<double> lengthsAfter = lengths(after);
+    const std::vector<double> widthsBefore = widths(still);
+    const std::vector<double> widthsAfter = widths(after);
+    const auto speedUp = [&](std::size_t i) {
+        return lengthsAfter[i] / lengthsBefore[i] * widthsBefore[i] / widthsAfter[i];
+    };
+    EXPECT_GT(std::abs(lengthsAfter[0] / lengthsBefore[0] - 1.0), 0.1);
+    EXPECT_NEAR(speedUp(0) / speedUp(1), 1.0, 1e-9);
+    EXPECT_NEAR(speedUp(1) / speedUp(2), 1.0, 1e-9);
+}
+
+TEST_P(DraggedCurves, AreNoneWhereAPieceAllButVanishes) {
+    EXPECT_FALSE(dragCurve(curve(), base_, moved(1, {0.4, -0.65, -0.3})).has_value());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DraggedCurves, testing::Bool(), [](const testing::TestParamInfo<bool>& instance) {
+        return instance.param ? "Closed" : "Open";
+    }
+);
+
+}  // namespace
+}  // namespace bspline_curve
