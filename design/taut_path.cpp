@@ -277,8 +277,10 @@ private:
     void placeTrial(double length) {
         for (int i = 1; i < kSegments; ++i) {
             const Row& row = rows_[at(i)];
-            trial_[at(i)] = now_[at(i)];
-            place(trial_[at(i)], now_[at(i)].position + length * (row.tangents * row.solved));
+            Bead& bead = trial_[at(i)] = now_[at(i)];
+            const Vec3 way = length * (row.tangents * row.solved);
+            FootFinder::predict(way, bead.frame, bead.foot);
+            place(bead, bead.position + way);
         }
     }
 

@@ -47,6 +47,7 @@ private:
     struct Fibres;
 
     [[nodiscard]] Fibres fibresOver(int face) const;
+    int passFaces(const Vec3& p, int previous, FootPoint& foot) const;
     [[nodiscard]] bool alongFibres(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
     void toNearest(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
 
