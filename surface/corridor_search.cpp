@@ -40,6 +40,9 @@ bool CorridorSearch::find(const SurfacePoint& start, const SurfacePoint& goal) {
 std::optional<std::vector<SurfacePoint>> CorridorSearch::findWay(
     const SurfacePoint& start, const SurfacePoint& goal, int leastCount, int leastLength
 ) {
+    if (patches_.levels().empty() || patches_.levels().front().count() < leastCount) {
+        return std::nullopt;
+    }
     const End from = endAt(start);
     const End to = endAt(goal);
     corridor_.clear();
