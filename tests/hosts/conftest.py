@@ -2,6 +2,8 @@
 """Real hosts: MeshLab and meshlabserver 2020.09 of Debian with our plugin beside theirs, on a display without a screen."""
 import importlib.util
 import os
+import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -79,3 +81,27 @@ def sphere(tmp_path_factory):
     document.create_sphere(radius=1, subdiv=5)
     mesh = document.current_mesh()
     return write_ply(tmp_path_factory.mktemp("meshes") / "sphere.ply", mesh.vertex_matrix(), mesh.face_matrix())
+
+
+@pytest.fixture
+def checkout(tmp_path):
+    """What a user has after scripts/quickstart, with nothing that tests made before."""
+    shutil.copytree(ROOT / "examples", tmp_path / "examples")
+    (tmp_path / "scripts").symlink_to(ROOT / "scripts")
+    (tmp_path / "build").mkdir()
+    (tmp_path / "build" / "release").symlink_to(BUILD)
+    shutil.copy(Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj", tmp_path)
+    # As scripts/quickstart makes it.
+    command = next(line for line in (ROOT / "scripts" / "quickstart").read_text().splitlines() if "bunny.ply" in line)
+    environment = {**os.environ, "mesh": "bunny.obj", "results": "build/quickstart"}
+    (tmp_path / "build" / "quickstart").mkdir()
+    subprocess.run(["bash", "-e", "-c", command], cwd=tmp_path, env=environment, check=True)
+    return tmp_path
+
+
+@pytest.fixture(scope="session")
+def readme_commands():
+    """The commands of README's section on MeshLab, in order; one that goes on in the next line is one."""
+    section = re.search(r"\n## MeshLab\n(.*?)\n## ", (ROOT / "README.md").read_text(), re.S)[1]
+    lines = re.findall(r"^    (.*\n)", section, re.M)
+    return "".join(lines).replace("\\\n", " ").splitlines()

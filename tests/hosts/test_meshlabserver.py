@@ -82,33 +82,11 @@ def test_an_example_draws_the_same_curve_in_both_hosts(
     assert polylines.distance_to(picks, vertices, edges) <= 2 * ROUNDING
 
 
-@pytest.fixture
-def checkout(tmp_path):
-    """What a user has after scripts/quickstart, with nothing that tests made before."""
-    shutil.copytree(EXAMPLES, tmp_path / "examples")
-    (tmp_path / "scripts").symlink_to(ROOT / "scripts")
-    (tmp_path / "build").mkdir()
-    (tmp_path / "build" / "release").symlink_to(BUILD)
-    shutil.copy(Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj", tmp_path)
-    # As scripts/quickstart makes it.
-    command = next(line for line in (ROOT / "scripts" / "quickstart").read_text().splitlines() if "bunny.ply" in line)
-    environment = {**os.environ, "mesh": "bunny.obj", "results": "build/quickstart"}
-    (tmp_path / "build" / "quickstart").mkdir()
-    subprocess.run(["bash", "-e", "-c", command], cwd=tmp_path, env=environment, check=True)
-    return tmp_path
-
-
-def commands_in(text):
-    """Blocks of commands, without the one that opens a window."""
-    blocks = re.findall(r"(?:^    [^\n]*\n)+", text, re.M)
-    return [re.sub(r"    build/\S+/bin/meshlab .*\n", "", block) for block in blocks]
-
-
-def test_the_commands_of_readme_draw_a_curve_from_nothing(prefix, legacy_plugin, display, checkout):
-    section = re.search(r"\n## MeshLab\n(.*?)\n## ", (ROOT / "README.md").read_text(), re.S)[1]
-    # The window is opened as in test_window.py.
-    assert "    build/meshlab-2020.09/bin/meshlab build/quickstart/bunny.ply\n" in section
-    done = display.run(["bash", "-e", "-c", "\n".join(commands_in(section))], cwd=checkout)
+def test_the_commands_of_readme_draw_a_curve_from_nothing(prefix, readme_commands, display, checkout):
+    # The window is opened in test_window.py.
+    commands = [command for command in readme_commands if "/bin/meshlab " not in command]
+    assert len(commands) == len(readme_commands) - 1
+    done = display.run(["bash", "-e", "-c", "\n".join(commands)], cwd=checkout)
     assert done.returncode == 0, done.stdout + done.stderr
     assert (checkout / "build" / "meshlab-2020.09" / "bin" / "meshlab").is_file()
     vertices, edges = polylines.read_obj(checkout / "examples" / "curve.obj")

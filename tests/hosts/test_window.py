@@ -18,6 +18,7 @@ FIELD = "Scalar Field for Curves"
 
 # Where the mouse picks, in pixels from the middle of the view.
 CLICKS = np.array([[0, -110], [90, -60], [70, 60], [-50, 70]])
+BUNNY_CLICKS = np.array([[-60, 20], [-20, 50], [30, 10], [60, 50]])
 
 
 @dataclass
@@ -121,3 +122,30 @@ def on_sphere(slope, eye):
     squared = slope @ slope
     depth = (eye - np.sqrt(eye**2 - (1 + squared) * (eye**2 - 1))) / (1 + squared)
     return np.array([*(slope * depth), eye - depth])
+
+
+def test_the_steps_of_readme_draw_a_curve_on_the_bunny(prefix, readme_commands, display, checkout):
+    prepare, start = readme_commands[:2]
+    done = display.run(["bash", "-e", "-c", prepare], cwd=checkout)
+    assert done.returncode == 0, done.stdout + done.stderr
+    program, mesh = (checkout / word.strip() for word in start.split("#")[0].split())
+    exported = checkout / "curve.obj"
+    with MeshLabWindow(display, program, mesh) as meshlab:
+        view = meshlab.view()
+        meshlab.pick(BUNNY_CLICKS + [view.x + view.width / 2, view.y + view.height / 2])
+        meshlab.apply(meshlab.open_filter(CURVE))
+        meshlab.applied(CURVE)
+        meshlab.export_layer(exported)
+        (figures,) = [figures for figures in map(figures_of, meshlab.log()) if figures and "usable" in figures]
+    assert figures["usable"] == "true"
+    vertices, edges = polylines.read_obj(exported)
+    assert len(vertices) == int(figures["vertices"])
+    assert edges.tolist() == polylines.in_order(vertices, closed=False)
+    document = pymeshlab.MeshSet()
+    document.load_new_mesh(str(mesh))
+    bunny = document.current_mesh()
+    distance = polylines.distance_to_mesh(vertices, bunny.vertex_matrix(), bunny.face_matrix())
+    diagonal = bunny.bounding_box().diagonal()
+    assert distance <= 1e-6 * diagonal
+    # The mouse picked from left to right over a good part of the bunny.
+    assert vertices[-1][0] - vertices[0][0] > 0.1 * diagonal
