@@ -39,12 +39,14 @@ constexpr double kLeastFirstAlpha = 5.0;
 // A curve that starts from another one starts with this share of its last weight. With all of it
 // it sticks to where the other one was, and takes knots for that; with a hundredth it takes a tenth
 // longer and bends as much.
-constexpr double kRestartShare = 0.1;
+constexpr double kRestartShare = 0.2;
 // It grows by what is needed to come below the tolerance, as heights fall with a power of it.
 // Growth by 4 and 6 at most takes more steps over 24 curves on 8 scans, for more bending.
 constexpr double kAlphaFactor = 10.0;
 constexpr double kLeastAlphaFactor = 1.5;
 constexpr double kDistanceExponent = 1.5;
+// After a start from another curve by at least this, until it is what it was there.
+constexpr double kReturnFactor = 3.0;
 constexpr double kHighestAlpha = 1e9;
 // Samples are brought so far below the tolerance that most curves keep it between them as well.
 constexpr double kAimedShare = 0.8;
@@ -123,7 +125,8 @@ public:
           finder_(*problem.base),
           tolerance_(problem.distanceTolerance),
           heightUnit_(kUnitInTolerances * tolerance_),
-          alpha_(start ? std::max(firstAlpha(), kRestartShare * start->alpha) : firstAlpha()),
+          startAlpha_(start ? start->alpha : 0.0),
+          alpha_(std::max(firstAlpha(), kRestartShare * startAlpha_)),
           newton_(newtonFrom(
               start ? std::move(start->curve)
                     : fitLoosely(problem, guide, kFirstDistance * problem.chordLength)
@@ -154,11 +157,7 @@ public:
                 if (alpha_ > kHighestAlpha) {
                     return std::nullopt;
                 }
-                alpha_ *= std::clamp(
-                    std::pow(1.1 * ratio / kAimedShare, kDistanceExponent),
-                    kLeastAlphaFactor,
-                    kAlphaFactor
-                );
+                alpha_ *= alphaFactor(ratio);
             }
             insert(std::move(breaks));
         }
@@ -169,6 +168,15 @@ private:
     [[nodiscard]] double firstAlpha() const {
         const double share = heightUnit_ / problem_.chordLength;
         return std::max(kLeastFirstAlpha, kFirstStiffness * share * share);
+    }
+
+    // By what the samples need to come below the tolerance, or to be back at the weight of the
+    // curve that this one started from.
+    [[nodiscard]] double alphaFactor(double ratio) const {
+        const double needed = std::clamp(
+            std::pow(1.1 * ratio / kAimedShare, kDistanceExponent), kLeastAlphaFactor, kAlphaFactor
+        );
+        return std::max(needed, std::min(kReturnFactor, startAlpha_ / alpha_));
     }
 
     [[nodiscard]] FootedSpline& now() { return newton_->now(); }
@@ -380,6 +388,7 @@ private:
     Stopwatch watch_;
     double tolerance_;  // of the distance, in the shell's frame
     double heightUnit_;
+    double startAlpha_;  // of the curve that this one starts from, or 0
     double alpha_;
     MinimiseStatus status_ = MinimiseStatus::IterationLimit;  // of the last descent
     int steps_ = 0;                                           // of the round
