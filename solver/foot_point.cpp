@@ -153,10 +153,9 @@ void FootFinder::predict(const Vec3& moved, const FootFrame& frame, FootPoint& f
 }
 
 void FootFinder::move(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
-    const FootPoint before = foot;
+    const int start = foot.face;
     if (!alongFibres(p, foot, frame)) {
-        foot = before;
-        toNearest(p, foot, frame);
+        toNearest(p, start, foot, frame);
     }
 }
 
@@ -247,12 +246,20 @@ bool FootFinder::alongFibres(const Vec3& p, FootPoint& foot, FootFrame& frame) c
     return false;
 }
 
-void FootFinder::toNearest(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
+// Descends from the face where the walk ended, or from that where it began if this is nearer.
+void FootFinder::toNearest(const Vec3& p, int start, FootPoint& foot, FootFrame& frame) const {
     const auto nearestIn = [&](int face) {
         return closestPointOnTriangle(base_.vertices, base_.faces[at(face)], p);
     };
     int face = foot.face;
     ClosestPointOnTriangle nearest = nearestIn(face);
+    if (start != face) {
+        const ClosestPointOnTriangle there = nearestIn(start);
+        if (there.squaredDistance < nearest.squaredDistance) {
+            nearest = there;
+            face = start;
+        }
+    }
     bool found = true;
     for (int step = 0; found && step < kMaxDescent; ++step) {
         found = false;

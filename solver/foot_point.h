@@ -34,7 +34,7 @@ public:
 
     /// Makes `foot` that of p, starting from where it is, and sets its frame. Where the fibres are
     /// of no use (they cross below p, or the walk leaves the base), it is the nearest point of the
-    /// surface that a descent from the old foot finds, and the height its distance. About 50 ns,
+    /// surface that a descent from there finds, and the height its distance. About 50 ns,
     /// and 50 ns for every edge on the way.
     void move(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
 
@@ -49,7 +49,7 @@ private:
     [[nodiscard]] Fibres fibresOver(int face) const;
     int passFaces(const Vec3& p, int previous, FootPoint& foot) const;
     [[nodiscard]] bool alongFibres(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
-    void toNearest(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
+    void toNearest(const Vec3& p, int start, FootPoint& foot, FootFrame& frame) const;
 
     const ShellBase& base_;
 };
