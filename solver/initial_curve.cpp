@@ -19,6 +19,8 @@ std::size_t at(int index) {
 // Next to a sharp corner of the guide spans are halved one by one; more than 16 fits were needed
 // once in 350 curves.
 constexpr int kMaxFits = 40;
+// Where there is no shell, spans are halved without end, each in two.
+constexpr std::size_t kMostBreaks = 5000;
 // A first curve that comes nearer to the top or the bottom than this is fitted again with more
 // spans: close to the pole of the barrier, Newton's method stalls at once.
 constexpr double kHighestStart = 0.9;
@@ -267,7 +269,7 @@ SplineCurve fitOver(const CurveProblem& problem, const GuidePath& guide, SplineS
 std::optional<SplineCurve> fitGuidePath(const CurveProblem& problem, const GuidePath& guide) {
     std::vector<double> breaks = firstBreaks(problem);
     const double highestStart = kHighestStart / relativeReach(problem);
-    for (int attempt = 0; attempt < kMaxFits; ++attempt) {
+    for (int attempt = 0; attempt < kMaxFits && breaks.size() <= kMostBreaks; ++attempt) {
         SplineSpace space(problem.options.degree, problem.options.closed, breaks);
         ControlPoints controls = fit(problem, space, targetsOf(guide, space));
         std::vector<double> finer{breaks.front()};
