@@ -43,7 +43,7 @@ protected:
     [[nodiscard]] DraggedCurve dragged(
         const Curve& curve, const std::vector<SurfacePoint>& picks
     ) const {
-        std::optional<DraggedCurve> result = dragCurve(curve, base_, picks);
+        const std::optional<DraggedCurve> result = dragCurve(curve, base_, picks);
         EXPECT_TRUE(result.has_value());
         return result.value_or(DraggedCurve{});
     }
@@ -56,6 +56,46 @@ protected:
                 return std::abs(point.parameter - parameter);
             });
         return nearest->position;
+    }
+
+    // Of the pieces between picks.
+    [[nodiscard]] static std::vector<double> lengthsOf(const DraggedCurve& curve) {
+        std::vector<double> result(curve.path.picks.size(), 0.0);
+        const auto& points = curve.path.guide.points;
+        std::size_t piece = 0;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double middle = 0.5 * (points[i - 1].parameter + points[i].parameter);
+            while (piece + 1 < result.size() && curve.path.picks[piece + 1].parameter <= middle) {
+                ++piece;
+            }
+            result[piece] += (points[i].position - points[i - 1].position).norm();
+        }
+        return result;
+    }
+
+    [[nodiscard]] static std::vector<double> widthsOf(const DraggedCurve& curve) {
+        std::vector<double> result;
+        for (std::size_t i = 1; i < curve.path.picks.size(); ++i) {
+            result.push_back(curve.path.picks[i].parameter - curve.path.picks[i - 1].parameter);
+        }
+        return result;
+    }
+
+    static void expectPassed(const DraggedCurve& curve) {
+        for (const PickConstraint& pick : curve.path.picks) {
+            EXPECT_LT((positionAt(curve, pick.parameter) - pick.position).norm(), 1e-12);
+        }
+    }
+
+    static void expectInOrder(const DraggedCurve& curve) {
+        const std::vector<double>& breaks = curve.breaks;
+        EXPECT_TRUE(std::ranges::is_sorted(breaks));
+        EXPECT_EQ(std::ranges::adjacent_find(breaks), breaks.end());
+        EXPECT_EQ(breaks.front(), 0.0);
+        EXPECT_EQ(breaks.back(), 1.0);
+        const std::vector<GuidePath::Point>& points = curve.path.guide.points;
+        EXPECT_TRUE(std::ranges::is_sorted(points, {}, &GuidePath::Point::parameter));
+        EXPECT_EQ(points.back().parameter, 1.0);
     }
 
     CurveDesigner designer_{withNoise(icosphere(4), 0.002, 5)};
@@ -101,21 +141,8 @@ TEST_P(DraggedCurves, PassThePicksThatMoved) {
         SCOPED_TRACE("pick " + std::to_string(pick));
         const std::vector<SurfacePoint> picks = moved(pick, {0.1, -0.05, 0.1});
         const DraggedCurve after = dragged(before, picks);
-        for (const PickConstraint& constraint : after.path.picks) {
-            EXPECT_LT(
-                (positionAt(after, constraint.parameter) - constraint.position).norm(), 1e-12
-            );
-        }
-        EXPECT_TRUE(std::ranges::is_sorted(after.breaks));
-        EXPECT_EQ(std::ranges::adjacent_find(after.breaks), after.breaks.end());
-        EXPECT_EQ(after.breaks.front(), 0.0);
-        EXPECT_EQ(after.breaks.back(), 1.0);
-        EXPECT_TRUE(
-            std::ranges::is_sorted(after.path.guide.points, {}, [](const GuidePath::Point& p) {
-                return p.parameter;
-            })
-        );
-        EXPECT_EQ(after.path.guide.points.back().parameter, 1.0);
+        expectPassed(after);
+        expectInOrder(after);
     }
 }
 
@@ -123,31 +150,11 @@ TEST_P(DraggedCurves, PassThePicksThatMoved) {
 TEST_P(DraggedCurves, HaveParametersByTheLengthsOfTheirPieces) {
     const Curve before = curve();
     const DraggedCurve after = dragged(before, moved(1, {0.2, -0.1, 0.0}));
-    const auto lengths = [](const DraggedCurve& curve) {
-        std::vector<double> result(curve.path.picks.size(), 0.0);
-        const auto& points = curve.path.guide.points;
-        std::size_t piece = 0;
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            const double middle = 0.5 * (points[i - 1].parameter + points[i].parameter);
-            while (piece + 1 < result.size() && curve.path.picks[piece + 1].parameter <= middle) {
-                ++piece;
-            }
-            result[piece] += (points[i].position - points[i - 1].position).norm();
-        }
-        return result;
-    };
-    const auto widths = [](const DraggedCurve& curve) {
-        std::vector<double> result;
-        for (std::size_t i = 1; i < curve.path.picks.size(); ++i) {
-            result.push_back(curve.path.picks[i].parameter - curve.path.picks[i - 1].parameter);
-        }
-        return result;
-    };
     const DraggedCurve still = dragged(before, picks_);
-    const std::vector<double> lengthsBefore = lengths(still);
-    const std::vector<double> lengthsAfter = lengths(after);
-    const std::vector<double> widthsBefore = widths(still);
-    const std::vector<double> widthsAfter = widths(after);
+    const std::vector<double> lengthsBefore = lengthsOf(still);
+    const std::vector<double> lengthsAfter = lengthsOf(after);
+    const std::vector<double> widthsBefore = widthsOf(still);
+    const std::vector<double> widthsAfter = widthsOf(after);
     const auto speedUp = [&](std::size_t i) {
         return lengthsAfter[i] / lengthsBefore[i] * widthsBefore[i] / widthsAfter[i];
     };

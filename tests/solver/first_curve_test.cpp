@@ -23,10 +23,10 @@ TEST(FirstCurves, StayInTheShell) {
     const ProblemFixture fixture = acrossAPlate();
     const std::optional<SplineCurve> first = fitGuidePath(fixture.problem(), fixture.guide());
     ASSERT_TRUE(first.has_value());
+    const SplineCurve& curve = *first;
     for (const PickConstraint& pick : fixture.problem().picks) {
-        EXPECT_LT(
-            (first->space.evaluate(first->controls, pick.parameter) - pick.position).norm(), 1e-12
-        );
+        const Vec3 there = curve.space.evaluate(curve.controls, pick.parameter);
+        EXPECT_LT((there - pick.position).norm(), 1e-12);
     }
 }
 
