@@ -178,7 +178,7 @@ int FootFinder::passFaces(const Vec3& p, int previous, FootPoint& foot) const {
         const bool isFar = barycentric.minCoeff(&outer) < kFarOutside * area;
         const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
         if (!isFar || next < 0 || next == previous) {
-            if (crossing > 0) {
+            if (crossing > 0 && area > 0.0) {
                 const Vec3 inside = barycentric.cwiseMax(1e-3 * area);
                 foot.u = inside[1] / inside.sum();
                 foot.v = inside[2] / inside.sum();
