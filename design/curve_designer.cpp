@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/curve_designer.h"
 
-#include "design/dragged_curve.h"
-#include "design/guide_path.h"
+#include "design/curve_solver.h"
 #include "design/known_field.h"
 #include "design/prepared_surface.h"
 #include "design/shadow_curve.h"
 #include "design/strict_polyline.h"
 #include "shell/near_shell.h"
-#include "shell/shell_boundary.h"
 #include "shell/shell_store.h"
 #include "solver/obstacles.h"
-#include "solver/relaxation.h"
-#include "solver/solve.h"
-#include "surface/index_sets.h"
 #include "surface/input_error.h"
 #include "surface/picks.h"
 #include "surface/region.h"
 #include "surface/stopwatch.h"
 #include "surface/surface_point.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -113,26 +105,8 @@ void refuseAvoidedPicks(
     );
 }
 
-double areaOf(const Surface& surface) {
-    double twice = 0.0;
-    for (const Triangle& face : surface.faces()) {
-        const Vec3& corner = surface.vertices()[at(face[0])];
-        const Vec3 u = surface.vertices()[at(face[1])] - corner;
-        const Vec3 v = surface.vertices()[at(face[2])] - corner;
-        twice += u.cross(v).norm();
-    }
-    return 0.5 * twice;
-}
-
 // Share of the progress for what comes before the shell.
 constexpr double kPreparedShare = 0.1;
-// For an attempt to start from another curve.
-constexpr double kStartShare = 0.2;
-// And for building the whole shell where a curve needs it.
-constexpr double kWholeShare = 0.5;
-
-// Shares of the field by which paths follow it: less where no spline along them stays in the shell.
-constexpr std::array<double, 3> kGuideShares = {1.0, 0.25, 0.0};
 
 // In the shell's frame.
 SplineCurve splineOf(const SplineData& data, const ShellFrame& frame) {
@@ -149,69 +123,19 @@ SplineCurve splineOf(const SplineData& data, const ShellFrame& frame) {
     return {std::move(space), std::move(controls)};
 }
 
-// What draws a curve somewhere, or keeps it away.
-struct Guides {
-    const CheckedField& field;
-    const Obstacles* obstacles;
-    const Curve* start;
-};
-
-// What was solved, and how.
-struct Solved {
-    CurveProblem problem;
-    Solution solution;
-};
-
 }  // namespace
 
 struct CurveDesigner::State : PreparedSurface {
     using PreparedSurface::PreparedSurface;
 
-    double finestEdge = kFinestEdge * std::sqrt(areaOf(surface()));  ///< shorter ones count as that
     mutable KnownField knownField;
 
     [[nodiscard]] StageSeconds stageSeconds() const;
     [[nodiscard]] ShellSummary summary() const;
 
-    /// Without a shell.
-    [[nodiscard]] CurveProblem makeProblem(
-        const SolverOptions& options, std::vector<PickConstraint> picks
-    ) const;
-    void refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const;
     [[nodiscard]] Region regionOf(std::span<const int> faces) const;
     [[nodiscard]] std::optional<Obstacles> obstaclesOf(
         const Region& region, const SolverOptions& options
-    ) const;
-    [[nodiscard]] CurveProblem problemOnPath(
-        PickPath& path, const SolverOptions& options, const Guides& guides, const Progress& progress
-    ) const;
-    [[nodiscard]] Solved solveCurve(
-        const std::vector<SurfacePoint>& picks,
-        const SolverOptions& options,
-        const Guides& guides,
-        const Progress& progress
-    ) const;
-    [[nodiscard]] std::optional<Solved> solveNearby(
-        const std::vector<SurfacePoint>& picks,
-        const SolverOptions& options,
-        const Guides& guides,
-        const Progress& progress
-    ) const;
-    [[nodiscard]] std::optional<Solved> solveFrom(
-        const Curve& start,
-        const std::vector<SurfacePoint>& picks,
-        const SolverOptions& options,
-        const Guides& guides,
-        const Progress& progress
-    ) const;
-    [[nodiscard]] std::optional<Solved> relaxed(
-        CurveProblem problem, const GuidePath& guide, std::optional<RelaxationStart> start
-    ) const;
-    [[nodiscard]] Solved solveInWhole(
-        const std::vector<SurfacePoint>& picks,
-        const SolverOptions& options,
-        const Guides& guides,
-        const Progress& progress
     ) const;
     /// Where it is local and holds the curve.
     [[nodiscard]] std::optional<NearShell> shellNear(
@@ -248,22 +172,6 @@ ShellSummary CurveDesigner::State::summary() const {
     return summary;
 }
 
-void CurveDesigner::State::refuseBlockedPicks(const std::vector<SurfacePoint>& picks) const {
-    const std::vector<int>& blocked = wholeShell().build.report.blockedFaces;
-    for (std::size_t i = 0; i < picks.size(); ++i) {
-        if (std::binary_search(blocked.begin(), blocked.end(), picks[i].face)) {
-            throw InputError(
-                InputErrorCode::SelfIntersection,
-                "pick " + std::to_string(i) + " lies in face " + std::to_string(picks[i].face) +
-                    ", where the surface crosses itself or folds onto itself: move the pick, or "
-                    "repair the "
-                    "mesh there",
-                {picks[i].face}
-            );
-        }
-    }
-}
-
 Region CurveDesigner::State::regionOf(std::span<const int> faces) const {
     return makeRegion(surface(), std::vector<std::int64_t>(faces.begin(), faces.end()));
 }
@@ -277,173 +185,6 @@ std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
     requireExactAvoidance(options);
     return std::optional<Obstacles>(
         std::in_place, surface(), *base(), region, options.avoidMargin * surface().diagonal()
-    );
-}
-
-CurveProblem CurveDesigner::State::makeProblem(
-    const SolverOptions& options, std::vector<PickConstraint> picks
-) const {
-    CurveProblem problem;
-    problem.surface = &surface();
-    problem.base = base().get();
-    problem.nearThickness = this->PreparedSurface::options().thickness;
-    problem.picks = std::move(picks);
-    problem.options = options;
-    problem.averageEdgeLength = surface().averageEdgeLength() / base()->frame.scale;
-    problem.distanceTolerance = options.distanceTolerance *
-                                std::max(surface().averageEdgeLength(), finestEdge) /
-                                base()->frame.scale;
-    for (std::size_t i = 0; i + 1 < problem.picks.size(); ++i) {
-        problem.chordLength += (problem.picks[i + 1].position - problem.picks[i].position).norm();
-    }
-    if (options.closed) {
-        problem.chordLength +=
-            (problem.picks.front().position - problem.picks.back().position).norm();
-    }
-    return problem;
-}
-
-CurveProblem CurveDesigner::State::problemOnPath(
-    PickPath& path, const SolverOptions& options, const Guides& guides, const Progress& progress
-) const {
-    CurveProblem problem = makeProblem(options, std::move(path.picks));
-    problem.field = guides.field.values;
-    problem.fieldCosts = guides.field.costs;
-    problem.obstacles = guides.obstacles;
-    problem.progress = progress;
-    return problem;
-}
-
-Solved CurveDesigner::State::solveCurve(
-    const std::vector<SurfacePoint>& picks,
-    const SolverOptions& options,
-    const Guides& guides,
-    const Progress& progress
-) const {
-    if (guides.start != nullptr) {
-        const Progress begin = partOf(progress, 0.0, kStartShare);
-        if (std::optional<Solved> solved =
-                solveFrom(*guides.start, picks, options, guides, begin)) {
-            return std::move(*solved);
-        }
-    }
-    const Progress rest = partOf(progress, guides.start != nullptr ? kStartShare : 0.0, 1.0);
-    if (this->PreparedSurface::options().kind == ShellKind::Local) {
-        if (std::optional<Solved> solved = solveNearby(picks, options, guides, rest)) {
-            return std::move(*solved);
-        }
-    }
-    return solveInWhole(picks, options, guides, partOf(rest, kRelaxedShare, 1.0));
-}
-
-// Relaxed in a shell of its own; nothing where that fails, or where it comes upon a face in which
-// the surface crosses itself.
-std::optional<Solved> CurveDesigner::State::solveNearby(
-    const std::vector<SurfacePoint>& picks,
-    const SolverOptions& options,
-    const Guides& guides,
-    const Progress& progress
-) const {
-    Stopwatch lap;
-    const FieldTravel travel = guides.field.travel(options, 1.0);
-    PickPath path = makePickPath(
-        surface(), *base(), picks, options.closed, {{}, travel, guides.obstacles, &patches()}
-    );
-    CurveProblem problem = problemOnPath(path, options, guides, progress);
-    const double pathSeconds = lap.lap();
-    std::optional<Solved> solved = relaxed(std::move(problem), path.guide, {});
-    if (solved) {
-        solved->solution.report.seconds.path = pathSeconds;
-    }
-    return solved;
-}
-
-// From a curve through picks nearby.
-std::optional<Solved> CurveDesigner::State::solveFrom(
-    const Curve& start,
-    const std::vector<SurfacePoint>& picks,
-    const SolverOptions& options,
-    const Guides& guides,
-    const Progress& progress
-) const {
-    const SplineData& spline = start.spline;
-    if (!start.report.isRelaxed || spline.degree != options.degree ||
-        spline.closed != options.closed || spline.pickParameters.size() != picks.size()) {
-        return std::nullopt;
-    }
-    std::optional<DraggedCurve> dragged = dragCurve(start, *base(), picks);
-    if (!dragged) {
-        return std::nullopt;
-    }
-    CurveProblem problem = problemOnPath(dragged->path, options, guides, progress);
-    if (this->PreparedSurface::options().kind != ShellKind::Local) {
-        problem.shell = &wholeShell().build.shell;
-    }
-    SplineSpace space(spline.degree, spline.closed, std::move(dragged->breaks));
-    RelaxationStart begin{
-        fitOver(problem, dragged->path.guide, std::move(space)), start.report.rounds.back().alpha
-    };
-    return relaxed(std::move(problem), dragged->path.guide, std::move(begin));
-}
-
-// Nothing where a curve near which its shell is made comes upon a crossing.
-std::optional<Solved> CurveDesigner::State::relaxed(
-    CurveProblem problem, const GuidePath& guide, std::optional<RelaxationStart> start
-) const {
-    std::optional<Solution> solution = relax(problem, guide, std::move(start));
-    problem.progress = {};  // it ends here
-    if (!solution) {
-        return std::nullopt;
-    }
-    for (const int face : solution->facesPassed) {
-        if (face < surface().faceCount() && crossings().hasCrossing(face)) {
-            return std::nullopt;
-        }
-    }
-    return Solved{std::move(problem), std::move(*solution)};
-}
-
-Solved CurveDesigner::State::solveInWhole(
-    const std::vector<SurfacePoint>& picks,
-    const SolverOptions& options,
-    const Guides& guides,
-    const Progress& progress
-) const {
-    const ObtainedShell& whole = wholeShell(partOf(progress, 0.0, kWholeShare));
-    refuseBlockedPicks(picks);
-    std::optional<ShellBoundary> boundary;
-    if (options.quadrature == Quadrature::Samples) {
-        boundary.emplace(whole.build.shell);
-    }
-    Stopwatch lap;
-    for (const double share : kGuideShares) {
-        const FieldTravel travel = guides.field.travel(options, share);
-        if (share > 0.0 && travel.empty()) {
-            continue;
-        }
-        PickPath path = makePickPath(
-            surface(),
-            *base(),
-            picks,
-            options.closed,
-            {whole.build.report.blockedFaces, travel, guides.obstacles, &patches()}
-        );
-        CurveProblem problem =
-            problemOnPath(path, options, guides, partOf(progress, kWholeShare, 1.0));
-        problem.shell = &whole.build.shell;
-        problem.boundary = boundary ? &*boundary : nullptr;
-        const double pathSeconds = lap.lap();
-        if (std::optional<Solution> solution = solve(problem, path.guide)) {
-            problem.boundary = nullptr;  // it ends here
-            problem.progress = {};
-            solution->report.seconds.path = pathSeconds;
-            return {std::move(problem), std::move(*solution)};
-        }
-    }
-    throw InputError(
-        InputErrorCode::NoShell,
-        "no spline through the picks stays in the shell: the shell is too thin or interrupted "
-        "there; add picks, or check the mesh for faces that cross or fold onto each other"
     );
 }
 
@@ -591,9 +332,8 @@ Curve CurveDesigner::design(
     if (obstacles) {
         refuseAvoidedPicks(state.surface(), *obstacles, located);
     }
-    const auto [problem, solution] = state.solveCurve(
-        located, options, {*field, obstacles ? &*obstacles : nullptr, guidance.start}, progress
-    );
+    const Guides guides{*field, obstacles ? &*obstacles : nullptr, guidance.start};
+    const auto [problem, solution] = CurveSolver(state, located, options, guides).solve(progress);
     if (!std::isfinite(solution.report.maxDistance)) {
         refuseLostCurve(solution.report.status);
     }
@@ -630,7 +370,7 @@ SurfacePolyline CurveDesigner::resample(
     SolverOptions options;
     options.degree = data.degree;
     options.closed = data.closed;
-    CurveProblem problem = state.makeProblem(options, std::move(picks));
+    CurveProblem problem = makeProblem(state, options, std::move(picks));
     const std::optional<Obstacles> obstacles = state.obstaclesOf(state.regionOf(avoid), options);
     problem.obstacles = obstacles ? &*obstacles : nullptr;
     const std::optional<NearShell> near = state.shellNear(curve.polyline, problem, space, controls);

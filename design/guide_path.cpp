@@ -111,9 +111,10 @@ public:
     }
 
 private:
-    // Whether there is nothing to keep out of.
+    // Whether strings may be pulled taut: there is nothing to keep out of.
     [[nodiscard]] bool isOpen() const {
-        return terrain_.obstacles == nullptr && terrain_.blockedFaces.empty();
+        return terrain_.kind == PathKind::Quick && terrain_.obstacles == nullptr &&
+               terrain_.blockedFaces.empty();
     }
 
     [[nodiscard]] std::optional<std::vector<SurfacePoint>> findOverFaces(

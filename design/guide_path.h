@@ -18,6 +18,12 @@ struct PickPath {
     std::vector<PickConstraint> picks;  ///< with parameters by length along the guide
 };
 
+/// How a path lies on the surface.
+enum class PathKind {
+    Quick,      ///< long ways are strings of points, whose chords may leave the surface
+    OnSurface,  ///< consecutive points share a face; takes a time that grows with the faces passed
+};
+
 /// What paths meet on the surface. Refers to what it is made from.
 struct Terrain {
     std::span<const int> blockedFaces;  ///< where no shell is: no path enters them; ascending
@@ -26,6 +32,7 @@ struct Terrain {
     /// Of the surface, to find paths in a time that hardly depends on its number of faces; null:
     /// faces all over the surface are searched.
     const PatchLevels* patches = nullptr;
+    PathKind kind = PathKind::Quick;
 };
 
 /// Paths from pick to pick, parametrised by length: geodesics where all faces cost the same.

@@ -39,6 +39,9 @@ public:
 
     [[nodiscard]] const ShellOptions& options() const { return options_; }
 
+    /// Shorter edges count as that long where tolerances are relative to them.
+    [[nodiscard]] double finestEdge() const { return finestEdge_; }
+
     /// The shell of the whole surface, of full resolution where the options say local. Where it is
     /// not there yet it is taken from the store (null: none) or built. Throws Cancelled.
     [[nodiscard]] const ObtainedShell& wholeShell(
@@ -59,6 +62,7 @@ private:
     ShellOptions options_;
     Stopwatch watch_;
     Surface surface_;
+    double finestEdge_;
     double validateSeconds_;
     std::future<ShellBase> futureBase_;  // before the others, so that it is made meanwhile
     TriangleTree tree_;

@@ -26,6 +26,9 @@ std::size_t at(int index) {
 // The first curve is a fit to the guide within this share of the length of the polygon of picks.
 // 0.01 takes 40 % more steps, 0.002 makes curves stick to where they start.
 constexpr double kFirstDistance = 0.003;
+// A tight fit within so many tolerances. With one, or with five, fewer of the curves that need it
+// come to lie in the shell.
+constexpr double kTightDistance = 2.0;
 
 // Heights are measured in this many tolerances: in mean edge lengths with the default tolerance.
 constexpr double kUnitInTolerances = 10.0;
@@ -59,6 +62,10 @@ constexpr double kRestDecrement = 3e-3;
 // At last also where a step has brought less than this share of what it promised: samples wander
 // between kinks of the surface.
 constexpr double kKeptPromise = 0.5;
+// Where all samples are near enough, but knots then become so many times as many, some of them on
+// spans shorter than the tolerance, short patience ends. Usual curves come to rest with up to twice
+// as many.
+constexpr double kMostGrowth = 2.25;
 // In one round, and at last.
 constexpr int kMaxSteps = 30;
 constexpr int kMaxRestSteps = 6;
@@ -85,17 +92,6 @@ constexpr std::array<int, 2> kRings = {1, 4};
 // Half a prism at least, in tolerances.
 constexpr double kLeastTolerances = 2.5;
 
-bool isForFootPoints(const CurveProblem& problem) {
-    const SolverOptions& options = problem.options;
-    return options.quadrature == Quadrature::FootPoints && options.degree >= kLeastDegree &&
-           options.initialCurve == InitialCurve::GeodesicFit &&
-           options.barrierWidth == BarrierWidth::Full &&
-           options.distanceWeight == DistanceWeight::Schedule &&
-           options.interpolation == Interpolation::Constraint &&
-           options.knotRule == KnotRule::EnergyAndDistance && options.tension <= kHighestTension &&
-           fieldStrength(problem) <= kStrongestField;
-}
-
 // Whether what the curve avoids is too far away to push it anywhere.
 bool isClear(const CurveProblem& problem, const Solution& solution) {
     bool clear = true;
@@ -115,18 +111,32 @@ bool isClear(const CurveProblem& problem, const Solution& solution) {
     return clear;
 }
 
+// A weight of the distance that holds a curve as fast on every resolution.
+double alphaOf(const CurveProblem& problem, double stiffness) {
+    const double share = kUnitInTolerances * problem.distanceTolerance / problem.chordLength;
+    return stiffness * share * share;
+}
+
+double firstAlpha(const CurveProblem& problem) {
+    return std::max(kLeastFirstAlpha, alphaOf(problem, kFirstStiffness));
+}
+
 class Relaxer {
 public:
     Relaxer(
-        const CurveProblem& problem, const GuidePath& guide, std::optional<RelaxationStart> start
+        const CurveProblem& problem,
+        const GuidePath& guide,
+        std::optional<RelaxationStart> start,
+        Patience patience
     )
         : problem_(problem),
           options_(problem.options),
+          patience_(patience),
           finder_(*problem.base),
           tolerance_(problem.distanceTolerance),
           heightUnit_(kUnitInTolerances * tolerance_),
           startAlpha_(start ? start->alpha : 0.0),
-          alpha_(std::max(firstAlpha(), kRestartShare * startAlpha_)),
+          alpha_(std::max(firstAlpha(problem), kRestartShare * startAlpha_)),
           newton_(newtonFrom(
               start ? std::move(start->curve)
                     : fitLoosely(problem, guide, kFirstDistance * problem.chordLength)
@@ -158,6 +168,8 @@ public:
                     return std::nullopt;
                 }
                 alpha_ *= alphaFactor(ratio);
+            } else if (multipliesKnots()) {
+                return std::nullopt;
             }
             insert(std::move(breaks));
         }
@@ -165,11 +177,6 @@ public:
     }
 
 private:
-    [[nodiscard]] double firstAlpha() const {
-        const double share = heightUnit_ / problem_.chordLength;
-        return std::max(kLeastFirstAlpha, kFirstStiffness * share * share);
-    }
-
     // By what the samples need to come below the tolerance, or to be back at the weight of the
     // curve that this one started from.
     [[nodiscard]] double alphaFactor(double ratio) const {
@@ -187,9 +194,7 @@ private:
 
     [[nodiscard]] int knotCount() const { return static_cast<int>(space().knotVector().size()); }
 
-    [[nodiscard]] static double progressFraction(int round) {
-        return kRelaxedShare * (1.0 - std::pow(0.75, round));
-    }
+    [[nodiscard]] static double progressFraction(int round) { return 1.0 - std::pow(0.75, round); }
 
     [[nodiscard]] std::unique_ptr<FootNewton> newtonFrom(SplineCurve curve) const {
         return std::make_unique<FootNewton>(problem_, std::move(curve), heightUnit_);
@@ -264,6 +269,23 @@ private:
         }
         const auto last = totals.end() - kLastSteps;
         return *std::min_element(totals.begin(), last) - *std::min_element(last, totals.end());
+    }
+
+    // Whether knots multiply on a curve whose samples are all near enough, where there is nothing
+    // to follow: on spans shorter than the tolerance.
+    [[nodiscard]] bool multipliesKnots() {
+        knotsNearby_ = knotsNearby_ > 0 ? knotsNearby_ : knotCount();
+        return patience_ == Patience::Short && knotCount() > kMostGrowth * knotsNearby_ &&
+               shortestSpan() < tolerance_;
+    }
+
+    [[nodiscard]] double shortestSpan() {
+        double shortest = std::numeric_limits<double>::infinity();
+        for (int span = 0; span < space().spanCount(); ++span) {
+            const PolynomialCurve curve = space().polynomial(now().controls, span);
+            shortest = std::min(shortest, (curve.at(1.0) - curve.at(0.0)).norm());
+        }
+        return shortest;
     }
 
     [[nodiscard]] bool hasField() const { return fieldWeight(problem_) > 0.0; }
@@ -384,6 +406,7 @@ private:
 
     const CurveProblem& problem_;
     const SolverOptions& options_;
+    Patience patience_;
     FootFinder finder_;
     Stopwatch watch_;
     double tolerance_;  // of the distance, in the shell's frame
@@ -392,6 +415,7 @@ private:
     double alpha_;
     MinimiseStatus status_ = MinimiseStatus::IterationLimit;  // of the last descent
     int steps_ = 0;                                           // of the round
+    int knotsNearby_ = 0;  // when all samples first were near enough, or 0
     std::unique_ptr<FootNewton> newton_;
     std::shared_ptr<const NearShell> near_;  // about the curve when it was measured
     std::vector<int> facesPassed_;
@@ -400,13 +424,34 @@ private:
 
 }  // namespace
 
+bool isForFootPoints(const CurveProblem& problem) {
+    const SolverOptions& options = problem.options;
+    return options.quadrature == Quadrature::FootPoints && options.degree >= kLeastDegree &&
+           options.initialCurve == InitialCurve::GeodesicFit &&
+           options.barrierWidth == BarrierWidth::Full &&
+           options.distanceWeight == DistanceWeight::Schedule &&
+           options.interpolation == Interpolation::Constraint &&
+           options.knotRule == KnotRule::EnergyAndDistance && options.tension <= kHighestTension &&
+           fieldStrength(problem) <= kStrongestField;
+}
+
+RelaxationStart stiffStart(const CurveProblem& problem, const GuidePath& guide, double stiffness) {
+    return {
+        fitLoosely(problem, guide, kTightDistance * problem.distanceTolerance),
+        alphaOf(problem, stiffness)
+    };
+}
+
 std::optional<Solution> relax(
-    const CurveProblem& problem, const GuidePath& guide, std::optional<RelaxationStart> start
+    const CurveProblem& problem,
+    const GuidePath& guide,
+    std::optional<RelaxationStart> start,
+    Patience patience
 ) {
     if (!isForFootPoints(problem)) {
         return std::nullopt;
     }
-    std::optional<Solution> solution = Relaxer(problem, guide, std::move(start)).run();
+    std::optional<Solution> solution = Relaxer(problem, guide, std::move(start), patience).run();
     if (solution && !isClear(problem, *solution)) {
         return std::nullopt;
     }

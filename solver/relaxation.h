@@ -7,15 +7,28 @@
 
 namespace bspline_curve {
 
-/// Share of the progress at most that relax() reports; what is left is for a curve that it does not
-/// find.
-inline constexpr double kRelaxedShare = 0.5;
-
 /// A spline that nearly passes the picks, and the weight of the distance that it was relaxed with.
 struct RelaxationStart {
     SplineCurve curve;
     double alpha = 0.0;
 };
+
+/// When relax() gives up a curve that is within the tolerance at all samples and still asks for
+/// knots, round after round: mostly it passes through a fold or a thin part of the surface there.
+enum class Patience {
+    Short,  ///< when there are a few times as many
+    Long,   ///< after SolverOptions::maxRounds
+};
+
+/// A start that holds fast to the guide, all of whose chords must lie on the surface: a fit much
+/// nearer to it than the one that relax() begins with. `stiffness`: of alpha, per squared length of
+/// the polygon of picks in tolerances; relax() begins with a share of it.
+[[nodiscard]] RelaxationStart stiffStart(
+    const CurveProblem& problem, const GuidePath& guide, double stiffness
+);
+
+/// Whether relax() is for a curve with these options, under this field.
+[[nodiscard]] bool isForFootPoints(const CurveProblem& problem);
 
 /// Alg. 1 of the paper with energies at samples (FootEnergy): from a fit to the guide, a few Newton
 /// steps, then a larger weight of the distance and knots where a span would gain by bulging, again
@@ -25,10 +38,13 @@ struct RelaxationStart {
 /// `start`: where to begin, in place of a fit to the guide.
 ///
 /// Nothing where that is not for this curve (see SolverOptions::quadrature), or where the curve
-/// does not come to lie in the shell and within the tolerance: solve() then finds one with every
-/// iterate inside. Throws Cancelled.
+/// does not come to lie in the shell and within the tolerance: solveByCells() then finds one with
+/// every iterate inside. Throws Cancelled.
 [[nodiscard]] std::optional<Solution> relax(
-    const CurveProblem& problem, const GuidePath& guide, std::optional<RelaxationStart> start = {}
+    const CurveProblem& problem,
+    const GuidePath& guide,
+    std::optional<RelaxationStart> start = {},
+    Patience patience = Patience::Short
 );
 
 }  // namespace bspline_curve

@@ -5,7 +5,6 @@
 #include "solver/curve_energy.h"
 #include "solver/knot_insertion.h"
 #include "solver/minimiser.h"
-#include "solver/relaxation.h"
 #include "solver/shell_reach.h"
 #include "solver/weights.h"
 #include "surface/stopwatch.h"
@@ -134,12 +133,9 @@ struct Stage {
 
 class Solver {
 public:
-    Solver(
-        const CurveProblem& problem, const GuidePath& guide, SplineCurve first, double progressFrom
-    )
+    Solver(const CurveProblem& problem, const GuidePath& guide, SplineCurve first)
         : problem_(problem),
           options_(problem.options),
-          progressFrom_(progressFrom),
           curve_(std::move(first)),
           segments_(firstSegments(problem)),
           effort_(hasPull(problem) ? kFieldEffort : kPlainEffort),
@@ -229,9 +225,7 @@ private:
     }
 
     // Distance falls geometrically, so progress is its logarithm; rounds bound it from below.
-    [[nodiscard]] double progressFraction() const {
-        return progressFrom_ + (0.9 - progressFrom_) * (1.0 - std::pow(0.75, round_));
-    }
+    [[nodiscard]] double progressFraction() const { return 0.9 * (1.0 - std::pow(0.75, round_)); }
 
     MinimiseResult minimiseOnce(
         double decrement, int mostIterations = std::numeric_limits<int>::max()
@@ -409,7 +403,6 @@ private:
     const CurveProblem& problem_;
     const SolverOptions& options_;
     Stopwatch watch_;
-    double progressFrom_;
     SplineCurve curve_;
     int segments_;  // on each span, of two samples each; 0: integrals cell by cell
     Effort effort_;
@@ -428,23 +421,18 @@ private:
 
 }  // namespace
 
-Solution solveInShell(
-    const CurveProblem& problem, const GuidePath& guide, SplineCurve first, double progressFrom
-) {
-    return Solver(problem, guide, std::move(first), progressFrom).run();
+Solution solveInShell(const CurveProblem& problem, const GuidePath& guide, SplineCurve first) {
+    return Solver(problem, guide, std::move(first)).run();
 }
 
-std::optional<Solution> solve(const CurveProblem& problem, const GuidePath& guide) {
-    if (std::optional<Solution> relaxed = relax(problem, guide)) {
-        return relaxed;
-    }
+std::optional<Solution> solveByCells(const CurveProblem& problem, const GuidePath& guide) {
     Stopwatch watch;
     std::optional<SplineCurve> first = makeFirstCurve(problem, guide);
     if (!first) {
         return std::nullopt;
     }
     const double initial = watch.lap();
-    Solution solution = solveInShell(problem, guide, std::move(*first), kRelaxedShare);
+    Solution solution = solveInShell(problem, guide, std::move(*first));
     solution.report.seconds.initial = initial;
     return solution;
 }

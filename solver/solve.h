@@ -7,19 +7,17 @@
 
 namespace bspline_curve {
 
-/// A curve along the guide, by relax(), or where that is not for it or fails as solveInShell() does
-/// from makeFirstCurve(). Nothing where no first spline along the guide stays in the shell. Throws
-/// Cancelled.
-[[nodiscard]] std::optional<Solution> solve(const CurveProblem& problem, const GuidePath& guide);
+/// A curve along the guide as solveInShell() finds it, from makeFirstCurve(). Nothing where no
+/// first spline along the guide stays in the shell. Throws Cancelled.
+[[nodiscard]] std::optional<Solution> solveByCells(
+    const CurveProblem& problem, const GuidePath& guide
+);
 
 /// Alg. 1 of the paper: from a first spline along the guide, minimise, raise the weights, insert
 /// knots, until the curve is near enough to the surface and more knots no longer change it; every
-/// iterate lies in the shell. Progress starts at `progressFrom`. Throws Cancelled.
+/// iterate lies in the shell. Throws Cancelled.
 [[nodiscard]] Solution solveInShell(
-    const CurveProblem& problem,
-    const GuidePath& guide,
-    SplineCurve first,
-    double progressFrom = 0.0
+    const CurveProblem& problem, const GuidePath& guide, SplineCurve first
 );
 
 }  // namespace bspline_curve

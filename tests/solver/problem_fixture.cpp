@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem_fixture.h"
 
+#include "solver/relaxation.h"
 #include "surface/picks.h"
 #include "surface/triangle_tree.h"
 
@@ -71,7 +72,8 @@ void ProblemFixture::setField(const std::vector<double>& field) {
 }
 
 Solution solved(const ProblemFixture& fixture) {
-    return solve(fixture.problem(), fixture.guide()).value();
+    std::optional<Solution> relaxed = relax(fixture.problem(), fixture.guide());
+    return relaxed ? std::move(*relaxed) : solveByCells(fixture.problem(), fixture.guide()).value();
 }
 
 }  // namespace bspline_curve::test_support

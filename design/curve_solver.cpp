@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/curve_solver.h"
+
+#include "design/dragged_curve.h"
+#include "shell/shell_boundary.h"
+#include "solver/solve.h"
+#include "surface/input_error.h"
+#include "surface/stopwatch.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+// Shares of the progress: for an attempt to start from another curve; of what is left, for relaxing
+// without a shell of the whole surface, for building that, and for relaxing in it.
+constexpr double kStartShare = 0.2;
+constexpr double kNearbyShare = 0.5;
+constexpr double kBuiltShare = 0.75;
+constexpr double kRelaxedShare = 0.85;
+// Of relaxing, for the first attempt, and up to the end of those from tight fits.
+constexpr double kLooseShare = 0.5;
+constexpr double kTightShare = 0.9;
+
+// A curve that was relaxed from a loose fit may slip through a thin part of the surface, or into a
+// fold, and does not find back, however large its weight of the distance becomes. Such a curve is
+// relaxed again from tight fits, with first weights so much larger, until one stays.
+constexpr std::array<double, 3> kStiffnesses = {5e7, 5e9, 5e11};
+
+// Shares of the field by which paths follow it: less where no spline along them stays in the shell.
+constexpr std::array<double, 3> kGuideShares = {1.0, 0.25, 0.0};
+
+}  // namespace
+
+CurveProblem makeProblem(
+    const PreparedSurface& prepared, const SolverOptions& options, std::vector<PickConstraint> picks
+) {
+    const Surface& surface = prepared.surface();
+    const double scale = prepared.base()->frame.scale;
+    CurveProblem problem;
+    problem.surface = &surface;
+    problem.base = prepared.base().get();
+    problem.nearThickness = prepared.options().thickness;
+    problem.picks = std::move(picks);
+    problem.options = options;
+    problem.averageEdgeLength = surface.averageEdgeLength() / scale;
+    problem.distanceTolerance = options.distanceTolerance *
+                                std::max(surface.averageEdgeLength(), prepared.finestEdge()) /
+                                scale;
+    for (std::size_t i = 0; i + 1 < problem.picks.size(); ++i) {
+        problem.chordLength += (problem.picks[i + 1].position - problem.picks[i].position).norm();
+    }
+    if (options.closed) {
+        problem.chordLength +=
+            (problem.picks.front().position - problem.picks.back().position).norm();
+    }
+    return problem;
+}
+
+Solved CurveSolver::solve(const Progress& progress) const {
+    const Progress begin = partOf(progress, 0.0, kStartShare);
+    if (std::optional<Solved> solved = solveFromStart(begin)) {
+        return std::move(*solved);
+    }
+    const Progress rest = partOf(progress, guides_.start != nullptr ? kStartShare : 0.0, 1.0);
+    if (isLocal()) {
+        if (std::optional<Solved> solved = relaxOver(nullptr, partOf(rest, 0.0, kNearbyShare))) {
+            return std::move(*solved);
+        }
+    }
+    const ObtainedShell& whole = prepared_.wholeShell(partOf(rest, kNearbyShare, kBuiltShare));
+    const std::vector<int>& blockedFaces = whole.build.report.blockedFaces;
+    refuseBlockedPicks(blockedFaces);
+    // Another attempt would end as the first one did, unless paths are now others.
+    if (!isLocal() || !blockedFaces.empty()) {
+        if (std::optional<Solved> solved =
+                relaxOver(&whole, partOf(rest, kBuiltShare, kRelaxedShare))) {
+            return std::move(*solved);
+        }
+    }
+    return solveInCells(whole, partOf(rest, kRelaxedShare, 1.0));
+}
+
+PickPath CurveSolver::pathRound(
+    std::span<const int> blockedFaces, const FieldTravel& travel, PathKind kind
+) const {
+    return makePickPath(
+        prepared_.surface(),
+        *prepared_.base(),
+        picks_,
+        options_.closed,
+        {blockedFaces, travel, guides_.obstacles, &prepared_.patches(), kind}
+    );
+}
+
+CurveProblem CurveSolver::problemOn(
+    const PickPath& path, const Shell* shell, const Progress& progress
+) const {
+    CurveProblem problem = makeProblem(prepared_, options_, path.picks);
+    problem.shell = shell;
+    problem.field = guides_.field.values;
+    problem.fieldCosts = guides_.field.costs;
+    problem.obstacles = guides_.obstacles;
+    problem.progress = progress;
+    return problem;
+}
+
+// Nothing where there is no such curve, or none from there.
+std::optional<Solved> CurveSolver::solveFromStart(const Progress& progress) const {
+    if (guides_.start == nullptr) {
+        return std::nullopt;
+    }
+    const Curve& start = *guides_.start;
+    const SplineData& spline = start.spline;
+    if (!start.report.isRelaxed || spline.degree != options_.degree ||
+        spline.closed != options_.closed || spline.pickParameters.size() != picks_.size()) {
+        return std::nullopt;
+    }
+    std::optional<DraggedCurve> dragged = dragCurve(start, *prepared_.base(), picks_);
+    if (!dragged) {
+        return std::nullopt;
+    }
+    const Shell* const shell = isLocal() ? nullptr : &prepared_.wholeShell().build.shell;
+    CurveProblem problem = problemOn(dragged->path, shell, progress);
+    SplineSpace space(spline.degree, spline.closed, std::move(dragged->breaks));
+    RelaxationStart begin{
+        fitOver(problem, dragged->path.guide, std::move(space)), start.report.rounds.back().alpha
+    };
+    return relaxed(std::move(problem), dragged->path.guide, std::move(begin), Patience::Short);
+}
+
+// In the shell given, or one of its own. Nothing where no attempt leads to a curve.
+std::optional<Solved> CurveSolver::relaxOver(
+    const ObtainedShell* whole, const Progress& progress
+) const {
+    Stopwatch lap;
+    const FieldTravel travel = guides_.field.travel(options_, 1.0);
+    const std::span<const int> blocked =
+        whole ? std::span<const int>(whole->build.report.blockedFaces) : std::span<const int>();
+    const Shell* const shell = whole ? &whole->build.shell : nullptr;
+    const PickPath quick = pathRound(blocked, travel, PathKind::Quick);
+    const Progress begin = partOf(progress, 0.0, kLooseShare);
+    CurveProblem loose = problemOn(quick, shell, begin);
+    if (!isForFootPoints(loose)) {
+        return std::nullopt;
+    }
+    double pathSeconds = lap.lap();
+    std::optional<Solved> solved = relaxed(loose, quick.guide, {}, Patience::Short);
+    // With obstacles it is mostly these that are in its way.
+    if (!solved && guides_.obstacles == nullptr) {
+        lap.lap();
+        const PickPath strict = pathRound(blocked, travel, PathKind::OnSurface);
+        pathSeconds += lap.lap();
+        solved = relaxTightly(strict, shell, partOf(progress, kLooseShare, kTightShare));
+        if (!solved) {
+            const Progress last = partOf(progress, kTightShare, 1.0);
+            loose.progress = last;
+            solved = relaxed(std::move(loose), quick.guide, {}, Patience::Long);
+        }
+    }
+    if (solved) {
+        solved->solution.report.seconds.path = pathSeconds;
+    }
+    return solved;
+}
+
+std::optional<Solved> CurveSolver::relaxTightly(
+    const PickPath& path, const Shell* shell, const Progress& progress
+) const {
+    const double share = 1.0 / static_cast<double>(kStiffnesses.size());
+    double done = 0.0;
+    for (const double stiffness : kStiffnesses) {
+        const Progress part = partOf(progress, done, done + share);
+        CurveProblem problem = problemOn(path, shell, part);
+        RelaxationStart start = stiffStart(problem, path.guide, stiffness);
+        if (std::optional<Solved> solved =
+                relaxed(std::move(problem), path.guide, std::move(start), Patience::Short)) {
+            return solved;
+        }
+        done += share;
+    }
+    return std::nullopt;
+}
+
+// Nothing where a curve near which its shell is made comes upon a crossing.
+std::optional<Solved> CurveSolver::relaxed(
+    CurveProblem problem,
+    const GuidePath& guide,
+    std::optional<RelaxationStart> start,
+    Patience patience
+) const {
+    std::optional<Solution> solution = relax(problem, guide, std::move(start), patience);
+    problem.progress = {};  // it ends here
+    if (!solution) {
+        return std::nullopt;
+    }
+    for (const int face : solution->facesPassed) {
+        if (face < prepared_.surface().faceCount() && prepared_.crossings().hasCrossing(face)) {
+            return std::nullopt;
+        }
+    }
+    return Solved{std::move(problem), std::move(*solution)};
+}
+
+Solved CurveSolver::solveInCells(const ObtainedShell& whole, const Progress& progress) const {
+    std::optional<ShellBoundary> boundary;
+    if (options_.quadrature == Quadrature::Samples) {
+        boundary.emplace(whole.build.shell);
+    }
+    Stopwatch lap;
+    for (const double share : kGuideShares) {
+        const FieldTravel travel = guides_.field.travel(options_, share);
+        if (share > 0.0 && travel.empty()) {
+            continue;
+        }
+        const PickPath path =
+            pathRound(whole.build.report.blockedFaces, travel, PathKind::OnSurface);
+        CurveProblem problem = problemOn(path, &whole.build.shell, progress);
+        problem.boundary = boundary ? &*boundary : nullptr;
+        const double pathSeconds = lap.lap();
+        if (std::optional<Solution> solution = solveByCells(problem, path.guide)) {
+            problem.boundary = nullptr;  // it ends here
+            problem.progress = {};
+            solution->report.seconds.path = pathSeconds;
+            return {std::move(problem), std::move(*solution)};
+        }
+    }
+    throw InputError(
+        InputErrorCode::NoShell,
+        "no spline through the picks stays in the shell: the shell is too thin or interrupted "
+        "there; add picks, or check the mesh for faces that cross or fold onto each other"
+    );
+}
+
+void CurveSolver::refuseBlockedPicks(const std::vector<int>& blockedFaces) const {
+    for (std::size_t i = 0; i < picks_.size(); ++i) {
+        const int face = picks_[i].face;
+        if (std::ranges::binary_search(blockedFaces, face)) {
+            throw InputError(
+                InputErrorCode::SelfIntersection,
+                "pick " + std::to_string(i) + " lies in face " + std::to_string(face) +
+                    ", where the surface crosses itself or folds onto itself: move the pick, or "
+                    "repair the mesh there",
+                {face}
+            );
+        }
+    }
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "design/curve.h"
+#include "design/guide_path.h"
+#include "design/known_field.h"
+#include "design/prepared_surface.h"
+#include "solver/curve_problem.h"
+#include "solver/obstacles.h"
+#include "solver/relaxation.h"
+#include "solver/solution.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace bspline_curve {
+
+/// What draws a curve somewhere, or keeps it away. Refers to all of these.
+struct Guides {
+    const CheckedField& field;
+    const Obstacles* obstacles = nullptr;  ///< null: nothing to avoid
+    const Curve* start = nullptr;          ///< a curve through picks nearby; null: none
+};
+
+/// A curve and the problem that it solves, with the shell of the whole surface or none.
+struct Solved {
+    CurveProblem problem;
+    Solution solution;
+};
+
+/// A problem without a shell, a field and obstacles.
+[[nodiscard]] CurveProblem makeProblem(
+    const PreparedSurface& prepared, const SolverOptions& options, std::vector<PickConstraint> picks
+);
+
+/// Solves for one curve, by the cheapest way that leads to one: relaxed from the curve given, from
+/// a loose fit to the path through the picks, or from tight ones; at last cell by cell in the shell
+/// of the whole surface, which is built for that where it is not there.
+class CurveSolver {
+public:
+    /// Refers to all but the options.
+    CurveSolver(
+        const PreparedSurface& prepared,
+        const std::vector<SurfacePoint>& picks,
+        const SolverOptions& options,
+        const Guides& guides
+    )
+        : prepared_(prepared), picks_(picks), options_(options), guides_(guides) {}
+
+    /// Throws InputError (SelfIntersection, NoPath, NoShell), Cancelled.
+    [[nodiscard]] Solved solve(const Progress& progress) const;
+
+private:
+    [[nodiscard]] bool isLocal() const { return prepared_.options().kind == ShellKind::Local; }
+
+    [[nodiscard]] PickPath pathRound(
+        std::span<const int> blockedFaces, const FieldTravel& travel, PathKind kind
+    ) const;
+    [[nodiscard]] CurveProblem problemOn(
+        const PickPath& path, const Shell* shell, const Progress& progress
+    ) const;
+    [[nodiscard]] std::optional<Solved> solveFromStart(const Progress& progress) const;
+    [[nodiscard]] std::optional<Solved> relaxOver(
+        const ObtainedShell* whole, const Progress& progress
+    ) const;
+    [[nodiscard]] std::optional<Solved> relaxTightly(
+        const PickPath& path, const Shell* shell, const Progress& progress
+    ) const;
+    [[nodiscard]] std::optional<Solved> relaxed(
+        CurveProblem problem,
+        const GuidePath& guide,
+        std::optional<RelaxationStart> start,
+        Patience patience
+    ) const;
+    [[nodiscard]] Solved solveInCells(const ObtainedShell& whole, const Progress& progress) const;
+    void refuseBlockedPicks(const std::vector<int>& blockedFaces) const;
+
+    const PreparedSurface& prepared_;
+    const std::vector<SurfacePoint>& picks_;
+    SolverOptions options_;
+    const Guides& guides_;
+};
+
+}  // namespace bspline_curve
