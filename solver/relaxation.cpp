@@ -8,6 +8,7 @@
 #include "solver/knot_insertion.h"
 #include "solver/point_terms.h"
 #include "surface/stopwatch.h"
+#include "surface/surface_point.h"
 
 #include <algorithm>
 #include <array>
@@ -86,9 +87,9 @@ constexpr double kHighestTension = 0.5;
 // Stronger fields draw the samples into valleys that are narrower than the way between two samples.
 constexpr double kStrongestField = 20.0;
 
-// Shells near the curve have so many rings of faces about those below it: more where it leaves
-// them.
-constexpr std::array<int, 2> kRings = {1, 4};
+// Shells near the curve have so many rings of faces about those below its samples and between
+// these: more where it leaves them. Four of five curves do with none.
+constexpr std::array<int, 3> kRings = {0, 1, 4};
 // Half a prism at least, in tolerances.
 constexpr double kLeastTolerances = 2.5;
 
@@ -306,6 +307,7 @@ private:
 
     // Traces the whole curve; where it leaves the tolerance, sets finer breaks.
     [[nodiscard]] bool isWithinTolerance(std::vector<double>& breaks) {
+        newton_->system().meetConstraints(now().controls);  // rounding of many steps
         const CurveDistance distance = measure();
         report_.maxDistance = distance.largest / problem_.averageEdgeLength;
         if (distance.largest < tolerance_) {
@@ -330,7 +332,8 @@ private:
         for (int sample = 0; sample < energy().sampleCount(); ++sample) {
             feet.push_back({energy().parameter(sample), now().feet[at(sample)]});
         }
-        const std::vector<int> below = facesBelow(problem_, space(), now().controls, feet);
+        std::vector<int> below = facesBelow(problem_, space(), now().controls, feet);
+        addFacesAroundPicks(below);
         for (const int rings : kRings) {
             near_ = std::make_shared<const NearShell>(
                 *problem_.surface,
@@ -347,6 +350,14 @@ private:
         }
         facesPassed_ = std::move(distance.faces);
         return distance;
+    }
+
+    // A curve through a vertex may pass any of the faces there.
+    void addFacesAroundPicks(std::vector<int>& faces) const {
+        for (const PickConstraint& pick : problem_.picks) {
+            const std::vector<int> there = facesHolding(*problem_.surface, pick.point);
+            faces.insert(faces.end(), there.begin(), there.end());
+        }
     }
 
     void insert(std::vector<double> breaks) {
@@ -383,7 +394,6 @@ private:
     }
 
     [[nodiscard]] Solution finish() {
-        newton_->system().meetConstraints(now().controls);  // rounding of many steps
         report_.status = isAtRest() ? SolveStatus::Converged : SolveStatus::DistanceReached;
         report_.usable = true;
         report_.isRelaxed = true;
