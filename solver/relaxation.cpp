@@ -27,6 +27,9 @@ std::size_t at(int index) {
 // The first curve is a fit to the guide within this share of the length of the polygon of picks.
 // 0.01 takes 40 % more steps, 0.002 makes curves stick to where they start.
 constexpr double kFirstDistance = 0.003;
+// And under a strong field, which has bent the guide: with less curves take longer, with twice as
+// much they stay in worse valleys.
+constexpr double kFirstFieldDistance = 0.005;
 // A tight fit within so many tolerances. With one, or with five, fewer of the curves that need it
 // come to lie in the shell.
 constexpr double kTightDistance = 2.0;
@@ -118,8 +121,15 @@ double alphaOf(const CurveProblem& problem, double stiffness) {
     return stiffness * share * share;
 }
 
+// A field lifts curves as well.
 double firstAlpha(const CurveProblem& problem) {
-    return std::max(kLeastFirstAlpha, alphaOf(problem, kFirstStiffness));
+    return (1.0 + fieldStrength(problem)) *
+           std::max(kLeastFirstAlpha, alphaOf(problem, kFirstStiffness));
+}
+
+double firstDistance(const CurveProblem& problem) {
+    const double share = std::min(1.0, fieldStrength(problem));
+    return problem.chordLength * std::lerp(kFirstDistance, kFirstFieldDistance, share);
 }
 
 class Relaxer {
@@ -139,8 +149,7 @@ public:
           startAlpha_(start ? start->alpha : 0.0),
           alpha_(std::max(firstAlpha(problem), kRestartShare * startAlpha_)),
           newton_(newtonFrom(
-              start ? std::move(start->curve)
-                    : fitLoosely(problem, guide, kFirstDistance * problem.chordLength)
+              start ? std::move(start->curve) : fitLoosely(problem, guide, firstDistance(problem))
           )) {
         startOnGuide(guide);
         report_.knotsFirst = knotCount();
