@@ -62,7 +62,7 @@ constexpr double kAimedShare = 0.8;
 // a quarter of either a fifth more steps are taken and bending stays the same; where rounds stop at
 // 0.5 curves bend by 7 % more.
 constexpr double kRoundDecrement = 0.2;
-constexpr double kRestDecrement = 3e-3;
+constexpr double kRestDecrement = 1e-2;
 // At last also where a step has brought less than this share of what it promised: samples wander
 // between kinks of the surface.
 constexpr double kKeptPromise = 0.5;
