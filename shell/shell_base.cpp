@@ -98,37 +98,39 @@ public:
 
     // Averages directions over the ring, each kept only where the smallest cosine does not suffer.
     void smoothDirections(int passes) {
-        std::vector<Vec3> next;
+        std::vector<Vec3> sums(base_.faces.size());
         for (int pass = 0; pass < passes; ++pass) {
-            next = base_.directions;
+            for (std::size_t f = 0; f < sums.size(); ++f) {
+                const Triangle& face = base_.faces[f];
+                sums[f] = base_.directions[at(face[0])] + base_.directions[at(face[1])] +
+                          base_.directions[at(face[2])];
+            }
             for (int v = 0; v < surface_.vertexCount(); ++v) {
-                if (surface_.facesAround(v).empty()) {
-                    continue;
-                }
                 Vec3 sum = Vec3::Zero();
                 for (const int f : surface_.facesAround(v)) {
-                    for (const int corner : base_.faces[at(f)]) {
-                        sum += base_.directions[at(corner)];
-                    }
+                    sum += sums[at(f)];
                 }
                 const double length = sum.norm();
-                if (length < kLeastPillarCosine) {
-                    continue;
-                }
-                sum /= length;
-                gatherNormals(v);
-                const double now = leastCosine(base_.directions[at(v)], star_);
-                if (leastCosine(sum, star_) >= std::min(now, kSmoothEnoughCosine)) {
-                    next[at(v)] = sum;
+                if (length >= kLeastPillarCosine && mayTurn(v, sum / length)) {
+                    base_.directions[at(v)] = sum / length;
                 }
             }
-            base_.directions.swap(next);
         }
     }
 
 private:
     // Smoothing may cost a pillar some of its view as long as it keeps this much.
     static constexpr double kSmoothEnoughCosine = 0.8;
+
+    [[nodiscard]] bool mayTurn(int v, const Vec3& direction) const {
+        double before = 1.0;
+        double after = 1.0;
+        for (const int f : surface_.facesAround(v)) {
+            before = std::min(before, base_.directions[at(v)].dot(normals_[at(f)]));
+            after = std::min(after, direction.dot(normals_[at(f)]));
+        }
+        return after >= std::min(before, kSmoothEnoughCosine);
+    }
 
     [[nodiscard]] Vec3 normalOf(int f) const {
         const Triangle& face = base_.faces[at(f)];
