@@ -23,7 +23,7 @@ std::size_t at(int index) {
 constexpr int kSegments = 48;
 constexpr int kMaxSteps = 16;
 // Under a field more steps gain less than they take: the curve itself follows it better.
-constexpr int kMaxFieldSteps = 10;
+constexpr int kMaxFieldSteps = 5;
 // The string is at rest where a step changes the energy by no more than this share of it, or on
 // rough surfaces, where steps do not get any better, by this after a few.
 constexpr double kRest = 1e-8;
