@@ -346,18 +346,10 @@ double longestSideOf(const Surface& surface) {
     return boxOf(surface).sizes().maxCoeff();
 }
 
-ShellFrame frameOf(const Surface& surface) {
-    return {boxOf(surface).center(), surface.diagonal()};
-}
-
 ShellBase makeShellBase(const Surface& surface, int smoothingPasses) {
-    return makeShellBase(surface, smoothingPasses, frameOf(surface));
-}
-
-ShellBase makeShellBase(const Surface& surface, int smoothingPasses, const ShellFrame& frame) {
     ShellBase base;
     BaseBuilder builder(surface, base);
-    builder.placeVertices(frame);
+    builder.placeVertices({boxOf(surface).center(), surface.diagonal()});
     builder.findDirections();
     builder.measureEdges();
     builder.smoothDirections(smoothingPasses);

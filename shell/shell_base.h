@@ -61,15 +61,8 @@ inline constexpr double kLeastPillarCosine = 0.05;
 /// Longest side of the box of the surface's faces, in the user's unit.
 [[nodiscard]] double longestSideOf(const Surface& surface);
 
-/// The frame in which the surface's box is centred at the origin and its diagonal is 1.
-[[nodiscard]] ShellFrame frameOf(const Surface& surface);
-
-/// Moves singular vertices, adds ghosts, finds and smooths directions. O(n).
+/// Moves singular vertices, adds ghosts, finds and smooths directions, in the frame in which the
+/// surface's box is centred at the origin and its diagonal is 1. O(n).
 [[nodiscard]] ShellBase makeShellBase(const Surface& surface, int smoothingPasses);
-
-/// The same in the frame of a larger surface.
-[[nodiscard]] ShellBase makeShellBase(
-    const Surface& surface, int smoothingPasses, const ShellFrame& frame
-);
 
 }  // namespace bspline_curve

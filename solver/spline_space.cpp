@@ -79,27 +79,6 @@ SplineSpace::BasisValues SplineSpace::basisAt(int span, double tau) const {
     return values;
 }
 
-SplineSpace::BasisValues SplineSpace::basisDerivativeAt(int span, double tau, int order) const {
-    const BasisMatrix& table = basis(span);
-    BasisValues values{};
-    double scale = 1.0;
-    for (int i = 0; i < order; ++i) {
-        scale /= spanLength(span);
-    }
-    for (int j = 0; j <= degree_; ++j) {
-        double value = 0.0;
-        for (int m = degree_; m >= order; --m) {
-            double factor = 1.0;
-            for (int i = 0; i < order; ++i) {
-                factor *= m - i;
-            }
-            value = value * tau + factor * table(j, m);
-        }
-        values[at(j)] = value * scale;
-    }
-    return values;
-}
-
 SplineSpace::BasisMatrix SplineSpace::bernsteinBasis(int span, int order) const {
     const BasisMatrix& table = basis(span);
     const int n = degree_ - order;

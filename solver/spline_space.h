@@ -65,8 +65,6 @@ public:
     using BasisValues = std::array<double, kMaxBasis>;
     /// Values of the basis functions of a span at tau.
     [[nodiscard]] BasisValues basisAt(int span, double tau) const;
-    /// Their derivatives of the given order by t (not tau).
-    [[nodiscard]] BasisValues basisDerivativeAt(int span, double tau, int order) const;
 
     /// The spline on one span, as a polynomial in tau.
     [[nodiscard]] PolynomialCurve polynomial(const ControlPoints& controls, int span) const;
