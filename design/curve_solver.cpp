@@ -139,9 +139,12 @@ std::optional<Solved> CurveSolver::relaxOver(
 ) const {
     Stopwatch lap;
     const FieldTravel travel = guides_.field.travel(options_, 1.0);
-    const std::span<const int> blocked =
-        whole ? std::span<const int>(whole->build.report.blockedFaces) : std::span<const int>();
-    const Shell* const shell = whole ? &whole->build.shell : nullptr;
+    std::span<const int> blocked;
+    const Shell* shell = nullptr;
+    if (whole != nullptr) {
+        blocked = whole->build.report.blockedFaces;
+        shell = &whole->build.shell;
+    }
     const PickPath quick = pathRound(blocked, travel, PathKind::Quick);
     const Progress begin = partOf(progress, 0.0, kLooseShare);
     CurveProblem loose = problemOn(quick, shell, begin);
