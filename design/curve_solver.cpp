@@ -159,11 +159,11 @@ std::optional<Solved> CurveSolver::relaxOver(
         const PickPath strict = pathRound(blocked, travel, PathKind::OnSurface);
         pathSeconds += lap.lap();
         solved = relaxTightly(strict, shell, partOf(progress, kLooseShare, kTightShare));
-        if (!solved) {
-            const Progress last = partOf(progress, kTightShare, 1.0);
-            loose.progress = last;
-            solved = relaxed(std::move(loose), quick.guide, {}, Patience::Long);
-        }
+    }
+    if (!solved) {
+        const Progress last = partOf(progress, kTightShare, 1.0);
+        loose.progress = last;
+        solved = relaxed(std::move(loose), quick.guide, {}, Patience::Long);
     }
     if (solved) {
         solved->solution.report.seconds.path = pathSeconds;
