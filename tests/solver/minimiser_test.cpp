@@ -85,6 +85,29 @@ TEST_P(Minimisation, EndsAtAStationaryPointThatMeetsThePicks) {
     EXPECT_LE(result.iterations.back().decrement, 1e-8 * result.value.total);
 }
 
+// Blocks whose least eigenvalue is negative, and no kinks that could be left out.
+TEST(NewtonSteps, DescendWhereTheHessianIsIndefinite) {
+    const SplineSpace space(3, false, {0.0, 0.2, 0.5, 0.7, 1.0});
+    SplineSystem system(space, {});
+    const int size = 3 * space.basisCount();
+    EnergyDerivatives derivatives;
+    derivatives.reset(space);
+    for (SpanMatrix& block : derivatives.hessian) {
+        for (int i = 0; i < size; ++i) {
+            for (int j = i % 3; j < size; j += 3) {
+                block(i, j) = i == j ? 1.0 : -1.5;
+            }
+        }
+    }
+    ASSERT_FALSE(system.factorise(derivatives.hessian, 0.0));
+    derivatives.gradient = Eigen::VectorXd::LinSpaced(3 * space.controlCount(), -1.0, 2.0);
+    const ControlPoints controls = ControlPoints::Zero(space.controlCount(), 3);
+    const auto step = newtonStep(system, derivatives, Interpolation::Penalty, controls);
+    ASSERT_TRUE(step.has_value());
+    EXPECT_LT(step->direction.dot(derivatives.gradient), 0.0);
+    EXPECT_TRUE(step->isTooShort);
+}
+
 TEST_P(Minimisation, StopsAtItsLimitAndSaysSo) {
     const ProblemFixture fixture = noisySphere(GetParam().options, GetParam().withField);
     SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide()).value();
