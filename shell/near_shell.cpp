@@ -121,24 +121,31 @@ bool isUpright(const Prism& prism, const std::vector<Pillar>& pillars) {
 
 // Shortens the pillars of prisms that are not upright; those that never are lose their place.
 void makeUpright(std::vector<Prism>& prisms, std::vector<Pillar>& pillars) {
+    std::vector<char> isChanged(pillars.size(), 1);  // since their prisms were checked
+    std::vector<int> inverted;
     for (int round = 0; round <= kShrinkRounds; ++round) {
-        std::vector<int> inverted;
+        inverted.clear();
         for (Prism& prism : prisms) {
-            if (!isUpright(prism, pillars)) {
-                inverted.insert(inverted.end(), prism.pillars.begin(), prism.pillars.end());
+            const auto& corners = prism.pillars;
+            const bool isNew =
+                std::ranges::any_of(corners, [&](int v) { return isChanged[at(v)]; });
+            if (isNew && !isUpright(prism, pillars)) {
+                inverted.insert(inverted.end(), corners.begin(), corners.end());
                 if (round == kShrinkRounds) {
                     prism.orientation = 0;
                 }
             }
         }
+        if (inverted.empty()) {
+            return;
+        }
         sortUnique(inverted);
+        std::ranges::fill(isChanged, 0);
         for (const int v : inverted) {
             Pillar& pillar = pillars[at(v)];
             pillar.bottom = pillar.middle + kShrink * (pillar.bottom - pillar.middle);
             pillar.top = pillar.middle + kShrink * (pillar.top - pillar.middle);
-        }
-        if (inverted.empty()) {
-            return;
+            isChanged[at(v)] = 1;
         }
     }
 }

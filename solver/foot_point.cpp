@@ -17,8 +17,9 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// Newton's method on a face: it converges quadratically, so a step this small was the last.
-constexpr double kLastStep = 1e-6;
+// Newton's method on a face: it converges quadratically, so what a step this small leaves is 1e-9
+// at most, in barycentric coordinates.
+constexpr double kLastStep = 3e-5;
 constexpr int kMaxSteps = 6;
 // The foot lies in another face for certain: no need to converge first.
 constexpr double kFarOutside = -0.3;

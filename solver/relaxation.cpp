@@ -90,9 +90,10 @@ constexpr double kHighestTension = 0.5;
 // Stronger fields draw the samples into valleys that are narrower than the way between two samples.
 constexpr double kStrongestField = 20.0;
 
-// Shells near the curve have so many rings of faces about those below its samples and between
-// these: more where it leaves them. Four of five curves do with none.
-constexpr std::array<int, 3> kRings = {0, 1, 4};
+// Shells near the curve have prisms over the faces below its samples and between these, and, where
+// it leaves them, over the faces about that place: four of five curves do with none, most others
+// with one. After so many places all have a ring about them; more rings helped none of 480 curves.
+constexpr int kMostPlaces = 6;
 // Half a prism at least, in tolerances.
 constexpr double kLeastTolerances = 2.5;
 
@@ -343,22 +344,49 @@ private:
         }
         std::vector<int> below = facesBelow(problem_, space(), now().controls, feet);
         addFacesAroundPicks(below);
-        for (const int rings : kRings) {
-            near_ = std::make_shared<const NearShell>(
-                *problem_.surface,
-                *problem_.base,
-                below,
-                NearShellSize{rings, problem_.nearThickness, kLeastTolerances * tolerance_}
-            );
-            distance = measureDistance(
-                tracedShellOf(*near_, problem_.picks.front()), space(), now().controls
-            );
-            if (std::isfinite(distance.largest)) {
-                break;
+        distance = measureOver(below, 0);
+        for (int place = 0; place < kMostPlaces && leaves(distance); ++place) {
+            if (distance.faces.empty() || !addFacesAbout(distance.faces.back(), below)) {
+                break;  // through the top or the bottom
             }
+            distance = measureOver(below, 0);
+        }
+        if (leaves(distance)) {
+            distance = measureOver(below, 1);
         }
         facesPassed_ = std::move(distance.faces);
         return distance;
+    }
+
+    [[nodiscard]] static bool leaves(const CurveDistance& distance) {
+        return !std::isfinite(distance.largest);
+    }
+
+    // In prisms over these faces and so many rings about them.
+    [[nodiscard]] CurveDistance measureOver(const std::vector<int>& faces, int rings) {
+        near_ = std::make_shared<const NearShell>(
+            *problem_.surface,
+            *problem_.base,
+            faces,
+            NearShellSize{rings, problem_.nearThickness, kLeastTolerances * tolerance_}
+        );
+        return measureDistance(
+            tracedShellOf(*near_, problem_.picks.front()), space(), now().controls
+        );
+    }
+
+    // Adds those that share a vertex with a face. Returns whether any had no prism before.
+    [[nodiscard]] bool addFacesAbout(int face, std::vector<int>& faces) const {
+        bool isNew = false;
+        if (face < problem_.base->surfaceFaceCount) {
+            for (const int vertex : problem_.base->faces[at(face)]) {
+                for (const int there : problem_.surface->facesAround(vertex)) {
+                    isNew = isNew || near_->indexOf(there) < 0;
+                    faces.push_back(there);
+                }
+            }
+        }
+        return isNew;
     }
 
     // A curve through a vertex may pass any of the faces there.
