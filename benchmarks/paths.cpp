@@ -87,11 +87,13 @@ void addCurvePaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
     const NearShellSize size{
         kRings, scene.problem.nearThickness, kLeastTolerances * scene.problem.distanceTolerance
     };
-    const std::vector<int>& passed = scene.solution.facesPassed;
+    const std::vector<int> passed = scene.solution.trace->faces(
+        tracedShellOf(*scene.solution.near, scene.problem.picks.front())
+    );
     const auto near = std::make_shared<const NearShell>(
         scene.prepared.surface(), *scene.prepared.base(), passed, size
     );
-    paths.push_back({"near_shell", "prism", countOf(near->faces.size()), [&scene, &passed, size] {
+    paths.push_back({"near_shell", "prism", countOf(near->faces.size()), [&scene, passed, size] {
                          const NearShell made(
                              scene.prepared.surface(), *scene.prepared.base(), passed, size
                          );

@@ -4,11 +4,11 @@
 #include "design/curve_solver.h"
 #include "design/known_field.h"
 #include "design/prepared_surface.h"
-#include "design/shadow_curve.h"
 #include "design/strict_polyline.h"
 #include "shell/near_shell.h"
 #include "shell/shell_store.h"
 #include "solver/obstacles.h"
+#include "solver/shadow_curve.h"
 #include "surface/input_error.h"
 #include "surface/picks.h"
 #include "surface/region.h"
@@ -139,17 +139,14 @@ struct CurveDesigner::State : PreparedSurface {
     ) const;
     /// Where it is local and holds the curve.
     [[nodiscard]] std::optional<NearShell> shellNear(
-        const SurfacePolyline& line,
-        const CurveProblem& problem,
-        const SplineSpace& space,
-        const ControlPoints& controls
+        const SurfacePolyline& line, const CurveProblem& problem, const SplineCurve& spline
     ) const;
     void measureClearance(const Region& region, Curve& curve) const;
     [[nodiscard]] SurfacePolyline polylineOf(
         const CurveProblem& problem,
-        const SplineSpace& space,
-        const ControlPoints& controls,
+        const SplineCurve& spline,
         const NearShell* near,
+        std::optional<ShadowTrace> trace,
         const SamplingOptions& sampling
     ) const;
     [[nodiscard]] SplineData exportSpline(
@@ -190,12 +187,13 @@ std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
 
 SurfacePolyline CurveDesigner::State::polylineOf(
     const CurveProblem& problem,
-    const SplineSpace& space,
-    const ControlPoints& controls,
+    const SplineCurve& spline,
     const NearShell* near,
+    std::optional<ShadowTrace> trace,
     const SamplingOptions& sampling
 ) const {
-    const ShadowCurve shadow(tracedShellOf(problem, near), space, controls);
+    const auto& [space, controls] = spline;
+    const ShadowCurve shadow(tracedShellOf(problem, near), space, controls, std::move(trace));
     if (!shadow.isWhole()) {
         throw std::logic_error("the polyline was asked of a spline that leaves its shell");
     }
@@ -212,19 +210,14 @@ SurfacePolyline CurveDesigner::State::polylineOf(
     );
     const ShadowCurve fine(tracedShellOf(problem, &fineShell), space, controls);
     // Other fibres may lead into what the curve avoids.
-    const auto isAvoided = [&](int f) {
-        return problem.obstacles->isAvoided(fineShell.faces[at(f)]);
-    };
+    const auto isAvoided = [&](int f) { return problem.obstacles->isAvoided(f); };
     const bool isUsable = fine.isWhole() && (problem.obstacles == nullptr ||
                                              std::ranges::none_of(fine.faces(), isAvoided));
     return makeStrictPolyline(surface(), problem, isUsable ? fine : shadow, sampling);
 }
 
 std::optional<NearShell> CurveDesigner::State::shellNear(
-    const SurfacePolyline& line,
-    const CurveProblem& problem,
-    const SplineSpace& space,
-    const ControlPoints& controls
+    const SurfacePolyline& line, const CurveProblem& problem, const SplineCurve& spline
 ) const {
     if (options().kind != ShellKind::Local) {
         return std::nullopt;
@@ -243,7 +236,7 @@ std::optional<NearShell> CurveDesigner::State::shellNear(
             .least = kLeastShadowTolerances * problem.distanceTolerance
         }
     );
-    const ShadowCurve shadow(tracedShellOf(problem, &*near), space, controls);
+    const ShadowCurve shadow(tracedShellOf(problem, &*near), spline.space, spline.controls);
     return shadow.isWhole() ? std::move(near) : std::nullopt;
 }
 
@@ -333,7 +326,7 @@ Curve CurveDesigner::design(
         refuseAvoidedPicks(state.surface(), *obstacles, located);
     }
     const Guides guides{*field, obstacles ? &*obstacles : nullptr, guidance.start};
-    const auto [problem, solution] = CurveSolver(state, located, options, guides).solve(progress);
+    auto [problem, solution] = CurveSolver(state, located, options, guides).solve(progress);
     if (!std::isfinite(solution.report.maxDistance)) {
         refuseLostCurve(solution.report.status);
     }
@@ -341,7 +334,7 @@ Curve CurveDesigner::design(
     Stopwatch watch;
     Curve curve;
     curve.polyline = state.polylineOf(
-        problem, solution.curve.space, solution.curve.controls, solution.near.get(), sampling
+        problem, solution.curve, solution.near.get(), std::move(solution.trace), sampling
     );
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;
@@ -361,7 +354,7 @@ SurfacePolyline CurveDesigner::resample(
     sampling.validate();
     const State& state = *state_;
     const SplineData& data = curve.spline;
-    const auto [space, controls] = splineOf(data, state.base()->frame);
+    const SplineCurve spline = splineOf(data, state.base()->frame);
     std::vector<PickConstraint> picks;
     for (std::size_t i = 0; i < data.pickParameters.size(); ++i) {
         const SurfacePoint& point = curve.polyline.surfacePoints[at(curve.polyline.picks[i])];
@@ -373,12 +366,12 @@ SurfacePolyline CurveDesigner::resample(
     CurveProblem problem = makeProblem(state, options, std::move(picks));
     const std::optional<Obstacles> obstacles = state.obstaclesOf(state.regionOf(avoid), options);
     problem.obstacles = obstacles ? &*obstacles : nullptr;
-    const std::optional<NearShell> near = state.shellNear(curve.polyline, problem, space, controls);
+    const std::optional<NearShell> near = state.shellNear(curve.polyline, problem, spline);
     if (!near) {
         problem.shell = &state.wholeShell().build.shell;
     }
     SurfacePolyline line =
-        state.polylineOf(problem, space, controls, near ? &*near : nullptr, sampling);
+        state.polylineOf(problem, spline, near ? &*near : nullptr, std::nullopt, sampling);
     if (obstacles) {
         requireClear(state.surface(), line, *obstacles);
     }

@@ -201,9 +201,12 @@ std::optional<Solved> CurveSolver::relaxed(
     if (!solution) {
         return std::nullopt;
     }
-    for (const int face : solution->facesPassed) {
-        if (face < prepared_.surface().faceCount() && prepared_.crossings().hasCrossing(face)) {
-            return std::nullopt;
+    const NearShell* const near = solution->near.get();
+    if (near != nullptr) {
+        for (const int face : solution->trace->faces(tracedShellOf(*near, problem.picks.front()))) {
+            if (face < prepared_.surface().faceCount() && prepared_.crossings().hasCrossing(face)) {
+                return std::nullopt;
+            }
         }
     }
     return Solved{std::move(problem), std::move(*solution)};

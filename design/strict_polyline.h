@@ -2,7 +2,7 @@
 #pragma once
 
 #include "design/curve.h"
-#include "design/shadow_curve.h"
+#include "solver/shadow_curve.h"
 #include "surface/surface.h"
 
 namespace bspline_curve {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/curve_distance.h"
 
-#include "solver/curve_tracer.h"
 #include "surface/closest_point.h"
 
 #include <algorithm>
@@ -60,7 +59,7 @@ CurveDistance measureDistance(
         ofSpan = std::max(ofSpan, distance);
     };
     int current = -1;
-    const int spans = traceCurve(
+    result.trace = traceShadow(
         traced,
         space,
         controls,
@@ -71,19 +70,14 @@ CurveDistance measureDistance(
                 current = span;
                 result.perSpan[at(span)] = 0.0;
             }
-            const int face = traced.nameOf(cell.face);
-            if (result.faces.empty() || result.faces.back() != face) {
-                result.faces.push_back(face);
-            }
             measureAt(span, cell, curve.at(tau0));
             measureAt(span, cell, curve.at(0.5 * (tau0 + tau1)));
-        },
-        [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
+        }
     );
     result.largest = std::ranges::max(result.perSpan);
-    if (spans != space.spanCount()) {
+    if (!result.trace.isWhole) {
         // Where it leaves is on the span that was begun.
-        result.perSpan[at(spans)] = std::numeric_limits<double>::infinity();
+        result.perSpan[at(result.trace.wholeSpans)] = std::numeric_limits<double>::infinity();
         result.largest = std::numeric_limits<double>::infinity();
         result.largestHeight = 1.0;
     }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/spline_space.h"
-#include "solver/traced_shell.h"
+#include "solver/shadow_curve.h"
 
 namespace bspline_curve {
 
@@ -13,8 +12,7 @@ struct CurveDistance {
     double largestHeight = 0.0;  ///< largest relative height d (10)
     /// Largest distance on each span; infinite where the curve leaves the shell there or before.
     std::vector<double> perSpan;
-    /// The faces passed, in order, as the whole base calls them; one may come several times.
-    std::vector<int> faces;
+    ShadowTrace trace;
 };
 
 /// Samples every piece of the curve at its start and middle. In a shell of full resolution the

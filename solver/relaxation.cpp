@@ -318,9 +318,10 @@ private:
     // Traces the whole curve; where it leaves the tolerance, sets finer breaks.
     [[nodiscard]] bool isWithinTolerance(std::vector<double>& breaks) {
         newton_->system().meetConstraints(now().controls);  // rounding of many steps
-        const CurveDistance distance = measure();
+        CurveDistance distance = measure();
         report_.maxDistance = distance.largest / problem_.averageEdgeLength;
         if (distance.largest < tolerance_) {
+            trace_ = std::move(distance.trace);
             return true;
         }
         std::vector<char> marked(at(space().spanCount()), 0);
@@ -346,7 +347,8 @@ private:
         addFacesAroundPicks(below);
         distance = measureOver(below, 0);
         for (int place = 0; place < kMostPlaces && leaves(distance); ++place) {
-            if (distance.faces.empty() || !addFacesAbout(distance.faces.back(), below)) {
+            const std::vector<ShadowTrace::Piece>& pieces = distance.trace.pieces;
+            if (pieces.empty() || !addFacesAbout(near_->faces[at(pieces.back().face)], below)) {
                 break;  // through the top or the bottom
             }
             distance = measureOver(below, 0);
@@ -354,7 +356,6 @@ private:
         if (leaves(distance)) {
             distance = measureOver(below, 1);
         }
-        facesPassed_ = std::move(distance.faces);
         return distance;
     }
 
@@ -447,7 +448,7 @@ private:
             {space(), std::move(now().controls)},
             std::move(report_),
             std::move(near_),
-            std::move(facesPassed_)
+            std::move(trace_)
         };
     }
 
@@ -465,7 +466,7 @@ private:
     int knotsNearby_ = 0;  // when all samples first were near enough, or 0
     std::unique_ptr<FootNewton> newton_;
     std::shared_ptr<const NearShell> near_;  // about the curve when it was measured
-    std::vector<int> facesPassed_;
+    std::optional<ShadowTrace> trace_;       // at the end
     SolveReport report_;
 };
 

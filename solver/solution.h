@@ -3,10 +3,11 @@
 
 #include "shell/near_shell.h"
 #include "solver/initial_curve.h"
+#include "solver/shadow_curve.h"
 #include "solver/solve_report.h"
 
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace bspline_curve {
 
@@ -16,9 +17,8 @@ struct Solution {
     SolveReport report;
     /// The shell that the curve lies in, where the problem has none.
     std::shared_ptr<const NearShell> near;
-    /// The faces of the whole base that its shadow passes there, in order, ghosts included; one may
-    /// come several times.
-    std::vector<int> facesPassed;
+    /// Of the curve, where one was left over.
+    std::optional<ShadowTrace> trace;
 };
 
 }  // namespace bspline_curve

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solver in shells whose prisms hold many faces.
 #include "design/curve_checks.h"
-#include "design/shadow_curve.h"
 #include "design/strict_polyline.h"
 #include "problem_fixture.h"
 #include "shell/polynomial_trace.h"
 #include "shell/shell_boundary.h"
 #include "solver/point_terms.h"
+#include "solver/shadow_curve.h"
 #include "solver/solve.h"
 #include "support/meshes.h"
 #include "support/random.h"
