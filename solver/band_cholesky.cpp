@@ -6,7 +6,8 @@
 
 namespace bspline_curve {
 
-BandCholesky::BandCholesky(int points, int bandwidth, int border)
+template <int kUnknowns>
+BandCholesky<kUnknowns>::BandCholesky(int points, int bandwidth, int border)
     : points_(points), bandwidth_(bandwidth), banded_(points - border) {
     std::ptrdiff_t count = 0;
     for (int row = 0; row < points; ++row) {
@@ -17,49 +18,64 @@ BandCholesky::BandCholesky(int points, int bandwidth, int border)
     clear();
 }
 
-int BandCholesky::firstColumn(int row) const {
+template <int kUnknowns>
+int BandCholesky<kUnknowns>::firstColumn(int row) const {
     return row < banded_ ? std::max(0, row - bandwidth_) : 0;
 }
 
-void BandCholesky::clear() {
+template <int kUnknowns>
+void BandCholesky<kUnknowns>::clear() {
     std::ranges::fill(blocks_, Block{});
 }
 
-void BandCholesky::add(int row, int column, const double* values, std::ptrdiff_t stride) {
+template <int kUnknowns>
+void BandCholesky<kUnknowns>::add(
+    int row, int column, const double* values, std::ptrdiff_t stride
+) {
     Block& block = rowOf(row)[column];
-    for (std::size_t c = 0; c < 3; ++c, values += stride) {
-        for (std::size_t r = 0; r < 3; ++r) {
-            block[3 * c + r] += values[r];
+    for (std::size_t c = 0; c < kSize; ++c, values += stride) {
+        for (std::size_t r = 0; r < kSize; ++r) {
+            block[kSize * c + r] += values[r];
         }
     }
 }
 
 // c -= a b^T
-void BandCholesky::subtractProduct(Block& c, const Block& a, const Block& b) {
-    for (std::size_t column = 0; column < 3; ++column) {
-        for (std::size_t row = 0; row < 3; ++row) {
-            c[3 * column + row] -=
-                a[row] * b[column] + a[3 + row] * b[3 + column] + a[6 + row] * b[6 + column];
+template <int kUnknowns>
+void BandCholesky<kUnknowns>::subtractProduct(Block& c, const Block& a, const Block& b) {
+    for (std::size_t column = 0; column < kSize; ++column) {
+        for (std::size_t row = 0; row < kSize; ++row) {
+            double sum = a[row] * b[column];
+            for (std::size_t k = 1; k < kSize; ++k) {
+                sum += a[kSize * k + row] * b[kSize * k + column];
+            }
+            c[kSize * column + row] -= sum;
         }
     }
 }
 
 // x becomes x D^-T for a lower triangular D.
-void BandCholesky::divideByTransposed(Block& x, const Block& diagonal) {
-    for (std::size_t row = 0; row < 3; ++row) {
-        x[row] *= diagonal[0];
-        x[3 + row] = (x[3 + row] - x[row] * diagonal[1]) * diagonal[4];
-        x[6 + row] = (x[6 + row] - x[row] * diagonal[2] - x[3 + row] * diagonal[5]) * diagonal[8];
+template <int kUnknowns>
+void BandCholesky<kUnknowns>::divideByTransposed(Block& x, const Block& diagonal) {
+    for (std::size_t row = 0; row < kSize; ++row) {
+        for (std::size_t column = 0; column < kSize; ++column) {
+            double& value = x[kSize * column + row];
+            for (std::size_t k = 0; k < column; ++k) {
+                value -= x[kSize * k + row] * diagonal[kSize * k + column];
+            }
+            value *= diagonal[(kSize + 1) * column];
+        }
     }
 }
 
 // The lower triangle of a becomes its own factor. False where it is not positive definite.
-bool BandCholesky::factoriseDiagonal(Block& a) {
-    for (std::size_t column = 0; column < 3; ++column) {
-        double* const values = a.data() + 3 * column;
+template <int kUnknowns>
+bool BandCholesky<kUnknowns>::factoriseDiagonal(Block& a) {
+    for (std::size_t column = 0; column < kSize; ++column) {
+        double* const values = a.data() + kSize * column;
         for (std::size_t before = 0; before < column; ++before) {
-            const double* const other = a.data() + 3 * before;
-            for (std::size_t row = column; row < 3; ++row) {
+            const double* const other = a.data() + kSize * before;
+            for (std::size_t row = column; row < kSize; ++row) {
                 values[row] -= other[row] * other[column];
             }
         }
@@ -69,7 +85,7 @@ bool BandCholesky::factoriseDiagonal(Block& a) {
             return false;
         }
         values[column] = 1.0 / std::sqrt(pivot);
-        for (std::size_t row = column + 1; row < 3; ++row) {
+        for (std::size_t row = column + 1; row < kSize; ++row) {
             values[row] *= values[column];
         }
     }
@@ -77,7 +93,8 @@ bool BandCholesky::factoriseDiagonal(Block& a) {
 }
 
 // Row by row; row i of L needs the rows before it alone.
-bool BandCholesky::factorise() {
+template <int kUnknowns>
+bool BandCholesky<kUnknowns>::factorise() {
     for (int i = 0; i < points_; ++i) {
         Block* const row = rowOf(i);
         const int first = firstColumn(i);
@@ -96,37 +113,58 @@ bool BandCholesky::factorise() {
     return true;
 }
 
-Eigen::VectorXd BandCholesky::solve(Eigen::VectorXd right) const {
+template <int kUnknowns>
+Eigen::VectorXd BandCholesky<kUnknowns>::solve(Eigen::VectorXd right) const {
+    const auto unknownsOf = [&](int point) {
+        return right.data() + kUnknowns * static_cast<std::ptrdiff_t>(point);
+    };
     for (int i = 0; i < points_; ++i) {
         const Block* const row = rowOf(i);
-        double* const x = right.data() + 3 * static_cast<std::ptrdiff_t>(i);
+        double* const x = unknownsOf(i);
         for (int j = firstColumn(i); j < i; ++j) {
-            const double* const y = right.data() + 3 * static_cast<std::ptrdiff_t>(j);
-            for (std::size_t r = 0; r < 3; ++r) {
-                x[r] -= row[j][r] * y[0] + row[j][3 + r] * y[1] + row[j][6 + r] * y[2];
+            const double* const y = unknownsOf(j);
+            for (std::size_t r = 0; r < kSize; ++r) {
+                double sum = row[j][r] * y[0];
+                for (std::size_t k = 1; k < kSize; ++k) {
+                    sum += row[j][kSize * k + r] * y[k];
+                }
+                x[r] -= sum;
             }
         }
         const Block& diagonal = row[i];
-        x[0] *= diagonal[0];
-        x[1] = (x[1] - diagonal[1] * x[0]) * diagonal[4];
-        x[2] = (x[2] - diagonal[2] * x[0] - diagonal[5] * x[1]) * diagonal[8];
+        for (std::size_t r = 0; r < kSize; ++r) {
+            for (std::size_t k = 0; k < r; ++k) {
+                x[r] -= diagonal[kSize * k + r] * x[k];
+            }
+            x[r] *= diagonal[(kSize + 1) * r];
+        }
     }
     for (int i = points_ - 1; i >= 0; --i) {
         const Block* const row = rowOf(i);
-        double* const x = right.data() + 3 * static_cast<std::ptrdiff_t>(i);
+        double* const x = unknownsOf(i);
         const Block& diagonal = row[i];
-        x[2] *= diagonal[8];
-        x[1] = (x[1] - diagonal[5] * x[2]) * diagonal[4];
-        x[0] = (x[0] - diagonal[1] * x[1] - diagonal[2] * x[2]) * diagonal[0];
+        for (std::size_t r = kSize; r-- > 0;) {
+            for (std::size_t k = r + 1; k < kSize; ++k) {
+                x[r] -= diagonal[kSize * r + k] * x[k];
+            }
+            x[r] *= diagonal[(kSize + 1) * r];
+        }
         for (int j = firstColumn(i); j < i; ++j) {
-            double* const y = right.data() + 3 * static_cast<std::ptrdiff_t>(j);
-            const double* values = row[j].data();
-            for (std::size_t r = 0; r < 3; ++r, values += 3) {
-                y[r] -= values[0] * x[0] + values[1] * x[1] + values[2] * x[2];
+            double* const y = unknownsOf(j);
+            for (std::size_t r = 0; r < kSize; ++r) {
+                const double* const values = row[j].data() + kSize * r;
+                double sum = values[0] * x[0];
+                for (std::size_t k = 1; k < kSize; ++k) {
+                    sum += values[k] * x[k];
+                }
+                y[r] -= sum;
             }
         }
     }
     return right;
 }
+
+template class BandCholesky<1>;
+template class BandCholesky<3>;
 
 }  // namespace bspline_curve

@@ -9,9 +9,11 @@
 
 namespace bspline_curve {
 
-/// Cholesky factorisation of a symmetric positive definite matrix of 3 x 3 blocks, one row of them
-/// per control point, that is banded but for a few last rows: A = L L^T, without fill outside of
-/// band and last rows. Memory and pattern are kept from one matrix to the next.
+/// Cholesky factorisation of a symmetric positive definite matrix of square blocks of so many
+/// unknowns, one row of them per control point, that is banded but for a few last rows: A = L L^T,
+/// without fill outside of band and last rows. Memory and pattern are kept from one matrix to the
+/// next. Made for 1 and 3 unknowns.
+template <int kUnknowns>
 class BandCholesky {
 public:
     /// `points` rows of blocks, of which the last `border` may couple with all others; others
@@ -32,8 +34,10 @@ public:
     [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd right) const;
 
 private:
+    static constexpr auto kSize = static_cast<std::size_t>(kUnknowns);
+
     /// By columns. On the diagonal of L, what it is divided by is kept inverted.
-    using Block = std::array<double, 9>;
+    using Block = std::array<double, kSize * kSize>;
 
     /// The blocks of a row of the lower triangle, so that block (row, column) is
     /// rowOf(row)[column]; only those in the band (or in the border) exist.
@@ -55,5 +59,8 @@ private:
     std::vector<Block> blocks_;        // row by row
     std::vector<std::ptrdiff_t> offsets_;
 };
+
+extern template class BandCholesky<1>;
+extern template class BandCholesky<3>;
 
 }  // namespace bspline_curve

@@ -3,7 +3,7 @@
 
 #include "solver/obstacles.h"
 #include "solver/shell_reach.h"
-#include "solver/spline_system.h"
+#include "solver/spline_fit.h"
 
 #include <algorithm>
 #include <array>
@@ -26,32 +26,6 @@ constexpr std::size_t kMostBreaks = 5000;
 constexpr double kHighestStart = 0.9;
 // The same where it comes nearer to what it avoids than this share of the guide's least clearance.
 constexpr double kLeastClearanceShare = 0.3;
-// Samples of the guide per span: more than the unknowns of a span, few enough to be cheap.
-constexpr int kSamplesPerSpan = 16;
-// Weight of the bending regulariser against the squared distance, in units of the span length to
-// the fourth.
-constexpr double kRegularisation = 1e-5;
-
-// The last guide point at or before t.
-std::size_t guideIndex(const GuidePath& guide, double t) {
-    const auto above = std::upper_bound(
-        guide.points.begin(), guide.points.end(), t, [](double value, const GuidePath::Point& p) {
-            return value < p.parameter;
-        }
-    );
-    const auto index =
-        static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, above - guide.points.begin())) - 1;
-    return std::min(index, guide.points.size() - 2);
-}
-
-Vec3 guidePosition(const GuidePath& guide, double t) {
-    const std::size_t i = guideIndex(guide, t);
-    const GuidePath::Point& a = guide.points[i];
-    const GuidePath::Point& b = guide.points[i + 1];
-    const double s =
-        b.parameter > a.parameter ? (t - a.parameter) / (b.parameter - a.parameter) : 0.0;
-    return (1.0 - s) * a.position + s * b.position;
-}
 
 std::vector<double> firstBreaks(const CurveProblem& problem) {
     std::vector<double> breaks;
@@ -73,98 +47,12 @@ std::vector<double> firstBreaks(const CurveProblem& problem) {
     return breaks;
 }
 
-// The guide at the samples of a span, and their first moments: the means of tau^m times position.
-struct SpanTarget {
-    std::array<Vec3, kSamplesPerSpan> positions;
-    std::array<Vec3, kMaxBasis> moments;
-};
-
-double sampleTau(int i) {
-    return (i + 0.5) / kSamplesPerSpan;
-}
-
-SpanTarget targetOf(const GuidePath& guide, double begin, double end) {
-    SpanTarget target;
-    target.moments.fill(Vec3::Zero());
-    for (int i = 0; i < kSamplesPerSpan; ++i) {
-        const double tau = sampleTau(i);
-        const Vec3 position = guidePosition(guide, begin + tau * (end - begin));
-        target.positions[at(i)] = position;
-        double power = 1.0 / kSamplesPerSpan;
-        for (Vec3& moment : target.moments) {
-            moment += power * position;
-            power *= tau;
-        }
-    }
-    return target;
-}
-
 std::vector<SpanTarget> targetsOf(const GuidePath& guide, const SplineSpace& space) {
     std::vector<SpanTarget> targets;
     for (int span = 0; span < space.spanCount(); ++span) {
-        targets.push_back(targetOf(guide, space.breaks()[at(span)], space.breaks()[at(span) + 1]));
+        targets.emplace_back(guide, space.breaks()[at(span)], space.breaks()[at(span) + 1]);
     }
     return targets;
-}
-
-// The means of tau^(m + n) over the samples of a span.
-SplineSpace::BasisMatrix momentMatrix() {
-    SplineSpace::BasisMatrix moments = SplineSpace::BasisMatrix::Zero();
-    for (int i = 0; i < kSamplesPerSpan; ++i) {
-        for (int m = 0; m < kMaxBasis; ++m) {
-            for (int n = 0; n < kMaxBasis; ++n) {
-                moments(m, n) += std::pow(sampleTau(i), m + n) / kSamplesPerSpan;
-            }
-        }
-    }
-    return moments;
-}
-
-// Of the mean squared distance from the targets and the regulariser: the matrix of products of
-// basis functions of a span.
-SplineSpace::BasisMatrix fitProducts(const SplineSpace& space, int span) {
-    static const SplineSpace::BasisMatrix moments = momentMatrix();
-    const SplineSpace::BasisMatrix& basis = space.basis(span);
-    SplineSpace::BasisMatrix second = SplineSpace::BasisMatrix::Zero();  // by tau
-    for (int m = 2; m <= space.degree(); ++m) {
-        second.col(m - 2) = (m * (m - 1)) * basis.col(m);
-    }
-    // The span's length cancels out of the regulariser's second derivatives by t.
-    return space.spanLength(span) * (basis * moments * basis.transpose() +
-                                     kRegularisation * (second * moments * second.transpose()));
-}
-
-ControlPoints fit(
-    const CurveProblem& problem, const SplineSpace& space, const std::vector<SpanTarget>& targets
-) {
-    const int n = space.basisCount();
-    SplineSystem system(space, interpolationRows(space, problem.picks));
-    std::vector<SpanMatrix> blocks(at(space.spanCount()), SpanMatrix::Zero(3 * n, 3 * n));
-    Eigen::VectorXd gradient =
-        Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space.controlCount()));
-    for (int span = 0; span < space.spanCount(); ++span) {
-        const SplineSpace::BasisMatrix products = fitProducts(space, span);
-        for (int j1 = 0; j1 < n; ++j1) {
-            for (int j2 = 0; j2 < n; ++j2) {
-                blocks[at(span)].block<3, 3>(3 * j1, 3 * j2).diagonal().fill(products(j1, j2));
-            }
-            Vec3 mean = Vec3::Zero();
-            for (int m = 0; m < n; ++m) {
-                mean += space.basis(span)(j1, m) * targets[at(span)].moments[at(m)];
-            }
-            gradient.segment<3>(3 * space.control(span, j1)) -= space.spanLength(span) * mean;
-        }
-    }
-    ControlPoints controls = ControlPoints::Zero(space.controlCount(), 3);
-    // One Newton step from zero solves the quadratic problem under the interpolation constraints.
-    constexpr double kFitConstraintWeight = 1e4;
-    if (system.factorise(blocks, kFitConstraintWeight)) {
-        Eigen::Map<Eigen::VectorXd>(controls.data(), controls.size()) =
-            system.constrainedStep(gradient, system.residual(controls), kFitConstraintWeight);
-        // To rounding, before it is asked whether the curve stays inside.
-        system.meetConstraints(controls);
-    }
-    return controls;
 }
 
 // How clear of what it avoids the first curve must stay between two parameters.
@@ -173,7 +61,7 @@ double neededClearance(
 ) {
     double least = 1.0;
     if (problem.obstacles != nullptr) {
-        for (std::size_t i = guideIndex(guide, begin); i <= guideIndex(guide, end) + 1; ++i) {
+        for (std::size_t i = guide.indexAt(begin); i <= guide.indexAt(end) + 1; ++i) {
             least = std::min(least, 1.0 - problem.obstacles->closeness(guide.points[i].point));
         }
     }
@@ -197,7 +85,7 @@ bool spanIsInside(
     int span
 ) {
     const PolynomialCurve curve = space.polynomial(controls, span);
-    const GuidePath::Point& near = guide.points[guideIndex(guide, space.breaks()[at(span)])];
+    const GuidePath::Point& near = guide.points[guide.indexAt(space.breaks()[at(span)])];
     TraceState state{ShellCell(*problem.shell, near.point)};
     double highest = 0.0;
     double least = 1.0;
@@ -219,6 +107,22 @@ bool spanIsInside(
 
 }  // namespace
 
+std::size_t GuidePath::indexAt(double t) const {
+    const auto above = std::ranges::upper_bound(points, t, {}, &Point::parameter);
+    const auto index =
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, above - points.begin())) - 1;
+    return std::min(index, points.size() - 2);
+}
+
+Vec3 GuidePath::positionAt(double t) const {
+    const std::size_t i = indexAt(t);
+    const Point& a = points[i];
+    const Point& b = points[i + 1];
+    const double s =
+        b.parameter > a.parameter ? (t - a.parameter) / (b.parameter - a.parameter) : 0.0;
+    return (1.0 - s) * a.position + s * b.position;
+}
+
 std::optional<SplineCurve> makeFirstCurve(const CurveProblem& problem, const GuidePath& guide) {
     return problem.options.initialCurve == InitialCurve::GeodesicFit
                ? fitGuidePath(problem, guide)
@@ -230,7 +134,7 @@ SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, doub
     SplineSpace space(problem.options.degree, problem.options.closed, breaks);
     std::vector<SpanTarget> targets = targetsOf(guide, space);
     while (true) {
-        ControlPoints controls = fit(problem, space, targets);
+        ControlPoints controls = fitSpline(problem, space, targets);
         std::vector<double> finer{breaks.front()};
         std::vector<SpanTarget> finerTargets;
         for (int span = 0; span < space.spanCount(); ++span) {
@@ -238,15 +142,15 @@ SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, doub
             const double begin = breaks[at(span)];
             const double end = breaks[at(span) + 1];
             bool isFar = false;
-            for (int i = 0; i < kSamplesPerSpan && !isFar; ++i) {
-                isFar =
-                    (curve.at(sampleTau(i)) - targets[at(span)].positions[at(i)]).norm() > distance;
+            for (int i = 0; i < SpanTarget::kSamples && !isFar; ++i) {
+                isFar = (curve.at(SpanTarget::tau(i)) - targets[at(span)].positions[at(i)]).norm() >
+                        distance;
             }
             if (isFar && 0.5 * space.spanLength(span) >= problem.options.minimumSpan) {
                 const double middle = 0.5 * (begin + end);
                 finer.push_back(middle);
-                finerTargets.push_back(targetOf(guide, begin, middle));
-                finerTargets.push_back(targetOf(guide, middle, end));
+                finerTargets.emplace_back(guide, begin, middle);
+                finerTargets.emplace_back(guide, middle, end);
             } else {
                 finerTargets.push_back(targets[at(span)]);
             }
@@ -262,7 +166,7 @@ SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, doub
 }
 
 SplineCurve fitOver(const CurveProblem& problem, const GuidePath& guide, SplineSpace space) {
-    ControlPoints controls = fit(problem, space, targetsOf(guide, space));
+    ControlPoints controls = fitSpline(problem, space, targetsOf(guide, space));
     return {std::move(space), std::move(controls)};
 }
 
@@ -271,7 +175,7 @@ std::optional<SplineCurve> fitGuidePath(const CurveProblem& problem, const Guide
     const double highestStart = kHighestStart / relativeReach(problem);
     for (int attempt = 0; attempt < kMaxFits && breaks.size() <= kMostBreaks; ++attempt) {
         SplineSpace space(problem.options.degree, problem.options.closed, breaks);
-        ControlPoints controls = fit(problem, space, targetsOf(guide, space));
+        ControlPoints controls = fitSpline(problem, space, targetsOf(guide, space));
         std::vector<double> finer{breaks.front()};
         for (int span = 0; span < space.spanCount(); ++span) {
             if (!spanIsInside(problem, guide, space, controls, highestStart, span)) {

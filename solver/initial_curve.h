@@ -18,6 +18,12 @@ struct GuidePath {
     };
 
     std::vector<Point> points;  ///< closed: ends where it starts, with parameter 1
+
+    /// The last point at or before t that has one after it.
+    [[nodiscard]] std::size_t indexAt(double t) const;
+
+    /// On the straight line between two points.
+    [[nodiscard]] Vec3 positionAt(double t) const;
 };
 
 struct SplineCurve {

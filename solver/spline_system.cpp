@@ -17,7 +17,7 @@ std::size_t at(int index) {
 constexpr double kConstraintAccuracy = 1e-12;
 constexpr int kMaxMultiplierSteps = 12;
 
-BandCholesky factorFor(const SplineSpace& space) {
+BandCholesky<3> factorFor(const SplineSpace& space) {
     const int controls = space.controlCount();
     return {controls, space.degree(), space.closed() ? std::min(space.degree(), controls) : 0};
 }

@@ -72,7 +72,7 @@ private:
 
     const SplineSpace& space_;
     std::vector<InterpolationRow> rows_;
-    BandCholesky factor_;
+    BandCholesky<3> factor_;
 };
 
 }  // namespace bspline_curve

@@ -44,7 +44,7 @@ protected:
         return matrix;
     }
 
-    static void setTo(const Eigen::MatrixXd& matrix, BandCholesky& factor) {
+    static void setTo(const Eigen::MatrixXd& matrix, BandCholesky<3>& factor) {
         factor.clear();
         for (int row = 0; row < GetParam().points; ++row) {
             for (int column = 0; column <= row; ++column) {
@@ -57,7 +57,7 @@ protected:
     }
 
     Random random_{123};
-    BandCholesky factor_{GetParam().points, GetParam().bandwidth, GetParam().border};
+    BandCholesky<3> factor_{GetParam().points, GetParam().bandwidth, GetParam().border};
 };
 
 TEST_P(BandCholeskyShapes, SolveAsDenseOnes) {
