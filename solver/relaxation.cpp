@@ -72,7 +72,7 @@ constexpr double kKeptPromise = 0.5;
 constexpr double kMostGrowth = 2.25;
 // In one round, and at last.
 constexpr int kMaxSteps = 30;
-constexpr int kMaxRestSteps = 6;
+constexpr int kMaxRestSteps = 10;
 // Under a field a round ends where so many steps gain less than one of them should.
 constexpr int kLastSteps = 3;
 
