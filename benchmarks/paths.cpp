@@ -137,7 +137,9 @@ void addFootPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
 }
 
 void addNewtonPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
-    const auto newton = std::make_shared<FootNewton>(scene.problem, scene.first, scene.heightUnit);
+    const auto newton = std::make_shared<FootNewton>(
+        scene.problem, scene.first, scene.heightUnit, FootEnergy::kUsualSegments
+    );
     paths.push_back(
         {"newton_step", "span", scene.first.space.spanCount(), [&scene, newton] {
              newton->now() = scene.firstFooted;

@@ -22,18 +22,21 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-double tauOf(int sample) {
-    return sampleParameter(sample % FootEnergy::kSamplesPerSpan, FootEnergy::kSegments);
-}
-
 // At the samples of a span, one column each: derivatives of the powers of tau.
-using SampleMatrix = Eigen::Matrix<double, kMaxBasis, FootEnergy::kSamplesPerSpan>;
+using SampleMatrix = Eigen::Matrix<
+    double,
+    kMaxBasis,
+    Eigen::Dynamic,
+    Eigen::ColMajor,
+    kMaxBasis,
+    2 * FootEnergy::kMostSegments>;
 
-SampleMatrix powersAtSamples(int order) {
-    SampleMatrix powers = SampleMatrix::Zero();
-    for (int i = 0; i < FootEnergy::kSamplesPerSpan; ++i) {
+SampleMatrix powersAtSamples(int order, int segments) {
+    SampleMatrix powers = SampleMatrix::Zero(kMaxBasis, 2 * segments);
+    for (int i = 0; i < 2 * segments; ++i) {
+        const double tau = sampleParameter(i, segments);
         double power = 1.0;
-        for (int m = order; m < kMaxBasis; ++m, power *= tauOf(i)) {
+        for (int m = order; m < kMaxBasis; ++m, power *= tau) {
             powers(m, i) = power;
             for (int factor = m; factor > m - order; --factor) {
                 powers(m, i) *= factor;
@@ -82,26 +85,29 @@ Eigen::Matrix3d dense(const SymmetricMatrix& m) {
 
 }  // namespace
 
-FootEnergy::FootEnergy(const CurveProblem& problem, const SplineSpace& space, double heightUnit)
+FootEnergy::FootEnergy(
+    const CurveProblem& problem, const SplineSpace& space, double heightUnit, int segments
+)
     : problem_(problem),
       space_(space),
       heightUnit_(heightUnit),
+      segments_(segments),
       fieldWeight_(bspline_curve::fieldWeight(problem)) {
     const double normalShare = problem.options.bending == Bending::Geodesic
                                    ? 1.0 - problem.options.normalBendingWeight
                                    : 0.0;
     const double bending =
         2.0 / (problem.chordLength * problem.chordLength) * (1.0 - problem.options.tension);
-    static const SampleMatrix powers = powersAtSamples(0);
-    static const SampleMatrix secondPowers = powersAtSamples(2);
+    const SampleMatrix powers = powersAtSamples(0, segments);
+    const SampleMatrix secondPowers = powersAtSamples(2, segments);
     samples_.reserve(at(sampleCount()));
     for (int span = 0; span < space.spanCount(); ++span) {
         const double length = space.spanLength(span);
-        const double weight = length / kSamplesPerSpan;
+        const double weight = length / samplesPerSpan();
         const SampleMatrix values = space.basis(span) * powers;
         const SampleMatrix seconds = space.basis(span) * secondPowers / (length * length);
-        for (int i = 0; i < kSamplesPerSpan; ++i) {
-            const double t = space.breaks()[at(span)] + tauOf(i) * length;
+        for (int i = 0; i < samplesPerSpan(); ++i) {
+            const double t = space.breaks()[at(span)] + sampleParameter(i, segments) * length;
             Sample sample{t, weight, -bending * normalShare * weight, {}, {}};
             std::ranges::copy(values.col(i), sample.basis.begin());
             std::ranges::copy(seconds.col(i), sample.second.begin());
@@ -118,14 +124,13 @@ void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
     spline.positions.resize(at(sampleCount()));
     spline.seconds.resize(at(sampleCount()));
     const int count = space_.basisCount();
+    const int perSpan = samplesPerSpan();
     std::array<Vec3, kMaxBasis> controls;
     for (int span = 0; span < space_.spanCount(); ++span) {
         for (int j = 0; j < count; ++j) {
             controls[at(j)] = spline.controls.row(space_.control(span, j)).transpose();
         }
-        for (std::size_t sample = at(span * kSamplesPerSpan);
-             sample < at((span + 1) * kSamplesPerSpan);
-             ++sample) {
+        for (std::size_t sample = at(span * perSpan); sample < at((span + 1) * perSpan); ++sample) {
             const Sample& table = samples_[sample];
             Vec3 position = table.basis[0] * controls[0];
             Vec3 second = table.second[0] * controls[0];
@@ -263,16 +268,17 @@ void FootEnergy::differentiate(
     std::vector<SpanMatrix>& hessian
 ) const {
     const int n = space_.basisCount();
+    const int perSpan = samplesPerSpan();
     gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space_.controlCount()));
     hessian.resize(at(space_.spanCount()), SpanMatrix(3 * n, 3 * n));
-    std::array<Vec3, kSamplesPerSpan> forces;
-    std::array<Vec3, kSamplesPerSpan> bendForces;
-    std::array<PackedMatrix, kSamplesPerSpan> seconds;
-    std::array<PackedMatrix, kSamplesPerSpan> bends;
+    std::array<Vec3, kMostSamples> forces;
+    std::array<Vec3, kMostSamples> bendForces;
+    std::array<PackedMatrix, kMostSamples> seconds;
+    std::array<PackedMatrix, kMostSamples> bends;
     for (int span = 0; span < space_.spanCount(); ++span) {
-        const Sample* const tables = &samples_[at(span * kSamplesPerSpan)];
-        for (int i = 0; i < kSamplesPerSpan; ++i) {
-            const int sample = span * kSamplesPerSpan + i;
+        const Sample* const tables = &samples_[at(span * perSpan)];
+        for (int i = 0; i < perSpan; ++i) {
+            const int sample = span * perSpan + i;
             const Vec3& direction = spline.frames[at(sample)].direction;
             const PointDerivatives point = pointDerivatives(spline, alpha, turning, sample);
             forces[at(i)] = point.force;
@@ -285,7 +291,7 @@ void FootEnergy::differentiate(
         SpanMatrix& block = hessian[at(span)];
         for (int j = 0; j < n; ++j) {
             Vec3 force = Vec3::Zero();
-            for (int i = 0; i < kSamplesPerSpan; ++i) {
+            for (int i = 0; i < perSpan; ++i) {
                 force += tables[i].basis[at(j)] * forces[at(i)] +
                          tables[i].second[at(j)] * bendForces[at(i)];
             }
@@ -296,7 +302,7 @@ void FootEnergy::differentiate(
             for (int k = 0; k <= j; ++k) {
                 PackedMatrix sum =
                     packed({ambient(k, j), 0.0, 0.0, ambient(k, j), 0.0, ambient(k, j)});
-                for (int i = 0; i < kSamplesPerSpan; ++i) {
+                for (int i = 0; i < perSpan; ++i) {
                     sum += (tables[i].basis[at(j)] * tables[i].basis[at(k)]) * seconds[at(i)] +
                            (tables[i].second[at(j)] * tables[i].second[at(k)]) * bends[at(i)];
                 }
@@ -311,6 +317,7 @@ void FootEnergy::differentiate(
 
 double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int span) const {
     const double length = space_.spanLength(span);
+    const int perSpan = samplesPerSpan();
     // b = tau^2 (1 - tau)^2: the integrals of b''^2 and b'^2 over tau.
     constexpr double kBend = 0.8;
     constexpr double kStretch = 2.0 / 105.0;
@@ -320,10 +327,10 @@ double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int spa
                                 tension * kStretch / length);
     SymmetricMatrix stiffness{own, 0.0, 0.0, own, 0.0, own};
     Vec3 force = Vec3::Zero();
-    for (int i = 0; i < kSamplesPerSpan; ++i) {
-        const int sample = span * kSamplesPerSpan + i;
+    for (int i = 0; i < perSpan; ++i) {
+        const int sample = span * perSpan + i;
         const Sample& table = samples_[at(sample)];
-        const double tau = tauOf(sample);
+        const double tau = sampleParameter(i, segments_);
         const double rest = 1.0 - tau;
         const double value = tau * tau * rest * rest;
         const double second = (2.0 - 12.0 * tau * rest) / (length * length);
@@ -338,10 +345,10 @@ double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int spa
     }
     if (tension > 0.0) {
         const PolynomialCurve curve = space_.polynomial(spline.controls, span);
-        for (int i = 0; i < kSamplesPerSpan; ++i) {
-            const double tau = tauOf(i);
+        for (int i = 0; i < perSpan; ++i) {
+            const double tau = sampleParameter(i, segments_);
             const double slope = 2.0 * tau * (1.0 - tau) * (1.0 - 2.0 * tau) / length;
-            force += slope * scale * tension / kSamplesPerSpan * curve.derivativeAt(tau);
+            force += slope * scale * tension / perSpan * curve.derivativeAt(tau);
         }
     }
     const Vec3 bulge = dense(stiffness).llt().solve(force);

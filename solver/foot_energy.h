@@ -28,14 +28,23 @@ struct FootedSpline {
 /// place of the kinks at edges, which samples do not see.
 class FootEnergy {
 public:
-    /// Two Gauss points on each of so many parts of a span.
-    static constexpr int kSegments = 3;
-    static constexpr int kSamplesPerSpan = 2 * kSegments;
+    /// Two Gauss points on each of so many parts of a span. With one curves bend by a fifth more;
+    /// with three they cost a tenth more than with two for the same bending, but more of those that
+    /// pass folds come to lie in the shell.
+    static constexpr int kUsualSegments = 2;
+    static constexpr int kMostSegments = 3;
 
-    /// `heightUnit`: in the shell's frame.
-    FootEnergy(const CurveProblem& problem, const SplineSpace& space, double heightUnit);
+    /// `heightUnit`: in the shell's frame; `segments`: up to kMostSegments.
+    FootEnergy(
+        const CurveProblem& problem,
+        const SplineSpace& space,
+        double heightUnit,
+        int segments = kUsualSegments
+    );
 
-    [[nodiscard]] int sampleCount() const { return space_.spanCount() * kSamplesPerSpan; }
+    [[nodiscard]] int samplesPerSpan() const { return 2 * segments_; }
+
+    [[nodiscard]] int sampleCount() const { return space_.spanCount() * samplesPerSpan(); }
 
     [[nodiscard]] double parameter(int sample) const {
         return samples_[static_cast<std::size_t>(sample)].parameter;
@@ -84,6 +93,8 @@ private:
     [[nodiscard]] double beyond(const FootPoint& foot) const;
     [[nodiscard]] Vec3 beyondGradient(const FootPoint& foot, const FootFrame& frame) const;
 
+    static constexpr int kMostSamples = 2 * kMostSegments;  // of a span
+
     struct Sample {
         double parameter;      // t
         double weight;         // of the quadrature over [0, 1]
@@ -94,6 +105,7 @@ private:
     const CurveProblem& problem_;
     const SplineSpace& space_;
     double heightUnit_;
+    int segments_;
     double fieldWeight_;
     std::vector<Sample> samples_;
     std::vector<SplineSpace::BasisMatrix>

@@ -21,9 +21,11 @@ constexpr double kConstraintWeight = 1e3;
 
 }  // namespace
 
-FootNewton::FootNewton(const CurveProblem& problem, SplineCurve curve, double heightUnit)
+FootNewton::FootNewton(
+    const CurveProblem& problem, SplineCurve curve, double heightUnit, int segments
+)
     : space_(std::move(curve.space)),
-      energy_(problem, space_, heightUnit),
+      energy_(problem, space_, heightUnit, segments),
       system_(space_, interpolationRows(space_, problem.picks)),
       now_{
           std::move(curve.controls),

@@ -12,7 +12,7 @@ namespace bspline_curve {
 class FootNewton {
 public:
     /// Feet are found by follow(), from where the caller puts them in now().
-    FootNewton(const CurveProblem& problem, SplineCurve curve, double heightUnit);
+    FootNewton(const CurveProblem& problem, SplineCurve curve, double heightUnit, int segments);
     FootNewton(const FootNewton&) = delete;  // parts of it refer to others
     FootNewton& operator=(const FootNewton&) = delete;
 

@@ -147,6 +147,7 @@ public:
           finder_(*problem.base),
           tolerance_(problem.distanceTolerance),
           heightUnit_(kUnitInTolerances * tolerance_),
+          segments_(segmentsOf(start, patience)),
           startAlpha_(start ? start->alpha : 0.0),
           alpha_(std::max(firstAlpha(problem), kRestartShare * startAlpha_)),
           newton_(newtonFrom(
@@ -188,6 +189,14 @@ public:
     }
 
 private:
+    // After a first attempt has failed, most.
+    [[nodiscard]] static int segmentsOf(
+        const std::optional<RelaxationStart>& start, Patience patience
+    ) {
+        const bool isAgain = patience == Patience::Long || (start && start->isTight);
+        return isAgain ? FootEnergy::kMostSegments : FootEnergy::kUsualSegments;
+    }
+
     // By what the samples need to come below the tolerance, or to be back at the weight of the
     // curve that this one started from.
     [[nodiscard]] double alphaFactor(double ratio) const {
@@ -208,7 +217,7 @@ private:
     [[nodiscard]] static double progressFraction(int round) { return 1.0 - std::pow(0.75, round); }
 
     [[nodiscard]] std::unique_ptr<FootNewton> newtonFrom(SplineCurve curve) const {
-        return std::make_unique<FootNewton>(problem_, std::move(curve), heightUnit_);
+        return std::make_unique<FootNewton>(problem_, std::move(curve), heightUnit_, segments_);
     }
 
     void startOnGuide(const GuidePath& guide) {
@@ -459,6 +468,7 @@ private:
     Stopwatch watch_;
     double tolerance_;  // of the distance, in the shell's frame
     double heightUnit_;
+    int segments_;       // of FootEnergy
     double startAlpha_;  // of the curve that this one starts from, or 0
     double alpha_;
     MinimiseStatus status_ = MinimiseStatus::IterationLimit;  // of the last descent
@@ -486,7 +496,8 @@ bool isForFootPoints(const CurveProblem& problem) {
 RelaxationStart stiffStart(const CurveProblem& problem, const GuidePath& guide, double stiffness) {
     return {
         fitLoosely(problem, guide, kTightDistance * problem.distanceTolerance),
-        alphaOf(problem, stiffness)
+        alphaOf(problem, stiffness),
+        true
     };
 }
 

@@ -11,6 +11,7 @@ namespace bspline_curve {
 struct RelaxationStart {
     SplineCurve curve;
     double alpha = 0.0;
+    bool isTight = false;  ///< it holds fast to a guide
 };
 
 /// When relax() gives up a curve that is within the tolerance at all samples and still asks for

@@ -460,12 +460,12 @@ TEST_P(FootEnergyOverASphere, TurnsAsTheSphereDoes) {
                                flat(change).dot(product(without, scene_.space(), flat(change)));
         double expected = 0.0;
         for (int i = 0; i < energy_.sampleCount(); ++i) {
-            const int span = i / FootEnergy::kSamplesPerSpan;
+            const int span = i / energy_.samplesPerSpan();
             const Vec3 p = scene_.space().evaluate(scene_.controls(), energy_.parameter(i));
             const Vec3 moves = scene_.space().evaluate(change, energy_.parameter(i));
             const Vec3 along = moves - p.normalized().dot(moves) * p.normalized();
-            expected += scene_.space().spanLength(span) / FootEnergy::kSamplesPerSpan * 2.0 *
-                        kAlpha / (scene_.edge() * scene_.edge()) * (p.norm() - radius) *
+            expected += scene_.space().spanLength(span) / energy_.samplesPerSpan() * 2.0 * kAlpha /
+                        (scene_.edge() * scene_.edge()) * (p.norm() - radius) *
                         along.squaredNorm() / p.norm();
         }
         EXPECT_NEAR(turning, expected, 0.05 * std::abs(expected));
