@@ -135,9 +135,12 @@ void CorridorSearch::leave(
             continue;
         }
         const Vec3& there = next == goal.patches[level] ? goal.position : patches.centres[at(next)];
-        const double cost =
-            from.cost + 0.5 * (costHere + costOf(level, next)) * (there - here).norm();
+        const double half = 0.5 * (there - here).norm();
         Arrival& arrival = arrivals_.at(next, {kFar, -1});
+        if (from.cost + half * costHere >= arrival.cost) {
+            continue;  // whatever it costs there
+        }
+        const double cost = from.cost + half * (costHere + costOf(level, next));
         if (cost < arrival.cost) {
             arrival = {cost, from.patch};
             const double ahead = estimate * (goal.position - there).norm();

@@ -113,17 +113,6 @@ int StripSearch::edgeOf(int crossing) const {
     return 3 * behind + (cornerOf(surface_.faces()[at(behind)], end) + 1) % 3;
 }
 
-void StripSearch::offer(double cost, int crossing, int before) {
-    Arrival& arrival = arrivals_.at(edgeOf(crossing), {kFar, -1, -1});
-    if (cost >= arrival.cost) {
-        return;
-    }
-    arrival = {cost, crossing, before};
-    const double least = costs_.costs().least;
-    const double estimate = extent_ == Extent::Corridor ? kCorridorEstimate * least : least;
-    push({cost + estimate * (goal_ - middle(crossing)).norm(), cost, crossing});
-}
-
 void StripSearch::push(const Offer& entry) {
     queue_.push_back(entry);
     std::ranges::push_heap(queue_, std::greater<>());
@@ -131,11 +120,21 @@ void StripSearch::push(const Offer& entry) {
 
 // Offers the ways out of a face, from a point of it.
 void StripSearch::leave(int face, const Vec3& from, double cost, int before) {
+    const double costHere = costs_.of(face);
+    const double least = costs_.costs().least;
+    const double estimate = extent_ == Extent::Corridor ? kCorridorEstimate * least : least;
     for (int k = 0; k < 3; ++k) {
         const int crossing = 3 * face + k;
         const int next = faceBehind(crossing);
-        if (next >= 0 && mayEnter(next)) {
-            offer(cost + costs_.of(face) * (middle(crossing) - from).norm(), crossing, before);
+        if (next < 0) {
+            continue;
+        }
+        const Vec3 there = middle(crossing);
+        const double costThere = cost + costHere * (there - from).norm();
+        Arrival& arrival = arrivals_.at(edgeOf(crossing), {kFar, -1, -1});
+        if (costThere < arrival.cost && mayEnter(next)) {
+            arrival = {costThere, crossing, before};
+            push({costThere + estimate * (goal_ - there).norm(), costThere, crossing});
         }
     }
 }

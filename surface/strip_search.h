@@ -79,7 +79,6 @@ private:
     [[nodiscard]] Vec3 middle(int crossing) const;
     [[nodiscard]] int faceBehind(int crossing) const;
     [[nodiscard]] int edgeOf(int crossing) const;
-    void offer(double cost, int crossing, int before);
     void push(const Offer& entry);
     void leave(int face, const Vec3& from, double cost, int before);
     void clear();
