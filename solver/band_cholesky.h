@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "solver/symmetric_matrix.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -26,6 +28,22 @@ public:
     /// Adds to the block (row, column), column <= row, in the band or the border. `values` is its
     /// first entry in a matrix that is stored by columns `stride` apart.
     void add(int row, int column, const double* values, std::ptrdiff_t stride);
+
+    /// The same for a symmetric block.
+    void addSymmetric(int row, int column, const SymmetricMatrix& m)
+        requires(kUnknowns == 3)
+    {
+        Block& block = rowOf(row)[column];
+        block[0] += m[0];
+        block[1] += m[1];
+        block[2] += m[2];
+        block[3] += m[1];
+        block[4] += m[3];
+        block[5] += m[4];
+        block[6] += m[2];
+        block[7] += m[4];
+        block[8] += m[5];
+    }
 
     /// O(points bandwidth^2). False where the matrix is not positive definite.
     [[nodiscard]] bool factorise();

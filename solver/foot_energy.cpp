@@ -64,17 +64,26 @@ PackedMatrix packed(const SymmetricMatrix& m) {
     return Eigen::Map<const PackedMatrix>(m.data());
 }
 
-// The block of control points j and k of a span.
-void setBlock(SpanMatrix& matrix, int j, int k, const PackedMatrix& m) {
-    double* const column = matrix.data() + 3 * (k * matrix.outerStride() + j);
-    double* const next = column + matrix.outerStride();
-    double* const last = next + matrix.outerStride();
-    column[0] = m[0];
-    column[1] = next[0] = m[1];
-    column[2] = last[0] = m[2];
-    next[1] = m[3];
-    next[2] = last[1] = m[4];
-    last[2] = m[5];
+using SpanControls = std::array<Vec3, kMaxBasis>;
+
+SpanControls controlsOf(const SplineSpace& space, const ControlPoints& controls, int span) {
+    SpanControls result;
+    for (int j = 0; j < space.basisCount(); ++j) {
+        const double* const row = controls.data() + 3 * std::ptrdiff_t{space.control(span, j)};
+        result[at(j)] = {row[0], row[1], row[2]};
+    }
+    return result;
+}
+
+// Of E_int with all bending, on the j-th control point of a span.
+inline Vec3 ambientForce(
+    const SplineSpace::BasisMatrix& ambient, const SpanControls& controls, int count, int j
+) {
+    Vec3 force = ambient(0, j) * controls[0];
+    for (int k = 1; k < count; ++k) {
+        force += ambient(k, j) * controls[at(k)];
+    }
+    return force;
 }
 
 Eigen::Matrix3d dense(const SymmetricMatrix& m) {
@@ -125,11 +134,8 @@ void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
     spline.seconds.resize(at(sampleCount()));
     const int count = space_.basisCount();
     const int perSpan = samplesPerSpan();
-    std::array<Vec3, kMaxBasis> controls;
     for (int span = 0; span < space_.spanCount(); ++span) {
-        for (int j = 0; j < count; ++j) {
-            controls[at(j)] = spline.controls.row(space_.control(span, j)).transpose();
-        }
+        const SpanControls controls = controlsOf(space_, spline.controls, span);
         for (std::size_t sample = at(span * perSpan); sample < at((span + 1) * perSpan); ++sample) {
             const Sample& table = samples_[sample];
             Vec3 position = table.basis[0] * controls[0];
@@ -189,35 +195,38 @@ Vec3 FootEnergy::beyondGradient(const FootPoint& foot, const FootFrame& frame) c
 EnergyTerms FootEnergy::terms(
     const FootedSpline& spline, const std::vector<FootFrame>& frozen
 ) const {
+    // In the order of differentiate(), so that both agree to the last digit.
     EnergyTerms sum;
-    for (int sample = 0; sample < sampleCount(); ++sample) {
-        const Sample& table = samples_[at(sample)];
-        const FootPoint& foot = spline.feet[at(sample)];
-        const double height = foot.height / heightUnit_;
-        sum.distance += table.weight * height * height;
-        if (foot.face >= problem_.base->surfaceFaceCount) {
-            const double outside = beyond(foot);
-            sum.distance += table.weight * outside * outside;
-        }
-        if (fieldWeight_ > 0.0) {
-            sum.external +=
-                table.weight * fieldCost(problem_.options.fieldCost, fieldAt(foot)).value;
-        }
-        const double along = frozen[at(sample)].direction.dot(spline.seconds[at(sample)]);
-        sum.internal += 0.5 * table.normalBending * along * along;
-    }
+    const int n = space_.basisCount();
     for (int span = 0; span < space_.spanCount(); ++span) {
-        const SplineSpace::BasisMatrix& ambient = ambient_[at(span)];
-        for (int j = 0; j < space_.basisCount(); ++j) {
-            const auto controlJ = spline.controls.row(space_.control(span, j));
-            sum.internal += 0.5 * ambient(j, j) * controlJ.squaredNorm();
-            for (int i = 0; i < j; ++i) {
-                sum.internal +=
-                    ambient(i, j) * controlJ.dot(spline.controls.row(space_.control(span, i)));
+        for (int sample = span * samplesPerSpan(); sample < (span + 1) * samplesPerSpan();
+             ++sample) {
+            const Sample& table = samples_[at(sample)];
+            const FootPoint& foot = spline.feet[at(sample)];
+            sum.distance += distanceTerm(foot, table.weight);
+            if (fieldWeight_ > 0.0) {
+                sum.external +=
+                    table.weight * fieldCost(problem_.options.fieldCost, fieldAt(foot)).value;
             }
+            const double along = frozen[at(sample)].direction.dot(spline.seconds[at(sample)]);
+            sum.internal += 0.5 * table.normalBending * along * along;
+        }
+        const SpanControls controls = controlsOf(space_, spline.controls, span);
+        for (int j = 0; j < n; ++j) {
+            sum.internal +=
+                0.5 * controls[at(j)].dot(ambientForce(ambient_[at(span)], controls, n, j));
         }
     }
     return sum;
+}
+
+double FootEnergy::distanceTerm(const FootPoint& foot, double weight) const {
+    double term = weight / (heightUnit_ * heightUnit_) * foot.height * foot.height;
+    if (foot.face >= problem_.base->surfaceFaceCount) {
+        const double outside = beyond(foot);
+        term += weight * outside * outside;
+    }
+    return term;
 }
 
 double FootEnergy::total(const EnergyTerms& terms, double alpha) const {
@@ -231,14 +240,15 @@ double FootEnergy::scale(const EnergyTerms& terms, double alpha) const {
 }
 
 PointDerivatives FootEnergy::pointDerivatives(
-    const FootedSpline& spline, double alpha, double turning, int sample
+    const FootedSpline& spline, double alpha, double turning, int sample, EnergyTerms& terms
 ) const {
     const FootPoint& foot = spline.feet[at(sample)];
     const FootFrame& frame = spline.frames[at(sample)];
     PointDerivatives point;
-    const double stiffness =
-        2.0 * alpha * samples_[at(sample)].weight / (heightUnit_ * heightUnit_);
+    const double weight = samples_[at(sample)].weight;
+    const double stiffness = 2.0 * alpha * weight / (heightUnit_ * heightUnit_);
     const double force = stiffness * foot.height;
+    terms.distance += distanceTerm(foot, weight);
     point.force = force * frame.height;
     point.addRankOne(frame.height, stiffness);
     // The height's second derivative is the change of n along the surface.
@@ -246,31 +256,33 @@ PointDerivatives FootEnergy::pointDerivatives(
     point.addProduct(frame.turnV, frame.v, 0.5 * turning * force);
     if (foot.face >= problem_.base->surfaceFaceCount) {
         const Vec3 gradient = beyondGradient(foot, frame);
-        const double twice = 2.0 * alpha * samples_[at(sample)].weight;
+        const double twice = 2.0 * alpha * weight;
         point.force += twice * beyond(foot) * gradient;
         point.addRankOne(gradient, twice);
     }
     if (fieldWeight_ > 0.0) {
         const FieldCostValue cost = fieldCost(problem_.options.fieldCost, fieldAt(foot));
         const Vec3 gradient = fieldGradient(foot, frame);
-        const double weight = fieldWeight_ * samples_[at(sample)].weight;
-        point.force += weight * cost.slope * gradient;
-        point.addRankOne(gradient, weight * std::max(0.0, cost.curvature));
+        const double pull = fieldWeight_ * weight;
+        point.force += pull * cost.slope * gradient;
+        point.addRankOne(gradient, pull * std::max(0.0, cost.curvature));
+        terms.external += weight * cost.value;
     }
     return point;
 }
 
-void FootEnergy::differentiate(
+EnergyTerms FootEnergy::differentiate(
     const FootedSpline& spline,
     double alpha,
     double turning,
     Eigen::VectorXd& gradient,
-    std::vector<SpanMatrix>& hessian
+    std::vector<SpanBlocks>& hessian
 ) const {
     const int n = space_.basisCount();
     const int perSpan = samplesPerSpan();
     gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space_.controlCount()));
-    hessian.resize(at(space_.spanCount()), SpanMatrix(3 * n, 3 * n));
+    hessian.resize(at(space_.spanCount()));
+    EnergyTerms terms;
     std::array<Vec3, kMostSamples> forces;
     std::array<Vec3, kMostSamples> bendForces;
     std::array<PackedMatrix, kMostSamples> seconds;
@@ -280,39 +292,37 @@ void FootEnergy::differentiate(
         for (int i = 0; i < perSpan; ++i) {
             const int sample = span * perSpan + i;
             const Vec3& direction = spline.frames[at(sample)].direction;
-            const PointDerivatives point = pointDerivatives(spline, alpha, turning, sample);
+            const PointDerivatives point = pointDerivatives(spline, alpha, turning, sample, terms);
             forces[at(i)] = point.force;
             seconds[at(i)] = packed(point.second);
             bends[at(i)] = packed(rankOne(direction, tables[i].normalBending));
             const double along = direction.dot(spline.seconds[at(sample)]);
             bendForces[at(i)] = tables[i].normalBending * along * direction;
+            terms.internal += 0.5 * tables[i].normalBending * along * along;
         }
         const SplineSpace::BasisMatrix& ambient = ambient_[at(span)];
-        SpanMatrix& block = hessian[at(span)];
+        const SpanControls controls = controlsOf(space_, spline.controls, span);
+        SymmetricMatrix* block = hessian[at(span)].data();
         for (int j = 0; j < n; ++j) {
-            Vec3 force = Vec3::Zero();
+            Vec3 force = ambientForce(ambient, controls, n, j);
+            terms.internal += 0.5 * controls[at(j)].dot(force);
             for (int i = 0; i < perSpan; ++i) {
                 force += tables[i].basis[at(j)] * forces[at(i)] +
                          tables[i].second[at(j)] * bendForces[at(i)];
             }
-            for (int k = 0; k < n; ++k) {
-                force += ambient(k, j) * spline.controls.row(space_.control(span, k)).transpose();
-            }
             gradient.segment<3>(3 * static_cast<Eigen::Index>(space_.control(span, j))) += force;
-            for (int k = 0; k <= j; ++k) {
+            for (int k = 0; k <= j; ++k, ++block) {
                 PackedMatrix sum =
                     packed({ambient(k, j), 0.0, 0.0, ambient(k, j), 0.0, ambient(k, j)});
                 for (int i = 0; i < perSpan; ++i) {
                     sum += (tables[i].basis[at(j)] * tables[i].basis[at(k)]) * seconds[at(i)] +
                            (tables[i].second[at(j)] * tables[i].second[at(k)]) * bends[at(i)];
                 }
-                setBlock(block, j, k, sum);
-                if (k < j) {
-                    setBlock(block, k, j, sum);
-                }
+                Eigen::Map<PackedMatrix>(block->data()) = sum;
             }
         }
     }
+    return terms;
 }
 
 double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int span) const {
@@ -325,6 +335,7 @@ double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int spa
     const double scale = 2.0 / (problem_.chordLength * problem_.chordLength);
     const double own = scale * ((1.0 - tension) * kBend / (length * length * length) +
                                 tension * kStretch / length);
+    EnergyTerms unused;
     SymmetricMatrix stiffness{own, 0.0, 0.0, own, 0.0, own};
     Vec3 force = Vec3::Zero();
     for (int i = 0; i < perSpan; ++i) {
@@ -334,7 +345,7 @@ double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int spa
         const double rest = 1.0 - tau;
         const double value = tau * tau * rest * rest;
         const double second = (2.0 - 12.0 * tau * rest) / (length * length);
-        const PointDerivatives point = pointDerivatives(spline, alpha, 0.0, sample);
+        const PointDerivatives point = pointDerivatives(spline, alpha, 0.0, sample, unused);
         const Vec3& direction = spline.frames[at(sample)].direction;
         const Vec3& bending = spline.seconds[at(sample)];
         force += value * point.force +

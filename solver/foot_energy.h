@@ -65,14 +65,14 @@ public:
     [[nodiscard]] double total(const EnergyTerms& terms, double alpha) const;
     [[nodiscard]] double scale(const EnergyTerms& terms, double alpha) const;
 
-    /// Gradient and Hessian with the spline's own directions frozen. `turning`: share of the
-    /// surface's bending in the Hessian, which can make it indefinite.
-    void differentiate(
+    /// Gradient and Hessian with the spline's own directions frozen; returns the terms there.
+    /// `turning`: share of the surface's bending in the Hessian, which can make it indefinite.
+    EnergyTerms differentiate(
         const FootedSpline& spline,
         double alpha,
         double turning,
         Eigen::VectorXd& gradient,
-        std::vector<SpanMatrix>& hessian
+        std::vector<SpanBlocks>& hessian
     ) const;
 
     /// How much the energy would fall if a span could bulge by itself: one Newton step for the
@@ -84,9 +84,10 @@ public:
     [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
 
 private:
-    // What E_dist and E_ext say at a sample, by the position.
+    [[nodiscard]] double distanceTerm(const FootPoint& foot, double weight) const;
+    // What E_dist and E_ext say at a sample, by the position; adds to these terms.
     [[nodiscard]] PointDerivatives pointDerivatives(
-        const FootedSpline& spline, double alpha, double turning, int sample
+        const FootedSpline& spline, double alpha, double turning, int sample, EnergyTerms& terms
     ) const;
     [[nodiscard]] double fieldAt(const FootPoint& foot) const;
     [[nodiscard]] Vec3 fieldGradient(const FootPoint& foot, const FootFrame& frame) const;

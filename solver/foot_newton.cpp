@@ -19,6 +19,17 @@ constexpr std::array<double, 4> kTurningShares = {1.0, 0.5, 0.25, 0.0};
 // As in newtonStep().
 constexpr double kConstraintWeight = 1e3;
 
+double largestDiagonal(const std::vector<SpanBlocks>& blocksOfSpans) {
+    double largest = 0.0;
+    for (const SpanBlocks& blocks : blocksOfSpans) {
+        for (std::size_t j = 0, diagonal = 0; diagonal < blocks.size(); ++j, diagonal += j + 1) {
+            const SymmetricMatrix& block = blocks[diagonal];
+            largest = std::max({largest, block[0], block[3], block[5]});
+        }
+    }
+    return largest;
+}
+
 }  // namespace
 
 FootNewton::FootNewton(
@@ -36,12 +47,11 @@ FootNewton::FootNewton(
       } {}
 
 std::optional<FootNewton::Step> FootNewton::step(const FootFinder& finder, double alpha) {
-    const std::optional<Eigen::VectorXd> along = direction(alpha);
+    Step step;
+    const std::optional<Eigen::VectorXd> along = direction(alpha, step.terms);
     if (!along) {
         return std::nullopt;
     }
-    Step step;
-    step.terms = energy_.terms(now_, now_.frames);
     step.total = energy_.total(step.terms, alpha);
     step.scale = energy_.scale(step.terms, alpha);
     step.decrement = -0.5 * gradient_.dot(*along);
@@ -49,13 +59,10 @@ std::optional<FootNewton::Step> FootNewton::step(const FootFinder& finder, doubl
     return step;
 }
 
-std::optional<Eigen::VectorXd> FootNewton::direction(double alpha) {
+std::optional<Eigen::VectorXd> FootNewton::direction(double alpha, EnergyTerms& terms) {
     for (const double share : kTurningShares) {
-        energy_.differentiate(now_, alpha, share, gradient_, hessian_);
-        double largest = 0.0;
-        for (const SpanMatrix& block : hessian_) {
-            largest = std::max(largest, block.diagonal().maxCoeff());
-        }
+        terms = energy_.differentiate(now_, alpha, share, gradient_, hessian_);
+        const double largest = largestDiagonal(hessian_);
         if (system_.factorise(hessian_, kConstraintWeight * largest)) {
             return system_.constrainedStep(
                 gradient_, system_.residual(now_.controls), kConstraintWeight * largest

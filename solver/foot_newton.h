@@ -38,7 +38,7 @@ public:
     std::optional<Step> step(const FootFinder& finder, double alpha);
 
 private:
-    [[nodiscard]] std::optional<Eigen::VectorXd> direction(double alpha);
+    [[nodiscard]] std::optional<Eigen::VectorXd> direction(double alpha, EnergyTerms& terms);
     double advance(
         const FootFinder& finder, const Eigen::VectorXd& direction, double alpha, const Step& step
     );
@@ -48,7 +48,7 @@ private:
     SplineSystem system_;
     FootedSpline now_, trial_;
     Eigen::VectorXd gradient_;
-    std::vector<SpanMatrix> hessian_;
+    std::vector<SpanBlocks> hessian_;
 };
 
 }  // namespace bspline_curve

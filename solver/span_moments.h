@@ -3,19 +3,11 @@
 
 #include "solver/spline_space.h"
 #include "solver/spline_system.h"
+#include "solver/symmetric_matrix.h"
 
 #include <array>
 
 namespace bspline_curve {
-
-/// A symmetric 3 by 3 matrix: xx, xy, xz, yy, yz, zz.
-using SymmetricMatrix = std::array<double, 6>;
-
-/// scale v v^T.
-[[nodiscard]] inline SymmetricMatrix rankOne(const Vec3& v, double scale) {
-    const Vec3 u = scale * v;
-    return {u[0] * v[0], u[0] * v[1], u[0] * v[2], u[1] * v[1], u[1] * v[2], u[2] * v[2]};
-}
 
 /// Collects forces and symmetric matrices that act on a spline at parameters of one span, and turns
 /// them into derivatives by the control points. On a span the basis functions are polynomials of

@@ -52,20 +52,44 @@ void SplineSystem::addBlock(int span, const SpanMatrix& block) {
     }
 }
 
+void SplineSystem::addBlocks(int span, const SpanBlocks& blocks) {
+    std::size_t block = 0;
+    for (int j = 0; j < space_.basisCount(); ++j) {
+        const int row = space_.control(span, j);
+        for (int k = 0; k <= j; ++k, ++block) {
+            const int column = space_.control(span, k);
+            factor_.addSymmetric(std::max(row, column), std::min(row, column), blocks[block]);
+        }
+    }
+}
+
 bool SplineSystem::factorise(const std::vector<SpanMatrix>& blocks, double fitWeight) {
     factor_.clear();
     for (int span = 0; span < space_.spanCount(); ++span) {
         addBlock(span, blocks[at(span)]);
     }
-    const int size = 3 * space_.basisCount();
+    return factoriseWithRows(fitWeight);
+}
+
+bool SplineSystem::factorise(const std::vector<SpanBlocks>& blocks, double fitWeight) {
+    factor_.clear();
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        addBlocks(span, blocks[at(span)]);
+    }
+    return factoriseWithRows(fitWeight);
+}
+
+bool SplineSystem::factoriseWithRows(double fitWeight) {
     for (const InterpolationRow& row : rows_) {
-        SpanMatrix block = SpanMatrix::Zero(size, size);
-        for (int i = 0; i < size; ++i) {
-            for (int j = i % 3; j < size; j += 3) {
-                block(i, j) = fitWeight * row.values[at(i / 3)] * row.values[at(j / 3)];
+        SpanBlocks blocks{};
+        std::size_t block = 0;
+        for (std::size_t j = 0; j < at(space_.basisCount()); ++j) {
+            for (std::size_t k = 0; k <= j; ++k, ++block) {
+                const double value = fitWeight * row.values[j] * row.values[k];
+                blocks[block] = {value, 0.0, 0.0, value, 0.0, value};
             }
         }
-        addBlock(row.span, block);
+        addBlocks(row.span, blocks);
     }
     return factor_.factorise();
 }

@@ -4,9 +4,11 @@
 #include "solver/band_cholesky.h"
 #include "solver/curve_problem.h"
 #include "solver/spline_space.h"
+#include "solver/symmetric_matrix.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,10 @@ using SpanMatrix = Eigen::Matrix<
     Eigen::ColMajor,
     kMaxSpanUnknowns,
     kMaxSpanUnknowns>;
+/// The same where all 3 x 3 blocks are symmetric: those of the lower triangle, block (j, k) of two
+/// control points of the span, k <= j, at j (j + 1) / 2 + k.
+using SpanBlocks = std::array<SymmetricMatrix, kMaxBasis*(kMaxBasis + 1) / 2>;
+
 using SpanVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSpanUnknowns, 1>;
 
 /// One row of the interpolation constraints: sum_j values[j] * control(span, j) = target.
@@ -45,6 +51,7 @@ public:
     /// Sums span blocks into the matrix and factorises it, after adding `fitWeight` A^T A (A: the
     /// interpolation rows). False where the result is not positive definite.
     [[nodiscard]] bool factorise(const std::vector<SpanMatrix>& blocks, double fitWeight);
+    [[nodiscard]] bool factorise(const std::vector<SpanBlocks>& blocks, double fitWeight);
 
     /// Solution of the factorised system.
     [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd right) const {
@@ -69,6 +76,8 @@ public:
 
 private:
     void addBlock(int span, const SpanMatrix& block);
+    void addBlocks(int span, const SpanBlocks& blocks);
+    [[nodiscard]] bool factoriseWithRows(double fitWeight);
 
     const SplineSpace& space_;
     std::vector<InterpolationRow> rows_;

@@ -163,16 +163,32 @@ Eigen::Map<const Eigen::VectorXd> flat(const ControlPoints& controls) {
     return {controls.data(), controls.size()};
 }
 
+SpanMatrix denseOf(const SpanBlocks& blocks, int basisCount) {
+    SpanMatrix matrix(3 * basisCount, 3 * basisCount);
+    std::size_t block = 0;
+    for (int j = 0; j < basisCount; ++j) {
+        for (int k = 0; k <= j; ++k, ++block) {
+            const auto [xx, xy, xz, yy, yz, zz] = blocks[block];
+            Eigen::Matrix3d m;
+            m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+            matrix.block<3, 3>(3 * j, 3 * k) = m;
+            matrix.block<3, 3>(3 * k, 3 * j) = m;
+        }
+    }
+    return matrix;
+}
+
 Eigen::VectorXd product(
-    const std::vector<SpanMatrix>& hessian, const SplineSpace& space, const Eigen::VectorXd& x
+    const std::vector<SpanBlocks>& hessian, const SplineSpace& space, const Eigen::VectorXd& x
 ) {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(x.size());
     const int size = 3 * space.basisCount();
     for (int span = 0; span < space.spanCount(); ++span) {
         const auto unknown = [&](int i) { return 3 * space.control(span, i / 3) + i % 3; };
+        const SpanMatrix matrix = denseOf(hessian[at(span)], space.basisCount());
         for (int i = 0; i < size; ++i) {
             for (int j = 0; j < size; ++j) {
-                result[unknown(i)] += hessian[at(span)](i, j) * x[unknown(j)];
+                result[unknown(i)] += matrix(i, j) * x[unknown(j)];
             }
         }
     }
@@ -180,13 +196,15 @@ Eigen::VectorXd product(
 }
 
 struct Derivatives {
+    EnergyTerms terms;
     Eigen::VectorXd gradient;
-    std::vector<SpanMatrix> hessian;
+    std::vector<SpanBlocks> hessian;
 };
 
 Derivatives derivativesOf(const FootEnergy& energy, const FootedSpline& spline, double turning) {
     Derivatives derivatives;
-    energy.differentiate(spline, kAlpha, turning, derivatives.gradient, derivatives.hessian);
+    derivatives.terms =
+        energy.differentiate(spline, kAlpha, turning, derivatives.gradient, derivatives.hessian);
     return derivatives;
 }
 
@@ -357,7 +375,12 @@ TEST_P(FootEnergyDerivatives, AgreeWithDifferencesForFrozenDirections) {
         return foot.face >= scene.base().surfaceFaceCount;
     };
     EXPECT_EQ(std::ranges::any_of(spline.feet, isBeyond), c.overBoundary);
-    const Eigen::VectorXd gradient = derivativesOf(energy, spline, 1.0).gradient;
+    const Derivatives derivatives = derivativesOf(energy, spline, 1.0);
+    const Eigen::VectorXd& gradient = derivatives.gradient;
+    const EnergyTerms terms = energy.terms(spline, spline.frames);
+    EXPECT_EQ(derivatives.terms.internal, terms.internal);
+    EXPECT_EQ(derivatives.terms.distance, terms.distance);
+    EXPECT_EQ(derivatives.terms.external, terms.external);
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const ControlPoints change = randomChange(scene.space(), seed);
@@ -399,8 +422,9 @@ TEST_P(FootEnergyDerivatives, HaveAPositiveHessianWithoutTurning) {
     const FootEnergy energy = scene.energy();
     const FootedSpline spline = scene.footed(energy, scene.controls());
     const Derivatives derivatives = derivativesOf(energy, spline, 0.0);
-    for (const SpanMatrix& block : derivatives.hessian) {
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(block)};
+    for (const SpanBlocks& blocks : derivatives.hessian) {
+        const Eigen::MatrixXd matrix = denseOf(blocks, scene.space().basisCount());
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{matrix};
         const Eigen::VectorXd& values = solver.eigenvalues();
         EXPECT_GE(values.minCoeff(), -1e-12 * values.maxCoeff());
     }
@@ -434,7 +458,7 @@ protected:
 };
 
 TEST_P(FootEnergyOverASphere, HasTheHessianOfItsGradientOverManyEdges) {
-    const std::vector<SpanMatrix> hessian = derivativesOf(energy_, spline_, 1.0).hessian;
+    const std::vector<SpanBlocks> hessian = derivativesOf(energy_, spline_, 1.0).hessian;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         ControlPoints change = randomChange(scene_.space(), seed);
@@ -450,8 +474,8 @@ TEST_P(FootEnergyOverASphere, HasTheHessianOfItsGradientOverManyEdges) {
 
 // The second derivative of |P| is (1 - n n^T) / |P|.
 TEST_P(FootEnergyOverASphere, TurnsAsTheSphereDoes) {
-    const std::vector<SpanMatrix> with = derivativesOf(energy_, spline_, 1.0).hessian;
-    const std::vector<SpanMatrix> without = derivativesOf(energy_, spline_, 0.0).hessian;
+    const std::vector<SpanBlocks> with = derivativesOf(energy_, spline_, 1.0).hessian;
+    const std::vector<SpanBlocks> without = derivativesOf(energy_, spline_, 0.0).hessian;
     const double radius = 1.0 / scene_.base().frame.scale;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -523,7 +547,7 @@ Relaxed relaxed(
         spline.feet[at(i)] = {nearest.face, nearest.barycentric[1], nearest.barycentric[2], 0.0};
     }
     Eigen::VectorXd gradient;
-    std::vector<SpanMatrix> hessian;
+    std::vector<SpanBlocks> hessian;
     double decrement = 1.0;
     constexpr double kPickWeight = 1e6;
     for (int step = 0; step < 30 && decrement > 1e-7; ++step) {

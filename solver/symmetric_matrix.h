@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/types.h"
+
+#include <array>
+
+namespace bspline_curve {
+
+/// A symmetric 3 by 3 matrix: xx, xy, xz, yy, yz, zz.
+using SymmetricMatrix = std::array<double, 6>;
+
+/// scale v v^T.
+[[nodiscard]] inline SymmetricMatrix rankOne(const Vec3& v, double scale) {
+    const Vec3 u = scale * v;
+    return {u[0] * v[0], u[0] * v[1], u[0] * v[2], u[1] * v[1], u[1] * v[2], u[2] * v[2]};
+}
+
+}  // namespace bspline_curve
