@@ -3,8 +3,6 @@
 
 #include "solver/options.h"
 
-#include <Eigen/Geometry>
-
 #include <cmath>
 #include <utility>
 
@@ -16,25 +14,12 @@ ShellOptions validated(const ShellOptions& options) {
     return options;
 }
 
-double areaOf(const Surface& surface) {
-    const auto corner = [&](int vertex) -> const Vec3& {
-        return surface.vertices()[static_cast<std::size_t>(vertex)];
-    };
-    double twice = 0.0;
-    for (const Triangle& face : surface.faces()) {
-        const Vec3 u = corner(face[1]) - corner(face[0]);
-        const Vec3 v = corner(face[2]) - corner(face[0]);
-        twice += u.cross(v).norm();
-    }
-    return 0.5 * twice;
-}
-
 }  // namespace
 
 PreparedSurface::PreparedSurface(TriangleMesh mesh, const ShellOptions& options)
     : options_(validated(options)),
       surface_(std::move(mesh)),
-      finestEdge_(kFinestEdge * std::sqrt(areaOf(surface_))),
+      finestEdge_(kFinestEdge * std::sqrt(surface_.area())),
       validateSeconds_(watch_.lap()),
       futureBase_(
           std::async(

@@ -2,9 +2,13 @@
 #include "surface/face_adjacency.h"
 
 #include "surface/input_error.h"
+#include "surface/side_task.h"
 
 #include <algorithm>
+#include <array>
+#include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 
@@ -30,21 +34,245 @@ std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-int cornerOf(const Triangle& face, int k) {
-    return face[index(k)];
+/// A face at a vertex, seen from there.
+struct Corner {
+    int next;      ///< the face's vertex after this one
+    int previous;  ///< and before it
+    int face;
+    int edge;  ///< of the face, from `previous` to here; across it lies the face counter-clockwise
+};
+
+Corner cornerAt(const TriangleMesh& mesh, int face, int vertex) {
+    const Triangle& corners = mesh.faces[index(face)];
+    // Without a branch, since which corner of a face a vertex is is past predicting.
+    const int k =
+        static_cast<int>(corners[1] == vertex) + 2 * static_cast<int>(corners[2] == vertex);
+    return {
+        .next = corners[index(next(k))],
+        .previous = corners[index(previous(k))],
+        .face = face,
+        .edge = next(k),
+    };
 }
 
-int tailOf(const TriangleMesh& mesh, int halfEdge) {
-    return cornerOf(mesh.faces[index(halfEdge / 3)], next(halfEdge % 3));
-}
+/// Puts the faces around one vertex in order; keeps its memory for the next vertex.
+class FanOrder {
+public:
+    enum class Fan : char { Closed, Open, None };
 
-int headOf(const TriangleMesh& mesh, int halfEdge) {
-    return cornerOf(mesh.faces[index(halfEdge / 3)], previous(halfEdge % 3));
-}
+    /// Puts corners in counter-clockwise order: an open fan from its first, a closed one from the
+    /// corner that was first. None where they are not one fan, in which each edge joins two faces
+    /// that use it in opposite directions and share no other, or bounds one.
+    [[nodiscard]] Fan order(std::span<Corner> corners) {
+        // Comparing each with each is quickest up to about so many.
+        constexpr std::size_t kFewCorners = 24;
+        if (corners.size() <= kFewCorners && chain(corners)) {
+            return closed(corners);
+        }
+        return search(corners);
+    }
 
-int oppositeOf(const TriangleMesh& mesh, int halfEdge) {
-    return cornerOf(mesh.faces[index(halfEdge / 3)], halfEdge % 3);
-}
+private:
+    /// A closed fan of two faces is a face and its copy.
+    static Fan closed(std::span<const Corner> corners) {
+        return corners.size() == 2 ? Fan::None : Fan::Closed;
+    }
+
+    /// Puts a closed fan in order, without memory; false where they are none.
+    static bool chain(std::span<Corner> corners) {
+        const std::size_t count = corners.size();
+        const int begin = corners.front().next;
+        for (std::size_t i = 0; i + 1 < count; ++i) {
+            // Without leaving early, since where the next one is is past predicting.
+            const int vertex = corners[i].previous;
+            std::size_t successor = 0;
+            int found = 0;
+            for (std::size_t j = i + 1; j < count; ++j) {
+                const bool follows = corners[j].next == vertex;
+                successor = follows ? j : successor;
+                found += static_cast<int>(follows);
+            }
+            if (found != 1 || vertex == begin) {
+                return false;
+            }
+            std::swap(corners[i + 1], corners[successor]);
+        }
+        return corners.back().previous == begin;
+    }
+
+    /// Puts any fan in order, in O(n log n).
+    Fan search(std::span<Corner> corners) {
+        if (!findSuccessors(corners)) {
+            return Fan::None;
+        }
+        const auto unfollowing = std::ranges::find(hasPredecessor_, 0);
+        const bool isOpen = unfollowing != hasPredecessor_.end();
+        const int first = isOpen ? static_cast<int>(unfollowing - hasPredecessor_.begin()) : 0;
+        ordered_.clear();
+        int corner = first;
+        do {
+            ordered_.push_back(corners[index(corner)]);
+            corner = successors_[index(corner)];
+        } while (corner >= 0 && corner != first && ordered_.size() < corners.size());
+        if (ordered_.size() < corners.size() || corner != (isOpen ? -1 : first)) {
+            return Fan::None;
+        }
+        std::ranges::copy(ordered_, corners.begin());
+        return isOpen ? Fan::Open : closed(corners);
+    }
+
+    /// Finds the corner that leaves the vertex by the edge by which another comes, or -1; false
+    /// where two leave by the same edge.
+    bool findSuccessors(std::span<const Corner> corners) {
+        using Leaving = std::pair<int, int>;
+        leaving_.clear();
+        for (std::size_t j = 0; j < corners.size(); ++j) {
+            leaving_.emplace_back(corners[j].next, static_cast<int>(j));
+        }
+        std::ranges::sort(leaving_);
+        if (std::ranges::adjacent_find(leaving_, {}, &Leaving::first) != leaving_.end()) {
+            return false;
+        }
+        successors_.assign(corners.size(), -1);
+        hasPredecessor_.assign(corners.size(), 0);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const int vertex = corners[i].previous;
+            const auto found = std::ranges::lower_bound(leaving_, vertex, {}, &Leaving::first);
+            if (found != leaving_.end() && found->first == vertex) {
+                successors_[i] = found->second;
+                hasPredecessor_[index(found->second)] = 1;
+            }
+        }
+        return true;
+    }
+
+    std::vector<std::pair<int, int>> leaving_;  // vertex after the corner, corner
+    std::vector<int> successors_;
+    std::vector<char> hasPredecessor_;
+    std::vector<Corner> ordered_;
+};
+
+/// What joining finds at a range of vertices, beside what it writes.
+struct RangeFindings {
+    std::vector<double> edgeLengths;  ///< of the edges with low vertex in the range, by low, high
+    std::vector<int> suspects;        ///< vertices whose faces are not one fan
+};
+
+/// Joins the faces at a range of vertices. Ranges may be joined at once: at a vertex only that is
+/// written of its faces' neighbours which lies counter-clockwise around it.
+class RangeJoin {
+public:
+    /// Orders adjacency.facesAround, and fills neighbours and isBoundary.
+    RangeJoin(const TriangleMesh& mesh, FaceAdjacency& adjacency)
+        : mesh_(mesh), adjacency_(adjacency) {}
+
+    [[nodiscard]] RangeFindings join(int firstVertex, int lastVertex) {
+        // An open fan has one edge more than faces. What is not used of the room is never touched.
+        findings_.edgeLengths.reserve(
+            index(offset(lastVertex) - offset(firstVertex) + lastVertex - firstVertex)
+        );
+        // Block by block: loops that do little per vertex wait for several vertices' memory at
+        // once, and the corners of a block stay in the cache.
+        constexpr int kBlock = 128;
+        for (int first = firstVertex; first < lastVertex; first += kBlock) {
+            const int last = std::min(first + kBlock, lastVertex);
+            gatherCorners(first, last);
+            edgeCount_ = 0;
+            for (int v = first; v < last; ++v) {
+                joinAt(
+                    v,
+                    std::span(corners_).subspan(
+                        index(offset(v) - offset(first)), index(offset(v + 1) - offset(v))
+                    )
+                );
+            }
+            measureEdges();
+        }
+        return std::move(findings_);
+    }
+
+private:
+    struct Edge {
+        int low;
+        int high;
+    };
+
+    [[nodiscard]] int offset(int vertex) const {
+        return adjacency_.facesAround.offsets[index(vertex)];
+    }
+
+    void gatherCorners(int first, int last) {
+        corners_.resize(index(offset(last) - offset(first)));
+        // An edge per corner, and one more at an open fan.
+        edges_.resize(corners_.size() + index(last - first));
+        const int* face = adjacency_.facesAround.faces.data() + offset(first);
+        std::size_t filled = 0;
+        for (int v = first; v < last; ++v) {
+            for (const int end = offset(v + 1) - offset(first); filled < index(end); ++filled) {
+                corners_[filled] = cornerAt(mesh_, *face++, v);
+            }
+        }
+    }
+
+    void joinAt(int vertex, std::span<Corner> corners) {
+        if (corners.empty()) {
+            return;
+        }
+        const FanOrder::Fan fan = fan_.order(corners);
+        if (fan == FanOrder::Fan::None) {
+            findings_.suspects.push_back(vertex);
+            return;
+        }
+        const bool isOpen = fan == FanOrder::Fan::Open;
+        adjacency_.isBoundary[index(vertex)] = static_cast<char>(isOpen);
+        int* around = adjacency_.facesAround.faces.data() + offset(vertex);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            around[i] = corners[i].face;
+            neighbourAt(corners[i]) = corners[i + 1 < corners.size() ? i + 1 : 0].face;
+        }
+        if (isOpen) {
+            neighbourAt(corners.back()) = -1;
+        }
+        listEdges(vertex, corners, isOpen);
+    }
+
+    [[nodiscard]] int& neighbourAt(const Corner& corner) {
+        return adjacency_.neighbours[index(corner.face)][index(corner.edge)];
+    }
+
+    /// Lists the edges that have their low vertex here, by their high vertex.
+    void listEdges(int vertex, std::span<const Corner> corners, bool isOpen) {
+        const std::size_t first = edgeCount_;
+        const auto list = [&](int other) {
+            // Without a branch, since which of two vertices is the lower is past predicting.
+            edges_[edgeCount_] = {.low = vertex, .high = other};
+            edgeCount_ += static_cast<std::size_t>(other > vertex);
+        };
+        for (const Corner& corner : corners) {
+            list(corner.next);
+        }
+        if (isOpen) {
+            list(corners.back().previous);
+        }
+        std::ranges::sort(std::span(edges_).subspan(first, edgeCount_ - first), {}, &Edge::high);
+    }
+
+    void measureEdges() {
+        for (const Edge& edge : std::span(edges_).first(edgeCount_)) {
+            findings_.edgeLengths.push_back(
+                (mesh_.vertices[index(edge.low)] - mesh_.vertices[index(edge.high)]).norm()
+            );
+        }
+    }
+
+    const TriangleMesh& mesh_;
+    FaceAdjacency& adjacency_;
+    RangeFindings findings_;
+    FanOrder fan_;
+    std::vector<Corner> corners_;
+    std::vector<Edge> edges_;
+    std::size_t edgeCount_ = 0;
+};
 
 struct EdgeEntry {
     int highVertex;
@@ -52,43 +280,31 @@ struct EdgeEntry {
     auto operator<=>(const EdgeEntry&) const = default;
 };
 
-/// Calls visit(lowVertex, entries) once per undirected edge with all its half-edges, ascending.
+/// Calls visit(entries) once per undirected edge that has its low vertex here, with all its
+/// half-edges, ascending.
 template <class Visitor>
-void forEachEdge(const TriangleMesh& mesh, const Visitor& visit) {
-    const auto halfEdgeCount = static_cast<int>(3 * mesh.faces.size());
-
-    // Step 1: bucket the half-edges by their low vertex (counting sort).
-    std::vector<int> offsets(mesh.vertices.size() + 1, 0);
-    for (int h = 0; h < halfEdgeCount; ++h) {
-        ++offsets[index(std::min(tailOf(mesh, h), headOf(mesh, h)))];
-    }
-    int end = 0;
-    for (int& offset : offsets) {
-        end += offset;
-        offset = end;
-    }
-    // Filling from the back turns each end of a bucket into its start.
-    std::vector<EdgeEntry> entries(index(halfEdgeCount));
-    for (int h = halfEdgeCount - 1; h >= 0; --h) {
-        const int low = std::min(tailOf(mesh, h), headOf(mesh, h));
-        const int high = std::max(tailOf(mesh, h), headOf(mesh, h));
-        entries[index(--offsets[index(low)])] = {.highVertex = high, .halfEdge = h};
-    }
-
-    // Step 2: sort each bucket by the high vertex; equal ones are one edge.
-    for (std::size_t low = 0; low + 1 < offsets.size(); ++low) {
-        const std::span<EdgeEntry> bucket(
-            entries.data() + offsets[low], entries.data() + offsets[low + 1]
-        );
-        std::ranges::sort(bucket);
-        for (std::size_t first = 0; first < bucket.size();) {
-            std::size_t last = first + 1;
-            while (last < bucket.size() && bucket[last].highVertex == bucket[first].highVertex) {
-                ++last;
-            }
-            visit(static_cast<int>(low), bucket.subspan(first, last - first));
-            first = last;
+void forEachEdgeAt(
+    const TriangleMesh& mesh, int vertex, std::span<const int> faces, const Visitor& visit
+) {
+    std::vector<EdgeEntry> entries;
+    for (const int face : faces) {
+        const Corner corner = cornerAt(mesh, face, vertex);
+        if (corner.previous > vertex) {
+            entries.push_back({.highVertex = corner.previous, .halfEdge = 3 * face + corner.edge});
         }
+        if (corner.next > vertex) {
+            const int edge = next(corner.edge);
+            entries.push_back({.highVertex = corner.next, .halfEdge = 3 * face + edge});
+        }
+    }
+    std::ranges::sort(entries);
+    for (std::size_t first = 0; first < entries.size();) {
+        std::size_t last = first + 1;
+        while (last < entries.size() && entries[last].highVertex == entries[first].highVertex) {
+            ++last;
+        }
+        visit(std::span<const EdgeEntry>(entries).subspan(first, last - first));
+        first = last;
     }
 }
 
@@ -113,70 +329,22 @@ struct BadEdges {
     }
 };
 
-/// Position of a vertex in a face that has it.
-int cornerIndex(const Triangle& face, int vertex) {
-    if (face[0] == vertex) {
-        return 0;
-    }
-    return face[1] == vertex ? 1 : 2;
+int tailOf(const TriangleMesh& mesh, int halfEdge) {
+    return mesh.faces[index(halfEdge / 3)][index(next(halfEdge % 3))];
 }
 
-struct Fan {
-    bool isWhole;  ///< holds all faces at the vertex
-    bool isOpen;
-};
+int oppositeOf(const TriangleMesh& mesh, int halfEdge) {
+    return mesh.faces[index(halfEdge / 3)][index(halfEdge % 3)];
+}
 
-/// Writes a fan at a vertex over the list of the vertex's faces, which comes in ascending order: an
-/// open fan if there is one, else the fan of the first face.
-Fan orderFan(
-    const TriangleMesh& mesh,
-    const std::vector<Triangle>& neighbours,
-    int vertex,
-    std::span<int> facesAtVertex
+/// Throws what is wrong with a mesh that has suspects: bad edges, which have both their vertices
+/// among them, or, where no edge is bad, the vertices themselves.
+[[noreturn]] void refuseSuspects(
+    const TriangleMesh& mesh, const VertexFaces& facesAt, std::span<const int> suspects
 ) {
-    // The face counter-clockwise of f around its corner k lies across the edge opposite to k + 1,
-    // the face clockwise of it across the edge opposite to k + 2.
-    const auto counterClockwise = [&](int face) {
-        return cornerOf(
-            neighbours[index(face)], next(cornerIndex(mesh.faces[index(face)], vertex))
-        );
-    };
-    const auto clockwise = [&](int face) {
-        return cornerOf(
-            neighbours[index(face)], previous(cornerIndex(mesh.faces[index(face)], vertex))
-        );
-    };
-
-    const auto firstOfOpenFan =
-        std::ranges::find_if(facesAtVertex, [&](int face) { return clockwise(face) < 0; });
-    const bool isOpen = firstOfOpenFan != facesAtVertex.end();
-    const int start = isOpen ? *firstOfOpenFan : facesAtVertex.front();
-    std::size_t size = 0;
-    int face = start;
-    do {
-        facesAtVertex[size++] = face;
-        face = counterClockwise(face);
-    } while (face >= 0 && face != start);
-    return {.isWhole = size == facesAtVertex.size(), .isOpen = isOpen};
-}
-
-}  // namespace
-
-FaceAdjacency joinFacesAlongEdges(const TriangleMesh& mesh) {
-    FaceAdjacency adjacency;
-    adjacency.neighbours.assign(mesh.faces.size(), Triangle{-1, -1, -1});
-    const auto link = [&](int halfEdge, int face) {
-        adjacency.neighbours[index(halfEdge / 3)][index(halfEdge % 3)] = face;
-    };
-
-    std::size_t edgeCount = 0;
-    double edgeLengthSum = 0.0;
     BadEdges crowded;
     BadEdges opposed;
-    forEachEdge(mesh, [&](int low, std::span<const EdgeEntry> edge) {
-        ++edgeCount;
-        edgeLengthSum +=
-            (mesh.vertices[index(low)] - mesh.vertices[index(edge[0].highVertex)]).norm();
+    const auto classify = [&](std::span<const EdgeEntry> edge) {
         if (edge.size() == 1) {
             return;
         }
@@ -186,11 +354,18 @@ FaceAdjacency joinFacesAlongEdges(const TriangleMesh& mesh) {
             crowded.add(edge);
         } else if (tailOf(mesh, g) == tailOf(mesh, h)) {
             opposed.add(edge);
-        } else {
-            link(g, h / 3);
-            link(h, g / 3);
         }
-    });
+    };
+    for (const int vertex : suspects) {
+        const int first = facesAt.offsets[index(vertex)];
+        const int last = facesAt.offsets[index(vertex) + 1];
+        forEachEdgeAt(
+            mesh,
+            vertex,
+            std::span(facesAt.faces).subspan(index(first), index(last - first)),
+            classify
+        );
+    }
     if (crowded.count > 0) {
         refuseElements(
             InputErrorCode::NonManifoldEdge,
@@ -213,85 +388,111 @@ FaceAdjacency joinFacesAlongEdges(const TriangleMesh& mesh) {
             "help, the mesh is one-sided like a Moebius strip, so cut it open first"
         );
     }
-    adjacency.averageEdgeLength = edgeLengthSum / static_cast<double>(edgeCount);
-    return adjacency;
+    refuseElements(
+        InputErrorCode::NonManifoldVertex,
+        describeCount(suspects.size(), "vertex joins", "vertices join") +
+            " parts of the surface that share no edge there",
+        "vertices",
+        Elements(suspects.begin(), suspects.end()),
+        "split them with MeshLab's filter 'Repair non Manifold Vertices by splitting'"
+    );
 }
 
-VertexFans orderFacesAroundVertices(
-    const TriangleMesh& mesh, const std::vector<Triangle>& neighbours
-) {
-    const std::size_t vertexCount = mesh.vertices.size();
-    VertexFans fans;
-    fans.offsets.assign(vertexCount + 1, 0);
-    fans.faces.resize(3 * mesh.faces.size());
-    fans.isBoundary.assign(vertexCount, 0);
+/// First of the faces that a chain of smaller and smaller ones leads to; halves the chain.
+int firstOf(std::vector<int>& smaller, int face) {
+    while (smaller[index(face)] != face) {
+        int& parent = smaller[index(face)];
+        parent = smaller[index(parent)];
+        face = parent;
+    }
+    return face;
+}
 
-    // Step 1: list the faces at every vertex, ascending (counting sort, filled from the back).
+}  // namespace
+
+VertexFaces listFacesAtVertices(const TriangleMesh& mesh) {
+    // A counting sort, filled from the back, which turns each end of a list into its start.
+    VertexFaces listed;
+    listed.offsets.assign(mesh.vertices.size() + 1, 0);
     for (const Triangle& face : mesh.faces) {
         for (const int vertex : face) {
-            ++fans.offsets[index(vertex)];
+            ++listed.offsets[index(vertex)];
         }
     }
     int end = 0;
-    for (int& offset : fans.offsets) {
+    for (int& offset : listed.offsets) {
         end += offset;
         offset = end;
     }
+    listed.faces.resize(3 * mesh.faces.size());
     for (std::size_t f = mesh.faces.size(); f-- > 0;) {
         for (const int vertex : mesh.faces[f]) {
-            fans.faces[index(--fans.offsets[index(vertex)])] = static_cast<int>(f);
+            listed.faces[index(--listed.offsets[index(vertex)])] = static_cast<int>(f);
         }
     }
+    return listed;
+}
 
-    // Step 2: walk around every vertex.
-    Elements bad;
-    for (std::size_t v = 0; v < vertexCount; ++v) {
-        const std::span<int> facesAtVertex(
-            fans.faces.data() + fans.offsets[v], fans.faces.data() + fans.offsets[v + 1]
-        );
-        if (facesAtVertex.empty()) {
-            continue;
+FaceAdjacency joinFaces(const TriangleMesh& mesh, VertexFaces listed) {
+    FaceAdjacency adjacency;
+    adjacency.neighbours.resize(mesh.faces.size());
+    adjacency.isBoundary.resize(mesh.vertices.size());
+    adjacency.facesAround = std::move(listed);
+
+    // Step 1: join at the vertices, half of the corners on each thread.
+    const std::vector<int>& offsets = adjacency.facesAround.offsets;
+    const auto middle =
+        static_cast<int>(std::ranges::lower_bound(offsets, offsets.back() / 2) - offsets.begin());
+    const auto vertexCount = static_cast<int>(mesh.vertices.size());
+    auto joinLater = startBeside(mesh.faces.size(), [&] {
+        return RangeJoin(mesh, adjacency).join(middle, vertexCount);
+    });
+    const std::array<RangeFindings, 2> findings{
+        RangeJoin(mesh, adjacency).join(0, middle), joinLater.get()
+    };
+
+    // Step 2: put together what they found, in order of the vertices.
+    std::vector<int> suspects;
+    double lengthSum = 0.0;
+    std::size_t edgeCount = 0;
+    for (const RangeFindings& found : findings) {
+        suspects.insert(suspects.end(), found.suspects.begin(), found.suspects.end());
+        for (const double length : found.edgeLengths) {
+            lengthSum += length;
         }
-        const Fan fan = orderFan(mesh, neighbours, static_cast<int>(v), facesAtVertex);
-        fans.isBoundary[v] = static_cast<char>(fan.isOpen);
-        if (!fan.isWhole) {
-            bad.push_back(static_cast<std::int64_t>(v));
-        }
+        edgeCount += found.edgeLengths.size();
     }
-    if (!bad.empty()) {
-        refuseElements(
-            InputErrorCode::NonManifoldVertex,
-            describeCount(bad.size(), "vertex joins", "vertices join") +
-                " parts of the surface that share no edge there",
-            "vertices",
-            bad,
-            "split them with MeshLab's filter 'Repair non Manifold Vertices by splitting'"
-        );
+    if (!suspects.empty()) {
+        refuseSuspects(mesh, adjacency.facesAround, suspects);
     }
-    return fans;
+    adjacency.averageEdgeLength = lengthSum / static_cast<double>(edgeCount);
+    return adjacency;
 }
 
 FaceComponents labelComponents(const std::vector<Triangle>& neighbours) {
     FaceComponents components;
-    components.componentOf.assign(neighbours.size(), -1);
-    std::vector<int> pending;
-    for (std::size_t seed = 0; seed < neighbours.size(); ++seed) {
-        if (components.componentOf[seed] >= 0) {
-            continue;
-        }
-        components.componentOf[seed] = components.count;
-        pending.push_back(static_cast<int>(seed));
-        while (!pending.empty()) {
-            const int face = pending.back();
-            pending.pop_back();
-            for (const int neighbour : neighbours[index(face)]) {
-                if (neighbour >= 0 && components.componentOf[index(neighbour)] < 0) {
-                    components.componentOf[index(neighbour)] = components.count;
-                    pending.push_back(neighbour);
-                }
+    std::vector<int>& componentOf = components.componentOf;
+    componentOf.resize(neighbours.size());
+
+    // Step 1: unite, in order of the faces; each leads to itself or to a smaller one of its
+    // component, at last to the first.
+    for (int face = 0; face < static_cast<int>(neighbours.size()); ++face) {
+        int first = face;
+        componentOf[index(face)] = face;
+        for (const int neighbour : neighbours[index(face)]) {
+            if (neighbour < 0 || neighbour > face) {
+                continue;
             }
+            const int other = firstOf(componentOf, neighbour);
+            componentOf[index(std::max(first, other))] = std::min(first, other);
+            first = std::min(first, other);
         }
-        ++components.count;
+    }
+
+    // Step 2: number; the face that another leads to has its number already.
+    for (int face = 0; face < static_cast<int>(neighbours.size()); ++face) {
+        int& component = componentOf[index(face)];
+        component = component == face ? components.count++ : componentOf[index(component)];
     }
     return components;
 }

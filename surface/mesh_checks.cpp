@@ -33,9 +33,12 @@ bool isUsable(const Vec3& point) {
            std::abs(point[2]) <= kLargestCoordinate;
 }
 
-}  // namespace
+struct FaceArea {
+    double twice;
+    bool isEnough;  ///< see checkFacesHaveArea
+};
 
-bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c) {
+FaceArea measure(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a;
     const Vec3 ac = c - a;
     const double longestEdge =
@@ -43,7 +46,14 @@ bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double largestCoordinate = std::max(
         {a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>(), c.lpNorm<Eigen::Infinity>()}
     );
-    return ab.cross(ac).norm() > kRelativeArea * longestEdge * largestCoordinate;
+    const double twice = ab.cross(ac).norm();
+    return {.twice = twice, .isEnough = twice > kRelativeArea * longestEdge * largestCoordinate};
+}
+
+}  // namespace
+
+bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return measure(a, b, c).isEnough;
 }
 
 void checkArrays(const TriangleMesh& mesh) {
@@ -96,13 +106,16 @@ void checkArrays(const TriangleMesh& mesh) {
     }
 }
 
-void checkFacesHaveArea(const TriangleMesh& mesh) {
+double checkFacesHaveArea(const TriangleMesh& mesh) {
     const auto corner = [&](std::size_t face, std::size_t k) -> const Vec3& {
         return mesh.vertices[static_cast<std::size_t>(mesh.faces[face][k])];
     };
     // Equal corners have no area either, so one test finds repeated vertices as well.
+    double twice = 0.0;
     const Elements bad = collect(mesh.faces.size(), [&](std::size_t f) {
-        return !hasArea(corner(f, 0), corner(f, 1), corner(f, 2));
+        const FaceArea area = measure(corner(f, 0), corner(f, 1), corner(f, 2));
+        twice += area.twice;
+        return !area.isEnough;
     });
     if (!bad.empty()) {
         refuseElements(
@@ -113,6 +126,7 @@ void checkFacesHaveArea(const TriangleMesh& mesh) {
             "remove them with MeshLab's filters 'Merge Close Vertices' and 'Remove Zero Area Faces'"
         );
     }
+    return 0.5 * twice;
 }
 
 }  // namespace bspline_curve

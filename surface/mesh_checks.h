@@ -24,7 +24,8 @@ inline constexpr double kRelativeArea = 0x1p-48;
 /// the area exceeds 2^-48 (16 ulps) x longest edge x largest coordinate. Below that, the height of
 /// the triangle is less than the error that storing its corners has made, so that the direction of
 /// its normal means nothing; above it, the area is positive in exact arithmetic too.
+/// Returns the sum of the areas.
 /// Throws InputError: DegenerateFace (faces). Expects checked arrays. O(n).
-void checkFacesHaveArea(const TriangleMesh& mesh);
+double checkFacesHaveArea(const TriangleMesh& mesh);
 
 }  // namespace bspline_curve

@@ -3,20 +3,22 @@
 
 #include "surface/face_adjacency.h"
 #include "surface/mesh_checks.h"
+#include "surface/side_task.h"
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <utility>
 
 namespace bspline_curve {
 
 namespace {
 
-double diagonalOfReferencedVertices(const TriangleMesh& mesh) {
+double diagonalOfReferencedVertices(const TriangleMesh& mesh, const std::vector<int>& faceOffsets) {
     Eigen::AlignedBox3d box;
-    for (const Triangle& face : mesh.faces) {
-        for (const int vertex : face) {
-            box.extend(mesh.vertices[static_cast<std::size_t>(vertex)]);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        if (faceOffsets[v] < faceOffsets[v + 1]) {
+            box.extend(mesh.vertices[v]);
         }
     }
     return box.diagonal().norm();
@@ -26,22 +28,23 @@ double diagonalOfReferencedVertices(const TriangleMesh& mesh) {
 
 Surface::Surface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
     checkArrays(mesh_);
-    checkFacesHaveArea(mesh_);
 
-    FaceAdjacency adjacency = joinFacesAlongEdges(mesh_);
+    // Listing only needs indices in range, so that it need not wait for the areas.
+    auto listed = startBeside(mesh_.faces.size(), [this] { return listFacesAtVertices(mesh_); });
+    area_ = checkFacesHaveArea(mesh_);
+    FaceAdjacency adjacency = joinFaces(mesh_, listed.get());
     faceNeighbours_ = std::move(adjacency.neighbours);
     averageEdgeLength_ = adjacency.averageEdgeLength;
+    vertexFaceOffsets_ = std::move(adjacency.facesAround.offsets);
+    vertexFaces_ = std::move(adjacency.facesAround.faces);
+    isBoundaryVertex_ = std::move(adjacency.isBoundary);
 
-    VertexFans fans = orderFacesAroundVertices(mesh_, faceNeighbours_);
-    vertexFaceOffsets_ = std::move(fans.offsets);
-    vertexFaces_ = std::move(fans.faces);
-    isBoundaryVertex_ = std::move(fans.isBoundary);
-
-    FaceComponents components = labelComponents(faceNeighbours_);
+    auto labelled =
+        startBeside(mesh_.faces.size(), [this] { return labelComponents(faceNeighbours_); });
+    diagonal_ = diagonalOfReferencedVertices(mesh_, vertexFaceOffsets_);
+    FaceComponents components = labelled.get();
     faceComponents_ = std::move(components.componentOf);
     componentCount_ = components.count;
-
-    diagonal_ = diagonalOfReferencedVertices(mesh_);
 }
 
 Vec3 Surface::position(const SurfacePoint& point) const {

@@ -13,7 +13,8 @@ namespace bspline_curve {
 /// goes.
 class Surface {
 public:
-    /// Validates and takes over a mesh. O(n log n) time.
+    /// Validates and takes over a mesh. O(n log n) time, on two threads where there are many faces,
+    /// on which the result does not depend.
     /// Throws InputError (EmptyMesh, NonFiniteCoordinate, IndexOutOfRange, DegenerateFace,
     /// NonManifoldEdge, InconsistentOrientation, NonManifoldVertex, checked in this order), naming
     /// the count, the first element ids, and what to do.
@@ -67,6 +68,9 @@ public:
     /// Length of the diagonal of the axis-aligned box of the referenced vertices.
     [[nodiscard]] double diagonal() const { return diagonal_; }
 
+    /// Sum of the areas of all faces.
+    [[nodiscard]] double area() const { return area_; }
+
     /// Mean length of all edges, each counted once.
     [[nodiscard]] double averageEdgeLength() const { return averageEdgeLength_; }
 
@@ -83,6 +87,7 @@ private:
     std::vector<int> vertexFaces_;
     std::vector<char> isBoundaryVertex_;
     double diagonal_ = 0.0;
+    double area_ = 0.0;
     double averageEdgeLength_ = 0.0;
 };
 

@@ -3,6 +3,7 @@
 
 #include "support/meshes.h"
 #include "support/random.h"
+#include "surface/side_task.h"
 
 #include <Eigen/Geometry>
 
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -30,6 +33,17 @@ std::vector<std::pair<std::string, TriangleMesh>> sampleMeshes() {
         {"renumbered plate", renumbered(jitteredPlate(6, 5, 0.2, 2), 3)},
         {"single face", {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .faces = {{0, 1, 2}}}},
     };
+}
+
+/// A cone about the z axis without its base; the apex is vertex 0 and at all the faces.
+TriangleMesh cone(int faces) {
+    TriangleMesh mesh{.vertices = {Vec3::UnitZ()}, .faces = {}};
+    for (int i = 0; i < faces; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / faces;
+        mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+        mesh.faces.push_back({0, 1 + i, 1 + (i + 1) % faces});
+    }
+    return mesh;
 }
 
 int vertexOf(const Surface& surface, int face, int k) {
@@ -123,6 +137,95 @@ TEST(Surface, FacesAroundAVertexAreItsWholeFanCounterClockwise) {
     }
 }
 
+/// Every fan is whole, and the largest has as many faces as the mesh.
+void expectConeOfWholeFans(const TriangleMesh& mesh) {
+    const Surface surface(mesh);
+    int largest = 0;
+    for (int vertex = 0; vertex < surface.vertexCount(); ++vertex) {
+        expectWholeFan(surface, vertex);
+        largest = std::max(largest, surface.facesAround(vertex).size());
+    }
+    EXPECT_EQ(largest, surface.faceCount());
+}
+
+TEST(Surface, OrdersTheFacesAroundAVertexOfVeryManyFaces) {
+    for (const int count : {3, 24, 25, 100000}) {
+        SCOPED_TRACE(count);
+        TriangleMesh mesh = cone(count);
+        expectConeOfWholeFans(renumbered(mesh, 6));
+        mesh.faces.erase(mesh.faces.begin() + count / 2);
+        expectConeOfWholeFans(renumbered(mesh, 6));
+    }
+}
+
+TEST(Surface, ClosedFansStartAtTheFirstFace) {
+    const Surface surface(renumbered(torus(12, 7), 7));
+    for (int vertex = 0; vertex < surface.vertexCount(); ++vertex) {
+        const Surface::FaceRange faces = surface.facesAround(vertex);
+        EXPECT_EQ(faces.first[0], *std::min_element(faces.begin(), faces.end()));
+    }
+}
+
+/// The part is in the whole, its faces and vertices moved up.
+void expectHolds(const Surface& whole, const Surface& part, int firstFace, int firstVertex) {
+    for (int face = 0; face < part.faceCount(); ++face) {
+        for (int k = 0; k < 3; ++k) {
+            const int neighbour = neighbourOf(part, face, k);
+            ASSERT_EQ(
+                neighbourOf(whole, firstFace + face, k), neighbour < 0 ? -1 : firstFace + neighbour
+            );
+        }
+    }
+    for (int vertex = 0; vertex < part.vertexCount(); ++vertex) {
+        const Surface::FaceRange faces = part.facesAround(vertex);
+        const Surface::FaceRange same = whole.facesAround(firstVertex + vertex);
+        ASSERT_EQ(whole.isBoundaryVertex(firstVertex + vertex), part.isBoundaryVertex(vertex));
+        ASSERT_TRUE(
+            std::equal(
+                faces.begin(), faces.end(), same.begin(), same.end(), [&](int own, int other) {
+                    return firstFace + own == other;
+                }
+            )
+        );
+    }
+}
+
+/// Mean length of the edges, added by their low, then their high vertices.
+double meanOfEdgesInOrder(const TriangleMesh& mesh) {
+    std::set<std::pair<int, int>> edges;
+    for (const Triangle& face : mesh.faces) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            edges.insert(std::minmax({face[k], face[(k + 1) % 3]}));
+        }
+    }
+    double sum = 0.0;
+    for (const auto& [low, high] : edges) {
+        sum += (mesh.vertices[static_cast<std::size_t>(low)] -
+                mesh.vertices[static_cast<std::size_t>(high)])
+                   .norm();
+    }
+    return sum / static_cast<double>(edges.size());
+}
+
+TEST(Surface, IsTheSameOnTwoThreadsToTheLastDigit) {
+    // The whole takes two threads, its parts one each.
+    const TriangleMesh first = renumbered(jitteredPlate(100, 100, 0.2, 8), 9);
+    const TriangleMesh second = renumbered(icosphere(5), 10);
+    const TriangleMesh mesh = joined(first, second);
+    ASSERT_LT(std::max(first.faces.size(), second.faces.size()), kFacesForTwoThreads);
+    ASSERT_GE(mesh.faces.size(), kFacesForTwoThreads);
+    const Surface whole(mesh);
+    const auto firstFaces = static_cast<int>(first.faces.size());
+    const auto firstVertices = static_cast<int>(first.vertices.size());
+    expectHolds(whole, Surface(first), 0, 0);
+    expectHolds(whole, Surface(second), firstFaces, firstVertices);
+    EXPECT_EQ(whole.componentCount(), 2);
+    EXPECT_EQ(whole.faceComponents()[first.faces.size() - 1], 0);
+    EXPECT_EQ(whole.faceComponents()[first.faces.size()], 1);
+
+    EXPECT_EQ(whole.averageEdgeLength(), meanOfEdgesInOrder(mesh));
+}
+
 TEST(Surface, AllowsUnreferencedVerticesAndLeavesThemOutOfTheBox) {
     TriangleMesh mesh = plate(1, 1, 3.0, 4.0);
     mesh.vertices.emplace_back(100.0, 100.0, 100.0);
@@ -171,6 +274,11 @@ TEST(Surface, MeasuresTheDiagonalAndTheMeanOfAllEdges) {
         }
         EXPECT_NEAR(sample.averageEdgeLength(), sum / count, 1e-13);
     }
+}
+
+TEST(Surface, MeasuresTheArea) {
+    EXPECT_DOUBLE_EQ(Surface(plate(5, 4, 3.0, 2.0)).area(), 6.0);
+    EXPECT_DOUBLE_EQ(Surface(box(3, {1.0, 2.0, 3.0})).area(), 22.0);
 }
 
 TEST(Surface, NormalsPointOutOfAClosedSurface) {

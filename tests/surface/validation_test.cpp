@@ -158,6 +158,18 @@ TEST(Validation, RefusesTwoClosedSurfacesThatShareAVertex) {
     EXPECT_EQ(error.elements(), (Elements{3}));
 }
 
+TEST(Validation, CountsTheThirdEdgeOfTwoCopiesBetweenCrowdedEdges) {
+    // Around vertex 1 the copies lie in a closed chain of faces that passes the edge (0, 1) twice.
+    const TriangleMesh mesh{
+        .vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
+        .faces = {{1, 0, 2}, {1, 2, 3}, {1, 3, 0}, {1, 0, 4}, {1, 4, 0}},
+    };
+    const InputError error = refusal(mesh);
+    EXPECT_EQ(error.code(), InputErrorCode::NonManifoldEdge);
+    EXPECT_EQ(error.elements(), (Elements{0, 2, 3, 4}));
+    expectMentions(error, "3 edges join");
+}
+
 TEST(Validation, ReportsTheFirstOfSeveralDefectsInTheDocumentedOrder) {
     TriangleMesh mesh = joined(bowTie(), withFaceReversed(icosphere(0), 2));
     EXPECT_EQ(refusal(mesh).code(), InputErrorCode::InconsistentOrientation);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <future>
+#include <utility>
+
+namespace bspline_curve {
+
+/// Fewer faces than this are not worth a second thread: starting one takes as long as validating
+/// some hundred faces.
+inline constexpr std::size_t kFacesForTwoThreads = 32768;
+
+/// Starts a task over the faces of a mesh on a second thread where they are many (and a thread is
+/// to be had); else it runs when its result is asked for. A result that is never asked for is
+/// waited for, where its task has started.
+template <class Task>
+[[nodiscard]] auto startBeside(std::size_t faceCount, Task task) {
+    const std::launch both = std::launch::async | std::launch::deferred;
+    return std::async(
+        faceCount < kFacesForTwoThreads ? std::launch::deferred : both, std::move(task)
+    );
+}
+
+}  // namespace bspline_curve
