@@ -93,7 +93,7 @@ constexpr double kStrongestField = 20.0;
 // Shells near the curve have prisms over the faces below its samples and between these, and, where
 // it leaves them, over the faces about that place: four of five curves do with none, most others
 // with one. After so many places all have a ring about them; more rings helped none of 480 curves.
-constexpr int kMostPlaces = 6;
+constexpr int kMostPlaces = 3;
 // Half a prism at least, in tolerances.
 constexpr double kLeastTolerances = 2.5;
 
@@ -354,16 +354,15 @@ private:
         }
         std::vector<int> below = facesBelow(problem_, space(), now().controls, feet);
         addFacesAroundPicks(below);
-        distance = measureOver(below, 0);
-        for (int place = 0; place < kMostPlaces && leaves(distance); ++place) {
+        distance = measureOver(below);
+        while (leaves(distance) && rings_ == 0) {
             const std::vector<ShadowTrace::Piece>& pieces = distance.trace.pieces;
-            if (pieces.empty() || !addFacesAbout(near_->faces[at(pieces.back().face)], below)) {
-                break;  // through the top or the bottom
+            if (places_ == kMostPlaces || pieces.empty() ||
+                !addFacesAbout(near_->faces[at(pieces.back().face)])) {
+                rings_ = 1;
             }
-            distance = measureOver(below, 0);
-        }
-        if (leaves(distance)) {
-            distance = measureOver(below, 1);
+            ++places_;
+            distance = measureOver(below);
         }
         return distance;
     }
@@ -372,27 +371,29 @@ private:
         return !std::isfinite(distance.largest);
     }
 
-    // In prisms over these faces and so many rings about them.
-    [[nodiscard]] CurveDistance measureOver(const std::vector<int>& faces, int rings) {
+    // In prisms over these faces, and over those where the curve has left such prisms before.
+    [[nodiscard]] CurveDistance measureOver(std::vector<int> faces) {
+        faces.insert(faces.end(), facesOfPlaces_.begin(), facesOfPlaces_.end());
         near_ = std::make_shared<const NearShell>(
             *problem_.surface,
             *problem_.base,
             faces,
-            NearShellSize{rings, problem_.nearThickness, kLeastTolerances * tolerance_}
+            NearShellSize{rings_, problem_.nearThickness, kLeastTolerances * tolerance_}
         );
         return measureDistance(
             tracedShellOf(*near_, problem_.picks.front()), space(), now().controls
         );
     }
 
-    // Adds those that share a vertex with a face. Returns whether any had no prism before.
-    [[nodiscard]] bool addFacesAbout(int face, std::vector<int>& faces) const {
+    // Adds those that share a vertex with a face where the curve leaves its prisms. Returns whether
+    // any had no prism before: not where it leaves through the top or the bottom.
+    [[nodiscard]] bool addFacesAbout(int face) {
         bool isNew = false;
         if (face < problem_.base->surfaceFaceCount) {
             for (const int vertex : problem_.base->faces[at(face)]) {
                 for (const int there : problem_.surface->facesAround(vertex)) {
                     isNew = isNew || near_->indexOf(there) < 0;
-                    faces.push_back(there);
+                    facesOfPlaces_.push_back(there);
                 }
             }
         }
@@ -476,7 +477,10 @@ private:
     int knotsNearby_ = 0;  // when all samples first were near enough, or 0
     std::unique_ptr<FootNewton> newton_;
     std::shared_ptr<const NearShell> near_;  // about the curve when it was measured
-    std::optional<ShadowTrace> trace_;       // at the end
+    std::vector<int> facesOfPlaces_;         // that it had to be widened by
+    int places_ = 0;
+    int rings_ = 0;
+    std::optional<ShadowTrace> trace_;  // at the end
     SolveReport report_;
 };
 
