@@ -21,8 +21,8 @@ namespace {
 
 // Weight of the distance, that of usual first rounds.
 constexpr double kAlpha = 100.0;
-// Half a prism at least, in tolerances, and rings of faces about a curve, as in relax() where the
-// curve leaves the prisms below it.
+// Half a prism at least, in tolerances, as in NearTracer; and a ring of faces about the curve, so
+// that there are enough of them to count.
 constexpr double kLeastTolerances = 2.5;
 constexpr int kRings = 1;
 // Simplification takes 60 us per face: on a small mesh, whatever the scene's.

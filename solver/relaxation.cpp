@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/relaxation.h"
 
-#include "solver/curve_distance.h"
 #include "solver/curve_tracer.h"
-#include "solver/faces_below.h"
 #include "solver/foot_newton.h"
 #include "solver/knot_insertion.h"
+#include "solver/near_tracer.h"
 #include "solver/point_terms.h"
 #include "surface/stopwatch.h"
-#include "surface/surface_point.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -90,13 +87,6 @@ constexpr double kHighestTension = 0.5;
 // Stronger fields draw the samples into valleys that are narrower than the way between two samples.
 constexpr double kStrongestField = 20.0;
 
-// Shells near the curve have prisms over the faces below its samples and between these, and, where
-// it leaves them, over the faces about that place: four of five curves do with none, most others
-// with one. After so many places all have a ring about them; more rings helped none of 480 curves.
-constexpr int kMostPlaces = 3;
-// Half a prism at least, in tolerances.
-constexpr double kLeastTolerances = 2.5;
-
 // Whether what the curve avoids is too far away to push it anywhere.
 bool isClear(const CurveProblem& problem, const Solution& solution) {
     bool clear = true;
@@ -145,6 +135,7 @@ public:
           options_(problem.options),
           patience_(patience),
           finder_(*problem.base),
+          tracer_(problem),
           tolerance_(problem.distanceTolerance),
           heightUnit_(kUnitInTolerances * tolerance_),
           segments_(segmentsOf(start, patience)),
@@ -180,6 +171,7 @@ public:
                     return std::nullopt;
                 }
                 alpha_ *= alphaFactor(ratio);
+                knotsNearby_ = 0;
             } else if (multipliesKnots()) {
                 return std::nullopt;
             }
@@ -344,7 +336,6 @@ private:
     }
 
     [[nodiscard]] CurveDistance measure() {
-        CurveDistance distance;
         if (problem_.shell != nullptr) {
             return measureDistance(tracedShellOf(problem_), space(), now().controls);
         }
@@ -352,60 +343,7 @@ private:
         for (int sample = 0; sample < energy().sampleCount(); ++sample) {
             feet.push_back({energy().parameter(sample), now().feet[at(sample)]});
         }
-        std::vector<int> below = facesBelow(problem_, space(), now().controls, feet);
-        addFacesAroundPicks(below);
-        distance = measureOver(below);
-        while (leaves(distance) && rings_ == 0) {
-            const std::vector<ShadowTrace::Piece>& pieces = distance.trace.pieces;
-            if (places_ == kMostPlaces || pieces.empty() ||
-                !addFacesAbout(near_->faces[at(pieces.back().face)])) {
-                rings_ = 1;
-            }
-            ++places_;
-            distance = measureOver(below);
-        }
-        return distance;
-    }
-
-    [[nodiscard]] static bool leaves(const CurveDistance& distance) {
-        return !std::isfinite(distance.largest);
-    }
-
-    // In prisms over these faces, and over those where the curve has left such prisms before.
-    [[nodiscard]] CurveDistance measureOver(std::vector<int> faces) {
-        faces.insert(faces.end(), facesOfPlaces_.begin(), facesOfPlaces_.end());
-        near_ = std::make_shared<const NearShell>(
-            *problem_.surface,
-            *problem_.base,
-            faces,
-            NearShellSize{rings_, problem_.nearThickness, kLeastTolerances * tolerance_}
-        );
-        return measureDistance(
-            tracedShellOf(*near_, problem_.picks.front()), space(), now().controls
-        );
-    }
-
-    // Adds those that share a vertex with a face where the curve leaves its prisms. Returns whether
-    // any had no prism before: not where it leaves through the top or the bottom.
-    [[nodiscard]] bool addFacesAbout(int face) {
-        bool isNew = false;
-        if (face < problem_.base->surfaceFaceCount) {
-            for (const int vertex : problem_.base->faces[at(face)]) {
-                for (const int there : problem_.surface->facesAround(vertex)) {
-                    isNew = isNew || near_->indexOf(there) < 0;
-                    facesOfPlaces_.push_back(there);
-                }
-            }
-        }
-        return isNew;
-    }
-
-    // A curve through a vertex may pass any of the faces there.
-    void addFacesAroundPicks(std::vector<int>& faces) const {
-        for (const PickConstraint& pick : problem_.picks) {
-            const std::vector<int> there = facesHolding(*problem_.surface, pick.point);
-            faces.insert(faces.end(), there.begin(), there.end());
-        }
+        return tracer_.measure(space(), now().controls, feet);
     }
 
     void insert(std::vector<double> breaks) {
@@ -457,7 +395,7 @@ private:
         return {
             {space(), std::move(now().controls)},
             std::move(report_),
-            std::move(near_),
+            tracer_.shell(),
             std::move(trace_)
         };
     }
@@ -466,6 +404,7 @@ private:
     const SolverOptions& options_;
     Patience patience_;
     FootFinder finder_;
+    NearTracer tracer_;
     Stopwatch watch_;
     double tolerance_;  // of the distance, in the shell's frame
     double heightUnit_;
@@ -474,12 +413,8 @@ private:
     double alpha_;
     MinimiseStatus status_ = MinimiseStatus::IterationLimit;  // of the last descent
     int steps_ = 0;                                           // of the round
-    int knotsNearby_ = 0;  // when all samples first were near enough, or 0
+    int knotsNearby_ = 0;  // since when all samples have been near enough, or 0
     std::unique_ptr<FootNewton> newton_;
-    std::shared_ptr<const NearShell> near_;  // about the curve when it was measured
-    std::vector<int> facesOfPlaces_;         // that it had to be widened by
-    int places_ = 0;
-    int rings_ = 0;
     std::optional<ShadowTrace> trace_;  // at the end
     SolveReport report_;
 };
