@@ -87,9 +87,10 @@ void addCurvePaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
     const NearShellSize size{
         kRings, scene.problem.nearThickness, kLeastTolerances * scene.problem.distanceTolerance
     };
-    const std::vector<int> passed = scene.solution.trace->faces(
-        tracedShellOf(*scene.solution.near, scene.problem.picks.front())
-    );
+    const NearShell& whole = *scene.solution.near;
+    const std::optional<ShadowTrace>& trace = scene.solution.trace;
+    const std::vector<int> passed =
+        trace ? trace->faces(tracedShellOf(whole, scene.problem.picks.front())) : whole.faces;
     const auto near = std::make_shared<const NearShell>(
         scene.prepared.surface(), *scene.prepared.base(), passed, size
     );

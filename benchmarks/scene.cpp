@@ -34,7 +34,7 @@ const std::vector<Vec3> kPickDirections = {
 // Tolerances in the unit of heights, as in relax().
 constexpr double kHeightTolerances = 10.0;
 // Distance from the path, of the chords' length, as in relax().
-constexpr double kFirstDistance = 0.003;
+constexpr double kFirstDistance = 0.0031;
 
 Vec3 vertexTowards(const TriangleMesh& mesh, const Vec3& direction) {
     return *std::ranges::max_element(mesh.vertices, {}, [&](const Vec3& v) {

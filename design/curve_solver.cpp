@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace bspline_curve {
 namespace {
@@ -203,7 +204,10 @@ std::optional<Solved> CurveSolver::relaxed(
     }
     const NearShell* const near = solution->near.get();
     if (near != nullptr) {
-        for (const int face : solution->trace->faces(tracedShellOf(*near, problem.picks.front()))) {
+        const std::optional<ShadowTrace>& trace = solution->trace;
+        const std::vector<int> passed =
+            trace ? trace->faces(tracedShellOf(*near, problem.picks.front())) : near->faces;
+        for (const int face : passed) {
             if (face < prepared_.surface().faceCount() && prepared_.crossings().hasCrossing(face)) {
                 return std::nullopt;
             }

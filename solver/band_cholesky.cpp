@@ -113,10 +113,11 @@ bool BandCholesky<kUnknowns>::factorise() {
     return true;
 }
 
+// L y = right, in place.
 template <int kUnknowns>
-Eigen::VectorXd BandCholesky<kUnknowns>::solve(Eigen::VectorXd right) const {
+void BandCholesky<kUnknowns>::solveLower(double* unknowns) const {
     const auto unknownsOf = [&](int point) {
-        return right.data() + kUnknowns * static_cast<std::ptrdiff_t>(point);
+        return unknowns + kUnknowns * static_cast<std::ptrdiff_t>(point);
     };
     for (int i = 0; i < points_; ++i) {
         const Block* const row = rowOf(i);
@@ -139,6 +140,14 @@ Eigen::VectorXd BandCholesky<kUnknowns>::solve(Eigen::VectorXd right) const {
             x[r] *= diagonal[(kSize + 1) * r];
         }
     }
+}
+
+// L^T x = y, in place.
+template <int kUnknowns>
+void BandCholesky<kUnknowns>::solveUpper(double* unknowns) const {
+    const auto unknownsOf = [&](int point) {
+        return unknowns + kUnknowns * static_cast<std::ptrdiff_t>(point);
+    };
     for (int i = points_ - 1; i >= 0; --i) {
         const Block* const row = rowOf(i);
         double* const x = unknownsOf(i);
@@ -161,6 +170,12 @@ Eigen::VectorXd BandCholesky<kUnknowns>::solve(Eigen::VectorXd right) const {
             }
         }
     }
+}
+
+template <int kUnknowns>
+Eigen::VectorXd BandCholesky<kUnknowns>::solve(Eigen::VectorXd right) const {
+    solveLower(right.data());
+    solveUpper(right.data());
     return right;
 }
 

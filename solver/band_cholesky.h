@@ -69,6 +69,8 @@ private:
 
     [[nodiscard]] int firstColumn(int row) const;
 
+    void solveLower(double* unknowns) const;
+    void solveUpper(double* unknowns) const;
     static void subtractProduct(Block& c, const Block& a, const Block& b);
     static void divideByTransposed(Block& x, const Block& diagonal);
     static bool factoriseDiagonal(Block& a);

@@ -19,7 +19,7 @@ std::size_t at(int index) {
 
 // Newton's method on a face: it converges quadratically, so what a step this small leaves is 1e-9
 // at most, in barycentric coordinates.
-constexpr double kLastStep = 3e-5;
+constexpr double kLastStep = 1e-5;
 constexpr int kMaxSteps = 6;
 // The foot lies in another face for certain: no need to converge first.
 constexpr double kFarOutside = -0.3;

@@ -23,7 +23,7 @@ std::size_t at(int index) {
 
 // The first curve is a fit to the guide within this share of the length of the polygon of picks.
 // 0.01 takes 40 % more steps, 0.002 makes curves stick to where they start.
-constexpr double kFirstDistance = 0.003;
+constexpr double kFirstDistance = 0.0031;
 // And under a strong field, which has bent the guide: with less curves take longer, with twice as
 // much they stay in worse valleys.
 constexpr double kFirstFieldDistance = 0.005;

@@ -96,7 +96,7 @@ public:
         // What pulls at each pick.
         std::vector<Vec3> pulls;
         for (const InterpolationRow& row : rows_) {
-            pulls.push_back(kConstraintWeight * row.target);
+            pulls.emplace_back(kConstraintWeight * row.target);
         }
         for (int step = 0; step < kMaxMultiplierSteps; ++step) {
             controls = pulledBy(pulls);
