@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/vcglib_import.h"
 
+#include "surface/large_array.h"
+
 #include <vcg/complex/complex.h>
 #include <wrap/io_trimesh/import_obj.h>
 #include <wrap/io_trimesh/import_off.h>
@@ -42,12 +44,12 @@ using Allocator = vcg::tri::Allocator<Mesh>;
 /// Takes vertices and faces as they are, also those that a file's flags mark as deleted.
 ImportedMesh toArrays(const Mesh& source) {
     ImportedMesh result;
-    result.mesh.vertices.reserve(source.vert.size());
+    reserveLarge(result.mesh.vertices, source.vert.size());
     for (const Vertex& vertex : source.vert) {
         const auto& p = vertex.cP();
         result.mesh.vertices.emplace_back(p[0], p[1], p[2]);
     }
-    result.mesh.faces.reserve(source.face.size());
+    reserveLarge(result.mesh.faces, source.face.size());
     for (const Face& face : source.face) {
         Triangle triangle{};
         for (int k = 0; k < 3; ++k) {

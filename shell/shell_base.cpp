@@ -2,6 +2,7 @@
 #include "shell/shell_base.h"
 
 #include "shell/pillar_directions.h"
+#include "surface/large_array.h"
 
 #include <Eigen/Geometry>
 
@@ -43,20 +44,22 @@ public:
         base_.frame = frame;
         base_.surfaceVertexCount = surface_.vertexCount();
         base_.surfaceFaceCount = surface_.faceCount();
-        base_.vertices.reserve(surface_.vertices().size());
+        reserveLarge(base_.vertices, surface_.vertices().size());
         for (const Vec3& vertex : surface_.vertices()) {
             base_.vertices.push_back(base_.frame.toUnit(vertex));
         }
+        reserveLarge(base_.faces, surface_.faces().size());
         base_.faces = surface_.faces();
+        reserveLarge(base_.faceNeighbours, surface_.faces().size());
         base_.faceNeighbours = surface_.faceNeighbours();
-        normals_.reserve(base_.faces.size());
+        reserveLarge(normals_, base_.faces.size());
         for (int f = 0; f < surface_.faceCount(); ++f) {
             normals_.push_back(normalOf(f));
         }
     }
 
     void measureEdges() {
-        base_.edgeLengths.assign(base_.vertices.size(), 0.0);
+        base_.edgeLengths = makeLarge(base_.vertices.size(), 0.0);
         std::vector<int> counts(base_.vertices.size(), 0);
         for (const Triangle& face : base_.faces) {
             for (std::size_t k = 0; k < 3; ++k) {
@@ -77,7 +80,7 @@ public:
     // Directions of all vertices; a vertex that none sees moves towards its ring's mean until one
     // does.
     void findDirections() {
-        base_.directions.assign(base_.vertices.size(), Vec3::UnitZ());
+        base_.directions = makeLarge<Vec3>(base_.vertices.size(), Vec3::UnitZ());
         std::vector<int> unseen;
         for (int v = 0; v < surface_.vertexCount(); ++v) {
             if (!surface_.facesAround(v).empty() && !findDirection(v)) {
@@ -98,7 +101,7 @@ public:
 
     // Averages directions over the ring, each kept only where the smallest cosine does not suffer.
     void smoothDirections(int passes) {
-        std::vector<Vec3> sums(base_.faces.size());
+        std::vector<Vec3> sums = makeLarge<Vec3>(base_.faces.size(), Vec3::Zero());
         for (int pass = 0; pass < passes; ++pass) {
             for (std::size_t f = 0; f < sums.size(); ++f) {
                 const Triangle& face = base_.faces[f];

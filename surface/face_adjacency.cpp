@@ -2,6 +2,7 @@
 #include "surface/face_adjacency.h"
 
 #include "surface/input_error.h"
+#include "surface/large_array.h"
 #include "surface/side_task.h"
 
 #include <algorithm>
@@ -168,7 +169,8 @@ public:
 
     [[nodiscard]] RangeFindings join(int firstVertex, int lastVertex) {
         // An open fan has one edge more than faces. What is not used of the room is never touched.
-        findings_.edgeLengths.reserve(
+        reserveLarge(
+            findings_.edgeLengths,
             index(offset(lastVertex) - offset(firstVertex) + lastVertex - firstVertex)
         );
         // Block by block: loops that do little per vertex wait for several vertices' memory at
@@ -413,7 +415,7 @@ int firstOf(std::vector<int>& smaller, int face) {
 VertexFaces listFacesAtVertices(const TriangleMesh& mesh) {
     // A counting sort, filled from the back, which turns each end of a list into its start.
     VertexFaces listed;
-    listed.offsets.assign(mesh.vertices.size() + 1, 0);
+    listed.offsets = makeLarge(mesh.vertices.size() + 1, 0);
     for (const Triangle& face : mesh.faces) {
         for (const int vertex : face) {
             ++listed.offsets[index(vertex)];
@@ -424,7 +426,7 @@ VertexFaces listFacesAtVertices(const TriangleMesh& mesh) {
         end += offset;
         offset = end;
     }
-    listed.faces.resize(3 * mesh.faces.size());
+    listed.faces = makeLarge(3 * mesh.faces.size(), 0);
     for (std::size_t f = mesh.faces.size(); f-- > 0;) {
         for (const int vertex : mesh.faces[f]) {
             listed.faces[index(--listed.offsets[index(vertex)])] = static_cast<int>(f);
@@ -435,7 +437,7 @@ VertexFaces listFacesAtVertices(const TriangleMesh& mesh) {
 
 FaceAdjacency joinFaces(const TriangleMesh& mesh, VertexFaces listed) {
     FaceAdjacency adjacency;
-    adjacency.neighbours.resize(mesh.faces.size());
+    adjacency.neighbours = makeLarge(mesh.faces.size(), Triangle{});
     adjacency.isBoundary.resize(mesh.vertices.size());
     adjacency.facesAround = std::move(listed);
 
@@ -472,7 +474,7 @@ FaceAdjacency joinFaces(const TriangleMesh& mesh, VertexFaces listed) {
 FaceComponents labelComponents(const std::vector<Triangle>& neighbours) {
     FaceComponents components;
     std::vector<int>& componentOf = components.componentOf;
-    componentOf.resize(neighbours.size());
+    componentOf = makeLarge(neighbours.size(), 0);
 
     // Step 1: unite, in order of the faces; each leads to itself or to a smaller one of its
     // component, at last to the first.

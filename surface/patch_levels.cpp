@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/patch_levels.h"
 
+#include "surface/large_array.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -22,8 +24,8 @@ std::size_t at(int index) {
 class FaceGraph {
 public:
     explicit FaceGraph(const Surface& surface) : surface_(surface) {
-        areas_.reserve(surface.faces().size());
-        centres_.reserve(surface.faces().size());
+        reserveLarge(areas_, surface.faces().size());
+        reserveLarge(centres_, surface.faces().size());
         for (const Triangle& face : surface.faces()) {
             const Vec3& a = surface.vertices()[at(face[0])];
             const Vec3& b = surface.vertices()[at(face[1])];
@@ -65,9 +67,9 @@ struct PatchGraph {
     std::vector<double> areas;
 
     explicit PatchGraph(int count) {
-        areas.reserve(at(count));
-        level.centres.reserve(at(count));
-        level.samples.reserve(at(count));
+        reserveLarge(areas, at(count));
+        reserveLarge(level.centres, at(count));
+        reserveLarge(level.samples, at(count));
         level.offsets.reserve(at(count) + 1);
         level.offsets.push_back(0);
     }
@@ -102,7 +104,7 @@ struct Pairing {
     int count = 0;
 
     template <class Graph>
-    explicit Pairing(const Graph& graph) : patchOf(at(graph.count()), -1) {
+    explicit Pairing(const Graph& graph) : patchOf(makeLarge(at(graph.count()), -1)) {
         for (int node = 0; node < graph.count(); ++node) {
             if (patchOf[at(node)] < 0) {
                 place(graph, node);
@@ -145,7 +147,7 @@ struct Members {
     std::vector<int> offsets, nodes;
 
     explicit Members(const Pairing& pairing)
-        : offsets(at(pairing.count) + 1), nodes(pairing.patchOf.size()) {
+        : offsets(at(pairing.count) + 1), nodes(makeLarge(pairing.patchOf.size(), 0)) {
         for (const int patch : pairing.patchOf) {
             ++offsets[at(patch) + 1];
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/large_array.h"
 #include "surface/types.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ struct MortonKey {
 /// O(n log n).
 template <class CentreOf>
 [[nodiscard]] std::vector<MortonKey> spatialOrder(std::size_t count, const CentreOf& centreOf) {
-    std::vector<MortonKey> keys(count);
+    std::vector<MortonKey> keys = makeLarge(count, MortonKey{});
     if (count == 0) {
         return keys;
     }

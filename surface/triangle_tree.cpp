@@ -2,6 +2,7 @@
 #include "surface/triangle_tree.h"
 
 #include "surface/closest_point.h"
+#include "surface/large_array.h"
 #include "surface/spatial_order.h"
 
 #include <bit>
@@ -22,11 +23,11 @@ TriangleTree::TriangleTree(
         const Box box = boxOf(static_cast<int>(i));
         return 0.5 * box.low + 0.5 * box.high;
     });
-    order_.reserve(keys.size());
+    reserveLarge(order_, keys.size());
     for (const MortonKey& key : keys) {
         order_.push_back(key.index);
     }
-    nodes_.reserve(nodeCount(keys, 0, keys.size()));
+    reserveLarge(nodes_, nodeCount(keys, 0, keys.size()));
     build(keys, 0, keys.size());
 }
 
