@@ -21,9 +21,7 @@ namespace {
 
 // Weight of the distance, that of usual first rounds.
 constexpr double kAlpha = 100.0;
-// Half a prism at least, in tolerances, as in NearTracer; and a ring of faces about the curve, so
-// that there are enough of them to count.
-constexpr double kLeastTolerances = 2.5;
+// A ring of faces about the curve, so that there are enough of them to count.
 constexpr int kRings = 1;
 // Simplification takes 60 us per face: on a small mesh, whatever the scene's.
 constexpr int kSimplifiedSubdivisions = 3;
@@ -85,7 +83,7 @@ void addCurvePaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
                          static_cast<void>(scene.makePath());
                      }});
     const NearShellSize size{
-        kRings, scene.problem.nearThickness, kLeastTolerances * scene.problem.distanceTolerance
+        kRings, scene.problem.nearThickness, kLeastNearTolerances * scene.problem.distanceTolerance
     };
     const NearShell& whole = *scene.solution.near;
     const std::optional<ShadowTrace>& trace = scene.solution.trace;

@@ -31,9 +31,8 @@ std::size_t at(int index) {
 }
 
 // Half a prism through which the shadow of a curve in a simplified shell is drawn, in mean edge
-// lengths, and at least in tolerances of the curve.
+// lengths.
 constexpr double kShadowThickness = 0.5;
-constexpr double kLeastShadowTolerances = 2.5;
 
 // What the curve avoids is certain only where every iterate is checked as a whole.
 void requireExactAvoidance(const SolverOptions& options) {
@@ -206,7 +205,7 @@ SurfacePolyline CurveDesigner::State::polylineOf(
         surface(),
         *base(),
         shadow.faces(),
-        {.thickness = kShadowThickness, .least = kLeastShadowTolerances * problem.distanceTolerance}
+        {.thickness = kShadowThickness, .least = kLeastNearTolerances * problem.distanceTolerance}
     );
     const ShadowCurve fine(tracedShellOf(problem, &fineShell), space, controls);
     // Other fibres may lead into what the curve avoids.
@@ -233,7 +232,7 @@ std::optional<NearShell> CurveDesigner::State::shellNear(
         faces,
         NearShellSize{
             .thickness = options().thickness,
-            .least = kLeastShadowTolerances * problem.distanceTolerance
+            .least = kLeastNearTolerances * problem.distanceTolerance
         }
     );
     const ShadowCurve shadow(tracedShellOf(problem, &*near), spline.space, spline.controls);

@@ -9,6 +9,10 @@
 
 namespace bspline_curve {
 
+/// Half a prism at least where a curve is traced or cast onto the surface, in tolerances of its
+/// distance.
+inline constexpr double kLeastNearTolerances = 2.5;
+
 /// How far a near shell reaches.
 struct NearShellSize {
     int rings = 2;  ///< of faces about those given; faces that share a vertex are neighbours

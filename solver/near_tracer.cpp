@@ -14,8 +14,6 @@ std::size_t at(int index) {
 }
 
 constexpr int kMostWidenings = 3;
-// Half a prism at least, in tolerances.
-constexpr double kLeastTolerances = 2.5;
 
 bool leaves(const CurveDistance& distance) {
     return !std::isfinite(distance.largest);
@@ -53,7 +51,7 @@ CurveDistance NearTracer::measureOver(
         NearShellSize{
             .rings = 0,
             .thickness = problem_.nearThickness,
-            .least = kLeastTolerances * problem_.distanceTolerance
+            .least = kLeastNearTolerances * problem_.distanceTolerance
         }
     );
     return measureDistance(tracedShellOf(*near_, problem_.picks.front()), space, controls);
