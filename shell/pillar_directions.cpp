@@ -33,14 +33,6 @@ struct Best {
 
 }  // namespace
 
-double leastCosine(const Vec3& direction, std::span<const Vec3> normals) {
-    double least = 1.0;
-    for (const Vec3& normal : normals) {
-        least = std::min(least, direction.dot(normal));
-    }
-    return least;
-}
-
 Vec3 directionOfLeastAngle(std::span<const Vec3> normals) {
     // The smallest spherical cap around the normals touches two or three of them (a cap of one is
     // the trivial case). Start with the most opposed pair: it supports the cap in most cases, and

@@ -3,12 +3,20 @@
 
 #include "surface/types.h"
 
+#include <algorithm>
 #include <span>
 
 namespace bspline_curve {
 
-/// Smallest cosine between a unit direction and unit normals; 1 for none.
-[[nodiscard]] double leastCosine(const Vec3& direction, std::span<const Vec3> normals);
+/// Smallest cosine between a unit direction and a range of unit normals; 1 for none.
+template <class Normals = std::span<const Vec3>>
+[[nodiscard]] double leastCosine(const Vec3& direction, const Normals& normals) {
+    double least = 1.0;
+    for (const Vec3& normal : normals) {
+        least = std::min(least, direction.dot(normal));
+    }
+    return least;
+}
 
 /// The unit direction with the largest leastCosine: the minimum-norm point of the convex hull of
 /// the normals (Wolfe's problem on the sphere). Where no direction sees all normals from the front

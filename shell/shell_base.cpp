@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <span>
 
 namespace bspline_curve {
@@ -126,13 +127,12 @@ private:
     static constexpr double kSmoothEnoughCosine = 0.8;
 
     [[nodiscard]] bool mayTurn(int v, const Vec3& direction) const {
-        double before = 1.0;
-        double after = 1.0;
-        for (const int f : surface_.facesAround(v)) {
-            before = std::min(before, base_.directions[at(v)].dot(normals_[at(f)]));
-            after = std::min(after, direction.dot(normals_[at(f)]));
-        }
-        return after >= std::min(before, kSmoothEnoughCosine);
+        const auto normals = std::views::transform(
+            surface_.facesAround(v), [&](int f) -> const Vec3& { return normals_[at(f)]; }
+        );
+        const double after = leastCosine(direction, normals);
+        return after >= kSmoothEnoughCosine ||
+               after >= leastCosine(base_.directions[at(v)], normals);
     }
 
     [[nodiscard]] Vec3 normalOf(int f) const {
