@@ -85,10 +85,7 @@ void addCurvePaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
     const NearShellSize size{
         kRings, scene.problem.nearThickness, kLeastNearTolerances * scene.problem.distanceTolerance
     };
-    const NearShell& whole = *scene.solution.near;
-    const std::optional<ShadowTrace>& trace = scene.solution.trace;
-    const std::vector<int> passed =
-        trace ? trace->faces(tracedShellOf(whole, scene.problem.picks.front())) : whole.faces;
+    const std::vector<int> passed = facesPassed(scene.solution, scene.problem);
     const auto near = std::make_shared<const NearShell>(
         scene.prepared.surface(), *scene.prepared.base(), passed, size
     );

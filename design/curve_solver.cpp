@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace bspline_curve {
 namespace {
@@ -202,12 +201,8 @@ std::optional<Solved> CurveSolver::relaxed(
     if (!solution) {
         return std::nullopt;
     }
-    const NearShell* const near = solution->near.get();
-    if (near != nullptr) {
-        const std::optional<ShadowTrace>& trace = solution->trace;
-        const std::vector<int> passed =
-            trace ? trace->faces(tracedShellOf(*near, problem.picks.front())) : near->faces;
-        for (const int face : passed) {
+    if (solution->near != nullptr) {
+        for (const int face : facesPassed(*solution, problem)) {
             if (face < prepared_.surface().faceCount() && prepared_.crossings().hasCrossing(face)) {
                 return std::nullopt;
             }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/relaxation.h"
 
-#include "solver/curve_tracer.h"
 #include "solver/foot_newton.h"
 #include "solver/knot_insertion.h"
 #include "solver/near_tracer.h"
+#include "solver/obstacles.h"
 #include "solver/point_terms.h"
 #include "surface/stopwatch.h"
 
@@ -89,21 +89,11 @@ constexpr double kStrongestField = 20.0;
 
 // Whether what the curve avoids is too far away to push it anywhere.
 bool isClear(const CurveProblem& problem, const Solution& solution) {
-    bool clear = true;
-    if (problem.obstacles != nullptr) {
-        const TracedShell traced = tracedShellOf(problem, solution.near.get());
-        traceCurve(
-            traced,
-            solution.curve.space,
-            solution.curve.controls,
-            [&](int, const PolynomialCurve&, const ShellCell& cell, double, double) {
-                const int face = traced.nameOf(cell.face);
-                clear &= problem.obstacles->isFar(face) && !problem.obstacles->isAvoided(face);
-            },
-            [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
-        );
-    }
-    return clear;
+    const Obstacles* const obstacles = problem.obstacles;
+    return obstacles == nullptr ||
+           std::ranges::all_of(facesPassed(solution, problem), [&](int face) {
+               return obstacles->isFar(face);
+           });
 }
 
 // A weight of the distance that holds a curve as fast on every resolution.

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -17,8 +18,11 @@ struct Solution {
     SolveReport report;
     /// The shell that the curve lies in, where the problem has none.
     std::shared_ptr<const NearShell> near;
-    /// Of the curve, where one was left over.
+    /// Of the curve, where one was left over: always from relax().
     std::optional<ShadowTrace> trace;
 };
+
+/// The faces that a curve with a trace passes, as ShadowTrace::faces().
+[[nodiscard]] std::vector<int> facesPassed(const Solution& solution, const CurveProblem& problem);
 
 }  // namespace bspline_curve
