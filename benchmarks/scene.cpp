@@ -31,11 +31,6 @@ const std::vector<Vec3> kPickDirections = {
     {0.5, -0.9, -0.4}
 };
 
-// Tolerances in the unit of heights, as in relax().
-constexpr double kHeightTolerances = 10.0;
-// Distance from the path, of the chords' length, as in relax().
-constexpr double kFirstDistance = 0.0031;
-
 Vec3 vertexTowards(const TriangleMesh& mesh, const Vec3& direction) {
     return *std::ranges::max_element(mesh.vertices, {}, [&](const Vec3& v) {
         return v.normalized().dot(direction);
@@ -84,8 +79,8 @@ Scene::Scene(int subdivisions)
       located(locatePicks(prepared.surface(), prepared.tree(), picks, options.closed)),
       path(makePath()),
       problem(makeProblem()),
-      heightUnit(kHeightTolerances * problem.distanceTolerance),
-      first(fitLoosely(problem, path.guide, kFirstDistance * problem.chordLength)),
+      heightUnit(heightUnitOf(problem)),
+      first(looseFit(problem, path.guide)),
       firstFooted(footed(first)),
       solution(relaxed(problem, path.guide)) {}
 

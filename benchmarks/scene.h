@@ -31,7 +31,7 @@ struct Scene {
     PickPath path;
     CurveProblem problem;
     double heightUnit;         ///< of FootEnergy
-    SplineCurve first;         ///< along the path
+    SplineCurve first;         ///< along the path, as in relax()
     FootedSpline firstFooted;  ///< the same with the feet of FootEnergy's samples
     Solution solution;
 

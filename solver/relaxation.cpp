@@ -98,7 +98,7 @@ bool isClear(const CurveProblem& problem, const Solution& solution) {
 
 // A weight of the distance that holds a curve as fast on every resolution.
 double alphaOf(const CurveProblem& problem, double stiffness) {
-    const double share = kUnitInTolerances * problem.distanceTolerance / problem.chordLength;
+    const double share = heightUnitOf(problem) / problem.chordLength;
     return stiffness * share * share;
 }
 
@@ -106,11 +106,6 @@ double alphaOf(const CurveProblem& problem, double stiffness) {
 double firstAlpha(const CurveProblem& problem) {
     return (1.0 + fieldStrength(problem)) *
            std::max(kLeastFirstAlpha, alphaOf(problem, kFirstStiffness));
-}
-
-double firstDistance(const CurveProblem& problem) {
-    const double share = std::min(1.0, fieldStrength(problem));
-    return problem.chordLength * std::lerp(kFirstDistance, kFirstFieldDistance, share);
 }
 
 class Relaxer {
@@ -127,13 +122,11 @@ public:
           finder_(*problem.base),
           tracer_(problem),
           tolerance_(problem.distanceTolerance),
-          heightUnit_(kUnitInTolerances * tolerance_),
+          heightUnit_(heightUnitOf(problem)),
           segments_(segmentsOf(start, patience)),
           startAlpha_(start ? start->alpha : 0.0),
           alpha_(std::max(firstAlpha(problem), kRestartShare * startAlpha_)),
-          newton_(newtonFrom(
-              start ? std::move(start->curve) : fitLoosely(problem, guide, firstDistance(problem))
-          )) {
+          newton_(newtonFrom(start ? std::move(start->curve) : looseFit(problem, guide))) {
         startOnGuide(guide);
         report_.knotsFirst = knotCount();
         report_.seconds.initial = watch_.lap();
@@ -420,6 +413,17 @@ bool isForFootPoints(const CurveProblem& problem) {
            options.interpolation == Interpolation::Constraint &&
            options.knotRule == KnotRule::EnergyAndDistance && options.tension <= kHighestTension &&
            fieldStrength(problem) <= kStrongestField;
+}
+
+double heightUnitOf(const CurveProblem& problem) {
+    return kUnitInTolerances * problem.distanceTolerance;
+}
+
+SplineCurve looseFit(const CurveProblem& problem, const GuidePath& guide) {
+    const double share = std::min(1.0, fieldStrength(problem));
+    return fitLoosely(
+        problem, guide, problem.chordLength * std::lerp(kFirstDistance, kFirstFieldDistance, share)
+    );
 }
 
 RelaxationStart stiffStart(const CurveProblem& problem, const GuidePath& guide, double stiffness) {

@@ -21,6 +21,12 @@ enum class Patience {
     Long,   ///< after SolverOptions::maxRounds
 };
 
+/// The unit of FootEnergy's heights in relax(), in the shell's frame.
+[[nodiscard]] double heightUnitOf(const CurveProblem& problem);
+
+/// The fit to the guide that relax() begins with.
+[[nodiscard]] SplineCurve looseFit(const CurveProblem& problem, const GuidePath& guide);
+
 /// A start that holds fast to the guide, all of whose chords must lie on the surface: a fit much
 /// nearer to it than the one that relax() begins with. `stiffness`: of alpha, per squared length of
 /// the polygon of picks in tolerances; relax() begins with a share of it.
