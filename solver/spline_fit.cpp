@@ -60,11 +60,7 @@ public:
     Fit(const SplineSpace& space, std::vector<InterpolationRow> rows)
         : space_(space),
           rows_(std::move(rows)),
-          factor_(
-              space.controlCount(),
-              space.degree(),
-              space.closed() ? std::min(space.degree(), space.controlCount()) : 0
-          ),
+          factor_(bandCholeskyOf<1>(space)),
           right_(ControlPoints::Zero(space.controlCount(), 3)) {}
 
     void addTarget(int span, const SpanTarget& target) {
@@ -115,15 +111,7 @@ public:
 
 private:
     void addToMatrix(int span, const BasisMatrix& products) {
-        for (int j = 0; j < space_.basisCount(); ++j) {
-            for (int k = 0; k < space_.basisCount(); ++k) {
-                const int row = space_.control(span, k);
-                const int column = space_.control(span, j);
-                if (row >= column) {
-                    factor_.add(row, column, &products(k, j), 1);
-                }
-            }
-        }
+        addSpan(factor_, space_, span, products.data(), products.outerStride());
     }
 
     [[nodiscard]] ControlPoints pulledBy(const std::vector<Vec3>& pulls) const {

@@ -17,11 +17,6 @@ std::size_t at(int index) {
 constexpr double kConstraintAccuracy = 1e-12;
 constexpr int kMaxMultiplierSteps = 12;
 
-BandCholesky<3> factorFor(const SplineSpace& space) {
-    const int controls = space.controlCount();
-    return {controls, space.degree(), space.closed() ? std::min(space.degree(), controls) : 0};
-}
-
 }  // namespace
 
 std::vector<InterpolationRow> interpolationRows(
@@ -37,20 +32,7 @@ std::vector<InterpolationRow> interpolationRows(
 }
 
 SplineSystem::SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows)
-    : space_(space), rows_(std::move(rows)), factor_(factorFor(space)) {}
-
-void SplineSystem::addBlock(int span, const SpanMatrix& block) {
-    const int count = space_.basisCount();
-    for (int j = 0; j < count; ++j) {
-        const int column = space_.control(span, j);
-        for (int i = 0; i < count; ++i) {
-            const int row = space_.control(span, i);
-            if (row >= column) {
-                factor_.add(row, column, &block(3 * i, 3 * j), block.outerStride());
-            }
-        }
-    }
-}
+    : space_(space), rows_(std::move(rows)), factor_(bandCholeskyOf<3>(space)) {}
 
 void SplineSystem::addBlocks(int span, const SpanBlocks& blocks) {
     std::size_t block = 0;
@@ -66,7 +48,8 @@ void SplineSystem::addBlocks(int span, const SpanBlocks& blocks) {
 bool SplineSystem::factorise(const std::vector<SpanMatrix>& blocks, double fitWeight) {
     factor_.clear();
     for (int span = 0; span < space_.spanCount(); ++span) {
-        addBlock(span, blocks[at(span)]);
+        const SpanMatrix& block = blocks[at(span)];
+        addSpan(factor_, space_, span, block.data(), block.outerStride());
     }
     return factoriseWithRows(fitWeight);
 }

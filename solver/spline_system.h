@@ -8,7 +8,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -42,8 +44,37 @@ struct InterpolationRow {
     const SplineSpace& space, const std::vector<PickConstraint>& picks
 );
 
-/// The Newton system of a spline: a matrix that is banded (cyclic when closed, so that the last
-/// control points border on all), and the interpolation constraints.
+/// A factor for matrices over the control points of a spline: banded, and cyclic when closed, so
+/// that the last control points border on all.
+template <int kUnknowns>
+[[nodiscard]] BandCholesky<kUnknowns> bandCholeskyOf(const SplineSpace& space) {
+    const int controls = space.controlCount();
+    return {controls, space.degree(), space.closed() ? std::min(space.degree(), controls) : 0};
+}
+
+/// Adds a dense symmetric matrix over the control points of one span, whose columns are stored
+/// `stride` apart.
+template <int kUnknowns>
+void addSpan(
+    BandCholesky<kUnknowns>& factor,
+    const SplineSpace& space,
+    int span,
+    const double* values,
+    std::ptrdiff_t stride
+) {
+    for (int j = 0; j < space.basisCount(); ++j) {
+        const int column = space.control(span, j);
+        for (int i = 0; i < space.basisCount(); ++i) {
+            const int row = space.control(span, i);
+            if (row >= column) {
+                factor.add(row, column, values + kUnknowns * (i + j * stride), stride);
+            }
+        }
+    }
+}
+
+/// The Newton system of a spline: a matrix over its control points, and the interpolation
+/// constraints.
 class SplineSystem {
 public:
     SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows);
@@ -75,7 +106,6 @@ public:
     [[nodiscard]] const std::vector<InterpolationRow>& rows() const { return rows_; }
 
 private:
-    void addBlock(int span, const SpanMatrix& block);
     void addBlocks(int span, const SpanBlocks& blocks);
     [[nodiscard]] bool factoriseWithRows(double fitWeight);
 
