@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/face_adjacency.h"
 
+#include "surface/index_sets.h"
 #include "surface/input_error.h"
 #include "surface/large_array.h"
 #include "surface/side_task.h"
@@ -324,9 +325,7 @@ struct BadEdges {
 
     [[nodiscard]] Elements sortedFaces() const {
         Elements sorted = faces;
-        std::ranges::sort(sorted);
-        const auto repeated = std::ranges::unique(sorted);
-        sorted.erase(repeated.begin(), repeated.end());
+        sortUnique(sorted);
         return sorted;
     }
 };

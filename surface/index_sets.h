@@ -7,7 +7,8 @@
 namespace bspline_curve {
 
 /// Sorts and drops what is there more than once.
-inline void sortUnique(std::vector<int>& values) {
+template <class T>
+void sortUnique(std::vector<T>& values) {
     std::ranges::sort(values);
     const auto repeated = std::ranges::unique(values);
     values.erase(repeated.begin(), repeated.end());

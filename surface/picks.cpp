@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/picks.h"
 
+#include "surface/index_sets.h"
 #include "surface/input_error.h"
 
 #include <algorithm>
@@ -97,9 +98,7 @@ void requireSeparatePicks(const Projections& projections, bool closed, double di
         }
     }
     if (!bad.empty()) {
-        std::ranges::sort(bad);
-        const auto repeated = std::ranges::unique(bad);
-        bad.erase(repeated.begin(), repeated.end());
+        sortUnique(bad);
         throw InputError(
             InputErrorCode::CoincidentPicks,
             pickName(firstPair.first) + " and " + pickName(firstPair.second) +

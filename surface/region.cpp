@@ -64,9 +64,7 @@ Region makeRegion(const Surface& surface, std::span<const std::int64_t> faces) {
         }
     }
     if (!bad.empty()) {
-        std::ranges::sort(bad);
-        const auto repeated = std::ranges::unique(bad);
-        bad.erase(repeated.begin(), repeated.end());
+        sortUnique(bad);
         const std::string count =
             describeCount(bad.size(), "id of the region is", "ids of the region are");
         refuseElements(

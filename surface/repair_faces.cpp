@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces without area and faces that are there twice.
+#include "surface/index_sets.h"
 #include "surface/mesh_checks.h"
 #include "surface/repair_steps.h"
 
@@ -247,9 +248,7 @@ void removeDegenerateFaces(MeshRepair& repair) {
     }
     std::ranges::sort(repair.report.removedDegenerateFaces);
     std::ranges::sort(repair.report.mergedVertices);
-    std::vector<int>& splits = repair.report.splitFaces;
-    std::ranges::sort(splits);
-    splits.erase(std::ranges::unique(splits).begin(), splits.end());
+    sortUnique(repair.report.splitFaces);
 }
 
 void removeDuplicateFaces(MeshRepair& repair) {

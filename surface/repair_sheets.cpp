@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which faces belong to one sheet, which way it looks, and where sheets are parted.
+#include "surface/index_sets.h"
 #include "surface/input_error.h"
 #include "surface/repair_steps.h"
 
@@ -115,8 +116,7 @@ private:
             }
         });
         if (!conflicting.empty()) {
-            std::ranges::sort(conflicting);
-            conflicting.erase(std::ranges::unique(conflicting).begin(), conflicting.end());
+            sortUnique(conflicting);
             refuseElements(
                 InputErrorCode::InconsistentOrientation,
                 "the surface is one-sided like a Moebius strip and has no orientation",
@@ -182,9 +182,7 @@ private:
                 turn(f);
             }
         }
-        std::ranges::sort(repair_.report.reversedFaces);
-        std::vector<int>& reversed = repair_.report.reversedFaces;
-        reversed.erase(std::ranges::unique(reversed).begin(), reversed.end());
+        sortUnique(repair_.report.reversedFaces);
     }
 
     void turn(int face) {
@@ -353,9 +351,7 @@ Joints joinAndOrient(MeshRepair& repair) {
 
 void splitVertices(MeshRepair& repair, Joints joints) {
     Splitter(repair, std::move(joints)).run();
-    std::vector<std::array<int, 2>>& edges = repair.report.cutEdges;
-    std::ranges::sort(edges);
-    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+    sortUnique(repair.report.cutEdges);
 }
 
 }  // namespace bspline_curve::repair_steps

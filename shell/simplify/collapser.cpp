@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/operations.h"
+#include "surface/index_sets.h"
 #include "surface/surface_point.h"
 
 #include <Eigen/Geometry>
@@ -66,9 +67,7 @@ Collapser::Edge Collapser::pop() {
 
 // Drops edges that are no more (one that comes back is pushed again) or listed twice.
 void Collapser::dropStale() {
-    std::ranges::sort(queue_);
-    const auto repeated = std::ranges::unique(queue_);
-    queue_.erase(repeated.begin(), repeated.end());
+    sortUnique(queue_);
     std::erase_if(queue_, [&](const Edge& edge) { return !exists(edge); });
     queueLimit_ = queue_.size() + queue_.size() / 4 + kSpareEdges;
     queue_.reserve(queueLimit_);
@@ -183,8 +182,7 @@ bool Collapser::keepsTopology(int removed, int kept) {
                 }
             }
         }
-        std::ranges::sort(to);
-        to.erase(std::unique(to.begin(), to.end()), to.end());
+        sortUnique(to);
     };
     neighbours(star, removed, ring_);
     neighbours(around_, kept, near_);
