@@ -44,6 +44,7 @@ CurveProblem makeProblem(
     CurveProblem problem;
     problem.surface = &surface;
     problem.base = prepared.base().get();
+    problem.patches = &prepared.patches();
     problem.nearThickness = prepared.options().thickness;
     problem.picks = std::move(picks);
     problem.options = options;

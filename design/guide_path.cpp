@@ -102,7 +102,7 @@ public:
         std::optional<std::vector<SurfacePoint>> path;
         if (ways_) {
             path = ways_->findWay(start, goal, kFinePatches, kLongWay);
-            path = path ? pullTaut(base_, terrain_.field, *path) : std::nullopt;
+            path = path ? pullTaut(base_, terrain_.patches, terrain_.field, *path) : std::nullopt;
         }
         if (!path) {
             path = findOverFaces(start, goal);
@@ -124,7 +124,7 @@ private:
             isOpen() ? finder_.find(start, goal, kLongStrip) : finder_.find(start, goal);
         if (path && !path->isStraight) {
             std::optional<std::vector<SurfacePoint>> taut =
-                pullTaut(base_, terrain_.field, path->points);
+                pullTaut(base_, terrain_.patches, terrain_.field, path->points);
             if (taut) {
                 return taut;
             }

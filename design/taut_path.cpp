@@ -81,8 +81,13 @@ struct MeasuredPath {
 // the cheapest path and its points lie evenly by cost.
 class String {
 public:
-    String(const ShellBase& base, const FieldTravel& field, std::span<const SurfacePoint> path)
-        : base_(base), field_(field), finder_(base) {
+    String(
+        const ShellBase& base,
+        const PatchLevels* patches,
+        const FieldTravel& field,
+        std::span<const SurfacePoint> path
+    )
+        : base_(base), field_(field), finder_(base, patches) {
         const MeasuredPath measured(base, field, path);
         pathLength_ = measured.length;
         chord_ = (measured.positions.back() - measured.positions.front()).norm();
@@ -327,9 +332,12 @@ private:
 }  // namespace
 
 std::optional<std::vector<SurfacePoint>> pullTaut(
-    const ShellBase& base, const FieldTravel& field, std::span<const SurfacePoint> path
+    const ShellBase& base,
+    const PatchLevels* patches,
+    const FieldTravel& field,
+    std::span<const SurfacePoint> path
 ) {
-    String string(base, field, path);
+    String string(base, patches, field, path);
     if (!string.comesToRest()) {
         return std::nullopt;
     }

@@ -3,6 +3,7 @@
 
 #include "design/field_travel.h"
 #include "shell/shell_base.h"
+#include "surface/patch_levels.h"
 #include "surface/surface_point.h"
 
 #include <optional>
@@ -16,10 +17,14 @@ namespace bspline_curve {
 /// makes lengths cost more, to a path that is cheaper and about the cheapest there. The time
 /// hardly depends on how many faces lie between.
 ///
-/// `path`: ascending along the way, two points at least; the first and the last stay. Nothing where
-/// the points do not come to rest, or leave the surface over its boundary.
+/// `patches`: see FootFinder. `path`: ascending along the way, two points at least; the first and
+/// the last stay. Nothing where the points do not come to rest, or leave the surface over its
+/// boundary.
 [[nodiscard]] std::optional<std::vector<SurfacePoint>> pullTaut(
-    const ShellBase& base, const FieldTravel& field, std::span<const SurfacePoint> path
+    const ShellBase& base,
+    const PatchLevels* patches,
+    const FieldTravel& field,
+    std::span<const SurfacePoint> path
 );
 
 }  // namespace bspline_curve

@@ -14,6 +14,7 @@
 namespace bspline_curve {
 
 class Obstacles;
+class PatchLevels;
 class ShellBoundary;
 
 /// A pick in the shell's frame, with the parameter at which the curve passes it.
@@ -30,6 +31,7 @@ struct CurveProblem {
     const Surface* surface = nullptr;  ///< needed where there is no shell
     double nearThickness = 0.0;        ///< of shells near the curve, see NearShellSize
     const ShellBase* base = nullptr;
+    const PatchLevels* patches = nullptr;  ///< of the surface; null: feet are found without
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     const Obstacles* obstacles = nullptr;     ///< what the curve avoids; null: nothing
     std::vector<PickConstraint> picks;

@@ -23,6 +23,8 @@ constexpr double kLastStep = 1e-5;
 constexpr int kMaxSteps = 6;
 // The foot lies in another face for certain: no need to converge first.
 constexpr double kFarOutside = -0.3;
+// From so many faces away feet are sought by way of patches first.
+constexpr double kManyFaces = 12.0;
 // Rounding: a foot on an edge is in both of its faces.
 constexpr double kOnEdge = -1e-9;
 // Where a walk comes straight back, the foot lies in a gap or an overlap of the fibres of two faces
@@ -160,6 +162,34 @@ void FootFinder::move(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
     }
 }
 
+// A face near p, by way of patches, or the same one. A way round a rim is left to walks, since the
+// nearest patch may lie on the other side of a thin part.
+int FootFinder::faceTowards(const Vec3& p, int face, double facesAway) const {
+    if (patches_ == nullptr || face >= base_.surfaceFaceCount) {
+        return face;
+    }
+    const PatchLevels::Samples* const samples =
+        patches_->samplesTowards(base_.frame.toUser(p), face, facesAway);
+    if (samples == nullptr) {
+        return face;
+    }
+    const auto cornerOf = [&](int of) { return at(base_.faces[at(of)][0]); };
+    int nearest = face;
+    double least = (base_.vertices[cornerOf(face)] - p).squaredNorm();
+    for (const int sample : *samples) {
+        if (sample < 0) {
+            break;
+        }
+        const double distance = (base_.vertices[cornerOf(sample)] - p).squaredNorm();
+        if (distance < least) {
+            least = distance;
+            nearest = sample;
+        }
+    }
+    const Vec3& direction = base_.directions[cornerOf(face)];
+    return base_.directions[cornerOf(nearest)].dot(direction) > 0.0 ? nearest : face;
+}
+
 // Walks on over faces that p is far outside of, seen along their normals: many times faster than
 // along their fibres, and the last steps find the foot all the same. Returns the face before that
 // where it ends.
@@ -176,7 +206,16 @@ int FootFinder::passFaces(const Vec3& p, int previous, FootPoint& foot) const {
         const double v = edgeU.cross(gap).dot(normal);
         const Vec3 barycentric(area - u - v, u, v);  // times the area
         int outer = 0;
-        const bool isFar = barycentric.minCoeff(&outer) < kFarOutside * area;
+        const double least = barycentric.minCoeff(&outer);
+        if (crossing == 0 && least < -kManyFaces * area) {
+            const int nearer = faceTowards(p, foot.face, -least / area);
+            if (nearer != foot.face) {
+                foot.face = nearer;
+                previous = -1;
+                continue;
+            }
+        }
+        const bool isFar = least < kFarOutside * area;
         const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
         if (!isFar || next < 0 || next == previous) {
             if (crossing > 0 && area > 0.0) {

@@ -128,7 +128,7 @@ public:
         : problem_(problem),
           options_(problem.options),
           patience_(patience),
-          finder_(*problem.base),
+          finder_(*problem.base, problem.patches),
           tracer_(problem),
           tolerance_(problem.distanceTolerance),
           heightUnit_(heightUnitOf(problem)),

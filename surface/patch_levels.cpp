@@ -218,6 +218,10 @@ PatchGraph quartered(const Graph& fine) {
     return coarse;
 }
 
+// Patches that a way leads over from centre to centre are a third of it wide, at most: the nearest
+// one is then found, and what remains of the way is short.
+constexpr double kShareOfWay = 1.0 / 3.0;
+
 }  // namespace
 
 PatchLevels::PatchLevels(const Surface& surface) {
@@ -235,6 +239,39 @@ PatchLevels::PatchLevels(const Surface& surface) {
         }
         graph = quartered(graph);
     }
+}
+
+const PatchLevels::Samples* PatchLevels::samplesTowards(
+    const Vec3& p, int face, double facesAway
+) const {
+    const Level* level = nullptr;
+    int patch = face;
+    const double widest = kShareOfWay * facesAway;
+    for (const Level& larger : levels_) {
+        const auto faces = static_cast<double>(levels_.front().patchOf.size());
+        if (faces > widest * widest * larger.count()) {
+            break;
+        }
+        level = &larger;
+        patch = larger.patchOf[at(patch)];
+    }
+    if (level == nullptr) {
+        return nullptr;
+    }
+    const int start = patch;
+    double least = (level->centres[at(patch)] - p).squaredNorm();
+    for (int before = -1; patch != before;) {
+        before = patch;
+        for (int i = level->offsets[at(before)]; i < level->offsets[at(before) + 1]; ++i) {
+            const int neighbour = level->neighbours[at(i)];
+            const double distance = (level->centres[at(neighbour)] - p).squaredNorm();
+            if (distance < least) {
+                least = distance;
+                patch = neighbour;
+            }
+        }
+    }
+    return patch != start ? &level->samples[at(patch)] : nullptr;
 }
 
 }  // namespace bspline_curve

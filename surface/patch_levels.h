@@ -36,6 +36,12 @@ public:
     /// Finest first, each while there are many patches; none where the surface has few faces.
     [[nodiscard]] const std::vector<Level>& levels() const { return levels_; }
 
+    /// Faces near a point, found from a face by way of patches, each with its centre nearer to it
+    /// (in the user's unit) than the one before. `facesAway`: about how many faces lie between; the
+    /// more, the larger the patches. Null where no patch that small is nearer than that of the
+    /// face. O(sqrt(facesAway)).
+    [[nodiscard]] const Samples* samplesTowards(const Vec3& p, int face, double facesAway) const;
+
 private:
     std::vector<Level> levels_;
 };

@@ -49,7 +49,7 @@ struct Ground {
     [[nodiscard]] std::vector<Vec3> taut(
         const std::vector<SurfacePoint>& path, const FieldTravel& travel = {}
     ) const {
-        const auto points = pullTaut(base, travel, path);
+        const auto points = pullTaut(base, nullptr, travel, path);
         return points ? positions(*points) : std::vector<Vec3>{};
     }
 
@@ -156,7 +156,7 @@ TEST(TautPaths, DoNotPassThroughAThinPlate) {
 TEST(TautPaths, AreRefusedWithoutTwoEndsApart) {
     const Ground ground(plate(4, 4));
     const SurfacePoint point = ground.nearest({0.4, 0.4, 0.0});
-    EXPECT_FALSE(pullTaut(ground.base, {}, std::vector<SurfacePoint>{point, point}));
+    EXPECT_FALSE(pullTaut(ground.base, nullptr, {}, std::vector<SurfacePoint>{point, point}));
 }
 
 }  // namespace

@@ -343,6 +343,61 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& testInfo) { return testInfo.param.name; }
 );
 
+// ---- By way of patches ----
+
+TEST(FeetFoundByPatches, AreThoseFoundFaceByFace) {
+    const Surface surface(withNoise(icosphere(6), 0.0005, 7));
+    const ShellBase base = makeShellBase(surface, 3);
+    const PatchLevels patches(surface);
+    ASSERT_FALSE(patches.levels().empty());
+    const double edge = meanEdge(base);
+    const FootFinder jumping(base, &patches);
+    const FootFinder walking(base);
+    int far = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const FootPoint goal = randomFoot(base, random, 0.5 * edge);
+        const FootPoint start = randomFoot(base, random, 0.0);
+        if (normalOf(base, goal.face).dot(normalOf(base, start.face)) < 0.5) {
+            continue;
+        }
+        far += (footPosition(base, goal) - footPosition(base, start)).norm() > 20.0 * edge ? 1 : 0;
+        const Vec3 p = pointOver(base, goal);
+        Found jumped{start, {}};
+        Found walked{start, {}};
+        jumping.move(p, jumped.foot, jumped.frame);
+        walking.move(p, walked.foot, walked.frame);
+        EXPECT_TRUE(expectFootOrNearest(base, p, jumped));
+        EXPECT_LT(
+            (footPosition(base, jumped.foot) - footPosition(base, walked.foot)).norm(), 1e-2 * edge
+        );
+        EXPECT_NEAR(jumped.foot.height, walked.foot.height, 1e-2 * edge);
+    }
+    EXPECT_GT(far, 20);
+}
+
+// A patch of the other side of a thin plate may be nearer than those on the way round its rim.
+TEST(FeetFoundByPatches, StayOnTheirSideOfAThinPlate) {
+    const Surface surface(box(60, {1.0, 1.0, 2e-3}));
+    const ShellBase base = makeShellBase(surface, 3);
+    const PatchLevels patches(surface);
+    ASSERT_FALSE(patches.levels().empty());
+    const FootFinder finder(base, &patches);
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        Random random(seed);
+        const FootPoint goal = randomFoot(base, random, 0.0);
+        const FootPoint start = randomFoot(base, random, 0.0);
+        if (normalOf(base, goal.face).dot(normalOf(base, start.face)) < 0.99) {
+            continue;
+        }
+        Found found{start, {}};
+        finder.move(footPosition(base, goal), found.foot, found.frame);
+        EXPECT_GT(normalOf(base, found.foot.face).dot(normalOf(base, start.face)), 0.0)
+            << "seed " << seed;
+    }
+}
+
 // ---- Far from the surface ----
 
 TEST(FeetOfFarPoints, AreFoundAlongFibresWhereTheseSpread) {

@@ -2,6 +2,7 @@
 #include "surface/patch_levels.h"
 
 #include "support/meshes.h"
+#include "support/random.h"
 #include "surface/geodesic_path.h"
 
 #include <Eigen/Geometry>
@@ -202,6 +203,55 @@ TEST(PathsAlongPatches, LookAtTwiceAsMuchOfASurfaceWithFourTimesTheFaces) {
         std::sqrt(static_cast<double>(costlyFine.explored) / static_cast<double>(costly.explored)),
         kMostPerStep
     );
+}
+
+// ---- Jumps ----
+
+// Half of a sphere away from a face, and as far as the last patch is wide from the goal.
+TEST(JumpsAlongPatches, LeadNearWhereTheyAreToLead) {
+    const Surface surface(icosphere(6));
+    const PatchLevels patches(surface);
+    const double edge = surface.averageEdgeLength();
+    Random random(3);
+    for (int trial = 0; trial < 200; ++trial) {
+        const int from = random.integer(0, surface.faceCount() - 1);
+        const int to = random.integer(0, surface.faceCount() - 1);
+        const Vec3 goal = centreOf(surface, to);
+        const double away = (centreOf(surface, from) - goal).norm();
+        if (away < 12.0 * edge || away > 1.4) {
+            continue;
+        }
+        const PatchLevels::Samples* const samples = patches.samplesTowards(goal, from, away / edge);
+        ASSERT_NE(samples, nullptr);
+        for (const int face : *samples) {
+            if (face >= 0) {
+                EXPECT_LT((centreOf(surface, face) - goal).norm(), 0.7 * away);
+            }
+        }
+    }
+}
+
+TEST(JumpsAlongPatches, AreNotMadeWherePatchesAreTooLarge) {
+    const Surface surface(icosphere(6));
+    const PatchLevels patches(surface);
+    EXPECT_EQ(patches.samplesTowards({0.0, 0.0, -1.0}, 0, 2.0), nullptr);
+    EXPECT_EQ(patches.samplesTowards(centreOf(surface, 0), 0, 100.0), nullptr);
+    const Surface small(icosphere(3));
+    EXPECT_EQ(PatchLevels(small).samplesTowards({0.0, 0.0, -1.0}, 0, 100.0), nullptr);
+}
+
+TEST(JumpsAlongPatches, StayOnTheirComponent) {
+    const Eigen::Isometry3d aside(Eigen::Translation3d(2.001, 0.0, 0.0));
+    const Surface spheres(joined(icosphere(5), transformed(icosphere(5), aside)));
+    const PatchLevels patches(spheres);
+    const int from = nearest(spheres, Vec3::UnitZ()).face;
+    const PatchLevels::Samples* const samples = patches.samplesTowards({1.5, 0.0, 0.5}, from, 40.0);
+    ASSERT_NE(samples, nullptr);
+    for (const int face : *samples) {
+        EXPECT_TRUE(
+            face < 0 || spheres.faceComponents()[at(face)] == spheres.faceComponents()[at(from)]
+        );
+    }
 }
 
 // The plate's upper side is as near as can be to the lower one.
