@@ -132,27 +132,72 @@ void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
     const bool isKnown = !spline.positions.empty();
     spline.positions.resize(at(sampleCount()));
     spline.seconds.resize(at(sampleCount()));
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        followSpan(finder, isKnown, span, spline);
+    }
+}
+
+void FootEnergy::followRefined(
+    const FootFinder& finder,
+    const FootEnergy& before,
+    const FootedSpline& coarse,
+    FootedSpline& spline
+) const {
+    spline.positions.resize(at(sampleCount()));
+    spline.seconds.resize(at(sampleCount()));
+    const int perSpan = samplesPerSpan();
+    const std::vector<double>& breaks = space_.breaks();
+    const std::vector<double>& coarseBreaks = before.space_.breaks();
+    int from = 0;  // the span before that this one is or lies in
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        while (coarseBreaks[at(from + 1)] <= breaks[at(span)]) {
+            ++from;
+        }
+        const bool isWhole = coarseBreaks[at(from + 1)] == breaks[at(span + 1)] &&
+                             coarseBreaks[at(from)] == breaks[at(span)];
+        int near = from * perSpan;
+        const int last = near + perSpan - 1;
+        for (int sample = span * perSpan; sample < (span + 1) * perSpan; ++sample) {
+            const auto gapTo = [&](int other) {
+                return std::abs(before.parameter(other) - parameter(sample));
+            };
+            while (near < last && gapTo(near + 1) < gapTo(near)) {
+                ++near;
+            }
+            spline.feet[at(sample)] = coarse.feet[at(near)];
+            spline.frames[at(sample)] = coarse.frames[at(near)];
+            spline.positions[at(sample)] = coarse.positions[at(near)];
+            spline.seconds[at(sample)] = coarse.seconds[at(near)];
+        }
+        if (!isWhole) {
+            followSpan(finder, true, span, spline);
+        }
+    }
+}
+
+// `isKnown`: the feet are those of the positions.
+void FootEnergy::followSpan(
+    const FootFinder& finder, bool isKnown, int span, FootedSpline& spline
+) const {
     const int count = space_.basisCount();
     const int perSpan = samplesPerSpan();
-    for (int span = 0; span < space_.spanCount(); ++span) {
-        const SpanControls controls = controlsOf(space_, spline.controls, span);
-        for (std::size_t sample = at(span * perSpan); sample < at((span + 1) * perSpan); ++sample) {
-            const Sample& table = samples_[sample];
-            Vec3 position = table.basis[0] * controls[0];
-            Vec3 second = table.second[0] * controls[0];
-            for (std::size_t j = 1; j < at(count); ++j) {
-                position += table.basis[j] * controls[j];
-                second += table.second[j] * controls[j];
-            }
-            FootPoint& foot = spline.feet[sample];
-            FootFrame& frame = spline.frames[sample];
-            if (isKnown) {
-                FootFinder::predict(position - spline.positions[sample], frame, foot);
-            }
-            finder.move(position, foot, frame);
-            spline.positions[sample] = position;
-            spline.seconds[sample] = second;
+    const SpanControls controls = controlsOf(space_, spline.controls, span);
+    for (std::size_t sample = at(span * perSpan); sample < at((span + 1) * perSpan); ++sample) {
+        const Sample& table = samples_[sample];
+        Vec3 position = table.basis[0] * controls[0];
+        Vec3 second = table.second[0] * controls[0];
+        for (std::size_t j = 1; j < at(count); ++j) {
+            position += table.basis[j] * controls[j];
+            second += table.second[j] * controls[j];
         }
+        FootPoint& foot = spline.feet[sample];
+        FootFrame& frame = spline.frames[sample];
+        if (isKnown) {
+            FootFinder::predict(position - spline.positions[sample], frame, foot);
+        }
+        finder.move(position, foot, frame);
+        spline.positions[sample] = position;
+        spline.seconds[sample] = second;
     }
 }
 

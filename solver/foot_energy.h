@@ -54,6 +54,15 @@ public:
     /// before, from where that predicts it to be; and their positions and second derivatives.
     void follow(const FootFinder& finder, FootedSpline& spline) const;
 
+    /// The same for a spline that is another one refined, whose feet have been found: they are
+    /// those of its samples on spans that stayed whole, and lie near them on the others.
+    void followRefined(
+        const FootFinder& finder,
+        const FootEnergy& before,
+        const FootedSpline& coarse,
+        FootedSpline& spline
+    ) const;
+
     /// The terms at a spline; bending along the directions of `frozen` (one frame per sample) does
     /// not count.
     [[nodiscard]] EnergyTerms terms(
@@ -84,6 +93,7 @@ public:
     [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
 
 private:
+    void followSpan(const FootFinder& finder, bool isKnown, int span, FootedSpline& spline) const;
     [[nodiscard]] double distanceTerm(const FootPoint& foot, double weight) const;
     // What E_dist and E_ext say at a sample, by the position; adds to these terms.
     [[nodiscard]] PointDerivatives pointDerivatives(

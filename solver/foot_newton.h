@@ -11,7 +11,7 @@ namespace bspline_curve {
 /// Newton's method for FootEnergy in one space of splines; the picks stay met.
 class FootNewton {
 public:
-    /// Feet are found by follow(), from where the caller puts them in now().
+    /// Feet are found by follow(), from where the caller puts them in now(), or followRefined().
     FootNewton(const CurveProblem& problem, SplineCurve curve, double heightUnit, int segments);
     FootNewton(const FootNewton&) = delete;  // parts of it refer to others
     FootNewton& operator=(const FootNewton&) = delete;
@@ -25,6 +25,11 @@ public:
     [[nodiscard]] FootedSpline& now() { return now_; }
 
     void follow(const FootFinder& finder) { energy_.follow(finder, now_); }
+
+    /// Where this spline is another one refined.
+    void followRefined(const FootFinder& finder, const FootNewton& coarse) {
+        energy_.followRefined(finder, coarse.energy_, coarse.now_, now_);
+    }
 
     struct Step {
         EnergyTerms terms;  ///< before it

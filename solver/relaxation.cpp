@@ -345,17 +345,7 @@ private:
         ControlPoints controls = refine(space(), now().controls, finer);
         const std::unique_ptr<FootNewton> old = std::move(newton_);
         newton_ = newtonFrom({std::move(finer), std::move(controls)});
-        int near = 0;
-        for (int sample = 0; sample < energy().sampleCount(); ++sample) {
-            const double t = energy().parameter(sample);
-            while (near + 1 < old->energy().sampleCount() &&
-                   std::abs(old->energy().parameter(near + 1) - t) <
-                       std::abs(old->energy().parameter(near) - t)) {
-                ++near;
-            }
-            now().feet[at(sample)] = old->now().feet[at(near)];
-        }
-        newton_->follow(finder_);
+        newton_->followRefined(finder_, *old);
         report_.seconds.knots += watch_.lap();
     }
 

@@ -569,6 +569,50 @@ Relaxed relaxed(
     return result;
 }
 
+// ---- Refined splines ----
+
+TEST(FeetOfARefinedSpline, AreThoseOfItsPositions) {
+    for (const bool closed : {false, true}) {
+        SCOPED_TRACE(closed ? "closed" : "open");
+        SolverOptions options;
+        options.closed = closed;
+        const Scene scene(noisySphere(), options, roundTheSphere(1.02, closed), 14);
+        const FootEnergy before = scene.energy();
+        const FootedSpline coarse = scene.footed(before, scene.controls());
+        std::vector<double> breaks = scene.space().breaks();
+        for (const int span : {0, 3, scene.space().spanCount() - 1}) {
+            breaks.push_back(
+                scene.space().breaks()[at(span)] + 0.5 * scene.space().spanLength(span)
+            );
+        }
+        std::ranges::sort(breaks);
+        const SplineSpace finer(3, closed, breaks);
+        const FootEnergy energy(scene.problem(), finer, scene.edge());
+        FootedSpline spline{
+            refine(scene.space(), scene.controls(), finer),
+            std::vector<FootPoint>(at(energy.sampleCount())),
+            std::vector<FootFrame>(at(energy.sampleCount())),
+            {},
+            {}
+        };
+        const FootFinder finder(scene.base());
+        energy.followRefined(finder, before, coarse, spline);
+        FootedSpline again = spline;
+        energy.follow(finder, again);
+        for (int i = 0; i < energy.sampleCount(); ++i) {
+            const FootPoint& foot = spline.feet[at(i)];
+            EXPECT_EQ(foot.face, again.feet[at(i)].face);
+            EXPECT_LT((spline.positions[at(i)] - again.positions[at(i)]).norm(), 1e-14);
+            EXPECT_LT(
+                (spline.seconds[at(i)] - again.seconds[at(i)]).norm(),
+                1e-9 * again.seconds[at(i)].norm()
+            );
+            EXPECT_NEAR(foot.height, again.feet[at(i)].height, 1e-8);
+            EXPECT_LT((spline.frames[at(i)].height - again.frames[at(i)].height).norm(), 1e-6);
+        }
+    }
+}
+
 // How much the least energy falls where all spans are halved.
 struct Halving {
     double promised = 0.0, fall = 0.0;
