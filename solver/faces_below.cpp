@@ -78,6 +78,20 @@ FootAt footOf(const PickConstraint& pick, double parameter) {
 }  // namespace
 
 std::vector<int> facesBelow(
+    const ShellBase& base,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    std::span<const FootAt> feet
+) {
+    FaceCollector collector(base, space, controls);
+    collector.start(feet.front());
+    for (std::size_t i = 1; i < feet.size(); ++i) {
+        collector.goOn(feet[i - 1], feet[i]);
+    }
+    return std::move(collector).faces();
+}
+
+std::vector<int> facesBelow(
     const CurveProblem& problem,
     const SplineSpace& space,
     const ControlPoints& controls,
@@ -95,12 +109,7 @@ std::vector<int> facesBelow(
     std::ranges::merge(
         picks, feet, std::back_inserter(all), {}, &FootAt::parameter, &FootAt::parameter
     );
-    FaceCollector collector(*problem.base, space, controls);
-    collector.start(all.front());
-    for (std::size_t i = 1; i < all.size(); ++i) {
-        collector.goOn(all[i - 1], all[i]);
-    }
-    return std::move(collector).faces();
+    return facesBelow(*problem.base, space, controls, all);
 }
 
 }  // namespace bspline_curve

@@ -5,6 +5,7 @@
 #include "solver/foot_point.h"
 #include "solver/spline_space.h"
 
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -15,10 +16,18 @@ struct FootAt {
     FootPoint foot;
 };
 
-/// The faces of the base that lie below a curve: those of the foot points given (ascending by
-/// parameter) and of the picks, and those between, found at finer and finer
-/// parameters until neighbours follow each other. Where the feet jump, the faces in the gap are
-/// left out. Faces may come several times. About 0.2 us for each face.
+/// The faces of the base that lie below a piece of a curve: those of its foot points (one at least,
+/// ascending by parameter), and those between, found at finer and finer parameters until neighbours
+/// follow each other. Where the feet jump, the faces in the gap are left out. Faces may come
+/// several times. About 0.2 us for each face.
+[[nodiscard]] std::vector<int> facesBelow(
+    const ShellBase& base,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    std::span<const FootAt> feet
+);
+
+/// The same of a whole curve, those of the picks among them.
 [[nodiscard]] std::vector<int> facesBelow(
     const CurveProblem& problem,
     const SplineSpace& space,

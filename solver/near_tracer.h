@@ -6,6 +6,8 @@
 #include "solver/faces_below.h"
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -17,7 +19,7 @@ public:
     explicit NearTracer(const CurveProblem& problem) : problem_(problem) {}
 
     /// `feet`: some along the curve, by parameter. The curve leaves its prisms, so that distances
-    /// are infinite, only through their top or bottom, or where widening them three times did not
+    /// are infinite, only through their top or bottom, or where widening them several times did not
     /// help. O(n log n) for n faces below the curve.
     [[nodiscard]] CurveDistance measure(
         const SplineSpace& space, const ControlPoints& controls, const std::vector<FootAt>& feet
@@ -27,17 +29,29 @@ public:
     [[nodiscard]] const std::shared_ptr<const NearShell>& shell() const { return near_; }
 
 private:
-    [[nodiscard]] CurveDistance measureOver(
-        std::vector<int> faces, const SplineSpace& space, const ControlPoints& controls
+    // A curve, and a piece of it from foot to foot.
+    struct Spline {
+        const SplineSpace& space;
+        const ControlPoints& controls;
+    };
+
+    using Stretch = std::span<const FootAt>;
+
+    [[nodiscard]] NearShell shellOver(const std::vector<int>& faces) const;
+    [[nodiscard]] CurveDistance measureOver(std::vector<int> faces, const Spline& spline);
+    [[nodiscard]] bool widenWhereLeft(
+        const ShadowTrace& trace, const Spline& spline, const std::vector<FootAt>& feet
     );
-    [[nodiscard]] std::vector<int> placesFrom(
-        int firstSpan,
-        const SplineSpace& space,
-        const ControlPoints& controls,
-        const std::vector<FootAt>& feet
-    ) const;
-    [[nodiscard]] bool widenAbout(const std::vector<int>& places);
-    void addFacesAroundPicks(std::vector<int>& faces) const;
+    void addMissing(const std::vector<int>& faces);
+    void widenUnder(const Stretch& stretch, const Spline& spline);
+    [[nodiscard]] static std::vector<Stretch> stretchesFrom(
+        int firstSpan, const SplineSpace& space, const std::vector<FootAt>& feet
+    );
+    [[nodiscard]] static std::optional<int> placeLeft(
+        const NearShell& near, const Stretch& stretch, const Spline& spline
+    );
+    [[nodiscard]] std::vector<int> ringAbout(int face) const;
+    void addFacesAroundPicks(double begin, double end, std::vector<int>& faces) const;
 
     const CurveProblem& problem_;
     std::shared_ptr<const NearShell> near_;
