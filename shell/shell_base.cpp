@@ -10,6 +10,7 @@
 #include <cmath>
 #include <ranges>
 #include <span>
+#include <utility>
 
 namespace bspline_curve {
 namespace {
@@ -53,38 +54,44 @@ public:
         base_.faces = surface_.faces();
         reserveLarge(base_.faceNeighbours, surface_.faces().size());
         base_.faceNeighbours = surface_.faceNeighbours();
-        reserveLarge(normals_, base_.faces.size());
-        for (int f = 0; f < surface_.faceCount(); ++f) {
-            normals_.push_back(normalOf(f));
-        }
     }
 
     void measureEdges() {
         base_.edgeLengths = makeLarge(base_.vertices.size(), 0.0);
-        std::vector<int> counts(base_.vertices.size(), 0);
         for (const Triangle& face : base_.faces) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const int a = face[k];
                 const int b = face[(k + 1) % 3];
                 const double length = (base_.vertices[at(a)] - base_.vertices[at(b)]).norm();
-                for (const int v : {a, b}) {
-                    base_.edgeLengths[at(v)] += length;
-                    ++counts[at(v)];
-                }
+                base_.edgeLengths[at(a)] += length;
+                base_.edgeLengths[at(b)] += length;
             }
         }
-        for (std::size_t v = 0; v < counts.size(); ++v) {
-            base_.edgeLengths[v] /= std::max(1, counts[v]);
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            // Each face at a vertex counts two edges there.
+            base_.edgeLengths[at(v)] /= std::max(1, 2 * surface_.facesAround(v).size());
         }
     }
 
     // Directions of all vertices; a vertex that none sees moves towards its ring's mean until one
     // does.
     void findDirections() {
-        base_.directions = makeLarge<Vec3>(base_.vertices.size(), Vec3::UnitZ());
+        base_.directions = makeLarge<Vec3>(base_.vertices.size(), Vec3::Zero());
+        // Face by face, so that nothing of a face is computed or fetched for each of its corners.
+        reserveLarge(normals_, base_.faces.size());
+        for (const Triangle& face : base_.faces) {
+            const Vec3 cross = crossOf(face);
+            const double doubleArea = cross.norm();
+            normals_.push_back(cross.normalized());
+            for (std::size_t k = 0; k < 3; ++k) {
+                base_.directions[at(face[k])] += cornerAngle(face, k, doubleArea) * normals_.back();
+            }
+        }
         std::vector<int> unseen;
         for (int v = 0; v < surface_.vertexCount(); ++v) {
-            if (!surface_.facesAround(v).empty() && !findDirection(v)) {
+            if (surface_.facesAround(v).empty()) {
+                base_.directions[at(v)] = Vec3::UnitZ();
+            } else if (!chooseDirection(v, base_.directions[at(v)])) {
                 unseen.push_back(v);
             }
         }
@@ -102,18 +109,17 @@ public:
 
     // Averages directions over the ring, each kept only where the smallest cosine does not suffer.
     void smoothDirections(int passes) {
-        std::vector<Vec3> sums = makeLarge<Vec3>(base_.faces.size(), Vec3::Zero());
+        std::vector<Vec3> sums = makeLarge<Vec3>(base_.vertices.size(), Vec3::Zero());
         for (int pass = 0; pass < passes; ++pass) {
-            for (std::size_t f = 0; f < sums.size(); ++f) {
-                const Triangle& face = base_.faces[f];
-                sums[f] = base_.directions[at(face[0])] + base_.directions[at(face[1])] +
-                          base_.directions[at(face[2])];
+            for (const Triangle& face : base_.faces) {
+                const Vec3 sum = base_.directions[at(face[0])] + base_.directions[at(face[1])] +
+                                 base_.directions[at(face[2])];
+                for (const int v : face) {
+                    sums[at(v)] += sum;
+                }
             }
             for (int v = 0; v < surface_.vertexCount(); ++v) {
-                Vec3 sum = Vec3::Zero();
-                for (const int f : surface_.facesAround(v)) {
-                    sum += sums[at(f)];
-                }
+                const Vec3 sum = std::exchange(sums[at(v)], Vec3::Zero());
                 const double length = sum.norm();
                 if (length >= kLeastPillarCosine && mayTurn(v, sum / length)) {
                     base_.directions[at(v)] = sum / length;
@@ -135,13 +141,13 @@ private:
                after >= leastCosine(base_.directions[at(v)], normals);
     }
 
-    [[nodiscard]] Vec3 normalOf(int f) const {
-        const Triangle& face = base_.faces[at(f)];
+    // The normal of a face, as long as twice its area.
+    [[nodiscard]] Vec3 crossOf(const Triangle& face) const {
         const Vec3& corner = base_.vertices[at(face[0])];
-        return (base_.vertices[at(face[1])] - corner)
-            .cross(base_.vertices[at(face[2])] - corner)
-            .normalized();
+        return (base_.vertices[at(face[1])] - corner).cross(base_.vertices[at(face[2])] - corner);
     }
+
+    [[nodiscard]] Vec3 normalOf(int f) const { return crossOf(base_.faces[at(f)]).normalized(); }
 
     void gatherNormals(int v) {
         star_.clear();
@@ -151,26 +157,34 @@ private:
     }
 
     bool findDirection(int v) {
-        gatherNormals(v);
-        Vec3 average = Vec3::Zero();
-        for (std::size_t i = 0; i < star_.size(); ++i) {
-            average += cornerAngle(surface_.facesAround(v).begin()[i], v) * star_[i];
+        Vec3 sum = Vec3::Zero();
+        for (const int f : surface_.facesAround(v)) {
+            const Triangle& face = base_.faces[at(f)];
+            const std::size_t k = face[0] == v ? 0 : (face[1] == v ? 1 : 2);
+            sum += cornerAngle(face, k, crossOf(face).norm()) * normals_[at(f)];
         }
-        const double length = average.norm();
-        if (length > 0.0 && leastCosine(average / length, star_) >= kGoodAverageCosine) {
-            base_.directions[at(v)] = average / length;
+        return chooseDirection(v, sum);
+    }
+
+    // The average of the normals around a vertex, of which the sum is given, where it sees all
+    // faces well, else the one that sees them best. Returns whether it sees all.
+    bool chooseDirection(int v, const Vec3& sum) {
+        gatherNormals(v);
+        const double length = sum.norm();
+        const Vec3 average = sum / length;
+        if (length > 0.0 && leastCosine(average, star_) >= kGoodAverageCosine) {
+            base_.directions[at(v)] = average;
             return true;
         }
         base_.directions[at(v)] = directionOfLeastAngle(star_);
         return leastCosine(base_.directions[at(v)], star_) >= kLeastPillarCosine;
     }
 
-    [[nodiscard]] double cornerAngle(int f, int v) const {
-        const Triangle& face = base_.faces[at(f)];
-        const std::size_t k = face[0] == v ? 0 : (face[1] == v ? 1 : 2);
-        const Vec3 a = base_.vertices[at(face[(k + 1) % 3])] - base_.vertices[at(v)];
-        const Vec3 b = base_.vertices[at(face[(k + 2) % 3])] - base_.vertices[at(v)];
-        return std::atan2(a.cross(b).norm(), a.dot(b));
+    [[nodiscard]] double cornerAngle(const Triangle& face, std::size_t k, double doubleArea) const {
+        const Vec3& corner = base_.vertices[at(face[k])];
+        const Vec3 a = base_.vertices[at(face[(k + 1) % 3])] - corner;
+        const Vec3 b = base_.vertices[at(face[(k + 2) % 3])] - corner;
+        return std::atan2(doubleArea, a.dot(b));
     }
 
     // One step of all unseen vertices; returns those that are unseen now, ascending.

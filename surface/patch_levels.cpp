@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace bspline_curve {
 namespace {
@@ -232,12 +234,17 @@ PatchLevels::PatchLevels(const Surface& surface) {
     int below = surface.faceCount();
     // Components of one face stay.
     while (graph.count() < below) {
-        levels_.push_back(graph.level);
         below = graph.count();
-        if (below <= kFewPatches) {
+        std::optional<PatchGraph> larger;
+        if (below > kFewPatches) {
+            larger = quartered(graph);
+        }
+        graph.level.neighbours.shrink_to_fit();
+        levels_.push_back(std::move(graph.level));
+        if (!larger) {
             return;
         }
-        graph = quartered(graph);
+        graph = std::move(*larger);
     }
 }
 

@@ -4,6 +4,13 @@
 #include "shell/shell_base.h"
 
 namespace bspline_curve::test_support {
+namespace {
+
+// Of the way along a fibre between two heights: straight, else in two halves, so that where the
+// shell's top or bottom is not convex steps become as short as the fibre's straight pieces.
+constexpr int kMostHalvings = 16;
+
+}  // namespace
 
 bool walkUp(
     const Shell& shell,
@@ -13,20 +20,24 @@ bool walkUp(
     TraceState& state
 ) {
     state = {ShellCell(shell, point)};
-    const Vec3 from = base.position(point);
-    if (walkStraight(shell, from, shell.lift(point, w), state)) {
-        return true;
-    }
-    state = {ShellCell(shell, point)};
-    constexpr int kSteps = 40;
-    const double start = state.cell.height.at(from);
-    Vec3 here = from;
-    for (int i = 1; i <= kSteps; ++i) {
-        const Vec3 next = shell.lift(point, start + (w - start) * i / kSteps);
-        if (!walkStraight(shell, here, next, state)) {
+    Vec3 here = base.position(point);
+    const double start = state.cell.height.at(here);
+    const int steps = 1 << kMostHalvings;
+    int done = 0;
+    int step = steps;
+    while (done < steps) {
+        const Vec3 next = shell.lift(point, start + (w - start) * (done + step) / steps);
+        TraceState after = state;
+        if (walkStraight(shell, here, next, after)) {
+            state = after;
+            here = next;
+            done += step;
+            continue;
+        }
+        if (step == 1) {
             return false;
         }
-        here = next;
+        step /= 2;
     }
     return true;
 }

@@ -6,7 +6,8 @@
 namespace bspline_curve::test_support {
 
 /// Walks from a point of the surface to height w of its fibre, as curves do: straight where that
-/// stays inside, else along the fibre. Returns whether it arrives; the state holds the end then.
+/// stays inside, else along the fibre in shorter and shorter steps. Returns whether it arrives; the
+/// state holds the end then.
 [[nodiscard]] bool walkUp(
     const Shell& shell,
     const ShellBase& base,
