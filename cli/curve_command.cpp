@@ -208,12 +208,12 @@ std::optional<double> timeWarm(
     return times.empty() ? std::nullopt : std::optional(median(std::move(times)));
 }
 
-std::string unusableMessage(const CurveArguments& arguments, const SolveReport& report) {
+std::string unusableMessage(const SolveReport& report) {
     constexpr double kMissed = 1e-9;  // of the diagonal; constraints are met to rounding
     std::ostringstream text;
     text << std::setprecision(3) << "no usable curve (" << name(report.status)
          << "): its largest distance from the mesh is " << report.maxDistance
-         << " average edge lengths, the tolerance " << arguments.solver.distanceTolerance;
+         << " average edge lengths, the tolerance " << report.allowedDistance;
     if (report.maxPickGap > kMissed) {
         text << "; it misses a pick by " << report.maxPickGap << " of the diagonal";
     }
@@ -263,7 +263,7 @@ ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
     printNotes(drawn.figures.shell.notes);
     writeResults(arguments, inputs, drawn);
     if (!drawn.curve.report.usable) {
-        printError(unusableMessage(arguments, drawn.curve.report));
+        printError(unusableMessage(drawn.curve.report));
         return ExitCode::Failure;
     }
     return ExitCode::Success;

@@ -337,6 +337,7 @@ Curve CurveDesigner::design(
     );
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;
+    curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
     curve.prisms = tracedShellOf(problem, solution.near.get()).shell.prismCount();
     if (obstacles) {
         requireClear(state.surface(), curve.polyline, *obstacles);

@@ -125,6 +125,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"knots_first", report.knotsFirst},
         {"knots_last", report.knotsLast},
         {"max_distance", report.maxDistance},
+        {"allowed_distance", report.allowedDistance},
         {"max_pick_gap", report.maxPickGap},
         {"newton_iterations", report.newtonIterations},
         {"curve",

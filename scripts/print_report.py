@@ -17,14 +17,15 @@ def main():
         ("status", f"{report['status']}, {verdict}"),
         ("shell", f"{report['shell']}, {report['prisms']:,} prisms{', from the cache' if report['cached'] else ''}"),
         ("knots", f"{report['knots_first']} at first, {report['knots_last']} at last"),
-        ("distance", f"spline to surface at most {report['max_distance']:.3g} mean edge lengths; "
-                     f"the polyline lies on the surface"),
+        ("distance", f"spline to surface at most {report['max_distance']:.3g} mean edge lengths "
+                     f"(allowed: {report['allowed_distance']:.3g}); the polyline lies on the surface"),
         ("picks", f"missed by at most {report['max_pick_gap']:.2g} of the diagonal"),
         ("work", f"{len(report['rounds'])} rounds, {report['newton_iterations']} Newton iterations"),
-        ("first curve", f"{1e3 * seconds['cold']:.0f} ms, of which the shell {1e3 * seconds['shell']:.0f} ms"),
+        ("first curve", f"{1e3 * seconds['cold']:.0f} ms, of which preparing the mesh "
+                        f"{1e3 * (seconds['cold'] - seconds['design']):.0f} ms"),
     ]
     if seconds["warm"] is not None:
-        rows.append(("next curve", f"{1e3 * seconds['warm']:.1f} ms, on the same shell"))
+        rows.append(("next curve", f"{1e3 * seconds['warm']:.1f} ms, on the same mesh"))
     for name, text in rows:
         print(f"{name:12s} {text}")
 

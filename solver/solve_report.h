@@ -58,7 +58,10 @@ struct SolveReport {
     int knotsFirst = 0, knotsLast = 0;  ///< length of the knot vector, end knots with multiplicity
     bool isRelaxed = false;             ///< at foot points (solver/relaxation.h), not cell by cell
     double maxDistance = 0.0;  ///< largest distance of spline and surface, in average edge lengths
-    double maxPickGap = 0.0;   ///< largest |P(t_ki) - x_i|, relative to the diagonal
+    /// What that was to stay below, in average edge lengths: more than the option says where edges
+    /// are very short (PreparedSurface::finestEdge). Set by CurveDesigner.
+    double allowedDistance = 0.0;
+    double maxPickGap = 0.0;  ///< largest |P(t_ki) - x_i|, relative to the diagonal
     int newtonIterations = 0;
     double fieldCost = 0.0;  ///< E_ext (5), the mean of c over t; 0 without a field
     /// False where the iterations ended although the field still pulled: a sharper curve would cost

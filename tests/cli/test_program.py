@@ -184,7 +184,8 @@ def test_the_report_holds_times_figures_rounds_and_iterations(run, plate):
     assert sum(seconds[name] for name in stages) <= seconds["cold"] * 1.05
     assert report["usable"] is True and isinstance(report["status"], str)
     assert report["knots_first"] <= report["knots_last"]
-    assert report["max_distance"] <= 0.1 and report["max_pick_gap"] < 1e-9
+    assert report["max_distance"] <= report["allowed_distance"] == pytest.approx(0.1)
+    assert report["max_pick_gap"] < 1e-9
     assert len(report["rounds"]) >= 1
     assert report["newton_iterations"] >= sum(r["iterations"] for r in report["rounds"])
     assert all(i["round"] < len(report["rounds"]) for i in report["iterations"])

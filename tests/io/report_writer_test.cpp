@@ -24,6 +24,7 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     curve.report.knotsFirst = 11;
     curve.report.knotsLast = 17;
     curve.report.maxDistance = 0.04;
+    curve.report.allowedDistance = 0.15;
     curve.report.maxPickGap = 1e-15;
     curve.report.newtonIterations = 42;
     curve.report.rounds = {{10, 1e6, 11, 7, MinimiseStatus::EarlyStop, 0.3}};
@@ -45,6 +46,7 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
          {"/knots_first", 11},
          {"/knots_last", 17},
          {"/max_distance", 0.04},
+         {"/allowed_distance", 0.15},
          {"/max_pick_gap", 1e-15},
          {"/newton_iterations", 42},
          {"/shell", "simplified"},
