@@ -31,7 +31,7 @@ struct CurveProblem {
     const Surface* surface = nullptr;  ///< needed where there is no shell
     double nearThickness = 0.0;        ///< of shells near the curve, see NearShellSize
     const ShellBase* base = nullptr;
-    const PatchLevels* patches = nullptr;  ///< of the surface; null: feet are found without
+    const PatchLevels* patches = nullptr;     ///< of the surface; null: feet are found without
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     const Obstacles* obstacles = nullptr;     ///< what the curve avoids; null: nothing
     std::vector<PickConstraint> picks;
