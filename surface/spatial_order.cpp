@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/spatial_order.h"
 
+#include <numeric>
+
 namespace bspline_curve {
 namespace {
 
@@ -25,6 +27,33 @@ std::uint64_t mortonCode(const Vec3& point, const Vec3& low, double extent) {
     return spreadBits(static_cast<std::uint64_t>(cell[0])) << 2U |
            spreadBits(static_cast<std::uint64_t>(cell[1])) << 1U |
            spreadBits(static_cast<std::uint64_t>(cell[2]));
+}
+
+void sortByBuckets(std::vector<MortonKey>& keys) {
+    // Six bits per axis.
+    constexpr int kBucketBits = 18;
+    constexpr std::size_t kBuckets = std::size_t{1} << static_cast<unsigned>(kBucketBits);
+    constexpr auto kShift = static_cast<unsigned>(3 * kMortonBitsPerAxis - kBucketBits);
+    if (keys.size() < kBuckets) {
+        std::ranges::sort(keys);
+        return;
+    }
+    std::vector<std::uint32_t> ends(kBuckets + 1);
+    for (const MortonKey& key : keys) {
+        ++ends[(key.code >> kShift) + 1];
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<MortonKey> sorted = makeLarge(keys.size(), MortonKey{});
+    for (const MortonKey& key : keys) {
+        sorted[ends[key.code >> kShift]++] = key;  // its bucket's start becomes its end
+    }
+    auto begin = sorted.begin();
+    for (const std::uint32_t end : ends) {
+        const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(end);
+        std::sort(begin, last);
+        begin = last;
+    }
+    keys.swap(sorted);
 }
 
 }  // namespace bspline_curve

@@ -21,6 +21,9 @@ struct MortonKey {
 /// Morton code of a point of the cube from `low`, `extent` wide, in 2^21 cells per axis.
 [[nodiscard]] std::uint64_t mortonCode(const Vec3& point, const Vec3& low, double extent);
 
+/// Sorts keys, by buckets of their highest bits first: what is then sorted lies in the cache.
+void sortByBuckets(std::vector<MortonKey>& keys);
+
 /// Keys of the elements 0 to count - 1, whose positions centreOf(i) gives, along a Morton curve
 /// through their bounding cube; elements in one cell by index. The same on every platform.
 /// O(n log n).
@@ -41,7 +44,7 @@ template <class CentreOf>
     for (std::size_t i = 0; i < count; ++i) {
         keys[i] = {.code = mortonCode(centreOf(i), low, extent), .index = static_cast<int>(i)};
     }
-    std::ranges::sort(keys);
+    sortByBuckets(keys);
     return keys;
 }
 
