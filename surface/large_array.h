@@ -11,7 +11,7 @@ namespace bspline_curve {
 void preferLargePages(void* begin, std::size_t bytes);
 
 /// Reserves room for so many elements, in large pages of memory where they fill several: what many
-/// faces take is then filled and read at random 10 to 20 % faster.
+/// faces take is then read at random faster: further curves at 1.8 million faces by 5 %.
 template <class Element>
 void reserveLarge(std::vector<Element>& elements, std::size_t count) {
     if (count > elements.capacity()) {
