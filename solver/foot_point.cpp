@@ -186,8 +186,11 @@ int FootFinder::faceTowards(const Vec3& p, int face, double facesAway) const {
             nearest = sample;
         }
     }
-    const Vec3& direction = base_.directions[cornerOf(face)];
-    return base_.directions[cornerOf(nearest)].dot(direction) > 0.0 ? nearest : face;
+    const auto normalOf = [&](int of) {
+        const PairOfVectors edges = fibresOver(of).edges;
+        return Vec3(edges.u().cross(edges.v()));
+    };
+    return normalOf(nearest).dot(normalOf(face)) > 0.0 ? nearest : face;
 }
 
 // Walks on over faces that p is far outside of, seen along their normals: many times faster than
