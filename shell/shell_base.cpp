@@ -2,6 +2,7 @@
 #include "shell/shell_base.h"
 
 #include "shell/pillar_directions.h"
+#include "surface/index_sets.h"
 #include "surface/large_array.h"
 
 #include <Eigen/Geometry>
@@ -215,8 +216,7 @@ private:
                 normals_[at(f)] = normalOf(f);
             }
         }
-        std::sort(touched.begin(), touched.end());
-        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+        sortUnique(touched);
         std::vector<int> still;
         for (const int v : touched) {
             if (!findDirection(v)) {

@@ -39,7 +39,7 @@ public:
     /// Faces near a point, found from a face by way of patches, each with its centre nearer to it
     /// (in the user's unit) than the one before. `facesAway`: about how many faces lie between; the
     /// more, the larger the patches. Null where no patch that small is nearer than that of the
-    /// face. O(sqrt(facesAway)).
+    /// face. A few patches are looked at, unless even the largest are small beside the way.
     [[nodiscard]] const Samples* samplesTowards(const Vec3& p, int face, double facesAway) const;
 
 private:

@@ -207,7 +207,7 @@ TEST(PathsAlongPatches, LookAtTwiceAsMuchOfASurfaceWithFourTimesTheFaces) {
 
 // ---- Jumps ----
 
-// Half of a sphere away from a face, and as far as the last patch is wide from the goal.
+// Up to half of the sphere away.
 TEST(JumpsAlongPatches, LeadNearWhereTheyAreToLead) {
     const Surface surface(icosphere(6));
     const PatchLevels patches(surface);
