@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace bspline_curve::repair_steps {
 
@@ -266,7 +267,9 @@ private:
     [[nodiscard]] int vertexAt(int corner) const { return faces_[at(corner / 3)][at(corner % 3)]; }
 
     std::vector<Triangle> numberFans(std::vector<int> fans, const std::vector<int>& keeper) {
-        std::ranges::stable_sort(fans, {}, [&](int corner) { return vertexAt(corner); });
+        std::ranges::sort(fans, {}, [&](int corner) {
+            return std::pair(vertexAt(corner), corner);
+        });
         std::vector<int> ids(sets_.size(), -1);
         copies_.clear();
         for (const int fan : fans) {
