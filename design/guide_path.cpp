@@ -2,7 +2,6 @@
 #include "design/guide_path.h"
 
 #include "design/taut_path.h"
-#include "surface/corridor_search.h"
 #include "surface/geodesic_path.h"
 #include "surface/input_error.h"
 
@@ -46,8 +45,13 @@ std::size_t at(int index) {
 
 // What a unit of length costs in each face, all told. Refers to both.
 TravelCosts totalCosts(const Surface& surface, const Terrain& terrain) {
-    if (terrain.field.empty() && terrain.blockedFaces.empty() && terrain.obstacles == nullptr) {
-        return {};
+    if (terrain.blockedFaces.empty() && terrain.obstacles == nullptr) {
+        if (terrain.field.empty()) {
+            return {};
+        }
+        return {[&surface, &terrain](int face) {
+            return terrain.field.costOf(surface.faces()[at(face)]);
+        }};
     }
     return {[&surface, &terrain](int face) {
         if (std::ranges::binary_search(terrain.blockedFaces, face)) {
@@ -75,13 +79,13 @@ SurfacePoint keptClear(
     return point;
 }
 
-// Ways are sought among patches alone where the surface has as many of them, which are then small
-// beside all that the first path is for, and the way leads over as many.
-constexpr int kFinePatches = 8192;
-constexpr int kLongWay = 12;
-// Else among faces. Longer strips of these are pulled taut at points of them instead of
-// straightened vertex by vertex.
-constexpr std::size_t kLongStrip = 64;
+// Ways over more patches are pulled taut at points of them, instead of straightened vertex by
+// vertex in a strip of faces. Under a field, which the cost of each face is asked of, fewer pay.
+constexpr int kMostPatches = 16;
+constexpr int kMostFieldPatches = 11;
+// By which the way over the surface may be longer than a gap of the string: that over the edge of a
+// wedge of sixty degrees.
+constexpr double kMostDetour = 2.0;
 
 // Finds paths from pick to pick.
 class PathFinder {
@@ -89,55 +93,77 @@ public:
     PathFinder(const Surface& surface, const ShellBase& base, const Terrain& terrain)
         : base_(base),
           terrain_(terrain),
-          costs_(totalCosts(surface, terrain)),
-          finder_(surface, costs_, terrain.patches) {
-        if (isOpen() && terrain.patches != nullptr) {
-            ways_.emplace(surface, *terrain.patches, costs_);
-        }
-    }
+          finder_(surface, totalCosts(surface, terrain), terrain.patches) {}
 
     [[nodiscard]] std::optional<std::vector<SurfacePoint>> find(
         const SurfacePoint& start, const SurfacePoint& goal
     ) {
-        std::optional<std::vector<SurfacePoint>> path;
-        if (ways_) {
-            path = ways_->findWay(start, goal, kFinePatches, kLongWay);
-            path = path ? pullTaut(base_, terrain_.patches, terrain_.field, *path) : std::nullopt;
-        }
-        if (!path) {
-            path = findOverFaces(start, goal);
-        }
-        return path;
-    }
-
-private:
-    // Whether strings may be pulled taut: there is nothing to keep out of.
-    [[nodiscard]] bool isOpen() const {
-        return terrain_.kind == PathKind::Quick && terrain_.obstacles == nullptr &&
-               terrain_.blockedFaces.empty();
-    }
-
-    [[nodiscard]] std::optional<std::vector<SurfacePoint>> findOverFaces(
-        const SurfacePoint& start, const SurfacePoint& goal
-    ) {
-        std::optional<GeodesicPath> path =
-            isOpen() ? finder_.find(start, goal, kLongStrip) : finder_.find(start, goal);
-        if (path && !path->isStraight) {
-            std::optional<std::vector<SurfacePoint>> taut =
+        std::optional<GeodesicPath> path = finder_.find(start, goal, mostPatches());
+        if (path && path->isOverPatches) {
+            const std::optional<TautString> taut =
                 pullTaut(base_, terrain_.patches, terrain_.field, path->points);
-            if (taut) {
-                return taut;
+            if (std::optional<std::vector<SurfacePoint>> points =
+                    taut ? laid(*taut) : std::nullopt) {
+                return points;
             }
             path = finder_.find(start, goal);
         }
         return path ? std::optional(std::move(path->points)) : std::nullopt;
     }
 
+private:
+    // Strings do not see blocked faces.
+    [[nodiscard]] int mostPatches() const {
+        if (!terrain_.blockedFaces.empty()) {
+            return std::numeric_limits<int>::max();
+        }
+        return terrain_.field.empty() ? kMostPatches : kMostFieldPatches;
+    }
+
+    // Strings do not see obstacles either.
+    [[nodiscard]] bool isClear(const TautString& string) const {
+        return terrain_.obstacles == nullptr ||
+               std::ranges::all_of(string.points, [this](const SurfacePoint& point) {
+                   return terrain_.obstacles->isFar(point.face);
+               });
+    }
+
+    // The points of a string, with paths over its gaps, or if asked for between all of them;
+    // nothing where one is much longer than its gap, so that the string passes through the surface,
+    // or near obstacles.
+    [[nodiscard]] std::optional<std::vector<SurfacePoint>> laid(const TautString& string) {
+        if (!isClear(string)) {
+            return std::nullopt;
+        }
+        std::vector<SurfacePoint> points{string.points.front()};
+        auto gap = string.gaps.begin();
+        for (std::size_t i = 0; i + 1 < string.points.size(); ++i) {
+            const bool isGap = gap != string.gaps.end() && *gap == i;
+            if (!isGap && terrain_.kind == PathKind::Quick) {
+                points.push_back(string.points[i + 1]);
+                continue;
+            }
+            const std::optional<GeodesicPath> path =
+                finder_.find(string.points[i], string.points[i + 1]);
+            if (!path ||
+                (isGap &&
+                 path->length >
+                     kMostDetour * (path->positions.back() - path->positions.front()).norm())) {
+                return std::nullopt;
+            }
+            gap += isGap ? 1 : 0;
+            // It starts where the one before ended, but perhaps in another of the faces there.
+            const bool isSame = path->points.front().face == points.back().face;
+            points.insert(
+                points.end(), path->points.begin() + (isSame ? 1 : 0), path->points.end()
+            );
+        }
+        return points;
+    }
+
     const ShellBase& base_;
     const Terrain& terrain_;
-    TravelCosts costs_;
     GeodesicPathFinder finder_;
-    std::optional<CorridorSearch> ways_;
 };
 
 }  // namespace

@@ -30,7 +30,9 @@ constexpr double kRest = 1e-8;
 constexpr double kSettledShare = 1e-4;
 constexpr int kManySteps = 4;
 constexpr double kRiseShare = 1e-4;
-constexpr int kMaxHalvings = 6;
+constexpr int kMaxAttempts = 6;
+constexpr double kLeastShortening = 0.1;
+constexpr double kMostShortening = 0.5;
 // Shares of the surface's bending that are tried in turn until the Hessian is positive.
 constexpr std::array<double, 3> kTurningShares = {1.0, 0.5, 0.0};
 // Points nearer than this share of their segment are one.
@@ -119,23 +121,23 @@ public:
         return true;
     }
 
-    // The points but for the ends; nothing where one is beyond a boundary, or not on the same side
-    // of the surface as the one before.
-    [[nodiscard]] std::optional<std::vector<SurfacePoint>> points() const {
+    // Its ends are those of the path. Nothing where a point is beyond a boundary.
+    [[nodiscard]] std::optional<TautString> asFound(std::span<const SurfacePoint> path) const {
         double length = 0.0;
-        std::vector<SurfacePoint> result;
+        TautString result{{path.front()}, {}};
         for (int i = 1; i <= kSegments; ++i) {
             const Bead& bead = now_[at(i)];
             length += (bead.position - now_[at(i - 1)].position).norm();
-            if (bead.foot.face >= base_.surfaceFaceCount || !isJoined(now_[at(i - 1)], bead)) {
+            if (bead.foot.face >= base_.surfaceFaceCount) {
                 return std::nullopt;
             }
-            if (i == kSegments) {
-                continue;
+            if (!isJoined(now_[at(i - 1)], bead)) {
+                result.gaps.push_back(result.points.size() - 1);
             }
             const Vec3 barycentric = bead.foot.barycentric().cwiseMax(0.0);
-            result.push_back({bead.foot.face, barycentric / barycentric.sum()});
+            result.points.push_back({bead.foot.face, barycentric / barycentric.sum()});
         }
+        result.points.back() = path.back();
         if (field_.empty() && length > kLongest * pathLength_) {
             return std::nullopt;
         }
@@ -167,7 +169,8 @@ private:
     }
 
     // Whether a walk over the surface leads from one bead to the next, over sharp edges by short
-    // steps: a string may have slipped off the rim of a thin plate, and then it passes through it.
+    // steps. None leads over a right angle where fibres turn in less than a step; and a string may
+    // have slipped off the rim of a thin plate, and then it passes through it.
     [[nodiscard]] bool isJoined(const Bead& from, const Bead& to) const {
         return arrives(from, to, 1) || arrives(from, to, kShortSteps);
     }
@@ -299,7 +302,7 @@ private:
         }
         const double highest = field_.empty() ? (1.0 + kRiseShare) * before : before;
         double length = 1.0;
-        for (int halving = 0; halving < kMaxHalvings; ++halving, length *= 0.5) {
+        for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
             placeTrial(length);
             const double after = energy(trial_);
             if (after < highest) {
@@ -307,6 +310,10 @@ private:
                 const double change = std::abs(before - after) / before;
                 return change <= kRest || (step >= kManySteps && change <= kSettledShare);
             }
+            // To the bottom of the parabola through both energies and the slope at first.
+            const double fall = 2.0 * decrement_ * length;
+            const double bottom = 0.5 * fall / (after - before + fall);
+            length *= std::clamp(bottom, kLeastShortening, kMostShortening);
         }
         return true;
     }
@@ -331,22 +338,14 @@ private:
 
 }  // namespace
 
-std::optional<std::vector<SurfacePoint>> pullTaut(
+std::optional<TautString> pullTaut(
     const ShellBase& base,
     const PatchLevels* patches,
     const FieldTravel& field,
     std::span<const SurfacePoint> path
 ) {
     String string(base, patches, field, path);
-    if (!string.comesToRest()) {
-        return std::nullopt;
-    }
-    std::optional<std::vector<SurfacePoint>> taut = string.points();
-    if (taut) {
-        taut->insert(taut->begin(), path.front());
-        taut->push_back(path.back());
-    }
-    return taut;
+    return string.comesToRest() ? string.asFound(path) : std::nullopt;
 }
 
 }  // namespace bspline_curve

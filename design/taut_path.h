@@ -6,11 +6,20 @@
 #include "surface/patch_levels.h"
 #include "surface/surface_point.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace bspline_curve {
+
+/// Points on the surface, along a way.
+struct TautString {
+    std::vector<SurfacePoint> points;
+    /// Ascending i: whether a way along the surface leads straight from points[i] to points[i + 1]
+    /// is not known, as between the two sides of a sharp edge or of a thin plate's rim.
+    std::vector<std::size_t> gaps;
+};
 
 /// Pulls a path taut at a fixed number of points of it, which move over the surface: along a
 /// geodesic in the path's neighbourhood, to about a thousandth of its length, or where a field
@@ -20,7 +29,7 @@ namespace bspline_curve {
 /// `patches`: see FootFinder. `path`: ascending along the way, two points at least; the first and
 /// the last stay. Nothing where the points do not come to rest, or leave the surface over its
 /// boundary.
-[[nodiscard]] std::optional<std::vector<SurfacePoint>> pullTaut(
+[[nodiscard]] std::optional<TautString> pullTaut(
     const ShellBase& base,
     const PatchLevels* patches,
     const FieldTravel& field,

@@ -25,48 +25,36 @@ CorridorSearch::CorridorSearch(
 )
     : surface_(surface), patches_(patches), costs_(costs), known_(patches.levels().size()) {}
 
-bool CorridorSearch::find(const SurfacePoint& start, const SurfacePoint& goal) {
-    const End from = endAt(start);
-    const End to = endAt(goal);
-    corridor_.clear();
-    for (std::size_t level = patches_.levels().size(); level-- > 0;) {
-        if (!findIn(level, from, to)) {
-            return false;
-        }
-    }
-    return !patches_.levels().empty();
-}
-
-std::optional<std::vector<SurfacePoint>> CorridorSearch::findWay(
-    const SurfacePoint& start, const SurfacePoint& goal, int leastCount, int leastLength
+CorridorSearch::Found CorridorSearch::find(
+    const SurfacePoint& start, const SurfacePoint& goal, int mostPatches
 ) {
-    if (patches_.levels().empty() || patches_.levels().front().count() < leastCount) {
-        return std::nullopt;
-    }
     const End from = endAt(start);
     const End to = endAt(goal);
     corridor_.clear();
-    for (std::size_t level = patches_.levels().size(); level-- > 0;) {
-        if (!findIn(level, from, to)) {
-            return std::nullopt;
+    for (level_ = patches_.levels().size(); level_-- > 0;) {
+        if (!findIn(level_, from, to)) {
+            return Found::Nothing;
         }
-        if (patches_.levels()[level].count() < leastCount ||
-            static_cast<int>(way_.size()) < leastLength) {
-            continue;
+        if (static_cast<int>(way_.size()) > mostPatches) {
+            return Found::LongWay;
         }
-        std::vector<SurfacePoint> points{start};
-        for (std::size_t i = way_.size() - 1; i-- > 1;) {
-            points.push_back({centralFace(level, way_[i]), Vec3::Constant(1.0 / 3.0)});
-        }
-        points.push_back(goal);
-        return points;
+        keepAround(level_);
     }
-    return std::nullopt;
+    return patches_.levels().empty() ? Found::Nothing : Found::Corridor;
 }
 
-// Of the faces that a patch is measured by, the one nearest to its centre.
-int CorridorSearch::centralFace(std::size_t level, int patch) const {
-    const PatchLevels::Level& patches = patches_.levels()[level];
+std::vector<SurfacePoint> CorridorSearch::pointsOnWay() const {
+    std::vector<SurfacePoint> points;
+    for (std::size_t i = way_.size() - 1; i-- > 1;) {
+        points.push_back({centralFace(way_[i]), Vec3::Constant(1.0 / 3.0)});
+    }
+    return points;
+}
+
+// Of the faces that a patch of the level searched last is measured by, the one nearest to its
+// centre.
+int CorridorSearch::centralFace(int patch) const {
+    const PatchLevels::Level& patches = patches_.levels()[level_];
     int central = -1;
     double least = kFar;
     for (const int face : patches.samples[at(patch)]) {
@@ -107,7 +95,6 @@ bool CorridorSearch::findIn(std::size_t level, const End& start, const End& goal
             for (int patch = best.patch; patch >= 0; patch = arrivals_.find(patch)->before) {
                 way_.push_back(patch);
             }
-            keepAround(level);
             return true;
         }
         if (best.cost <= arrivals_.find(best.patch)->cost) {

@@ -7,7 +7,7 @@
 #include "surface/travel_costs.h"
 
 #include <cstddef>
-#include <optional>
+#include <limits>
 #include <vector>
 
 namespace bspline_curve {
@@ -24,18 +24,23 @@ public:
     /// Refers to all of these.
     CorridorSearch(const Surface& surface, const PatchLevels& patches, const TravelCosts& costs);
 
-    /// Looks for the corridor between two points, each in its face; false where there is none that
-    /// patches know of. A way along the surface may exist all the same, and none need exist in a
-    /// corridor where faces are closed.
-    [[nodiscard]] bool find(const SurfacePoint& start, const SurfacePoint& goal);
+    enum class Found {
+        Nothing,   ///< that patches know of: a way along the surface may exist all the same
+        Corridor,  ///< in which none need exist where faces are closed
+        LongWay,   ///< over more patches than asked for, and no corridor
+    };
 
-    /// The way itself, where it leads over `leastLength` patches at least, of a level of
-    /// `leastCount` at least: the two points, and between them a face in each patch. The coarsest
-    /// such level is as good as any, so the work does not depend on the number of faces. Else
-    /// nothing. Leaves no corridor that could be asked for.
-    [[nodiscard]] std::optional<std::vector<SurfacePoint>> findWay(
-        const SurfacePoint& start, const SurfacePoint& goal, int leastCount, int leastLength
+    /// Looks for the corridor between two points, each in its face, as far as ways lead over no
+    /// more than `mostPatches` patches. The coarsest level where one leads over more ends the
+    /// search, so the work for long ways does not depend on the number of faces.
+    [[nodiscard]] Found find(
+        const SurfacePoint& start,
+        const SurfacePoint& goal,
+        int mostPatches = std::numeric_limits<int>::max()
     );
+
+    /// The long way that was found last: a face in each patch between the two points.
+    [[nodiscard]] std::vector<SurfacePoint> pointsOnWay() const;
 
     /// Whether a face lies in the corridor that was found last.
     [[nodiscard]] bool holds(int face) const {
@@ -73,7 +78,7 @@ private:
     [[nodiscard]] bool findIn(std::size_t level, const End& start, const End& goal);
     void leave(const Offer& from, std::size_t level, const End& start, const End& goal);
     void keepAround(std::size_t level);
-    [[nodiscard]] int centralFace(std::size_t level, int patch) const;
+    [[nodiscard]] int centralFace(int patch) const;
     [[nodiscard]] double costOf(std::size_t level, int patch);
 
     const Surface& surface_;
@@ -82,6 +87,7 @@ private:
     std::vector<SparseMap<double>> known_;  // costs of patches, by level
     SparseMap<char> corridor_;              // patches of the level searched last
     std::vector<int> way_;                  // and those that its way leads over, from the goal on
+    std::size_t level_ = 0;                 // searched last
     SparseMap<Arrival> arrivals_;
     std::vector<Offer> queue_;  // a heap
     std::size_t explored_ = 0;

@@ -16,31 +16,21 @@ std::size_t at(int index) {
 }  // namespace
 
 std::optional<GeodesicPath> GeodesicPathFinder::find(
-    const SurfacePoint& start, const SurfacePoint& goal, std::size_t mostFaces
+    const SurfacePoint& start, const SurfacePoint& goal, int mostPatches
 ) {
-    std::optional<std::vector<int>> found = search_.find(start, goal);
-    if (!found) {
+    std::optional<StripSearch::Way> way = search_.find(start, goal, mostPatches);
+    if (!way) {
         return std::nullopt;
     }
-    StripRoute route(surface_, search_.costs(), std::move(*found), start, goal);
-    const bool isShort = route.strip().size() <= mostFaces;
-    if (isShort) {
-        route.straighten();
-    }
-
-    const std::vector<int>& strip = route.strip();
-    const StripPath& path = route.path();
     GeodesicPath result;
-    result.isStraight = isShort;
-    result.points.push_back(inFace(surface_, start, strip.front()));
-    for (std::size_t i = 0; i + 1 < strip.size(); ++i) {
-        const Triangle& face = surface_.faces()[at(strip[i])];
-        SurfacePoint point{strip[i], Vec3::Zero()};
-        point.barycentric[cornerOf(face, path.lefts[i])] = 1.0 - path.crossings[i];
-        point.barycentric[cornerOf(face, path.rights[i])] = path.crossings[i];
-        result.points.push_back(point);
+    result.isOverPatches = way->strip.empty();
+    if (result.isOverPatches) {
+        result.points = std::move(way->overPatches);
+        result.points.insert(result.points.begin(), start);
+        result.points.push_back(goal);
+    } else {
+        result.points = straightened(std::move(way->strip), start, goal);
     }
-    result.points.push_back(inFace(surface_, goal, strip.back()));
     for (const SurfacePoint& point : result.points) {
         result.positions.push_back(surface_.position(point));
         if (result.positions.size() > 1) {
@@ -48,6 +38,24 @@ std::optional<GeodesicPath> GeodesicPathFinder::find(
         }
     }
     return result;
+}
+
+std::vector<SurfacePoint> GeodesicPathFinder::straightened(
+    std::vector<int> strip, const SurfacePoint& start, const SurfacePoint& goal
+) {
+    StripRoute route(surface_, search_.costs(), std::move(strip), start, goal);
+    route.straighten();
+    const StripPath& path = route.path();
+    std::vector<SurfacePoint> points{inFace(surface_, start, route.strip().front())};
+    for (std::size_t i = 0; i + 1 < route.strip().size(); ++i) {
+        const Triangle& face = surface_.faces()[at(route.strip()[i])];
+        SurfacePoint point{route.strip()[i], Vec3::Zero()};
+        point.barycentric[cornerOf(face, path.lefts[i])] = 1.0 - path.crossings[i];
+        point.barycentric[cornerOf(face, path.rights[i])] = path.crossings[i];
+        points.push_back(point);
+    }
+    points.push_back(inFace(surface_, goal, route.strip().back()));
+    return points;
 }
 
 }  // namespace bspline_curve

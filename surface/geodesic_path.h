@@ -17,7 +17,7 @@ struct GeodesicPath {
     std::vector<SurfacePoint> points;  ///< start, a point on each edge crossed, goal
     std::vector<Vec3> positions;
     double length = 0.0;
-    bool isStraight = true;  ///< see GeodesicPathFinder::find
+    bool isOverPatches = false;  ///< of GeodesicPathFinder::find: consecutive points lie apart
 };
 
 /// Finds locally shortest paths, or where faces cost differently, cheap ones.
@@ -36,19 +36,23 @@ public:
     )
         : surface_(surface), search_(surface, std::move(costs), patches) {}
 
-    /// The path, or nothing if there is none. In strips of more faces than `mostFaces` it stays the
-    /// shortest within the strip: to straighten a path costs about as much as all faces between
-    /// it and the geodesic. Cost of the search: see StripSearch::find.
+    /// The path, or nothing if there is none. Where it would lead over more than `mostPatches`
+    /// patches: a point in each of these, since to straighten a path costs about as much as all
+    /// faces between it and the geodesic. Cost of the search: see StripSearch::find.
     [[nodiscard]] std::optional<GeodesicPath> find(
         const SurfacePoint& start,
         const SurfacePoint& goal,
-        std::size_t mostFaces = std::numeric_limits<std::size_t>::max()
+        int mostPatches = std::numeric_limits<int>::max()
     );
 
     /// See StripSearch.
     [[nodiscard]] std::size_t explored() const { return search_.explored(); }
 
 private:
+    [[nodiscard]] std::vector<SurfacePoint> straightened(
+        std::vector<int> strip, const SurfacePoint& start, const SurfacePoint& goal
+    );
+
     const Surface& surface_;
     StripSearch search_;
 };

@@ -36,28 +36,32 @@ std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) {
     return faces;
 }
 
-std::optional<std::vector<int>> StripSearch::find(
-    const SurfacePoint& start, const SurfacePoint& goal
+std::optional<StripSearch::Way> StripSearch::find(
+    const SurfacePoint& start, const SurfacePoint& goal, int mostPatches
 ) {
     const Ends ends{start, goal, openFacesHolding(start), openFacesHolding(goal)};
     for (const int f : ends.startFaces) {
         if (contains(ends.goalFaces, f)) {
-            return std::vector<int>{f};
+            return Way{{f}, {}};
         }
     }
     const std::vector<int>& components = surface_.faceComponents();
     if (components[at(start.face)] != components[at(goal.face)]) {
         return std::nullopt;
     }
-    if (corridor_ && corridor_->find(start, goal)) {
-        if (std::optional<std::vector<int>> strip = search(ends, Extent::Corridor)) {
-            return strip;
-        }
+    using Found = CorridorSearch::Found;
+    const Found found = corridor_ ? corridor_->find(start, goal, mostPatches) : Found::Nothing;
+    if (found == Found::LongWay) {
+        return Way{{}, corridor_->pointsOnWay()};
     }
-    return search(ends, Extent::Everywhere);
+    std::optional<Way> way;
+    if (found == Found::Corridor) {
+        way = search(ends, Extent::Corridor);
+    }
+    return way ? way : search(ends, Extent::Everywhere);
 }
 
-std::optional<std::vector<int>> StripSearch::search(const Ends& ends, Extent extent) {
+std::optional<StripSearch::Way> StripSearch::search(const Ends& ends, Extent extent) {
     clear();
     extent_ = extent;
     goal_ = surface_.position(ends.goal);
@@ -72,7 +76,7 @@ std::optional<std::vector<int>> StripSearch::search(const Ends& ends, Extent ext
             continue;  // found cheaper since
         }
         if (best.isWhole) {
-            return stripTo(best.crossing);
+            return Way{stripTo(best.crossing), {}};
         }
         const int face = faceBehind(best.crossing);
         const Vec3 from = middle(best.crossing);

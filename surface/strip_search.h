@@ -8,6 +8,7 @@
 #include "surface/travel_costs.h"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,10 +31,19 @@ public:
     StripSearch& operator=(StripSearch&&) = delete;
     ~StripSearch() = default;
 
-    /// The strip, from a face that holds the start to one that holds the goal, or nothing if there
-    /// is none. O(k log k), k the faces nearer to the start than the goal is.
-    [[nodiscard]] std::optional<std::vector<int>> find(
-        const SurfacePoint& start, const SurfacePoint& goal
+    /// Exactly one of them has elements.
+    struct Way {
+        std::vector<int> strip;  ///< from a face that holds the start to one that holds the goal
+        std::vector<SurfacePoint> overPatches;  ///< see CorridorSearch::pointsOnWay
+    };
+
+    /// The way from one point to another, or nothing if there is none: a strip, unless it leads
+    /// over more than `mostPatches` patches. O(k log k), k the faces nearer to the start than the
+    /// goal is.
+    [[nodiscard]] std::optional<Way> find(
+        const SurfacePoint& start,
+        const SurfacePoint& goal,
+        int mostPatches = std::numeric_limits<int>::max()
     );
 
     [[nodiscard]] KnownCosts& costs() { return costs_; }
@@ -73,7 +83,7 @@ private:
     // Where a search may go.
     enum class Extent : char { Corridor, Everywhere };
 
-    [[nodiscard]] std::optional<std::vector<int>> search(const Ends& ends, Extent extent);
+    [[nodiscard]] std::optional<Way> search(const Ends& ends, Extent extent);
     [[nodiscard]] std::vector<int> openFacesHolding(const SurfacePoint& point);
     [[nodiscard]] bool mayEnter(int face);
     [[nodiscard]] Vec3 middle(int crossing) const;

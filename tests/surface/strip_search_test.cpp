@@ -143,18 +143,19 @@ TEST_P(StripsOfLeastCost, AreThoseOfAnExhaustiveSearch) {
             SCOPED_TRACE("query " + std::to_string(query));
             const SurfacePoint a = randomPoint();
             const SurfacePoint b = randomPoint();
-            const std::optional<std::vector<int>> strip = search.find(a, b);
+            const std::optional<StripSearch::Way> way = search.find(a, b);
             const double least = leastCost(surface_, costs, a, b);
-            if (!strip) {
+            if (!way) {
                 EXPECT_EQ(least, kFar);
                 continue;
             }
-            for (const int f : *strip) {
+            EXPECT_TRUE(way->overPatches.empty());
+            for (const int f : way->strip) {
                 EXPECT_TRUE(std::isfinite(costs[at(f)])) << "face " << f;
             }
-            if (strip->size() > 1) {
+            if (way->strip.size() > 1) {
                 // Sums of at most a hundred legs, in another order.
-                EXPECT_NEAR(costOf(surface_, *strip, costs, a, b), least, 1e-12 * least);
+                EXPECT_NEAR(costOf(surface_, way->strip, costs, a, b), least, 1e-12 * least);
             }
         }
     }
@@ -169,24 +170,36 @@ TEST(PatchWays, LeadOverPatchesThatTouch) {
     CorridorSearch search(surface, patches, even);
     const SurfacePoint start{17, {0.2, 0.3, 0.5}};
     const SurfacePoint goal{surface.faceCount() - 5, {0.2, 0.3, 0.5}};
-    const int count = patches.levels().front().count();
-    const auto way = search.findWay(start, goal, count, 12);
-    ASSERT_TRUE(way);
-    EXPECT_GE(way->size(), 12U);
-    EXPECT_EQ(way->front().face, start.face);
-    EXPECT_EQ(way->back().face, goal.face);
+    ASSERT_EQ(search.find(start, goal, 11), CorridorSearch::Found::LongWay);
+    std::vector<SurfacePoint> way = search.pointsOnWay();
+    EXPECT_GE(way.size(), 10U);
+    way.insert(way.begin(), start);
+    way.push_back(goal);
     double length = 0.0;
-    for (std::size_t i = 1; i < way->size(); ++i) {
-        const double leg = (surface.position((*way)[i]) - surface.position((*way)[i - 1])).norm();
-        EXPECT_LT(leg, 0.2);
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const double leg = (surface.position(way[i]) - surface.position(way[i - 1])).norm();
+        EXPECT_LT(leg, 0.3);
         length += leg;
     }
     const double shortest =
         std::acos(surface.position(start).normalized().dot(surface.position(goal).normalized()));
     EXPECT_GT(length, 0.99 * shortest);
     EXPECT_LT(length, 1.4 * shortest);
-    EXPECT_FALSE(search.findWay(start, goal, count + 1, 12));
-    EXPECT_FALSE(search.findWay(start, start, count, 12));
+}
+
+TEST(PatchWays, LeaveACorridorWhereTheyAreShort) {
+    const Surface surface(icosphere(6));
+    const PatchLevels patches(surface);
+    const TravelCosts even;
+    CorridorSearch search(surface, patches, even);
+    const SurfacePoint start{17, {0.2, 0.3, 0.5}};
+    const SurfacePoint near{surface.faceNeighbours()[17][0], {0.2, 0.3, 0.5}};
+    EXPECT_EQ(search.find(start, near, 11), CorridorSearch::Found::Corridor);
+    EXPECT_TRUE(search.holds(start.face));
+    EXPECT_TRUE(search.holds(near.face));
+    const SurfacePoint goal{surface.faceCount() - 5, {0.2, 0.3, 0.5}};
+    EXPECT_EQ(search.find(start, goal), CorridorSearch::Found::Corridor);
+    EXPECT_TRUE(search.holds(goal.face));
 }
 
 }  // namespace
