@@ -112,9 +112,9 @@ public:
     }
 
 private:
-    // Strings do not see blocked faces.
+    // Strings do not see blocked faces, and leave the surface between their points.
     [[nodiscard]] int mostPatches() const {
-        if (!terrain_.blockedFaces.empty()) {
+        if (!terrain_.blockedFaces.empty() || terrain_.kind == PathKind::OnSurface) {
             return std::numeric_limits<int>::max();
         }
         return terrain_.field.empty() ? kMostPatches : kMostFieldPatches;
@@ -128,35 +128,30 @@ private:
                });
     }
 
-    // The points of a string, with paths over its gaps, or if asked for between all of them;
-    // nothing where one is much longer than its gap, so that the string passes through the surface,
-    // or near obstacles.
+    // The points of a string, with paths over its gaps; nothing where one is much longer than its
+    // gap, so that the string passes through the surface, or near obstacles.
     [[nodiscard]] std::optional<std::vector<SurfacePoint>> laid(const TautString& string) {
         if (!isClear(string)) {
             return std::nullopt;
         }
-        std::vector<SurfacePoint> points{string.points.front()};
+        std::vector<SurfacePoint> points;
         auto gap = string.gaps.begin();
-        for (std::size_t i = 0; i + 1 < string.points.size(); ++i) {
-            const bool isGap = gap != string.gaps.end() && *gap == i;
-            if (!isGap && terrain_.kind == PathKind::Quick) {
-                points.push_back(string.points[i + 1]);
+        for (std::size_t i = 0; i < string.points.size(); ++i) {
+            points.push_back(string.points[i]);
+            if (gap == string.gaps.end() || *gap != i) {
                 continue;
             }
+            ++gap;
             const std::optional<GeodesicPath> path =
                 finder_.find(string.points[i], string.points[i + 1]);
-            if (!path ||
-                (isGap &&
-                 path->length >
-                     kMostDetour * (path->positions.back() - path->positions.front()).norm())) {
+            if (!path) {
                 return std::nullopt;
             }
-            gap += isGap ? 1 : 0;
-            // It starts where the one before ended, but perhaps in another of the faces there.
-            const bool isSame = path->points.front().face == points.back().face;
-            points.insert(
-                points.end(), path->points.begin() + (isSame ? 1 : 0), path->points.end()
-            );
+            const double straight = (path->positions.back() - path->positions.front()).norm();
+            if (path->length > kMostDetour * straight) {
+                return std::nullopt;
+            }
+            points.insert(points.end(), path->points.begin() + 1, path->points.end() - 1);
         }
         return points;
     }

@@ -49,14 +49,16 @@ std::optional<StripSearch::Way> StripSearch::find(
     if (components[at(start.face)] != components[at(goal.face)]) {
         return std::nullopt;
     }
-    using Found = CorridorSearch::Found;
-    const Found found = corridor_ ? corridor_->find(start, goal, mostPatches) : Found::Nothing;
-    if (found == Found::LongWay) {
-        return Way{{}, corridor_->pointsOnWay()};
-    }
     std::optional<Way> way;
-    if (found == Found::Corridor) {
-        way = search(ends, Extent::Corridor);
+    if (corridor_) {
+        using Found = CorridorSearch::Found;
+        const Found found = corridor_->find(start, goal, mostPatches);
+        if (found == Found::LongWay) {
+            return Way{{}, corridor_->pointsOnWay()};
+        }
+        if (found == Found::Corridor) {
+            way = search(ends, Extent::Corridor);
+        }
     }
     return way ? way : search(ends, Extent::Everywhere);
 }
