@@ -31,14 +31,15 @@ CorridorSearch::Found CorridorSearch::find(
     const End from = endAt(start);
     const End to = endAt(goal);
     corridor_.clear();
-    for (level_ = patches_.levels().size(); level_-- > 0;) {
-        if (!findIn(level_, from, to)) {
+    for (std::size_t level = patches_.levels().size(); level-- > 0;) {
+        if (!findIn(level, from, to)) {
             return Found::Nothing;
         }
         if (static_cast<int>(way_.size()) > mostPatches) {
+            levelOfWay_ = level;
             return Found::LongWay;
         }
-        keepAround(level_);
+        keepAround(level);
     }
     return patches_.levels().empty() ? Found::Nothing : Found::Corridor;
 }
@@ -51,10 +52,9 @@ std::vector<SurfacePoint> CorridorSearch::pointsOnWay() const {
     return points;
 }
 
-// Of the faces that a patch of the level searched last is measured by, the one nearest to its
-// centre.
+// Of the faces that a patch on the long way is measured by, the one nearest to its centre.
 int CorridorSearch::centralFace(int patch) const {
-    const PatchLevels::Level& patches = patches_.levels()[level_];
+    const PatchLevels::Level& patches = patches_.levels()[levelOfWay_];
     int central = -1;
     double least = kFar;
     for (const int face : patches.samples[at(patch)]) {

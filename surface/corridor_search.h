@@ -87,7 +87,7 @@ private:
     std::vector<SparseMap<double>> known_;  // costs of patches, by level
     SparseMap<char> corridor_;              // patches of the level searched last
     std::vector<int> way_;                  // and those that its way leads over, from the goal on
-    std::size_t level_ = 0;                 // searched last
+    std::size_t levelOfWay_ = 0;            // where it is a long one
     SparseMap<Arrival> arrivals_;
     std::vector<Offer> queue_;  // a heap
     std::size_t explored_ = 0;
