@@ -9,18 +9,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string>
 #include <vector>
 
 namespace bspline_curve {
 namespace {
 
 using namespace test_support;
-
-/// How far inside of the box from the origin to a corner a point lies.
-double depthInBox(const Vec3& p, const Vec3& corner) {
-    return std::min(p.minCoeff(), (corner - p).minCoeff());
-}
 
 /// Paths on a rough sphere with as many faces as it takes to find ways among patches.
 class GuidePaths : public testing::Test {
@@ -104,39 +98,53 @@ TEST(GuidePathsBesideObstacles, StayOutside) {
     }
 }
 
-// Faces are so small beside the points' distances that no walk leads over the edges.
-TEST(GuidePathsOverEdges, DoNotPassThroughTheBox) {
-    constexpr double kThickness = 0.03;
-    for (const double height : {1.0, kThickness}) {
-        SCOPED_TRACE("height " + std::to_string(height));
-        const Surface surface(box(60, {1.0, 1.0, height}));
-        const ShellBase base = makeShellBase(surface, 3);
-        const PatchLevels patches(surface);
-        ASSERT_FALSE(patches.levels().empty());
-        const TriangleTree tree(surface.vertices(), surface.faces());
-        const SurfacePoint onTop = tree.closestPoint({0.5, 0.3, height}).point;
-        const SurfacePoint below = tree.closestPoint({0.55, 0.7, 0.0}).point;
-        for (const PathKind kind : {PathKind::Quick, PathKind::OnSurface}) {
-            const PickPath path = makePickPath(
-                surface,
-                base,
-                {onTop, below},
-                false,
-                {.blockedFaces = {}, .patches = &patches, .kind = kind}
-            );
-            double length = 0.0;
-            double deepest = 0.0;
-            for (std::size_t i = 1; i < path.guide.points.size(); ++i) {
-                const Vec3 from = surface.position(path.guide.points[i - 1].point);
-                const Vec3 to = surface.position(path.guide.points[i].point);
-                length += (to - from).norm();
-                deepest = std::max(deepest, depthInBox(0.5 * (from + to), {1.0, 1.0, height}));
-            }
-            EXPECT_GT(length, 0.79 + height);
-            EXPECT_LT(length, 1.1 + height);
-            EXPECT_LT(deepest, kind == PathKind::OnSurface ? 1e-9 : 0.02);
-        }
+/// A quick path between the points of a mesh that are nearest to two others.
+std::vector<Vec3> quickPath(const TriangleMesh& mesh, const Vec3& from, const Vec3& to) {
+    const Surface surface(mesh);
+    const ShellBase base = makeShellBase(surface, 3);
+    const PatchLevels patches(surface);
+    const TriangleTree tree(surface.vertices(), surface.faces());
+    const PickPath path = makePickPath(
+        surface,
+        base,
+        {tree.closestPoint(from).point, tree.closestPoint(to).point},
+        false,
+        {.blockedFaces = {}, .patches = &patches}
+    );
+    std::vector<Vec3> points;
+    for (const GuidePath::Point& point : path.guide.points) {
+        points.push_back(surface.position(point.point));
     }
+    return points;
+}
+
+double lengthOf(const std::vector<Vec3>& points) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        length += (points[i] - points[i - 1]).norm();
+    }
+    return length;
+}
+
+// No walk leads over the edge of the wedge, but the string stays one, with a path over the edge.
+TEST(GuidePathsOverEdges, AreStringsBesideThese) {
+    constexpr int kCells = 100;
+    const std::vector<Vec3> points = quickPath(wedge(kCells), {0.3, 0.4, 1.0}, {0.76, 0.6, 0.2});
+    int apart = 0;
+    bool isOnEdge = false;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        apart += (points[i] - points[i - 1]).norm() > 1.5 / kCells ? 1 : 0;
+        isOnEdge = isOnEdge || (points[i] - Vec3(1.0, points[i].y(), 1.0)).norm() < 1e-9;
+    }
+    EXPECT_GT(apart, 40);
+    EXPECT_TRUE(isOnEdge);
+}
+
+TEST(GuidePathsOverEdges, DoNotPassThroughAThinPlate) {
+    const double length =
+        lengthOf(quickPath(box(60, {1.0, 1.0, 0.01}), {0.7, 0.5, 0.01}, {0.7, 0.52, 0.0}));
+    EXPECT_GT(length, 0.6);
+    EXPECT_LT(length, 0.7);
 }
 
 }  // namespace

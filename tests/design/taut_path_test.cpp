@@ -148,17 +148,16 @@ TEST(TautPaths, DoNotPassThroughAThinPlate) {
 }
 
 TEST(TautPaths, HaveGapsOnlyOverSharpEdges) {
-    const Ground ground(box(100, {1.0, 1.0, 1.0}));
+    const Ground ground(wedge(100));
     const std::optional<TautString> string = pullTaut(
-        ground.base, nullptr, {}, ground.along({{0.3, 0.4, 1.0}, {1.0, 0.5, 1.0}, {1.0, 0.6, 0.2}})
+        ground.base, nullptr, {}, ground.along({{0.3, 0.4, 1.0}, {1.0, 0.5, 1.0}, {0.8, 0.6, 0.3}})
     );
     ASSERT_TRUE(string);
     const std::vector<Vec3> points = ground.positions(string->points);
     EXPECT_EQ(points.size(), 49U);
-    for (const std::size_t gap : string->gaps) {
-        EXPECT_GT(points[gap].z(), 1.0 - 1e-9);
-        EXPECT_GT(points[gap + 1].x(), 1.0 - 1e-9);
-    }
+    ASSERT_EQ(string->gaps.size(), 1U);
+    EXPECT_GT(points[string->gaps.front()].z(), 1.0 - 1e-9);
+    EXPECT_LT(points[string->gaps.front() + 1].z(), 1.0 - 1e-9);
     const Ground sphere(icosphere(5));
     EXPECT_TRUE(
         pullTaut(sphere.base, nullptr, {}, sphere.along(windingWay(1.5, 0.3, 0.05)))->gaps.empty()

@@ -183,6 +183,14 @@ TriangleMesh box(int cellsPerSide, const Vec3& lengths) {
     return mesh;
 }
 
+TriangleMesh wedge(int cellsPerSide) {
+    TriangleMesh mesh = box(cellsPerSide);
+    for (Vec3& vertex : mesh.vertices) {
+        vertex.x() *= 1.0 - 0.3 * (1.0 - vertex.z());
+    }
+    return mesh;
+}
+
 TriangleMesh twoComponents() {
     const TriangleMesh sphere = icosphere(1);
     Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();

@@ -39,6 +39,10 @@ TriangleMesh torus(
 /// its edges.
 TriangleMesh box(int cellsPerSide, const Vec3& lengths = Vec3::Ones());
 
+/// The unit box, narrower towards the bottom: its side over x = 1 makes an angle of 73 degrees with
+/// the top.
+TriangleMesh wedge(int cellsPerSide);
+
 /// Two unit icospheres of 80 faces each, centres 4 apart along x.
 TriangleMesh twoComponents();
 

@@ -163,43 +163,44 @@ TEST_P(StripsOfLeastCost, AreThoseOfAnExhaustiveSearch) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, StripsOfLeastCost, testing::Values(1, 2, 3));
 
-TEST(PatchWays, LeadOverPatchesThatTouch) {
-    const Surface surface(icosphere(6));
-    const PatchLevels patches(surface);
-    const TravelCosts even;
-    CorridorSearch search(surface, patches, even);
-    const SurfacePoint start{17, {0.2, 0.3, 0.5}};
-    const SurfacePoint goal{surface.faceCount() - 5, {0.2, 0.3, 0.5}};
-    ASSERT_EQ(search.find(start, goal, 11), CorridorSearch::Found::LongWay);
-    std::vector<SurfacePoint> way = search.pointsOnWay();
-    EXPECT_GE(way.size(), 10U);
-    way.insert(way.begin(), start);
-    way.push_back(goal);
+class PatchWays : public testing::Test {
+protected:
+    Surface surface_{icosphere(6)};
+    PatchLevels patches_{surface_};
+    TravelCosts even_;
+    CorridorSearch search_{surface_, patches_, even_};
+    SurfacePoint start_{17, {0.2, 0.3, 0.5}};
+    SurfacePoint goal_{surface_.faceCount() - 5, {0.2, 0.3, 0.5}};
+};
+
+TEST_F(PatchWays, LeadOverPatchesThatTouch) {
+    // More than lie on the way at the level above.
+    constexpr int kMany = 50;
+    ASSERT_EQ(search_.find(start_, goal_, kMany), CorridorSearch::Found::LongWay);
+    std::vector<SurfacePoint> way = search_.pointsOnWay();
+    way.insert(way.begin(), start_);
+    way.push_back(goal_);
+    EXPECT_GT(way.size(), kMany);
     double length = 0.0;
     for (std::size_t i = 1; i < way.size(); ++i) {
-        const double leg = (surface.position(way[i]) - surface.position(way[i - 1])).norm();
-        EXPECT_LT(leg, 0.3);
+        const double leg = (surface_.position(way[i]) - surface_.position(way[i - 1])).norm();
+        EXPECT_LT(leg, 0.2);
         length += leg;
     }
-    const double shortest =
-        std::acos(surface.position(start).normalized().dot(surface.position(goal).normalized()));
+    const double shortest = std::acos(
+        surface_.position(start_).normalized().dot(surface_.position(goal_).normalized())
+    );
     EXPECT_GT(length, 0.99 * shortest);
     EXPECT_LT(length, 1.4 * shortest);
 }
 
-TEST(PatchWays, LeaveACorridorWhereTheyAreShort) {
-    const Surface surface(icosphere(6));
-    const PatchLevels patches(surface);
-    const TravelCosts even;
-    CorridorSearch search(surface, patches, even);
-    const SurfacePoint start{17, {0.2, 0.3, 0.5}};
-    const SurfacePoint near{surface.faceNeighbours()[17][0], {0.2, 0.3, 0.5}};
-    EXPECT_EQ(search.find(start, near, 11), CorridorSearch::Found::Corridor);
-    EXPECT_TRUE(search.holds(start.face));
-    EXPECT_TRUE(search.holds(near.face));
-    const SurfacePoint goal{surface.faceCount() - 5, {0.2, 0.3, 0.5}};
-    EXPECT_EQ(search.find(start, goal), CorridorSearch::Found::Corridor);
-    EXPECT_TRUE(search.holds(goal.face));
+TEST_F(PatchWays, LeaveACorridorWhereTheyAreShort) {
+    const SurfacePoint near{surface_.faceNeighbours()[17][0], {0.2, 0.3, 0.5}};
+    EXPECT_EQ(search_.find(start_, near, 11), CorridorSearch::Found::Corridor);
+    EXPECT_TRUE(search_.holds(start_.face));
+    EXPECT_TRUE(search_.holds(near.face));
+    EXPECT_EQ(search_.find(start_, goal_), CorridorSearch::Found::Corridor);
+    EXPECT_TRUE(search_.holds(goal_.face));
 }
 
 }  // namespace
