@@ -2,11 +2,9 @@
 #include "benchmarks/paths.h"
 
 #include "design/curve_designer.h"
-#include "shell/near_shell.h"
 #include "shell/shell_simplifier.h"
-#include "solver/curve_distance.h"
+#include "solver/fibre_tracer.h"
 #include "solver/foot_newton.h"
-#include "solver/traced_shell.h"
 #include "surface/patch_levels.h"
 #include "surface/self_intersection.h"
 #include "surface/surface.h"
@@ -21,8 +19,6 @@ namespace {
 
 // Weight of the distance, that of usual first rounds.
 constexpr double kAlpha = 100.0;
-// A ring of faces about the curve, so that there are enough of them to count.
-constexpr int kRings = 1;
 // Simplification takes 60 us per face: on a small mesh, whatever the scene's.
 constexpr int kSimplifiedSubdivisions = 3;
 // By how much a pick is moved for a curve that starts from the one before.
@@ -82,25 +78,12 @@ void addCurvePaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
     paths.push_back({"first_path", "pick", countOf(scene.picks.size()), [&scene] {
                          static_cast<void>(scene.makePath());
                      }});
-    const NearShellSize size{
-        kRings, scene.problem.nearThickness, kLeastNearTolerances * scene.problem.distanceTolerance
-    };
-    const std::vector<int> passed = facesPassed(scene.solution, scene.problem);
-    const auto near = std::make_shared<const NearShell>(
-        scene.prepared.surface(), *scene.prepared.base(), passed, size
+    paths.push_back(
+        {"trace", "face passed", countOf(facesPassed(*scene.solution.trace).size()), [&scene] {
+             const SplineCurve& curve = scene.solution.curve;
+             static_cast<void>(measureAlongFibres(scene.problem, curve.space, curve.controls));
+         }}
     );
-    paths.push_back({"near_shell", "prism", countOf(near->faces.size()), [&scene, passed, size] {
-                         const NearShell made(
-                             scene.prepared.surface(), *scene.prepared.base(), passed, size
-                         );
-                     }});
-    paths.push_back({"trace", "face passed", countOf(passed.size()), [&scene, near] {
-                         const TracedShell traced =
-                             tracedShellOf(*near, scene.problem.picks.front());
-                         static_cast<void>(measureDistance(
-                             traced, scene.solution.curve.space, scene.solution.curve.controls
-                         ));
-                     }});
 }
 
 // ---- In every Newton step ----

@@ -115,10 +115,10 @@ def shares_table(counts):
     head = [f"{label}: {column['instructions'] / MILLION:.0f} million"
             for label, column in zip(("before, cell by cell", "now, by foot points"), columns)]
     parts = [f"{label} {100 * counts['paths'][name]['instructions'] / columns[1]['instructions']:.0f} %"
-             for label, name in (("the first path", "first_path"), ("a shell near the curve", "near_shell"),
+             for label, name in (("the first path", "first_path"),
                                  ("a trace of the whole curve", "trace"), ("a Newton step", "newton_step"))]
     lines = [f"Of a curve by foot points now: {', '.join(parts[:-1])}, {parts[-1]} (several of the last\n"
-             "three in each curve).", "",
+             "two in each curve).", "",
              "| " + " | ".join(head) + " |", "|---|---|"]
     lines += [f"| {before} | {now} |" for before, now in zip(*lists)]
     return "\n".join(lines)
@@ -214,10 +214,9 @@ def plot_instructions(counts, path):
             ("now, by foot points", paths["design_warm"]["instructions"]),
             ("likewise, after a pick moved by two edges", paths["design_moved"]["instructions"]),
             ("first path", paths["first_path"]["instructions"]),
-            ("one shell near the curve", paths["near_shell"]["instructions"]),
             ("one trace of the curve", paths["trace"]["instructions"]), ("one Newton step", paths["newton_step"]["instructions"])]
     figure, axis = pyplot.subplots(figsize=(8, 2.7))
-    axis.barh([label for label, _ in bars], [value / MILLION for _, value in bars], color=[MESHLIB, OURS, OURS] + 4 * ["#e09a8a"])
+    axis.barh([label for label, _ in bars], [value / MILLION for _, value in bars], color=[MESHLIB, OURS, OURS] + 3 * ["#e09a8a"])
     axis.bar_label(axis.containers[0], fmt=" %.1f", fontsize=8)
     axis.invert_yaxis()
     axis.set_xlabel("million instructions")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/scene.h"
 
+#include "design/curve_solver.h"
 #include "solver/relaxation.h"
 #include "support/meshes.h"
 #include "surface/picks.h"
@@ -78,7 +79,7 @@ Scene::Scene(int subdivisions)
       prepared(mesh, {}),
       located(locatePicks(prepared.surface(), prepared.tree(), picks, options.closed)),
       path(makePath()),
-      problem(makeProblem()),
+      problem(makeProblem(prepared, options, path.picks)),
       heightUnit(heightUnitOf(problem)),
       first(looseFit(problem, path.guide)),
       firstFooted(footed(first)),
@@ -92,23 +93,6 @@ PickPath Scene::makePath() const {
         options.closed,
         {.blockedFaces = {}, .patches = &prepared.patches()}
     );
-}
-
-CurveProblem Scene::makeProblem() const {
-    const double scale = prepared.base()->frame.scale;
-    CurveProblem made;
-    made.surface = &prepared.surface();
-    made.base = prepared.base().get();
-    made.nearThickness = prepared.options().thickness;
-    made.picks = path.picks;
-    made.options = options;
-    made.averageEdgeLength = prepared.surface().averageEdgeLength() / scale;
-    made.distanceTolerance = options.distanceTolerance * made.averageEdgeLength;
-    for (std::size_t i = 0; i < made.picks.size(); ++i) {
-        const PickConstraint& next = made.picks[(i + 1) % made.picks.size()];
-        made.chordLength += (next.position - made.picks[i].position).norm();
-    }
-    return made;
 }
 
 FootedSpline Scene::footed(const SplineCurve& curve) const {

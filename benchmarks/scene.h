@@ -37,7 +37,6 @@ struct Scene {
 
     /// Paths from pick to pick, as at first.
     [[nodiscard]] PickPath makePath() const;
-    [[nodiscard]] CurveProblem makeProblem() const;
     [[nodiscard]] FootedSpline footed(const SplineCurve& curve) const;
 
     /// The vertex whose distance from a pick is nearest to so many mean edges.

@@ -73,7 +73,7 @@ public:
         if (arguments_.shell.kind == ShellKind::Local) {
             throw CLI::ValidationError(
                 "--shell",
-                "local shells are built near a curve as it is drawn: use simplified or full"
+                "a local shell has no prisms, only the fibres near a curve: use simplified or full"
             );
         }
         return arguments_;

@@ -45,7 +45,9 @@ struct Curve {
     SurfacePolyline polyline;
     SplineData spline;
     SolveReport report;
-    int prisms = 0;  ///< of the shell that it was drawn in, without those that are blocked
+    /// Of the shell that it was drawn in, without those that are blocked; local: those that it
+    /// would have over the faces passed.
+    int prisms = 0;
 };
 
 /// What a curve is drawn by, besides its picks. All may be empty.

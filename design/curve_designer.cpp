@@ -5,10 +5,11 @@
 #include "design/known_field.h"
 #include "design/prepared_surface.h"
 #include "design/strict_polyline.h"
-#include "shell/near_shell.h"
 #include "shell/shell_store.h"
+#include "solver/fibre_tracer.h"
 #include "solver/obstacles.h"
 #include "solver/shadow_curve.h"
+#include "surface/index_sets.h"
 #include "surface/input_error.h"
 #include "surface/picks.h"
 #include "surface/region.h"
@@ -29,10 +30,6 @@ namespace {
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
-
-// Half a prism through which the shadow of a curve in a simplified shell is drawn, in mean edge
-// lengths.
-constexpr double kShadowThickness = 0.5;
 
 // What the curve avoids is certain only where every iterate is checked as a whole.
 void requireExactAvoidance(const SolverOptions& options) {
@@ -104,6 +101,16 @@ void refuseAvoidedPicks(
     );
 }
 
+// Of the shell; without one, those over the faces passed.
+int prismsOf(const CurveProblem& problem, const Solution& solution) {
+    if (problem.shell != nullptr) {
+        return problem.shell->prismCount();
+    }
+    std::vector<int> faces = facesPassed(*solution.trace);
+    sortUnique(faces);
+    return static_cast<int>(faces.size());
+}
+
 // Share of the progress for what comes before the shell.
 constexpr double kPreparedShare = 0.1;
 
@@ -136,16 +143,11 @@ struct CurveDesigner::State : PreparedSurface {
     [[nodiscard]] std::optional<Obstacles> obstaclesOf(
         const Region& region, const SolverOptions& options
     ) const;
-    /// Where it is local and holds the curve.
-    [[nodiscard]] std::optional<NearShell> shellNear(
-        const SurfacePolyline& line, const CurveProblem& problem, const SplineCurve& spline
-    ) const;
     void measureClearance(const Region& region, Curve& curve) const;
     [[nodiscard]] SurfacePolyline polylineOf(
         const CurveProblem& problem,
         const SplineCurve& spline,
-        const NearShell* near,
-        std::optional<ShadowTrace> trace,
+        std::optional<CurveTrace> trace,
         const SamplingOptions& sampling
     ) const;
     [[nodiscard]] SplineData exportSpline(
@@ -184,59 +186,34 @@ std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
     );
 }
 
+// `trace`: of this spline, in the problem's shell or along the fibres.
 SurfacePolyline CurveDesigner::State::polylineOf(
     const CurveProblem& problem,
     const SplineCurve& spline,
-    const NearShell* near,
-    std::optional<ShadowTrace> trace,
+    std::optional<CurveTrace> trace,
     const SamplingOptions& sampling
 ) const {
     const auto& [space, controls] = spline;
-    const ShadowCurve shadow(tracedShellOf(problem, near), space, controls, std::move(trace));
-    if (!shadow.isWhole()) {
+    if (problem.shell != nullptr && !problem.shell->isFullResolution()) {
+        // The fibres of a simplified shell are oblique to the surface, so a spline that is smooth
+        // and within its tolerance has a shadow along them that is less smooth.
+        CurveDistance fine = measureAlongFibres(problem, space, controls);
+        // Other fibres may lead into what the curve avoids.
+        const auto isAvoided = [&](int f) { return problem.obstacles->isAvoided(f); };
+        if (std::isfinite(fine.largest) &&
+            (problem.obstacles == nullptr ||
+             std::ranges::none_of(facesPassed(fine.trace), isAvoided))) {
+            trace = std::move(fine.trace);
+        }
+    }
+    if (!trace) {
+        trace = traceCells(tracedShellOf(problem), space, controls);
+    }
+    if (!progressOf(*trace).isWhole) {
         throw std::logic_error("the polyline was asked of a spline that leaves its shell");
     }
-    if (near != nullptr || problem.shell->isFullResolution()) {
-        return makeStrictPolyline(surface(), problem, shadow, sampling);
-    }
-    // The fibres of a simplified shell are oblique to the surface, so a spline that is smooth and
-    // within its tolerance has a shadow along them that is less smooth.
-    const NearShell fineShell(
-        surface(),
-        *base(),
-        shadow.faces(),
-        {.thickness = kShadowThickness, .least = kLeastNearTolerances * problem.distanceTolerance}
-    );
-    const ShadowCurve fine(tracedShellOf(problem, &fineShell), space, controls);
-    // Other fibres may lead into what the curve avoids.
-    const auto isAvoided = [&](int f) { return problem.obstacles->isAvoided(f); };
-    const bool isUsable = fine.isWhole() && (problem.obstacles == nullptr ||
-                                             std::ranges::none_of(fine.faces(), isAvoided));
-    return makeStrictPolyline(surface(), problem, isUsable ? fine : shadow, sampling);
-}
-
-std::optional<NearShell> CurveDesigner::State::shellNear(
-    const SurfacePolyline& line, const CurveProblem& problem, const SplineCurve& spline
-) const {
-    if (options().kind != ShellKind::Local) {
-        return std::nullopt;
-    }
-    std::vector<int> faces;
-    for (const SurfacePoint& point : line.surfacePoints) {
-        faces.push_back(point.face);
-    }
-    std::optional<NearShell> near(
-        std::in_place,
-        surface(),
-        *base(),
-        faces,
-        NearShellSize{
-            .thickness = options().thickness,
-            .least = kLeastNearTolerances * problem.distanceTolerance
-        }
-    );
-    const ShadowCurve shadow(tracedShellOf(problem, &*near), spline.space, spline.controls);
-    return shadow.isWhole() ? std::move(near) : std::nullopt;
+    const ShadowCurve shadow(problem, space, controls, std::move(*trace));
+    return makeStrictPolyline(surface(), problem, shadow, sampling);
 }
 
 void CurveDesigner::State::measureClearance(const Region& region, Curve& curve) const {
@@ -332,13 +309,11 @@ Curve CurveDesigner::design(
 
     Stopwatch watch;
     Curve curve;
-    curve.polyline = state.polylineOf(
-        problem, solution.curve, solution.near.get(), std::move(solution.trace), sampling
-    );
+    curve.prisms = prismsOf(problem, solution);
+    curve.polyline = state.polylineOf(problem, solution.curve, std::move(solution.trace), sampling);
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
-    curve.prisms = tracedShellOf(problem, solution.near.get()).shell.prismCount();
     if (obstacles) {
         requireClear(state.surface(), curve.polyline, *obstacles);
         state.measureClearance(region, curve);
@@ -366,12 +341,17 @@ SurfacePolyline CurveDesigner::resample(
     CurveProblem problem = makeProblem(state, options, std::move(picks));
     const std::optional<Obstacles> obstacles = state.obstaclesOf(state.regionOf(avoid), options);
     problem.obstacles = obstacles ? &*obstacles : nullptr;
-    const std::optional<NearShell> near = state.shellNear(curve.polyline, problem, spline);
-    if (!near) {
+    std::optional<CurveTrace> trace;
+    if (state.options().kind == ShellKind::Local) {
+        CurveDistance distance = measureAlongFibres(problem, spline.space, spline.controls);
+        if (std::isfinite(distance.largest)) {
+            trace = std::move(distance.trace);
+        }
+    }
+    if (!trace) {
         problem.shell = &state.wholeShell().build.shell;
     }
-    SurfacePolyline line =
-        state.polylineOf(problem, spline, near ? &*near : nullptr, std::nullopt, sampling);
+    SurfacePolyline line = state.polylineOf(problem, spline, std::move(trace), sampling);
     if (obstacles) {
         requireClear(state.surface(), line, *obstacles);
     }

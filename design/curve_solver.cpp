@@ -42,10 +42,8 @@ CurveProblem makeProblem(
     const Surface& surface = prepared.surface();
     const double scale = prepared.base()->frame.scale;
     CurveProblem problem;
-    problem.surface = &surface;
     problem.base = prepared.base().get();
     problem.patches = &prepared.patches();
-    problem.nearThickness = prepared.options().thickness;
     problem.picks = std::move(picks);
     problem.options = options;
     problem.averageEdgeLength = surface.averageEdgeLength() / scale;
@@ -190,7 +188,7 @@ std::optional<Solved> CurveSolver::relaxTightly(
     return std::nullopt;
 }
 
-// Nothing where a curve near which its shell is made comes upon a crossing.
+// Nothing where a curve without a shell, which knows them, comes upon a crossing.
 std::optional<Solved> CurveSolver::relaxed(
     CurveProblem problem,
     const GuidePath& guide,
@@ -202,8 +200,8 @@ std::optional<Solved> CurveSolver::relaxed(
     if (!solution) {
         return std::nullopt;
     }
-    if (solution->near != nullptr) {
-        for (const int face : facesPassed(*solution, problem)) {
+    if (problem.shell == nullptr) {
+        for (const int face : facesPassed(*solution->trace)) {
             if (face < prepared_.surface().faceCount() && prepared_.crossings().hasCrossing(face)) {
                 return std::nullopt;
             }

@@ -74,7 +74,7 @@ private:
             vertices_.push_back(makeVertex(1.0, problem_.picks[0].point, 0));
         }
         const auto picks = static_cast<std::ptrdiff_t>(vertices_.size());
-        for (const ShadowTrace::Crossing& crossing : shadow_.crossings()) {
+        for (const EdgeCrossing& crossing : shadow_.crossings()) {
             vertices_.push_back(makeVertex(crossing.parameter, crossing.point));
         }
         mergeFrom(picks);

@@ -8,7 +8,7 @@ inline constexpr double kMaxShellThickness = 1000.0;
 enum class ShellKind {
     Simplified,      ///< few thick prisms; takes seconds on large meshes, once
     FullResolution,  ///< one thin prism per face
-    Local            ///< one thin prism per face, near each curve only, while that is enough for it
+    Local            ///< the fibres of those, near each curve only, while that is enough for it
 };
 
 /// As users write it.

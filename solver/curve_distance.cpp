@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/curve_distance.h"
 
+#include "solver/shadow_curve.h"
 #include "surface/closest_point.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace bspline_curve {
 namespace {
@@ -59,7 +61,7 @@ CurveDistance measureDistance(
         ofSpan = std::max(ofSpan, distance);
     };
     int current = -1;
-    result.trace = traceShadow(
+    CellTrace trace = traceCells(
         traced,
         space,
         controls,
@@ -75,12 +77,13 @@ CurveDistance measureDistance(
         }
     );
     result.largest = std::ranges::max(result.perSpan);
-    if (!result.trace.isWhole) {
+    if (!trace.isWhole) {
         // Where it leaves is on the span that was begun.
-        result.perSpan[at(result.trace.wholeSpans)] = std::numeric_limits<double>::infinity();
+        result.perSpan[at(trace.wholeSpans)] = std::numeric_limits<double>::infinity();
         result.largest = std::numeric_limits<double>::infinity();
         result.largestHeight = 1.0;
     }
+    result.trace = std::move(trace);
     return result;
 }
 

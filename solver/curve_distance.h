@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/shadow_curve.h"
+#include "solver/curve_trace.h"
+#include "solver/spline_space.h"
+#include "solver/traced_shell.h"
+
+#include <vector>
 
 namespace bspline_curve {
 
@@ -12,7 +16,7 @@ struct CurveDistance {
     double largestHeight = 0.0;  ///< largest relative height d (10)
     /// Largest distance on each span; infinite where the curve leaves the shell there or before.
     std::vector<double> perSpan;
-    ShadowTrace trace;
+    CurveTrace trace;
 };
 
 /// Samples every piece of the curve at its start and middle. In a shell of full resolution the

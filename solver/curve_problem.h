@@ -27,9 +27,7 @@ struct PickConstraint {
 /// One curve to solve for: the shell, the picks, the field; all in the shell's frame. Refers to the
 /// shell, the base, the obstacles and the field.
 struct CurveProblem {
-    const Shell* shell = nullptr;  ///< null: for relax() alone, which makes shells near the curve
-    const Surface* surface = nullptr;  ///< needed where there is no shell
-    double nearThickness = 0.0;        ///< of shells near the curve, see NearShellSize
+    const Shell* shell = nullptr;  ///< null: for relax() alone, which then follows the fibres
     const ShellBase* base = nullptr;
     const PatchLevels* patches = nullptr;     ///< of the surface; null: feet are found without
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/foot_point.h"
 
+#include "solver/face_fibres.h"
 #include "surface/closest_point.h"
 
 #include <Eigen/Geometry>
@@ -17,12 +18,6 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// Newton's method on a face: it converges quadratically, so what a step this small leaves is 1e-9
-// at most, in barycentric coordinates.
-constexpr double kLastStep = 1e-5;
-constexpr int kMaxSteps = 6;
-// The foot lies in another face for certain: no need to converge first.
-constexpr double kFarOutside = -0.3;
 // From so many faces away feet are sought by way of patches first.
 constexpr double kManyFaces = 12.0;
 // Rounding: a foot on an edge is in both of its faces.
@@ -32,43 +27,8 @@ constexpr double kOnEdge = -1e-9;
 constexpr double kInGap = -1e-3;
 // Far more than any walk between neighbouring samples needs.
 constexpr int kMaxCrossings = 200;
-// The fibres of a face narrow with the height; where the area that they leave is less than this
-// share, feet would run away.
-constexpr double kLeastArea = 0.05;
 constexpr int kMaxDescent = 1000;
 constexpr int kMaxValence = 256;
-
-double leastCoordinate(const Eigen::Array2d& uv) {
-    return std::min(uv.minCoeff(), 1.0 - uv.sum());
-}
-
-// Which corner of a face a vertex is; -1: none.
-int slotOf(const Triangle& face, int vertex) {
-    for (int k = 0; k < 3; ++k) {
-        if (face[at(k)] == vertex) {
-            return k;
-        }
-    }
-    return -1;
-}
-
-// The same point seen from the face across the edge opposite to corner k, moved onto that edge.
-void carryOver(const Triangle& from, const Triangle& to, int k, FootPoint& foot) {
-    const Vec3 before = foot.barycentric();
-    Vec3 after = Vec3::Zero();
-    for (int corner = 0; corner < 3; ++corner) {
-        const int slot = corner == k ? -1 : slotOf(to, from[at(corner)]);
-        if (slot >= 0) {
-            after[slot] = std::clamp(before[corner], 0.0, 1.0);
-        }
-    }
-    const double sum = after.sum();
-    if (sum > 0.0) {
-        after /= sum;
-    }
-    foot.u = after[1];
-    foot.v = after[2];
-}
 
 // The faces that share a point on the edge opposite to corner k of a face: the one across it, and
 // where the point is a vertex those on around that, this way; the way from the other edge at it
@@ -86,68 +46,12 @@ void forEachAcross(
         if (!isVertex) {
             return;
         }
-        const int slot = slotOf(base.faces[at(other)], centre);
+        const int slot = cornerOf(base.faces[at(other)], centre);
         other = base.faceNeighbours[at(other)][at((slot + (isFirstEnd ? 1 : 2)) % 3)];
     }
 }
 
 }  // namespace
-
-// Two vectors side by side, by u and by v, so that both are computed at once.
-struct FootFinder::PairOfVectors {
-    Eigen::Array2d x, y, z;
-
-    static PairOfVectors of(const Vec3& u, const Vec3& v) {
-        return {{u.x(), v.x()}, {u.y(), v.y()}, {u.z(), v.z()}};
-    }
-
-    [[nodiscard]] Vec3 u() const { return {x[0], y[0], z[0]}; }
-
-    [[nodiscard]] Vec3 v() const { return {x[1], y[1], z[1]}; }
-
-    [[nodiscard]] Vec3 times(const Eigen::Array2d& uv) const {
-        return {(x * uv).sum(), (y * uv).sum(), (z * uv).sum()};
-    }
-
-    [[nodiscard]] PairOfVectors plus(double scale, const PairOfVectors& other) const {
-        return {x + scale * other.x, y + scale * other.y, z + scale * other.z};
-    }
-
-    [[nodiscard]] PairOfVectors crossedFromLeftBy(const Vec3& a) const {
-        return {a.y() * z - a.z() * y, a.z() * x - a.x() * z, a.x() * y - a.y() * x};
-    }
-
-    [[nodiscard]] Eigen::Array2d dot(const Vec3& a) const {
-        return a.x() * x + a.y() * y + a.z() * z;
-    }
-};
-
-// The corner 0 of a face with the edges from there, and the same of the directions.
-struct FootFinder::Fibres {
-    Vec3 corner, direction;
-    PairOfVectors edges, turns;
-
-    [[nodiscard]] Vec3 directionAt(const FootPoint& foot) const {
-        return direction + turns.times({foot.u, foot.v});
-    }
-};
-
-FootFinder::Fibres FootFinder::fibresOver(int face) const {
-    const Triangle& corners = base_.faces[at(face)];
-    const Vec3& origin = base_.vertices[at(corners[0])];
-    const Vec3& direction = base_.directions[at(corners[0])];
-    return {
-        origin,
-        direction,
-        PairOfVectors::of(
-            base_.vertices[at(corners[1])] - origin, base_.vertices[at(corners[2])] - origin
-        ),
-        PairOfVectors::of(
-            base_.directions[at(corners[1])] - direction,
-            base_.directions[at(corners[2])] - direction
-        )
-    };
-}
 
 void FootFinder::predict(const Vec3& moved, const FootFrame& frame, FootPoint& foot) {
     foot.u += frame.u.dot(moved);
@@ -187,8 +91,8 @@ int FootFinder::faceTowards(const Vec3& p, int face, double facesAway) const {
         }
     }
     const auto normalOf = [&](int of) {
-        const PairOfVectors edges = fibresOver(of).edges;
-        return Vec3(edges.u().cross(edges.v()));
+        const FaceFibres fibres(base_, of);
+        return Vec3(fibres.edgeU().cross(fibres.edgeV()));
     };
     return normalOf(nearest).dot(normalOf(face)) > 0.0 ? nearest : face;
 }
@@ -218,7 +122,7 @@ int FootFinder::passFaces(const Vec3& p, int previous, FootPoint& foot) const {
                 continue;
             }
         }
-        const bool isFar = least < kFarOutside * area;
+        const bool isFar = least < FaceFibres::kFarOutside * area;
         const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
         if (!isFar || next < 0 || next == previous) {
             if (crossing > 0 && area > 0.0) {
@@ -237,52 +141,25 @@ int FootFinder::passFaces(const Vec3& p, int previous, FootPoint& foot) const {
 bool FootFinder::alongFibres(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
     int previous = -1;
     for (int crossing = 0; crossing < kMaxCrossings; ++crossing) {
-        const Fibres fibres = fibresOver(foot.face);
-        const double flatArea = fibres.direction.dot(fibres.edges.u().cross(fibres.edges.v()));
-        Eigen::Array2d uv(foot.u, foot.v);
-        bool isFar = leastCoordinate(uv) < kFarOutside;
-        for (int step = 0; step < kMaxSteps && !isFar; ++step) {
-            const PairOfVectors by = fibres.edges.plus(foot.height, fibres.turns);
-            const Vec3 direction = fibres.direction + fibres.turns.times(uv);
-            const Vec3 area = by.u().cross(by.v());
-            const double determinant = direction.dot(area);
-            if (!(determinant > kLeastArea * flatArea)) {
-                return false;
-            }
-            const double inverse = 1.0 / determinant;
-            const PairOfVectors across = by.crossedFromLeftBy(direction);
-            const Vec3 gap = p - fibres.corner - fibres.edges.times(uv) - foot.height * direction;
-            const Eigen::Array2d turned = inverse * across.dot(gap);
-            const Eigen::Array2d move(-turned[1], turned[0]);
-            uv += move;
-            foot.height += inverse * area.dot(gap);
-            isFar = leastCoordinate(uv) < kFarOutside;
-            if (move.abs().sum() < kLastStep || step + 1 == kMaxSteps) {
-                frame.height = inverse * area;
-                frame.u = -inverse * across.v();
-                frame.v = inverse * across.u();
-                frame.direction = direction;
-                break;
-            }
+        const FaceFibres fibres(base_, foot.face);
+        const FaceFibres::Outcome outcome =
+            fibres.find<FaceFibres::Search::OnTheWay>(p, foot, frame);
+        if (outcome == FaceFibres::Outcome::Crossed) {
+            return false;
         }
-        foot.u = uv[0];
-        foot.v = uv[1];
         int outer = 0;
         const double least = foot.barycentric().minCoeff(&outer);
         const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
         if (least >= kOnEdge || (least > kInGap && next == previous)) {
-            frame.direction.normalize();
-            frame.turnU = fibres.turns.u();
-            frame.turnV = fibres.turns.v();
+            fibres.complete(frame);
             return true;
         }
         if (next < 0) {
             return false;
         }
         previous = foot.face;
-        carryOver(base_.faces[at(foot.face)], base_.faces[at(next)], outer, foot);
-        foot.face = next;
-        if (isFar) {
+        carryOver(base_, outer, next, foot);
+        if (outcome == FaceFibres::Outcome::FarOutside) {
             previous = passFaces(p, previous, foot);
         }
     }
@@ -322,12 +199,12 @@ void FootFinder::toNearest(const Vec3& p, int start, FootPoint& foot, FootFrame&
             }
         }
     }
-    const Fibres fibres = fibresOver(face);
+    const FaceFibres fibres(base_, face);
     foot.face = face;
     foot.u = nearest.barycentric[1];
     foot.v = nearest.barycentric[2];
-    const Vec3 edgeU = fibres.edges.u();
-    const Vec3 edgeV = fibres.edges.v();
+    const Vec3 edgeU = fibres.edgeU();
+    const Vec3 edgeV = fibres.edgeV();
     const Vec3 normal = edgeU.cross(edgeV);
     Vec3 direction = fibres.directionAt(foot);
     if (!(direction.dot(normal) > 0.0)) {
@@ -338,12 +215,11 @@ void FootFinder::toNearest(const Vec3& p, int start, FootPoint& foot, FootFrame&
     const double side = gap.dot(direction) < 0.0 ? -1.0 : 1.0;
     foot.height = side * distance;
     const double inverse = 1.0 / direction.dot(normal);
-    frame.direction = direction.normalized();
+    frame.direction = direction;
+    fibres.complete(frame);
     frame.height = distance > 0.0 ? Vec3(side / distance * gap) : frame.direction;
     frame.u = inverse * edgeV.cross(direction);
     frame.v = inverse * direction.cross(edgeU);
-    frame.turnU = fibres.turns.u();
-    frame.turnV = fibres.turns.v();
 }
 
 }  // namespace bspline_curve

@@ -46,10 +46,6 @@ public:
     static void predict(const Vec3& moved, const FootFrame& frame, FootPoint& foot);
 
 private:
-    struct PairOfVectors;
-    struct Fibres;
-
-    [[nodiscard]] Fibres fibresOver(int face) const;
     int passFaces(const Vec3& p, int previous, FootPoint& foot) const;
     [[nodiscard]] int faceTowards(const Vec3& p, int face, double facesAway) const;
     [[nodiscard]] bool alongFibres(const Vec3& p, FootPoint& foot, FootFrame& frame) const;

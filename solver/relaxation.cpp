@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/relaxation.h"
 
+#include "solver/fibre_tracer.h"
 #include "solver/foot_newton.h"
 #include "solver/knot_insertion.h"
-#include "solver/near_tracer.h"
 #include "solver/obstacles.h"
 #include "solver/point_terms.h"
 #include "surface/stopwatch.h"
@@ -99,8 +99,7 @@ constexpr double kStrongestField = 20.0;
 // Whether what the curve avoids is too far away to push it anywhere.
 bool isClear(const CurveProblem& problem, const Solution& solution) {
     const Obstacles* const obstacles = problem.obstacles;
-    return obstacles == nullptr ||
-           std::ranges::all_of(facesPassed(solution, problem), [&](int face) {
+    return obstacles == nullptr || std::ranges::all_of(facesPassed(*solution.trace), [&](int face) {
                return obstacles->isFar(face);
            });
 }
@@ -129,7 +128,6 @@ public:
           options_(problem.options),
           patience_(patience),
           finder_(*problem.base, problem.patches),
-          tracer_(problem),
           tolerance_(problem.distanceTolerance),
           heightUnit_(heightUnitOf(problem)),
           segments_(segmentsOf(start, patience)),
@@ -327,14 +325,9 @@ private:
     }
 
     [[nodiscard]] CurveDistance measure() {
-        if (problem_.shell != nullptr) {
-            return measureDistance(tracedShellOf(problem_), space(), now().controls);
-        }
-        std::vector<FootAt> feet;
-        for (int sample = 0; sample < energy().sampleCount(); ++sample) {
-            feet.push_back({energy().parameter(sample), now().feet[at(sample)]});
-        }
-        return tracer_.measure(space(), now().controls, feet);
+        return problem_.shell != nullptr
+                   ? measureDistance(tracedShellOf(problem_), space(), now().controls)
+                   : measureAlongFibres(problem_, space(), now().controls);
     }
 
     void insert(std::vector<double> breaks) {
@@ -373,19 +366,13 @@ private:
             report_.fieldCost = problem_.fieldCosts.least;
         }
         report_.seconds.knots += watch_.lap();
-        return {
-            {space(), std::move(now().controls)},
-            std::move(report_),
-            tracer_.shell(),
-            std::move(trace_)
-        };
+        return {{space(), std::move(now().controls)}, std::move(report_), std::move(trace_)};
     }
 
     const CurveProblem& problem_;
     const SolverOptions& options_;
     Patience patience_;
     FootFinder finder_;
-    NearTracer tracer_;
     Stopwatch watch_;
     double tolerance_;  // of the distance, in the shell's frame
     double heightUnit_;
@@ -396,7 +383,7 @@ private:
     int steps_ = 0;                                           // of the round
     int knotsNearby_ = 0;  // since when all samples have been near enough, or 0
     std::unique_ptr<FootNewton> newton_;
-    std::optional<ShadowTrace> trace_;  // at the end
+    std::optional<CurveTrace> trace_;  // at the end
     SolveReport report_;
 };
 

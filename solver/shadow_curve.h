@@ -1,37 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "solver/curve_problem.h"
+#include "solver/curve_trace.h"
 #include "solver/curve_tracer.h"
 #include "solver/spline_space.h"
-#include "solver/traced_shell.h"
 
-#include <optional>
 #include <vector>
 
 namespace bspline_curve {
-
-/// The cells of a shell that a spline passes, and where its shadow passes from one face into the
-/// next; both in order. It holds for that shell and spline only.
-struct ShadowTrace {
-    struct Piece {
-        double end;  ///< parameter
-        int span;
-        int tet, foot, face;
-    };
-
-    struct Crossing {
-        double parameter;
-        SurfacePoint point;  ///< on the edge that is crossed, its face called as in the surface
-    };
-
-    bool isWhole = false;  ///< the spline lies in the shell; else the trace ends where it leaves
-    int wholeSpans = 0;    ///< traced to their end
-    std::vector<Piece> pieces;
-    std::vector<Crossing> crossings;
-
-    /// The faces passed, ghosts included, as the whole base calls them; one may come several times.
-    [[nodiscard]] std::vector<int> faces(const TracedShell& traced) const;
-};
 
 /// The point at `curve(tau)` where a spline passes from one cell into one over another face.
 [[nodiscard]] SurfacePoint crossingPoint(
@@ -42,15 +19,15 @@ struct ShadowTrace {
     const ShellCell& to
 );
 
-/// Traces a whole spline; `onPiece` as in traceCurve().
+/// Traces a whole spline through the cells of a shell; `onPiece` as in traceCurve().
 template <class OnPiece>
-[[nodiscard]] ShadowTrace traceShadow(
+[[nodiscard]] CellTrace traceCells(
     const TracedShell& traced,
     const SplineSpace& space,
     const ControlPoints& controls,
     OnPiece&& onPiece
 ) {
-    ShadowTrace trace;
+    CellTrace trace;
     const auto parameter = [&](int span, double tau) {
         return space.breaks()[static_cast<std::size_t>(span)] + tau * space.spanLength(span);
     };
@@ -81,40 +58,41 @@ template <class OnPiece>
     return trace;
 }
 
-/// The shadow Q = M_S(P) of a spline on the surface, exactly: the spline cut at the shell's cells,
-/// each piece carried to its face.
+/// The same, of the pieces alone.
+[[nodiscard]] CellTrace traceCells(
+    const TracedShell& traced, const SplineSpace& space, const ControlPoints& controls
+);
+
+/// The shadow Q = M_S(P) of a spline on the surface: the spline cut where its shadow crosses edges,
+/// each piece carried to its face, through the cells of a shell or along the fibres.
 class ShadowCurve {
 public:
-    /// `space` and `controls` must outlive this, and so must what `traced` refers to.
-    ShadowCurve(const TracedShell& traced, const SplineSpace& space, const ControlPoints& controls);
-
-    /// The same with a trace of this spline in this shell; without one it is made.
+    /// `space` and `controls` must outlive this, and so must what `problem` refers to. `trace`:
+    /// whole, of this spline, in the problem's shell or over its base.
     ShadowCurve(
-        const TracedShell& traced,
+        const CurveProblem& problem,
         const SplineSpace& space,
         const ControlPoints& controls,
-        std::optional<ShadowTrace> trace
+        CurveTrace trace
     );
 
-    /// Whether the spline lies in the shell. If not, there is no shadow.
-    [[nodiscard]] bool isWhole() const { return trace_.isWhole; }
-
     /// Where the shadow passes from one face into the next, in order.
-    [[nodiscard]] const std::vector<ShadowTrace::Crossing>& crossings() const {
-        return trace_.crossings;
+    [[nodiscard]] const std::vector<EdgeCrossing>& crossings() const {
+        return progressOf(trace_).crossings;
     }
-
-    /// The faces that it passes, as ShadowTrace::faces().
-    [[nodiscard]] std::vector<int> faces() const { return trace_.faces(traced_); }
 
     /// The shadow at t in [0, 1].
     [[nodiscard]] SurfacePoint at(double t) const;
 
 private:
-    TracedShell traced_;
+    [[nodiscard]] SurfacePoint on(const CellTrace& trace, double t) const;
+    [[nodiscard]] SurfacePoint on(const FibreTrace& trace, double t) const;
+
+    const ShellBase& base_;
+    const Shell* shell_;
     const SplineSpace& space_;
     const ControlPoints& controls_;
-    ShadowTrace trace_;
+    CurveTrace trace_;
 };
 
 }  // namespace bspline_curve

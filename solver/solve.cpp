@@ -204,7 +204,7 @@ public:
             insert(std::move(breaks));
         }
         finish();
-        return {std::move(curve_), std::move(report_), nullptr, {}};
+        return {std::move(curve_), std::move(report_), {}};
     }
 
 private:

@@ -141,10 +141,10 @@ def draw_curve(
     avoid_margin : float in (0, 1], default 0.02
         From this far away on they push the curve, relative to the diagonal of the mesh's box.
     shell : {'local', 'full', 'simplified'}, default 'local'
-        The shell around the surface, in which the curve is sought. local: one thin prism per face near the curve; the
-        whole surface gets its prisms only for a curve that needs them; full: one thin prism per face, of the whole
-        surface from the start; simplified: few thick prisms, which take seconds to build on large meshes and are kept
-        for the next curve.
+        The shell around the surface, in which the curve is sought. local: the fibres of one thin prism per face, near
+        the curve; the whole surface gets its prisms only for a curve that needs them; full: one thin prism per face, of
+        the whole surface from the start; simplified: few thick prisms, which take seconds to build on large meshes and
+        are kept for the next curve.
     field_curvature_scale : float in [0, 1], default 0.015
         Fields of curvature, ridges and valleys: radius that curvatures are averaged over, relative to the diagonal of
         the mesh's box. More: less noise. Only with field maximal-curvature or ridge or valley.

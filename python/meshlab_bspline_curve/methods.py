@@ -153,10 +153,10 @@ def generate_bspline_curve_on_surface(
     avoid_margin : float in (0, 1], default 0.02
         From this far away on they push the curve, relative to the diagonal of the mesh's box.
     shell : {'local', 'full', 'simplified'}, default 'local'
-        The shell around the surface, in which the curve is sought. local: one thin prism per face near the curve; the
-        whole surface gets its prisms only for a curve that needs them; full: one thin prism per face, of the whole
-        surface from the start; simplified: few thick prisms, which take seconds to build on large meshes and are kept
-        for the next curve.
+        The shell around the surface, in which the curve is sought. local: the fibres of one thin prism per face, near
+        the curve; the whole surface gets its prisms only for a curve that needs them; full: one thin prism per face, of
+        the whole surface from the start; simplified: few thick prisms, which take seconds to build on large meshes and
+        are kept for the next curve.
     control_polygon : bool, default False
         The control points of the spline and the segments between them become a layer too.
     shell_layers : bool, default False

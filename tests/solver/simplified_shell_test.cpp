@@ -138,8 +138,12 @@ struct Drawn {
 
 Drawn draw(const ProblemFixture& fixture, const std::vector<Vec3>& picks) {
     Solution solution = solved(fixture);
+    const auto& [space, controls] = solution.curve;
     const ShadowCurve shadow(
-        tracedShellOf(fixture.problem()), solution.curve.space, solution.curve.controls
+        fixture.problem(),
+        space,
+        controls,
+        traceCells(tracedShellOf(fixture.problem()), space, controls)
     );
     SurfacePolyline line =
         makeStrictPolyline(fixture.surface(), fixture.problem(), shadow, SamplingOptions());

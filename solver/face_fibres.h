@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/shell_base.h"
+#include "solver/foot_point.h"
+#include "surface/surface_point.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace bspline_curve {
+
+/// The fibres q(u, v) + height n(u, v) over one face: q and n are linear in the face, and beyond
+/// its edges. The walls between the fibres of two faces are the same seen from either.
+class FaceFibres {
+public:
+    FaceFibres(const ShellBase& base, int face)
+        : FaceFibres(base, base.faces[static_cast<std::size_t>(face)]) {}
+
+    /// A foot with a coordinate below this lies in another face for certain.
+    static constexpr double kFarOutside = -0.3;
+
+    enum class Outcome {
+        Found,
+        FarOutside,  ///< of the face, on the way to it
+        Crossed      ///< fibres cross on the way to it
+    };
+
+    /// How exactly feet are found.
+    enum class Search {
+        OnTheWay,  ///< to 1e-9 of the face, unless they lie far outside
+        Exact      ///< to rounding, wherever they lie
+    };
+
+    /// Newton's method from the foot given: that of p, on this face and beyond its edges, and its
+    /// frame, but for `turnU`, `turnV` and the direction's length. About 100 instructions per step,
+    /// of one to four.
+    template <Search search>
+    [[nodiscard]] Outcome find(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
+
+    /// Completes the frame of a foot.
+    void complete(FootFrame& frame) const {
+        frame.direction.normalize();
+        frame.turnU = turns_.u();
+        frame.turnV = turns_.v();
+    }
+
+    [[nodiscard]] Vec3 directionAt(const FootPoint& foot) const {
+        return direction_ + turns_.times({foot.u, foot.v});
+    }
+
+    [[nodiscard]] Vec3 edgeU() const { return edges_.u(); }
+
+    [[nodiscard]] Vec3 edgeV() const { return edges_.v(); }
+
+private:
+    // Two vectors side by side, by u and by v, so that both are computed at once.
+    struct PairOfVectors {
+        Eigen::Array2d x, y, z;
+
+        static PairOfVectors of(const Vec3& u, const Vec3& v) {
+            return {{u.x(), v.x()}, {u.y(), v.y()}, {u.z(), v.z()}};
+        }
+
+        [[nodiscard]] Vec3 u() const { return {x[0], y[0], z[0]}; }
+
+        [[nodiscard]] Vec3 v() const { return {x[1], y[1], z[1]}; }
+
+        [[nodiscard]] Vec3 times(const Eigen::Array2d& uv) const {
+            return {(x * uv).sum(), (y * uv).sum(), (z * uv).sum()};
+        }
+
+        [[nodiscard]] PairOfVectors plus(double scale, const PairOfVectors& other) const {
+            return {x + scale * other.x, y + scale * other.y, z + scale * other.z};
+        }
+
+        [[nodiscard]] PairOfVectors crossedFromLeftBy(const Vec3& a) const {
+            return {a.y() * z - a.z() * y, a.z() * x - a.x() * z, a.x() * y - a.y() * x};
+        }
+
+        [[nodiscard]] Eigen::Array2d dot(const Vec3& a) const {
+            return a.x() * x + a.y() * y + a.z() * z;
+        }
+    };
+
+    // The method converges quadratically: steps this small, in barycentric coordinates, leave 1e-9
+    // at most, or nothing but rounding.
+    static constexpr double kLastStep = 1e-5;
+    static constexpr double kLastExactStep = 1e-8;
+    static constexpr int kMaxSteps = 6;
+    // The fibres of a face narrow with the height; where the area that they leave is less than this
+    // share, feet would run away.
+    static constexpr double kLeastArea = 0.05;
+
+    FaceFibres(const ShellBase& base, const Triangle& corners)
+        : corner_(base.vertices[static_cast<std::size_t>(corners[0])]),
+          direction_(base.directions[static_cast<std::size_t>(corners[0])]),
+          edges_(
+              PairOfVectors::of(
+                  base.vertices[static_cast<std::size_t>(corners[1])] - corner_,
+                  base.vertices[static_cast<std::size_t>(corners[2])] - corner_
+              )
+          ),
+          turns_(
+              PairOfVectors::of(
+                  base.directions[static_cast<std::size_t>(corners[1])] - direction_,
+                  base.directions[static_cast<std::size_t>(corners[2])] - direction_
+              )
+          ) {}
+
+    [[nodiscard]] static bool isFarOutside(const Eigen::Array2d& uv) {
+        return std::min(uv.minCoeff(), 1.0 - uv.sum()) < kFarOutside;
+    }
+
+    // The corner 0 of a face with the edges from there, and the same of the directions.
+    Vec3 corner_, direction_;
+    PairOfVectors edges_, turns_;
+};
+
+/// The same point seen from the face across the edge opposite to corner k, moved onto that edge.
+inline void carryOver(const ShellBase& base, int k, int across, FootPoint& foot) {
+    const Triangle& from = base.faces[static_cast<std::size_t>(foot.face)];
+    const Triangle& to = base.faces[static_cast<std::size_t>(across)];
+    const Vec3 before = foot.barycentric();
+    Vec3 after = Vec3::Zero();
+    for (int corner = 0; corner < 3; ++corner) {
+        const int slot = corner == k ? -1 : cornerOf(to, from[static_cast<std::size_t>(corner)]);
+        if (slot >= 0) {
+            after[slot] = std::clamp(before[corner], 0.0, 1.0);
+        }
+    }
+    const double sum = after.sum();
+    if (sum > 0.0) {
+        after /= sum;
+    }
+    foot = {across, after[1], after[2], foot.height};
+}
+
+template <FaceFibres::Search search>
+FaceFibres::Outcome FaceFibres::find(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
+    constexpr bool kIsExact = search == Search::Exact;
+    constexpr double kEnd = kIsExact ? kLastExactStep : kLastStep;
+    const double flatArea = direction_.dot(edges_.u().cross(edges_.v()));
+    Eigen::Array2d uv(foot.u, foot.v);
+    bool isFar = !kIsExact && isFarOutside(uv);
+    for (int step = 0; step < kMaxSteps && !isFar; ++step) {
+        const PairOfVectors by = edges_.plus(foot.height, turns_);
+        const Vec3 direction = direction_ + turns_.times(uv);
+        const Vec3 area = by.u().cross(by.v());
+        const double determinant = direction.dot(area);
+        if (!(determinant > kLeastArea * flatArea)) {
+            return Outcome::Crossed;
+        }
+        const double inverse = 1.0 / determinant;
+        const PairOfVectors across = by.crossedFromLeftBy(direction);
+        const Vec3 gap = p - corner_ - edges_.times(uv) - foot.height * direction;
+        const Eigen::Array2d turned = inverse * across.dot(gap);
+        const Eigen::Array2d move(-turned[1], turned[0]);
+        uv += move;
+        foot.height += inverse * area.dot(gap);
+        isFar = !kIsExact && isFarOutside(uv);
+        if (move.abs().sum() < kEnd || step + 1 == kMaxSteps) {
+            frame.height = inverse * area;
+            frame.u = -inverse * across.v();
+            frame.v = inverse * across.u();
+            frame.direction = direction;
+            break;
+        }
+    }
+    foot.u = uv[0];
+    foot.v = uv[1];
+    return isFar ? Outcome::FarOutside : Outcome::Found;
+}
+
+}  // namespace bspline_curve

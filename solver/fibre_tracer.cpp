@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/fibre_tracer.h"
+
+#include "solver/face_fibres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// A foot with a barycentric coordinate this small is on the edge: rounding, where edges are 1e-4 of
+// the diagonal long, with a margin.
+constexpr double kOnWall = 1e-11;
+// And a wall between two parameters this near to each other is there.
+constexpr double kSameParameter = 1e-14;
+// Newton's method takes two or three steps to a wall; bisection alone would take 47.
+constexpr int kMaxSteps = 60;
+// A walk that turns this often at one parameter goes round in a circle.
+constexpr int kMaxStalled = 128;
+// A curve passes a pick where it is so near to the surface, in tolerances.
+constexpr double kAtPick = 1e-3;
+
+double coordinateSlope(const FootFrame& frame, int corner, const Vec3& along) {
+    const double u = frame.u.dot(along);
+    const double v = frame.v.dot(along);
+    return corner == 0 ? -u - v : (corner == 1 ? u : v);
+}
+
+class FibreWalk {
+public:
+    FibreWalk(const ShellBase& base, const SplineSpace& space, const ControlPoints& controls)
+        : base_(base), space_(space), controls_(controls) {
+        distance_.perSpan.assign(at(space.spanCount()), kInfinity);
+    }
+
+    CurveDistance run(const PickConstraint& first) && {
+        const Vec3& barycentric = first.point.barycentric;
+        here_.foot = {first.point.face, barycentric[1], barycentric[2], 0.0};
+        here_.position = space_.polynomial(controls_, 0).coefficients[0];
+        bool goesOn = enter();
+        for (int span = 0; goesOn && span < space_.spanCount(); ++span) {
+            goesOn = passSpan(span);
+            trace_.wholeSpans += goesOn ? 1 : 0;
+        }
+        trace_.isWhole = trace_.wholeSpans == space_.spanCount();
+        if (!trace_.isWhole) {
+            distance_.perSpan[at(trace_.wholeSpans)] = kInfinity;
+        }
+        distance_.largest = std::ranges::max(distance_.perSpan);
+        distance_.trace = std::move(trace_);
+        return std::move(distance_);
+    }
+
+private:
+    // A point of the curve and its foot on one face.
+    struct Place {
+        Vec3 position = Vec3::Zero();
+        FootPoint foot;
+        FootFrame frame;
+
+        void moveTo(const Vec3& p) {
+            FootFinder::predict(p - position, frame, foot);
+            position = p;
+        }
+    };
+
+    // Where the curve leaves a face.
+    struct Exit {
+        double tau;
+        int wall;  // opposite to this corner; -1: nowhere up to the end of the span
+    };
+
+    [[nodiscard]] bool find(Place& place) const {
+        return fibres_->find<FaceFibres::Search::Exact>(place.position, place.foot, place.frame) ==
+               FaceFibres::Outcome::Found;
+    }
+
+    // Takes the fibres of the face that is here now.
+    bool enter() {
+        fibres_.emplace(base_, here_.foot.face);
+        return find(here_);
+    }
+
+    bool passSpan(int span) {
+        const PolynomialCurve curve = space_.polynomial(controls_, span);
+        double& farthest = distance_.perSpan[at(span)];
+        farthest = 0.0;
+        double tau = 0.0;
+        while (true) {
+            farthest = std::max(farthest, distanceOf(here_));
+            Place place = here_;
+            const std::optional<Exit> exit = findExit(curve, tau, place);
+            if (!exit) {
+                return false;
+            }
+            if (exit->tau > tau) {
+                const Place middle = middleOf(curve, tau, exit->tau, place);
+                farthest = std::max(farthest, distanceOf(middle));
+                trace_.pieces.push_back({parameter(span, exit->tau), span, middle.foot});
+                stalled_ = 0;
+            } else if (++stalled_ > kMaxStalled) {
+                return false;
+            }
+            tau = exit->tau;
+            here_ = place;
+            if (exit->wall < 0) {
+                farthest = std::max(farthest, distanceOf(here_));
+                return true;
+            }
+            const int next = base_.faceNeighbours[at(here_.foot.face)][at(exit->wall)];
+            if (next < 0) {
+                return false;
+            }
+            Vec3 onWall = here_.foot.barycentric();
+            onWall[exit->wall] = 0.0;
+            trace_.crossings.push_back(
+                {parameter(span, tau), onSurface(base_, here_.foot.face, onWall)}
+            );
+            carryOver(base_, exit->wall, next, here_.foot);
+            if (!enter()) {
+                return false;
+            }
+        }
+    }
+
+    // Half way to `there` on this face, without a search: by values and derivatives at both ends.
+    [[nodiscard]] Place middleOf(
+        const PolynomialCurve& curve, double from, double to, const Place& there
+    ) const {
+        const double bulge = 0.125 * (to - from);
+        const Vec3 before = curve.derivativeAt(from);
+        const Vec3 after = curve.derivativeAt(to);
+        const auto between = [&](double a, double b, const Vec3& slopeA, const Vec3& slopeB) {
+            return 0.5 * (a + b) + bulge * (slopeA.dot(before) - slopeB.dot(after));
+        };
+        Place middle;
+        middle.position = curve.at(0.5 * (from + to));
+        const FootFrame& frame = there.frame;
+        middle.foot = {
+            here_.foot.face,
+            between(here_.foot.u, there.foot.u, here_.frame.u, frame.u),
+            between(here_.foot.v, there.foot.v, here_.frame.v, frame.v),
+            between(here_.foot.height, there.foot.height, here_.frame.height, frame.height)
+        };
+        middle.frame.direction = fibres_->directionAt(middle.foot);
+        return middle;
+    }
+
+    // The first place from tau on where the foot leaves its face, with what is there in `place`;
+    // nothing where fibres cross. Newton's method on the coordinate of the nearest wall, kept
+    // between places known to be inside and outside.
+    [[nodiscard]] std::optional<Exit> findExit(
+        const PolynomialCurve& curve, double tau, Place& place
+    ) const {
+        double inside = tau;
+        double outside = kInfinity;
+        double next = firstGuess(curve, tau);
+        for (int step = 0; step < kMaxSteps; ++step) {
+            place.moveTo(curve.at(next));
+            if (!find(place)) {
+                return std::nullopt;
+            }
+            const Vec3 barycentric = place.foot.barycentric();
+            int wall = 0;
+            const double least = barycentric.minCoeff(&wall);
+            if (next >= 1.0 && least >= -kOnWall) {
+                return Exit{1.0, -1};
+            }
+            const Vec3 along = curve.derivativeAt(next);
+            const double slope = coordinateSlope(place.frame, wall, along);
+            const bool isInside = least >= -kOnWall;
+            if (isInside && least <= kOnWall && slope < 0.0) {
+                return Exit{next, wall};
+            }
+            (isInside ? inside : outside) = next;
+            if (!isInside && outside - inside <= kSameParameter) {
+                return Exit{next, wall};
+            }
+            const double farthest = std::min(outside, 1.0);
+            double guess = farthest;
+            if (isInside) {
+                for (int k = 0; k < 3; ++k) {
+                    const double falling = coordinateSlope(place.frame, k, along);
+                    if (falling < 0.0) {
+                        guess = std::min(guess, next - barycentric[k] / falling);
+                    }
+                }
+            } else if (slope < 0.0) {
+                guess = next - least / slope;
+            }
+            const bool isBetween = guess > inside && (guess < outside || guess == 1.0);
+            next = isBetween ? guess : 0.5 * (inside + farthest);
+        }
+        return std::nullopt;
+    }
+
+    // By the derivatives of the coordinates where the face is entered.
+    [[nodiscard]] double firstGuess(const PolynomialCurve& whole, double tau) const {
+        const PolynomialCurve curve = tau == 0.0 ? whole : whole.shifted(tau);
+        const Vec3 barycentric = here_.foot.barycentric();
+        std::array<std::array<double, kMaxPolynomialDegree + 1>, 3> coordinates{};
+        for (std::size_t j = 1; j <= at(curve.degree); ++j) {
+            coordinates[1][j] = here_.frame.u.dot(curve.coefficients[j]);
+            coordinates[2][j] = here_.frame.v.dot(curve.coefficients[j]);
+            coordinates[0][j] = -coordinates[1][j] - coordinates[2][j];
+        }
+        double exit = 1.0 - tau;
+        for (int k = 0; k < 3; ++k) {
+            coordinates[at(k)][0] = barycentric[k];
+            exit =
+                std::min(exit, firstExit(coordinates[at(k)].data(), curve.degree, exit, kOnWall));
+        }
+        return exit == 1.0 - tau ? 1.0 : tau + exit;
+    }
+
+    [[nodiscard]] double distanceOf(const Place& place) const {
+        if (place.foot.face < base_.surfaceFaceCount) {
+            return std::abs(place.foot.height) * place.frame.direction.norm();
+        }
+        const Triangle& face = base_.faces[at(place.foot.face)];
+        const Vec3 barycentric = place.foot.barycentric();
+        Vec3 onBoundary = Vec3::Zero();
+        for (int corner = 0; corner < 3; ++corner) {
+            onBoundary +=
+                barycentric[corner] * base_.vertices[at(base_.surfaceVertex(face[at(corner)]))];
+        }
+        return (place.position - onBoundary).norm();
+    }
+
+    [[nodiscard]] double parameter(int span, double tau) const {
+        return space_.breaks()[at(span)] + tau * space_.spanLength(span);
+    }
+
+    const ShellBase& base_;
+    const SplineSpace& space_;
+    const ControlPoints& controls_;
+    Place here_;
+    std::optional<FaceFibres> fibres_;  // of the face that is here
+    int stalled_ = 0;                   // crossings since the last piece of some length
+    FibreTrace trace_;
+    CurveDistance distance_;
+};
+
+}  // namespace
+
+CurveDistance measureAlongFibres(
+    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+) {
+    CurveDistance distance = FibreWalk(*problem.base, space, controls).run(problem.picks.front());
+    const FibreTrace& trace = std::get<FibreTrace>(distance.trace);
+    for (const PickConstraint& pick : problem.picks) {
+        if (trace.isWhole &&
+            std::abs(footAt(*problem.base, trace, space, controls, pick.parameter).height) >
+                kAtPick * problem.distanceTolerance) {
+            distance.perSpan[at(space.spanAt(pick.parameter))] = kInfinity;
+            distance.largest = kInfinity;
+        }
+    }
+    return distance;
+}
+
+FootPoint footAt(
+    const ShellBase& base,
+    const FibreTrace& trace,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    double t
+) {
+    const auto found = std::ranges::lower_bound(trace.pieces, t, {}, &FibreTrace::Piece::end);
+    const FibreTrace::Piece& piece = found == trace.pieces.end() ? trace.pieces.back() : *found;
+    const double tau = (t - space.breaks()[at(piece.span)]) / space.spanLength(piece.span);
+    FootPoint foot = piece.foot;
+    FootFrame frame;
+    // The fibres do not cross on the piece, so this finds the foot.
+    static_cast<void>(FaceFibres(base, foot.face)
+                          .find<FaceFibres::Search::Exact>(
+                              space.polynomial(controls, piece.span).at(tau), foot, frame
+                          ));
+    return foot;
+}
+
+}  // namespace bspline_curve

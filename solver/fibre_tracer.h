@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/curve_distance.h"
+#include "solver/curve_problem.h"
+
+namespace bspline_curve {
+
+/// Follows the foot of a spline over the base, along the fibres, from the first pick on: it needs
+/// no shell, and takes less time than a trace through the cells of one. Exact to 1e-11 of a face.
+/// The distance is |P - q| at the start and the middle of each piece; beyond a boundary that to the
+/// boundary. It is infinite from where the fibres cross between the curve and the surface, or the
+/// base ends; and on spans that pass a pick elsewhere than on the surface, as on the wrong side of
+/// a thin plate. O(n) for n faces passed, about 0.3 us each.
+[[nodiscard]] CurveDistance measureAlongFibres(
+    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+);
+
+/// The foot of the spline at t in [0, 1], on the face that the trace has there.
+[[nodiscard]] FootPoint footAt(
+    const ShellBase& base,
+    const FibreTrace& trace,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    double t
+);
+
+}  // namespace bspline_curve
