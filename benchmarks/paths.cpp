@@ -38,11 +38,14 @@ void addMeshPaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
                          const TriangleTree made(surface.vertices(), surface.faces());
                      }});
     paths.push_back({"patches", "face", faces, [&surface] { const PatchLevels made(surface); }});
-    paths.push_back(
-        {"shell_base", "face", faces, [&scene, &surface] {
-             static_cast<void>(makeShellBase(surface, scene.prepared.options().smoothingPasses));
-         }}
-    );
+    paths.push_back({"shell_base", "face", faces, [&scene, &surface] {
+                         static_cast<void>(makeShellBase(
+                             surface,
+                             makeRoughBase(surface),
+                             scene.prepared.options().smoothingPasses,
+                             scene.prepared.patches()
+                         ));
+                     }});
     paths.push_back(
         {"self_intersections", "face", faces, [&surface] {
              static_cast<void>(findSelfIntersections(surface.vertices(), surface.faces()));

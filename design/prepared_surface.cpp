@@ -21,14 +21,19 @@ PreparedSurface::PreparedSurface(TriangleMesh mesh, const ShellOptions& options)
       surface_(std::move(mesh)),
       finestEdge_(kFinestEdge * std::sqrt(surface_.area())),
       validateSeconds_(watch_.lap()),
+      roughBase_(std::async(std::launch::async, [this] { return makeRoughBase(surface_); })),
+      patches_(surface_),
       futureBase_(
           std::async(
               std::launch::async,
-              [this] { return makeShellBase(surface_, options_.smoothingPasses); }
+              [this] {
+                  return makeShellBase(
+                      surface_, roughBase_.get(), options_.smoothingPasses, patches_
+                  );
+              }
           )
       ),
       tree_(surface_.vertices(), surface_.faces()),
-      patches_(surface_),
       crossings_(surface_, tree_),
       treeSeconds_(watch_.lap()),
       base_(std::make_shared<const ShellBase>(futureBase_.get())),

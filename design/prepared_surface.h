@@ -64,9 +64,10 @@ private:
     Surface surface_;
     double finestEdge_;
     double validateSeconds_;
-    std::future<ShellBase> futureBase_;  // before the others, so that it is made meanwhile
-    TriangleTree tree_;
+    std::future<RoughBase> roughBase_;  // made by another thread meanwhile
     PatchLevels patches_;
+    std::future<ShellBase> futureBase_;  // likewise
+    TriangleTree tree_;
     FaceCrossings crossings_;
     double treeSeconds_;
     std::shared_ptr<const ShellBase> base_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_base.h"
 
+#include "shell/patch_directions.h"
 #include "shell/pillar_directions.h"
 #include "surface/index_sets.h"
 #include "surface/large_array.h"
@@ -41,7 +42,9 @@ Eigen::AlignedBox3d boxOf(const Surface& surface) {
 
 class BaseBuilder {
 public:
-    BaseBuilder(const Surface& surface, ShellBase& base) : surface_(surface), base_(base) {}
+    /// `normals`: of the surface's faces, unit, found with the directions.
+    BaseBuilder(const Surface& surface, ShellBase& base, std::vector<Vec3>& normals)
+        : surface_(surface), base_(base), normals_(normals) {}
 
     void placeVertices(const ShellFrame& frame) {
         base_.frame = frame;
@@ -108,6 +111,21 @@ public:
         base_.unseenVertices = unseen;
     }
 
+    // Averages directions of patches over the faces around each vertex, kept likewise.
+    void takeDirectionsOf(const PatchLevels& patches) {
+        const std::vector<Vec3> ofPatches = smoothPatchDirections(patches, normals_);
+        const std::vector<int>& patchOf = patches.levels().front().patchOf;
+        std::vector<Vec3> sums = makeLarge<Vec3>(base_.vertices.size(), Vec3::Zero());
+        for (std::size_t f = 0; f < base_.faces.size(); ++f) {
+            for (const int v : base_.faces[f]) {
+                sums[at(v)] += ofPatches[at(patchOf[f])];
+            }
+        }
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            turn(v, sums[at(v)]);
+        }
+    }
+
     // Averages directions over the ring, each kept only where the smallest cosine does not suffer.
     void smoothDirections(int passes) {
         std::vector<Vec3> sums = makeLarge<Vec3>(base_.vertices.size(), Vec3::Zero());
@@ -120,11 +138,7 @@ public:
                 }
             }
             for (int v = 0; v < surface_.vertexCount(); ++v) {
-                const Vec3 sum = std::exchange(sums[at(v)], Vec3::Zero());
-                const double length = sum.norm();
-                if (length >= kLeastPillarCosine && mayTurn(v, sum / length)) {
-                    base_.directions[at(v)] = sum / length;
-                }
+                turn(v, std::exchange(sums[at(v)], Vec3::Zero()));
             }
         }
     }
@@ -132,6 +146,14 @@ public:
 private:
     // Smoothing may cost a pillar some of its view as long as it keeps this much.
     static constexpr double kSmoothEnoughCosine = 0.8;
+
+    // Towards a sum of directions, where the pillar may.
+    void turn(int v, const Vec3& sum) {
+        const double length = sum.norm();
+        if (length >= kLeastPillarCosine && mayTurn(v, sum / length)) {
+            base_.directions[at(v)] = sum / length;
+        }
+    }
 
     [[nodiscard]] bool mayTurn(int v, const Vec3& direction) const {
         const auto normals = std::views::transform(
@@ -228,8 +250,8 @@ private:
 
     const Surface& surface_;
     ShellBase& base_;
-    std::vector<Vec3> normals_;  // of the surface's faces, unit
-    std::vector<Vec3> star_;     // those around a vertex
+    std::vector<Vec3>& normals_;
+    std::vector<Vec3> star_;  // those around a vertex
 };
 
 // Grows the ghost strip: each boundary edge gets a quad, each boundary vertex one ghost.
@@ -363,15 +385,30 @@ double longestSideOf(const Surface& surface) {
     return boxOf(surface).sizes().maxCoeff();
 }
 
-ShellBase makeShellBase(const Surface& surface, int smoothingPasses) {
-    ShellBase base;
-    BaseBuilder builder(surface, base);
+RoughBase makeRoughBase(const Surface& surface) {
+    RoughBase rough;
+    BaseBuilder builder(surface, rough.base, rough.faceNormals);
     builder.placeVertices({boxOf(surface).center(), surface.diagonal()});
     builder.findDirections();
     builder.measureEdges();
+    return rough;
+}
+
+ShellBase makeShellBase(
+    const Surface& surface, RoughBase rough, int smoothingPasses, const PatchLevels& patches
+) {
+    BaseBuilder builder(surface, rough.base, rough.faceNormals);
+    if (smoothingPasses > 0 && patchesToSmoothOver(patches) != nullptr) {
+        builder.takeDirectionsOf(patches);
+        --smoothingPasses;  // that was one
+    }
     builder.smoothDirections(smoothingPasses);
-    GhostBuilder(surface, base).build();
-    return base;
+    GhostBuilder(surface, rough.base).build();
+    return std::move(rough.base);
+}
+
+ShellBase makeShellBase(const Surface& surface, int smoothingPasses) {
+    return makeShellBase(surface, makeRoughBase(surface), smoothingPasses, PatchLevels(surface));
 }
 
 }  // namespace bspline_curve

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/patch_levels.h"
 #include "surface/surface.h"
 
 #include <vector>
@@ -61,8 +62,23 @@ inline constexpr double kLeastPillarCosine = 0.05;
 /// Longest side of the box of the surface's faces, in the user's unit.
 [[nodiscard]] double longestSideOf(const Surface& surface);
 
-/// Moves singular vertices, adds ghosts, finds and smooths directions, in the frame in which the
-/// surface's box is centred at the origin and its diagonal is 1. O(n).
+/// A base without ghosts, whose directions are not smooth yet.
+struct RoughBase {
+    ShellBase base;
+    std::vector<Vec3> faceNormals;  ///< unit
+};
+
+/// Moves singular vertices and finds directions, in the frame in which the surface's box is centred
+/// at the origin and its diagonal is 1. O(n).
+[[nodiscard]] RoughBase makeRoughBase(const Surface& surface);
+
+/// Smooths directions and adds ghosts. Where faces are small they are smoothed over patches of them
+/// first (see patchesToSmoothOver()), so that they are as smooth on every resolution. O(n).
+[[nodiscard]] ShellBase makeShellBase(
+    const Surface& surface, RoughBase rough, int smoothingPasses, const PatchLevels& patches
+);
+
+/// All of that.
 [[nodiscard]] ShellBase makeShellBase(const Surface& surface, int smoothingPasses);
 
 }  // namespace bspline_curve

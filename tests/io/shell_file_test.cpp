@@ -204,7 +204,7 @@ TEST_F(ShellFiles, ChangeOnlyTogetherWithTheVersionOfTheSimplifier) {
         std::make_shared<const ShellBase>(makeShellBase(surface, options.smoothingPasses));
     const ShellBuild build = buildSimplifiedShell(base, options);
     saveShell(path("hill.shell"), surface, *base, "", build);
-    constexpr int kVersion = 3;
+    constexpr int kVersion = 4;
     constexpr std::uint64_t kChecksum = 18157527224980071819U;
     EXPECT_EQ(kSimplifierVersion, kVersion);
     EXPECT_EQ(checksumOf(read(path("hill.shell"))), kChecksum)
