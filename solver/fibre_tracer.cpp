@@ -29,10 +29,11 @@ constexpr int kMaxStalled = 128;
 // A curve passes a pick where it is so near to the surface, in tolerances.
 constexpr double kAtPick = 1e-3;
 
-double coordinateSlope(const FootFrame& frame, int corner, const Vec3& along) {
+// Of the barycentric coordinates.
+Vec3 coordinateSlopes(const FootFrame& frame, const Vec3& along) {
     const double u = frame.u.dot(along);
     const double v = frame.v.dot(along);
-    return corner == 0 ? -u - v : (corner == 1 ? u : v);
+    return {-u - v, u, v};
 }
 
 class FibreWalk {
@@ -170,37 +171,46 @@ private:
                 return std::nullopt;
             }
             const Vec3 barycentric = place.foot.barycentric();
-            int wall = 0;
-            const double least = barycentric.minCoeff(&wall);
-            if (next >= 1.0 && least >= -kOnWall) {
+            int outer = 0;
+            const double least = barycentric.minCoeff(&outer);
+            const bool isInside = least >= -kOnWall;
+            if (isInside && next >= 1.0) {
                 return Exit{1.0, -1};
             }
-            const Vec3 along = curve.derivativeAt(next);
-            const double slope = coordinateSlope(place.frame, wall, along);
-            const bool isInside = least >= -kOnWall;
-            if (isInside && least <= kOnWall && slope < 0.0) {
-                return Exit{next, wall};
+            const Vec3 slopes = coordinateSlopes(place.frame, curve.derivativeAt(next));
+            const int passed = isInside ? wallPassed(barycentric, slopes, 1.0 - next) : -1;
+            if (passed >= 0) {
+                return Exit{next, passed};
             }
             (isInside ? inside : outside) = next;
             if (!isInside && outside - inside <= kSameParameter) {
-                return Exit{next, wall};
+                return Exit{next, outer};
             }
             const double farthest = std::min(outside, 1.0);
             double guess = farthest;
-            if (isInside) {
-                for (int k = 0; k < 3; ++k) {
-                    const double falling = coordinateSlope(place.frame, k, along);
-                    if (falling < 0.0) {
-                        guess = std::min(guess, next - barycentric[k] / falling);
-                    }
+            for (int k = 0; k < 3; ++k) {
+                // From inside the first wall in the way, from outside the one passed.
+                if (slopes[k] < 0.0 && (isInside ? barycentric[k] > kOnWall : k == outer)) {
+                    guess = std::min(guess, next - barycentric[k] / slopes[k]);
                 }
-            } else if (slope < 0.0) {
-                guess = next - least / slope;
             }
-            const bool isBetween = guess > inside && (guess < outside || guess == 1.0);
-            next = isBetween ? guess : 0.5 * (inside + farthest);
+            next = guess > inside && guess < outside ? guess : 0.5 * (inside + farthest);
         }
         return std::nullopt;
+    }
+
+    // The wall on which a foot in its face stands and which it is about to pass, in the rest of the
+    // span by more than rounding; at a vertex that which it passes sooner. -1: none.
+    static int wallPassed(const Vec3& barycentric, const Vec3& slopes, double rest) {
+        int wall = -1;
+        for (int k = 0; k < 3; ++k) {
+            const bool isPassed =
+                barycentric[k] <= kOnWall && barycentric[k] + rest * slopes[k] < -kOnWall;
+            if (isPassed && (wall < 0 || slopes[k] < slopes[wall])) {
+                wall = k;
+            }
+        }
+        return wall;
     }
 
     // By the derivatives of the coordinates where the face is entered.
@@ -216,8 +226,9 @@ private:
         double exit = 1.0 - tau;
         for (int k = 0; k < 3; ++k) {
             coordinates[at(k)][0] = barycentric[k];
-            exit =
-                std::min(exit, firstExit(coordinates[at(k)].data(), curve.degree, exit, kOnWall));
+            exit = std::min(
+                exit, firstExit(coordinates[at(k)].data(), curve.degree, exit, 0.5 * kOnWall)
+            );
         }
         return exit == 1.0 - tau ? 1.0 : tau + exit;
     }

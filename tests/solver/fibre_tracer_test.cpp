@@ -3,14 +3,18 @@
 #include "solver/fibre_tracer.h"
 
 #include "support/meshes.h"
+#include "support/random.h"
 #include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
+
+#include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <ostream>
@@ -215,6 +219,52 @@ TEST(FibreTrace, PassesVerticesAndAlongEdges) {
         for (std::size_t i = 1; i < crossings.size(); ++i) {
             EXPECT_GE(commonFace(followed.surface, crossings[i - 1].point, crossings[i].point), 0);
         }
+    }
+}
+
+// Round them, whatever rounding makes of the coordinates there. The last curve starts a span on an
+// edge, by rounding, and is coming back to it where the span ends.
+TEST(FibreTrace, PassesVerticesAtBreaks) {
+    constexpr int kSpans = 8;
+    constexpr int kCurves = 300;
+    for (int i = 0; i < kCurves; ++i) {
+        SCOPED_TRACE("curve " + std::to_string(i));
+        Random random(static_cast<std::uint64_t>(i + 1 < kCurves ? i : 5308));
+        Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+        turn.rotate(
+            Eigen::AngleAxisd(random.uniform(0.0, 6.0), random.point(-1.0, 1.0).normalized())
+        );
+        const TriangleMesh mesh =
+            transformed(withNoise(icosphere(3), 0.005, 9), turn, random.uniform(0.1, 1000.0));
+        // Near vertices one after the other on a great circle.
+        const Vec3 start = random.point(-1.0, 1.0).normalized();
+        const Vec3 across = start.cross(random.point(-1.0, 1.0)).normalized();
+        const auto vertexTowards = [&](double angle) {
+            const Vec3 direction = std::cos(angle) * start + std::sin(angle) * across;
+            return *std::ranges::max_element(mesh.vertices, {}, [&](const Vec3& v) {
+                return v.dot(direction);
+            });
+        };
+        std::vector<Vec3> controlPoints;
+        for (int c = 0; c < kSpans + 3; ++c) {
+            controlPoints.push_back(vertexTowards(0.2 * c));
+        }
+        Followed followed(mesh, controlPoints);
+        // At these breaks three control points act alone, and none of them twice.
+        for (const int span : {3, 6}) {
+            const double t = static_cast<double>(span) / kSpans;
+            const Vec3 there = followed.space.evaluate(followed.controls, t);
+            const Vec3 wanted = *std::ranges::min_element(
+                followed.base.vertices, {}, [&](const Vec3& v) { return (v - there).squaredNorm(); }
+            );
+            for (int j = 0; j < 3; ++j) {
+                followed.controls.row(span + j) += wanted - there;
+            }
+            followed.pin(t);
+        }
+        const CurveDistance distance = followed.measured();
+        EXPECT_TRUE(progressOf(distance.trace).isWhole);
+        EXPECT_LT(distance.largest, 0.05);
     }
 }
 
