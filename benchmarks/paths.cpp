@@ -82,7 +82,7 @@ void addCurvePaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
                          static_cast<void>(scene.makePath());
                      }});
     paths.push_back(
-        {"trace", "face passed", countOf(facesPassed(*scene.solution.trace).size()), [&scene] {
+        {"trace", "face passed", countOf(facesPassed(scene.solution).size()), [&scene] {
              const SplineCurve& curve = scene.solution.curve;
              static_cast<void>(measureAlongFibres(scene.problem, curve.space, curve.controls));
          }}

@@ -106,7 +106,7 @@ int prismsOf(const CurveProblem& problem, const Solution& solution) {
     if (problem.shell != nullptr) {
         return problem.shell->prismCount();
     }
-    std::vector<int> faces = facesPassed(*solution.trace);
+    std::vector<int> faces = facesPassed(solution);
     sortUnique(faces);
     return static_cast<int>(faces.size());
 }

@@ -201,7 +201,7 @@ std::optional<Solved> CurveSolver::relaxed(
         return std::nullopt;
     }
     if (problem.shell == nullptr) {
-        for (const int face : facesPassed(*solution->trace)) {
+        for (const int face : facesPassed(*solution)) {
             if (face < prepared_.surface().faceCount() && prepared_.crossings().hasCrossing(face)) {
                 return std::nullopt;
             }

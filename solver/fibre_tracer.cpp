@@ -29,25 +29,101 @@ constexpr int kMaxStalled = 128;
 // A curve passes a pick where it is so near to the surface, in tolerances.
 constexpr double kAtPick = 1e-3;
 
-// Of the barycentric coordinates.
-Vec3 coordinateSlopes(const FootFrame& frame, const Vec3& along) {
-    const double u = frame.u.dot(along);
-    const double v = frame.v.dot(along);
-    return {-u - v, u, v};
-}
+// A point of the curve and its foot on one face.
+struct Place {
+    Vec3 position = Vec3::Zero();
+    FootPoint foot;
+    FootFrame frame;
+
+    void moveTo(const Vec3& p) {
+        FootFinder::predict(p - position, frame, foot);
+        position = p;
+    }
+};
+
+// How far a foot is from the walls of its face, and how fast that changes along the curve.
+struct Walls {
+    Vec3 coordinates, slopes;
+    int outer = 0;  // of the least coordinate
+
+    Walls(const Place& place, const Vec3& along) : coordinates(place.foot.barycentric()) {
+        const double u = place.frame.u.dot(along);
+        const double v = place.frame.v.dot(along);
+        slopes = {-u - v, u, v};
+        coordinates.minCoeff(&outer);
+    }
+
+    [[nodiscard]] bool areInside() const { return coordinates[outer] >= -kOnWall; }
+
+    // The wall on which the foot stands and which it is about to pass, in the rest of the span by
+    // more than rounding; at a vertex that which it passes sooner.
+    [[nodiscard]] std::optional<int> passed(double rest) const {
+        std::optional<int> wall;
+        for (int k = 0; k < 3; ++k) {
+            const bool isPassed =
+                coordinates[k] <= kOnWall && coordinates[k] + rest * slopes[k] < -kOnWall;
+            if (isPassed && (!wall || slopes[k] < slopes[*wall])) {
+                wall = k;
+            }
+        }
+        return wall;
+    }
+
+    // Where a wall is, along the tangent from `tau`; infinite for one that comes no nearer.
+    [[nodiscard]] double meeting(int k, double tau) const {
+        return slopes[k] < 0.0 ? tau - coordinates[k] / slopes[k] : kInfinity;
+    }
+};
+
+// Where a curve leaves a face: between a parameter at which its foot is inside and one at which it
+// is not.
+struct ExitSearch {
+    double inside;
+    double outside = kInfinity;
+
+    // The wall by which it leaves at tau, -1 at the end of the span; nothing where neither is
+    // there yet.
+    [[nodiscard]] std::optional<int> wallAt(double tau, const Walls& walls) {
+        if (!walls.areInside()) {
+            outside = tau;
+            return outside - inside <= kSameParameter ? std::optional(walls.outer) : std::nullopt;
+        }
+        inside = tau;
+        return tau >= 1.0 ? std::optional(-1) : walls.passed(1.0 - tau);
+    }
+
+    // The parameter to look at next: from inside at the first wall in the way, from outside at
+    // that which was passed; half way where that leads out of the bracket.
+    [[nodiscard]] double after(double tau, const Walls& walls) const {
+        const double farthest = std::min(outside, 1.0);
+        double guess = farthest;
+        for (int k = 0; k < 3; ++k) {
+            const bool isInTheWay =
+                walls.areInside() ? walls.coordinates[k] > kOnWall : k == walls.outer;
+            if (isInTheWay) {
+                guess = std::min(guess, walls.meeting(k, tau));
+            }
+        }
+        return guess > inside && guess < outside ? guess : 0.5 * (inside + farthest);
+    }
+};
 
 class FibreWalk {
 public:
-    FibreWalk(const ShellBase& base, const SplineSpace& space, const ControlPoints& controls)
-        : base_(base), space_(space), controls_(controls) {
+    FibreWalk(
+        const ShellBase& base,
+        const SplineSpace& space,
+        const ControlPoints& controls,
+        const SurfacePoint& start
+    )
+        : base_(base), space_(space), controls_(controls), fibres_(base, start.face) {
         distance_.perSpan.assign(at(space.spanCount()), kInfinity);
+        here_.foot = {start.face, start.barycentric[1], start.barycentric[2], 0.0};
     }
 
-    CurveDistance run(const PickConstraint& first) && {
-        const Vec3& barycentric = first.point.barycentric;
-        here_.foot = {first.point.face, barycentric[1], barycentric[2], 0.0};
+    CurveDistance run() && {
         here_.position = space_.polynomial(controls_, 0).coefficients[0];
-        bool goesOn = enter();
+        bool goesOn = find(here_);
         for (int span = 0; goesOn && span < space_.spanCount(); ++span) {
             goesOn = passSpan(span);
             trace_.wholeSpans += goesOn ? 1 : 0;
@@ -62,18 +138,6 @@ public:
     }
 
 private:
-    // A point of the curve and its foot on one face.
-    struct Place {
-        Vec3 position = Vec3::Zero();
-        FootPoint foot;
-        FootFrame frame;
-
-        void moveTo(const Vec3& p) {
-            FootFinder::predict(p - position, frame, foot);
-            position = p;
-        }
-    };
-
     // Where the curve leaves a face.
     struct Exit {
         double tau;
@@ -81,13 +145,13 @@ private:
     };
 
     [[nodiscard]] bool find(Place& place) const {
-        return fibres_->find<FaceFibres::Search::Exact>(place.position, place.foot, place.frame) ==
+        return fibres_.find<FaceFibres::Search::Exact>(place.position, place.foot, place.frame) ==
                FaceFibres::Outcome::Found;
     }
 
     // Takes the fibres of the face that is here now.
     bool enter() {
-        fibres_.emplace(base_, here_.foot.face);
+        fibres_ = FaceFibres(base_, here_.foot.face);
         return find(here_);
     }
 
@@ -152,7 +216,7 @@ private:
             between(here_.foot.v, there.foot.v, here_.frame.v, frame.v),
             between(here_.foot.height, there.foot.height, here_.frame.height, frame.height)
         };
-        middle.frame.direction = fibres_->directionAt(middle.foot);
+        middle.frame.direction = fibres_.directionAt(middle.foot);
         return middle;
     }
 
@@ -162,55 +226,20 @@ private:
     [[nodiscard]] std::optional<Exit> findExit(
         const PolynomialCurve& curve, double tau, Place& place
     ) const {
-        double inside = tau;
-        double outside = kInfinity;
+        ExitSearch search{tau};
         double next = firstGuess(curve, tau);
         for (int step = 0; step < kMaxSteps; ++step) {
             place.moveTo(curve.at(next));
             if (!find(place)) {
                 return std::nullopt;
             }
-            const Vec3 barycentric = place.foot.barycentric();
-            int outer = 0;
-            const double least = barycentric.minCoeff(&outer);
-            const bool isInside = least >= -kOnWall;
-            if (isInside && next >= 1.0) {
-                return Exit{1.0, -1};
+            const Walls walls(place, curve.derivativeAt(next));
+            if (const std::optional<int> wall = search.wallAt(next, walls)) {
+                return Exit{next, *wall};
             }
-            const Vec3 slopes = coordinateSlopes(place.frame, curve.derivativeAt(next));
-            const int passed = isInside ? wallPassed(barycentric, slopes, 1.0 - next) : -1;
-            if (passed >= 0) {
-                return Exit{next, passed};
-            }
-            (isInside ? inside : outside) = next;
-            if (!isInside && outside - inside <= kSameParameter) {
-                return Exit{next, outer};
-            }
-            const double farthest = std::min(outside, 1.0);
-            double guess = farthest;
-            for (int k = 0; k < 3; ++k) {
-                // From inside the first wall in the way, from outside the one passed.
-                if (slopes[k] < 0.0 && (isInside ? barycentric[k] > kOnWall : k == outer)) {
-                    guess = std::min(guess, next - barycentric[k] / slopes[k]);
-                }
-            }
-            next = guess > inside && guess < outside ? guess : 0.5 * (inside + farthest);
+            next = search.after(next, walls);
         }
         return std::nullopt;
-    }
-
-    // The wall on which a foot in its face stands and which it is about to pass, in the rest of the
-    // span by more than rounding; at a vertex that which it passes sooner. -1: none.
-    static int wallPassed(const Vec3& barycentric, const Vec3& slopes, double rest) {
-        int wall = -1;
-        for (int k = 0; k < 3; ++k) {
-            const bool isPassed =
-                barycentric[k] <= kOnWall && barycentric[k] + rest * slopes[k] < -kOnWall;
-            if (isPassed && (wall < 0 || slopes[k] < slopes[wall])) {
-                wall = k;
-            }
-        }
-        return wall;
     }
 
     // By the derivatives of the coordinates where the face is entered.
@@ -255,8 +284,8 @@ private:
     const SplineSpace& space_;
     const ControlPoints& controls_;
     Place here_;
-    std::optional<FaceFibres> fibres_;  // of the face that is here
-    int stalled_ = 0;                   // crossings since the last piece of some length
+    FaceFibres fibres_;  // of the face that is here
+    int stalled_ = 0;    // crossings since the last piece of some length
     FibreTrace trace_;
     CurveDistance distance_;
 };
@@ -266,7 +295,8 @@ private:
 CurveDistance measureAlongFibres(
     const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
 ) {
-    CurveDistance distance = FibreWalk(*problem.base, space, controls).run(problem.picks.front());
+    CurveDistance distance =
+        FibreWalk(*problem.base, space, controls, problem.picks.front().point).run();
     const FibreTrace& trace = std::get<FibreTrace>(distance.trace);
     for (const PickConstraint& pick : problem.picks) {
         if (trace.isWhole &&

@@ -100,7 +100,7 @@ constexpr double kStrongestField = 20.0;
 // Whether what the curve avoids is too far away to push it anywhere.
 bool isClear(const CurveProblem& problem, const Solution& solution) {
     const Obstacles* const obstacles = problem.obstacles;
-    return obstacles == nullptr || std::ranges::all_of(facesPassed(*solution.trace), [&](int face) {
+    return obstacles == nullptr || std::ranges::all_of(facesPassed(solution), [&](int face) {
                return obstacles->isFar(face);
            });
 }

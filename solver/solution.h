@@ -6,6 +6,7 @@
 #include "solver/solve_report.h"
 
 #include <optional>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -16,5 +17,8 @@ struct Solution {
     /// Of the curve, where one was left over: always from relax().
     std::optional<CurveTrace> trace;
 };
+
+/// The faces that a curve with a trace passes, ghosts included; one may come several times.
+[[nodiscard]] std::vector<int> facesPassed(const Solution& solution);
 
 }  // namespace bspline_curve
