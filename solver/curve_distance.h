@@ -13,7 +13,7 @@ namespace bspline_curve {
 struct CurveDistance {
     /// Largest distance sampled; infinite where the curve leaves the shell.
     double largest = 0.0;
-    double largestHeight = 0.0;  ///< largest relative height d (10)
+    double largestHeight = 0.0;  ///< largest relative height d (10) in the shell
     /// Largest distance on each span; infinite where the curve leaves the shell there or before.
     std::vector<double> perSpan;
     CurveTrace trace;

@@ -11,7 +11,7 @@ namespace bspline_curve {
 /// The distance is |P - q| at the start and the middle of each piece; beyond a boundary that to the
 /// boundary. It is infinite from where the fibres cross between the curve and the surface, or the
 /// base ends; and on spans that pass a pick elsewhere than on the surface, as on the wrong side of
-/// a thin plate. O(n) for n faces passed, about 0.3 us each.
+/// a thin plate. O(n) for n faces passed, about 1 us each.
 [[nodiscard]] CurveDistance measureAlongFibres(
     const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
 );
