@@ -13,8 +13,8 @@ namespace {
 // its area. With 20,000 curves are as quick on fine surfaces, but directions follow the surface
 // less closely than on one of 100,000 faces.
 constexpr int kFewestPatches = 80000;
-// Averages over the neighbours, of the largest patches and on the way back to the finest. Where the
-// first are 8, or the others 4, nothing is gained.
+// Averages over the neighbours, of the largest patches and on the way back to the finest. With 4 or
+// 5 of the first curves take as many steps.
 constexpr int kPasses = 3;
 constexpr int kPassesBack = 2;
 

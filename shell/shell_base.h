@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/patch_levels.h"
 #include "surface/surface.h"
 
 #include <vector>
 
 namespace bspline_curve {
+
+class PatchLevels;
 
 /// Rigid-scale frame of the shell: unit = (user - centre) / scale.
 struct ShellFrame {

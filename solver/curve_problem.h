@@ -6,7 +6,7 @@
 #include "solver/field_cost.h"
 #include "solver/options.h"
 #include "surface/progress.h"
-#include "surface/surface.h"
+#include "surface/types.h"
 
 #include <span>
 #include <vector>

@@ -39,8 +39,9 @@ enum class Patience {
 
 /// Alg. 1 of the paper with energies at samples (FootEnergy): from a fit to the guide, a few Newton
 /// steps, then a larger weight of the distance and knots where a span would gain by bulging, again
-/// and again; at last the whole curve is traced through the shell, and spans that leave the
-/// tolerance are halved. Hardly depends on the resolution of the surface.
+/// and again; at last the whole curve is traced, through the shell or along the fibres where there
+/// is none, and spans that leave the tolerance are halved. Hardly depends on the resolution of the
+/// surface.
 ///
 /// `start`: where to begin, in place of a fit to the guide.
 ///
