@@ -40,6 +40,10 @@ constexpr double kUnitInTolerances = 10.0;
 // bending.
 constexpr double kFirstStiffness = 4.5e5;
 constexpr double kLeastFirstAlpha = 5.0;
+// Under a field it grows by this times the field's strength. Over 72 random curves on 3 scans
+// 1, 2.5 and 4 lead to the same costs and bending within 2 %, with fewer steps the larger it is
+// (15.9, 15.4, 14.5 on the coarsest meshes); with 4 one of 24 other curves follows its field less.
+constexpr double kFieldStiffness = 2.5;
 // A curve that starts from another one starts with this share of its last weight. With all of it
 // it sticks to where the other one was, and takes knots for that; with a hundredth it takes a tenth
 // longer and bends as much.
@@ -114,7 +118,7 @@ double alphaOf(const CurveProblem& problem, double stiffness) {
 
 // A field lifts curves as well.
 double firstAlpha(const CurveProblem& problem) {
-    return (1.0 + fieldStrength(problem)) *
+    return (1.0 + kFieldStiffness * fieldStrength(problem)) *
            std::max(kLeastFirstAlpha, alphaOf(problem, kFirstStiffness));
 }
 
