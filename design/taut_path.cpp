@@ -20,8 +20,8 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// 24 and 48 lead to the same curves over 72 random ones on three scans; paths with 48 take up to 40
-// % more.
+// Of a string. With 24 and 48 of them 72 random curves on three scans cost and bend as much within
+// 3 %; paths with 48 take up to 40 % more.
 constexpr int kSegments = 32;
 constexpr int kMaxSteps = 16;
 // Under a field more steps gain less than they take: the curve itself follows it better.
