@@ -249,7 +249,7 @@ EnergyTerms FootEnergy::terms(
             const Sample& table = samples_[at(sample)];
             const FootPoint& foot = spline.feet[at(sample)];
             sum.distance += distanceTerm(foot, table.weight);
-            if (fieldWeight_ > 0.0) {
+            if (hasField()) {
                 sum.external +=
                     table.weight * fieldCost(problem_.options.fieldCost, fieldAt(foot)).value;
             }
@@ -368,6 +368,47 @@ EnergyTerms FootEnergy::differentiate(
         }
     }
     return terms;
+}
+
+std::vector<FootEnergy::Surprise> FootEnergy::surprises(
+    const FootedSpline& before, const FootedSpline& spline, double alpha
+) const {
+    // All but the distance is quadratic, and of that the model leaves out how directions turn.
+    std::vector<Surprise> result(at(space_.spanCount()));
+    for (int sample = 0; sample < sampleCount(); ++sample) {
+        const double weight = samples_[at(sample)].weight;
+        const Vec3 moved = spline.positions[at(sample)] - before.positions[at(sample)];
+        FootPoint foreseen = before.feet[at(sample)];
+        FootFinder::predict(moved, before.frames[at(sample)], foreseen);
+        Surprise& span = result[at(sample / samplesPerSpan())];
+        span.energy += alpha * (distanceTerm(spline.feet[at(sample)], weight) -
+                                distanceTerm(foreseen, weight));
+        span.squaredWay += weight * moved.squaredNorm();
+    }
+    return result;
+}
+
+void FootEnergy::addDamping(
+    const std::vector<double>& damping, std::vector<SpanBlocks>& hessian
+) const {
+    const int perSpan = samplesPerSpan();
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        if (damping[at(span)] == 0.0) {
+            continue;
+        }
+        SymmetricMatrix* block = hessian[at(span)].data();
+        for (std::size_t j = 0; j < at(space_.basisCount()); ++j) {
+            for (std::size_t k = 0; k <= j; ++k, ++block) {
+                double product = 0.0;
+                for (int sample = span * perSpan; sample < (span + 1) * perSpan; ++sample) {
+                    const Sample& table = samples_[at(sample)];
+                    product += table.weight * table.basis[j] * table.basis[k];
+                }
+                const double sum = 2.0 * damping[at(span)] * product;
+                *block += {sum, 0.0, 0.0, sum, 0.0, sum};
+            }
+        }
+    }
 }
 
 double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int span) const {

@@ -42,6 +42,8 @@ public:
         int segments = kUsualSegments
     );
 
+    [[nodiscard]] bool hasField() const { return fieldWeight_ > 0.0; }
+
     [[nodiscard]] int samplesPerSpan() const { return 2 * segments_; }
 
     [[nodiscard]] int sampleCount() const { return space_.spanCount() * samplesPerSpan(); }
@@ -83,6 +85,23 @@ public:
         Eigen::VectorXd& gradient,
         std::vector<SpanBlocks>& hessian
     ) const;
+
+    /// Of one span: how much more energy it has after a step than Newton's model of it says, and
+    /// the integral over t of the squared way of its points.
+    struct Surprise {
+        double energy = 0.0;
+        double squaredWay = 0.0;
+    };
+
+    /// By span and without a field, where `spline` has moved from `before`, at which the model was
+    /// made.
+    [[nodiscard]] std::vector<Surprise> surprises(
+        const FootedSpline& before, const FootedSpline& spline, double alpha
+    ) const;
+
+    /// Adds the Hessian of damping[span] times the integral over t of the squared way of the span's
+    /// points.
+    void addDamping(const std::vector<double>& damping, std::vector<SpanBlocks>& hessian) const;
 
     /// How much the energy would fall if a span could bulge by itself: one Newton step for the
     /// bubble tau^2 (1 - tau)^2 times a vector, which no cubic spline of the space has and some of

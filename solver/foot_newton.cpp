@@ -12,7 +12,16 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
+// A step that does not lower the energy is damped so often, and then shortened. Curves under a
+// field may have far to go down gentle slopes, for which damped steps are too short.
+constexpr int kMaxDampings = 4;
 constexpr int kMaxHalvings = 8;
+// Spans are damped that have more than this share of all energy that was not foreseen.
+constexpr double kLeastSurprise = 0.01;
+// Where that was not enough the damping grows by this at least.
+constexpr double kDampingGrowth = 2.0;
+// And this share of it stays for the next step.
+constexpr double kDampingKept = 0.25;
 constexpr double kSufficientDecrease = 1e-4;
 // Share of the surface's bending that is tried in turn until the Hessian is positive.
 constexpr std::array<double, 4> kTurningShares = {1.0, 0.5, 0.25, 0.0};
@@ -44,52 +53,102 @@ FootNewton::FootNewton(
           std::vector<FootFrame>(at(energy_.sampleCount())),
           {},
           {}
-      } {}
+      },
+      damping_(at(space_.spanCount()), 0.0) {}
 
 std::optional<FootNewton::Step> FootNewton::step(const FootFinder& finder, double alpha) {
-    Step step;
-    const std::optional<Eigen::VectorXd> along = direction(alpha, step.terms);
+    for (double& damping : damping_) {
+        damping *= kDampingKept;
+    }
+    Step step{};
+    std::optional<Eigen::VectorXd> along = direction(alpha, step.terms);
+    step.total = energy_.total(step.terms, alpha);
+    step.scale = energy_.scale(step.terms, alpha);
+    const int mostDampings = energy_.hasField() ? 0 : kMaxDampings;
+    for (int damped = 0; along && damped < mostDampings; ++damped) {
+        if (tryStep(finder, *along, alpha, 1.0, step)) {
+            return step;
+        }
+        if (!dampSurprises(alpha)) {
+            break;
+        }
+        along = factorisedDirection();
+    }
     if (!along) {
         return std::nullopt;
     }
-    step.total = energy_.total(step.terms, alpha);
-    step.scale = energy_.scale(step.terms, alpha);
-    step.decrement = -0.5 * gradient_.dot(*along);
-    step.length = advance(finder, *along, alpha, step);
+    double length = 1.0;
+    for (int halving = 0; halving < kMaxHalvings; ++halving, length *= 0.5) {
+        if (tryStep(finder, *along, alpha, length, step)) {
+            return step;
+        }
+    }
+    step.length = 0.0;
     return step;
 }
 
 std::optional<Eigen::VectorXd> FootNewton::direction(double alpha, EnergyTerms& terms) {
     for (const double share : kTurningShares) {
         terms = energy_.differentiate(now_, alpha, share, gradient_, hessian_);
-        const double largest = largestDiagonal(hessian_);
-        if (system_.factorise(hessian_, kConstraintWeight * largest)) {
-            return system_.constrainedStep(
-                gradient_, system_.residual(now_.controls), kConstraintWeight * largest
-            );
+        energy_.addDamping(damping_, hessian_);
+        if (std::optional<Eigen::VectorXd> along = factorisedDirection()) {
+            return along;
         }
     }
     return std::nullopt;
 }
 
-// Moves as far as the energy falls enough; returns the share of the step taken.
-double FootNewton::advance(
-    const FootFinder& finder, const Eigen::VectorXd& direction, double alpha, const Step& step
+std::optional<Eigen::VectorXd> FootNewton::factorisedDirection() {
+    const double fitWeight = kConstraintWeight * largestDiagonal(hessian_);
+    if (!system_.factorise(hessian_, fitWeight)) {
+        return std::nullopt;
+    }
+    return system_.constrainedStep(gradient_, system_.residual(now_.controls), fitWeight);
+}
+
+// Moves there if the energy falls enough.
+bool FootNewton::tryStep(
+    const FootFinder& finder,
+    const Eigen::VectorXd& direction,
+    double alpha,
+    double length,
+    Step& step
 ) {
-    const double slope = -2.0 * step.decrement;
-    double length = 1.0;
-    for (int halving = 0; halving < kMaxHalvings; ++halving, length *= 0.5) {
-        trial_ = now_;
-        Eigen::Map<Eigen::VectorXd>(trial_.controls.data(), trial_.controls.size()) +=
-            length * direction;
-        energy_.follow(finder, trial_);
-        const double total = energy_.total(energy_.terms(trial_, now_.frames), alpha);
-        if (total <= step.total + kSufficientDecrease * length * slope) {
-            std::swap(now_, trial_);
-            return length;
+    step.decrement = -0.5 * gradient_.dot(direction);
+    step.length = length;
+    trial_ = now_;
+    Eigen::Map<Eigen::VectorXd>(trial_.controls.data(), trial_.controls.size()) +=
+        length * direction;
+    energy_.follow(finder, trial_);
+    const double total = energy_.total(energy_.terms(trial_, now_.frames), alpha);
+    if (total > step.total - kSufficientDecrease * length * 2.0 * step.decrement) {
+        return false;
+    }
+    std::swap(now_, trial_);
+    return true;
+}
+
+// Damps spans so that the model has the energy of the trial there. What was not foreseen grows
+// with the square of the way, as where samples pass kinks of the surface heights grow with it.
+// False where nothing has more energy than foreseen.
+bool FootNewton::dampSurprises(double alpha) {
+    const std::vector<FootEnergy::Surprise> surprises = energy_.surprises(now_, trial_, alpha);
+    double all = 0.0;
+    for (const FootEnergy::Surprise& surprise : surprises) {
+        all += std::max(0.0, surprise.energy);
+    }
+    std::vector<double> more(surprises.size(), 0.0);
+    for (std::size_t span = 0; span < surprises.size(); ++span) {
+        const FootEnergy::Surprise& surprise = surprises[span];
+        if (surprise.squaredWay > 0.0 && surprise.energy > kLeastSurprise * all) {
+            const double needed =
+                std::max(kDampingGrowth * damping_[span], surprise.energy / surprise.squaredWay);
+            more[span] = needed - damping_[span];
+            damping_[span] = needed;
         }
     }
-    return 0.0;
+    energy_.addDamping(more, hessian_);
+    return all > 0.0;
 }
 
 }  // namespace bspline_curve

@@ -38,22 +38,31 @@ public:
         double length;     ///< share of it that was taken; 0 where the energy does not fall
     };
 
-    /// One step, with the bending directions of where it starts. Nothing where the Hessian is
-    /// positive with no share of the surface's bending.
+    /// One step, with the bending directions of where it starts. Where it would not lower the
+    /// energy, the spans that have more of it than foreseen are damped, and the step is made anew:
+    /// the rest of the curve then goes all its way. Under a field it is shortened instead. Nothing
+    /// where the Hessian is positive with no share of the surface's bending.
     std::optional<Step> step(const FootFinder& finder, double alpha);
 
 private:
     [[nodiscard]] std::optional<Eigen::VectorXd> direction(double alpha, EnergyTerms& terms);
-    double advance(
-        const FootFinder& finder, const Eigen::VectorXd& direction, double alpha, const Step& step
+    [[nodiscard]] std::optional<Eigen::VectorXd> factorisedDirection();
+    bool tryStep(
+        const FootFinder& finder,
+        const Eigen::VectorXd& direction,
+        double alpha,
+        double length,
+        Step& step
     );
+    [[nodiscard]] bool dampSurprises(double alpha);
 
     SplineSpace space_;
     FootEnergy energy_;
     SplineSystem system_;
     FootedSpline now_, trial_;
     Eigen::VectorXd gradient_;
-    std::vector<SpanBlocks> hessian_;
+    std::vector<SpanBlocks> hessian_;  // with the damping
+    std::vector<double> damping_;      // by span, see FootEnergy::addDamping()
 };
 
 }  // namespace bspline_curve

@@ -33,17 +33,17 @@ constexpr double kTightDistance = 2.0;
 
 // Heights are measured in this many tolerances: in mean edge lengths with the default tolerance.
 constexpr double kUnitInTolerances = 10.0;
-// First weight of the distance, per squared length of the polygon of picks: the bending of usual
-// curves, 10 to 400, then lifts them by 0.5 to 4 % of that, on every resolution. With a third of it
-// curves over coarse meshes float so far above that directions change from step to step and Newton
-// goes round in circles; with three times as much they stick to where they start, for a tenth more
-// bending.
-constexpr double kFirstStiffness = 4.5e5;
+// First weight of the distance, per squared length of the polygon of picks. Over 24 curves on 8
+// scans a third of it takes a seventh more steps for the same bending; with 2.7 times as much
+// curves stick to where they start, for 8 % more bending, and one for twice as much.
+constexpr double kFirstStiffness = 1.35e6;
 constexpr double kLeastFirstAlpha = 5.0;
-// Under a field both count 1 + this times its strength. Over 72 random curves on 3 scans 1, 2.5 and
-// 4 lead to the same costs within 1 % and bending within 5 %, with fewer steps the larger it is
-// (15.9, 15.4, 14.5 on the coarsest meshes); with 4 one of 24 other curves follows its field less.
-constexpr double kFieldStiffness = 2.5;
+// Under a field this times 1 + so many times its strength, where that is more. Over 72 random
+// curves on 3 scans 1, 2.5 and 4 times lead to the same costs within 1 % and bending within 5 %,
+// with fewer steps the larger it is (15.9, 15.4, 14.5 on the coarsest meshes); with 4 one of 24
+// other curves follows its field less.
+constexpr double kFirstFieldStiffness = 4.5e5;
+constexpr double kStiffnessByStrength = 2.5;
 // A curve that starts from another one starts with this share of its last weight. With all of it
 // it sticks to where the other one was, and takes knots for that; with a hundredth it takes a tenth
 // longer and bends as much.
@@ -118,8 +118,11 @@ double alphaOf(const CurveProblem& problem, double stiffness) {
 
 // A field lifts curves as well.
 double firstAlpha(const CurveProblem& problem) {
-    return (1.0 + kFieldStiffness * fieldStrength(problem)) *
-           std::max(kLeastFirstAlpha, alphaOf(problem, kFirstStiffness));
+    const double byField = 1.0 + kStiffnessByStrength * fieldStrength(problem);
+    return std::max(
+        kLeastFirstAlpha * byField,
+        alphaOf(problem, std::max(kFirstStiffness, kFirstFieldStiffness * byField))
+    );
 }
 
 class Relaxer {

@@ -327,6 +327,63 @@ TEST(FootEnergyTerms, DoNotDependOnTheDirectionOfTheCurve) {
     }
 }
 
+// ---- What the model does not foresee ----
+
+TEST(FootEnergySurprises, AreTheEnergyBeyondNewtonsModel) {
+    for (const bool closed : {false, true}) {
+        SolverOptions options;
+        options.closed = closed;
+        const Scene scene(noisySphere(), options, roundTheSphere(1.03, closed), 14);
+        const FootEnergy energy = scene.energy();
+        const FootedSpline before = scene.footed(energy, scene.controls());
+        const Derivatives model = derivativesOf(energy, before, 0.0);
+        const double start = energy.total(model.terms, kAlpha);
+        // From within a face to some faces away.
+        for (const double size : {1e-4, 1e-2, 0.1}) {
+            const ControlPoints change = size * randomChange(scene.space(), 3);
+            const FootedSpline there = scene.moved(energy, before, change);
+            const double foreseen =
+                start + model.gradient.dot(flat(change)) +
+                0.5 * flat(change).dot(product(model.hessian, scene.space(), flat(change)));
+            const double total = energy.total(energy.terms(there, before.frames), kAlpha);
+            double surprise = 0.0;
+            for (const FootEnergy::Surprise& span : energy.surprises(before, there, kAlpha)) {
+                surprise += span.energy;
+            }
+            EXPECT_NEAR(surprise, total - foreseen, 1e-9 * (total + foreseen)) << "size " << size;
+        }
+    }
+}
+
+TEST(FootEnergyDamping, HoldsTheSquaredWaysOfSpans) {
+    const Scene scene(noisySphere(), {}, roundTheSphere(1.03, false), 14);
+    const FootEnergy energy = scene.energy();
+    const FootedSpline before = scene.footed(energy, scene.controls());
+    const ControlPoints change = 0.01 * randomChange(scene.space(), 5);
+    const std::vector<FootEnergy::Surprise> surprises =
+        energy.surprises(before, scene.moved(energy, before, change), kAlpha);
+    std::vector<double> damping(surprises.size(), 0.0);
+    double damped = 0.0;
+    for (std::size_t span = 0; span < damping.size(); span += 3) {
+        damping[span] = 1.0 + 0.5 * static_cast<double>(span);
+        damped += damping[span] * surprises[span].squaredWay;
+    }
+    const Derivatives plain = derivativesOf(energy, before, 1.0);
+    std::vector<SpanBlocks> hessian = plain.hessian;
+    energy.addDamping(damping, hessian);
+    const Eigen::VectorXd added = product(hessian, scene.space(), flat(change)) -
+                                  product(plain.hessian, scene.space(), flat(change));
+    EXPECT_NEAR(0.5 * flat(change).dot(added), damped, 1e-9 * damped);
+    // By many samples; two Gauss points on both halves of a span are not exact for powers of six.
+    double way = 0.0;
+    constexpr int kSteps = 1000;
+    const PolynomialCurve moved = scene.space().polynomial(change, 4);
+    for (int i = 0; i < kSteps; ++i) {
+        way += scene.space().spanLength(4) / kSteps * moved.at((i + 0.5) / kSteps).squaredNorm();
+    }
+    EXPECT_NEAR(surprises[4].squaredWay, way, 0.01 * way);
+}
+
 // ---- Derivatives ----
 
 struct Case {
