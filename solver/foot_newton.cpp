@@ -121,11 +121,11 @@ bool FootNewton::tryStep(
         length * direction;
     energy_.follow(finder, trial_);
     const double total = energy_.total(energy_.terms(trial_, now_.frames), alpha);
-    if (total > step.total - kSufficientDecrease * length * 2.0 * step.decrement) {
-        return false;
+    const bool falls = total <= step.total - kSufficientDecrease * length * 2.0 * step.decrement;
+    if (falls) {
+        std::swap(now_, trial_);
     }
-    std::swap(now_, trial_);
-    return true;
+    return falls;
 }
 
 // Damps spans so that the model has the energy of the trial there. What was not foreseen grows
