@@ -11,6 +11,10 @@ namespace bspline_curve {
 /// some hundred faces.
 inline constexpr std::size_t kFacesForTwoThreads = 32768;
 
+[[nodiscard]] inline bool areWorthTwoThreads(std::size_t faceCount) {
+    return faceCount >= kFacesForTwoThreads;
+}
+
 /// Starts a task over the faces of a mesh on a second thread where they are many (and a thread is
 /// to be had); else it runs when its result is asked for. A result that is never asked for is
 /// waited for, where its task has started.
@@ -18,7 +22,7 @@ template <class Task>
 [[nodiscard]] auto startBeside(std::size_t faceCount, Task task) {
     const std::launch both = std::launch::async | std::launch::deferred;
     return std::async(
-        faceCount < kFacesForTwoThreads ? std::launch::deferred : both, std::move(task)
+        areWorthTwoThreads(faceCount) ? both : std::launch::deferred, std::move(task)
     );
 }
 
