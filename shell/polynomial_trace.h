@@ -34,6 +34,17 @@ struct PolynomialCurve {
         return value;
     }
 
+    /// Value and first derivative at s, for less than both apart.
+    [[nodiscard]] std::pair<Vec3, Vec3> withDerivativeAt(double s) const {
+        Vec3 value = coefficients[static_cast<std::size_t>(degree)];
+        Vec3 derivative = Vec3::Zero();
+        for (int j = degree; j-- > 0;) {
+            derivative = derivative * s + value;
+            value = value * s + coefficients[static_cast<std::size_t>(j)];
+        }
+        return {value, derivative};
+    }
+
     /// The second derivative at s.
     [[nodiscard]] Vec3 secondDerivativeAt(double s) const {
         Vec3 value = degree * (degree - 1) * coefficients[static_cast<std::size_t>(degree)];

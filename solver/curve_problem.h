@@ -16,6 +16,7 @@ namespace bspline_curve {
 class Obstacles;
 class PatchLevels;
 class ShellBoundary;
+class SideThread;
 
 /// A pick in the shell's frame, with the parameter at which the curve passes it.
 struct PickConstraint {
@@ -25,7 +26,7 @@ struct PickConstraint {
 };
 
 /// One curve to solve for: the shell, the picks, the field; all in the shell's frame. Refers to the
-/// shell, the base, the obstacles and the field.
+/// shell, the base, the obstacles, the field and the thread.
 struct CurveProblem {
     const Shell* shell = nullptr;  ///< null: for relax() alone, which then follows the fibres
     const ShellBase* base = nullptr;
@@ -39,6 +40,7 @@ struct CurveProblem {
     double chordLength = 0.0;        ///< L of (4)
     double averageEdgeLength = 0.0;  ///< in the shell's frame
     double distanceTolerance = 0.0;  ///< epsilon of (3), in the shell's frame
+    SideThread* side = nullptr;      ///< to share work with; null: none
     Progress progress;
 };
 

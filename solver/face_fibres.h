@@ -39,6 +39,39 @@ public:
     template <Search search>
     [[nodiscard]] Outcome find(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
 
+    /// The same frame of a foot that has been found. False where fibres cross on the way to it.
+    [[nodiscard]] bool frameAt(const FootPoint& foot, FootFrame& frame) const {
+        Linearisation there;
+        if (!linearise({foot.u, foot.v}, foot.height, there)) {
+            return false;
+        }
+        there.setFrame(frame);
+        return true;
+    }
+
+    /// The fibres over the edge opposite to a corner: corner + s edge + height (direction + s
+    /// turn), from the end at s = 0 to that at s = 1.
+    struct Wall {
+        Vec3 corner, edge, direction, turn;
+    };
+
+    /// `corner`: 0, 1, 2; the wall begins over the corner after it.
+    [[nodiscard]] Wall wall(int corner) const {
+        switch (corner) {
+            case 0:
+                return {
+                    corner_ + edges_.u(),
+                    edges_.v() - edges_.u(),
+                    direction_ + turns_.u(),
+                    turns_.v() - turns_.u()
+                };
+            case 1:
+                return {corner_ + edges_.v(), -edges_.v(), direction_ + turns_.v(), -turns_.v()};
+            default:
+                return {corner_, edges_.u(), direction_, turns_.u()};
+        }
+    }
+
     /// Completes the frame of a foot.
     void complete(FootFrame& frame) const {
         frame.direction.normalize();
@@ -107,7 +140,33 @@ private:
                   base.directions[static_cast<std::size_t>(corners[1])] - direction_,
                   base.directions[static_cast<std::size_t>(corners[2])] - direction_
               )
-          ) {}
+          ),
+          leastDeterminant_(kLeastArea * direction_.dot(edges_.u().cross(edges_.v()))) {}
+
+    // How a foot moves with the point over it.
+    struct Linearisation {
+        Vec3 direction, area;
+        PairOfVectors across;
+        double inverse;
+
+        void setFrame(FootFrame& frame) const {
+            frame.height = inverse * area;
+            frame.u = -inverse * across.v();
+            frame.v = inverse * across.u();
+            frame.direction = direction;
+        }
+    };
+
+    // False where fibres cross.
+    [[nodiscard]] bool linearise(const Eigen::Array2d& uv, double height, Linearisation& at) const {
+        const PairOfVectors by = edges_.plus(height, turns_);
+        at.direction = direction_ + turns_.times(uv);
+        at.area = by.u().cross(by.v());
+        const double determinant = at.direction.dot(at.area);
+        at.across = by.crossedFromLeftBy(at.direction);
+        at.inverse = 1.0 / determinant;
+        return determinant > leastDeterminant_;
+    }
 
     [[nodiscard]] static bool isFarOutside(const Eigen::Array2d& uv) {
         return std::min(uv.minCoeff(), 1.0 - uv.sum()) < kFarOutside;
@@ -116,6 +175,7 @@ private:
     // The corner 0 of a face with the edges from there, and the same of the directions.
     Vec3 corner_, direction_;
     PairOfVectors edges_, turns_;
+    double leastDeterminant_;
 };
 
 /// The same point seen from the face across the edge opposite to corner k, moved onto that edge.
@@ -141,30 +201,21 @@ template <FaceFibres::Search search>
 FaceFibres::Outcome FaceFibres::find(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
     constexpr bool kIsExact = search == Search::Exact;
     constexpr double kEnd = kIsExact ? kLastExactStep : kLastStep;
-    const double flatArea = direction_.dot(edges_.u().cross(edges_.v()));
     Eigen::Array2d uv(foot.u, foot.v);
     bool isFar = !kIsExact && isFarOutside(uv);
     for (int step = 0; step < kMaxSteps && !isFar; ++step) {
-        const PairOfVectors by = edges_.plus(foot.height, turns_);
-        const Vec3 direction = direction_ + turns_.times(uv);
-        const Vec3 area = by.u().cross(by.v());
-        const double determinant = direction.dot(area);
-        if (!(determinant > kLeastArea * flatArea)) {
+        Linearisation now;
+        if (!linearise(uv, foot.height, now)) {
             return Outcome::Crossed;
         }
-        const double inverse = 1.0 / determinant;
-        const PairOfVectors across = by.crossedFromLeftBy(direction);
-        const Vec3 gap = p - corner_ - edges_.times(uv) - foot.height * direction;
-        const Eigen::Array2d turned = inverse * across.dot(gap);
+        const Vec3 gap = p - corner_ - edges_.times(uv) - foot.height * now.direction;
+        const Eigen::Array2d turned = now.inverse * now.across.dot(gap);
         const Eigen::Array2d move(-turned[1], turned[0]);
         uv += move;
-        foot.height += inverse * area.dot(gap);
+        foot.height += now.inverse * now.area.dot(gap);
         isFar = !kIsExact && isFarOutside(uv);
         if (move.abs().sum() < kEnd || step + 1 == kMaxSteps) {
-            frame.height = inverse * area;
-            frame.u = -inverse * across.v();
-            frame.v = inverse * across.u();
-            frame.direction = direction;
+            now.setFrame(frame);
             break;
         }
     }

@@ -2,6 +2,8 @@
 #include "solver/fibre_tracer.h"
 
 #include "solver/face_fibres.h"
+#include "solver/fibre_exit.h"
+#include "surface/side_thread.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,158 +19,95 @@ std::size_t at(int index) {
 }
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A foot with a barycentric coordinate this small is on the edge: rounding, where edges are 1e-4 of
-// the diagonal long, with a margin.
-constexpr double kOnWall = 1e-11;
-// And a wall between two parameters this near to each other is there.
-constexpr double kSameParameter = 1e-14;
-// Newton's method takes two or three steps to a wall; bisection alone would take 47.
-constexpr int kMaxSteps = 60;
 // A walk that turns this often at one parameter goes round in a circle.
 constexpr int kMaxStalled = 128;
 // A curve passes a pick where it is so near to the surface, in tolerances.
 constexpr double kAtPick = 1e-3;
 
-// A point of the curve and its foot on one face.
-struct Place {
-    Vec3 position = Vec3::Zero();
-    FootPoint foot;
-    FootFrame frame;
-
-    void moveTo(const Vec3& p) {
-        FootFinder::predict(p - position, frame, foot);
-        position = p;
-    }
-};
-
-// How far a foot is from the walls of its face, and how fast that changes along the curve.
-struct Walls {
-    Vec3 coordinates, slopes;
-    int outer = 0;  // of the least coordinate
-
-    Walls(const Place& place, const Vec3& along) : coordinates(place.foot.barycentric()) {
-        const double u = place.frame.u.dot(along);
-        const double v = place.frame.v.dot(along);
-        slopes = {-u - v, u, v};
-        coordinates.minCoeff(&outer);
-    }
-
-    [[nodiscard]] bool areInside() const { return coordinates[outer] >= -kOnWall; }
-
-    // The wall on which the foot stands and which it is about to pass, in the rest of the span by
-    // more than rounding; at a vertex that which it passes sooner.
-    [[nodiscard]] std::optional<int> passed(double rest) const {
-        std::optional<int> wall;
-        for (int k = 0; k < 3; ++k) {
-            const bool isPassed =
-                coordinates[k] <= kOnWall && coordinates[k] + rest * slopes[k] < -kOnWall;
-            if (isPassed && (!wall || slopes[k] < slopes[*wall])) {
-                wall = k;
-            }
-        }
-        return wall;
-    }
-
-    // Where a wall is, along the tangent from `tau`; infinite for one that comes no nearer.
-    [[nodiscard]] double meeting(int k, double tau) const {
-        return slopes[k] < 0.0 ? tau - coordinates[k] / slopes[k] : kInfinity;
-    }
-};
-
-// Where a curve leaves a face: between a parameter at which its foot is inside and one at which it
-// is not.
-struct ExitSearch {
-    double inside;
-    double outside = kInfinity;
-
-    // The wall by which it leaves at tau, -1 at the end of the span; nothing where neither is
-    // there yet.
-    [[nodiscard]] std::optional<int> wallAt(double tau, const Walls& walls) {
-        if (!walls.areInside()) {
-            outside = tau;
-            return outside - inside <= kSameParameter ? std::optional(walls.outer) : std::nullopt;
-        }
-        inside = tau;
-        return tau >= 1.0 ? std::optional(-1) : walls.passed(1.0 - tau);
-    }
-
-    // The parameter to look at next: from inside at the first wall in the way, from outside at
-    // that which was passed; half way where that leads out of the bracket.
-    [[nodiscard]] double after(double tau, const Walls& walls) const {
-        const double farthest = std::min(outside, 1.0);
-        double guess = farthest;
-        for (int k = 0; k < 3; ++k) {
-            const bool isInTheWay =
-                walls.areInside() ? walls.coordinates[k] > kOnWall : k == walls.outer;
-            if (isInTheWay) {
-                guess = std::min(guess, walls.meeting(k, tau));
-            }
-        }
-        return guess > inside && guess < outside ? guess : 0.5 * (inside + farthest);
-    }
-};
-
+// Follows the foot of a spline from the start of a span on.
 class FibreWalk {
 public:
+    // `start`: the foot there, or near it on the same face; sets the distances of spans passed.
     FibreWalk(
         const ShellBase& base,
         const SplineSpace& space,
         const ControlPoints& controls,
-        const SurfacePoint& start
+        int span,
+        const FootPoint& start,
+        std::vector<double>& distances
     )
-        : base_(base), space_(space), controls_(controls), fibres_(base, start.face) {
-        distance_.perSpan.assign(at(space.spanCount()), kInfinity);
-        here_.foot = {start.face, start.barycentric[1], start.barycentric[2], 0.0};
+        : base_(base),
+          space_(space),
+          controls_(controls),
+          distances_(distances),
+          fibres_(base, start.face),
+          firstFace_(start.face),
+          span_(span) {
+        here_.position = space.polynomial(controls, span).coefficients[0];
+        here_.foot = start;
+        isLost_ =
+            fibres_.find<FaceFibres::Search::Exact>(here_.position, here_.foot, here_.frame) !=
+            FaceFibres::Outcome::Found;
     }
 
-    CurveDistance run() && {
-        here_.position = space_.polynomial(controls_, 0).coefficients[0];
-        bool goesOn = find(here_);
-        for (int span = 0; goesOn && span < space_.spanCount(); ++span) {
-            goesOn = passSpan(span);
-            trace_.wholeSpans += goesOn ? 1 : 0;
+    // On to the start of a later span, or where the fibres end.
+    void passUntil(int end) {
+        while (!isLost_ && span_ < end) {
+            isLost_ = !passSpan(span_);
+            if (isLost_) {
+                distances_[at(span_)] = kInfinity;
+            } else {
+                ++span_;
+            }
         }
-        trace_.isWhole = trace_.wholeSpans == space_.spanCount();
-        if (!trace_.isWhole) {
-            distance_.perSpan[at(trace_.wholeSpans)] = kInfinity;
-        }
-        distance_.largest = std::ranges::max(distance_.perSpan);
-        distance_.trace = std::move(trace_);
-        return std::move(distance_);
+    }
+
+    // Whether it stands where another one has begun: a point has one foot in a face.
+    [[nodiscard]] bool isWhereBegan(const FibreWalk& other) const {
+        return !isLost_ && here_.foot.face == other.firstFace_;
+    }
+
+    // Goes on as another one has that began here.
+    void follow(const FibreWalk& other) {
+        const auto append = [](auto& to, const auto& from) {
+            to.insert(to.end(), from.begin(), from.end());
+        };
+        append(trace_.crossings, other.trace_.crossings);
+        append(trace_.pieces, other.trace_.pieces);
+        here_ = other.here_;
+        fibres_ = other.fibres_;
+        span_ = other.span_;
+        isLost_ = other.isLost_;
+        stalled_ = other.stalled_;
+    }
+
+    [[nodiscard]] FibreTrace trace() && {
+        trace_.wholeSpans = span_;
+        trace_.isWhole = span_ == space_.spanCount();
+        return std::move(trace_);
     }
 
 private:
-    // Where the curve leaves a face.
-    struct Exit {
-        double tau;
-        int wall;  // opposite to this corner; -1: nowhere up to the end of the span
-    };
-
-    [[nodiscard]] bool find(Place& place) const {
-        return fibres_.find<FaceFibres::Search::Exact>(place.position, place.foot, place.frame) ==
-               FaceFibres::Outcome::Found;
-    }
-
     // Takes the fibres of the face that is here now.
     bool enter() {
         fibres_ = FaceFibres(base_, here_.foot.face);
-        return find(here_);
+        return fibres_.frameAt(here_.foot, here_.frame);
     }
 
     bool passSpan(int span) {
         const PolynomialCurve curve = space_.polynomial(controls_, span);
-        double& farthest = distance_.perSpan[at(span)];
+        double& farthest = distances_[at(span)];
         farthest = 0.0;
+        here_.along = curve.coefficients[1];
         double tau = 0.0;
         while (true) {
             farthest = std::max(farthest, distanceOf(here_));
-            Place place = here_;
-            const std::optional<Exit> exit = findExit(curve, tau, place);
+            const std::optional<FibreExit> exit = findExit(fibres_, curve, tau, here_, there_);
             if (!exit) {
                 return false;
             }
             if (exit->tau > tau) {
-                const Place middle = middleOf(curve, tau, exit->tau, place);
+                const FibrePlace middle = middleOf(curve, tau, exit->tau);
                 farthest = std::max(farthest, distanceOf(middle));
                 trace_.pieces.push_back({parameter(span, exit->tau), span, middle.foot});
                 stalled_ = 0;
@@ -176,7 +115,7 @@ private:
                 return false;
             }
             tau = exit->tau;
-            here_ = place;
+            std::swap(here_, there_);
             if (exit->wall < 0) {
                 farthest = std::max(farthest, distanceOf(here_));
                 return true;
@@ -197,72 +136,25 @@ private:
         }
     }
 
-    // Half way to `there` on this face, without a search: by values and derivatives at both ends.
-    [[nodiscard]] Place middleOf(
-        const PolynomialCurve& curve, double from, double to, const Place& there
-    ) const {
+    // Half way to there_ on this face, without a search: by values and derivatives at both ends.
+    [[nodiscard]] FibrePlace middleOf(const PolynomialCurve& curve, double from, double to) const {
         const double bulge = 0.125 * (to - from);
-        const Vec3 before = curve.derivativeAt(from);
-        const Vec3 after = curve.derivativeAt(to);
         const auto between = [&](double a, double b, const Vec3& slopeA, const Vec3& slopeB) {
-            return 0.5 * (a + b) + bulge * (slopeA.dot(before) - slopeB.dot(after));
+            return 0.5 * (a + b) + bulge * (slopeA.dot(here_.along) - slopeB.dot(there_.along));
         };
-        Place middle;
+        FibrePlace middle;
         middle.position = curve.at(0.5 * (from + to));
-        const FootFrame& frame = there.frame;
         middle.foot = {
             here_.foot.face,
-            between(here_.foot.u, there.foot.u, here_.frame.u, frame.u),
-            between(here_.foot.v, there.foot.v, here_.frame.v, frame.v),
-            between(here_.foot.height, there.foot.height, here_.frame.height, frame.height)
+            between(here_.foot.u, there_.foot.u, here_.frame.u, there_.frame.u),
+            between(here_.foot.v, there_.foot.v, here_.frame.v, there_.frame.v),
+            between(here_.foot.height, there_.foot.height, here_.frame.height, there_.frame.height)
         };
         middle.frame.direction = fibres_.directionAt(middle.foot);
         return middle;
     }
 
-    // The first place from tau on where the foot leaves its face, with what is there in `place`;
-    // nothing where fibres cross. Newton's method on the coordinate of the nearest wall, kept
-    // between places known to be inside and outside.
-    [[nodiscard]] std::optional<Exit> findExit(
-        const PolynomialCurve& curve, double tau, Place& place
-    ) const {
-        ExitSearch search{tau};
-        double next = firstGuess(curve, tau);
-        for (int step = 0; step < kMaxSteps; ++step) {
-            place.moveTo(curve.at(next));
-            if (!find(place)) {
-                return std::nullopt;
-            }
-            const Walls walls(place, curve.derivativeAt(next));
-            if (const std::optional<int> wall = search.wallAt(next, walls)) {
-                return Exit{next, *wall};
-            }
-            next = search.after(next, walls);
-        }
-        return std::nullopt;
-    }
-
-    // By the derivatives of the coordinates where the face is entered.
-    [[nodiscard]] double firstGuess(const PolynomialCurve& whole, double tau) const {
-        const PolynomialCurve curve = tau == 0.0 ? whole : whole.shifted(tau);
-        const Vec3 barycentric = here_.foot.barycentric();
-        std::array<std::array<double, kMaxPolynomialDegree + 1>, 3> coordinates{};
-        for (std::size_t j = 1; j <= at(curve.degree); ++j) {
-            coordinates[1][j] = here_.frame.u.dot(curve.coefficients[j]);
-            coordinates[2][j] = here_.frame.v.dot(curve.coefficients[j]);
-            coordinates[0][j] = -coordinates[1][j] - coordinates[2][j];
-        }
-        double exit = 1.0 - tau;
-        for (int k = 0; k < 3; ++k) {
-            coordinates[at(k)][0] = barycentric[k];
-            exit = std::min(
-                exit, firstExit(coordinates[at(k)].data(), curve.degree, exit, 0.5 * kOnWall)
-            );
-        }
-        return exit == 1.0 - tau ? 1.0 : tau + exit;
-    }
-
-    [[nodiscard]] double distanceOf(const Place& place) const {
+    [[nodiscard]] double distanceOf(const FibrePlace& place) const {
         if (place.foot.face < base_.surfaceFaceCount) {
             return std::abs(place.foot.height) * place.frame.direction.norm();
         }
@@ -283,29 +175,61 @@ private:
     const ShellBase& base_;
     const SplineSpace& space_;
     const ControlPoints& controls_;
-    Place here_;
+    std::vector<double>& distances_;  // by span
+    FibrePlace here_, there_;
     FaceFibres fibres_;  // of the face that is here
-    int stalled_ = 0;    // crossings since the last piece of some length
+    int firstFace_;      // where it began
+    int span_;           // that comes next
+    bool isLost_ = false;
+    int stalled_ = 0;  // crossings since the last piece of some length
     FibreTrace trace_;
-    CurveDistance distance_;
 };
 
 }  // namespace
 
 CurveDistance measureAlongFibres(
-    const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    const std::optional<FootOfSpan>& middle
 ) {
-    CurveDistance distance =
-        FibreWalk(*problem.base, space, controls, problem.picks.front().point).run();
-    const FibreTrace& trace = std::get<FibreTrace>(distance.trace);
-    for (const PickConstraint& pick : problem.picks) {
+    const ShellBase& base = *problem.base;
+    const int spans = space.spanCount();
+    CurveDistance distance;
+    distance.perSpan.assign(at(spans), kInfinity);
+    const SurfacePoint& pick = problem.picks.front().point;
+    FibreWalk walk(
+        base,
+        space,
+        controls,
+        0,
+        {pick.face, pick.barycentric[1], pick.barycentric[2], 0.0},
+        distance.perSpan
+    );
+    if (middle) {
+        // Both halves at once.
+        FibreWalk rest(base, space, controls, middle->span, middle->foot, distance.perSpan);
+        forEach(problem.side, 2, 1, [&](int half) {
+            half == 0 ? walk.passUntil(middle->span) : rest.passUntil(spans);
+        });
+        if (walk.isWhereBegan(rest)) {
+            walk.follow(rest);
+        } else {
+            std::fill(distance.perSpan.begin() + middle->span, distance.perSpan.end(), kInfinity);
+        }
+    }
+    walk.passUntil(spans);
+    FibreTrace trace = std::move(walk).trace();
+    distance.largest = std::ranges::max(distance.perSpan);
+    for (const PickConstraint& constraint : problem.picks) {
         if (trace.isWhole &&
-            std::abs(footAt(*problem.base, trace, space, controls, pick.parameter).height) >
+            std::abs(footAt(base, trace, space, controls, constraint.parameter).height) >
                 kAtPick * problem.distanceTolerance) {
-            distance.perSpan[at(space.spanAt(pick.parameter))] = kInfinity;
+            distance.perSpan[at(space.spanAt(constraint.parameter))] = kInfinity;
             distance.largest = kInfinity;
         }
     }
+    distance.trace = std::move(trace);
     return distance;
 }
 

@@ -336,7 +336,19 @@ private:
     [[nodiscard]] CurveDistance measure() {
         return problem_.shell != nullptr
                    ? measureDistance(tracedShellOf(problem_), space(), now().controls)
-                   : measureAlongFibres(problem_, space(), now().controls);
+                   : measureAlongFibres(problem_, space(), now().controls, footAtMiddle());
+    }
+
+    // The start of the middle span, from its first sample.
+    [[nodiscard]] FootOfSpan footAtMiddle() {
+        const int span = space().spanCount() / 2;
+        const std::size_t sample = at(span * energy().samplesPerSpan());
+        FootPoint foot = now().feet[sample];
+        FootFrame frame = now().frames[sample];
+        const Vec3 start = space().polynomial(now().controls, span).coefficients[0];
+        FootFinder::predict(start - now().positions[sample], frame, foot);
+        finder_.move(start, foot, frame);
+        return {span, foot};
     }
 
     void insert(std::vector<double> breaks) {

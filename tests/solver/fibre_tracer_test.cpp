@@ -4,6 +4,7 @@
 
 #include "support/meshes.h"
 #include "support/random.h"
+#include "surface/side_thread.h"
 #include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
 
@@ -69,6 +70,10 @@ struct Followed {
 
     [[nodiscard]] CurveDistance measured() const {
         return measureAlongFibres(problem, space, controls);
+    }
+
+    [[nodiscard]] CurveDistance measuredInHalves(const FootOfSpan& middle) const {
+        return measureAlongFibres(problem, space, controls, middle);
     }
 
     // How far q + height n(q) is from P, at best.
@@ -175,6 +180,51 @@ TEST_P(FibreTraces, HaveTheFeetOfWalks) {
     EXPECT_LT(distance_.largest, 1.002 * farthest);
     EXPECT_GT(distance_.largest, 0.98 * farthest);
     EXPECT_EQ(distance_.largest, std::ranges::max(distance_.perSpan));
+}
+
+void expectSame(const CurveDistance& a, const CurveDistance& b) {
+    const auto& traceA = std::get<FibreTrace>(a.trace);
+    const auto& traceB = std::get<FibreTrace>(b.trace);
+    EXPECT_EQ(traceA.isWhole, traceB.isWhole);
+    EXPECT_EQ(traceA.wholeSpans, traceB.wholeSpans);
+    EXPECT_EQ(facesPassed(a.trace), facesPassed(b.trace));
+    ASSERT_EQ(traceA.crossings.size(), traceB.crossings.size());
+    for (std::size_t i = 0; i < traceA.crossings.size(); ++i) {
+        EXPECT_NEAR(traceA.crossings[i].parameter, traceB.crossings[i].parameter, 1e-13);
+    }
+    ASSERT_EQ(a.perSpan.size(), b.perSpan.size());
+    for (std::size_t i = 0; i < a.perSpan.size(); ++i) {
+        if (a.perSpan[i] != b.perSpan[i]) {
+            EXPECT_NEAR(a.perSpan[i], b.perSpan[i], 1e-13);
+        }
+    }
+}
+
+TEST_P(FibreTraces, AreTheSameInHalves) {
+    SideThread side;
+    for (int span = 1; span < followed_.space.spanCount(); ++span) {
+        const FootPoint foot = footAt(
+            followed_.base,
+            trace_,
+            followed_.space,
+            followed_.controls,
+            followed_.space.breaks()[at(span)]
+        );
+        const CurveDistance alone = followed_.measuredInHalves({span, foot});
+        expectSame(alone, distance_);
+        followed_.problem.side = &side;
+        const CurveDistance both = followed_.measuredInHalves({span, foot});
+        followed_.problem.side = nullptr;
+        expectSame(both, alone);
+        EXPECT_EQ(both.perSpan, alone.perSpan);
+    }
+}
+
+TEST_P(FibreTraces, AreTheSameInHalvesOneOfWhichBeginsElsewhere) {
+    const int span = followed_.space.spanCount() / 2;
+    for (int face = 0; face < followed_.surface.faceCount(); face += 7) {
+        expectSame(followed_.measuredInHalves({span, {face, 0.3, 0.3, 0.0}}), distance_);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -300,11 +350,19 @@ TEST(FibreTrace, EndsWithTheGhosts) {
     for (int i = 0; i <= 8; ++i) {
         points.emplace_back(0.1 + 0.1 * i, 0.3 - 0.5 * (4 - std::abs(i - 4)) / 4.0, 0.0);
     }
-    const CurveDistance distance = Followed(plate(10, 10), points).measured();
+    const Followed followed(plate(10, 10), points);
+    const CurveDistance distance = followed.measured();
     EXPECT_FALSE(progressOf(distance.trace).isWhole);
     EXPECT_EQ(distance.largest, kInfinity);
     EXPECT_LT(distance.perSpan.front(), 1e-9);
     EXPECT_EQ(distance.perSpan.back(), kInfinity);
+    // What is known of a second half is of no use then.
+    const int last = followed.space.spanCount() - 1;
+    const SurfacePoint& goal = followed.problem.picks.back().point;
+    expectSame(
+        followed.measuredInHalves({last, {goal.face, goal.barycentric[1], goal.barycentric[2]}}),
+        distance
+    );
 }
 
 TEST(FibreTrace, EndsWhereFibresCross) {
