@@ -9,10 +9,12 @@
 #include "solver/fibre_tracer.h"
 #include "solver/obstacles.h"
 #include "solver/shadow_curve.h"
-#include "surface/index_sets.h"
 #include "surface/input_error.h"
 #include "surface/picks.h"
 #include "surface/region.h"
+#include "surface/side_task.h"
+#include "surface/side_thread.h"
+#include "surface/sparse_map.h"
 #include "surface/stopwatch.h"
 #include "surface/surface_point.h"
 
@@ -106,8 +108,10 @@ int prismsOf(const CurveProblem& problem, const Solution& solution) {
     if (problem.shell != nullptr) {
         return problem.shell->prismCount();
     }
-    std::vector<int> faces = facesPassed(solution);
-    sortUnique(faces);
+    SparseMap<char> faces;
+    for (const int face : facesPassed(solution)) {
+        faces.at(face, 1);
+    }
     return static_cast<int>(faces.size());
 }
 
@@ -302,10 +306,18 @@ Curve CurveDesigner::design(
         refuseAvoidedPicks(state.surface(), *obstacles, located);
     }
     const Guides guides{*field, obstacles ? &*obstacles : nullptr, guidance.start};
-    auto [problem, solution] = CurveSolver(state, located, options, guides).solve(progress);
+    std::optional<SideThread> side;
+    if (areWorthTwoThreads(state.surface().faces().size())) {
+        side.emplace();
+    }
+    auto [problem, solution] =
+        CurveSolver(state, located, options, guides, side ? &*side : nullptr).solve(progress);
     if (!std::isfinite(solution.report.maxDistance)) {
         refuseLostCurve(solution.report.status);
     }
+
+    problem.side = nullptr;  // it ends here
+    side.reset();
 
     Stopwatch watch;
     Curve curve;

@@ -92,7 +92,7 @@ PickPath CurveSolver::pathRound(
         *prepared_.base(),
         picks_,
         options_.closed,
-        {blockedFaces, travel, guides_.obstacles, &prepared_.patches(), kind}
+        {blockedFaces, travel, guides_.obstacles, &prepared_.patches(), kind, side_}
     );
 }
 
@@ -104,6 +104,7 @@ CurveProblem CurveSolver::problemOn(
     problem.field = guides_.field.values;
     problem.fieldCosts = guides_.field.costs;
     problem.obstacles = guides_.obstacles;
+    problem.side = side_;
     problem.progress = progress;
     return problem;
 }

@@ -39,14 +39,15 @@ struct Solved {
 /// of the whole surface, which is built for that where it is not there.
 class CurveSolver {
 public:
-    /// Refers to all but the options.
+    /// Refers to all but the options. `side`: to share work with; null: none.
     CurveSolver(
         const PreparedSurface& prepared,
         const std::vector<SurfacePoint>& picks,
         const SolverOptions& options,
-        const Guides& guides
+        const Guides& guides,
+        SideThread* side
     )
-        : prepared_(prepared), picks_(picks), options_(options), guides_(guides) {}
+        : prepared_(prepared), picks_(picks), options_(options), guides_(guides), side_(side) {}
 
     /// Throws InputError (SelfIntersection, NoPath, NoShell), Cancelled.
     [[nodiscard]] Solved solve(const Progress& progress) const;
@@ -80,6 +81,7 @@ private:
     const std::vector<SurfacePoint>& picks_;
     SolverOptions options_;
     const Guides& guides_;
+    SideThread* side_;
 };
 
 }  // namespace bspline_curve

@@ -6,6 +6,7 @@
 #include "surface/input_error.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <optional>
 #include <string>
@@ -161,6 +162,28 @@ private:
     GeodesicPathFinder finder_;
 };
 
+// The points from a pick to the next; nothing where there is no way.
+using Leg = std::optional<std::vector<SurfacePoint>>;
+
+std::vector<Leg> findLegs(
+    const Surface& surface,
+    const ShellBase& base,
+    const std::vector<SurfacePoint>& picks,
+    bool closed,
+    const Terrain& terrain
+) {
+    std::vector<Leg> legs(closed ? picks.size() : picks.size() - 1);
+    // One finder of each thread, for as many legs as it comes to.
+    std::atomic<std::size_t> next = 0;
+    forEach(terrain.side, 2, 1, [&](int) {
+        PathFinder finder(surface, base, terrain);
+        for (std::size_t leg = next++; leg < legs.size(); leg = next++) {
+            legs[leg] = finder.find(picks[leg], picks[(leg + 1) % picks.size()]);
+        }
+    });
+    return legs;
+}
+
 }  // namespace
 
 PickPath makePickPath(
@@ -170,7 +193,7 @@ PickPath makePickPath(
     bool closed,
     const Terrain& terrain
 ) {
-    PathFinder finder(surface, base, terrain);
+    const std::vector<Leg> legs = findLegs(surface, base, picks, closed, terrain);
     PickPath result;
     double length = 0.0;
     const auto add = [&](const SurfacePoint& point) {
@@ -180,12 +203,10 @@ PickPath makePickPath(
         }
         result.guide.points.push_back({length, point, position});
     };
-    const std::size_t intervals = closed ? picks.size() : picks.size() - 1;
-    for (std::size_t i = 0; i < intervals; ++i) {
-        const std::size_t next = (i + 1) % picks.size();
-        const std::optional<std::vector<SurfacePoint>> path = finder.find(picks[i], picks[next]);
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+        const Leg& path = legs[i];
         if (!path) {
-            throwNoPath(i, next, terrain);
+            throwNoPath(i, (i + 1) % picks.size(), terrain);
         }
         for (std::size_t k = 0; k < path->size(); ++k) {
             // A path starts where the one before ended, but perhaps in another of the faces that
@@ -200,7 +221,7 @@ PickPath makePickPath(
                 );
             }
         }
-        if (i + 1 == intervals && !closed) {
+        if (i + 1 == legs.size() && !closed) {
             const GuidePath::Point& last = result.guide.points.back();
             result.picks.push_back({last.point, last.position, length});
         }

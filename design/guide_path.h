@@ -6,6 +6,7 @@
 #include "solver/initial_curve.h"
 #include "solver/obstacles.h"
 #include "surface/patch_levels.h"
+#include "surface/side_thread.h"
 #include "surface/surface.h"
 
 #include <span>
@@ -33,6 +34,7 @@ struct Terrain {
     /// faces all over the surface are searched.
     const PatchLevels* patches = nullptr;
     PathKind kind = PathKind::Quick;
+    SideThread* side = nullptr;  ///< to share the search with; null: none
 };
 
 /// Paths from pick to pick, parametrised by length: geodesics where all faces cost the same.

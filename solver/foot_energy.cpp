@@ -5,11 +5,13 @@
 #include "solver/internal_energy.h"
 #include "solver/point_terms.h"
 #include "solver/sample_walker.h"
+#include "surface/side_thread.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bspline_curve {
 namespace {
@@ -17,6 +19,8 @@ namespace {
 // Energies below this are rounding: a curve that strays from a straight one by 1e-7 of its length
 // has more (E_int is dimensionless).
 constexpr double kRoundingEnergy = 1e-12;
+// So many spans at once are followed by one of two threads: for some microseconds.
+constexpr int kSpansAtOnce = 8;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -109,32 +113,31 @@ FootEnergy::FootEnergy(
         2.0 / (problem.chordLength * problem.chordLength) * (1.0 - problem.options.tension);
     const SampleMatrix powers = powersAtSamples(0, segments);
     const SampleMatrix secondPowers = powersAtSamples(2, segments);
-    samples_.reserve(at(sampleCount()));
-    for (int span = 0; span < space.spanCount(); ++span) {
+    samples_.resize(at(sampleCount()));
+    ambient_.resize(at(space.spanCount()));
+    forEach(problem.side, space.spanCount(), kSpansAtOnce, [&](int span) {
         const double length = space.spanLength(span);
         const double weight = length / samplesPerSpan();
         const SampleMatrix values = space.basis(span) * powers;
         const SampleMatrix seconds = space.basis(span) * secondPowers / (length * length);
         for (int i = 0; i < samplesPerSpan(); ++i) {
             const double t = space.breaks()[at(span)] + sampleParameter(i, segments) * length;
-            Sample sample{t, weight, -bending * normalShare * weight, {}, {}};
+            Sample& sample = samples_[at(span * samplesPerSpan() + i)];
+            sample = {t, weight, -bending * normalShare * weight, {}, {}};
             std::ranges::copy(values.col(i), sample.basis.begin());
             std::ranges::copy(seconds.col(i), sample.second.begin());
-            samples_.push_back(sample);
         }
-    }
-    for (int span = 0; span < space.spanCount(); ++span) {
-        ambient_.push_back(ambientProducts(problem, space, span));
-    }
+        ambient_[at(span)] = ambientProducts(problem, space, span);
+    });
 }
 
 void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
     const bool isKnown = !spline.positions.empty();
     spline.positions.resize(at(sampleCount()));
     spline.seconds.resize(at(sampleCount()));
-    for (int span = 0; span < space_.spanCount(); ++span) {
+    forEach(problem_.side, space_.spanCount(), kSpansAtOnce, [&](int span) {
         followSpan(finder, isKnown, span, spline);
-    }
+    });
 }
 
 void FootEnergy::followRefined(
@@ -148,6 +151,7 @@ void FootEnergy::followRefined(
     const int perSpan = samplesPerSpan();
     const std::vector<double>& breaks = space_.breaks();
     const std::vector<double>& coarseBreaks = before.space_.breaks();
+    std::vector<int> cut;
     int from = 0;  // the span before that this one is or lies in
     for (int span = 0; span < space_.spanCount(); ++span) {
         while (coarseBreaks[at(from + 1)] <= breaks[at(span)]) {
@@ -170,9 +174,12 @@ void FootEnergy::followRefined(
             spline.seconds[at(sample)] = coarse.seconds[at(near)];
         }
         if (!isWhole) {
-            followSpan(finder, true, span, spline);
+            cut.push_back(span);
         }
     }
+    forEach(problem_.side, static_cast<int>(cut.size()), kSpansAtOnce, [&](int i) {
+        followSpan(finder, true, cut[at(i)], spline);
+    });
 }
 
 // `isKnown`: the feet are those of the positions.
@@ -241,9 +248,10 @@ EnergyTerms FootEnergy::terms(
     const FootedSpline& spline, const std::vector<FootFrame>& frozen
 ) const {
     // In the order of differentiate(), so that both agree to the last digit.
-    EnergyTerms sum;
+    std::vector<EnergyTerms> shares(at(space_.spanCount()));
     const int n = space_.basisCount();
-    for (int span = 0; span < space_.spanCount(); ++span) {
+    forEach(problem_.side, space_.spanCount(), kSpansAtOnce, [&](int span) {
+        EnergyTerms& sum = shares[at(span)];
         for (int sample = span * samplesPerSpan(); sample < (span + 1) * samplesPerSpan();
              ++sample) {
             const Sample& table = samples_[at(sample)];
@@ -261,8 +269,8 @@ EnergyTerms FootEnergy::terms(
             sum.internal +=
                 0.5 * controls[at(j)].dot(ambientForce(ambient_[at(span)], controls, n, j));
         }
-    }
-    return sum;
+    });
+    return std::accumulate(shares.begin(), shares.end(), EnergyTerms());
 }
 
 double FootEnergy::distanceTerm(const FootPoint& foot, double weight) const {
@@ -323,51 +331,68 @@ EnergyTerms FootEnergy::differentiate(
     Eigen::VectorXd& gradient,
     std::vector<SpanBlocks>& hessian
 ) const {
+    hessian.resize(at(space_.spanCount()));
+    std::vector<SpanForces> shares(at(space_.spanCount()));
+    forEach(problem_.side, space_.spanCount(), kSpansAtOnce, [&](int span) {
+        shares[at(span)] = differentiateSpan(spline, alpha, turning, span, hessian[at(span)]);
+    });
+    gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space_.controlCount()));
+    EnergyTerms terms;
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        const SpanForces& share = shares[at(span)];
+        terms = terms + share.terms;
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            gradient.segment<3>(3 * static_cast<Eigen::Index>(space_.control(span, j))) +=
+                share.forces[at(j)];
+        }
+    }
+    return terms;
+}
+
+FootEnergy::SpanForces FootEnergy::differentiateSpan(
+    const FootedSpline& spline, double alpha, double turning, int span, SpanBlocks& blocks
+) const {
     const int n = space_.basisCount();
     const int perSpan = samplesPerSpan();
-    gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space_.controlCount()));
-    hessian.resize(at(space_.spanCount()));
-    EnergyTerms terms;
+    SpanForces result;
+    EnergyTerms& terms = result.terms;
     std::array<Vec3, kMostSamples> forces;
     std::array<Vec3, kMostSamples> bendForces;
     std::array<PackedMatrix, kMostSamples> seconds;
     std::array<PackedMatrix, kMostSamples> bends;
-    for (int span = 0; span < space_.spanCount(); ++span) {
-        const Sample* const tables = &samples_[at(span * perSpan)];
+    const Sample* const tables = &samples_[at(span * perSpan)];
+    for (int i = 0; i < perSpan; ++i) {
+        const int sample = span * perSpan + i;
+        const Vec3& direction = spline.frames[at(sample)].direction;
+        const PointDerivatives point = pointDerivatives(spline, alpha, turning, sample, terms);
+        forces[at(i)] = point.force;
+        seconds[at(i)] = packed(point.second);
+        bends[at(i)] = packed(rankOne(direction, tables[i].normalBending));
+        const double along = direction.dot(spline.seconds[at(sample)]);
+        bendForces[at(i)] = tables[i].normalBending * along * direction;
+        terms.internal += 0.5 * tables[i].normalBending * along * along;
+    }
+    const SplineSpace::BasisMatrix& ambient = ambient_[at(span)];
+    const SpanControls controls = controlsOf(space_, spline.controls, span);
+    SymmetricMatrix* block = blocks.data();
+    for (int j = 0; j < n; ++j) {
+        Vec3& force = result.forces[at(j)];
+        force = ambientForce(ambient, controls, n, j);
+        terms.internal += 0.5 * controls[at(j)].dot(force);
         for (int i = 0; i < perSpan; ++i) {
-            const int sample = span * perSpan + i;
-            const Vec3& direction = spline.frames[at(sample)].direction;
-            const PointDerivatives point = pointDerivatives(spline, alpha, turning, sample, terms);
-            forces[at(i)] = point.force;
-            seconds[at(i)] = packed(point.second);
-            bends[at(i)] = packed(rankOne(direction, tables[i].normalBending));
-            const double along = direction.dot(spline.seconds[at(sample)]);
-            bendForces[at(i)] = tables[i].normalBending * along * direction;
-            terms.internal += 0.5 * tables[i].normalBending * along * along;
+            force += tables[i].basis[at(j)] * forces[at(i)] +
+                     tables[i].second[at(j)] * bendForces[at(i)];
         }
-        const SplineSpace::BasisMatrix& ambient = ambient_[at(span)];
-        const SpanControls controls = controlsOf(space_, spline.controls, span);
-        SymmetricMatrix* block = hessian[at(span)].data();
-        for (int j = 0; j < n; ++j) {
-            Vec3 force = ambientForce(ambient, controls, n, j);
-            terms.internal += 0.5 * controls[at(j)].dot(force);
+        for (int k = 0; k <= j; ++k, ++block) {
+            PackedMatrix sum = packed({ambient(k, j), 0.0, 0.0, ambient(k, j), 0.0, ambient(k, j)});
             for (int i = 0; i < perSpan; ++i) {
-                force += tables[i].basis[at(j)] * forces[at(i)] +
-                         tables[i].second[at(j)] * bendForces[at(i)];
+                sum += (tables[i].basis[at(j)] * tables[i].basis[at(k)]) * seconds[at(i)] +
+                       (tables[i].second[at(j)] * tables[i].second[at(k)]) * bends[at(i)];
             }
-            gradient.segment<3>(3 * static_cast<Eigen::Index>(space_.control(span, j))) += force;
-            for (int k = 0; k <= j; ++k, ++block) {
-                PackedMatrix sum =
-                    packed({ambient(k, j), 0.0, 0.0, ambient(k, j), 0.0, ambient(k, j)});
-                for (int i = 0; i < perSpan; ++i) {
-                    sum += (tables[i].basis[at(j)] * tables[i].basis[at(k)]) * seconds[at(i)] +
-                           (tables[i].second[at(j)] * tables[i].second[at(k)]) * bends[at(i)];
-                }
-                Eigen::Map<PackedMatrix>(block->data()) = sum;
-            }
+            Eigen::Map<PackedMatrix>(block->data()) = sum;
         }
     }
-    return terms;
+    return result;
 }
 
 std::vector<FootEnergy::Surprise> FootEnergy::surprises(

@@ -114,6 +114,16 @@ public:
 private:
     void followSpan(const FootFinder& finder, bool isKnown, int span, FootedSpline& spline) const;
     [[nodiscard]] double distanceTerm(const FootPoint& foot, double weight) const;
+
+    // Of one span: its terms, and the gradient by its control points.
+    struct SpanForces {
+        EnergyTerms terms;
+        std::array<Vec3, kMaxBasis> forces;
+    };
+
+    [[nodiscard]] SpanForces differentiateSpan(
+        const FootedSpline& spline, double alpha, double turning, int span, SpanBlocks& blocks
+    ) const;
     // What E_dist and E_ext say at a sample, by the position; adds to these terms.
     [[nodiscard]] PointDerivatives pointDerivatives(
         const FootedSpline& spline, double alpha, double turning, int sample, EnergyTerms& terms

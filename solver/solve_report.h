@@ -31,6 +31,16 @@ enum class MinimiseStatus {
 /// The four terms of (7) and that of what the curve avoids, unweighted.
 struct EnergyTerms {
     double internal = 0.0, external = 0.0, distance = 0.0, fit = 0.0, avoidance = 0.0;
+
+    friend EnergyTerms operator+(const EnergyTerms& a, const EnergyTerms& b) {
+        return {
+            a.internal + b.internal,
+            a.external + b.external,
+            a.distance + b.distance,
+            a.fit + b.fit,
+            a.avoidance + b.avoidance
+        };
+    }
 };
 
 struct IterationReport {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <vector>
 
@@ -19,12 +20,16 @@ using namespace test_support;
 /// Paths on a rough sphere with as many faces as it takes to find ways among patches.
 class GuidePaths : public testing::Test {
 protected:
-    [[nodiscard]] PickPath path(PathKind kind) const {
+    [[nodiscard]] PickPath path(PathKind kind, SideThread* side = nullptr) const {
         const std::vector<SurfacePoint> picks = {
             {0, Vec3(1.0, 0.0, 0.0)}, {7000, Vec3(0.2, 0.3, 0.5)}, {14000, Vec3(0.0, 0.5, 0.5)}
         };
         return makePickPath(
-            surface_, base_, picks, true, {.blockedFaces = {}, .patches = &patches_, .kind = kind}
+            surface_,
+            base_,
+            picks,
+            true,
+            {.blockedFaces = {}, .patches = &patches_, .kind = kind, .side = side}
         );
     }
 
@@ -50,6 +55,19 @@ private:
     ShellBase base_ = makeShellBase(surface_, 3);
     PatchLevels patches_{surface_};
 };
+
+TEST_F(GuidePaths, AreTheSameOnTwoThreads) {
+    SideThread side;
+    for (const PathKind kind : {PathKind::Quick, PathKind::OnSurface}) {
+        const PickPath alone = path(kind);
+        const PickPath both = path(kind, &side);
+        ASSERT_EQ(alone.guide.points.size(), both.guide.points.size());
+        for (std::size_t i = 0; i < alone.guide.points.size(); ++i) {
+            EXPECT_EQ(alone.guide.points[i].parameter, both.guide.points[i].parameter);
+            EXPECT_EQ(alone.guide.points[i].position, both.guide.points[i].position);
+        }
+    }
+}
 
 TEST_F(GuidePaths, LieOnTheSurfaceWhereAsked) {
     const PickPath onSurface = path(PathKind::OnSurface);

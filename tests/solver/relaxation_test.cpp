@@ -7,6 +7,7 @@
 #include "solver/foot_point.h"
 #include "support/meshes.h"
 #include "surface/input_error.h"
+#include "surface/side_thread.h"
 #include "surface/triangle_tree.h"
 
 #include <gtest/gtest.h>
@@ -372,6 +373,19 @@ TEST(RelaxationIsNotFor, CurvesThatWhatTheyAvoidPushes) {
         ProblemFixture fixture = makeFixture(scene);
         fixture.avoid(ball(fixture.surface(), {0.5, centre, 0}, 0.1), 0.1);
         expectByCells(std::move(fixture));
+    }
+}
+
+TEST(RelaxationOfCurves, IsTheSameOnTwoThreads) {
+    SideThread side;
+    for (const Scene& scene : {noisySphere(true), plateWithBoundary(), noisySphere(false, 4)}) {
+        ProblemFixture fixture = makeFixture(scene);
+        fixture.problem().shell = nullptr;
+        const std::optional<Solution> alone = relaxed(fixture);
+        fixture.problem().side = &side;
+        const std::optional<Solution> both = relaxed(fixture);
+        ASSERT_TRUE(alone && both);
+        expectSame(*alone, *both);
     }
 }
 
