@@ -17,7 +17,7 @@ struct RelaxationStart {
 /// When relax() gives up a curve that is within the tolerance at all samples and still asks for
 /// knots, round after round: mostly it passes through a fold or a thin part of the surface there.
 enum class Patience {
-    Short,  ///< when there are a few times as many
+    Short,  ///< when there are a few times as many; or where it stays far from the surface
     Long,   ///< after SolverOptions::maxRounds
 };
 

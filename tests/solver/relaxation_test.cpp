@@ -282,6 +282,28 @@ TEST(RelaxationSteps, AreAsManyOnASubdividedMesh) {
     EXPECT_LE(onCoarse, 2 * onFine) << onCoarse << " and " << onFine;
 }
 
+// The curve stays in the middle of a lens, however large its weight of the distance becomes: for
+// seven rounds until that is the largest.
+TEST(RelaxationSteps, EndSoonWhereTheCurveStaysFarAway) {
+    constexpr double kThickness = 0.05;
+    Scene lens{
+        "Lens",
+        icosphere(4),
+        {{0.5, 0.0, kThickness}, {0.6, 0.1, -kThickness}, {-0.5, 0.3, kThickness}}
+    };
+    for (Vec3& vertex : lens.mesh.vertices) {
+        vertex.z() *= kThickness;
+    }
+    ProblemFixture fixture = makeFixture(lens);
+    int rounds = 0;
+    fixture.problem().progress = [&](double, const char*) {
+        ++rounds;
+        return true;
+    };
+    EXPECT_FALSE(relaxed(fixture).has_value());
+    EXPECT_LE(rounds, 5);
+}
+
 TEST(RelaxationSteps, StopWhereTheCallbackSaysSo) {
     SolverOptions options;
     options.distanceTolerance *= 0.1;  // so that it takes some rounds
