@@ -6,11 +6,10 @@
     scripts/field_table.py MESH:PICKS... -- OPTION...    these, with further options of the program for both curves
 
 Costs are means of c = exp(-I) along the polyline, by the trapezoid rule between its vertices. Times are the program's own
-for further curves on the same shell (warm), one thread: the least of the medians of several runs.
+for further curves on the same shell (warm): the least of the medians of several runs.
 """
 import argparse
 import json
-import os
 import subprocess
 import sys
 import tempfile
@@ -33,7 +32,7 @@ class NoCurve(Exception):
 
 
 def run(*words):
-    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
     if done.returncode != 0:
         raise NoCurve(done.stderr.strip().replace("\n", " "))
 
