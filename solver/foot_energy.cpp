@@ -289,7 +289,7 @@ double FootEnergy::total(const EnergyTerms& terms, double alpha) const {
 double FootEnergy::scale(const EnergyTerms& terms, double alpha) const {
     const double aboveLeast = fieldWeight_ * (terms.external - problem_.fieldCosts.least);
     return kRoundingEnergy + terms.internal + alpha * terms.distance +
-           (fieldWeight_ > 0.0 ? kFieldShare * std::abs(aboveLeast) : 0.0);
+           (hasField() ? kFieldShare * std::abs(aboveLeast) : 0.0);
 }
 
 PointDerivatives FootEnergy::pointDerivatives(
@@ -313,7 +313,7 @@ PointDerivatives FootEnergy::pointDerivatives(
         point.force += twice * beyond(foot) * gradient;
         point.addRankOne(gradient, twice);
     }
-    if (fieldWeight_ > 0.0) {
+    if (hasField()) {
         const FieldCostValue cost = fieldCost(problem_.options.fieldCost, fieldAt(foot));
         const Vec3 gradient = fieldGradient(foot, frame);
         const double pull = fieldWeight_ * weight;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace bspline_curve {
@@ -65,11 +66,13 @@ std::optional<FootNewton::Step> FootNewton::step(const FootFinder& finder, doubl
     step.total = energy_.total(step.terms, alpha);
     step.scale = energy_.scale(step.terms, alpha);
     const int mostDampings = energy_.hasField() ? 0 : kMaxDampings;
+    int halving = 0;
     for (int damped = 0; along && damped < mostDampings; ++damped) {
         if (tryStep(finder, *along, alpha, 1.0, step)) {
             return step;
         }
         if (!dampSurprises(alpha)) {
+            halving = 1;  // the whole of it has just failed
             break;
         }
         along = factorisedDirection();
@@ -77,9 +80,8 @@ std::optional<FootNewton::Step> FootNewton::step(const FootFinder& finder, doubl
     if (!along) {
         return std::nullopt;
     }
-    double length = 1.0;
-    for (int halving = 0; halving < kMaxHalvings; ++halving, length *= 0.5) {
-        if (tryStep(finder, *along, alpha, length, step)) {
+    for (; halving < kMaxHalvings; ++halving) {
+        if (tryStep(finder, *along, alpha, std::ldexp(1.0, -halving), step)) {
             return step;
         }
     }
