@@ -316,9 +316,6 @@ Curve CurveDesigner::design(
         refuseLostCurve(solution.report.status);
     }
 
-    problem.side = nullptr;  // it ends here
-    side.reset();
-
     Stopwatch watch;
     Curve curve;
     curve.prisms = prismsOf(problem, solution);

@@ -4,6 +4,7 @@
 #include "design/taut_path.h"
 #include "surface/geodesic_path.h"
 #include "surface/input_error.h"
+#include "surface/side_thread.h"
 
 #include <algorithm>
 #include <atomic>

@@ -6,13 +6,14 @@
 #include "solver/initial_curve.h"
 #include "solver/obstacles.h"
 #include "surface/patch_levels.h"
-#include "surface/side_thread.h"
 #include "surface/surface.h"
 
 #include <span>
 #include <vector>
 
 namespace bspline_curve {
+
+class SideThread;
 
 struct PickPath {
     GuidePath guide;

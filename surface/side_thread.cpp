@@ -38,13 +38,7 @@ void SideThread::run(const Loop& loop) {
     next_.store(0, std::memory_order_relaxed);
     state_.store(State::Open, std::memory_order_release);
     state_.notify_one();
-    std::exception_ptr error;
-    try {
-        work();
-    } catch (...) {
-        error = std::current_exception();
-        next_.store(loop.count, std::memory_order_relaxed);
-    }
+    const std::exception_ptr error = work();
     State expected = State::Open;
     if (!state_.compare_exchange_strong(expected, State::Idle, std::memory_order_acq_rel)) {
         while (state_.load(std::memory_order_acquire) != State::Idle) {
@@ -57,17 +51,23 @@ void SideThread::run(const Loop& loop) {
     }
 }
 
-void SideThread::work() {
+// Returns what a task throws, and leaves the rest of the loop out then.
+std::exception_ptr SideThread::work() {
     const Loop loop = loop_;
-    while (true) {
-        const int begin = next_.fetch_add(loop.atOnce, std::memory_order_relaxed);
-        if (begin >= loop.count) {
-            return;
+    try {
+        while (true) {
+            const int begin = next_.fetch_add(loop.atOnce, std::memory_order_relaxed);
+            if (begin >= loop.count) {
+                return nullptr;
+            }
+            const int end = std::min(begin + loop.atOnce, loop.count);
+            for (int i = begin; i < end; ++i) {
+                loop.call(loop.context, i);
+            }
         }
-        const int end = std::min(begin + loop.atOnce, loop.count);
-        for (int i = begin; i < end; ++i) {
-            loop.call(loop.context, i);
-        }
+    } catch (...) {
+        next_.store(loop.count, std::memory_order_relaxed);
+        return std::current_exception();
     }
 }
 
@@ -83,12 +83,7 @@ void SideThread::serve() {
         }
         State expected = State::Open;
         if (state_.compare_exchange_strong(expected, State::Joined, std::memory_order_acq_rel)) {
-            try {
-                work();
-            } catch (...) {
-                error_ = std::current_exception();
-                next_.store(loop_.count, std::memory_order_relaxed);
-            }
+            error_ = work();
             state_.store(State::Idle, std::memory_order_release);
         } else if (expected == State::End) {
             return;

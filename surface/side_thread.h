@@ -51,7 +51,7 @@ private:
 
     [[nodiscard]] std::thread start();
     void run(const Loop& loop);
-    void work();
+    std::exception_ptr work();
     void serve();
 
     Loop loop_;

@@ -2,6 +2,7 @@
 #include "design/guide_path.h"
 
 #include "support/meshes.h"
+#include "surface/side_thread.h"
 #include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
 
