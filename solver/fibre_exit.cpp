@@ -31,12 +31,14 @@ bool find(const FaceFibres& fibres, FibrePlace& place) {
            FaceFibres::Outcome::Found;
 }
 
-// Moves to another parameter of the curve, the foot by its derivatives.
-void moveTo(const PolynomialCurve& curve, double tau, FibrePlace& place) {
+// Moves from a place to another parameter of the curve, the foot by its derivatives there. `to` may
+// be the same; its frame stays as it is.
+void moveTo(const PolynomialCurve& curve, double tau, const FibrePlace& from, FibrePlace& to) {
     const auto [position, along] = curve.withDerivativeAt(tau);
-    FootFinder::predict(position - place.position, place.frame, place.foot);
-    place.position = position;
-    place.along = along;
+    to.foot = from.foot;
+    FootFinder::predict(position - from.position, from.frame, to.foot);
+    to.position = position;
+    to.along = along;
 }
 
 // How far a foot is from the walls of its face, and how fast that changes along the curve.
@@ -147,7 +149,7 @@ std::optional<FibreExit> findCarefully(
     ExitSearch search{tau};
     double next = firstGuess(curve, tau, here);
     for (int step = 0; step < kMaxSteps; ++step) {
-        moveTo(curve, next, there);
+        moveTo(curve, next, there, there);
         if (!find(fibres, there)) {
             return std::nullopt;
         }
@@ -226,15 +228,9 @@ public:
 private:
     enum class Look { Found, Elsewhere, Unclear };
 
-    void predict(double tau) {
-        std::tie(there_.position, there_.along) = curve_.withDerivativeAt(tau);
-        there_.foot = here_.foot;
-        FootFinder::predict(there_.position - here_.position, here_.frame, there_.foot);
-    }
-
     // At the end of the span; sets another guess where that lies outside.
     Look lookAtEnd() {
-        predict(1.0);
+        moveTo(curve_, 1.0, here_, there_);
         if (!find(fibres_, there_)) {
             return Look::Unclear;
         }
@@ -250,7 +246,7 @@ private:
         const int wall = guess_.wall;
         const int from = (wall + 1) % 3;
         const int to = (wall + 2) % 3;
-        predict(guess_.tau);
+        moveTo(curve_, guess_.tau, here_, there_);
         WallMeeting meeting{guess_.tau, there_.foot.barycentric()[to], there_.foot.height};
         if (!meeting.find(fibres_.wall(wall), curve_, start_.slopes[wall]) ||
             meeting.tau <= tau_ + kSameParameter) {

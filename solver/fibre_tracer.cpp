@@ -67,18 +67,15 @@ public:
         return !isLost_ && here_.foot.face == other.firstFace_;
     }
 
-    // Goes on as another one has that began here.
+    // Goes on as another one has that began here, to its end.
     void follow(const FibreWalk& other) {
         const auto append = [](auto& to, const auto& from) {
             to.insert(to.end(), from.begin(), from.end());
         };
         append(trace_.crossings, other.trace_.crossings);
         append(trace_.pieces, other.trace_.pieces);
-        here_ = other.here_;
-        fibres_ = other.fibres_;
         span_ = other.span_;
         isLost_ = other.isLost_;
-        stalled_ = other.stalled_;
     }
 
     [[nodiscard]] FibreTrace trace() && {
