@@ -22,7 +22,7 @@ from matplotlib import pyplot  # noqa: E402
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-SCRIPTS = ("peers", "scaling", "table1")
+SCRIPTS = ("peers", "scaling", "table1", "polylines")
 FIELD_NAMES = {"none": "no field", "waves": "waves", "maximal-curvature": "maximal curvature"}
 OURS, MESHLIB, GEODESIC = "#c33b22", "#3d6ea8", "#7a9a4f"
 MILLION = 1_000_000
@@ -159,6 +159,13 @@ def table1_table(table1):
     return table(["row", "vertices", "picks", "paper, s", "cold, s", "warm, s", "knots, paper", "ours"], rows)
 
 
+def polylines_table(polylines):
+    rows = [[f"{row['samples']:,}", f"{1e3 * row['spline']['seconds']:.1f}", f"{1e3 * row['polyline']['seconds']:.1f}",
+             row["spline"]["steps"], row["polyline"]["steps"], f"{row['spline']['internal'] / row['polyline']['internal']:.2f}"]
+            for row in polylines["rows"]]
+    return table(["samples", "spline, ms", "polyline, ms", "Newton steps: spline", "polyline", "energy, spline / polyline"], rows)
+
+
 # ---------------------------------------------------------------- plots
 def save(figure, path):
     figure.tight_layout()
@@ -207,6 +214,19 @@ def plot_scaling(scaling, path):
     save(figure, path)
 
 
+def plot_polylines(polylines, path):
+    rows = polylines["rows"]
+    samples = [row["samples"] for row in rows]
+    figure, axis = pyplot.subplots(figsize=(6, 3.2))
+    for kind, marker, colour, label in (("spline", "o", OURS, "B-spline, then sampled"),
+                                        ("polyline", "s", MESHLIB, "polyline, optimised itself")):
+        axis.plot(samples, [1e3 * row[kind]["seconds"] for row in rows], marker=marker, color=colour, label=label)
+    axis.set(xlabel="points on the curve", ylabel="warm, ms", ylim=(0, None))
+    axis.grid(alpha=0.3)
+    axis.legend(fontsize=8)
+    save(figure, path)
+
+
 def plot_instructions(counts, path):
     """What a warm curve takes, by the paths that it is made of."""
     paths = counts["paths"]
@@ -234,12 +254,13 @@ def main():
     parser.add_argument("--page", type=Path, default=ROOT / "docs" / "PERFORMANCE.md")
     given = parser.parse_args()
     results = {name: results_of(name, given) for name in SCRIPTS}
-    peers, scaling, table1 = (results[name] for name in SCRIPTS)
+    peers, scaling, table1, polylines = (results[name] for name in SCRIPTS)
     counts = json.loads((HERE / "instructions.json").read_text())
     images = given.page.parent / "images"
     images.mkdir(exist_ok=True)
     plot_peers(peers, images / "performance_peers.png")
     plot_scaling(scaling, images / "performance_scaling.png")
+    plot_polylines(polylines, images / "performance_polylines.png")
     plot_instructions(counts, images / "performance_instructions.png")
     build = counts["build"]
     replace_table(given.page, "machine", machine_text(results) + f"\nInstructions: {build['compiler']}, `{build['flags']}`.")
@@ -250,6 +271,7 @@ def main():
     replace_table(given.page, "stages", stages_table(scaling))
     replace_table(given.page, "scaling", scaling_table(scaling))
     replace_table(given.page, "table1", table1_table(table1))
+    replace_table(given.page, "polylines", polylines_table(polylines))
     return 0
 
 

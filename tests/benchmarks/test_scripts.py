@@ -84,6 +84,20 @@ def test_the_rows_of_table_1_have_their_vertices_and_picks(script, bench_program
     assert all(row["warm"] > 0 and row["cold"] > 0 and row["knots"][1] >= row["knots"][0] for row in rows)
 
 
+def test_polylines_have_as_many_points_as_the_samples_that_splines_get(script, bench_program, tmp_path):
+    if not (bench_program.parent / "polyline_comparison").is_file():
+        pytest.skip("polyline_comparison is not built (-DBSPLINE_CURVE_BENCHMARKS=ON)")
+    succeed(script("polylines.py", "--quick", "--program", bench_program, "--json", tmp_path / "l.json"))
+    rows = json.loads((tmp_path / "l.json").read_text())["rows"]
+    assert [row["samples"] for row in rows] == [165, 358]
+    for row in rows:
+        assert abs(row["polyline"]["points"] - row["samples"]) < 6 and row["spline"]["points"] > row["samples"]
+        for kind in ("spline", "polyline"):
+            assert row[kind]["usable"] and row[kind]["seconds"] > 0 and row[kind]["steps"] > 0
+    energies = [row["spline"]["internal"] / row["polyline"]["internal"] for row in rows]
+    assert 0.7 < energies[1] < 1.4, "both minimise the same energy"
+
+
 @needs("potpourri3d", "meshlib")
 def test_peers_are_timed_on_the_same_curves(script, bench_program, tmp_path):
     text = succeed(script("peers.py", "--quick", "--program", bench_program, "--json", tmp_path / "p.json"))
@@ -104,7 +118,7 @@ def test_the_page_gets_other_tables_and_plots_and_keeps_its_text(script, bench_p
     before, after = (path.read_text().splitlines() for path in (ROOT / "docs" / "PERFORMANCE.md", page))
     assert [line for line in before if line and line[0] not in "|TI"] == [line for line in after if line and line[0] not in "|TI"]
     assert any(line.startswith("| torus of 1,000, 4 open |") for line in after)
-    for name in ("peers", "scaling", "instructions"):
+    for name in ("peers", "scaling", "polylines", "instructions"):
         assert (page.parent / "images" / f"performance_{name}.png").read_bytes().startswith(b"\x89PNG")
 
 

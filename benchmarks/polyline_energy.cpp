@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/polyline_energy.h"
+
+#include "solver/energy_derivatives.h"
+#include "solver/relaxation.h"
+#include "surface/side_thread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace bspline_curve::benchmarks {
+namespace {
+
+// So many vertices at once are followed by one of two threads.
+constexpr int kVerticesAtOnce = 32;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+SymmetricMatrix& operator+=(SymmetricMatrix& sum, const SymmetricMatrix& m) {
+    for (std::size_t e = 0; e < sum.size(); ++e) {
+        sum[e] += m[e];
+    }
+    return sum;
+}
+
+// scale (I - share n n^T).
+SymmetricMatrix projection(const Vec3& n, double share, double scale) {
+    SymmetricMatrix result = rankOne(n, -share * scale);
+    result += SymmetricMatrix{scale, 0.0, 0.0, scale, 0.0, scale};
+    return result;
+}
+
+SymmetricMatrix operator*(double scale, const SymmetricMatrix& m) {
+    return {scale * m[0], scale * m[1], scale * m[2], scale * m[3], scale * m[4], scale * m[5]};
+}
+
+}  // namespace
+
+PolylineEnergy::PolylineEnergy(const CurveProblem& problem, int count)
+    : problem_(problem),
+      heightUnit_(heightUnitOf(problem)),
+      normalShare_(
+          problem.options.bending == Bending::Geodesic ? 1.0 - problem.options.normalBendingWeight
+                                                       : 0.0
+      ) {
+    const double scale = 1.0 / (problem.chordLength * problem.chordLength);
+    bending_ = scale * (1.0 - problem.options.tension);
+    stretching_ = scale * problem.options.tension;
+    placeVertices(count);
+}
+
+void PolylineEnergy::placeVertices(int count) {
+    const int picks = static_cast<int>(problem_.picks.size());
+    for (int pick = 0; pick < (isClosed() ? picks : picks - 1); ++pick) {
+        const double begin = problem_.picks[at(pick)].parameter;
+        const double end = pick + 1 < picks ? problem_.picks[at(pick + 1)].parameter : 1.0;
+        const int steps = std::max(2, static_cast<int>(std::lround((end - begin) * count)));
+        const double step = (end - begin) / steps;
+        for (int i = 0; i < steps; ++i) {
+            vertices_.push_back({begin + i * step, step, 0.0, i == 0 ? pick : -1});
+        }
+    }
+    if (!isClosed()) {
+        vertices_.push_back({1.0, 0.0, 0.0, picks - 1});
+    }
+    for (int segment = 0; segment < segmentCount(); ++segment) {
+        const double half = 0.5 * vertices_[at(segment)].step;
+        vertices_[at(segment)].weight += half;
+        vertices_[at(after(segment, 1))].weight += half;
+    }
+}
+
+FootedPolyline PolylineEnergy::along(const GuidePath& guide, const FootFinder& finder) const {
+    FootedPolyline line;
+    for (const Vertex& vertex : vertices_) {
+        const SurfacePoint& near = guide.points[guide.indexAt(vertex.parameter)].point;
+        line.feet.push_back({near.face, near.barycentric[1], near.barycentric[2], 0.0});
+        line.points.push_back(
+            vertex.pick >= 0 ? problem_.picks[at(vertex.pick)].position
+                             : guide.positionAt(vertex.parameter)
+        );
+    }
+    line.frames.resize(line.feet.size());
+    follow(finder, line);
+    return line;
+}
+
+void PolylineEnergy::follow(const FootFinder& finder, FootedPolyline& line) const {
+    forEach(problem_.side, count(), kVerticesAtOnce, [&](int i) {
+        finder.move(line.points[at(i)], line.feet[at(i)], line.frames[at(i)]);
+    });
+}
+
+PolylineEnergy::Stencil PolylineEnergy::stencil(int first) const {
+    const double before = vertices_[at(first)].step;
+    const double behind = vertices_[at(after(first, 1))].step;
+    const double twice = 2.0 / (before + behind);
+    return {
+        {twice / before, -twice / before - twice / behind, twice / behind},
+        bending_ * vertices_[at(after(first, 1))].weight
+    };
+}
+
+Vec3 PolylineEnergy::secondDerivative(const FootedPolyline& line, int first) const {
+    const Stencil difference = stencil(first);
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        sum += difference.factors[at(k)] * line.points[at(after(first, k))];
+    }
+    return sum;
+}
+
+PolylineEnergy::Terms PolylineEnergy::terms(
+    const FootedPolyline& line, const std::vector<FootFrame>& frozen
+) const {
+    Terms terms;
+    for (int first = 0; first < stencilCount(); ++first) {
+        const Vec3 second = secondDerivative(line, first);
+        const double along = frozen[at(after(first, 1))].direction.dot(second);
+        terms.internal +=
+            stencil(first).weight * (second.squaredNorm() - normalShare_ * along * along);
+    }
+    for (int segment = 0; stretching_ > 0.0 && segment < segmentCount(); ++segment) {
+        const Vec3 edge = line.points[at(after(segment, 1))] - line.points[at(segment)];
+        terms.internal += stretching_ / vertices_[at(segment)].step * edge.squaredNorm();
+    }
+    for (int i = 0; i < count(); ++i) {
+        const double height = line.feet[at(i)].height / heightUnit_;
+        terms.distance += vertices_[at(i)].weight * height * height;
+    }
+    return terms;
+}
+
+void PolylineEnergy::addBending(
+    const FootedPolyline& line, Eigen::VectorXd& gradient, std::vector<Blocks>& hessian
+) const {
+    for (int first = 0; first < stencilCount(); ++first) {
+        const Stencil difference = stencil(first);
+        const Vec3& direction = line.frames[at(after(first, 1))].direction;
+        const double twice = 2.0 * difference.weight;
+        const Vec3 second = secondDerivative(line, first);
+        const Vec3 force = twice * (second - normalShare_ * direction.dot(second) * direction);
+        const SymmetricMatrix matrix = projection(direction, normalShare_, twice);
+        for (int j = 0; j < 3; ++j) {
+            const double factor = difference.factors[at(j)];
+            gradient.segment<3>(3 * Eigen::Index{after(first, j)}) += factor * force;
+            for (int k = j; k < 3; ++k) {
+                hessian[at(after(first, j))][at(k - j)] +=
+                    (factor * difference.factors[at(k)]) * matrix;
+            }
+        }
+    }
+}
+
+void PolylineEnergy::addTension(
+    const FootedPolyline& line, Eigen::VectorXd& gradient, std::vector<Blocks>& hessian
+) const {
+    for (int segment = 0; segment < segmentCount(); ++segment) {
+        const int end = after(segment, 1);
+        const double twice = 2.0 * stretching_ / vertices_[at(segment)].step;
+        const Vec3 force = twice * (line.points[at(end)] - line.points[at(segment)]);
+        gradient.segment<3>(3 * Eigen::Index{end}) += force;
+        gradient.segment<3>(3 * Eigen::Index{segment}) -= force;
+        const SymmetricMatrix matrix{twice, 0.0, 0.0, twice, 0.0, twice};
+        hessian[at(segment)][0] += matrix;
+        hessian[at(end)][0] += matrix;
+        hessian[at(segment)][1] += -1.0 * matrix;
+    }
+}
+
+void PolylineEnergy::differentiate(
+    const FootedPolyline& line,
+    double alpha,
+    double turning,
+    Eigen::VectorXd& gradient,
+    std::vector<Blocks>& hessian
+) const {
+    gradient = Eigen::VectorXd::Zero(3 * Eigen::Index{count()});
+    hessian.assign(at(count()), Blocks{});
+    addBending(line, gradient, hessian);
+    if (stretching_ > 0.0) {
+        addTension(line, gradient, hessian);
+    }
+    for (int i = 0; i < count(); ++i) {
+        const FootFrame& frame = line.frames[at(i)];
+        const double stiffness =
+            2.0 * alpha * vertices_[at(i)].weight / (heightUnit_ * heightUnit_);
+        const double force = stiffness * line.feet[at(i)].height;
+        PointDerivatives point;
+        point.addRankOne(frame.height, stiffness);
+        point.addProduct(frame.turnU, frame.u, 0.5 * turning * force);
+        point.addProduct(frame.turnV, frame.v, 0.5 * turning * force);
+        gradient.segment<3>(3 * Eigen::Index{i}) += force * frame.height;
+        hessian[at(i)][0] += point.second;
+    }
+}
+
+double PolylineEnergy::largestHeight(const FootedPolyline& line) const {
+    double largest = 0.0;
+    for (const FootPoint& foot : line.feet) {
+        largest = std::max(largest, std::abs(foot.height));
+    }
+    return largest;
+}
+
+}  // namespace bspline_curve::benchmarks
