@@ -56,7 +56,7 @@ struct Guidance {
     std::span<const int> avoid{};     ///< faces that the curve must not enter
     /// A curve of the same designer through as many picks, each near the one of now, as while a
     /// pick is dragged: the new curve is relaxed from that one, displaced with its picks (see
-    /// dragCurve), in three quarters of the time on average, and bends as much as one from scratch.
+    /// dragCurve), in six tenths of the time on average, and bends as much as one from scratch.
     /// No start where degree or closedness differ, where it was not relaxed at foot points, or
     /// where a piece between picks would double or halve its length.
     const Curve* start = nullptr;

@@ -126,10 +126,7 @@ std::optional<Solved> CurveSolver::solveFromStart(const Progress& progress) cons
     }
     const Shell* const shell = isLocal() ? nullptr : &prepared_.wholeShell().build.shell;
     CurveProblem problem = problemOn(dragged->path, shell, progress);
-    SplineSpace space(spline.degree, spline.closed, std::move(dragged->breaks));
-    RelaxationStart begin{
-        fitOver(problem, dragged->path.guide, std::move(space)), start.report.rounds.back().alpha
-    };
+    RelaxationStart begin{std::move(dragged->spline), start.report.rounds.back().alpha};
     return relaxed(std::move(problem), dragged->path.guide, std::move(begin), Patience::Short);
 }
 

@@ -2,7 +2,10 @@
 #include "design/dragged_curve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <numeric>
+#include <utility>
 
 namespace bspline_curve {
 namespace {
@@ -44,10 +47,12 @@ public:
         : curve_(curve), base_(base), picks_(picks) {
         const SurfacePolyline& line = curve.polyline;
         for (std::size_t i = 0; i < line.points.size(); ++i) {
-            points_.push_back({line.parameters[i], line.surfacePoints[i]});
+            const SurfacePoint& point = line.surfacePoints[i];
+            points_.push_back({line.parameters[i], point, base.position(point)});
         }
         if (line.closed) {
-            points_.push_back({1.0, line.surfacePoints.front()});
+            points_.push_back(points_.front());
+            points_.back().parameter = 1.0;
         }
         addPieces();
     }
@@ -61,39 +66,25 @@ public:
 
     DraggedCurve result() {
         setParameters();
-        DraggedCurve result;
-        for (std::size_t i = 0; i < picks_.size(); ++i) {
-            const double t = i < pieces_.size() ? pieces_[i].newBegin : 1.0;
-            result.path.picks.push_back({picks_[i], base_.position(picks_[i]), t});
-        }
-        for (const Piece& piece : pieces_) {
-            for (std::size_t i = piece.first; i <= piece.last; ++i) {
-                const Point& point = points_[i];
-                result.path.guide.points.push_back(
-                    {piece.newParameter(point.parameter), point.point, positionIn(piece, i)}
-                );
-            }
-        }
-        result.path.guide.points.back().parameter = 1.0;
-        result.breaks = newBreaks();
-        return result;
+        return {newPath(), newSpline()};
     }
 
 private:
     struct Point {
         double parameter;
         SurfacePoint point;
+        Vec3 position;  // in the shell's frame
     };
 
     [[nodiscard]] Vec3 positionIn(const Piece& piece, std::size_t i) const {
-        return base_.position(points_[i].point) + piece.move(points_[i].parameter);
+        return points_[i].position + piece.move(points_[i].parameter);
     }
 
     void addPieces() {
         const std::vector<int>& vertices = curve_.polyline.picks;
         const std::size_t count = curve_.polyline.closed ? picks_.size() : picks_.size() - 1;
         const auto moveOf = [&](std::size_t pick) -> Vec3 {
-            return base_.position(picks_[pick]) - base_.position(points_[at(vertices[pick])].point);
+            return base_.position(picks_[pick]) - points_[at(vertices[pick])].position;
         };
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t next = (i + 1) % picks_.size();
@@ -105,9 +96,7 @@ private:
             piece.firstMove = moveOf(i);
             piece.lastMove = moveOf(next);
             for (std::size_t k = piece.first; k < piece.last; ++k) {
-                piece.length +=
-                    (base_.position(points_[k + 1].point) - base_.position(points_[k].point))
-                        .norm();
+                piece.length += (points_[k + 1].position - points_[k].position).norm();
                 piece.dragged += (positionIn(piece, k + 1) - positionIn(piece, k)).norm();
             }
             pieces_.push_back(piece);
@@ -126,6 +115,45 @@ private:
             piece.newEnd /= sum;
         }
         pieces_.back().newEnd = 1.0;
+    }
+
+    [[nodiscard]] PickPath newPath() const {
+        PickPath path;
+        for (std::size_t i = 0; i < picks_.size(); ++i) {
+            const double t = i < pieces_.size() ? pieces_[i].newBegin : 1.0;
+            path.picks.push_back({picks_[i], base_.position(picks_[i]), t});
+        }
+        for (const Piece& piece : pieces_) {
+            for (std::size_t i = piece.first; i <= piece.last; ++i) {
+                const Point& point = points_[i];
+                path.guide.points.push_back(
+                    {piece.newParameter(point.parameter), point.point, positionIn(piece, i)}
+                );
+            }
+        }
+        path.guide.points.back().parameter = 1.0;
+        return path;
+    }
+
+    // A control point moves as the curve does where its basis function is largest, or nearly so: at
+    // the mean of the knots inside (Greville's abscissa).
+    [[nodiscard]] SplineCurve newSpline() const {
+        const SplineData& spline = curve_.spline;
+        SplineSpace space(spline.degree, spline.closed, newBreaks());
+        ControlPoints controls(space.controlCount(), 3);
+        for (int c = 0; c < space.controlCount(); ++c) {
+            const auto inner = spline.knots.begin() + c + 1;
+            const double sum = std::accumulate(inner, inner + spline.degree, 0.0);
+            const double t = sum / spline.degree;
+            const Vec3 move = moveAt(spline.closed ? t - std::floor(t) : t);
+            controls.row(c) = (base_.frame.toUnit(spline.controlPoints[at(c)]) + move).transpose();
+        }
+        return {std::move(space), std::move(controls)};
+    }
+
+    [[nodiscard]] Vec3 moveAt(double parameter) const {
+        const auto above = std::ranges::upper_bound(pieces_, parameter, {}, &Piece::begin);
+        return (above == pieces_.begin() ? *above : *std::prev(above)).move(parameter);
     }
 
     [[nodiscard]] std::vector<double> newBreaks() const {

@@ -165,11 +165,6 @@ SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, doub
     }
 }
 
-SplineCurve fitOver(const CurveProblem& problem, const GuidePath& guide, SplineSpace space) {
-    ControlPoints controls = fitSpline(problem, space, targetsOf(guide, space));
-    return {std::move(space), std::move(controls)};
-}
-
 std::optional<SplineCurve> fitGuidePath(const CurveProblem& problem, const GuidePath& guide) {
     std::vector<double> breaks = firstBreaks(problem);
     const double highestStart = kHighestStart / relativeReach(problem);

@@ -48,11 +48,6 @@ struct SplineCurve {
     const CurveProblem& problem, const GuidePath& guide, double distance
 );
 
-/// The least-squares fit to the guide of a given space, through all picks.
-[[nodiscard]] SplineCurve fitOver(
-    const CurveProblem& problem, const GuidePath& guide, SplineSpace space
-);
-
 /// First spline by Alg. 2 of the paper: its control polygon runs in turn to the top and to the
 /// bottom of the shell over the picks, with midpoints of the guide path where a segment would leave
 /// the shell. It may leave the shell all the same (the paper's eta, see integrateSamples).

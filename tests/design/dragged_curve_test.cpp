@@ -19,6 +19,10 @@ namespace {
 
 using namespace test_support;
 
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
 class DraggedCurves : public testing::TestWithParam<bool> {
 protected:
     [[nodiscard]] Curve curve() const {
@@ -44,8 +48,7 @@ protected:
         const Curve& curve, const std::vector<SurfacePoint>& picks
     ) const {
         const std::optional<DraggedCurve> result = dragCurve(curve, base_, picks);
-        EXPECT_TRUE(result.has_value());
-        return result.value_or(DraggedCurve{});
+        return result.value();
     }
 
     // Where the guide is at a pick.
@@ -87,8 +90,16 @@ protected:
         }
     }
 
+    // A kink of the displacements is rounded off.
+    static void expectNearlyPassedBySpline(const DraggedCurve& curve) {
+        const auto& [space, controls] = curve.spline;
+        for (const PickConstraint& pick : curve.path.picks) {
+            EXPECT_LT((space.evaluate(controls, pick.parameter) - pick.position).norm(), 0.01);
+        }
+    }
+
     static void expectInOrder(const DraggedCurve& curve) {
-        const std::vector<double>& breaks = curve.breaks;
+        const std::vector<double>& breaks = curve.spline.space.breaks();
         EXPECT_TRUE(std::ranges::is_sorted(breaks));
         EXPECT_EQ(std::ranges::adjacent_find(breaks), breaks.end());
         EXPECT_EQ(breaks.front(), 0.0);
@@ -123,9 +134,14 @@ TEST_P(DraggedCurves, AreTheSameWhereNothingMoved) {
         EXPECT_NEAR(after.path.picks[i].parameter, before.spline.pickParameters[i], 1e-12);
     }
     const auto degree = static_cast<std::size_t>(before.spline.degree);
-    ASSERT_EQ(after.breaks.size() + 2 * degree, before.spline.knots.size());
-    for (std::size_t i = 0; i < after.breaks.size(); ++i) {
-        EXPECT_NEAR(after.breaks[i], before.spline.knots[i + degree], 1e-12);
+    const std::vector<double>& breaks = after.spline.space.breaks();
+    ASSERT_EQ(breaks.size() + 2 * degree, before.spline.knots.size());
+    for (std::size_t i = 0; i < breaks.size(); ++i) {
+        EXPECT_NEAR(breaks[i], before.spline.knots[i + degree], 1e-12);
+    }
+    for (int c = 0; c < after.spline.space.controlCount(); ++c) {
+        const Vec3 there = base_.frame.toUnit(before.spline.controlPoints[at(c)]);
+        EXPECT_LT((after.spline.controls.row(c).transpose() - there).norm(), 1e-12);
     }
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         EXPECT_LT(
@@ -143,7 +159,31 @@ TEST_P(DraggedCurves, PassThePicksThatMoved) {
         const DraggedCurve after = dragged(before, picks);
         expectPassed(after);
         expectInOrder(after);
+        expectNearlyPassedBySpline(after);
     }
+}
+
+// What lies between picks that stay does not move.
+TEST_P(DraggedCurves, StayWhereNoPickNearbyMoved) {
+    const Curve before = curve();
+    const DraggedCurve after = dragged(before, moved(0, {0.0, -0.1, 0.1}));
+    const SplineSpace& space = after.spline.space;
+    const double begin = before.spline.pickParameters[1];
+    const double end = before.spline.pickParameters[3];
+    int still = 0;
+    for (int c = 0; c < space.controlCount(); ++c) {
+        const Vec3 there = base_.frame.toUnit(before.spline.controlPoints[at(c)]);
+        const double moved = (after.spline.controls.row(c).transpose() - there).norm();
+        const double first = before.spline.knots[at(c + 1)];
+        const double last = before.spline.knots[at(c + space.degree())];
+        if (first > begin && last < end) {
+            EXPECT_LT(moved, 1e-12);
+            ++still;
+        } else if (last < begin && first > 0.0) {
+            EXPECT_GT(moved, 1e-3 * (begin - last));
+        }
+    }
+    EXPECT_GT(still, 2);
 }
 
 // A piece that became longer than another has as much more of the parameters.
