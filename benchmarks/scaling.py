@@ -7,7 +7,8 @@
 The bunny of pymeshlab's wheel, decimated to 7,000 faces, then every face split into four at the midpoints of its edges, four
 times: 1.8 million. The picks stay. Without a field, with waves in space as field (the same on every level, from a file), and with
 maximal curvature, which is made anew in each cold run. Memory is the program's largest until the first curve was there, less the
-arrays of the mesh (24 bytes per vertex, 12 per face). Times are the least of several rounds. Needs requirements.txt.
+arrays of the mesh (24 bytes per vertex, 12 per face). Times are the least of several rounds over all levels, so that a busy
+minute of the machine does not fall on one level alone. Needs requirements.txt.
 """
 import argparse
 import math
@@ -25,6 +26,7 @@ PICKS = 6
 SEED = 1
 WAVES = 3.0  # of the field, along each axis of the box
 FIELDS = ("none", "waves", "maximal-curvature")
+CURVATURE_EVERY = 4  # rounds: it takes half a minute on the finest level
 
 
 def decimated_bunny():
@@ -50,10 +52,13 @@ def field_options(kind, vertices, folder):
     return [] if kind == "none" else ["--field", kind]
 
 
-def measure(program, case, kind, rounds, repeat):
+def report_on(program, case, kind, repeat):
     with tempfile.TemporaryDirectory() as folder:
-        options = field_options(kind, case.vertices, Path(folder))
-        report = best_of([draw(program, case, *options, repeat=repeat) for _ in range(rounds)])
+        return draw(program, case, *field_options(kind, case.vertices, Path(folder)), repeat=repeat)
+
+
+def row_of(case, kind, reports):
+    report = best_of(reports)
     seconds, faces = report["seconds"], len(case.faces)
     arrays = 24 * len(case.vertices) + 12 * faces
     stages = {key: seconds[key] for key in ("validate", "tree", "shell", "field", "design")}
@@ -61,6 +66,17 @@ def measure(program, case, kind, rounds, repeat):
             "peak_bytes": report["peak_memory_bytes"]["cold"],
             "whole_shell": is_in_whole_shell(report),
             "bytes_per_face": (report["peak_memory_bytes"]["cold"] - arrays) / faces}
+
+
+def surfaces(levels):
+    """The bunny on every level, finer and finer, with the same picks."""
+    vertices, faces = decimated_bunny()
+    picks = farthest_picks(vertices, faces, PICKS, SEED)
+    cases = [Case("level 0", vertices, faces, picks, True)]
+    while len(cases) < levels:
+        vertices, faces = midpoint_subdivided(vertices, faces)
+        cases.append(Case(f"level {len(cases)}", vertices, faces, picks, True))
+    return cases
 
 
 def growth(rows, key):
@@ -74,25 +90,23 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", type=Path, default=PROGRAM)
     parser.add_argument("--levels", type=int, default=LEVELS, help="meshes, each with four times the faces of the one before")
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--rounds", type=int, default=8)
     parser.add_argument("--repeat", type=int, default=7, help="warm curves in each round")
     parser.add_argument("--quick", action="store_true", help="two levels, one round")
     parser.add_argument("--json", type=Path)
     given = parser.parse_args()
     if given.quick:
         given.levels, given.rounds, given.repeat = 2, 1, 1
-    vertices, faces = decimated_bunny()
-    picks = farthest_picks(vertices, faces, PICKS, SEED)
+    cases = surfaces(given.levels)
+    reports = [[case, kind, []] for case in cases for kind in FIELDS]
+    for number in range(given.rounds):
+        for case, kind, done in reports:
+            if kind != "maximal-curvature" or number % CURVATURE_EVERY == 0:
+                done.append(report_on(given.program, case, kind, given.repeat))
+    rows = [row_of(*all_of_one) for all_of_one in reports]
     print(f"{'field':18} {'faces':>10} {'cold, ms':>9} {'warm, ms':>9} {'bytes per face':>15}")
-    rows = []
-    for level in range(given.levels):
-        case = Case(f"level {level}", vertices, faces, picks, True)
-        for kind in FIELDS:
-            rows.append(row := measure(given.program, case, kind, given.rounds, given.repeat))
-            print(f"{kind:18} {row['faces']:10,} {1e3 * row['cold']:9.1f} {1e3 * row['warm']:9.2f} {row['bytes_per_face']:15,.0f}",
-                  flush=True)
-        if level + 1 < given.levels:
-            vertices, faces = midpoint_subdivided(vertices, faces)
+    for row in rows:
+        print(f"{row['field']:18} {row['faces']:10,} {1e3 * row['cold']:9.1f} {1e3 * row['warm']:9.2f} {row['bytes_per_face']:15,.0f}")
     grown = {kind: {key: growth([row for row in rows if row["field"] == kind], key) for key in ("cold", "warm")}
              for kind in FIELDS}
     for kind, by_state in grown.items():
