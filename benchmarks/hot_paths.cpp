@@ -4,6 +4,7 @@
 // run and what they are. hot_paths --about: compiler, flags and processor, a line each.
 #include "benchmarks/paths.h"
 #include "benchmarks/scene.h"
+#include "surface/side_task.h"
 
 #include <algorithm>
 #include <exception>
@@ -17,6 +18,8 @@ namespace {
 using namespace bspline_curve::benchmarks;
 
 constexpr int kSubdivisions = 5;  // 20,480 faces
+// Callgrind counts what the calling thread does alone.
+static_assert((20U << (2U * kSubdivisions)) < bspline_curve::kFacesForTwoThreads);
 
 }  // namespace
 

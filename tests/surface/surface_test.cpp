@@ -210,7 +210,7 @@ double meanOfEdgesInOrder(const TriangleMesh& mesh) {
 TEST(Surface, IsTheSameOnTwoThreadsToTheLastDigit) {
     // The whole takes two threads, its parts one each.
     const TriangleMesh first = renumbered(jitteredPlate(100, 100, 0.2, 8), 9);
-    const TriangleMesh second = renumbered(icosphere(5), 10);
+    const TriangleMesh second = renumbered(icosphere(4), 10);
     const TriangleMesh mesh = joined(first, second);
     ASSERT_LT(std::max(first.faces.size(), second.faces.size()), kFacesForTwoThreads);
     ASSERT_GE(mesh.faces.size(), kFacesForTwoThreads);
