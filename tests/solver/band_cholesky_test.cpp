@@ -19,72 +19,99 @@ using test_support::Random;
 struct Shape {
     int points, bandwidth, border;
 
-    [[nodiscard]] int size() const { return 3 * points; }
-};
-
-class BandCholeskyShapes : public testing::TestWithParam<Shape> {
-protected:
-    [[nodiscard]] static bool isStored(int row, int column) {
-        const auto [points, bandwidth, border] = GetParam();
+    [[nodiscard]] bool isStored(int row, int column) const {
         return row >= points - border || row - column <= bandwidth;
     }
+};
+
+// Random matrices of a shape, in blocks of so many unknowns, and their factor.
+template <int kUnknowns>
+class Matrices {
+public:
+    explicit Matrices(const Shape& shape)
+        : shape_(shape), factor_(shape.points, shape.bandwidth, shape.border) {}
+
+    [[nodiscard]] int size() const { return kUnknowns * shape_.points; }
+
+    [[nodiscard]] BandCholesky<kUnknowns>& factor() { return factor_; }
 
     // Random entries where there may be some, and a heavy diagonal.
-    [[nodiscard]] Eigen::MatrixXd randomMatrix() {
-        const int size = GetParam().size();
-        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
-        for (int row = 0; row < size; ++row) {
+    [[nodiscard]] Eigen::MatrixXd random() {
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size(), size());
+        for (int row = 0; row < size(); ++row) {
             for (int column = 0; column < row; ++column) {
-                if (isStored(row / 3, column / 3)) {
+                if (shape_.isStored(row / kUnknowns, column / kUnknowns)) {
                     matrix(row, column) = matrix(column, row) = random_.uniform(-1.0, 1.0);
                 }
             }
-            matrix(row, row) = size + random_.uniform(0.0, 1.0);
+            matrix(row, row) = size() + random_.uniform(0.0, 1.0);
         }
         return matrix;
     }
 
-    static void setTo(const Eigen::MatrixXd& matrix, BandCholesky<3>& factor) {
-        factor.clear();
-        for (int row = 0; row < GetParam().points; ++row) {
+    [[nodiscard]] Eigen::VectorXd randomVector() {
+        Eigen::VectorXd vector(size());
+        for (double& value : vector) {
+            value = random_.uniform(-1.0, 1.0);
+        }
+        return vector;
+    }
+
+    void setFactorTo(const Eigen::MatrixXd& matrix) {
+        factor_.clear();
+        for (int row = 0; row < shape_.points; ++row) {
             for (int column = 0; column <= row; ++column) {
-                if (isStored(row, column)) {
-                    const double* const first = &matrix(3 * row, 3 * column);
-                    factor.add(row, column, first, matrix.outerStride());
+                if (shape_.isStored(row, column)) {
+                    const double* const first = &matrix(kUnknowns * row, kUnknowns * column);
+                    factor_.add(row, column, first, matrix.outerStride());
                 }
             }
         }
     }
 
+private:
+    Shape shape_;
     Random random_{123};
-    BandCholesky<3> factor_{GetParam().points, GetParam().bandwidth, GetParam().border};
+    BandCholesky<kUnknowns> factor_;
+};
+
+class BandCholeskyShapes : public testing::TestWithParam<Shape> {
+protected:
+    // With matrices in blocks of one unknown, and of three.
+    template <class Check>
+    static void forBoth(const Check& check) {
+        check(Matrices<1>(GetParam()));
+        check(Matrices<3>(GetParam()));
+    }
 };
 
 TEST_P(BandCholeskyShapes, SolveAsDenseOnes) {
-    for (int again = 0; again < 3; ++again) {
-        const Eigen::MatrixXd matrix = randomMatrix();
-        setTo(matrix, factor_);
-        ASSERT_TRUE(factor_.factorise());
-        Eigen::VectorXd right(GetParam().size());
-        for (double& value : right) {
-            value = random_.uniform(-1.0, 1.0);
+    forBoth([](auto matrices) {
+        for (int again = 0; again < 3; ++again) {
+            const Eigen::MatrixXd matrix = matrices.random();
+            matrices.setFactorTo(matrix);
+            ASSERT_TRUE(matrices.factor().factorise());
+            const Eigen::VectorXd right = matrices.randomVector();
+            const Eigen::VectorXd expected = matrix.llt().solve(right);
+            const Eigen::VectorXd found = matrices.factor().solve(right);
+            EXPECT_LT((found - expected).norm(), 1e-14 * (1.0 + expected.norm()));
         }
-        const Eigen::VectorXd expected = matrix.llt().solve(right);
-        EXPECT_LT((factor_.solve(right) - expected).norm(), 1e-14 * (1.0 + expected.norm()));
-    }
+    });
 }
 
 TEST_P(BandCholeskyShapes, KnowWhatIsNotPositiveDefinite) {
-    for (const int at : {0, GetParam().size() / 2, GetParam().size() - 1}) {
-        Eigen::MatrixXd matrix = randomMatrix();
-        matrix(at, at) = -1.0;
-        setTo(matrix, factor_);
-        EXPECT_FALSE(factor_.factorise()) << at;
-    }
-    Eigen::MatrixXd matrix = randomMatrix();
-    matrix(0, 0) = std::nan("");
-    setTo(matrix, factor_);
-    EXPECT_FALSE(factor_.factorise());
+    forBoth([](auto matrices) {
+        for (const int at : {0, matrices.size() / 2, matrices.size() - 1}) {
+            Eigen::MatrixXd matrix = matrices.random();
+            matrix(at, at) = -1.0;
+            matrices.setFactorTo(matrix);
+            EXPECT_FALSE(matrices.factor().factorise()) << at;
+        }
+        Eigen::MatrixXd matrix = matrices.random();
+        matrix(0, 0) = std::nan("");
+        matrices.setFactorTo(matrix);
+        EXPECT_FALSE(matrices.factor().factorise());
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(
