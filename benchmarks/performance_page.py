@@ -22,7 +22,7 @@ from matplotlib import pyplot  # noqa: E402
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-SCRIPTS = ("peers", "scaling", "table1", "polylines")
+SCRIPTS = ("peers", "scaling", "table1", "polyline_method")
 FIELD_NAMES = {"none": "no field", "waves": "waves", "maximal-curvature": "maximal curvature"}
 OURS, MESHLIB, GEODESIC = "#c33b22", "#3d6ea8", "#7a9a4f"
 MILLION = 1_000_000

@@ -87,7 +87,7 @@ def test_the_rows_of_table_1_have_their_vertices_and_picks(script, bench_program
 def test_polylines_have_as_many_points_as_the_samples_that_splines_get(script, bench_program, tmp_path):
     if not (bench_program.parent / "polyline_comparison").is_file():
         pytest.skip("polyline_comparison is not built (-DBSPLINE_CURVE_BENCHMARKS=ON)")
-    succeed(script("polylines.py", "--quick", "--program", bench_program, "--json", tmp_path / "l.json"))
+    succeed(script("polyline_method.py", "--quick", "--program", bench_program, "--json", tmp_path / "l.json"))
     rows = json.loads((tmp_path / "l.json").read_text())["rows"]
     assert [row["samples"] for row in rows] == [165, 358]
     for row in rows:

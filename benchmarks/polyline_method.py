@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times the same curve as a spline and as a polyline that is optimised itself, at more and more samples (as in the paper's Fig. 12).
 
-    benchmarks/polylines.py [--json FILE] [--quick]
+    benchmarks/polyline_method.py [--json FILE] [--quick]
 
 The mesh, picks and tension are those of the row "Fig. 12a" of table1.py, the numbers of samples those of Fig. 12a - d and some between.
 The program polyline_comparison, built beside --program, draws both over the same fibres (see polyline_relaxation.h); each time is from
@@ -34,7 +34,7 @@ def compare(program, vertices, picks, samples, repeat):
                  "--samples", *samples]
         done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
     if done.returncode != 0:
-        sys.exit(f"polylines.py: {done.stderr.strip()}")
+        sys.exit(f"polyline_method.py: {done.stderr.strip()}")
     return json.loads(done.stdout)
 
 
