@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -43,6 +44,16 @@ double leastTime(int repeat, const Task& task) {
     return least;
 }
 
+Json resultOf(double seconds, bool usable, std::size_t points, int steps, double internal) {
+    return {
+        {"seconds", seconds},
+        {"usable", usable},
+        {"points", points},
+        {"steps", steps},
+        {"internal", internal}
+    };
+}
+
 Json asSpline(
     const CurveDesigner& designer,
     const std::vector<Vec3>& picks,
@@ -55,13 +66,14 @@ Json asSpline(
     Curve curve;
     const double seconds =
         leastTime(repeat, [&] { curve = designer.design(picks, options, sampling); });
-    return {
-        {"seconds", seconds},
-        {"usable", curve.report.usable},
-        {"points", curve.polyline.points.size()},
-        {"steps", curve.report.newtonIterations},
-        {"internal", curve.report.iterations.back().terms.internal}
-    };
+    const SolveReport& report = curve.report;
+    return resultOf(
+        seconds,
+        report.usable,
+        curve.polyline.points.size(),
+        report.newtonIterations,
+        report.iterations.back().terms.internal
+    );
 }
 
 // From the path on, as design() does. What is not in it: the way of the segments over the surface.
@@ -89,13 +101,13 @@ Json asPolyline(
         problem.side = terrain.side;
         curve = relaxPolyline(problem, path.guide, samples);
     });
-    return {
-        {"seconds", seconds},
-        {"usable", curve.isWithinTolerance},
-        {"points", curve.line.points.size()},
-        {"steps", curve.steps},
-        {"internal", curve.internalEnergy}
-    };
+    return resultOf(
+        seconds,
+        curve.isWithinTolerance,
+        curve.line.points.size(),
+        curve.steps,
+        curve.internalEnergy
+    );
 }
 
 int run(int count, const char* const* words) {

@@ -19,22 +19,11 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-SymmetricMatrix& operator+=(SymmetricMatrix& sum, const SymmetricMatrix& m) {
-    for (std::size_t e = 0; e < sum.size(); ++e) {
-        sum[e] += m[e];
-    }
-    return sum;
-}
-
 // scale (I - share n n^T).
 SymmetricMatrix projection(const Vec3& n, double share, double scale) {
     SymmetricMatrix result = rankOne(n, -share * scale);
     result += SymmetricMatrix{scale, 0.0, 0.0, scale, 0.0, scale};
     return result;
-}
-
-SymmetricMatrix operator*(double scale, const SymmetricMatrix& m) {
-    return {scale * m[0], scale * m[1], scale * m[2], scale * m[3], scale * m[4], scale * m[5]};
 }
 
 }  // namespace

@@ -14,12 +14,7 @@
 namespace bspline_curve::benchmarks {
 namespace {
 
-// The weight of the distance and its growth are those of relax(), so that both get the same chance.
-constexpr double kFirstStiffness = 1.35e6;
-constexpr double kLeastFirstAlpha = 5.0;
-constexpr double kAlphaFactor = 10.0;
-constexpr double kLeastAlphaFactor = 1.5;
-constexpr double kDistanceExponent = 1.5;
+// Rounds and steps end as those of relax() do, so that both get the same chance.
 constexpr double kAimedShare = 0.8;
 constexpr double kHighestAlpha = 1e12;
 constexpr int kMaxRounds = 24;
@@ -41,10 +36,8 @@ public:
           finder_(*problem.base, problem.patches),
           energy_(problem, count),
           factor_(energy_.count(), kBandwidth, energy_.isClosed() ? kBandwidth : 0),
-          now_(energy_.along(guide, finder_)) {
-        const double share = heightUnitOf(problem) / problem.chordLength;
-        alpha_ = std::max(kLeastFirstAlpha, kFirstStiffness * share * share);
-    }
+          now_(energy_.along(guide, finder_)),
+          alpha_(firstAlphaOf(problem)) {}
 
     RelaxedPolyline run() {
         RelaxedPolyline result;
@@ -59,11 +52,7 @@ public:
                     break;
                 }
             }
-            alpha_ *= std::clamp(
-                std::pow(1.1 * ratio / kAimedShare, kDistanceExponent),
-                kLeastAlphaFactor,
-                kAlphaFactor
-            );
+            alpha_ *= alphaGrowth(ratio);
         }
         result.largestHeight = heightRatio();
         result.internalEnergy = energy_.terms(now_, now_.frames).internal;
@@ -150,7 +139,7 @@ private:
     PolylineEnergy energy_;
     BandCholesky<3> factor_;
     FootedPolyline now_;
-    double alpha_ = 0.0;
+    double alpha_;
     Eigen::VectorXd gradient_;
     std::vector<PolylineEnergy::Blocks> hessian_;
 };

@@ -27,19 +27,11 @@ struct PointDerivatives {
     bool hasNegative = false;
 
     /// scale v v^T to the second derivative.
-    void addRankOne(const Vec3& v, double scale) {
-        const SymmetricMatrix matrix = rankOne(v, scale);
-        for (std::size_t e = 0; e < second.size(); ++e) {
-            second[e] += matrix[e];
-        }
-    }
+    void addRankOne(const Vec3& v, double scale) { second += rankOne(v, scale); }
 
     /// The same for a scale below 0.
     void addNegative(const Vec3& v, double scale) {
-        const SymmetricMatrix matrix = rankOne(v, scale);
-        for (std::size_t e = 0; e < negative.size(); ++e) {
-            negative[e] += matrix[e];
-        }
+        negative += rankOne(v, scale);
         hasNegative = true;
     }
 

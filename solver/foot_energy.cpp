@@ -50,17 +50,6 @@ SampleMatrix powersAtSamples(int order, int segments) {
     return powers;
 }
 
-SymmetricMatrix operator*(double scale, const SymmetricMatrix& m) {
-    return {scale * m[0], scale * m[1], scale * m[2], scale * m[3], scale * m[4], scale * m[5]};
-}
-
-SymmetricMatrix& operator+=(SymmetricMatrix& sum, const SymmetricMatrix& m) {
-    for (std::size_t e = 0; e < sum.size(); ++e) {
-        sum[e] += m[e];
-    }
-    return sum;
-}
-
 // The same as a vector, to be computed with in registers.
 using PackedMatrix = Eigen::Array<double, 6, 1>;
 

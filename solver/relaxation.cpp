@@ -129,15 +129,6 @@ double alphaOf(const CurveProblem& problem, double stiffness) {
     return stiffness * share * share;
 }
 
-// A field lifts curves as well.
-double firstAlpha(const CurveProblem& problem) {
-    const double byField = 1.0 + kStiffnessByStrength * fieldStrength(problem);
-    return std::max(
-        kLeastFirstAlpha * byField,
-        alphaOf(problem, std::max(kFirstStiffness, kFirstFieldStiffness * byField))
-    );
-}
-
 class Relaxer {
 public:
     Relaxer(
@@ -154,7 +145,7 @@ public:
           heightUnit_(heightUnitOf(problem)),
           segments_(segmentsOf(start, patience)),
           startAlpha_(start ? start->alpha : 0.0),
-          alpha_(std::max(firstAlpha(problem), kRestartShare * startAlpha_)),
+          alpha_(std::max(firstAlphaOf(problem), kRestartShare * startAlpha_)),
           newton_(newtonFrom(start ? std::move(start->curve) : looseFit(problem, guide))) {
         startOnGuide(guide);
         report_.knotsFirst = knotCount();
@@ -204,10 +195,7 @@ private:
     // By what the samples need to come below the tolerance, or to be back at the weight of the
     // curve that this one started from.
     [[nodiscard]] double alphaFactor(double ratio) const {
-        const double needed = std::clamp(
-            std::pow(1.1 * ratio / kAimedShare, kDistanceExponent), kLeastAlphaFactor, kAlphaFactor
-        );
-        return std::max(needed, std::min(kReturnFactor, startAlpha_ / alpha_));
+        return std::max(alphaGrowth(ratio), std::min(kReturnFactor, startAlpha_ / alpha_));
     }
 
     [[nodiscard]] FootedSpline& now() { return newton_->now(); }
@@ -447,6 +435,21 @@ bool isForFootPoints(const CurveProblem& problem) {
 
 double heightUnitOf(const CurveProblem& problem) {
     return kUnitInTolerances * problem.distanceTolerance;
+}
+
+// A field lifts curves as well.
+double firstAlphaOf(const CurveProblem& problem) {
+    const double byField = 1.0 + kStiffnessByStrength * fieldStrength(problem);
+    return std::max(
+        kLeastFirstAlpha * byField,
+        alphaOf(problem, std::max(kFirstStiffness, kFirstFieldStiffness * byField))
+    );
+}
+
+double alphaGrowth(double ratio) {
+    return std::clamp(
+        std::pow(1.1 * ratio / kAimedShare, kDistanceExponent), kLeastAlphaFactor, kAlphaFactor
+    );
 }
 
 SplineCurve looseFit(const CurveProblem& problem, const GuidePath& guide) {

@@ -24,6 +24,12 @@ enum class Patience {
 /// The unit of FootEnergy's heights in relax(), in the shell's frame.
 [[nodiscard]] double heightUnitOf(const CurveProblem& problem);
 
+/// The weight of the distance that relax() begins with.
+[[nodiscard]] double firstAlphaOf(const CurveProblem& problem);
+
+/// By what it grows after a round that leaves the farthest sample this many tolerances away.
+[[nodiscard]] double alphaGrowth(double ratio);
+
 /// The fit to the guide that relax() begins with.
 [[nodiscard]] SplineCurve looseFit(const CurveProblem& problem, const GuidePath& guide);
 
