@@ -39,6 +39,9 @@ public:
         if (line.closed) {
             vertices_.pop_back();  // the first pick once more
         }
+        line.surfacePoints.reserve(vertices_.size());
+        line.points.reserve(vertices_.size());
+        line.parameters.reserve(vertices_.size());
         line.picks.resize(problem_.picks.size());
         for (const Vertex& vertex : vertices_) {
             if (vertex.pick >= 0) {
@@ -101,6 +104,7 @@ private:
     void removeCoincident() {
         const double near = kCoincident * surface_.diagonal();
         std::vector<Vertex> kept;
+        kept.reserve(vertices_.size());
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const Vertex& vertex = vertices_[i];
             if (!kept.empty() && (vertex.position - kept.back().position).norm() <= near) {
