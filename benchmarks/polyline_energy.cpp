@@ -6,6 +6,7 @@
 #include "surface/side_thread.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -13,7 +14,7 @@ namespace bspline_curve::benchmarks {
 namespace {
 
 // So many vertices at once are followed by one of two threads.
-constexpr int kVerticesAtOnce = 32;
+constexpr std::size_t kVerticesAtOnce = 32;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -78,8 +79,16 @@ FootedPolyline PolylineEnergy::along(const GuidePath& guide, const FootFinder& f
 }
 
 void PolylineEnergy::follow(const FootFinder& finder, FootedPolyline& line) const {
-    forEach(problem_.side, count(), kVerticesAtOnce, [&](int i) {
-        finder.move(line.points[at(i)], line.feet[at(i)], line.frames[at(i)]);
+    const std::size_t vertices = line.points.size();
+    const auto groups = static_cast<int>((vertices + kVerticesAtOnce - 1) / kVerticesAtOnce);
+    forEach(problem_.side, groups, 1, [&](int group) {
+        const std::size_t first = at(group) * kVerticesAtOnce;
+        std::array<FootFinder::Move, kVerticesAtOnce> moves;
+        auto end = moves.begin();
+        for (std::size_t i = first; i < std::min(vertices, first + kVerticesAtOnce); ++i) {
+            *end++ = {line.points[i], &line.feet[i], &line.frames[i]};
+        }
+        finder.moveAll({moves.begin(), end});
     });
 }
 

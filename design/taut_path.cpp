@@ -99,13 +99,19 @@ public:
         pathLength_ = measured.length;
         chord_ = (measured.positions.back() - measured.positions.front()).norm();
         now_.assign(kSegments + 1, {});
+        std::array<FootFinder::Move, kSegments + 1> moves;
         for (int i = 0; i <= kSegments; ++i) {
             const double share = static_cast<double>(i) / kSegments;
             const SurfacePoint& near = i == kSegments ? path.back() : path[measured.indexAt(share)];
             Bead& bead = now_[at(i)];
             bead.foot = {near.face, near.barycentric[1], near.barycentric[2], 0.0};
-            place(bead, i == kSegments ? measured.positions.back() : measured.positionAt(share));
+            moves[at(i)] = {
+                i == kSegments ? measured.positions.back() : measured.positionAt(share),
+                &bead.foot,
+                &bead.frame
+            };
         }
+        place(moves, now_);
         now_.front().position = measured.positions.front();
         now_.back().position = measured.positions.back();
         trial_ = now_;
@@ -161,9 +167,13 @@ private:
         return field_.costAt(base_.surfaceVertex(vertex));
     }
 
-    // Puts a bead on the surface, at the foot of a point.
-    void place(Bead& bead, const Vec3& point) const {
-        finder_.move(point, bead.foot, bead.frame);
+    // Puts beads on the surface, at the feet of points.
+    void place(std::span<const FootFinder::Move> moves, std::span<Bead> beads) const {
+        finder_.moveAll(moves);
+        std::ranges::for_each(beads, [this](Bead& bead) { settle(bead); });
+    }
+
+    void settle(Bead& bead) const {
         bead.foot.height = 0.0;
         bead.position = base_.position({bead.foot.face, bead.foot.barycentric()});
         if (!field_.empty()) {
@@ -288,13 +298,15 @@ private:
     }
 
     void placeTrial(double length) {
+        std::array<FootFinder::Move, kSegments - 1> moves;
         for (int i = 1; i < kSegments; ++i) {
             const Row& row = rows_[at(i)];
             Bead& bead = trial_[at(i)] = now_[at(i)];
             const Vec3 way = length * (row.tangents * row.solved);
             FootFinder::predict(way, bead.frame, bead.foot);
-            place(bead, bead.position + way);
+            moves[at(i - 1)] = {bead.position + way, &bead.foot, &bead.frame};
         }
+        place(moves, std::span(trial_).subspan(1, moves.size()));
     }
 
     // Moves as far as the energy falls, and returns whether the string is at rest. Without a field

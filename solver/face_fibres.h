@@ -21,6 +21,10 @@ public:
     /// A foot with a coordinate below this lies in another face for certain.
     static constexpr double kFarOutside = -0.3;
 
+    [[nodiscard]] static bool isFarOutside(const FootPoint& foot) {
+        return isFarOutside(Eigen::Array2d(foot.u, foot.v));
+    }
+
     enum class Outcome {
         Found,
         FarOutside,  ///< of the face, on the way to it

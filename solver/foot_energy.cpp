@@ -10,6 +10,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -20,7 +21,7 @@ namespace {
 // has more (E_int is dimensionless).
 constexpr double kRoundingEnergy = 1e-12;
 // So many spans at once are followed by one of two threads: for some microseconds.
-constexpr int kSpansAtOnce = 8;
+constexpr std::size_t kSpansAtOnce = 8;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -124,9 +125,9 @@ void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
     const bool isKnown = !spline.positions.empty();
     spline.positions.resize(at(sampleCount()));
     spline.seconds.resize(at(sampleCount()));
-    forEach(problem_.side, space_.spanCount(), kSpansAtOnce, [&](int span) {
-        followSpan(finder, isKnown, span, spline);
-    });
+    std::vector<int> spans(at(space_.spanCount()));
+    std::iota(spans.begin(), spans.end(), 0);
+    followSpans(finder, isKnown, spans, spline);
 }
 
 void FootEnergy::followRefined(
@@ -166,15 +167,32 @@ void FootEnergy::followRefined(
             cut.push_back(span);
         }
     }
-    forEach(problem_.side, static_cast<int>(cut.size()), kSpansAtOnce, [&](int i) {
-        followSpan(finder, true, cut[at(i)], spline);
-    });
+    followSpans(finder, true, cut, spline);
 }
 
 // `isKnown`: the feet are those of the positions.
-void FootEnergy::followSpan(
-    const FootFinder& finder, bool isKnown, int span, FootedSpline& spline
+void FootEnergy::followSpans(
+    const FootFinder& finder, bool isKnown, std::span<const int> spans, FootedSpline& spline
 ) const {
+    const auto groups = static_cast<int>((spans.size() + kSpansAtOnce - 1) / kSpansAtOnce);
+    forEach(problem_.side, groups, 1, [&](int group) {
+        const std::size_t first = at(group) * kSpansAtOnce;
+        const std::size_t count = std::min(kSpansAtOnce, spans.size() - first);
+        std::array<FootFinder::Move, kSpansAtOnce * kMostSamples> moves;
+        auto end = moves.begin();
+        for (const int span : spans.subspan(first, count)) {
+            placeSpan(isKnown, span, spline);
+            const std::size_t begin = at(span * samplesPerSpan());
+            for (std::size_t sample = begin; sample < begin + at(samplesPerSpan()); ++sample) {
+                *end++ = {spline.positions[sample], &spline.feet[sample], &spline.frames[sample]};
+            }
+        }
+        finder.moveAll({moves.begin(), end});
+    });
+}
+
+// Its samples' positions and second derivatives, with the feet that these predict.
+void FootEnergy::placeSpan(bool isKnown, int span, FootedSpline& spline) const {
     const int count = space_.basisCount();
     const int perSpan = samplesPerSpan();
     const SpanControls controls = controlsOf(space_, spline.controls, span);
@@ -186,12 +204,11 @@ void FootEnergy::followSpan(
             position += table.basis[j] * controls[j];
             second += table.second[j] * controls[j];
         }
-        FootPoint& foot = spline.feet[sample];
-        FootFrame& frame = spline.frames[sample];
         if (isKnown) {
-            FootFinder::predict(position - spline.positions[sample], frame, foot);
+            FootFinder::predict(
+                position - spline.positions[sample], spline.frames[sample], spline.feet[sample]
+            );
         }
-        finder.move(position, foot, frame);
         spline.positions[sample] = position;
         spline.seconds[sample] = second;
     }

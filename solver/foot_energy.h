@@ -5,6 +5,7 @@
 #include "solver/foot_point.h"
 #include "solver/solve_report.h"
 
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -112,7 +113,10 @@ public:
     [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
 
 private:
-    void followSpan(const FootFinder& finder, bool isKnown, int span, FootedSpline& spline) const;
+    void followSpans(
+        const FootFinder& finder, bool isKnown, std::span<const int> spans, FootedSpline& spline
+    ) const;
+    void placeSpan(bool isKnown, int span, FootedSpline& spline) const;
     [[nodiscard]] double distanceTerm(const FootPoint& foot, double weight) const;
 
     // Of one span: its terms, and the gradient by its control points.

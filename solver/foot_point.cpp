@@ -3,13 +3,14 @@
 
 #include "solver/face_fibres.h"
 #include "surface/closest_point.h"
+#include "surface/prefetch.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <utility>
 
 namespace bspline_curve {
 namespace {
@@ -26,9 +27,14 @@ constexpr double kOnEdge = -1e-9;
 // this much wider than rounding.
 constexpr double kInGap = -1e-3;
 // Far more than any walk between neighbouring samples needs.
-constexpr int kMaxCrossings = 200;
+constexpr int kMostFaces = 200;
+constexpr int kMostFibres = 200;
+// Cycles are looked for only after so many, which few walks take.
+constexpr int kManyFibres = 8;
 constexpr int kMaxDescent = 1000;
 constexpr int kMaxValence = 256;
+// So many walks go in turns; with 32 and 64 curves take as long.
+constexpr std::size_t kTogether = 16;
 
 // The faces that share a point on the edge opposite to corner k of a face: the one across it, and
 // where the point is a vertex those on around that, this way; the way from the other edge at it
@@ -51,6 +57,17 @@ void forEachAcross(
     }
 }
 
+// The edge that a foot lies farthest outside of, or nearest to.
+struct WayOut {
+    int corner = 0;  // opposite to it
+    double least;    // barycentric coordinate
+    int face;        // across it
+
+    WayOut(const ShellBase& base, const FootPoint& foot)
+        : least(foot.barycentric().minCoeff(&corner)),
+          face(base.faceNeighbours[at(foot.face)][at(corner)]) {}
+};
+
 }  // namespace
 
 void FootFinder::predict(const Vec3& moved, const FootFrame& frame, FootPoint& foot) {
@@ -60,9 +77,52 @@ void FootFinder::predict(const Vec3& moved, const FootFrame& frame, FootPoint& f
 }
 
 void FootFinder::move(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
-    const int start = foot.face;
-    if (!alongFibres(p, foot, frame)) {
-        toNearest(p, start, foot, frame);
+    Walk walk{{p, &foot, &frame}, foot.face};
+    while (!walk.isAtEnd) {
+        step(walk);
+    }
+}
+
+void FootFinder::moveAll(std::span<const Move> moves) const {
+    std::array<Walk, kTogether> walks;
+    while (!moves.empty()) {
+        const std::span<const Move> group = moves.first(std::min(kTogether, moves.size()));
+        moves = moves.subspan(group.size());
+        auto end = walks.begin();
+        for (const Move& to : group) {
+            *end++ = {to, to.foot->face};
+            prefetchFace(to.foot->face);
+        }
+        while (end != walks.begin()) {
+            std::for_each(walks.begin(), end, [&](const Walk& walk) { prefetchCorners(walk); });
+            std::for_each(walks.begin(), end, [&](Walk& walk) { step(walk); });
+            end = std::remove_if(walks.begin(), end, [](const Walk& walk) { return walk.isAtEnd; });
+        }
+    }
+}
+
+void FootFinder::prefetchFace(int face) const {
+    prefetch(&base_.faces[at(face)]);
+    prefetch(&base_.faceNeighbours[at(face)]);
+}
+
+void FootFinder::prefetchCorners(const Walk& walk) const {
+    if (!walk.isFar && FaceFibres::isFarOutside(*walk.to.foot)) {
+        return;
+    }
+    for (const int corner : base_.faces[at(walk.to.foot->face)]) {
+        prefetch(&base_.vertices[at(corner)]);
+        if (!walk.isFar) {
+            prefetch(&base_.directions[at(corner)]);
+        }
+    }
+}
+
+void FootFinder::step(Walk& walk) const {
+    if (walk.isFar) {
+        overFace(walk);
+    } else {
+        alongFibres(walk);
     }
 }
 
@@ -97,73 +157,105 @@ int FootFinder::faceTowards(const Vec3& p, int face, double facesAway) const {
     return normalOf(nearest).dot(normalOf(face)) > 0.0 ? nearest : face;
 }
 
-// Walks on over faces that p is far outside of, seen along their normals: many times faster than
-// along their fibres, and the last steps find the foot all the same. Returns the face before that
-// where it ends.
-int FootFinder::passFaces(const Vec3& p, int previous, FootPoint& foot) const {
-    for (int crossing = 0; crossing < kMaxCrossings; ++crossing) {
-        const Triangle& corners = base_.faces[at(foot.face)];
-        const Vec3& corner = base_.vertices[at(corners[0])];
-        const Vec3 edgeU = base_.vertices[at(corners[1])] - corner;
-        const Vec3 edgeV = base_.vertices[at(corners[2])] - corner;
-        const Vec3 gap = p - corner;
-        const Vec3 normal = edgeU.cross(edgeV);
-        const double area = normal.squaredNorm();
-        const double u = gap.cross(edgeV).dot(normal);
-        const double v = edgeU.cross(gap).dot(normal);
-        const Vec3 barycentric(area - u - v, u, v);  // times the area
-        int outer = 0;
-        const double least = barycentric.minCoeff(&outer);
-        if (crossing == 0 && least < -kManyFaces * area) {
-            const int nearer = faceTowards(p, foot.face, -least / area);
-            if (nearer != foot.face) {
-                foot.face = nearer;
-                previous = -1;
-                continue;
-            }
+// Passes a face that p is far outside of, seen along its normal: many times faster than along its
+// fibres, and the last steps find the foot all the same.
+void FootFinder::overFace(Walk& walk) const {
+    const Vec3& p = walk.to.p;
+    FootPoint& foot = *walk.to.foot;
+    const Triangle& corners = base_.faces[at(foot.face)];
+    const Vec3& corner = base_.vertices[at(corners[0])];
+    const Vec3 edgeU = base_.vertices[at(corners[1])] - corner;
+    const Vec3 edgeV = base_.vertices[at(corners[2])] - corner;
+    const Vec3 gap = p - corner;
+    const Vec3 normal = edgeU.cross(edgeV);
+    const double area = normal.squaredNorm();
+    const double u = gap.cross(edgeV).dot(normal);
+    const double v = edgeU.cross(gap).dot(normal);
+    const Vec3 barycentric(area - u - v, u, v);  // times the area
+    int outer = 0;
+    const double least = barycentric.minCoeff(&outer);
+    if (walk.facesPassed == 0 && least < -kManyFaces * area) {
+        const int nearer = faceTowards(p, foot.face, -least / area);
+        if (nearer != foot.face) {
+            walk.previous = -1;
+            enter(nearer, walk);
+            return;
         }
-        const bool isFar = least < FaceFibres::kFarOutside * area;
-        const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
-        if (!isFar || next < 0 || next == previous) {
-            if (crossing > 0 && area > 0.0) {
-                const Vec3 inside = barycentric.cwiseMax(1e-3 * area);
-                foot.u = inside[1] / inside.sum();
-                foot.v = inside[2] / inside.sum();
-            }
-            break;
-        }
-        previous = std::exchange(foot.face, next);
     }
-    return previous;
+    const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
+    if (least < FaceFibres::kFarOutside * area && next >= 0 && next != walk.previous) {
+        walk.previous = foot.face;
+        enter(next, walk);
+        return;
+    }
+    if (walk.facesPassed > 0 && area > 0.0) {
+        const Vec3 inside = barycentric.cwiseMax(1e-3 * area);
+        foot.u = inside[1] / inside.sum();
+        foot.v = inside[2] / inside.sum();
+    }
+    walk.isFar = false;
 }
 
-// Solves q(u, v) + height n(u, v) = p face by face.
-bool FootFinder::alongFibres(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
-    int previous = -1;
-    for (int crossing = 0; crossing < kMaxCrossings; ++crossing) {
-        const FaceFibres fibres(base_, foot.face);
+void FootFinder::enter(int face, Walk& walk) const {
+    walk.to.foot->face = face;
+    walk.isFar = ++walk.facesPassed < kMostFaces;
+    prefetchFace(face);
+}
+
+// Solves q(u, v) + height n(u, v) = p over one face.
+void FootFinder::alongFibres(Walk& walk) const {
+    const auto& [p, foot, frame] = walk.to;
+    if (isInCycle(walk)) {
+        giveUp(walk);
+        return;
+    }
+    walk.isFar = FaceFibres::isFarOutside(*foot);
+    if (!walk.isFar) {
+        const FaceFibres fibres(base_, foot->face);
         const FaceFibres::Outcome outcome =
-            fibres.find<FaceFibres::Search::OnTheWay>(p, foot, frame);
+            fibres.find<FaceFibres::Search::OnTheWay>(p, *foot, *frame);
         if (outcome == FaceFibres::Outcome::Crossed) {
-            return false;
+            giveUp(walk);
+            return;
         }
-        int outer = 0;
-        const double least = foot.barycentric().minCoeff(&outer);
-        const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
-        if (least >= kOnEdge || (least > kInGap && next == previous)) {
-            fibres.complete(frame);
-            return true;
+        const WayOut way(base_, *foot);
+        if (way.least >= kOnEdge || (way.least > kInGap && way.face == walk.previous)) {
+            fibres.complete(*frame);
+            walk.isAtEnd = true;
+            return;
         }
-        if (next < 0) {
-            return false;
-        }
-        previous = foot.face;
-        carryOver(base_, outer, next, foot);
-        if (outcome == FaceFibres::Outcome::FarOutside) {
-            previous = passFaces(p, previous, foot);
-        }
+        walk.isFar = outcome == FaceFibres::Outcome::FarOutside;
+    }
+    const WayOut way(base_, *foot);
+    if (way.face < 0) {
+        giveUp(walk);
+        return;
+    }
+    walk.previous = foot->face;
+    walk.facesPassed = 0;
+    carryOver(base_, way.corner, way.face, *foot);
+    prefetchFace(way.face);
+}
+
+// Where fibres cross, a walk may come round to the same faces again and again.
+bool FootFinder::isInCycle(Walk& walk) {
+    const int face = walk.to.foot->face;
+    const int number = walk.fibresTried++;
+    if (number < kManyFibres) {
+        return false;
+    }
+    if (face == walk.marked || number == kMostFibres) {
+        return true;
+    }
+    if (std::has_single_bit(static_cast<unsigned>(number))) {
+        walk.marked = face;
     }
     return false;
+}
+
+void FootFinder::giveUp(Walk& walk) const {
+    toNearest(walk.to.p, walk.start, *walk.to.foot, *walk.to.frame);
+    walk.isAtEnd = true;
 }
 
 // Descends from the face where the walk ended, or from that where it began if this is nearer.

@@ -4,7 +4,7 @@
 #include "shell/shell_base.h"
 #include "surface/patch_levels.h"
 
-#include <optional>
+#include <span>
 
 namespace bspline_curve {
 
@@ -41,15 +41,45 @@ public:
     /// and 50 ns for every edge on the way, or few where there are patches.
     void move(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
 
+    /// A point, and the foot and frame that move() is to make its own.
+    struct Move {
+        Vec3 p;
+        FootPoint* foot;
+        FootFrame* frame;
+    };
+
+    /// The same for many points, to the last bit. They go face by face in turns, and so wait for
+    /// memory together: curves on 1.8 million faces take a fifth less.
+    void moveAll(std::span<const Move> moves) const;
+
     /// Moves `foot`, to which `frame` belongs, by its derivatives, for a point that moves by
     /// `moved`: the first step of move(), at a fraction of the cost.
     static void predict(const Vec3& moved, const FootFrame& frame, FootPoint& foot);
 
 private:
-    int passFaces(const Vec3& p, int previous, FootPoint& foot) const;
+    // The way of a foot from face to face: along their fibres, or where p is far outside of a face,
+    // over it as it is seen along its normal.
+    struct Walk {
+        Move to;
+        int start = -1;       // the face that it began at
+        int previous = -1;    // the face before
+        int fibresTried = 0;  // over so many faces
+        int marked = -1;      // the one of them whose number was the last power of two
+        bool isFar = false;
+        int facesPassed = 0;  // since then
+        bool isAtEnd = false;
+    };
+
+    void step(Walk& walk) const;
+    void alongFibres(Walk& walk) const;
+    void overFace(Walk& walk) const;
+    void enter(int face, Walk& walk) const;
+    void giveUp(Walk& walk) const;
+    [[nodiscard]] static bool isInCycle(Walk& walk);
     [[nodiscard]] int faceTowards(const Vec3& p, int face, double facesAway) const;
-    [[nodiscard]] bool alongFibres(const Vec3& p, FootPoint& foot, FootFrame& frame) const;
     void toNearest(const Vec3& p, int start, FootPoint& foot, FootFrame& frame) const;
+    void prefetchFace(int face) const;
+    void prefetchCorners(const Walk& walk) const;
 
     const ShellBase& base_;
     const PatchLevels* patches_;

@@ -412,6 +412,61 @@ TEST(FeetFoundByPatches, StayOnTheirSideOfAThinDisc) {
     EXPECT_GT(far, 1000);
 }
 
+// ---- Many at once ----
+
+class FeetFoundTogether : public testing::TestWithParam<Shape> {};
+
+// From near and far, over the surface and so high that fibres cross: to the last bit.
+TEST_P(FeetFoundTogether, AreThoseFoundOneByOne) {
+    const Surface surface(GetParam().mesh);
+    const ShellBase base = makeShellBase(surface, 3);
+    const PatchLevels patches(surface);
+    const FootFinder finder(base, &patches);
+    Random random(1);
+    for (const int count : {0, 1, 7, 16, 17, 100}) {
+        SCOPED_TRACE("points " + std::to_string(count));
+        std::vector<Found> together;
+        std::vector<Vec3> points;
+        for (int i = 0; i < count; ++i) {
+            const FootPoint goal =
+                randomFoot(base, random, (i % 3 == 0 ? 20.0 : 0.5) * meanEdge(base));
+            const bool isNear = i % 2 == 0;
+            together.push_back({isNear ? centreOf(goal.face) : randomFoot(base, random, 0.0), {}});
+            points.push_back(pointOver(base, goal));
+        }
+        std::vector<Found> single = together;
+        std::vector<FootFinder::Move> moves;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            moves.push_back({points[i], &together[i].foot, &together[i].frame});
+            finder.move(points[i], single[i].foot, single[i].frame);
+        }
+        finder.moveAll(moves);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            SCOPED_TRACE("point " + std::to_string(i));
+            EXPECT_EQ(together[i].foot.face, single[i].foot.face);
+            EXPECT_EQ(together[i].foot.u, single[i].foot.u);
+            EXPECT_EQ(together[i].foot.v, single[i].foot.v);
+            EXPECT_EQ(together[i].foot.height, single[i].foot.height);
+            EXPECT_EQ(together[i].frame.direction, single[i].frame.direction);
+            EXPECT_EQ(together[i].frame.height, single[i].frame.height);
+            EXPECT_EQ(together[i].frame.u, single[i].frame.u);
+            EXPECT_EQ(together[i].frame.turnV, single[i].frame.turnV);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes,
+    FeetFoundTogether,
+    testing::Values(
+        Shape{"Sphere", withNoise(icosphere(5), 0.001, 7)},
+        Shape{"Torus", torus(36, 16)},
+        Shape{"Plate", jitteredPlate(12, 12, 0.25, 5)},
+        Shape{"Box", box(6, {1.0, 0.8, 0.6})}
+    ),
+    [](const auto& testInfo) { return testInfo.param.name; }
+);
+
 // ---- Far from the surface ----
 
 TEST(FeetOfFarPoints, AreFoundAlongFibresWhereTheseSpread) {
