@@ -19,8 +19,10 @@ std::size_t at(int index) {
 }
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A walk that turns this often at one parameter goes round in a circle.
+// A walk that turns this often on so small a share of a span goes round in a circle. Where fibres
+// cross, two faces may hand it back and forth, by 1e-14 of the span at a time.
 constexpr int kMaxStalled = 128;
+constexpr double kStalledShare = 1e-7;
 // A curve passes a pick where it is so near to the surface, in tolerances.
 constexpr double kAtPick = 1e-3;
 
@@ -97,6 +99,8 @@ private:
         farthest = 0.0;
         here_.along = curve.coefficients[1];
         double tau = 0.0;
+        double advanced = 0.0;
+        int stalled = 0;  // crossings since then
         while (true) {
             farthest = std::max(farthest, distanceOf(here_));
             const std::optional<FibreExit> exit = findExit(fibres_, curve, tau, here_, there_);
@@ -107,8 +111,11 @@ private:
                 const FibrePlace middle = middleOf(curve, tau, exit->tau);
                 farthest = std::max(farthest, distanceOf(middle));
                 trace_.pieces.push_back({parameter(span, exit->tau), span, middle.foot});
-                stalled_ = 0;
-            } else if (++stalled_ > kMaxStalled) {
+            }
+            if (exit->tau > advanced + kStalledShare) {
+                advanced = exit->tau;
+                stalled = 0;
+            } else if (++stalled > kMaxStalled) {
                 return false;
             }
             tau = exit->tau;
@@ -178,7 +185,6 @@ private:
     int firstFace_;      // where it began
     int span_;           // that comes next
     bool isLost_ = false;
-    int stalled_ = 0;  // crossings since the last piece of some length
     FibreTrace trace_;
 };
 

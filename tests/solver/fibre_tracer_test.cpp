@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -377,6 +378,32 @@ TEST(FibreTrace, EndsWhereFibresCross) {
     EXPECT_LT(whole, followed.space.spanCount());
     EXPECT_LT(distance.perSpan[at(whole - 1)], 0.5);
     EXPECT_EQ(distance.perSpan[at(whole)], kInfinity);
+}
+
+// The direction at one corner points to the other side, so that fibres cross near the edge: each
+// face has the curve leave by it, after a piece of 1e-14 of the span.
+TEST(FibreTrace, EndsWhereTwoFacesHandItBackAndForth) {
+    Followed followed(
+        TriangleMesh{
+            {{-0.510, 2.039, -1.059},
+             {-0.571, 2.261, 0.200},
+             {0.156, -0.393, 0.003},
+             {-0.282, 7.297, 3.059}},
+            {{0, 1, 2}, {3, 2, 1}}
+        },
+        {{0.001, 0.155, 0.036}, {0.0, 0.161, 0.041}, {-0.002, 0.167, 0.047}, {-0.003, 0.173, 0.052}}
+    );
+    const std::array<Vec3, 4> directions = {
+        Vec3(0.225, 0.972, 0.070),
+        Vec3(-0.079, 0.981, -0.180),
+        Vec3(-0.047, 0.866, 0.498),
+        Vec3(-0.071, -0.890, -0.450)
+    };
+    std::ranges::copy(directions, followed.base.directions.begin());
+    const CurveDistance distance = followed.measured();
+    EXPECT_EQ(progressOf(distance.trace).wholeSpans, 0);
+    EXPECT_EQ(distance.largest, kInfinity);
+    EXPECT_LT(progressOf(distance.trace).crossings.size(), 200U);
 }
 
 // The curve stays within a tolerance of the top, where fibres lead down to it all the way.
