@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/guide_path.h"
 
+#include "design/close_chords.h"
 #include "design/taut_path.h"
 #include "surface/geodesic_path.h"
 #include "surface/input_error.h"
@@ -10,6 +11,7 @@
 #include <atomic>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace bspline_curve {
@@ -102,10 +104,7 @@ public:
     ) {
         std::optional<GeodesicPath> path = finder_.find(start, goal, mostPatches());
         if (path && path->isOverPatches) {
-            const std::optional<TautString> taut =
-                pullTaut(base_, terrain_.patches, terrain_.field, path->points);
-            if (std::optional<std::vector<SurfacePoint>> points =
-                    taut ? laid(*taut) : std::nullopt) {
+            if (std::optional<std::vector<SurfacePoint>> points = string(path->points)) {
                 return points;
             }
             path = finder_.find(start, goal);
@@ -122,6 +121,18 @@ private:
         return terrain_.field.empty() ? kMostPatches : kMostFieldPatches;
     }
 
+    // Along a way over patches; nothing where none is of use.
+    [[nodiscard]] std::optional<std::vector<SurfacePoint>> string(
+        std::span<const SurfacePoint> path
+    ) {
+        const std::optional<TautString> taut =
+            pullTaut(base_, terrain_.patches, terrain_.field, path);
+        std::optional<std::vector<SurfacePoint>> points = taut ? laid(*taut) : std::nullopt;
+        return points && terrain_.kind == PathKind::Close
+                   ? withCloseChords(base_, terrain_.patches, *points, terrain_.chordDistance)
+                   : points;
+    }
+
     // Strings do not see obstacles either.
     [[nodiscard]] bool isClear(const TautString& string) const {
         return terrain_.obstacles == nullptr ||
@@ -130,8 +141,8 @@ private:
                });
     }
 
-    // The points of a string, with paths over its gaps; nothing where one is much longer than its
-    // gap, so that the string passes through the surface, or near obstacles.
+    // Its points, with paths over its gaps; nothing where one is much longer than its gap, so that
+    // the string passes through the surface, or near obstacles.
     [[nodiscard]] std::optional<std::vector<SurfacePoint>> laid(const TautString& string) {
         if (!isClear(string)) {
             return std::nullopt;

@@ -23,6 +23,7 @@ struct PickPath {
 /// How a path lies on the surface.
 enum class PathKind {
     Quick,      ///< long ways are strings of points, whose chords may leave the surface
+    Close,      ///< the same with chords within a distance of the surface
     OnSurface,  ///< consecutive points share a face; takes a time that grows with the faces passed
 };
 
@@ -35,6 +36,7 @@ struct Terrain {
     /// faces all over the surface are searched.
     const PatchLevels* patches = nullptr;
     PathKind kind = PathKind::Quick;
+    double chordDistance = 0.0;  ///< of close ones, in the shell's frame
     SideThread* side = nullptr;  ///< to share the search with; null: none
 };
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <vector>
@@ -21,6 +22,8 @@ using namespace test_support;
 /// Paths on a rough sphere with as many faces as it takes to find ways among patches.
 class GuidePaths : public testing::Test {
 protected:
+    static constexpr double kChordDistance = 1e-4;
+
     [[nodiscard]] PickPath path(PathKind kind, SideThread* side = nullptr) const {
         const std::vector<SurfacePoint> picks = {
             {0, Vec3(1.0, 0.0, 0.0)}, {7000, Vec3(0.2, 0.3, 0.5)}, {14000, Vec3(0.0, 0.5, 0.5)}
@@ -30,7 +33,11 @@ protected:
             base_,
             picks,
             true,
-            {.blockedFaces = {}, .patches = &patches_, .kind = kind, .side = side}
+            {.blockedFaces = {},
+             .patches = &patches_,
+             .kind = kind,
+             .chordDistance = kChordDistance,
+             .side = side}
         );
     }
 
@@ -51,15 +58,22 @@ protected:
         return gaps;
     }
 
+    /// From the surface, both in the shell's frame.
+    [[nodiscard]] double distanceAt(const Vec3& point) const {
+        return std::sqrt(tree_.closestPoint(base_.frame.toUser(point)).squaredDistance) /
+               base_.frame.scale;
+    }
+
 private:
     Surface surface_{withNoise(icosphere(5), 0.003, 3)};
+    TriangleTree tree_{surface_.vertices(), surface_.faces()};
     ShellBase base_ = makeShellBase(surface_, 3);
     PatchLevels patches_{surface_};
 };
 
 TEST_F(GuidePaths, AreTheSameOnTwoThreads) {
     SideThread side;
-    for (const PathKind kind : {PathKind::Quick, PathKind::OnSurface}) {
+    for (const PathKind kind : {PathKind::Quick, PathKind::Close, PathKind::OnSurface}) {
         const PickPath alone = path(kind);
         const PickPath both = path(kind, &side);
         ASSERT_EQ(alone.guide.points.size(), both.guide.points.size());
@@ -78,6 +92,19 @@ TEST_F(GuidePaths, LieOnTheSurfaceWhereAsked) {
     EXPECT_TRUE(std::ranges::is_sorted(onSurface.guide.points, {}, &GuidePath::Point::parameter));
 }
 
+TEST_F(GuidePaths, HaveChordsCloseToTheSurfaceWhereAsked) {
+    const auto farthest = [this](const PickPath& path) {
+        double most = 0.0;
+        const std::vector<GuidePath::Point>& points = path.guide.points;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            most = std::max(most, distanceAt(0.5 * (points[i - 1].position + points[i].position)));
+        }
+        return most;
+    };
+    EXPECT_GT(farthest(path(PathKind::Quick)), 10.0 * kChordDistance);
+    EXPECT_LE(farthest(path(PathKind::Close)), kChordDistance);
+}
+
 TEST_F(GuidePaths, AreAsLongEitherWay) {
     const auto lengthOf = [](const PickPath& path) {
         double length = 0.0;
@@ -88,6 +115,7 @@ TEST_F(GuidePaths, AreAsLongEitherWay) {
     };
     const double quick = lengthOf(path(PathKind::Quick));
     EXPECT_NEAR(lengthOf(path(PathKind::OnSurface)), quick, 0.02 * quick);
+    EXPECT_NEAR(lengthOf(path(PathKind::Close)), quick, 0.02 * quick);
 }
 
 // The way leads round the disc, and a string pulled taut would leave that way again.
