@@ -57,8 +57,10 @@ void forEachAcross(
     }
 }
 
+}  // namespace
+
 // The edge that a foot lies farthest outside of, or nearest to.
-struct WayOut {
+struct FootFinder::WayOut {
     int corner = 0;  // opposite to it
     double least;    // barycentric coordinate
     int face;        // across it
@@ -67,8 +69,6 @@ struct WayOut {
         : least(foot.barycentric().minCoeff(&corner)),
           face(base.faceNeighbours[at(foot.face)][at(corner)]) {}
 };
-
-}  // namespace
 
 void FootFinder::predict(const Vec3& moved, const FootFrame& frame, FootPoint& foot) {
     foot.u += frame.u.dot(moved);
@@ -209,31 +209,35 @@ void FootFinder::alongFibres(Walk& walk) const {
         giveUp(walk);
         return;
     }
-    walk.isFar = FaceFibres::isFarOutside(*foot);
-    if (!walk.isFar) {
-        const FaceFibres fibres(base_, foot->face);
-        const FaceFibres::Outcome outcome =
-            fibres.find<FaceFibres::Search::OnTheWay>(p, *foot, *frame);
-        if (outcome == FaceFibres::Outcome::Crossed) {
-            giveUp(walk);
-            return;
-        }
-        const WayOut way(base_, *foot);
-        if (way.least >= kOnEdge || (way.least > kInGap && way.face == walk.previous)) {
-            fibres.complete(*frame);
-            walk.isAtEnd = true;
-            return;
-        }
-        walk.isFar = outcome == FaceFibres::Outcome::FarOutside;
+    if (FaceFibres::isFarOutside(*foot)) {
+        walk.isFar = true;
+        leave(WayOut(base_, *foot), walk);
+        return;
+    }
+    const FaceFibres fibres(base_, foot->face);
+    const FaceFibres::Outcome outcome = fibres.find<FaceFibres::Search::OnTheWay>(p, *foot, *frame);
+    if (outcome == FaceFibres::Outcome::Crossed) {
+        giveUp(walk);
+        return;
     }
     const WayOut way(base_, *foot);
+    if (way.least >= kOnEdge || (way.least > kInGap && way.face == walk.previous)) {
+        fibres.complete(*frame);
+        walk.isAtEnd = true;
+        return;
+    }
+    walk.isFar = outcome == FaceFibres::Outcome::FarOutside;
+    leave(way, walk);
+}
+
+void FootFinder::leave(const WayOut& way, Walk& walk) const {
     if (way.face < 0) {
         giveUp(walk);
         return;
     }
-    walk.previous = foot->face;
+    walk.previous = walk.to.foot->face;
     walk.facesPassed = 0;
-    carryOver(base_, way.corner, way.face, *foot);
+    carryOver(base_, way.corner, way.face, *walk.to.foot);
     prefetchFace(way.face);
 }
 

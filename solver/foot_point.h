@@ -70,8 +70,11 @@ private:
         bool isAtEnd = false;
     };
 
+    struct WayOut;
+
     void step(Walk& walk) const;
     void alongFibres(Walk& walk) const;
+    void leave(const WayOut& way, Walk& walk) const;
     void overFace(Walk& walk) const;
     void enter(int face, Walk& walk) const;
     void giveUp(Walk& walk) const;
