@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/surface_diffusion.h"
 
+#include "surface/side_task.h"
+#include "surface/spatial_order.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace bspline_curve {
 
@@ -36,6 +41,42 @@ double clampedWeight(double weight) {
     return std::clamp(weight, 0.0, kLargest);
 }
 
+// Closed surfaces have half as many vertices as faces.
+constexpr std::size_t kVerticesForTwoThreads = kFacesForTwoThreads / 2;
+// Rows that one thread takes at once. Sums are those of blocks, so that they do not depend on the
+// number of threads.
+constexpr Eigen::Index kRowsAtOnce = 1024;
+
+// Calls task(begin, end) for all rows, block by block.
+template <class Task>
+void forEachBlock(SideThread* side, Eigen::Index rows, const Task& task) {
+    const auto blocks = static_cast<int>((rows + kRowsAtOnce - 1) / kRowsAtOnce);
+    forEach(side, blocks, 1, [&](int block) {
+        const Eigen::Index begin = block * kRowsAtOnce;
+        task(begin, std::min(rows, begin + kRowsAtOnce));
+    });
+}
+
+// The sum of what a task returns for each row.
+template <int K, class Task>
+Eigen::Array<double, 1, K> sumOfRows(SideThread* side, Eigen::Index rows, const Task& task) {
+    using Row = Eigen::Array<double, 1, K>;
+    const Eigen::Index blocks = (rows + kRowsAtOnce - 1) / kRowsAtOnce;
+    VertexValues<K> sums(blocks, K);
+    forEachBlock(side, rows, [&](Eigen::Index begin, Eigen::Index end) {
+        Row sum = Row::Zero();
+        for (Eigen::Index i = begin; i < end; ++i) {
+            sum += task(i);
+        }
+        sums.row(begin / kRowsAtOnce) = sum.matrix();
+    });
+    Row sum = Row::Zero();
+    for (Eigen::Index block = 0; block < blocks; ++block) {
+        sum += sums.row(block).array();
+    }
+    return sum;
+}
+
 std::size_t cornerOf(const Surface& surface, int face, int vertex) {
     const Triangle& corners = surface.faces()[at(face)];
     return corners[0] == vertex ? 0 : (corners[1] == vertex ? 1 : 2);
@@ -46,19 +87,30 @@ std::size_t cornerOf(const Surface& surface, int face, int vertex) {
 SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
     : masses_(Eigen::VectorXd::Zero(surface.vertexCount())),
       weightSums_(Eigen::VectorXd::Zero(surface.vertexCount())) {
-    offsets_.reserve(at(surface.vertexCount()) + 1);
+    const std::size_t count = at(surface.vertexCount());
+    vertexOf_.reserve(count);
+    for (const MortonKey& key :
+         spatialOrder(count, [&](std::size_t i) { return surface.vertices()[i]; })) {
+        vertexOf_.push_back(key.index);
+    }
+    std::vector<int> rowOf(count);
+    for (std::size_t row = 0; row < count; ++row) {
+        rowOf[at(vertexOf_[row])] = static_cast<int>(row);
+    }
+    offsets_.reserve(count + 1);
     neighbours_.reserve(3 * at(surface.faceCount()));
     weights_.reserve(3 * at(surface.faceCount()));
-    const auto addEdge = [&](int from, int to, double weight) {
-        neighbours_.push_back(to);
+    const auto addEdge = [&](int row, int to, double weight) {
+        neighbours_.push_back(rowOf[at(to)]);
         weights_.push_back(clampedWeight(weight));
-        weightSums_[from] += weights_.back();
+        weightSums_[row] += weights_.back();
     };
-    for (int v = 0; v < surface.vertexCount(); ++v) {
+    for (int row = 0; row < surface.vertexCount(); ++row) {
+        const int v = vertexOf_[at(row)];
         offsets_.push_back(static_cast<int>(neighbours_.size()));
         const Surface::FaceRange fan = surface.facesAround(v);
         if (fan.empty()) {
-            masses_[v] = 1.0;
+            masses_[row] = 1.0;
             continue;
         }
         // Counter-clockwise, each edge with the face before it and the one after it.
@@ -72,80 +124,80 @@ SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
                 const std::size_t opposite = (cornerOf(surface, before, v) + 1) % 3;
                 weight += halfCotangent(surface, before, opposite);
             }
-            addEdge(v, surface.faces()[at(face)][(k + 1) % 3], weight);
-            masses_[v] += areaOf(surface, face) / 3.0;
+            addEdge(row, surface.faces()[at(face)][(k + 1) % 3], weight);
+            masses_[row] += areaOf(surface, face) / 3.0;
             before = face;
         }
         if (isOpen) {
             const std::size_t k = cornerOf(surface, before, v);
             const int last = surface.faces()[at(before)][(k + 2) % 3];
-            addEdge(v, last, halfCotangent(surface, before, (k + 1) % 3));
+            addEdge(row, last, halfCotangent(surface, before, (k + 1) % 3));
         }
     }
     offsets_.push_back(static_cast<int>(neighbours_.size()));
 }
 
-/// product = (M + time L) values; returns values' product of each column.
 template <int K>
-Eigen::Array<double, 1, K> SurfaceDiffusion::multiply(
-    const VertexValues<K>& values, double time, VertexValues<K>& product
+Eigen::Array<double, 1, K> SurfaceDiffusion::productAt(
+    const VertexValues<K>& values, double time, Eigen::Index row
 ) const {
-    Eigen::Array<double, 1, K> dot = Eigen::Array<double, 1, K>::Zero();
-    for (int v = 0; v < static_cast<int>(values.rows()); ++v) {
-        const Eigen::Array<double, 1, K> own = values.row(v);
-        Eigen::Array<double, 1, K> sum = weightSums_[v] * own;
-        for (std::size_t i = at(offsets_[at(v)]); i < at(offsets_[at(v) + 1]); ++i) {
-            sum -= weights_[i] * values.row(neighbours_[i]).array();
-        }
-        sum = masses_[v] * own + time * sum;
-        product.row(v) = sum.matrix();
-        dot += own * sum;
+    const Eigen::Array<double, 1, K> own = values.row(row);
+    Eigen::Array<double, 1, K> sum = weightSums_[row] * own;
+    const auto r = static_cast<std::size_t>(row);
+    for (std::size_t i = at(offsets_[r]); i < at(offsets_[r + 1]); ++i) {
+        sum -= weights_[i] * values.row(neighbours_[i]).array();
     }
-    return dot;
+    return masses_[row] * own + time * sum;
 }
 
-/// Solves (M + time L) x = M values for each column, by conjugate gradients with the diagonal as
-/// preconditioner. Memory is what takes the time, so each row is visited as seldom as can be.
+/// By conjugate gradients with the diagonal as preconditioner. Memory is what takes the time, so
+/// each row is visited as seldom as can be.
 template <int K>
-VertexValues<K> SurfaceDiffusion::implicitStep(const VertexValues<K>& values, double time) const {
+VertexValues<K> SurfaceDiffusion::implicitStep(
+    VertexValues<K> values, double time, SideThread* side
+) const {
     using Row = Eigen::Array<double, 1, K>;
     constexpr double kTolerance = 1e-5;  // of the values, in the norm of the preconditioner
     constexpr int kMaxIterations = 2000;
+    const Eigen::Index rows = values.rows();
     const Eigen::VectorXd inverseDiagonal = (masses_ + time * weightSums_).cwiseInverse();
-    VertexValues<K> solution = values;
-    VertexValues<K> product(values.rows(), K);
-    static_cast<void>(multiply<K>(solution, time, product));
-    VertexValues<K> residual(values.rows(), K);
-    VertexValues<K> direction(values.rows(), K);
-    Row error = Row::Zero();
-    Row enough = Row::Zero();
-    for (Eigen::Index v = 0; v < values.rows(); ++v) {
-        const Row right = masses_[v] * values.row(v).array();
-        const Row rest = right - product.row(v).array();
-        residual.row(v) = rest.matrix();
-        direction.row(v) = (inverseDiagonal[v] * rest).matrix();
-        error += inverseDiagonal[v] * rest * rest;
-        enough += kTolerance * kTolerance * inverseDiagonal[v] * right * right;
-    }
-    for (int i = 0; i < kMaxIterations && (error > enough).any(); ++i) {
-        const Row curvature = multiply<K>(direction, time, product);
+    VertexValues<K> product(rows, K);
+    VertexValues<K> residual(rows, K);
+    VertexValues<K> direction(rows, K);
+    const Row enough = sumOfRows<K>(side, rows, [&](Eigen::Index i) -> Row {
+        const Row right = masses_[i] * values.row(i).array();
+        return kTolerance * kTolerance * inverseDiagonal[i] * right * right;
+    });
+    Row error = sumOfRows<K>(side, rows, [&](Eigen::Index i) -> Row {
+        const Row rest = masses_[i] * values.row(i).array() - productAt<K>(values, time, i);
+        residual.row(i) = rest.matrix();
+        direction.row(i) = (inverseDiagonal[i] * rest).matrix();
+        return inverseDiagonal[i] * rest * rest;
+    });
+    for (int iteration = 0; iteration < kMaxIterations && (error > enough).any(); ++iteration) {
+        const Row curvature = sumOfRows<K>(side, rows, [&](Eigen::Index i) -> Row {
+            const Row here = productAt<K>(direction, time, i);
+            product.row(i) = here.matrix();
+            return direction.row(i).array() * here;
+        });
         const Row step = (error > enough).select(error / curvature, Row::Zero());
-        Row next = Row::Zero();
-        for (Eigen::Index v = 0; v < values.rows(); ++v) {
-            solution.row(v).array() += step * direction.row(v).array();
-            const Row rest = residual.row(v).array() - step * product.row(v).array();
-            residual.row(v) = rest.matrix();
-            next += inverseDiagonal[v] * rest * rest;
-        }
+        const Row next = sumOfRows<K>(side, rows, [&](Eigen::Index i) -> Row {
+            values.row(i).array() += step * direction.row(i).array();
+            const Row rest = residual.row(i).array() - step * product.row(i).array();
+            residual.row(i) = rest.matrix();
+            return inverseDiagonal[i] * rest * rest;
+        });
         const Row turn = (error > enough).select(next / error, Row::Zero());
-        for (Eigen::Index v = 0; v < values.rows(); ++v) {
-            direction.row(v) =
-                (inverseDiagonal[v] * residual.row(v).array() + turn * direction.row(v).array())
-                    .matrix();
-        }
+        forEachBlock(side, rows, [&](Eigen::Index begin, Eigen::Index end) {
+            for (Eigen::Index i = begin; i < end; ++i) {
+                direction.row(i) =
+                    (inverseDiagonal[i] * residual.row(i).array() + turn * direction.row(i).array())
+                        .matrix();
+            }
+        });
         error = next;
     }
-    return solution;
+    return values;
 }
 
 template <int K>
@@ -153,9 +205,25 @@ VertexValues<K> SurfaceDiffusion::smoothed(const VertexValues<K>& values, double
     if (radius <= 0.0) {
         return values;
     }
+    std::optional<SideThread> side;
+    if (vertexOf_.size() >= kVerticesForTwoThreads) {
+        side.emplace();
+    }
+    SideThread* const second = side ? &*side : nullptr;
+    VertexValues<K> byRow(values.rows(), K);
+    for (Eigen::Index row = 0; row < values.rows(); ++row) {
+        byRow.row(row) = values.row(vertexOf_[static_cast<std::size_t>(row)]);
+    }
     // A disc has the variance radius^2 / 4 along each axis, diffusion for the time t has 2 t.
     const double time = radius * radius / 8.0;
-    return implicitStep<K>(implicitStep<K>(values, 0.5 * time), 0.5 * time);
+    for (int step = 0; step < 2; ++step) {
+        byRow = implicitStep<K>(std::move(byRow), 0.5 * time, second);
+    }
+    VertexValues<K> result(values.rows(), K);
+    for (Eigen::Index row = 0; row < values.rows(); ++row) {
+        result.row(vertexOf_[static_cast<std::size_t>(row)]) = byRow.row(row);
+    }
+    return result;
 }
 
 template VertexValues<1> SurfaceDiffusion::smoothed<1>(const VertexValues<1>&, double) const;

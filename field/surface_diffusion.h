@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/side_thread.h"
 #include "surface/surface.h"
 
 #include <Eigen/Core>
@@ -19,28 +20,35 @@ using VertexValues = Eigen::Matrix<double, Eigen::Dynamic, K, K == 1 ? 0 : Eigen
 /// trouble.
 class SurfaceDiffusion {
 public:
-    /// O(n).
+    /// O(n log n).
     explicit SurfaceDiffusion(const Surface& surface);
 
     /// Averages as over a disc of the given radius (the kernel has the variance of one); radius in
     /// the unit of the surface, >= 0. Constants stay what they are, integrals too, and so does what
     /// has no faces. Radii far below an edge change little. Within 1e-5 of the values' size.
-    /// Conjugate gradients: O(n radius / edge length). Available for K = 1 and K = 9.
+    /// Conjugate gradients: O(n radius / edge length), where there are many vertices on two
+    /// threads, with the same result. Available for K = 1 and K = 9.
     template <int K>
     [[nodiscard]] VertexValues<K> smoothed(const VertexValues<K>& values, double radius) const;
 
 private:
+    // Solves (M + time L) x = M values; takes the values and returns x.
     template <int K>
-    [[nodiscard]] VertexValues<K> implicitStep(const VertexValues<K>& values, double time) const;
+    [[nodiscard]] VertexValues<K> implicitStep(
+        VertexValues<K> values, double time, SideThread* side
+    ) const;
+    // A row of (M + time L) values.
     template <int K>
-    Eigen::Array<double, 1, K> multiply(
-        const VertexValues<K>& values, double time, VertexValues<K>& product
+    [[nodiscard]] Eigen::Array<double, 1, K> productAt(
+        const VertexValues<K>& values, double time, Eigen::Index row
     ) const;
 
-    Eigen::VectorXd masses_;       ///< #V; a third of the area of the faces at the vertex, else 1
-    Eigen::VectorXd weightSums_;   ///< #V; of the edges at the vertex
-    std::vector<int> offsets_;     ///< #V + 1; the neighbours of v are from offsets_[v] on
-    std::vector<int> neighbours_;  ///< #E twice
+    // Rows are vertices along a Morton curve, so that neighbours are near to each other in memory.
+    std::vector<int> vertexOf_;    ///< #V; by row, as all below
+    Eigen::VectorXd masses_;       ///< a third of the area of the faces at the vertex, else 1
+    Eigen::VectorXd weightSums_;   ///< of the edges at the vertex
+    std::vector<int> offsets_;     ///< #V + 1; the neighbours of i are from offsets_[i] on
+    std::vector<int> neighbours_;  ///< #E twice; rows
     std::vector<double> weights_;  ///< of the edge to each neighbour
 };
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <map>
 
 namespace bspline_curve {
 namespace {
@@ -68,6 +70,51 @@ TEST(SurfaceDiffusion, StaysBetweenTheValues) {
     EXPECT_GE(smooth.minCoeff(), -1e-6);
     EXPECT_LE(smooth.maxCoeff(), 1.0);
     EXPECT_LT(smooth[60], 0.5);
+}
+
+// On as many vertices as two threads share.
+TEST(SurfaceDiffusion, IsTheSameEveryTimeOnTwoThreads) {
+    const Surface surface(withNoise(icosphere(6), 0.001, 4));
+    ASSERT_GT(surface.vertexCount(), 40000);
+    const SurfaceDiffusion diffusion(surface);
+    VertexValues<9> values(surface.vertexCount(), 9);
+    for (int v = 0; v < surface.vertexCount(); ++v) {
+        for (int k = 0; k < 9; ++k) {
+            values(v, k) = std::sin(v * (k + 1));
+        }
+    }
+    const VertexValues<9> first = diffusion.smoothed<9>(values, 0.1);
+    for (int run = 0; run < 5; ++run) {
+        ASSERT_EQ(diffusion.smoothed<9>(values, 0.1), first) << run;
+    }
+    const VertexValues<1> alone = diffusion.smoothed<1>(values.col(4), 0.1);
+    EXPECT_LT((first.col(4) - alone).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+// Rows lie in another order than vertices, and in the same one whatever that of the vertices is.
+TEST(SurfaceDiffusion, GivesEachVertexItsOwnValue) {
+    const TriangleMesh mesh = withNoise(icosphere(3), 0.02, 1);
+    const auto smoothed = [](const TriangleMesh& one) {
+        const Surface surface(one);
+        VertexValues<1> heights(surface.vertexCount());
+        for (int v = 0; v < surface.vertexCount(); ++v) {
+            heights[v] = one.vertices[static_cast<std::size_t>(v)].z();
+        }
+        return SurfaceDiffusion(surface).smoothed<1>(heights, 0.3);
+    };
+    const VertexValues<1> values = smoothed(mesh);
+    std::map<double, double> ofHeight;
+    for (int v = 0; v < static_cast<int>(values.size()); ++v) {
+        const double height = mesh.vertices[static_cast<std::size_t>(v)].z();
+        EXPECT_NEAR(values[v], height, 0.05);
+        ofHeight[height] = values[v];
+    }
+    const TriangleMesh other = renumbered(mesh, 7);
+    const VertexValues<1> otherValues = smoothed(other);
+    for (int v = 0; v < static_cast<int>(otherValues.size()); ++v) {
+        const double height = other.vertices[static_cast<std::size_t>(v)].z();
+        EXPECT_NEAR(otherValues[v], ofHeight.at(height), 1e-12);
+    }
 }
 
 TEST(SurfaceDiffusion, TreatsColumnsAlikeAndLeavesWhatHasNoFaces) {
