@@ -84,11 +84,11 @@ void PolylineEnergy::follow(const FootFinder& finder, FootedPolyline& line) cons
     forEach(problem_.side, groups, 1, [&](int group) {
         const std::size_t first = at(group) * kVerticesAtOnce;
         std::array<FootFinder::Move, kVerticesAtOnce> moves;
-        auto end = moves.begin();
+        std::size_t end = 0;
         for (std::size_t i = first; i < std::min(vertices, first + kVerticesAtOnce); ++i) {
-            *end++ = {line.points[i], &line.feet[i], &line.frames[i]};
+            moves[end++] = {line.points[i], &line.feet[i], &line.frames[i]};
         }
-        finder.moveAll({moves.begin(), end});
+        finder.moveAll({moves.data(), end});
     });
 }
 

@@ -179,15 +179,17 @@ void FootEnergy::followSpans(
         const std::size_t first = at(group) * kSpansAtOnce;
         const std::size_t count = std::min(kSpansAtOnce, spans.size() - first);
         std::array<FootFinder::Move, kSpansAtOnce * kMostSamples> moves;
-        auto end = moves.begin();
+        std::size_t end = 0;
         for (const int span : spans.subspan(first, count)) {
             placeSpan(isKnown, span, spline);
             const std::size_t begin = at(span * samplesPerSpan());
             for (std::size_t sample = begin; sample < begin + at(samplesPerSpan()); ++sample) {
-                *end++ = {spline.positions[sample], &spline.feet[sample], &spline.frames[sample]};
+                moves[end++] = {
+                    spline.positions[sample], &spline.feet[sample], &spline.frames[sample]
+                };
             }
         }
-        finder.moveAll({moves.begin(), end});
+        finder.moveAll({moves.data(), end});
     });
 }
 

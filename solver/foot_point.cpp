@@ -88,15 +88,16 @@ void FootFinder::moveAll(std::span<const Move> moves) const {
     while (!moves.empty()) {
         const std::span<const Move> group = moves.first(std::min(kTogether, moves.size()));
         moves = moves.subspan(group.size());
-        auto end = walks.begin();
+        std::size_t count = 0;
         for (const Move& to : group) {
-            *end++ = {to, to.foot->face};
+            walks[count++] = {to, to.foot->face};
             prefetchFace(to.foot->face);
         }
-        while (end != walks.begin()) {
-            std::for_each(walks.begin(), end, [&](const Walk& walk) { prefetchCorners(walk); });
-            std::for_each(walks.begin(), end, [&](Walk& walk) { step(walk); });
-            end = std::remove_if(walks.begin(), end, [](const Walk& walk) { return walk.isAtEnd; });
+        while (count > 0) {
+            const std::span<Walk> going(walks.data(), count);
+            std::ranges::for_each(going, [&](const Walk& walk) { prefetchCorners(walk); });
+            std::ranges::for_each(going, [&](Walk& walk) { step(walk); });
+            count -= std::ranges::remove_if(going, &Walk::isAtEnd).size();
         }
     }
 }
