@@ -14,13 +14,11 @@
 namespace bspline_curve::benchmarks {
 namespace {
 
-// Rounds and steps end as those of relax() do, so that both get the same chance.
-constexpr double kAimedShare = 0.8;
+// Rounds and steps end as those of relax() do, so that both get the same chance; these are for
+// polylines that would not end.
 constexpr double kHighestAlpha = 1e12;
 constexpr int kMaxRounds = 24;
 constexpr int kMaxSteps = 30;
-constexpr double kRoundDecrement = 0.2;
-constexpr double kRestDecrement = 1e-2;
 constexpr double kRoundingEnergy = 1e-12;
 constexpr int kMaxHalvings = 8;
 constexpr double kSufficientDecrease = 1e-4;

@@ -67,17 +67,8 @@ constexpr double kStuckShare = 0.8;
 // Not before its weight of the distance has become so many times as large: on fine meshes a usual
 // curve may stay far away while it is a few hundred times as large.
 constexpr double kStuckGrowth = 9e3;
-// Samples are brought so far below the tolerance that most curves keep it between them as well.
-// With 0.9 and 0.95 they have 5 % fewer knots and bend by 3 % less, but more are traced in vain,
-// and some under a field then take more than three times as long as without.
-constexpr double kAimedShare = 0.8;
 
-// Newton stops at this share of the energy while weights and knots still change, and at last. With
-// a quarter of either a fifth more steps are taken and bending stays the same; where rounds stop at
-// 0.5 curves bend by 7 % more.
-constexpr double kRoundDecrement = 0.2;
-constexpr double kRestDecrement = 1e-2;
-// And after so many steps.
+// Newton stops after so many steps, while weights and knots still change, and at last.
 constexpr int kMaxSteps = 30;
 constexpr int kMaxRestSteps = 10;
 // At last also where a step has brought less than this share of what it promised: samples wander
