@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/polyline_energy.h"
 
-#include "solver/energy_derivatives.h"
+#include "solver/foot_energy.h"
 #include "solver/relaxation.h"
 #include "surface/side_thread.h"
 
@@ -183,15 +183,11 @@ void PolylineEnergy::differentiate(
         addTension(line, gradient, hessian);
     }
     for (int i = 0; i < count(); ++i) {
-        const FootFrame& frame = line.frames[at(i)];
         const double stiffness =
             2.0 * alpha * vertices_[at(i)].weight / (heightUnit_ * heightUnit_);
-        const double force = stiffness * line.feet[at(i)].height;
-        PointDerivatives point;
-        point.addRankOne(frame.height, stiffness);
-        point.addProduct(frame.turnU, frame.u, 0.5 * turning * force);
-        point.addProduct(frame.turnV, frame.v, 0.5 * turning * force);
-        gradient.segment<3>(3 * Eigen::Index{i}) += force * frame.height;
+        const PointDerivatives point =
+            heightDerivatives(line.feet[at(i)], line.frames[at(i)], stiffness, turning);
+        gradient.segment<3>(3 * Eigen::Index{i}) += point.force;
         hessian[at(i)][0] += point.second;
     }
 }

@@ -305,16 +305,10 @@ PointDerivatives FootEnergy::pointDerivatives(
 ) const {
     const FootPoint& foot = spline.feet[at(sample)];
     const FootFrame& frame = spline.frames[at(sample)];
-    PointDerivatives point;
     const double weight = samples_[at(sample)].weight;
     const double stiffness = 2.0 * alpha * weight / (heightUnit_ * heightUnit_);
-    const double force = stiffness * foot.height;
+    PointDerivatives point = heightDerivatives(foot, frame, stiffness, turning);
     terms.distance += distanceTerm(foot, weight);
-    point.force = force * frame.height;
-    point.addRankOne(frame.height, stiffness);
-    // The height's second derivative is the change of n along the surface.
-    point.addProduct(frame.turnU, frame.u, 0.5 * turning * force);
-    point.addProduct(frame.turnV, frame.v, 0.5 * turning * force);
     if (foot.face >= problem_.base->surfaceFaceCount) {
         const Vec3 gradient = beyondGradient(foot, frame);
         const double twice = 2.0 * alpha * weight;

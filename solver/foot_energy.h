@@ -19,6 +19,20 @@ struct FootedSpline {
     std::vector<Vec3> positions, seconds;
 };
 
+/// First and second derivative of stiffness / 2 height^2 by the position of a sample. `turning`:
+/// share of what the height's own second derivative adds, the change of n along the surface.
+[[nodiscard]] inline PointDerivatives heightDerivatives(
+    const FootPoint& foot, const FootFrame& frame, double stiffness, double turning
+) {
+    const double force = stiffness * foot.height;
+    PointDerivatives point;
+    point.force = force * frame.height;
+    point.addRankOne(frame.height, stiffness);
+    point.addProduct(frame.turnU, frame.u, 0.5 * turning * force);
+    point.addProduct(frame.turnV, frame.v, 0.5 * turning * force);
+    return point;
+}
+
 /// The energy (7) of a spline at samples, by their foot points: E_int (4) without the normal
 /// bending that the surface forces, E_ext (5), and in place of (8) the mean of (height / unit)^2,
 /// which has no pole. It takes no cells, so what it costs does not depend on the resolution of the
