@@ -49,6 +49,7 @@ Figures curveFigures(const Curve& curve, const DesignerCache::Found& found, doub
         {"knots_first", report.knotsFirst},
         {"knots_last", report.knotsLast},
         {"max_distance", report.maxDistance},
+        {"allowed_distance", report.allowedDistance},
         {"max_pick_gap", report.maxPickGap},
         {"rounds", static_cast<int>(report.rounds.size())},
         {"newton_iterations", report.newtonIterations},
