@@ -16,10 +16,6 @@ namespace {
 // So many vertices at once are followed by one of two threads.
 constexpr std::size_t kVerticesAtOnce = 32;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // scale (I - share n n^T).
 SymmetricMatrix projection(const Vec3& n, double share, double scale) {
     SymmetricMatrix result = rankOne(n, -share * scale);
@@ -45,8 +41,8 @@ PolylineEnergy::PolylineEnergy(const CurveProblem& problem, int count)
 void PolylineEnergy::placeVertices(int count) {
     const int picks = static_cast<int>(problem_.picks.size());
     for (int pick = 0; pick < (isClosed() ? picks : picks - 1); ++pick) {
-        const double begin = problem_.picks[at(pick)].parameter;
-        const double end = pick + 1 < picks ? problem_.picks[at(pick + 1)].parameter : 1.0;
+        const double begin = problem_.picks[pick].parameter;
+        const double end = pick + 1 < picks ? problem_.picks[pick + 1].parameter : 1.0;
         const int steps = std::max(2, static_cast<int>(std::lround((end - begin) * count)));
         const double step = (end - begin) / steps;
         for (int i = 0; i < steps; ++i) {
@@ -57,9 +53,9 @@ void PolylineEnergy::placeVertices(int count) {
         vertices_.push_back({1.0, 0.0, 0.0, picks - 1});
     }
     for (int segment = 0; segment < segmentCount(); ++segment) {
-        const double half = 0.5 * vertices_[at(segment)].step;
-        vertices_[at(segment)].weight += half;
-        vertices_[at(after(segment, 1))].weight += half;
+        const double half = 0.5 * vertices_[segment].step;
+        vertices_[segment].weight += half;
+        vertices_[after(segment, 1)].weight += half;
     }
 }
 
@@ -69,7 +65,7 @@ FootedPolyline PolylineEnergy::along(const GuidePath& guide, const FootFinder& f
         const SurfacePoint& near = guide.points[guide.indexAt(vertex.parameter)].point;
         line.feet.push_back({near.face, near.barycentric[1], near.barycentric[2], 0.0});
         line.points.push_back(
-            vertex.pick >= 0 ? problem_.picks[at(vertex.pick)].position
+            vertex.pick >= 0 ? problem_.picks[vertex.pick].position
                              : guide.positionAt(vertex.parameter)
         );
     }
@@ -82,7 +78,7 @@ void PolylineEnergy::follow(const FootFinder& finder, FootedPolyline& line) cons
     const std::size_t vertices = line.points.size();
     const auto groups = static_cast<int>((vertices + kVerticesAtOnce - 1) / kVerticesAtOnce);
     forEach(problem_.side, groups, 1, [&](int group) {
-        const std::size_t first = at(group) * kVerticesAtOnce;
+        const std::size_t first = group * kVerticesAtOnce;
         std::array<FootFinder::Move, kVerticesAtOnce> moves;
         std::size_t end = 0;
         for (std::size_t i = first; i < std::min(vertices, first + kVerticesAtOnce); ++i) {
@@ -93,12 +89,12 @@ void PolylineEnergy::follow(const FootFinder& finder, FootedPolyline& line) cons
 }
 
 PolylineEnergy::Stencil PolylineEnergy::stencil(int first) const {
-    const double before = vertices_[at(first)].step;
-    const double behind = vertices_[at(after(first, 1))].step;
+    const double before = vertices_[first].step;
+    const double behind = vertices_[after(first, 1)].step;
     const double twice = 2.0 / (before + behind);
     return {
         {twice / before, -twice / before - twice / behind, twice / behind},
-        bending_ * vertices_[at(after(first, 1))].weight
+        bending_ * vertices_[after(first, 1)].weight
     };
 }
 
@@ -106,7 +102,7 @@ Vec3 PolylineEnergy::secondDerivative(const FootedPolyline& line, int first) con
     const Stencil difference = stencil(first);
     Vec3 sum = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
-        sum += difference.factors[at(k)] * line.points[at(after(first, k))];
+        sum += difference.factors[k] * line.points[after(first, k)];
     }
     return sum;
 }
@@ -117,17 +113,17 @@ PolylineEnergy::Terms PolylineEnergy::terms(
     Terms terms;
     for (int first = 0; first < stencilCount(); ++first) {
         const Vec3 second = secondDerivative(line, first);
-        const double along = frozen[at(after(first, 1))].direction.dot(second);
+        const double along = frozen[after(first, 1)].direction.dot(second);
         terms.internal +=
             stencil(first).weight * (second.squaredNorm() - normalShare_ * along * along);
     }
     for (int segment = 0; stretching_ > 0.0 && segment < segmentCount(); ++segment) {
-        const Vec3 edge = line.points[at(after(segment, 1))] - line.points[at(segment)];
-        terms.internal += stretching_ / vertices_[at(segment)].step * edge.squaredNorm();
+        const Vec3 edge = line.points[after(segment, 1)] - line.points[segment];
+        terms.internal += stretching_ / vertices_[segment].step * edge.squaredNorm();
     }
     for (int i = 0; i < count(); ++i) {
-        const double height = line.feet[at(i)].height / heightUnit_;
-        terms.distance += vertices_[at(i)].weight * height * height;
+        const double height = line.feet[i].height / heightUnit_;
+        terms.distance += vertices_[i].weight * height * height;
     }
     return terms;
 }
@@ -137,17 +133,16 @@ void PolylineEnergy::addBending(
 ) const {
     for (int first = 0; first < stencilCount(); ++first) {
         const Stencil difference = stencil(first);
-        const Vec3& direction = line.frames[at(after(first, 1))].direction;
+        const Vec3& direction = line.frames[after(first, 1)].direction;
         const double twice = 2.0 * difference.weight;
         const Vec3 second = secondDerivative(line, first);
         const Vec3 force = twice * (second - normalShare_ * direction.dot(second) * direction);
         const SymmetricMatrix matrix = projection(direction, normalShare_, twice);
         for (int j = 0; j < 3; ++j) {
-            const double factor = difference.factors[at(j)];
+            const double factor = difference.factors[j];
             gradient.segment<3>(3 * Eigen::Index{after(first, j)}) += factor * force;
             for (int k = j; k < 3; ++k) {
-                hessian[at(after(first, j))][at(k - j)] +=
-                    (factor * difference.factors[at(k)]) * matrix;
+                hessian[after(first, j)][k - j] += (factor * difference.factors[k]) * matrix;
             }
         }
     }
@@ -158,14 +153,14 @@ void PolylineEnergy::addTension(
 ) const {
     for (int segment = 0; segment < segmentCount(); ++segment) {
         const int end = after(segment, 1);
-        const double twice = 2.0 * stretching_ / vertices_[at(segment)].step;
-        const Vec3 force = twice * (line.points[at(end)] - line.points[at(segment)]);
+        const double twice = 2.0 * stretching_ / vertices_[segment].step;
+        const Vec3 force = twice * (line.points[end] - line.points[segment]);
         gradient.segment<3>(3 * Eigen::Index{end}) += force;
         gradient.segment<3>(3 * Eigen::Index{segment}) -= force;
         const SymmetricMatrix matrix{twice, 0.0, 0.0, twice, 0.0, twice};
-        hessian[at(segment)][0] += matrix;
-        hessian[at(end)][0] += matrix;
-        hessian[at(segment)][1] += -1.0 * matrix;
+        hessian[segment][0] += matrix;
+        hessian[end][0] += matrix;
+        hessian[segment][1] += -1.0 * matrix;
     }
 }
 
@@ -177,18 +172,17 @@ void PolylineEnergy::differentiate(
     std::vector<Blocks>& hessian
 ) const {
     gradient = Eigen::VectorXd::Zero(3 * Eigen::Index{count()});
-    hessian.assign(at(count()), Blocks{});
+    hessian.assign(count(), Blocks{});
     addBending(line, gradient, hessian);
     if (stretching_ > 0.0) {
         addTension(line, gradient, hessian);
     }
     for (int i = 0; i < count(); ++i) {
-        const double stiffness =
-            2.0 * alpha * vertices_[at(i)].weight / (heightUnit_ * heightUnit_);
+        const double stiffness = 2.0 * alpha * vertices_[i].weight / (heightUnit_ * heightUnit_);
         const PointDerivatives point =
-            heightDerivatives(line.feet[at(i)], line.frames[at(i)], stiffness, turning);
+            heightDerivatives(line.feet[i], line.frames[i], stiffness, turning);
         gradient.segment<3>(3 * Eigen::Index{i}) += point.force;
-        hessian[at(i)][0] += point.second;
+        hessian[i][0] += point.second;
     }
 }
 

@@ -62,9 +62,7 @@ public:
 
     [[nodiscard]] double largestHeight(const FootedPolyline& line) const;
 
-    [[nodiscard]] bool isFixed(int vertex) const {
-        return vertices_[static_cast<std::size_t>(vertex)].pick >= 0;
-    }
+    [[nodiscard]] bool isFixed(int vertex) const { return vertices_[vertex].pick >= 0; }
 
     [[nodiscard]] bool isClosed() const { return problem_.options.closed; }
 

@@ -100,15 +100,13 @@ private:
             factor_.addSymmetric(i, i, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0});
             return;
         }
-        const PolylineEnergy::Blocks& blocks = hessian_[static_cast<std::size_t>(i)];
+        const PolylineEnergy::Blocks& blocks = hessian_[i];
         factor_.addSymmetric(i, i, blocks[0]);
         for (int steps = 1; steps <= kBandwidth; ++steps) {
             const int other = energy_.after(i, steps);
             const bool isThere = energy_.isClosed() || other > i;
             if (isThere && !energy_.isFixed(other)) {
-                factor_.addSymmetric(
-                    std::max(i, other), std::min(i, other), blocks[static_cast<std::size_t>(steps)]
-                );
+                factor_.addSymmetric(std::max(i, other), std::min(i, other), blocks[steps]);
             }
         }
     }
@@ -119,8 +117,7 @@ private:
             const double length = std::ldexp(1.0, -halving);
             FootedPolyline trial = now_;
             for (int i = 0; i < energy_.count(); ++i) {
-                trial.points[static_cast<std::size_t>(i)] +=
-                    length * along.segment<3>(3 * Eigen::Index{i});
+                trial.points[i] += length * along.segment<3>(3 * Eigen::Index{i});
             }
             energy_.follow(finder_, trial);
             if (energy_.terms(trial, now_.frames).total(alpha_) <=

@@ -111,7 +111,7 @@ FootedSpline Scene::footed(const SplineCurve& curve) const {
 }
 
 Vec3 Scene::vertexNear(int pick, double edges) const {
-    const Vec3& from = picks[static_cast<std::size_t>(pick)];
+    const Vec3& from = picks[pick];
     const double asked = edges * prepared.surface().averageEdgeLength();
     return *std::ranges::min_element(mesh.vertices, {}, [&](const Vec3& v) {
         return std::abs((v - from).norm() - asked);

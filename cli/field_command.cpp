@@ -44,7 +44,7 @@ std::vector<double> onGivenMesh(
 ) {
     field.resize(vertexCount);
     for (const auto& [vertex, into] : repair.report.mergedVertices) {
-        field[static_cast<std::size_t>(vertex)] = field[static_cast<std::size_t>(into)];
+        field[vertex] = field[into];
     }
     return field;
 }

@@ -19,13 +19,13 @@ namespace {
 std::vector<std::int64_t> carriedOver(
     const std::vector<std::int64_t>& ids, const GivenMesh& given
 ) {
-    std::vector<char> isNamed(static_cast<std::size_t>(given.faces), 0);
+    std::vector<char> isNamed(given.faces, 0);
     std::vector<std::int64_t> unknown;
     for (const std::int64_t id : ids) {
         if (id < 0 || id >= given.faces) {
             unknown.push_back(id);
         } else {
-            isNamed[static_cast<std::size_t>(id)] = 1;
+            isNamed[id] = 1;
         }
     }
     if (!unknown.empty()) {
@@ -40,7 +40,7 @@ std::vector<std::int64_t> carriedOver(
     }
     std::vector<std::int64_t> result;
     for (std::size_t face = 0; face < given.repair->faceOrigins.size(); ++face) {
-        if (isNamed[static_cast<std::size_t>(given.repair->faceOrigins[face])] != 0) {
+        if (isNamed[given.repair->faceOrigins[face]] != 0) {
             result.push_back(static_cast<std::int64_t>(face));
         }
     }

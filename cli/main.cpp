@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
     using namespace bspline_curve::cli;
     returnLargeArrays();
     try {
-        const Arguments all(argv, static_cast<std::size_t>(argc));
+        const Arguments all(argv, argc);
         return static_cast<int>(run(all.subspan(std::min<std::size_t>(all.size(), 1))));
     } catch (const std::bad_alloc&) {
         printError("out of memory");

@@ -114,7 +114,7 @@ std::string failureMessage(const ShellCheck& check) {
                 invariant->firstIds.begin(), invariant->firstIds.end()
             );
             text.append(separator).append(invariant->name).append(" violated ");
-            text += describeCount(static_cast<std::size_t>(invariant->violations), "time", "times");
+            text += describeCount(invariant->violations, "time", "times");
             text += " (first ids " + describeElements(ids) + ")";
             separator = "; ";
         }

@@ -29,10 +29,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // What the curve avoids is certain only where every iterate is checked as a whole.
 void requireExactAvoidance(const SolverOptions& options) {
     const auto refuse = [](const std::string& option, const std::string& needed) {
@@ -128,7 +124,7 @@ SplineCurve splineOf(const SplineData& data, const ShellFrame& frame) {
     );
     ControlPoints controls(space.controlCount(), 3);
     for (int c = 0; c < space.controlCount(); ++c) {
-        controls.row(c) = frame.toUnit(data.controlPoints[at(c)]).transpose();
+        controls.row(c) = frame.toUnit(data.controlPoints[c]).transpose();
     }
     return {std::move(space), std::move(controls)};
 }
@@ -223,7 +219,7 @@ SurfacePolyline CurveDesigner::State::polylineOf(
 void CurveDesigner::State::measureClearance(const Region& region, Curve& curve) const {
     std::vector<Triangle> avoided;
     for (const int f : region) {
-        avoided.push_back(surface().faces()[at(f)]);
+        avoided.push_back(surface().faces()[f]);
     }
     const TriangleTree avoidedTree(surface().vertices(), avoided);
     curve.report.avoidedFaces = static_cast<int>(region.size());
@@ -341,7 +337,7 @@ SurfacePolyline CurveDesigner::resample(
     const SplineCurve spline = splineOf(data, state.base()->frame);
     std::vector<PickConstraint> picks;
     for (std::size_t i = 0; i < data.pickParameters.size(); ++i) {
-        const SurfacePoint& point = curve.polyline.surfacePoints[at(curve.polyline.picks[i])];
+        const SurfacePoint& point = curve.polyline.surfacePoints[curve.polyline.picks[i]];
         picks.push_back({point, state.base()->position(point), data.pickParameters[i]});
     }
     SolverOptions options;

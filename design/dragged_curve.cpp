@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kLargestStretch = 2.0;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // The part of a curve between two picks.
 struct Piece {
     double begin, end;         // parameters before
@@ -84,13 +80,13 @@ private:
         const std::vector<int>& vertices = curve_.polyline.picks;
         const std::size_t count = curve_.polyline.closed ? picks_.size() : picks_.size() - 1;
         const auto moveOf = [&](std::size_t pick) -> Vec3 {
-            return base_.position(picks_[pick]) - points_[at(vertices[pick])].position;
+            return base_.position(picks_[pick]) - points_[vertices[pick]].position;
         };
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t next = (i + 1) % picks_.size();
             Piece piece;
-            piece.first = at(vertices[i]);
-            piece.last = next == 0 ? points_.size() - 1 : at(vertices[next]);
+            piece.first = vertices[i];
+            piece.last = next == 0 ? points_.size() - 1 : vertices[next];
             piece.begin = points_[piece.first].parameter;
             piece.end = points_[piece.last].parameter;
             piece.firstMove = moveOf(i);
@@ -146,7 +142,7 @@ private:
             const double sum = std::accumulate(inner, inner + spline.degree, 0.0);
             const double t = sum / spline.degree;
             const Vec3 move = moveAt(spline.closed ? t - std::floor(t) : t);
-            controls.row(c) = (base_.frame.toUnit(spline.controlPoints[at(c)]) + move).transpose();
+            controls.row(c) = (base_.frame.toUnit(spline.controlPoints[c]) + move).transpose();
         }
         return {std::move(space), std::move(controls)};
     }

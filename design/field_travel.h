@@ -18,7 +18,7 @@ struct FieldTravel {
 
     /// What a unit of length costs at a vertex: less than 1 where all faces around it cost more.
     [[nodiscard]] double costAt(int vertex) const {
-        return 1.0 + weight * (vertexCosts[static_cast<std::size_t>(vertex)] - least);
+        return 1.0 + weight * (vertexCosts[vertex] - least);
     }
 
     /// The same in a face, the mean of its corners: 1 in the cheapest.

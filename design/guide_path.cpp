@@ -17,10 +17,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 [[noreturn]] void throwNoPath(std::size_t from, std::size_t to, const Terrain& terrain) {
     const std::span<const int> blockedFaces = terrain.blockedFaces;
     std::string message = "no way along the surface from pick " + std::to_string(from) +
@@ -54,7 +50,7 @@ TravelCosts totalCosts(const Surface& surface, const Terrain& terrain) {
             return {};
         }
         return {[&surface, &terrain](int face) {
-            return terrain.field.costOf(surface.faces()[at(face)]);
+            return terrain.field.costOf(surface.faces()[face]);
         }};
     }
     return {[&surface, &terrain](int face) {
@@ -62,7 +58,7 @@ TravelCosts totalCosts(const Surface& surface, const Terrain& terrain) {
             return std::numeric_limits<double>::infinity();
         }
         const double cost =
-            terrain.field.empty() ? 1.0 : terrain.field.costOf(surface.faces()[at(face)]);
+            terrain.field.empty() ? 1.0 : terrain.field.costOf(surface.faces()[face]);
         return terrain.obstacles == nullptr ? cost : cost * terrain.obstacles->pathCost(face);
     }};
 }
@@ -74,9 +70,9 @@ SurfacePoint keptClear(
     const SurfacePoint& point,
     const SurfacePoint& next
 ) {
-    const Triangle& neighbours = surface.faceNeighbours()[at(point.face)];
+    const Triangle& neighbours = surface.faceNeighbours()[point.face];
     for (int k = 0; k < 3; ++k) {
-        if (neighbours[at(k)] == next.face && point.barycentric[k] == 0.0) {
+        if (neighbours[k] == next.face && point.barycentric[k] == 0.0) {
             return obstacles.keptClear(point, k);
         }
     }

@@ -13,10 +13,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 void requireFinite(std::span<const double> field, std::span<const double> costs) {
     std::vector<std::int64_t> bad;
     for (std::size_t v = 0; v < field.size(); ++v) {
@@ -36,8 +32,7 @@ void requireFinite(std::span<const double> field, std::span<const double> costs)
 
 double leastOfFaces(const Surface& surface, std::span<const double> vertexCosts) {
     const auto meanOver = [&](const Triangle& face) {
-        return (vertexCosts[at(face[0])] + vertexCosts[at(face[1])] + vertexCosts[at(face[2])]) /
-               3.0;
+        return (vertexCosts[face[0]] + vertexCosts[face[1]] + vertexCosts[face[2]]) / 3.0;
     };
     double least = meanOver(surface.faces().front());
     for (const Triangle& face : surface.faces()) {
@@ -74,7 +69,7 @@ CheckedField checkField(
     requireFinite(field, checked.vertexCosts);
     checked.values.assign(field.begin(), field.end());
     for (const int origin : base.ghostOrigin) {
-        checked.values.push_back(field[at(origin)]);
+        checked.values.push_back(field[origin]);
     }
     checked.costs = summaryOf(checked.vertexCosts);
     checked.leastOfFaces = leastOfFaces(surface, checked.vertexCosts);

@@ -45,8 +45,7 @@ public:
         line.picks.resize(problem_.picks.size());
         for (const Vertex& vertex : vertices_) {
             if (vertex.pick >= 0) {
-                line.picks[static_cast<std::size_t>(vertex.pick)] =
-                    static_cast<int>(line.points.size());
+                line.picks[vertex.pick] = static_cast<int>(line.points.size());
             }
             line.surfacePoints.push_back(vertex.point);
             line.points.push_back(vertex.position);
@@ -65,8 +64,7 @@ private:
 
     void collect(int samples) {
         vertices_.reserve(
-            problem_.picks.size() + 1 + shadow_.crossings().size() +
-            static_cast<std::size_t>(std::max(samples, 0))
+            problem_.picks.size() + 1 + shadow_.crossings().size() + (std::max(samples, 0))
         );
         for (std::size_t i = 0; i < problem_.picks.size(); ++i) {
             vertices_.push_back(makeVertex(

@@ -16,10 +16,6 @@ using Matrix2 = Eigen::Matrix2d;
 using Vec2 = Eigen::Vector2d;
 using Tangents = Eigen::Matrix<double, 3, 2>;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Of a string. With 24 and 48 of them 72 random curves on three scans cost and bend as much within
 // 3 %; paths with 48 take up to 40 % more.
 constexpr int kSegments = 32;
@@ -62,7 +58,7 @@ struct MeasuredPath {
                 continue;
             }
             const double leg = (positions.back() - *(positions.end() - 2)).norm();
-            const double cost = field.empty() ? 1.0 : field.costOf(base.faces[at(point.face)]);
+            const double cost = field.empty() ? 1.0 : field.costOf(base.faces[point.face]);
             length += leg;
             costs.push_back(costs.back() + leg * cost);
         }
@@ -103,9 +99,9 @@ public:
         for (int i = 0; i <= kSegments; ++i) {
             const double share = static_cast<double>(i) / kSegments;
             const SurfacePoint& near = i == kSegments ? path.back() : path[measured.indexAt(share)];
-            Bead& bead = now_[at(i)];
+            Bead& bead = now_[i];
             bead.foot = {near.face, near.barycentric[1], near.barycentric[2], 0.0};
-            moves[at(i)] = {
+            moves[i] = {
                 i == kSegments ? measured.positions.back() : measured.positionAt(share),
                 &bead.foot,
                 &bead.frame
@@ -137,12 +133,12 @@ public:
         double length = 0.0;
         TautString result{{path.front()}, {}};
         for (int i = 1; i <= kSegments; ++i) {
-            const Bead& bead = now_[at(i)];
-            length += (bead.position - now_[at(i - 1)].position).norm();
+            const Bead& bead = now_[i];
+            length += (bead.position - now_[i - 1].position).norm();
             if (bead.foot.face >= base_.surfaceFaceCount) {
                 return std::nullopt;
             }
-            if (!isJoined(now_[at(i - 1)], bead)) {
+            if (!isJoined(now_[i - 1], bead)) {
                 result.gaps.push_back(result.points.size() - 1);
             }
             const Vec3 barycentric = bead.foot.barycentric().cwiseMax(0.0);
@@ -177,7 +173,7 @@ private:
         bead.foot.height = 0.0;
         bead.position = base_.position({bead.foot.face, bead.foot.barycentric()});
         if (!field_.empty()) {
-            const Triangle& face = base_.faces[at(bead.foot.face)];
+            const Triangle& face = base_.faces[bead.foot.face];
             const Vec3 costs(costAt(face[0]), costAt(face[1]), costAt(face[2]));
             bead.cost = costs.dot(bead.foot.barycentric());
         }
@@ -206,7 +202,7 @@ private:
         if (field_.empty()) {
             return Vec3::Zero();
         }
-        const Triangle& face = base_.faces[at(bead.foot.face)];
+        const Triangle& face = base_.faces[bead.foot.face];
         const double corner = costAt(face[0]);
         return (costAt(face[1]) - corner) * bead.frame.u +
                (costAt(face[2]) - corner) * bead.frame.v;
@@ -254,10 +250,10 @@ private:
         Matrix2 inverseBefore = Matrix2::Zero();
         Vec2 solvedBefore = Vec2::Zero();
         for (int i = 1; i < kSegments; ++i) {
-            const Bead& bead = now_[at(i)];
-            const Bead& last = now_[at(i - 1)];
-            const Bead& next = now_[at(i + 1)];
-            Row& row = rows_[at(i)];
+            const Bead& bead = now_[i];
+            const Bead& last = now_[i - 1];
+            const Bead& next = now_[i + 1];
+            Row& row = rows_[i];
             row.tangents = tangentsAt(bead.frame.direction);
             const double before = stiffness(last, bead);
             const double after = stiffness(bead, next);
@@ -287,9 +283,9 @@ private:
             solvedBefore = row.solved;
         }
         for (int i = kSegments - 1; i > 0; --i) {
-            Row& row = rows_[at(i)];
+            Row& row = rows_[i];
             if (i + 1 < kSegments) {
-                const Row& next = rows_[at(i + 1)];
+                const Row& next = rows_[i + 1];
                 row.solved -= row.inverse * (next.coupling * next.solved);
             }
             decrement_ += 0.5 * row.force.dot(row.solved);
@@ -300,11 +296,11 @@ private:
     void placeTrial(double length) {
         std::array<FootFinder::Move, kSegments - 1> moves;
         for (int i = 1; i < kSegments; ++i) {
-            const Row& row = rows_[at(i)];
-            Bead& bead = trial_[at(i)] = now_[at(i)];
+            const Row& row = rows_[i];
+            Bead& bead = trial_[i] = now_[i];
             const Vec3 way = length * (row.tangents * row.solved);
             FootFinder::predict(way, bead.frame, bead.foot);
-            moves[at(i - 1)] = {bead.position + way, &bead.foot, &bead.frame};
+            moves[i - 1] = {bead.position + way, &bead.foot, &bead.frame};
         }
         place(moves, std::span(trial_).subspan(1, moves.size()));
     }

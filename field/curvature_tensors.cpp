@@ -14,10 +14,6 @@ namespace bspline_curve {
 
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // ---- vcglib's mesh ----
 
 class Vertex;
@@ -52,7 +48,7 @@ void load(Mesh& mesh, const Surface& surface, const std::vector<Vec3>& normals) 
     vcg::tri::Allocator<Mesh>::AddFaces(mesh, surface.faces().size());
     for (std::size_t f = 0; f < mesh.face.size(); ++f) {
         for (int k = 0; k < 3; ++k) {
-            mesh.face[f].V(k) = &mesh.vert[at(surface.faces()[f][at(k)])];
+            mesh.face[f].V(k) = &mesh.vert[surface.faces()[f][k]];
         }
     }
     vcg::tri::UpdateTopology<Mesh>::VertexFace(mesh);
@@ -75,7 +71,7 @@ public:
     const std::vector<int>& around(int centre, int rings) {
         found_.clear();
         ++call_;
-        seenIn_[at(centre)] = call_;
+        seenIn_[centre] = call_;
         addNeighbours(centre);
         for (int ring = 1; ring < rings; ++ring) {
             const std::size_t end = found_.size();
@@ -89,9 +85,9 @@ public:
 private:
     void addNeighbours(int vertex) {
         for (const int face : surface_.facesAround(vertex)) {
-            for (const int corner : surface_.faces()[at(face)]) {
-                if (seenIn_[at(corner)] != call_) {
-                    seenIn_[at(corner)] = call_;
+            for (const int corner : surface_.faces()[face]) {
+                if (seenIn_[corner] != call_) {
+                    seenIn_[corner] = call_;
                     found_.push_back(corner);
                 }
             }
@@ -159,15 +155,15 @@ std::vector<Eigen::Matrix3d> curvatureTensors(
         }
         points.clear();
         for (const int id : finder.around(v, ringsAt(surface, v, rings))) {
-            points.push_back(&mesh.vert[at(id)]);
+            points.push_back(&mesh.vert[id]);
         }
         if (points.size() < kFewestPoints) {
             continue;
         }
-        Vertex& centre = mesh.vert[at(v)];
+        Vertex& centre = mesh.vert[v];
         const Vertex::NormalType normal = centre.N();
         fitQuadric(centre, points);
-        tensors[at(v)] = tensorOf(centre) / surface.averageEdgeLength();
+        tensors[v] = tensorOf(centre) / surface.averageEdgeLength();
         centre.N() = normal;  // so that the next fits see the surface's
     }
     return tensors;

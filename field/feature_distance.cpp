@@ -21,18 +21,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// Collects both ends of the edges for which isFeature(face, neighbour) holds.
 template <class IsFeature>
 std::vector<int> endsOfEdges(const Surface& surface, const IsFeature& isFeature) {
     std::vector<int> ends;
     for (int face = 0; face < surface.faceCount(); ++face) {
-        const Triangle& corners = surface.faces()[at(face)];
+        const Triangle& corners = surface.faces()[face];
         for (std::size_t k = 0; k < 3; ++k) {
-            if (isFeature(face, surface.faceNeighbours()[at(face)][k])) {
+            if (isFeature(face, surface.faceNeighbours()[face][k])) {
                 ends.insert(ends.end(), {corners[(k + 1) % 3], corners[(k + 2) % 3]});
             }
         }
@@ -83,8 +79,8 @@ public:
     void offer(int vertex, double distance) {
         // Smaller gains are rounding, which could go round in circles.
         constexpr double kGain = 1.0 - 1e-12;
-        if (distance <= reach_ && distance < kGain * distances_[at(vertex)]) {
-            distances_[at(vertex)] = distance;
+        if (distance <= reach_ && distance < kGain * distances_[vertex]) {
+            distances_[vertex] = distance;
             queue_.emplace(distance, vertex);
         }
     }
@@ -93,7 +89,7 @@ public:
         while (!queue_.empty()) {
             const auto [distance, vertex] = queue_.top();
             queue_.pop();
-            if (distance == distances_[at(vertex)]) {
+            if (distance == distances_[vertex]) {
                 spreadFrom(vertex);
             }
         }
@@ -104,17 +100,17 @@ public:
 private:
     void spreadFrom(int vertex) {
         for (const int face : surface_.facesAround(vertex)) {
-            const Triangle& corners = surface_.faces()[at(face)];
+            const Triangle& corners = surface_.faces()[face];
             for (std::size_t k = 0; k < 3; ++k) {
                 if (corners[k] != vertex) {
                     const int first = corners[(k + 1) % 3];
                     const int second = corners[(k + 2) % 3];
-                    const Vec3& corner = surface_.vertices()[at(corners[k])];
+                    const Vec3& corner = surface_.vertices()[corners[k]];
                     const double distance = distanceAcross(
-                        surface_.vertices()[at(first)] - corner,
-                        surface_.vertices()[at(second)] - corner,
-                        distances_[at(first)],
-                        distances_[at(second)]
+                        surface_.vertices()[first] - corner,
+                        surface_.vertices()[second] - corner,
+                        distances_[first],
+                        distances_[second]
                     );
                     offer(corners[k], distance);
                 }

@@ -13,7 +13,7 @@ std::vector<double> normalVariation(const Surface& surface) {
     std::vector<double> values(normals.size(), 1.0);
     for (int face = 0; face < surface.faceCount(); ++face) {
         const Vec3 normal = surface.faceNormal(face);
-        for (const int corner : surface.faces()[static_cast<std::size_t>(face)]) {
+        for (const int corner : surface.faces()[face]) {
             const auto at = static_cast<std::size_t>(corner);
             values[at] = std::min(values[at], std::max(-1.0, normals[at].dot(normal)));
         }

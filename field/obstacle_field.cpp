@@ -21,10 +21,6 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Triplet = Eigen::Triplet<double>;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// The vertices of a region, numbered: those inside first, then those on its boundary.
 struct RegionVertices {
     std::vector<int> ids;        ///< in the surface
@@ -46,32 +42,32 @@ std::vector<char> flagsOf(const Surface& surface, std::span<const int> region) {
         if (face < 0 || face >= surface.faceCount()) {
             refuse("the mesh has no face " + std::to_string(face), {face});
         }
-        isInRegion[at(face)] = 1;
+        isInRegion[face] = 1;
     }
     return isInRegion;
 }
 
 bool isBorderEdge(const std::vector<char>& isInRegion, int neighbour) {
-    return neighbour >= 0 && isInRegion[at(neighbour)] == 0;
+    return neighbour >= 0 && isInRegion[neighbour] == 0;
 }
 
 /// Pieces that share edges must each have a border, or their values would hang on nothing.
 void refuseWholeComponents(
     const Surface& surface, std::span<const int> region, const std::vector<char>& isInRegion
 ) {
-    const auto count = at(surface.componentCount());
+    const auto count = surface.componentCount();
     std::vector<int> firstFace(count, -1);
     std::vector<char> hasBorder(count, 0);
     for (const int face : region) {
-        const std::size_t component = at(surface.faceComponents()[at(face)]);
+        const std::size_t component = (surface.faceComponents()[face]);
         firstFace[component] = firstFace[component] < 0 ? face : firstFace[component];
-        const Triangle& neighbours = surface.faceNeighbours()[at(face)];
+        const Triangle& neighbours = surface.faceNeighbours()[face];
         if (std::ranges::any_of(neighbours, [&](int n) { return isBorderEdge(isInRegion, n); })) {
             hasBorder[component] = 1;
         }
     }
     std::vector<std::int64_t> whole;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i) {
         if (firstFace[i] >= 0 && hasBorder[i] == 0) {
             whole.push_back(firstFace[i]);
         }
@@ -93,19 +89,19 @@ RegionVertices numberVertices(
     vertices.numberOf.assign(surface.vertices().size(), -1);
     vertices.isBorder.assign(surface.vertices().size(), 0);
     for (const int face : region) {
-        const Triangle& corners = surface.faces()[at(face)];
+        const Triangle& corners = surface.faces()[face];
         for (std::size_t k = 0; k < 3; ++k) {
-            if (isBorderEdge(isInRegion, surface.faceNeighbours()[at(face)][k])) {
-                vertices.isBorder[at(corners[(k + 1) % 3])] = 1;
-                vertices.isBorder[at(corners[(k + 2) % 3])] = 1;
+            if (isBorderEdge(isInRegion, surface.faceNeighbours()[face][k])) {
+                vertices.isBorder[corners[(k + 1) % 3]] = 1;
+                vertices.isBorder[corners[(k + 2) % 3]] = 1;
             }
         }
     }
     for (const int border : {0, 1}) {
         for (const int face : region) {
-            for (const int corner : surface.faces()[at(face)]) {
-                if (vertices.isBorder[at(corner)] == border && vertices.numberOf[at(corner)] < 0) {
-                    vertices.numberOf[at(corner)] = static_cast<int>(vertices.ids.size());
+            for (const int corner : surface.faces()[face]) {
+                if (vertices.isBorder[corner] == border && vertices.numberOf[corner] < 0) {
+                    vertices.numberOf[corner] = static_cast<int>(vertices.ids.size());
                     vertices.ids.push_back(corner);
                 }
             }
@@ -139,14 +135,14 @@ Elements assemble(
     std::vector<Triplet> entries;
     entries.reserve(12 * region.size());
     for (const int face : region) {
-        const Triangle& corners = surface.faces()[at(face)];
+        const Triangle& corners = surface.faces()[face];
         for (std::size_t k = 0; k < 3; ++k) {
-            const int self = vertices.numberOf[at(corners[k])];
-            const int next = vertices.numberOf[at(corners[(k + 1) % 3])];
-            const int last = vertices.numberOf[at(corners[(k + 2) % 3])];
-            const Vec3& corner = surface.vertices()[at(corners[k])];
-            const Vec3 toNext = surface.vertices()[at(corners[(k + 1) % 3])] - corner;
-            const Vec3 toLast = surface.vertices()[at(corners[(k + 2) % 3])] - corner;
+            const int self = vertices.numberOf[corners[k]];
+            const int next = vertices.numberOf[corners[(k + 1) % 3]];
+            const int last = vertices.numberOf[corners[(k + 2) % 3]];
+            const Vec3& corner = surface.vertices()[corners[k]];
+            const Vec3 toNext = surface.vertices()[corners[(k + 1) % 3]] - corner;
+            const Vec3 toLast = surface.vertices()[corners[(k + 2) % 3]] - corner;
             const double doubleArea = toNext.cross(toLast).norm();
             const double weight =
                 0.5 *
@@ -156,7 +152,7 @@ Elements assemble(
             entries.emplace_back(next, next, weight);
             entries.emplace_back(last, last, weight);
             elements.masses[self] += doubleArea / 6.0;
-            if (isBorderEdge(isInRegion, surface.faceNeighbours()[at(face)][k])) {
+            if (isBorderEdge(isInRegion, surface.faceNeighbours()[face][k])) {
                 const double half = 0.5 * (toNext - toLast).norm();
                 elements.outflow[next] += half;
                 elements.outflow[last] += half;
@@ -208,13 +204,13 @@ std::vector<double> obstacleField(
     }
     std::vector<double> field(surface.vertices().size(), 0.0);
     for (const int vertex : vertices.ids) {
-        field[at(vertex)] = value;
+        field[vertex] = value;
     }
     if (vertices.insideCount > 0) {
         const Eigen::VectorXd inside =
             solveInside(assemble(surface, region, isInRegion, vertices), vertices.insideCount);
         for (int i = 0; i < vertices.insideCount; ++i) {
-            field[at(vertices.ids[at(i)])] += slope * inside[i];
+            field[vertices.ids[i]] += slope * inside[i];
         }
     }
     return field;

@@ -15,24 +15,20 @@ namespace bspline_curve {
 
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// Half the cotangent of the angle of a face at its corner k.
 double halfCotangent(const Surface& surface, int face, std::size_t k) {
-    const Triangle& corners = surface.faces()[at(face)];
-    const Vec3& corner = surface.vertices()[at(corners[k])];
-    const Vec3 next = surface.vertices()[at(corners[(k + 1) % 3])] - corner;
-    const Vec3 previous = surface.vertices()[at(corners[(k + 2) % 3])] - corner;
+    const Triangle& corners = surface.faces()[face];
+    const Vec3& corner = surface.vertices()[corners[k]];
+    const Vec3 next = surface.vertices()[corners[(k + 1) % 3]] - corner;
+    const Vec3 previous = surface.vertices()[corners[(k + 2) % 3]] - corner;
     return 0.5 * next.dot(previous) / next.cross(previous).norm();
 }
 
 double areaOf(const Surface& surface, int face) {
-    const Triangle& corners = surface.faces()[at(face)];
-    const Vec3& corner = surface.vertices()[at(corners[0])];
-    const Vec3 next = surface.vertices()[at(corners[1])] - corner;
-    const Vec3 previous = surface.vertices()[at(corners[2])] - corner;
+    const Triangle& corners = surface.faces()[face];
+    const Vec3& corner = surface.vertices()[corners[0]];
+    const Vec3 next = surface.vertices()[corners[1]] - corner;
+    const Vec3 previous = surface.vertices()[corners[2]] - corner;
     return 0.5 * next.cross(previous).norm();
 }
 
@@ -78,7 +74,7 @@ Eigen::Array<double, 1, K> sumOfRows(SideThread* side, Eigen::Index rows, const 
 }
 
 std::size_t cornerOf(const Surface& surface, int face, int vertex) {
-    const Triangle& corners = surface.faces()[at(face)];
+    const Triangle& corners = surface.faces()[face];
     return corners[0] == vertex ? 0 : (corners[1] == vertex ? 1 : 2);
 }
 
@@ -87,7 +83,7 @@ std::size_t cornerOf(const Surface& surface, int face, int vertex) {
 SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
     : masses_(Eigen::VectorXd::Zero(surface.vertexCount())),
       weightSums_(Eigen::VectorXd::Zero(surface.vertexCount())) {
-    const std::size_t count = at(surface.vertexCount());
+    const std::size_t count = surface.vertexCount();
     vertexOf_.reserve(count);
     for (const MortonKey& key :
          spatialOrder(count, [&](std::size_t i) { return surface.vertices()[i]; })) {
@@ -95,18 +91,18 @@ SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
     }
     std::vector<int> rowOf(count);
     for (std::size_t row = 0; row < count; ++row) {
-        rowOf[at(vertexOf_[row])] = static_cast<int>(row);
+        rowOf[vertexOf_[row]] = static_cast<int>(row);
     }
     offsets_.reserve(count + 1);
-    neighbours_.reserve(3 * at(surface.faceCount()));
-    weights_.reserve(3 * at(surface.faceCount()));
+    neighbours_.reserve(3 * surface.faceCount());
+    weights_.reserve(3 * surface.faceCount());
     const auto addEdge = [&](int row, int to, double weight) {
-        neighbours_.push_back(rowOf[at(to)]);
+        neighbours_.push_back(rowOf[to]);
         weights_.push_back(clampedWeight(weight));
         weightSums_[row] += weights_.back();
     };
     for (int row = 0; row < surface.vertexCount(); ++row) {
-        const int v = vertexOf_[at(row)];
+        const int v = vertexOf_[row];
         offsets_.push_back(static_cast<int>(neighbours_.size()));
         const Surface::FaceRange fan = surface.facesAround(v);
         if (fan.empty()) {
@@ -124,13 +120,13 @@ SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
                 const std::size_t opposite = (cornerOf(surface, before, v) + 1) % 3;
                 weight += halfCotangent(surface, before, opposite);
             }
-            addEdge(row, surface.faces()[at(face)][(k + 1) % 3], weight);
+            addEdge(row, surface.faces()[face][(k + 1) % 3], weight);
             masses_[row] += areaOf(surface, face) / 3.0;
             before = face;
         }
         if (isOpen) {
             const std::size_t k = cornerOf(surface, before, v);
-            const int last = surface.faces()[at(before)][(k + 2) % 3];
+            const int last = surface.faces()[before][(k + 2) % 3];
             addEdge(row, last, halfCotangent(surface, before, (k + 1) % 3));
         }
     }
@@ -143,8 +139,7 @@ Eigen::Array<double, 1, K> SurfaceDiffusion::productAt(
 ) const {
     const Eigen::Array<double, 1, K> own = values.row(row);
     Eigen::Array<double, 1, K> sum = weightSums_[row] * own;
-    const auto r = static_cast<std::size_t>(row);
-    for (std::size_t i = at(offsets_[r]); i < at(offsets_[r + 1]); ++i) {
+    for (int i = offsets_[row]; i < offsets_[row + 1]; ++i) {
         sum -= weights_[i] * values.row(neighbours_[i]).array();
     }
     return masses_[row] * own + time * sum;
@@ -212,7 +207,7 @@ VertexValues<K> SurfaceDiffusion::smoothed(const VertexValues<K>& values, double
     SideThread* const second = side ? &*side : nullptr;
     VertexValues<K> byRow(values.rows(), K);
     for (Eigen::Index row = 0; row < values.rows(); ++row) {
-        byRow.row(row) = values.row(vertexOf_[static_cast<std::size_t>(row)]);
+        byRow.row(row) = values.row(vertexOf_[row]);
     }
     // A disc has the variance radius^2 / 4 along each axis, diffusion for the time t has 2 t.
     const double time = radius * radius / 8.0;
@@ -221,7 +216,7 @@ VertexValues<K> SurfaceDiffusion::smoothed(const VertexValues<K>& values, double
     }
     VertexValues<K> result(values.rows(), K);
     for (Eigen::Index row = 0; row < values.rows(); ++row) {
-        result.row(vertexOf_[static_cast<std::size_t>(row)]) = byRow.row(row);
+        result.row(vertexOf_[row]) = byRow.row(row);
     }
     return result;
 }

@@ -14,10 +14,8 @@ std::vector<Vec3> vertexNormals(const Surface& surface) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto at = static_cast<std::size_t>(face[k]);
             const Vec3& corner = surface.vertices()[at];
-            const Vec3 next =
-                surface.vertices()[static_cast<std::size_t>(face[(k + 1) % 3])] - corner;
-            const Vec3 previous =
-                surface.vertices()[static_cast<std::size_t>(face[(k + 2) % 3])] - corner;
+            const Vec3 next = surface.vertices()[face[(k + 1) % 3]] - corner;
+            const Vec3 previous = surface.vertices()[face[(k + 2) % 3]] - corner;
             const Vec3 doubleArea = next.cross(previous);
             const double length = doubleArea.norm();
             normals[at] += doubleArea / length * std::atan2(length, next.dot(previous));

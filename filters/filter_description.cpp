@@ -241,9 +241,7 @@ const FilterDescription& filterNamed(std::string_view id) {
 
 std::optional<std::size_t> ParameterDescription::indexOf(std::string_view optionId) const {
     const auto found = std::ranges::find(options, optionId, &EnumOption::id);
-    return found == options.end()
-               ? std::nullopt
-               : std::optional(static_cast<std::size_t>(found - options.begin()));
+    return found == options.end() ? std::nullopt : std::optional(found - options.begin());
 }
 
 std::size_t ParameterDescription::defaultOption() const {

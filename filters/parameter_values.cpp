@@ -42,7 +42,7 @@ void ParameterValues::setOption(std::string_view id, int option) {
     if (option < 0 || option >= static_cast<int>(parameter.options.size())) {
         refuseOption(parameter);
     }
-    set(id, parameter.options[static_cast<std::size_t>(option)].id);
+    set(id, parameter.options[option].id);
 }
 
 const ParameterValue& ParameterValues::value(std::string_view id) const {

@@ -56,7 +56,7 @@ void writeAll(int descriptor, const fs::path& file, std::string_view bytes) {
         if (written < 0) {
             refuseErrno(file);
         }
-        bytes.remove_prefix(static_cast<std::size_t>(written));
+        bytes.remove_prefix(written);
     }
 }
 

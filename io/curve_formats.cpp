@@ -18,7 +18,7 @@ std::vector<std::pair<std::size_t, std::size_t>> segmentsOf(const SurfacePolylin
 std::vector<char> pickFlags(const SurfacePolyline& polyline) {
     std::vector<char> flags(polyline.points.size(), 0);
     for (const int vertex : polyline.picks) {
-        flags[static_cast<std::size_t>(vertex)] = 1;
+        flags[vertex] = 1;
     }
     return flags;
 }

@@ -59,11 +59,10 @@ std::vector<double> fieldAlong(
     std::vector<double> values;
     values.reserve(polyline.surfacePoints.size());
     for (const SurfacePoint& point : polyline.surfacePoints) {
-        const Triangle& face = faces[static_cast<std::size_t>(point.face)];
+        const Triangle& face = faces[point.face];
         double value = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
-            value += point.barycentric[static_cast<Eigen::Index>(k)] *
-                     field[static_cast<std::size_t>(face[k])];
+            value += point.barycentric[static_cast<Eigen::Index>(k)] * field[face[k]];
         }
         values.push_back(value);
     }

@@ -62,7 +62,7 @@ std::string textBytes(Values field) {
     std::array<char, 32> line{};
     for (const double value : field) {
         const int length = std::snprintf(line.data(), line.size(), "%.17g\n", value);
-        bytes.append(line.data(), static_cast<std::size_t>(length));
+        bytes.append(line.data(), length);
     }
     return bytes;
 }

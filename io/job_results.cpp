@@ -191,7 +191,7 @@ void JobResultsFile::append(const std::string& line) {
         if (written < 0 && errno != EINTR) {
             refuseErrno(file_);
         }
-        rest.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+        rest.remove_prefix(std::max<ssize_t>(written, 0));
     }
     // A device has nothing to bring to a disk.
     if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {

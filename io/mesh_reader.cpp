@@ -48,7 +48,7 @@ TriangleMesh welded(const TriangleMesh& soup) {
     mesh.faces.reserve(soup.faces.size());
     for (Triangle face : soup.faces) {
         for (int& id : face) {
-            id = newIds[static_cast<std::size_t>(id)];
+            id = newIds[id];
         }
         mesh.faces.push_back(face);
     }

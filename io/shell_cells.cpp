@@ -8,10 +8,6 @@ namespace bspline_curve {
 
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Points of a pillar follow each other from the bottom to the top.
 enum Level : signed char { Bottom, Middle, Top };
 
@@ -22,10 +18,10 @@ public:
         : shell_(shell), frame_(frame), firstPoints_(shell.pillars().size(), -1) {}
 
     int pointOf(int pillar, Level level) {
-        int& first = firstPoints_[at(pillar)];
+        int& first = firstPoints_[pillar];
         if (first < 0) {
             first = static_cast<int>(points_.size());
-            const Pillar& p = shell_.pillars()[at(pillar)];
+            const Pillar& p = shell_.pillars()[pillar];
             for (const Vec3& point : {p.bottom, p.middle, p.top}) {
                 points_.push_back(frame_.toUser(point));
             }
@@ -47,7 +43,7 @@ std::array<int, 4> tetrahedron(
 ) {
     std::array<int, 4> tet{};
     std::ranges::transform(split, tet.begin(), [&](const SplitVertex& vertex) {
-        return points.pointOf(prism.pillars[at(vertex.slot)], vertex.outer ? outer : Level::Middle);
+        return points.pointOf(prism.pillars[vertex.slot], vertex.outer ? outer : Level::Middle);
     });
     // The split is right-handed in the top slab over slots that run counter-clockwise.
     const bool isRightHanded = (outer == Top) == (prism.orientation > 0);
@@ -83,7 +79,7 @@ ShellCells makeShellCells(const Shell& shell, const ShellFrame& frame) {
     ShellCells cells;
     PointList points(shell, frame);
     for (int i = 0; i < static_cast<int>(shell.prisms().size()); ++i) {
-        const Prism& prism = shell.prisms()[at(i)];
+        const Prism& prism = shell.prisms()[i];
         if (prism.orientation == 0) {
             continue;
         }

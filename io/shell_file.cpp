@@ -28,10 +28,6 @@ constexpr std::size_t kCountBytes = 5 * 4 + 2 * 4;
 constexpr std::size_t kPillarBytes = 9 * 8;
 constexpr std::size_t kPrismBytes = 6 * 4 + 7;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // How many there are of everything in a file.
 struct Counts {
     std::uint32_t pillars = 0, prisms = 0, tracks = 0, blocked = 0, intersections = 0;
@@ -271,7 +267,7 @@ private:
     }
 
     void checkPrism(const std::vector<Prism>& prisms, int i) const {
-        const Prism& prism = prisms[at(i)];
+        const Prism& prism = prisms[i];
         checkAscending(prism.pillars, static_cast<int>(counts_.pillars), "pillar");
         if (prism.orientation != 1 && prism.orientation != -1) {
             refuseDamage("a prism has no orientation");
@@ -285,9 +281,9 @@ private:
             const int wall = prism.neighbourWalls[k];
             checkIndex(there, static_cast<int>(counts_.prisms), "prism");
             checkIndex(wall, 3, "wall");
-            const Prism& neighbour = prisms[at(there)];
-            if (neighbour.neighbours[at(wall)] != i ||
-                neighbour.neighbourWalls[at(wall)] != static_cast<int>(k)) {
+            const Prism& neighbour = prisms[there];
+            if (neighbour.neighbours[wall] != i ||
+                neighbour.neighbourWalls[wall] != static_cast<int>(k)) {
                 refuseDamage("prisms disagree about a wall");
             }
         }
@@ -297,15 +293,15 @@ private:
         SurfaceTracks tracks;
         tracks.offsets = reader_.takeInts(std::size_t{counts_.prisms} + 1);
         tracks.faces = reader_.takeInts(counts_.tracks);
-        if (tracks.offsets.front() != 0 || at(tracks.offsets.back()) != tracks.faces.size() ||
+        if (tracks.offsets.front() != 0 || tracks.offsets.back() != std::ssize(tracks.faces) ||
             !std::is_sorted(tracks.offsets.begin(), tracks.offsets.end())) {
             refuseDamage("the tracks of its prisms overlap");
         }
         const std::span<const int> faces(tracks.faces);
         for (std::size_t i = 0; i + 1 < tracks.offsets.size(); ++i) {
-            const auto first = at(tracks.offsets[i]);
+            const auto first = tracks.offsets[i];
             checkAscending(
-                faces.subspan(first, at(tracks.offsets[i + 1]) - first), faceCount, "face"
+                faces.subspan(first, (tracks.offsets[i + 1]) - first), faceCount, "face"
             );
         }
         return tracks;

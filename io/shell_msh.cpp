@@ -47,7 +47,7 @@ std::string elements(const ShellCells& cells) {
         for (const std::int32_t x : {tet + 1, group, group}) {
             appendBinary(bytes, x);
         }
-        for (const int point : cells.tetrahedra[static_cast<std::size_t>(tet)]) {
+        for (const int point : cells.tetrahedra[tet]) {
             appendBinary(bytes, static_cast<std::int32_t>(point + 1));
         }
     }

@@ -18,10 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// The share-th quantile of ascending values, linear between the two nearest.
 double quantile(const std::vector<double>& ascending, double share) {
     const double place = share * static_cast<double>(ascending.size() - 1);
@@ -38,12 +34,12 @@ PrismCounts countPrisms(const Shell& shell) {
     PrismCounts counts;
     std::vector<char> isUsed(shell.pillars().size(), 0);
     for (int i = 0; i < static_cast<int>(shell.prisms().size()); ++i) {
-        const Prism& prism = shell.prisms()[at(i)];
+        const Prism& prism = shell.prisms()[i];
         if (prism.orientation != 0) {
             ++counts.all;
             counts.ghosts += isGhostPrism(shell, i) ? 1 : 0;
             for (const int pillar : prism.pillars) {
-                isUsed[at(pillar)] = 1;
+                isUsed[pillar] = 1;
             }
         }
     }
@@ -105,10 +101,10 @@ ShellThickness measureThickness(
 ) {
     std::vector<char> isMeasured(shell.pillars().size(), 0);
     for (int i = 0; i < static_cast<int>(shell.prisms().size()); ++i) {
-        const Prism& prism = shell.prisms()[at(i)];
+        const Prism& prism = shell.prisms()[i];
         if (prism.orientation != 0 && !isGhostPrism(shell, i)) {
             for (const int pillar : prism.pillars) {
-                isMeasured[at(pillar)] = 1;
+                isMeasured[pillar] = 1;
             }
         }
     }

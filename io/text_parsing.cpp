@@ -78,7 +78,7 @@ std::optional<std::string> readWholeFileIfThere(const std::filesystem::path& fil
     std::array<char, 1 << 16> block{};
     do {
         stream.read(block.data(), block.size());
-        bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+        bytes.append(block.data(), stream.gcount());
     } while (stream);
     if (stream.bad()) {
         refuseFile(file, "cannot be read");

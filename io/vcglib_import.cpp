@@ -53,8 +53,7 @@ ImportedMesh toArrays(const Mesh& source) {
     for (const Face& face : source.face) {
         Triangle triangle{};
         for (int k = 0; k < 3; ++k) {
-            triangle[static_cast<std::size_t>(k)] =
-                static_cast<int>(face.cV(k) - source.vert.data());
+            triangle[k] = static_cast<int>(face.cV(k) - source.vert.data());
         }
         result.mesh.faces.push_back(triangle);
     }

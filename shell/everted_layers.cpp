@@ -10,10 +10,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 constexpr std::size_t kMiddles = 2;
 // Tips that enclose less than this share of what the middles do are too near to turning over.
 constexpr double kLeastShare = 1e-9;
@@ -27,18 +23,18 @@ std::vector<Volumes> volumesOf(
     std::vector<Volumes> volumes(components.first.size(), Volumes{});
     for (std::size_t i = 0; i < prisms.size(); ++i) {
         const int component = components.componentOf[i];
-        if (component < 0 || components.isClosed[at(component)] == 0) {
+        if (component < 0 || components.isClosed[component] == 0) {
             continue;
         }
         // Near by, for little rounding.
-        const int originPillar = prisms[at(components.first[at(component)])].pillars[0];
-        const Vec3& origin = layers.point(kMiddles, at(originPillar));
+        const int originPillar = prisms[components.first[component]].pillars[0];
+        const Vec3& origin = layers.point(kMiddles, originPillar);
         for (std::size_t layer = 0; layer < 3; ++layer) {
             std::array<Vec3, 3> p;
             for (std::size_t k = 0; k < 3; ++k) {
-                p[k] = layers.point(layer, at(prisms[i].pillars[k])) - origin;
+                p[k] = layers.point(layer, prisms[i].pillars[k]) - origin;
             }
-            volumes[at(component)][layer] += prisms[i].orientation * p[0].dot(p[1].cross(p[2]));
+            volumes[component][layer] += prisms[i].orientation * p[0].dot(p[1].cross(p[2]));
         }
     }
     return volumes;
@@ -57,12 +53,12 @@ std::vector<EvertedPrism> findEvertedLayers(
     std::vector<EvertedPrism> everted;
     for (std::size_t i = 0; i < prisms.size(); ++i) {
         const int component = components.componentOf[i];
-        if (component < 0 || components.isClosed[at(component)] == 0) {
+        if (component < 0 || components.isClosed[component] == 0) {
             continue;
         }
-        const Volumes& volume = volumes[at(component)];
+        const Volumes& volume = volumes[component];
         for (const int slab : {0, 1}) {
-            if (volume[at(slab)] * volume[kMiddles] <=
+            if (volume[slab] * volume[kMiddles] <=
                 kLeastShare * volume[kMiddles] * volume[kMiddles]) {
                 everted.push_back({static_cast<int>(i), slab});
             }

@@ -6,14 +6,6 @@
 #include <algorithm>
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 Prism prismOver(const Triangle& face) {
     Prism prism;
     prism.pillars = face;
@@ -31,15 +23,15 @@ void connectPrisms(std::vector<Prism>& prisms, const std::vector<Triangle>& face
     for (std::size_t f = 0; f < prisms.size(); ++f) {
         Prism& prism = prisms[f];
         for (std::size_t slot = 0; prism.orientation != 0 && slot < 3; ++slot) {
-            const int there = faceNeighbours[f][at(prism.faceCorner[slot])];
-            if (there < 0 || prisms[at(there)].orientation == 0) {
+            const int there = faceNeighbours[f][prism.faceCorner[slot]];
+            if (there < 0 || prisms[there].orientation == 0) {
                 continue;
             }
             prism.neighbours[slot] = there;
-            const Prism& other = prisms[at(there)];
+            const Prism& other = prisms[there];
             for (std::size_t k = 0; k < 3; ++k) {
                 // Two faces may be neighbours across two edges.
-                if (faceNeighbours[at(there)][at(other.faceCorner[k])] == static_cast<int>(f) &&
+                if (faceNeighbours[there][other.faceCorner[k]] == static_cast<int>(f) &&
                     other.pillars[k] != prism.pillars[(slot + 1) % 3] &&
                     other.pillars[k] != prism.pillars[(slot + 2) % 3]) {
                     prism.neighbourWalls[slot] = static_cast<signed char>(k);

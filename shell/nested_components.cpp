@@ -11,16 +11,12 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Whether the closed slab holds a point.
 bool holds(const PillarLayers& layers, const Prism& prism, int slab, const Vec3& point) {
     return slabHolds(
         slab == 0 ? prism.orientation : -prism.orientation,
         [&](int slot, bool outer) -> const Vec3& {
-            return layers.point(outer ? at(slab) : 2, at(prism.pillars[at(slot)]));
+            return layers.point(outer ? slab : 2, prism.pillars[slot]);
         },
         point
     );
@@ -43,7 +39,7 @@ std::vector<NestedVertex> findNestedComponents(
 ) {
     const PrismComponents components = findComponents(faceNeighbours, blocked);
     const auto vertexOf = [&](int component) {
-        return prisms[at(components.first[at(component)])].pillars[0];
+        return prisms[components.first[component]].pillars[0];
     };
     std::vector<NestedVertex> nested;
     if (components.count() < 2) {
@@ -54,7 +50,7 @@ std::vector<NestedVertex> findNestedComponents(
     std::vector<Candidate> sorted;
     for (int c = 0; c < components.count(); ++c) {
         for (std::size_t layer = 0; layer < 3; ++layer) {
-            sorted.push_back({layers.point(layer, at(vertexOf(c))).x(), c, layer});
+            sorted.push_back({layers.point(layer, vertexOf(c)).x(), c, layer});
         }
     }
     std::ranges::sort(sorted, {}, [](const Candidate& candidate) {
@@ -66,16 +62,15 @@ std::vector<NestedVertex> findNestedComponents(
         }
         for (const int slab : {0, 1}) {
             const auto x = [&](int slot, std::size_t layer) {
-                return layers.point(layer, at(prisms[f].pillars[at(slot)])).x();
+                return layers.point(layer, prisms[f].pillars[slot]).x();
             };
-            const auto [low, high] = std::minmax(
-                {x(0, 2), x(1, 2), x(2, 2), x(0, at(slab)), x(1, at(slab)), x(2, at(slab))}
-            );
+            const auto [low, high] =
+                std::minmax({x(0, 2), x(1, 2), x(2, 2), x(0, slab), x(1, slab), x(2, slab)});
             for (auto next = std::ranges::lower_bound(sorted, low, {}, &Candidate::x);
                  next != sorted.end() && next->x <= high;
                  ++next) {
                 const int vertex = vertexOf(next->component);
-                const Vec3& point = layers.point(next->layer, at(vertex));
+                const Vec3& point = layers.point(next->layer, vertex);
                 if (next->component != components.componentOf[f] &&
                     std::ranges::count(prisms[f].pillars, vertex) == 0 &&
                     holds(layers, prisms[f], slab, point)) {

@@ -18,10 +18,6 @@ constexpr int kFewestPatches = 80000;
 constexpr int kPasses = 3;
 constexpr int kPassesBack = 2;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 void normalize(std::vector<Vec3>& directions) {
     for (Vec3& direction : directions) {
         direction.normalize();
@@ -34,13 +30,13 @@ void smooth(const PatchLevels::Level& level, int passes, std::vector<Vec3>& dire
         std::vector<Vec3> sums;
         sums.reserve(directions.size());
         for (int patch = 0; patch < level.count(); ++patch) {
-            const int begin = level.offsets[at(patch)];
-            const int end = level.offsets[at(patch) + 1];
-            Vec3 sum = 0.5 * (end - begin) * directions[at(patch)];
+            const int begin = level.offsets[patch];
+            const int end = level.offsets[patch + 1];
+            Vec3 sum = 0.5 * (end - begin) * directions[patch];
             for (int i = begin; i < end; ++i) {
-                sum += directions[at(level.neighbours[at(i)])];
+                sum += directions[level.neighbours[i]];
             }
-            sums.push_back(begin < end ? sum : directions[at(patch)]);
+            sums.push_back(begin < end ? sum : directions[patch]);
         }
         normalize(sums);
         directions = std::move(sums);
@@ -49,9 +45,9 @@ void smooth(const PatchLevels::Level& level, int passes, std::vector<Vec3>& dire
 
 // Of the patches of a level, by what they are made of.
 std::vector<Vec3> sumsOver(const PatchLevels::Level& level, const std::vector<Vec3>& below) {
-    std::vector<Vec3> sums(at(level.count()), Vec3::Zero());
+    std::vector<Vec3> sums(level.count(), Vec3::Zero());
     for (std::size_t i = 0; i < below.size(); ++i) {
-        sums[at(level.patchOf[i])] += below[i];
+        sums[level.patchOf[i]] += below[i];
     }
     return sums;
 }
@@ -84,7 +80,7 @@ std::vector<Vec3> smoothPatchDirections(
         std::vector<Vec3> finer;
         finer.reserve(patchOf.size());
         for (const int patch : patchOf) {
-            finer.push_back(directions[at(patch)]);
+            finer.push_back(directions[patch]);
         }
         directions = std::move(finer);
         smooth(*level, kPassesBack, directions);

@@ -16,10 +16,6 @@ constexpr double kShareOfGap = 0.4;
 // A line that passes a face this close beside its edges, in barycentric coordinates, still counts.
 constexpr double kEdgeMargin = 1e-6;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Where the line p + t d passes the triangle (a, b, c); 0 where it does not.
 double lineParameter(const Vec3& p, const Vec3& d, const std::array<Vec3, 3>& corners) {
     const Vec3 e1 = corners[1] - corners[0];
@@ -44,8 +40,8 @@ void keepPillarsApart(const ShellBase& base, std::array<std::vector<double>, 2>&
     std::vector<Vec3> points = base.vertices;
     for (const int side : {0, 1}) {
         for (int v = 0; v < n; ++v) {
-            const double reach = (side == 0 ? 1.0 : -1.0) * lengths[at(side)][at(v)];
-            points.emplace_back(base.vertices[at(v)] + reach * base.directions[at(v)]);
+            const double reach = (side == 0 ? 1.0 : -1.0) * lengths[side][v];
+            points.emplace_back(base.vertices[v] + reach * base.directions[v]);
         }
     }
     std::vector<Triangle> triangles = base.faces;
@@ -59,18 +55,18 @@ void keepPillarsApart(const ShellBase& base, std::array<std::vector<double>, 2>&
             return;
         }
         const int v = j - faceCount;
-        const Triangle& face = base.faces[at(i)];
+        const Triangle& face = base.faces[i];
         if (std::find(face.begin(), face.end(), v) != face.end()) {
             return;
         }
         const double t = lineParameter(
-            base.vertices[at(v)],
-            base.directions[at(v)],
-            {base.vertices[at(face[0])], base.vertices[at(face[1])], base.vertices[at(face[2])]}
+            base.vertices[v],
+            base.directions[v],
+            {base.vertices[face[0]], base.vertices[face[1]], base.vertices[face[2]]}
         );
         const std::size_t side = t > 0.0 ? 0 : 1;
-        if (t != 0.0 && std::abs(t) <= wanted[side][at(v)]) {
-            lengths[side][at(v)] = std::min(lengths[side][at(v)], kShareOfGap * std::abs(t));
+        if (t != 0.0 && std::abs(t) <= wanted[side][v]) {
+            lengths[side][v] = std::min(lengths[side][v], kShareOfGap * std::abs(t));
         }
     });
 }

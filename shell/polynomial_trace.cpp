@@ -33,7 +33,7 @@ HigherTerms boundHigherTerms(const double* c, int degree, double s) {
 double bracketedRoot(const double* c, int degree, double a, double b) {
     std::array<double, kMaxPolynomialDegree + 1> d{};
     for (int j = 1; j <= degree; ++j) {
-        d[static_cast<std::size_t>(j - 1)] = j * c[j];
+        d[j - 1] = j * c[j];
     }
     double s = 0.5 * (a + b);
     for (int iteration = 0; iteration < 60; ++iteration) {
@@ -72,16 +72,16 @@ int signChanges(const double* c, int degree, double end, double* roots) {
     }
     std::array<double, kMaxPolynomialDegree + 1> d{};
     for (int j = 1; j <= degree; ++j) {
-        d[static_cast<std::size_t>(j - 1)] = j * c[j];
+        d[j - 1] = j * c[j];
     }
     std::array<double, kMaxPolynomialDegree + 2> breaks{};
     int count = signChanges(d.data(), degree - 1, end, breaks.data() + 1);
     breaks[0] = 0.0;
-    breaks[static_cast<std::size_t>(++count)] = end;
+    breaks[++count] = end;
     int found = 0;
     for (int i = 0; i < count; ++i) {
-        const double a = breaks[static_cast<std::size_t>(i)];
-        const double b = breaks[static_cast<std::size_t>(i) + 1];
+        const double a = breaks[i];
+        const double b = breaks[i + 1];
         const double fa = evaluate(c, degree, a);
         const double fb = evaluate(c, degree, b);
         if (fa >= 0.0 && fb < 0.0) {
@@ -89,7 +89,7 @@ int signChanges(const double* c, int degree, double end, double* roots) {
         } else if (fa < 0.0 && fb >= 0.0) {
             std::array<double, kMaxPolynomialDegree + 1> negative{};
             for (int j = 0; j <= degree; ++j) {
-                negative[static_cast<std::size_t>(j)] = -c[j];
+                negative[j] = -c[j];
             }
             roots[found++] = bracketedRoot(negative.data(), degree, a, b);
         }
@@ -125,8 +125,8 @@ double firstExitByIsolation(const double* c, int degree, double end) {
     std::array<double, kMaxPolynomialDegree + 1> roots{};
     const int count = signChanges(c, degree, end, roots.data());
     for (int i = 0; i < count; ++i) {
-        const double a = roots[static_cast<std::size_t>(i)];
-        const double b = i + 1 < count ? roots[static_cast<std::size_t>(i) + 1] : end;
+        const double a = roots[i];
+        const double b = i + 1 < count ? roots[i + 1] : end;
         if (evaluate(c, degree, 0.5 * (a + b)) < 0.0) {
             return a;
         }
@@ -160,14 +160,14 @@ CellExit firstExitOfDegree(
     using Coefficients = Eigen::Matrix<double, kCount, 1>;
     Eigen::Matrix<double, kCount, 3> axes = Eigen::Matrix<double, kCount, 3>::Zero();
     for (int j = 0; j <= Degree; ++j) {
-        axes.row(j) = curve.coefficients[static_cast<std::size_t>(j)].transpose();
+        axes.row(j) = curve.coefficients[j].transpose();
     }
     std::array<Coefficients, ShellCell::kMaxWalls> walls;
     int nearest = 0;
     double nearestExit = std::numeric_limits<double>::infinity();
     for (int k = 0; k < cell.wallCount; ++k) {
-        const AffineForm& form = cell.walls[static_cast<std::size_t>(k)];
-        Coefficients& wall = walls[static_cast<std::size_t>(k)];
+        const AffineForm& form = cell.walls[k];
+        Coefficients& wall = walls[k];
         wall.noalias() = form.gradient.x() * axes.col(0) + form.gradient.y() * axes.col(1) +
                          form.gradient.z() * axes.col(2);
         wall[0] += form.offset;
@@ -181,7 +181,7 @@ CellExit firstExitOfDegree(
     CellExit exit{end, -1};
     for (int i = 0; i < cell.wallCount; ++i) {
         const int k = nearest + i < cell.wallCount ? nearest + i : nearest + i - cell.wallCount;
-        const Coefficients& wall = walls[static_cast<std::size_t>(k)];
+        const Coefficients& wall = walls[k];
         if ((ignoredWalls >> static_cast<unsigned>(k) & 1U) != 0 ||
             staysInside<Degree>(wall.data(), exit.s, tolerance)) {
             continue;
@@ -204,7 +204,7 @@ CellExit firstExitOfLine(
 ) {
     CellExit exit{end, -1};
     for (int k = 0; k < cell.wallCount; ++k) {
-        const AffineForm& form = cell.walls[static_cast<std::size_t>(k)];
+        const AffineForm& form = cell.walls[k];
         const double value = form.at(curve.coefficients[0]) + tolerance;
         const double slope = form.gradient.dot(curve.coefficients[1]);
         if (value + std::min(0.0, slope * exit.s) < 0.0 &&
@@ -221,8 +221,7 @@ PolynomialCurve PolynomialCurve::shifted(double origin) const {
     PolynomialCurve result = *this;
     for (int i = 0; i < degree; ++i) {
         for (int j = degree; j-- > i;) {
-            result.coefficients[static_cast<std::size_t>(j)] +=
-                origin * result.coefficients[static_cast<std::size_t>(j) + 1];
+            result.coefficients[j] += origin * result.coefficients[j + 1];
         }
     }
     return result;

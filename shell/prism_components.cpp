@@ -4,10 +4,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // `neighboursOf(i)`: three prisms, -1 where there is none.
 template <class IsPresent, class NeighboursOf>
 PrismComponents findComponentsOf(
@@ -17,13 +13,13 @@ PrismComponents findComponentsOf(
     result.componentOf.assign(count, -1);
     std::vector<int> pending;
     for (int start = 0; start < static_cast<int>(count); ++start) {
-        if (!isPresent(start) || result.componentOf[at(start)] >= 0) {
+        if (!isPresent(start) || result.componentOf[start] >= 0) {
             continue;
         }
         const int component = result.count();
         result.first.push_back(start);
         result.isClosed.push_back(1);
-        result.componentOf[at(start)] = component;
+        result.componentOf[start] = component;
         pending.assign(1, start);
         while (!pending.empty()) {
             const int prism = pending.back();
@@ -31,8 +27,8 @@ PrismComponents findComponentsOf(
             for (const int there : neighboursOf(prism)) {
                 if (there < 0 || !isPresent(there)) {
                     result.isClosed.back() = 0;
-                } else if (result.componentOf[at(there)] < 0) {
-                    result.componentOf[at(there)] = component;
+                } else if (result.componentOf[there] < 0) {
+                    result.componentOf[there] = component;
                     pending.push_back(there);
                 }
             }
@@ -46,8 +42,8 @@ PrismComponents findComponentsOf(
 PrismComponents findComponents(const std::vector<Prism>& prisms) {
     return findComponentsOf(
         prisms.size(),
-        [&](int i) { return prisms[at(i)].orientation != 0; },
-        [&](int i) { return prisms[at(i)].neighbours; }
+        [&](int i) { return prisms[i].orientation != 0; },
+        [&](int i) { return prisms[i].neighbours; }
     );
 }
 
@@ -56,8 +52,8 @@ PrismComponents findComponents(
 ) {
     return findComponentsOf(
         faceNeighbours.size(),
-        [&](int i) { return blocked[at(i)] == 0; },
-        [&](int i) { return faceNeighbours[at(i)]; }
+        [&](int i) { return blocked[i] == 0; },
+        [&](int i) { return faceNeighbours[i]; }
     );
 }
 

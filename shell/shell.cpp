@@ -12,10 +12,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // What lies across the face opposite to vertex k of tetrahedron i of a slab.
 enum class Across : signed char { Tetrahedron, OtherSlab, WallLower, WallUpper, Outside };
 
@@ -83,26 +79,26 @@ Shell::Shell(
       base_(std::move(base)) {
     prismOffsets_.assign(base_->faces.size() + 1, 0);
     for (const int face : tracks_.faces) {
-        ++prismOffsets_[at(face) + 1];
+        ++prismOffsets_[face + 1];
     }
     std::partial_sum(prismOffsets_.begin(), prismOffsets_.end(), prismOffsets_.begin());
     std::vector<int> next(prismOffsets_.begin(), prismOffsets_.end() - 1);
     facePrisms_.resize(tracks_.faces.size());
     for (std::size_t prism = 0; prism < prisms_.size(); ++prism) {
         for (const int face : facesOf(static_cast<int>(prism))) {
-            facePrisms_[at(next[at(face)]++)] = static_cast<int>(prism);
+            facePrisms_[next[face]++] = static_cast<int>(prism);
         }
     }
 }
 
 std::span<const int> Shell::facesOf(int prism) const {
-    const int first = tracks_.offsets[at(prism)];
-    return {tracks_.faces.data() + first, at(tracks_.offsets[at(prism) + 1] - first)};
+    const int first = tracks_.offsets[prism];
+    return std::span(tracks_.faces).subspan(first, tracks_.offsets[prism + 1] - first);
 }
 
 std::span<const int> Shell::prismsOf(int face) const {
-    const int first = prismOffsets_[at(face)];
-    return {facePrisms_.data() + first, at(prismOffsets_[at(face) + 1] - first)};
+    const int first = prismOffsets_[face];
+    return std::span(facePrisms_).subspan(first, prismOffsets_[face + 1] - first);
 }
 
 std::vector<int> Shell::blockedFaces() const {
@@ -119,7 +115,7 @@ int Shell::neighbour(int tet, int k) const {
     const int prism = tet / kTetrahedraPerPrism;
     const int inPrism = tet % kTetrahedraPerPrism;
     const int slab = inPrism / 3;
-    const Adjacency adjacency = kAdjacency[at(inPrism % 3)][at(k)];
+    const Adjacency adjacency = kAdjacency[inPrism % 3][k];
     switch (adjacency.kind) {
         case Across::Outside:
             return -1;
@@ -132,7 +128,7 @@ int Shell::neighbour(int tet, int k) const {
             break;
     }
     const auto wall = static_cast<std::size_t>(adjacency.target);
-    const Prism& here = prisms_[at(prism)];
+    const Prism& here = prisms_[prism];
     const int there = here.neighbours[wall];
     if (there < 0) {
         return -1;
@@ -144,19 +140,19 @@ int Shell::neighbour(int tet, int k) const {
 }
 
 int Shell::wallOf(int tet, int k) {
-    const Adjacency adjacency = kAdjacency[at(tet % 3)][at(k)];
+    const Adjacency adjacency = kAdjacency[tet % 3][k];
     return adjacency.kind == Across::WallLower || adjacency.kind == Across::WallUpper
                ? adjacency.target
                : -1;
 }
 
 int Shell::neighbourBehind(int tet, int wall) const {
-    const Prism& here = prisms_[at(tet / kTetrahedraPerPrism)];
-    const auto wallThere = static_cast<std::size_t>(here.neighbourWalls[at(wall)]);
+    const Prism& here = prisms_[tet / kTetrahedraPerPrism];
+    const auto wallThere = static_cast<std::size_t>(here.neighbourWalls[wall]);
     const int slab = tet % kTetrahedraPerPrism / 3;
-    const int inSlab = kTouchesUpperHalf[at(tet % 3)][at(wall)] ? kBehindUpperWall[wallThere]
-                                                                : kBehindLowerWall[wallThere];
-    return here.neighbours[at(wall)] * kTetrahedraPerPrism + slab * 3 + inSlab;
+    const int inSlab = kTouchesUpperHalf[tet % 3][wall] ? kBehindUpperWall[wallThere]
+                                                        : kBehindLowerWall[wallThere];
+    return here.neighbours[wall] * kTetrahedraPerPrism + slab * 3 + inSlab;
 }
 
 int Shell::locate(const SurfacePoint& point) const {
@@ -167,11 +163,10 @@ int Shell::locate(const SurfacePoint& point) const {
         return point.face * kTetrahedraPerPrism;
     }
     const Vec3 p = base_->position(point);
-    const Triangle& face = base_->faces[at(point.face)];
-    const Vec3& corner = base_->vertices[at(face[0])];
-    const Vec3 normal = (base_->vertices[at(face[1])] - corner)
-                            .cross(base_->vertices[at(face[2])] - corner)
-                            .normalized();
+    const Triangle& face = base_->faces[point.face];
+    const Vec3& corner = base_->vertices[face[0]];
+    const Vec3 normal =
+        (base_->vertices[face[1]] - corner).cross(base_->vertices[face[2]] - corner).normalized();
     int best = -1;
     double highest = -std::numeric_limits<double>::infinity();
     std::array<AffineForm, 4> lambda;
@@ -196,7 +191,7 @@ int Shell::locate(const SurfacePoint& point) const {
 Vec3 Shell::lift(const SurfacePoint& point, double w) const {
     Vec3 beta = Vec3::Zero();
     if (isFullResolution()) {
-        const Prism& prism = prisms_[at(point.face)];
+        const Prism& prism = prisms_[point.face];
         for (std::size_t slot = 0; slot < 3; ++slot) {
             beta[static_cast<Eigen::Index>(slot)] = point.barycentric[prism.faceCorner[slot]];
         }
@@ -207,15 +202,15 @@ Vec3 Shell::lift(const SurfacePoint& point, double w) const {
     std::array<AffineForm, 4> lambda;
     barycentrics(tet, lambda.data());
     for (std::size_t k = 0; k < 4; ++k) {
-        beta[kSlabSplit[at(tet % 3)][k].slot] += lambda[k].at(p);
+        beta[kSlabSplit[tet % 3][k].slot] += lambda[k].at(p);
     }
     beta = beta.cwiseMax(0.0);  // rounding, next to a wall
     return onFibre(tet / kTetrahedraPerPrism, beta / beta.sum(), w);
 }
 
 Vec3 Shell::fibre(int tet) const {
-    const Prism& prism = prisms_[at(tet / kTetrahedraPerPrism)];
-    const Pillar& pillar = pillars_[at(prism.pillars[at(2 - tet % 3)])];
+    const Prism& prism = prisms_[tet / kTetrahedraPerPrism];
+    const Pillar& pillar = pillars_[prism.pillars[2 - tet % 3]];
     return tet % kTetrahedraPerPrism < 3 ? pillar.top - pillar.middle
                                          : pillar.middle - pillar.bottom;
 }
@@ -232,7 +227,7 @@ Vec3 Shell::onFibre(int prism, const Vec3& beta, double w) const {
     }
     Vec3 result = Vec3::Zero();
     for (int slot = 0; slot < 3; ++slot) {
-        const Pillar& pillar = pillars_[at(prisms_[at(prism)].pillars[at(slot)])];
+        const Pillar& pillar = pillars_[prisms_[prism].pillars[slot]];
         result += (beta[slot] - outer[slot]) * pillar.middle +
                   outer[slot] * (w >= 0.0 ? pillar.top : pillar.bottom);
     }
@@ -240,12 +235,12 @@ Vec3 Shell::onFibre(int prism, const Vec3& beta, double w) const {
 }
 
 void Shell::barycentrics(int tet, AffineForm* forms) const {
-    const Prism& prism = prisms_[at(tet / kTetrahedraPerPrism)];
+    const Prism& prism = prisms_[tet / kTetrahedraPerPrism];
     const int inPrism = tet % kTetrahedraPerPrism;
-    const auto& split = kSlabSplit[at(inPrism % 3)];
+    const auto& split = kSlabSplit[inPrism % 3];
     const Vec3 Pillar::* const tip = inPrism < 3 ? &Pillar::top : &Pillar::bottom;
     const auto corner = [&](std::size_t k) -> const Vec3& {
-        const Pillar& pillar = pillars_[at(prism.pillars[at(split[k].slot)])];
+        const Pillar& pillar = pillars_[prism.pillars[split[k].slot]];
         return split[k].outer ? pillar.*tip : pillar.middle;
     };
     const Vec3& origin = corner(0);
@@ -267,12 +262,10 @@ void Shell::barycentrics(int tet, AffineForm* forms) const {
 }
 
 Vec3 Shell::position(int tet, int k) const {
-    const Prism& prism = prisms_[static_cast<std::size_t>(tet / kTetrahedraPerPrism)];
+    const Prism& prism = prisms_[tet / kTetrahedraPerPrism];
     const int inPrism = tet % kTetrahedraPerPrism;
-    const SplitVertex vertex =
-        kSlabSplit[static_cast<std::size_t>(inPrism % 3)][static_cast<std::size_t>(k)];
-    const Pillar& pillar =
-        pillars_[static_cast<std::size_t>(prism.pillars[static_cast<std::size_t>(vertex.slot)])];
+    const SplitVertex vertex = kSlabSplit[inPrism % 3][k];
+    const Pillar& pillar = pillars_[prism.pillars[vertex.slot]];
     if (!vertex.outer) {
         return pillar.middle;
     }

@@ -25,16 +25,12 @@ constexpr double kMoveFraction = 0.25;
 // Width of the ghost strip in local mean edge lengths, and how often it is halved where it folds.
 constexpr double kGhostWidth = 0.5;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Of the referenced vertices.
 Eigen::AlignedBox3d boxOf(const Surface& surface) {
     Eigen::AlignedBox3d box;
     for (int v = 0; v < surface.vertexCount(); ++v) {
         if (!surface.facesAround(v).empty()) {
-            box.extend(surface.vertices()[at(v)]);
+            box.extend(surface.vertices()[v]);
         }
     }
     return box;
@@ -66,14 +62,14 @@ public:
             for (std::size_t k = 0; k < 3; ++k) {
                 const int a = face[k];
                 const int b = face[(k + 1) % 3];
-                const double length = (base_.vertices[at(a)] - base_.vertices[at(b)]).norm();
-                base_.edgeLengths[at(a)] += length;
-                base_.edgeLengths[at(b)] += length;
+                const double length = (base_.vertices[a] - base_.vertices[b]).norm();
+                base_.edgeLengths[a] += length;
+                base_.edgeLengths[b] += length;
             }
         }
         for (int v = 0; v < surface_.vertexCount(); ++v) {
             // Each face at a vertex counts two edges there.
-            base_.edgeLengths[at(v)] /= std::max(1, 2 * surface_.facesAround(v).size());
+            base_.edgeLengths[v] /= std::max(1, 2 * surface_.facesAround(v).size());
         }
     }
 
@@ -88,14 +84,14 @@ public:
             const double doubleArea = cross.norm();
             normals_.push_back(cross.normalized());
             for (std::size_t k = 0; k < 3; ++k) {
-                base_.directions[at(face[k])] += cornerAngle(face, k, doubleArea) * normals_.back();
+                base_.directions[face[k]] += cornerAngle(face, k, doubleArea) * normals_.back();
             }
         }
         std::vector<int> unseen;
         for (int v = 0; v < surface_.vertexCount(); ++v) {
             if (surface_.facesAround(v).empty()) {
-                base_.directions[at(v)] = Vec3::UnitZ();
-            } else if (!chooseDirection(v, base_.directions[at(v)])) {
+                base_.directions[v] = Vec3::UnitZ();
+            } else if (!chooseDirection(v, base_.directions[v])) {
                 unseen.push_back(v);
             }
         }
@@ -104,7 +100,7 @@ public:
             unseen = moveVertices(unseen, moved);
         }
         for (int v = 0; v < surface_.vertexCount(); ++v) {
-            if (moved[at(v)] != 0) {
+            if (moved[v] != 0) {
                 base_.movedVertices.push_back(v);
             }
         }
@@ -118,11 +114,11 @@ public:
         std::vector<Vec3> sums = makeLarge<Vec3>(base_.vertices.size(), Vec3::Zero());
         for (std::size_t f = 0; f < base_.faces.size(); ++f) {
             for (const int v : base_.faces[f]) {
-                sums[at(v)] += ofPatches[at(patchOf[f])];
+                sums[v] += ofPatches[patchOf[f]];
             }
         }
         for (int v = 0; v < surface_.vertexCount(); ++v) {
-            turn(v, sums[at(v)]);
+            turn(v, sums[v]);
         }
     }
 
@@ -131,14 +127,14 @@ public:
         std::vector<Vec3> sums = makeLarge<Vec3>(base_.vertices.size(), Vec3::Zero());
         for (int pass = 0; pass < passes; ++pass) {
             for (const Triangle& face : base_.faces) {
-                const Vec3 sum = base_.directions[at(face[0])] + base_.directions[at(face[1])] +
-                                 base_.directions[at(face[2])];
+                const Vec3 sum = base_.directions[face[0]] + base_.directions[face[1]] +
+                                 base_.directions[face[2]];
                 for (const int v : face) {
-                    sums[at(v)] += sum;
+                    sums[v] += sum;
                 }
             }
             for (int v = 0; v < surface_.vertexCount(); ++v) {
-                turn(v, std::exchange(sums[at(v)], Vec3::Zero()));
+                turn(v, std::exchange(sums[v], Vec3::Zero()));
             }
         }
     }
@@ -151,40 +147,39 @@ private:
     void turn(int v, const Vec3& sum) {
         const double length = sum.norm();
         if (length >= kLeastPillarCosine && mayTurn(v, sum / length)) {
-            base_.directions[at(v)] = sum / length;
+            base_.directions[v] = sum / length;
         }
     }
 
     [[nodiscard]] bool mayTurn(int v, const Vec3& direction) const {
         const auto normals = std::views::transform(
-            surface_.facesAround(v), [&](int f) -> const Vec3& { return normals_[at(f)]; }
+            surface_.facesAround(v), [&](int f) -> const Vec3& { return normals_[f]; }
         );
         const double after = leastCosine(direction, normals);
-        return after >= kSmoothEnoughCosine ||
-               after >= leastCosine(base_.directions[at(v)], normals);
+        return after >= kSmoothEnoughCosine || after >= leastCosine(base_.directions[v], normals);
     }
 
     // The normal of a face, as long as twice its area.
     [[nodiscard]] Vec3 crossOf(const Triangle& face) const {
-        const Vec3& corner = base_.vertices[at(face[0])];
-        return (base_.vertices[at(face[1])] - corner).cross(base_.vertices[at(face[2])] - corner);
+        const Vec3& corner = base_.vertices[face[0]];
+        return (base_.vertices[face[1]] - corner).cross(base_.vertices[face[2]] - corner);
     }
 
-    [[nodiscard]] Vec3 normalOf(int f) const { return crossOf(base_.faces[at(f)]).normalized(); }
+    [[nodiscard]] Vec3 normalOf(int f) const { return crossOf(base_.faces[f]).normalized(); }
 
     void gatherNormals(int v) {
         star_.clear();
         for (const int f : surface_.facesAround(v)) {
-            star_.push_back(normals_[at(f)]);
+            star_.push_back(normals_[f]);
         }
     }
 
     bool findDirection(int v) {
         Vec3 sum = Vec3::Zero();
         for (const int f : surface_.facesAround(v)) {
-            const Triangle& face = base_.faces[at(f)];
+            const Triangle& face = base_.faces[f];
             const std::size_t k = face[0] == v ? 0 : (face[1] == v ? 1 : 2);
-            sum += cornerAngle(face, k, crossOf(face).norm()) * normals_[at(f)];
+            sum += cornerAngle(face, k, crossOf(face).norm()) * normals_[f];
         }
         return chooseDirection(v, sum);
     }
@@ -196,17 +191,17 @@ private:
         const double length = sum.norm();
         const Vec3 average = sum / length;
         if (length > 0.0 && leastCosine(average, star_) >= kGoodAverageCosine) {
-            base_.directions[at(v)] = average;
+            base_.directions[v] = average;
             return true;
         }
-        base_.directions[at(v)] = directionOfLeastAngle(star_);
-        return leastCosine(base_.directions[at(v)], star_) >= kLeastPillarCosine;
+        base_.directions[v] = directionOfLeastAngle(star_);
+        return leastCosine(base_.directions[v], star_) >= kLeastPillarCosine;
     }
 
     [[nodiscard]] double cornerAngle(const Triangle& face, std::size_t k, double doubleArea) const {
-        const Vec3& corner = base_.vertices[at(face[k])];
-        const Vec3 a = base_.vertices[at(face[(k + 1) % 3])] - corner;
-        const Vec3 b = base_.vertices[at(face[(k + 2) % 3])] - corner;
+        const Vec3& corner = base_.vertices[face[k]];
+        const Vec3 a = base_.vertices[face[(k + 1) % 3]] - corner;
+        const Vec3 b = base_.vertices[face[(k + 2) % 3]] - corner;
         return std::atan2(doubleArea, a.dot(b));
     }
 
@@ -218,10 +213,10 @@ private:
             Vec3 sum = Vec3::Zero();
             int count = 0;
             for (const int f : surface_.facesAround(v)) {
-                for (const int corner : base_.faces[at(f)]) {
+                for (const int corner : base_.faces[f]) {
                     touched.push_back(corner);
                     if (corner != v) {
-                        sum += base_.vertices[at(corner)];
+                        sum += base_.vertices[corner];
                         ++count;
                     }
                 }
@@ -229,13 +224,13 @@ private:
             targets.emplace_back(sum / count);
         }
         for (std::size_t i = 0; i < unseen.size(); ++i) {
-            Vec3& p = base_.vertices[at(unseen[i])];
+            Vec3& p = base_.vertices[unseen[i]];
             p += kMoveFraction * (targets[i] - p);
-            moved[at(unseen[i])] = 1;
+            moved[unseen[i]] = 1;
         }
         for (const int v : unseen) {
             for (const int f : surface_.facesAround(v)) {
-                normals_[at(f)] = normalOf(f);
+                normals_[f] = normalOf(f);
             }
         }
         sortUnique(touched);
@@ -275,43 +270,41 @@ private:
         previousEdge_.assign(base_.vertices.size(), -1);
         for (int f = 0; f < surface_.faceCount(); ++f) {
             for (std::size_t k = 0; k < 3; ++k) {
-                if (surface_.faceNeighbours()[at(f)][k] >= 0) {
+                if (surface_.faceNeighbours()[f][k] >= 0) {
                     continue;
                 }
-                const Triangle& face = surface_.faces()[at(f)];
+                const Triangle& face = surface_.faces()[f];
                 const int from = face[(k + 1) % 3];
                 const int to = face[(k + 2) % 3];
-                nextEdge_[at(from)] = static_cast<int>(edges_.size());
-                previousEdge_[at(to)] = static_cast<int>(edges_.size());
+                nextEdge_[from] = static_cast<int>(edges_.size());
+                previousEdge_[to] = static_cast<int>(edges_.size());
                 edges_.push_back({f, from, to});
             }
         }
     }
 
     [[nodiscard]] Vec3 outward(const BoundaryEdge& edge) const {
-        const Vec3 normal = base_.directions[at(edge.from)] + base_.directions[at(edge.to)];
-        return (base_.vertices[at(edge.to)] - base_.vertices[at(edge.from)])
-            .cross(normal)
-            .normalized();
+        const Vec3 normal = base_.directions[edge.from] + base_.directions[edge.to];
+        return (base_.vertices[edge.to] - base_.vertices[edge.from]).cross(normal).normalized();
     }
 
     void placeGhosts() {
         ghostOf_.assign(base_.vertices.size(), -1);
         for (const BoundaryEdge& edge : edges_) {
             const int v = edge.from;
-            if (previousEdge_[at(v)] < 0) {
+            if (previousEdge_[v] < 0) {
                 continue;
             }
-            const Vec3 sum = outward(edge) + outward(edges_[at(previousEdge_[at(v)])]);
+            const Vec3 sum = outward(edge) + outward(edges_[previousEdge_[v]]);
             const double length = sum.norm();
             const Vec3 direction = length > 0.0 ? Vec3(sum / length) : outward(edge);
-            ghostOf_[at(v)] = static_cast<int>(base_.vertices.size());
+            ghostOf_[v] = static_cast<int>(base_.vertices.size());
             base_.ghostOrigin.push_back(v);
             base_.vertices.emplace_back(
-                base_.vertices[at(v)] + kGhostWidth * base_.edgeLengths[at(v)] * direction
+                base_.vertices[v] + kGhostWidth * base_.edgeLengths[v] * direction
             );
-            base_.directions.push_back(base_.directions[at(v)]);
-            base_.edgeLengths.push_back(base_.edgeLengths[at(v)]);
+            base_.directions.push_back(base_.directions[v]);
+            base_.edgeLengths.push_back(base_.edgeLengths[v]);
         }
     }
 
@@ -321,8 +314,8 @@ private:
         std::vector<int> firstFace(edges_.size(), -1);
         for (std::size_t e = 0; e < edges_.size(); ++e) {
             const BoundaryEdge& edge = edges_[e];
-            const int fromGhost = ghostOf_[at(edge.from)];
-            const int toGhost = ghostOf_[at(edge.to)];
+            const int fromGhost = ghostOf_[edge.from];
+            const int toGhost = ghostOf_[edge.to];
             const Triangle inner = {edge.to, edge.from, fromGhost};
             const Triangle outer = {edge.to, fromGhost, toGhost};
             if (fromGhost < 0 || toGhost < 0 || !isUpright(inner) || !isUpright(outer)) {
@@ -335,18 +328,18 @@ private:
             base_.faceNeighbours.push_back({-1, f + 1, edge.face});
             base_.faceNeighbours.push_back({-1, -1, f});
             for (std::size_t k = 0; k < 3; ++k) {
-                const Triangle& face = base_.faces[at(edge.face)];
+                const Triangle& face = base_.faces[edge.face];
                 if (face[(k + 1) % 3] == edge.from && face[(k + 2) % 3] == edge.to) {
-                    base_.faceNeighbours[at(edge.face)][k] = f;
+                    base_.faceNeighbours[edge.face][k] = f;
                 }
             }
         }
         // Neighbouring quads share the edge from a boundary vertex to its ghost.
         for (std::size_t e = 0; e < edges_.size(); ++e) {
-            const int after = nextEdge_[at(edges_[e].to)];
-            if (firstFace[e] >= 0 && after >= 0 && firstFace[at(after)] >= 0) {
-                base_.faceNeighbours[at(firstFace[e] + 1)][1] = firstFace[at(after)];
-                base_.faceNeighbours[at(firstFace[at(after)])][0] = firstFace[e] + 1;
+            const int after = nextEdge_[edges_[e].to];
+            if (firstFace[e] >= 0 && after >= 0 && firstFace[after] >= 0) {
+                base_.faceNeighbours[firstFace[e] + 1][1] = firstFace[after];
+                base_.faceNeighbours[firstFace[after]][0] = firstFace[e] + 1;
             }
         }
     }
@@ -355,11 +348,11 @@ private:
         if (face[2] < 0) {
             return false;
         }
-        const Vec3 normal = (base_.vertices[at(face[1])] - base_.vertices[at(face[0])])
-                                .cross(base_.vertices[at(face[2])] - base_.vertices[at(face[0])]);
+        const Vec3 normal = (base_.vertices[face[1]] - base_.vertices[face[0]])
+                                .cross(base_.vertices[face[2]] - base_.vertices[face[0]]);
         const double length = normal.norm();
         return std::all_of(face.begin(), face.end(), [&](int v) {
-            return normal.dot(base_.directions[at(v)]) > kLeastPillarCosine * length;
+            return normal.dot(base_.directions[v]) > kLeastPillarCosine * length;
         });
     }
 
@@ -373,9 +366,9 @@ private:
 
 double longestSideOf(const ShellBase& base) {
     Eigen::AlignedBox3d box;
-    for (std::size_t f = 0; f < at(base.surfaceFaceCount); ++f) {
+    for (int f = 0; f < base.surfaceFaceCount; ++f) {
         for (const int v : base.faces[f]) {
-            box.extend(base.vertices[at(v)]);
+            box.extend(base.vertices[v]);
         }
     }
     return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();

@@ -38,18 +38,15 @@ struct ShellBase {
     std::vector<int> unseenVertices;  ///< vertices that got no direction all the same
 
     [[nodiscard]] Vec3 position(const SurfacePoint& point) const {
-        const Triangle& face = faces[static_cast<std::size_t>(point.face)];
-        return point.barycentric[0] * vertices[static_cast<std::size_t>(face[0])] +
-               point.barycentric[1] * vertices[static_cast<std::size_t>(face[1])] +
-               point.barycentric[2] * vertices[static_cast<std::size_t>(face[2])];
+        const Triangle& face = faces[point.face];
+        return point.barycentric[0] * vertices[face[0]] + point.barycentric[1] * vertices[face[1]] +
+               point.barycentric[2] * vertices[face[2]];
     }
 
     /// The vertex of the surface behind a vertex: itself, or the boundary vertex that a ghost grew
     /// from.
     [[nodiscard]] int surfaceVertex(int vertex) const {
-        return vertex < surfaceVertexCount
-                   ? vertex
-                   : ghostOrigin[static_cast<std::size_t>(vertex - surfaceVertexCount)];
+        return vertex < surfaceVertexCount ? vertex : ghostOrigin[vertex - surfaceVertexCount];
     }
 };
 

@@ -6,15 +6,14 @@ namespace {
 
 // The face of a tetrahedron opposite to its vertex k, in the boundary's vertices.
 Triangle faceOpposite(const Prism& prism, int inPrism, int k) {
-    const auto& split = kSlabSplit[static_cast<std::size_t>(inPrism % 3)];
+    const auto& split = kSlabSplit[inPrism % 3];
     const int outerLevel = inPrism < 3 ? 2 : 0;
     Triangle triangle{};
     std::size_t count = 0;
     for (int j = 0; j < 4; ++j) {
-        const SplitVertex& vertex = split[static_cast<std::size_t>(j)];
+        const SplitVertex& vertex = split[j];
         if (j != k) {
-            triangle[count++] = 3 * prism.pillars[static_cast<std::size_t>(vertex.slot)] +
-                                (vertex.outer ? outerLevel : 1);
+            triangle[count++] = 3 * prism.pillars[vertex.slot] + (vertex.outer ? outerLevel : 1);
         }
     }
     return triangle;
@@ -28,7 +27,7 @@ ShellBoundary::ShellBoundary(const Shell& shell) {
         vertices_.insert(vertices_.end(), {pillar.bottom, pillar.middle, pillar.top});
     }
     for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
-        const Prism& prism = shell.prisms()[static_cast<std::size_t>(tet / kTetrahedraPerPrism)];
+        const Prism& prism = shell.prisms()[tet / kTetrahedraPerPrism];
         for (int k = 0; k < 4 && prism.orientation != 0; ++k) {
             if (shell.neighbour(tet, k) < 0) {
                 triangles_.push_back(faceOpposite(prism, tet % kTetrahedraPerPrism, k));
@@ -41,7 +40,7 @@ ShellBoundary::ShellBoundary(const Shell& shell) {
 
 ShellBoundary::Nearest ShellBoundary::nearest(const Vec3& p) const {
     const TriangleTree::Closest closest = tree_->closestPoint(p);
-    return {tets_[static_cast<std::size_t>(closest.point.face)], closest.position};
+    return {tets_[closest.point.face], closest.position};
 }
 
 }  // namespace bspline_curve

@@ -30,10 +30,6 @@ constexpr int kTop = 0;
 constexpr int kBottom = 1;
 constexpr int kMiddle = 2;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Which pillars are meant, above and below.
 using PillarMarks = std::array<std::vector<char>, 2>;
 
@@ -49,7 +45,7 @@ public:
         const std::size_t n = base.vertices.size();
         for (const int side : {kTop, kBottom}) {
             for (std::size_t v = 0; v < n; ++v) {
-                lengths_[at(side)].push_back(options.thickness * base.edgeLengths[v]);
+                lengths_[side].push_back(options.thickness * base.edgeLengths[v]);
             }
         }
         wantedLengths_ = lengths_[0];
@@ -70,11 +66,11 @@ public:
         changed_.assign(n, 1);
         std::vector<char> unseen(n, 0);
         for (const int v : base.unseenVertices) {
-            unseen[at(v)] = 1;
+            unseen[v] = 1;
         }
         for (std::size_t f = 0; f < base.faces.size(); ++f) {
             for (const int v : base.faces[f]) {
-                blocked_[f] = static_cast<char>(blocked_[f] | unseen[at(v)]);
+                blocked_[f] = static_cast<char>(blocked_[f] | unseen[v]);
             }
         }
     }
@@ -90,7 +86,7 @@ public:
                 const Prism& prism = prisms_[f];
                 const bool isDirty =
                     std::any_of(prism.pillars.begin(), prism.pillars.end(), [&](int v) {
-                        return changed_[at(v)] != 0;
+                        return changed_[v] != 0;
                     });
                 for (const int slab : {kTop, kBottom}) {
                     if (isDirty && blocked_[f] == 0 && !slabIsUpright(prism, slab)) {
@@ -171,7 +167,7 @@ private:
     [[nodiscard]] bool slabIsUpright(const Prism& prism, int slab) const {
         const int wanted = slab == kTop ? prism.orientation : -prism.orientation;
         return bspline_curve::slabIsUpright(wanted, [&](int slot, bool outer) -> const Vec3& {
-            return layers_.point(at(outer ? slab : kMiddle), at(prism.pillars[at(slot)]));
+            return layers_.point(outer ? slab : kMiddle, prism.pillars[slot]);
         });
     }
 
@@ -184,7 +180,7 @@ private:
     }
 
     [[nodiscard]] bool canShrink(int v, int side) const {
-        return lengths_[at(side)][at(v)] > kLeastShare * wantedLengths_[at(v)];
+        return lengths_[side][v] > kLeastShare * wantedLengths_[v];
     }
 
     // Whether any of the half pillars could be marked.
@@ -192,7 +188,7 @@ private:
         bool any = false;
         for (const int v : vertices) {
             if (canShrink(v, side)) {
-                marks[at(side)][at(v)] = 1;
+                marks[side][v] = 1;
                 any = true;
             }
         }
@@ -205,7 +201,7 @@ private:
         for (const int point : triangle) {
             const int side = layerOf(point);
             if (side != kMiddle && canShrink(pillarOf(point), side)) {
-                marks[at(side)][at(pillarOf(point))] = 1;
+                marks[side][pillarOf(point)] = 1;
                 any = true;
             }
         }
@@ -224,8 +220,8 @@ private:
         for (std::size_t v = 0; v < changed_.size(); ++v) {
             changed_[v] = static_cast<char>(marks[kTop][v] | marks[kBottom][v]);
             for (const int side : {kTop, kBottom}) {
-                if (marks[at(side)][v] != 0) {
-                    lengths_[at(side)][v] *= factor;
+                if (marks[side][v] != 0) {
+                    lengths_[side][v] *= factor;
                 }
             }
             if (changed_[v] != 0) {
@@ -247,7 +243,7 @@ private:
             boundary.faces.push_back(static_cast<int>(f));
             Triangle& triangle = boundary.triangles.emplace_back();
             for (std::size_t k = 0; k < 3; ++k) {
-                triangle[k] = static_cast<int>(layers_.indexOf(at(layers[k]), at(pillars[k])));
+                triangle[k] = static_cast<int>(layers_.indexOf(layers[k], pillars[k]));
             }
         };
         for (std::size_t f = 0; f < prisms_.size(); ++f) {
@@ -259,9 +255,8 @@ private:
                 add(f, prism.pillars, {side, side, side});
             }
             for (std::size_t slot = 0; slot < 3; ++slot) {
-                const int there =
-                    base_.faceNeighbours[f][static_cast<std::size_t>(prism.faceCorner[slot])];
-                if (there >= 0 && blocked_[at(there)] == 0) {
+                const int there = base_.faceNeighbours[f][prism.faceCorner[slot]];
+                if (there >= 0 && blocked_[there] == 0) {
                     continue;
                 }
                 const auto [low, high] =
@@ -277,7 +272,7 @@ private:
 
     [[nodiscard]] bool isDirty(const Triangle& triangle) const {
         return std::any_of(triangle.begin(), triangle.end(), [&](int point) {
-            return changed_[at(pillarOf(point))] != 0;
+            return changed_[pillarOf(point)] != 0;
         });
     }
 
@@ -288,8 +283,8 @@ private:
         std::vector<std::pair<int, int>> pairs;
         const TriangleTree tree(layers_.points, triangles);
         tree.forEachOverlappingPair([&](int i, int j) {
-            const Triangle& first = triangles[at(i)];
-            const Triangle& second = triangles[at(j)];
+            const Triangle& first = triangles[i];
+            const Triangle& second = triangles[j];
             if ((isDirty(first) || isDirty(second)) &&
                 trianglesIntersect(layers_.points, first, second)) {
                 pairs.emplace_back(i, j);
@@ -304,10 +299,9 @@ private:
         const auto [faces, triangles] = boundary();
         const std::vector<std::pair<int, int>> pairs = intersectingPairs(triangles);
         for (const auto& [i, j] : pairs) {
-            const int f = faces[at(i)];
-            const int g = faces[at(j)];
-            if (f != g &&
-                trianglesIntersect(base_.vertices, base_.faces[at(f)], base_.faces[at(g)])) {
+            const int f = faces[i];
+            const int g = faces[j];
+            if (f != g && trianglesIntersect(base_.vertices, base_.faces[f], base_.faces[g])) {
                 blockCrossingFaces(freed);
                 continue;
             }
@@ -315,8 +309,8 @@ private:
                 blockPair(f, g, freed);
                 continue;
             }
-            const bool canShrinkFirst = markTipsForShrinking(marks, triangles[at(i)]);
-            const bool canShrinkSecond = markTipsForShrinking(marks, triangles[at(j)]);
+            const bool canShrinkFirst = markTipsForShrinking(marks, triangles[i]);
+            const bool canShrinkSecond = markTipsForShrinking(marks, triangles[j]);
             if (!canShrinkFirst && !canShrinkSecond) {
                 blockPair(f, g, freed);
             }
@@ -328,7 +322,7 @@ private:
         const std::vector<NestedVertex> nested =
             findNestedComponents(layers_, prisms_, base_.faceNeighbours, blocked_);
         for (const NestedVertex& found : nested) {
-            if (!markForShrinking(marks, found.slab, prisms_[at(found.prism)].pillars)) {
+            if (!markForShrinking(marks, found.slab, prisms_[found.prism].pillars)) {
                 block(found.prism, freed);
             }
         }
@@ -339,7 +333,7 @@ private:
         const std::vector<EvertedPrism> everted =
             findEvertedLayers(layers_, prisms_, base_.faceNeighbours, blocked_);
         for (const auto& [prism, slab] : everted) {
-            if (!markForShrinking(marks, slab, prisms_[at(prism)].pillars)) {
+            if (!markForShrinking(marks, slab, prisms_[prism].pillars)) {
                 block(prism, freed);
             }
         }
@@ -370,9 +364,9 @@ private:
     }
 
     void block(int face, std::vector<char>& freed) {
-        blocked_[at(face)] = 1;
-        for (const int v : base_.faces[at(face)]) {
-            freed[at(v)] = 1;
+        blocked_[face] = 1;
+        for (const int v : base_.faces[face]) {
+            freed[v] = 1;
         }
     }
 

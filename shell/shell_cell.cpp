@@ -12,10 +12,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 double sideOf(int tet) {
     return tet % kTetrahedraPerPrism < 3 ? 1.0 : -1.0;
 }
@@ -132,7 +128,7 @@ Entry ShellCell::enter(const Shell& shell, const ShellCell& from, int wall) {
     copyTetrahedron(from);
     int nextFace = from.face;
     if (wall < kFootFalls) {
-        nextFace = shell.base().faceNeighbours[at(from.face)][at(wall - kFirstFaceWall)];
+        nextFace = shell.base().faceNeighbours[from.face][wall - kFirstFaceWall];
         if (nextFace < 0 || shell.isBlocked(nextFace)) {
             return Entry::Outside;
         }
@@ -152,7 +148,7 @@ Entry ShellCell::enter(const Shell& shell, const ShellCell& from, int wall) {
 double ShellCell::insideness(const Vec3& p, int firstWall) const {
     double smallest = std::numeric_limits<double>::infinity();
     for (int k = firstWall; k < wallCount; ++k) {
-        smallest = std::min(smallest, walls[at(k)].at(p));
+        smallest = std::min(smallest, walls[k].at(p));
     }
     return smallest;
 }
@@ -178,10 +174,10 @@ void ShellCell::copyTetrahedron(const ShellCell& other) {
 void ShellCell::shadowInOwnPrism(const Shell& shell) {
     face = prism;
     wallCount = kFirstFaceWall;
-    const std::array<signed char, 3>& corner = shell.prisms()[at(prism)].faceCorner;
-    walls[at(kFirstFaceWall + corner[0])] = one() - beta_[0] - beta_[1];
-    walls[at(kFirstFaceWall + corner[1])] = beta_[0];
-    walls[at(kFirstFaceWall + corner[2])] = beta_[1];
+    const std::array<signed char, 3>& corner = shell.prisms()[prism].faceCorner;
+    walls[kFirstFaceWall + corner[0]] = one() - beta_[0] - beta_[1];
+    walls[kFirstFaceWall + corner[1]] = beta_[0];
+    walls[kFirstFaceWall + corner[2]] = beta_[1];
 }
 
 void ShellCell::setFoot(const Shell& shell, int tetrahedron) {
@@ -202,10 +198,10 @@ void ShellCell::setFoot(const Shell& shell, int tetrahedron) {
 bool ShellCell::setFace(const Shell& shell, int newFace) {
     face = newFace;
     const ShellBase& base = shell.base();
-    const Triangle& corners = base.faces[at(face)];
-    const Vec3& origin = base.vertices[at(corners[0])];
-    const Vec3 edge1 = base.vertices[at(corners[1])] - origin;
-    const Vec3 edge2 = base.vertices[at(corners[2])] - origin;
+    const Triangle& corners = base.faces[face];
+    const Vec3& origin = base.vertices[corners[0]];
+    const Vec3 edge1 = base.vertices[corners[1]] - origin;
+    const Vec3 edge2 = base.vertices[corners[2]] - origin;
     const std::array<double, 2> d1 = {
         footBeta_[0].gradient.dot(edge1), footBeta_[1].gradient.dot(edge1)
     };
@@ -213,7 +209,7 @@ bool ShellCell::setFace(const Shell& shell, int newFace) {
         footBeta_[0].gradient.dot(edge2), footBeta_[1].gradient.dot(edge2)
     };
     const double area = d1[0] * d2[1] - d1[1] * d2[0];
-    if (area * shell.prisms()[at(prism)].orientation <= 0.0) {
+    if (area * shell.prisms()[prism].orientation <= 0.0) {
         return false;
     }
     const double inverse = 1.0 / area;
@@ -274,15 +270,15 @@ void ShellCell::compose() {
 Vec3 directionAt(const Shell& shell, const ShellBase& base, const SurfacePoint& shadow) {
     Vec3 direction = Vec3::Zero();
     if (shell.isFullResolution()) {
-        const Prism& prism = shell.prisms()[at(shadow.face)];
+        const Prism& prism = shell.prisms()[shadow.face];
         for (std::size_t slot = 0; slot < 3; ++slot) {
-            const Pillar& pillar = shell.pillars()[at(prism.pillars[slot])];
+            const Pillar& pillar = shell.pillars()[prism.pillars[slot]];
             direction += shadow.barycentric[prism.faceCorner[slot]] * (pillar.top - pillar.bottom);
         }
     } else {
-        const Triangle& face = base.faces[at(shadow.face)];
+        const Triangle& face = base.faces[shadow.face];
         for (int corner = 0; corner < 3; ++corner) {
-            direction += shadow.barycentric[corner] * base.directions[at(face[at(corner)])];
+            direction += shadow.barycentric[corner] * base.directions[face[corner]];
         }
     }
     return direction.normalized();

@@ -68,7 +68,7 @@ struct ShellCell {
 
     /// The form of the shadow's barycentric coordinate at a vertex of the face.
     [[nodiscard]] const AffineForm& shadowForm(std::size_t corner) const {
-        return walls[static_cast<std::size_t>(kFirstFaceWall) + corner];
+        return walls[kFirstFaceWall + corner];
     }
 
     /// M_S(p): the barycentric coordinates of the shadow in its face (beyond a boundary: in the

@@ -9,17 +9,13 @@ namespace bspline_curve {
 
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// Numbers the pillars that prisms stand on, in order of first use.
 class PillarNumbers {
 public:
     explicit PillarNumbers(std::size_t pillarCount) : numbers_(pillarCount, -1) {}
 
     int numberOf(int pillar) {
-        int& number = numbers_[at(pillar)];
+        int& number = numbers_[pillar];
         if (number < 0) {
             number = static_cast<int>(used_.size());
             used_.push_back(pillar);
@@ -53,7 +49,7 @@ ShellLayers makeShellLayers(const Shell& shell, const ShellFrame& frame) {
     }
     layers.bottom.faces = layers.top.faces;
     for (const int pillar : numbers.used()) {
-        const Pillar& points = shell.pillars()[at(pillar)];
+        const Pillar& points = shell.pillars()[pillar];
         layers.top.vertices.push_back(frame.toUser(points.top));
         layers.bottom.vertices.push_back(frame.toUser(points.bottom));
     }

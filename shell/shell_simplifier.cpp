@@ -104,14 +104,11 @@ ShellBuild buildSimplifiedShell(
     simplify(editor, surface.creases, longestSideOf(surface.base), options, restPart);
     build.shell = exportShell(editor, base);
     for (int& face : build.report.blockedFaces) {
-        face = surface.originalFaces[static_cast<std::size_t>(face)];
+        face = surface.originalFaces[face];
     }
     std::ranges::sort(build.report.blockedFaces);
     for (auto& [f, g] : build.report.selfIntersections) {
-        const auto [low, high] = std::minmax(
-            {surface.originalFaces[static_cast<std::size_t>(f)],
-             surface.originalFaces[static_cast<std::size_t>(g)]}
-        );
+        const auto [low, high] = std::minmax({surface.originalFaces[f], surface.originalFaces[g]});
         f = low;
         g = high;
     }

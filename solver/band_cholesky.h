@@ -59,13 +59,9 @@ private:
 
     /// The blocks of a row of the lower triangle, so that block (row, column) is
     /// rowOf(row)[column]; only those in the band (or in the border) exist.
-    [[nodiscard]] Block* rowOf(int row) {
-        return blocks_.data() + offsets_[static_cast<std::size_t>(row)];
-    }
+    [[nodiscard]] Block* rowOf(int row) { return blocks_.data() + offsets_[row]; }
 
-    [[nodiscard]] const Block* rowOf(int row) const {
-        return blocks_.data() + offsets_[static_cast<std::size_t>(row)];
-    }
+    [[nodiscard]] const Block* rowOf(int row) const { return blocks_.data() + offsets_[row]; }
 
     [[nodiscard]] int firstColumn(int row) const;
 

@@ -10,10 +10,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // A curve that grazes a wall, or hardly moves, has a kink term without bound; this is the least |n
 // . P'| that counts, relative to |P'|, and |P'| relative to the length of the polygon of picks (the
 // curve turns back in a cusp: with terms of 1e20 no factorisation succeeds).
@@ -77,7 +73,7 @@ void addKink(
     const WallCrossing& crossing,
     DerivativeCollector& collector
 ) {
-    const Vec3 normal = -crossing.from.walls[at(crossing.wall)].gradient.normalized();
+    const Vec3 normal = -crossing.from.walls[crossing.wall].gradient.normalized();
     const Vec3 p = crossing.curve.at(crossing.tau);
     const Vec3 before = CellIntegrand(problem, weights, crossing.from).gradient(p);
     const Vec3 after = CellIntegrand(problem, weights, crossing.to).gradient(p);

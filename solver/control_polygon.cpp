@@ -9,10 +9,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Intervals of the way shorter than this are not halved any more: the polygon may then leave the
 // shell, which the sampled energy can bear.
 constexpr double kShortestInterval = 1e-3;
@@ -115,7 +111,7 @@ std::vector<double> averagedBreaks(
             const int c = closed ? i - degree / 2 + j : i + j;
             const int wrapped = (c % n + n) % n;
             const double turn = closed ? std::floor(static_cast<double>(c) / n) : 0.0;
-            sum += polygon[at(wrapped)].parameter + turn;
+            sum += polygon[wrapped].parameter + turn;
         }
         breaks.push_back(sum / degree);
     }
@@ -149,7 +145,7 @@ SplineCurve splineOf(const CurveProblem& problem, const GuidePath& guide, double
         // Closed: basis function c acts around break c - (degree - 1) / 2.
         const int source =
             closed ? (c - (degree - 1) / 2 + space.controlCount()) % space.controlCount() : c;
-        controls.row(c) = polygon[at(source)].position.transpose();
+        controls.row(c) = polygon[source].position.transpose();
     }
     return {std::move(space), std::move(controls)};
 }

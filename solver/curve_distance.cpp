@@ -12,17 +12,13 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 double distanceToShadow(const ShellBase& base, const ShellCell& cell, const Vec3& p) {
-    const Triangle& face = base.faces[at(cell.face)];
+    const Triangle& face = base.faces[cell.face];
     const Vec3 shadow = cell.shadow(p);
     Vec3 onSurface = Vec3::Zero();
     for (int corner = 0; corner < 3; ++corner) {
         // A ghost vertex stands for the boundary vertex that it grew from.
-        onSurface += shadow[corner] * base.vertices[at(base.surfaceVertex(face[at(corner)]))];
+        onSurface += shadow[corner] * base.vertices[base.surfaceVertex(face[corner])];
     }
     return (p - onSurface).norm();
 }
@@ -31,10 +27,10 @@ double distanceToShadow(const ShellBase& base, const ShellCell& cell, const Vec3
 // to it.
 double distanceToFaces(const ShellBase& base, int face, const Vec3& p) {
     const auto squaredDistanceTo = [&](int f) {
-        return closestPointOnTriangle(base.vertices, base.faces[at(f)], p).squaredDistance;
+        return closestPointOnTriangle(base.vertices, base.faces[f], p).squaredDistance;
     };
     double closest = squaredDistanceTo(face);
-    for (const int there : base.faceNeighbours[at(face)]) {
+    for (const int there : base.faceNeighbours[face]) {
         if (there >= 0 && there < base.surfaceFaceCount) {
             closest = std::min(closest, squaredDistanceTo(there));
         }
@@ -49,12 +45,12 @@ CurveDistance measureDistance(
 ) {
     CurveDistance result;
     const bool isOblique = !traced.shell.isFullResolution();
-    result.perSpan.assign(at(space.spanCount()), std::numeric_limits<double>::infinity());
+    result.perSpan.assign(space.spanCount(), std::numeric_limits<double>::infinity());
     const auto measureAt = [&](int span, const ShellCell& cell, const Vec3& p) {
         result.largestHeight = std::max(result.largestHeight, std::abs(cell.relativeHeight(p)));
         double distance = distanceToShadow(traced.base, cell, p);
         // The shadow bounds the distance from above, mostly below the largest so far.
-        double& ofSpan = result.perSpan[at(span)];
+        double& ofSpan = result.perSpan[span];
         if (distance > ofSpan && isOblique && !traced.shell.isGhost(cell.face)) {
             distance = distanceToFaces(traced.base, cell.face, p);
         }
@@ -70,7 +66,7 @@ CurveDistance measureDistance(
         ) {
             if (span != current) {
                 current = span;
-                result.perSpan[at(span)] = 0.0;
+                result.perSpan[span] = 0.0;
             }
             measureAt(span, cell, curve.at(tau0));
             measureAt(span, cell, curve.at(0.5 * (tau0 + tau1)));
@@ -79,7 +75,7 @@ CurveDistance measureDistance(
     result.largest = std::ranges::max(result.perSpan);
     if (!trace.isWhole) {
         // Where it leaves is on the span that was begun.
-        result.perSpan[at(trace.wholeSpans)] = std::numeric_limits<double>::infinity();
+        result.perSpan[trace.wholeSpans] = std::numeric_limits<double>::infinity();
         result.largest = std::numeric_limits<double>::infinity();
         result.largestHeight = 1.0;
     }

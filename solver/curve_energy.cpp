@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 CurveEnergy::CurveEnergy(
     const CurveProblem& problem,
     const SplineSpace& space,
@@ -59,7 +51,7 @@ double CurveEnergy::addFit(
     for (const InterpolationRow& row : rows_) {
         Vec3 gap = -row.target;
         for (int j = 0; j < space_.basisCount(); ++j) {
-            gap += row.values[at(j)] * controls.row(space_.control(row.span, j)).transpose();
+            gap += row.values[j] * controls.row(space_.control(row.span, j)).transpose();
         }
         energy += scale * gap.squaredNorm();
         if (derivatives != nullptr && weights.beta > 0.0) {
@@ -72,7 +64,7 @@ double CurveEnergy::addFit(
             );
             for (int axis = 0; axis < 3; ++axis) {
                 addRankOne(
-                    derivatives->hessian[at(row.span)],
+                    derivatives->hessian[row.span],
                     row.values,
                     Vec3::Unit(axis),
                     2.0 * scale * weights.beta,

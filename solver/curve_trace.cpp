@@ -6,10 +6,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // A point that a cell or a face holds has coordinates in [0, 1] up to its tolerance.
 Vec3 clamped(Vec3 barycentric) {
     barycentric = barycentric.cwiseMax(0.0);
@@ -33,12 +29,12 @@ SurfacePoint onSurface(const ShellBase& base, int face, const Vec3& barycentric)
     }
     int inner = face;
     while (inner >= base.surfaceFaceCount) {
-        inner = base.faceNeighbours[at(inner)][2];
+        inner = base.faceNeighbours[inner][2];
     }
     SurfacePoint point{inner, Vec3::Zero()};
     for (int corner = 0; corner < 3; ++corner) {
-        const int vertex = base.surfaceVertex(base.faces[at(face)][at(corner)]);
-        point.barycentric[cornerOf(base.faces[at(inner)], vertex)] += shadow[corner];
+        const int vertex = base.surfaceVertex(base.faces[face][corner]);
+        point.barycentric[cornerOf(base.faces[inner], vertex)] += shadow[corner];
     }
     return point;
 }

@@ -2,19 +2,11 @@
 #include "solver/energy_derivatives.h"
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 void EnergyDerivatives::reset(const SplineSpace& space) {
     const int size = 3 * space.basisCount();
     gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space.controlCount()));
-    hessian.assign(at(space.spanCount()), SpanMatrix::Zero(size, size));
-    negativeKinks.assign(at(space.spanCount()), SpanMatrix::Zero(size, size));
+    hessian.assign(space.spanCount(), SpanMatrix::Zero(size, size));
+    negativeKinks.assign(space.spanCount(), SpanMatrix::Zero(size, size));
 }
 
 void addRankOne(
@@ -28,14 +20,14 @@ void addRankOne(
     const int size = 3 * basisCount;
     for (int j = 0; j < basisCount; ++j) {
         for (int axis = 0; axis < 3; ++axis) {
-            v[at(3 * j + axis)] = basis[at(j)] * direction[axis];
+            v[3 * j + axis] = basis[j] * direction[axis];
         }
     }
     double* data = block.data();
     for (int j = 0; j < size; ++j) {
-        const double factor = scale * v[at(j)];
+        const double factor = scale * v[j];
         for (int i = 0; i < size; ++i) {
-            data[j * size + i] += factor * v[at(i)];
+            data[j * size + i] += factor * v[i];
         }
     }
 }
@@ -46,8 +38,8 @@ void DerivativeCollector::finish() {
     }
     const SplineSpace::BasisMatrix basis = space_.bernsteinBasis(span_);
     points_.addForcesTo(derivatives_.gradient, space_, span_, basis);
-    points_.addMatricesTo(derivatives_.hessian[at(span_)], basis, space_.basisCount());
-    negativeKinks_.addMatricesTo(derivatives_.negativeKinks[at(span_)], basis, space_.basisCount());
+    points_.addMatricesTo(derivatives_.hessian[span_], basis, space_.basisCount());
+    negativeKinks_.addMatricesTo(derivatives_.negativeKinks[span_], basis, space_.basisCount());
     points_.clear();
     negativeKinks_.clear();
 }
@@ -60,7 +52,7 @@ void addGradient(
     const Vec3& force
 ) {
     for (int j = 0; j < space.basisCount(); ++j) {
-        gradient.segment<3>(3 * space.control(span, j)) += basis[at(j)] * force;
+        gradient.segment<3>(3 * space.control(span, j)) += basis[j] * force;
     }
 }
 

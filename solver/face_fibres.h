@@ -15,8 +15,7 @@ namespace bspline_curve {
 /// its edges. The walls between the fibres of two faces are the same seen from either.
 class FaceFibres {
 public:
-    FaceFibres(const ShellBase& base, int face)
-        : FaceFibres(base, base.faces[static_cast<std::size_t>(face)]) {}
+    FaceFibres(const ShellBase& base, int face) : FaceFibres(base, base.faces[face]) {}
 
     /// A foot with a coordinate below this lies in another face for certain.
     static constexpr double kFarOutside = -0.3;
@@ -131,18 +130,16 @@ private:
     static constexpr double kLeastArea = 0.05;
 
     FaceFibres(const ShellBase& base, const Triangle& corners)
-        : corner_(base.vertices[static_cast<std::size_t>(corners[0])]),
-          direction_(base.directions[static_cast<std::size_t>(corners[0])]),
+        : corner_(base.vertices[corners[0]]),
+          direction_(base.directions[corners[0]]),
           edges_(
               PairOfVectors::of(
-                  base.vertices[static_cast<std::size_t>(corners[1])] - corner_,
-                  base.vertices[static_cast<std::size_t>(corners[2])] - corner_
+                  base.vertices[corners[1]] - corner_, base.vertices[corners[2]] - corner_
               )
           ),
           turns_(
               PairOfVectors::of(
-                  base.directions[static_cast<std::size_t>(corners[1])] - direction_,
-                  base.directions[static_cast<std::size_t>(corners[2])] - direction_
+                  base.directions[corners[1]] - direction_, base.directions[corners[2]] - direction_
               )
           ),
           leastDeterminant_(kLeastArea * direction_.dot(edges_.u().cross(edges_.v()))) {}
@@ -184,12 +181,12 @@ private:
 
 /// The same point seen from the face across the edge opposite to corner k, moved onto that edge.
 inline void carryOver(const ShellBase& base, int k, int across, FootPoint& foot) {
-    const Triangle& from = base.faces[static_cast<std::size_t>(foot.face)];
-    const Triangle& to = base.faces[static_cast<std::size_t>(across)];
+    const Triangle& from = base.faces[foot.face];
+    const Triangle& to = base.faces[across];
     const Vec3 before = foot.barycentric();
     Vec3 after = Vec3::Zero();
     for (int corner = 0; corner < 3; ++corner) {
-        const int slot = corner == k ? -1 : cornerOf(to, from[static_cast<std::size_t>(corner)]);
+        const int slot = corner == k ? -1 : cornerOf(to, from[corner]);
         if (slot >= 0) {
             after[slot] = std::clamp(before[corner], 0.0, 1.0);
         }

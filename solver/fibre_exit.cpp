@@ -128,8 +128,7 @@ double firstGuess(const PolynomialCurve& whole, double tau, const FibrePlace& he
     }
     double exit = 1.0 - tau;
     for (int k = 0; k < 3; ++k) {
-        std::array<double, kMaxPolynomialDegree + 1>& one =
-            coordinates[static_cast<std::size_t>(k)];
+        std::array<double, kMaxPolynomialDegree + 1>& one = coordinates[k];
         one[0] = barycentric[k];
         exit = std::min(exit, firstExit(one.data(), curve.degree, exit, 0.5 * kOnWall));
     }

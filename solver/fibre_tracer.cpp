@@ -14,10 +14,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A walk that turns this often on so small a share of a span goes round in a circle. Where fibres
 // cross, two faces may hand it back and forth, by 1e-14 of the span at a time.
@@ -57,7 +53,7 @@ public:
         while (!isLost_ && span_ < end) {
             isLost_ = !passSpan(span_);
             if (isLost_) {
-                distances_[at(span_)] = kInfinity;
+                distances_[span_] = kInfinity;
             } else {
                 ++span_;
             }
@@ -95,7 +91,7 @@ private:
 
     bool passSpan(int span) {
         const PolynomialCurve curve = space_.polynomial(controls_, span);
-        double& farthest = distances_[at(span)];
+        double& farthest = distances_[span];
         farthest = 0.0;
         here_.along = curve.coefficients[1];
         double tau = 0.0;
@@ -124,7 +120,7 @@ private:
                 farthest = std::max(farthest, distanceOf(here_));
                 return true;
             }
-            const int next = base_.faceNeighbours[at(here_.foot.face)][at(exit->wall)];
+            const int next = base_.faceNeighbours[here_.foot.face][exit->wall];
             if (next < 0) {
                 return false;
             }
@@ -162,18 +158,17 @@ private:
         if (place.foot.face < base_.surfaceFaceCount) {
             return std::abs(place.foot.height) * place.frame.direction.norm();
         }
-        const Triangle& face = base_.faces[at(place.foot.face)];
+        const Triangle& face = base_.faces[place.foot.face];
         const Vec3 barycentric = place.foot.barycentric();
         Vec3 onBoundary = Vec3::Zero();
         for (int corner = 0; corner < 3; ++corner) {
-            onBoundary +=
-                barycentric[corner] * base_.vertices[at(base_.surfaceVertex(face[at(corner)]))];
+            onBoundary += barycentric[corner] * base_.vertices[base_.surfaceVertex(face[corner])];
         }
         return (place.position - onBoundary).norm();
     }
 
     [[nodiscard]] double parameter(int span, double tau) const {
-        return space_.breaks()[at(span)] + tau * space_.spanLength(span);
+        return space_.breaks()[span] + tau * space_.spanLength(span);
     }
 
     const ShellBase& base_;
@@ -199,7 +194,7 @@ CurveDistance measureAlongFibres(
     const ShellBase& base = *problem.base;
     const int spans = space.spanCount();
     CurveDistance distance;
-    distance.perSpan.assign(at(spans), kInfinity);
+    distance.perSpan.assign(spans, kInfinity);
     const SurfacePoint& pick = problem.picks.front().point;
     FibreWalk walk(
         base,
@@ -228,7 +223,7 @@ CurveDistance measureAlongFibres(
         if (trace.isWhole &&
             std::abs(footAt(base, trace, space, controls, constraint.parameter).height) >
                 kAtPick * problem.distanceTolerance) {
-            distance.perSpan[at(space.spanAt(constraint.parameter))] = kInfinity;
+            distance.perSpan[space.spanAt(constraint.parameter)] = kInfinity;
             distance.largest = kInfinity;
         }
     }
@@ -245,7 +240,7 @@ FootPoint footAt(
 ) {
     const auto found = std::ranges::lower_bound(trace.pieces, t, {}, &FibreTrace::Piece::end);
     const FibreTrace::Piece& piece = found == trace.pieces.end() ? trace.pieces.back() : *found;
-    const double tau = (t - space.breaks()[at(piece.span)]) / space.spanLength(piece.span);
+    const double tau = (t - space.breaks()[piece.span]) / space.spanLength(piece.span);
     FootPoint foot = piece.foot;
     FootFrame frame;
     // The fibres do not cross on the piece, so this finds the foot.

@@ -23,10 +23,6 @@ constexpr double kRoundingEnergy = 1e-12;
 // So many spans at once are followed by one of two threads: for some microseconds.
 constexpr std::size_t kSpansAtOnce = 8;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // At the samples of a span, one column each: derivatives of the powers of tau.
 using SampleMatrix = Eigen::Matrix<
     double,
@@ -64,7 +60,7 @@ SpanControls controlsOf(const SplineSpace& space, const ControlPoints& controls,
     SpanControls result;
     for (int j = 0; j < space.basisCount(); ++j) {
         const double* const row = controls.data() + 3 * std::ptrdiff_t{space.control(span, j)};
-        result[at(j)] = {row[0], row[1], row[2]};
+        result[j] = {row[0], row[1], row[2]};
     }
     return result;
 }
@@ -75,7 +71,7 @@ inline Vec3 ambientForce(
 ) {
     Vec3 force = ambient(0, j) * controls[0];
     for (int k = 1; k < count; ++k) {
-        force += ambient(k, j) * controls[at(k)];
+        force += ambient(k, j) * controls[k];
     }
     return force;
 }
@@ -103,29 +99,29 @@ FootEnergy::FootEnergy(
         2.0 / (problem.chordLength * problem.chordLength) * (1.0 - problem.options.tension);
     const SampleMatrix powers = powersAtSamples(0, segments);
     const SampleMatrix secondPowers = powersAtSamples(2, segments);
-    samples_.resize(at(sampleCount()));
-    ambient_.resize(at(space.spanCount()));
+    samples_.resize(sampleCount());
+    ambient_.resize(space.spanCount());
     forEach(problem.side, space.spanCount(), kSpansAtOnce, [&](int span) {
         const double length = space.spanLength(span);
         const double weight = length / samplesPerSpan();
         const SampleMatrix values = space.basis(span) * powers;
         const SampleMatrix seconds = space.basis(span) * secondPowers / (length * length);
         for (int i = 0; i < samplesPerSpan(); ++i) {
-            const double t = space.breaks()[at(span)] + sampleParameter(i, segments) * length;
-            Sample& sample = samples_[at(span * samplesPerSpan() + i)];
+            const double t = space.breaks()[span] + sampleParameter(i, segments) * length;
+            Sample& sample = samples_[span * samplesPerSpan() + i];
             sample = {t, weight, -bending * normalShare * weight, {}, {}};
             std::ranges::copy(values.col(i), sample.basis.begin());
             std::ranges::copy(seconds.col(i), sample.second.begin());
         }
-        ambient_[at(span)] = ambientProducts(problem, space, span);
+        ambient_[span] = ambientProducts(problem, space, span);
     });
 }
 
 void FootEnergy::follow(const FootFinder& finder, FootedSpline& spline) const {
     const bool isKnown = !spline.positions.empty();
-    spline.positions.resize(at(sampleCount()));
-    spline.seconds.resize(at(sampleCount()));
-    std::vector<int> spans(at(space_.spanCount()));
+    spline.positions.resize(sampleCount());
+    spline.seconds.resize(sampleCount());
+    std::vector<int> spans(space_.spanCount());
     std::iota(spans.begin(), spans.end(), 0);
     followSpans(finder, isKnown, spans, spline);
 }
@@ -136,19 +132,19 @@ void FootEnergy::followRefined(
     const FootedSpline& coarse,
     FootedSpline& spline
 ) const {
-    spline.positions.resize(at(sampleCount()));
-    spline.seconds.resize(at(sampleCount()));
+    spline.positions.resize(sampleCount());
+    spline.seconds.resize(sampleCount());
     const int perSpan = samplesPerSpan();
     const std::vector<double>& breaks = space_.breaks();
     const std::vector<double>& coarseBreaks = before.space_.breaks();
     std::vector<int> cut;
     int from = 0;  // the span before that this one is or lies in
     for (int span = 0; span < space_.spanCount(); ++span) {
-        while (coarseBreaks[at(from + 1)] <= breaks[at(span)]) {
+        while (coarseBreaks[from + 1] <= breaks[span]) {
             ++from;
         }
-        const bool isWhole = coarseBreaks[at(from + 1)] == breaks[at(span + 1)] &&
-                             coarseBreaks[at(from)] == breaks[at(span)];
+        const bool isWhole =
+            coarseBreaks[from + 1] == breaks[span + 1] && coarseBreaks[from] == breaks[span];
         int near = from * perSpan;
         const int last = near + perSpan - 1;
         for (int sample = span * perSpan; sample < (span + 1) * perSpan; ++sample) {
@@ -158,10 +154,10 @@ void FootEnergy::followRefined(
             while (near < last && gapTo(near + 1) < gapTo(near)) {
                 ++near;
             }
-            spline.feet[at(sample)] = coarse.feet[at(near)];
-            spline.frames[at(sample)] = coarse.frames[at(near)];
-            spline.positions[at(sample)] = coarse.positions[at(near)];
-            spline.seconds[at(sample)] = coarse.seconds[at(near)];
+            spline.feet[sample] = coarse.feet[near];
+            spline.frames[sample] = coarse.frames[near];
+            spline.positions[sample] = coarse.positions[near];
+            spline.seconds[sample] = coarse.seconds[near];
         }
         if (!isWhole) {
             cut.push_back(span);
@@ -176,14 +172,14 @@ void FootEnergy::followSpans(
 ) const {
     const auto groups = static_cast<int>((spans.size() + kSpansAtOnce - 1) / kSpansAtOnce);
     forEach(problem_.side, groups, 1, [&](int group) {
-        const std::size_t first = at(group) * kSpansAtOnce;
+        const std::size_t first = group * kSpansAtOnce;
         const std::size_t count = std::min(kSpansAtOnce, spans.size() - first);
         std::array<FootFinder::Move, kSpansAtOnce * kMostSamples> moves;
         std::size_t end = 0;
         for (const int span : spans.subspan(first, count)) {
             placeSpan(isKnown, span, spline);
-            const std::size_t begin = at(span * samplesPerSpan());
-            for (std::size_t sample = begin; sample < begin + at(samplesPerSpan()); ++sample) {
+            const std::size_t begin = (span * samplesPerSpan());
+            for (std::size_t sample = begin; sample < begin + samplesPerSpan(); ++sample) {
                 moves[end++] = {
                     spline.positions[sample], &spline.feet[sample], &spline.frames[sample]
                 };
@@ -198,11 +194,11 @@ void FootEnergy::placeSpan(bool isKnown, int span, FootedSpline& spline) const {
     const int count = space_.basisCount();
     const int perSpan = samplesPerSpan();
     const SpanControls controls = controlsOf(space_, spline.controls, span);
-    for (std::size_t sample = at(span * perSpan); sample < at((span + 1) * perSpan); ++sample) {
+    for (int sample = span * perSpan; sample < (span + 1) * perSpan; ++sample) {
         const Sample& table = samples_[sample];
         Vec3 position = table.basis[0] * controls[0];
         Vec3 second = table.second[0] * controls[0];
-        for (std::size_t j = 1; j < at(count); ++j) {
+        for (int j = 1; j < count; ++j) {
             position += table.basis[j] * controls[j];
             second += table.second[j] * controls[j];
         }
@@ -217,27 +213,26 @@ void FootEnergy::placeSpan(bool isKnown, int span, FootedSpline& spline) const {
 }
 
 double FootEnergy::fieldAt(const FootPoint& foot) const {
-    const Triangle& face = problem_.base->faces[at(foot.face)];
+    const Triangle& face = problem_.base->faces[foot.face];
     const Vec3 barycentric = foot.barycentric();
-    return barycentric[0] * problem_.field[at(face[0])] +
-           barycentric[1] * problem_.field[at(face[1])] +
-           barycentric[2] * problem_.field[at(face[2])];
+    return barycentric[0] * problem_.field[face[0]] + barycentric[1] * problem_.field[face[1]] +
+           barycentric[2] * problem_.field[face[2]];
 }
 
 Vec3 FootEnergy::fieldGradient(const FootPoint& foot, const FootFrame& frame) const {
-    const Triangle& face = problem_.base->faces[at(foot.face)];
-    const double corner = problem_.field[at(face[0])];
-    return (problem_.field[at(face[1])] - corner) * frame.u +
-           (problem_.field[at(face[2])] - corner) * frame.v;
+    const Triangle& face = problem_.base->faces[foot.face];
+    const double corner = problem_.field[face[0]];
+    return (problem_.field[face[1]] - corner) * frame.u +
+           (problem_.field[face[2]] - corner) * frame.v;
 }
 
 // How far a foot lies beyond the boundary in a ghost face: 0 at the boundary, 1 at the outer rim.
 double FootEnergy::beyond(const FootPoint& foot) const {
-    const Triangle& face = problem_.base->faces[at(foot.face)];
+    const Triangle& face = problem_.base->faces[foot.face];
     const Vec3 barycentric = foot.barycentric();
     double sum = 0.0;
     for (int corner = 0; corner < 3; ++corner) {
-        if (face[at(corner)] >= problem_.base->surfaceVertexCount) {
+        if (face[corner] >= problem_.base->surfaceVertexCount) {
             sum += barycentric[corner];
         }
     }
@@ -245,7 +240,7 @@ double FootEnergy::beyond(const FootPoint& foot) const {
 }
 
 Vec3 FootEnergy::beyondGradient(const FootPoint& foot, const FootFrame& frame) const {
-    const Triangle& face = problem_.base->faces[at(foot.face)];
+    const Triangle& face = problem_.base->faces[foot.face];
     const auto isGhost = [&](std::size_t corner) {
         return face[corner] >= problem_.base->surfaceVertexCount ? 1.0 : 0.0;
     };
@@ -256,26 +251,25 @@ EnergyTerms FootEnergy::terms(
     const FootedSpline& spline, const std::vector<FootFrame>& frozen
 ) const {
     // In the order of differentiate(), so that both agree to the last digit.
-    std::vector<EnergyTerms> shares(at(space_.spanCount()));
+    std::vector<EnergyTerms> shares(space_.spanCount());
     const int n = space_.basisCount();
     forEach(problem_.side, space_.spanCount(), kSpansAtOnce, [&](int span) {
-        EnergyTerms& sum = shares[at(span)];
+        EnergyTerms& sum = shares[span];
         for (int sample = span * samplesPerSpan(); sample < (span + 1) * samplesPerSpan();
              ++sample) {
-            const Sample& table = samples_[at(sample)];
-            const FootPoint& foot = spline.feet[at(sample)];
+            const Sample& table = samples_[sample];
+            const FootPoint& foot = spline.feet[sample];
             sum.distance += distanceTerm(foot, table.weight);
             if (hasField()) {
                 sum.external +=
                     table.weight * fieldCost(problem_.options.fieldCost, fieldAt(foot)).value;
             }
-            const double along = frozen[at(sample)].direction.dot(spline.seconds[at(sample)]);
+            const double along = frozen[sample].direction.dot(spline.seconds[sample]);
             sum.internal += 0.5 * table.normalBending * along * along;
         }
         const SpanControls controls = controlsOf(space_, spline.controls, span);
         for (int j = 0; j < n; ++j) {
-            sum.internal +=
-                0.5 * controls[at(j)].dot(ambientForce(ambient_[at(span)], controls, n, j));
+            sum.internal += 0.5 * controls[j].dot(ambientForce(ambient_[span], controls, n, j));
         }
     });
     return std::accumulate(shares.begin(), shares.end(), EnergyTerms());
@@ -303,9 +297,9 @@ double FootEnergy::scale(const EnergyTerms& terms, double alpha) const {
 PointDerivatives FootEnergy::pointDerivatives(
     const FootedSpline& spline, double alpha, double turning, int sample, EnergyTerms& terms
 ) const {
-    const FootPoint& foot = spline.feet[at(sample)];
-    const FootFrame& frame = spline.frames[at(sample)];
-    const double weight = samples_[at(sample)].weight;
+    const FootPoint& foot = spline.feet[sample];
+    const FootFrame& frame = spline.frames[sample];
+    const double weight = samples_[sample].weight;
     const double stiffness = 2.0 * alpha * weight / (heightUnit_ * heightUnit_);
     PointDerivatives point = heightDerivatives(foot, frame, stiffness, turning);
     terms.distance += distanceTerm(foot, weight);
@@ -333,19 +327,19 @@ EnergyTerms FootEnergy::differentiate(
     Eigen::VectorXd& gradient,
     std::vector<SpanBlocks>& hessian
 ) const {
-    hessian.resize(at(space_.spanCount()));
-    std::vector<SpanForces> shares(at(space_.spanCount()));
+    hessian.resize(space_.spanCount());
+    std::vector<SpanForces> shares(space_.spanCount());
     forEach(problem_.side, space_.spanCount(), kSpansAtOnce, [&](int span) {
-        shares[at(span)] = differentiateSpan(spline, alpha, turning, span, hessian[at(span)]);
+        shares[span] = differentiateSpan(spline, alpha, turning, span, hessian[span]);
     });
     gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space_.controlCount()));
     EnergyTerms terms;
     for (int span = 0; span < space_.spanCount(); ++span) {
-        const SpanForces& share = shares[at(span)];
+        const SpanForces& share = shares[span];
         terms = terms + share.terms;
         for (int j = 0; j < space_.basisCount(); ++j) {
             gradient.segment<3>(3 * static_cast<Eigen::Index>(space_.control(span, j))) +=
-                share.forces[at(j)];
+                share.forces[j];
         }
     }
     return terms;
@@ -362,34 +356,33 @@ FootEnergy::SpanForces FootEnergy::differentiateSpan(
     std::array<Vec3, kMostSamples> bendForces;
     std::array<PackedMatrix, kMostSamples> seconds;
     std::array<PackedMatrix, kMostSamples> bends;
-    const Sample* const tables = &samples_[at(span * perSpan)];
+    const Sample* const tables = &samples_[span * perSpan];
     for (int i = 0; i < perSpan; ++i) {
         const int sample = span * perSpan + i;
-        const Vec3& direction = spline.frames[at(sample)].direction;
+        const Vec3& direction = spline.frames[sample].direction;
         const PointDerivatives point = pointDerivatives(spline, alpha, turning, sample, terms);
-        forces[at(i)] = point.force;
-        seconds[at(i)] = packed(point.second);
-        bends[at(i)] = packed(rankOne(direction, tables[i].normalBending));
-        const double along = direction.dot(spline.seconds[at(sample)]);
-        bendForces[at(i)] = tables[i].normalBending * along * direction;
+        forces[i] = point.force;
+        seconds[i] = packed(point.second);
+        bends[i] = packed(rankOne(direction, tables[i].normalBending));
+        const double along = direction.dot(spline.seconds[sample]);
+        bendForces[i] = tables[i].normalBending * along * direction;
         terms.internal += 0.5 * tables[i].normalBending * along * along;
     }
-    const SplineSpace::BasisMatrix& ambient = ambient_[at(span)];
+    const SplineSpace::BasisMatrix& ambient = ambient_[span];
     const SpanControls controls = controlsOf(space_, spline.controls, span);
     SymmetricMatrix* block = blocks.data();
     for (int j = 0; j < n; ++j) {
-        Vec3& force = result.forces[at(j)];
+        Vec3& force = result.forces[j];
         force = ambientForce(ambient, controls, n, j);
-        terms.internal += 0.5 * controls[at(j)].dot(force);
+        terms.internal += 0.5 * controls[j].dot(force);
         for (int i = 0; i < perSpan; ++i) {
-            force += tables[i].basis[at(j)] * forces[at(i)] +
-                     tables[i].second[at(j)] * bendForces[at(i)];
+            force += tables[i].basis[j] * forces[i] + tables[i].second[j] * bendForces[i];
         }
         for (int k = 0; k <= j; ++k, ++block) {
             PackedMatrix sum = packed({ambient(k, j), 0.0, 0.0, ambient(k, j), 0.0, ambient(k, j)});
             for (int i = 0; i < perSpan; ++i) {
-                sum += (tables[i].basis[at(j)] * tables[i].basis[at(k)]) * seconds[at(i)] +
-                       (tables[i].second[at(j)] * tables[i].second[at(k)]) * bends[at(i)];
+                sum += (tables[i].basis[j] * tables[i].basis[k]) * seconds[i] +
+                       (tables[i].second[j] * tables[i].second[k]) * bends[i];
             }
             Eigen::Map<PackedMatrix>(block->data()) = sum;
         }
@@ -401,15 +394,15 @@ std::vector<FootEnergy::Surprise> FootEnergy::surprises(
     const FootedSpline& before, const FootedSpline& spline, double alpha
 ) const {
     // All but the distance is quadratic, and of that the model leaves out how directions turn.
-    std::vector<Surprise> result(at(space_.spanCount()));
+    std::vector<Surprise> result(space_.spanCount());
     for (int sample = 0; sample < sampleCount(); ++sample) {
-        const double weight = samples_[at(sample)].weight;
-        const Vec3 moved = spline.positions[at(sample)] - before.positions[at(sample)];
-        FootPoint foreseen = before.feet[at(sample)];
-        FootFinder::predict(moved, before.frames[at(sample)], foreseen);
-        Surprise& span = result[at(sample / samplesPerSpan())];
-        span.energy += alpha * (distanceTerm(spline.feet[at(sample)], weight) -
-                                distanceTerm(foreseen, weight));
+        const double weight = samples_[sample].weight;
+        const Vec3 moved = spline.positions[sample] - before.positions[sample];
+        FootPoint foreseen = before.feet[sample];
+        FootFinder::predict(moved, before.frames[sample], foreseen);
+        Surprise& span = result[sample / samplesPerSpan()];
+        span.energy +=
+            alpha * (distanceTerm(spline.feet[sample], weight) - distanceTerm(foreseen, weight));
         span.squaredWay += weight * moved.squaredNorm();
     }
     return result;
@@ -420,18 +413,18 @@ void FootEnergy::addDamping(
 ) const {
     const int perSpan = samplesPerSpan();
     for (int span = 0; span < space_.spanCount(); ++span) {
-        if (damping[at(span)] == 0.0) {
+        if (damping[span] == 0.0) {
             continue;
         }
-        SymmetricMatrix* block = hessian[at(span)].data();
-        for (std::size_t j = 0; j < at(space_.basisCount()); ++j) {
-            for (std::size_t k = 0; k <= j; ++k, ++block) {
+        SymmetricMatrix* block = hessian[span].data();
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            for (int k = 0; k <= j; ++k, ++block) {
                 double product = 0.0;
                 for (int sample = span * perSpan; sample < (span + 1) * perSpan; ++sample) {
-                    const Sample& table = samples_[at(sample)];
+                    const Sample& table = samples_[sample];
                     product += table.weight * table.basis[j] * table.basis[k];
                 }
-                const double sum = 2.0 * damping[at(span)] * product;
+                const double sum = 2.0 * damping[span] * product;
                 *block += {sum, 0.0, 0.0, sum, 0.0, sum};
             }
         }
@@ -453,14 +446,14 @@ double FootEnergy::gainOfBulge(const FootedSpline& spline, double alpha, int spa
     Vec3 force = Vec3::Zero();
     for (int i = 0; i < perSpan; ++i) {
         const int sample = span * perSpan + i;
-        const Sample& table = samples_[at(sample)];
+        const Sample& table = samples_[sample];
         const double tau = sampleParameter(i, segments_);
         const double rest = 1.0 - tau;
         const double value = tau * tau * rest * rest;
         const double second = (2.0 - 12.0 * tau * rest) / (length * length);
         const PointDerivatives point = pointDerivatives(spline, alpha, 0.0, sample, unused);
-        const Vec3& direction = spline.frames[at(sample)].direction;
-        const Vec3& bending = spline.seconds[at(sample)];
+        const Vec3& direction = spline.frames[sample].direction;
+        const Vec3& bending = spline.seconds[sample];
         force += value * point.force +
                  second * table.normalBending * direction.dot(bending) * direction +
                  (second * scale * (1.0 - tension) * table.weight) * bending;

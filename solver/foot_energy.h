@@ -63,9 +63,7 @@ public:
 
     [[nodiscard]] int sampleCount() const { return space_.spanCount() * samplesPerSpan(); }
 
-    [[nodiscard]] double parameter(int sample) const {
-        return samples_[static_cast<std::size_t>(sample)].parameter;
-    }
+    [[nodiscard]] double parameter(int sample) const { return samples_[sample].parameter; }
 
     /// Finds the feet of all samples anew, each from where it is, or where it has been followed
     /// before, from where that predicts it to be; and their positions and second derivatives.

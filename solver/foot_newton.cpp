@@ -9,10 +9,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // A step that does not lower the energy is damped so often, and then shortened. Curves under a
 // field may have far to go down gentle slopes, for which damped steps are too short.
 constexpr int kMaxDampings = 4;
@@ -50,12 +46,12 @@ FootNewton::FootNewton(
       system_(space_, interpolationRows(space_, problem.picks)),
       now_{
           std::move(curve.controls),
-          std::vector<FootPoint>(at(energy_.sampleCount())),
-          std::vector<FootFrame>(at(energy_.sampleCount())),
+          std::vector<FootPoint>(energy_.sampleCount()),
+          std::vector<FootFrame>(energy_.sampleCount()),
           {},
           {}
       },
-      damping_(at(space_.spanCount()), 0.0) {}
+      damping_(space_.spanCount(), 0.0) {}
 
 std::optional<FootNewton::Step> FootNewton::step(const FootFinder& finder, double alpha) {
     for (double& damping : damping_) {

@@ -15,10 +15,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // From so many faces away feet are sought by way of patches first.
 constexpr double kManyFaces = 12.0;
 // Rounding: a foot on an edge is in both of its faces.
@@ -45,15 +41,15 @@ void forEachAcross(
 ) {
     const bool isFirstEnd = barycentric[(k + 1) % 3] <= 0.0;
     const bool isVertex = isFirstEnd || barycentric[(k + 2) % 3] <= 0.0;
-    const int centre = base.faces[at(face)][at((k + (isFirstEnd ? 2 : 1)) % 3)];
-    int other = base.faceNeighbours[at(face)][at(k)];
+    const int centre = base.faces[face][(k + (isFirstEnd ? 2 : 1)) % 3];
+    int other = base.faceNeighbours[face][k];
     for (int turn = 0; other >= 0 && other != face && turn < kMaxValence; ++turn) {
         visit(other);
         if (!isVertex) {
             return;
         }
-        const int slot = cornerOf(base.faces[at(other)], centre);
-        other = base.faceNeighbours[at(other)][at((slot + (isFirstEnd ? 1 : 2)) % 3)];
+        const int slot = cornerOf(base.faces[other], centre);
+        other = base.faceNeighbours[other][(slot + (isFirstEnd ? 1 : 2)) % 3];
     }
 }
 
@@ -67,7 +63,7 @@ struct FootFinder::WayOut {
 
     WayOut(const ShellBase& base, const FootPoint& foot)
         : least(foot.barycentric().minCoeff(&corner)),
-          face(base.faceNeighbours[at(foot.face)][at(corner)]) {}
+          face(base.faceNeighbours[foot.face][corner]) {}
 };
 
 void FootFinder::predict(const Vec3& moved, const FootFrame& frame, FootPoint& foot) {
@@ -103,18 +99,18 @@ void FootFinder::moveAll(std::span<const Move> moves) const {
 }
 
 void FootFinder::prefetchFace(int face) const {
-    prefetch(&base_.faces[at(face)]);
-    prefetch(&base_.faceNeighbours[at(face)]);
+    prefetch(&base_.faces[face]);
+    prefetch(&base_.faceNeighbours[face]);
 }
 
 void FootFinder::prefetchCorners(const Walk& walk) const {
     if (!walk.isFar && FaceFibres::isFarOutside(*walk.to.foot)) {
         return;
     }
-    for (const int corner : base_.faces[at(walk.to.foot->face)]) {
-        prefetch(&base_.vertices[at(corner)]);
+    for (const int corner : base_.faces[walk.to.foot->face]) {
+        prefetch(&base_.vertices[corner]);
         if (!walk.isFar) {
-            prefetch(&base_.directions[at(corner)]);
+            prefetch(&base_.directions[corner]);
         }
     }
 }
@@ -138,7 +134,7 @@ int FootFinder::faceTowards(const Vec3& p, int face, double facesAway) const {
     if (samples == nullptr) {
         return face;
     }
-    const auto cornerOf = [&](int of) { return at(base_.faces[at(of)][0]); };
+    const auto cornerOf = [&](int of) { return (base_.faces[of][0]); };
     int nearest = face;
     double least = (base_.vertices[cornerOf(face)] - p).squaredNorm();
     for (const int sample : *samples) {
@@ -163,10 +159,10 @@ int FootFinder::faceTowards(const Vec3& p, int face, double facesAway) const {
 void FootFinder::overFace(Walk& walk) const {
     const Vec3& p = walk.to.p;
     FootPoint& foot = *walk.to.foot;
-    const Triangle& corners = base_.faces[at(foot.face)];
-    const Vec3& corner = base_.vertices[at(corners[0])];
-    const Vec3 edgeU = base_.vertices[at(corners[1])] - corner;
-    const Vec3 edgeV = base_.vertices[at(corners[2])] - corner;
+    const Triangle& corners = base_.faces[foot.face];
+    const Vec3& corner = base_.vertices[corners[0]];
+    const Vec3 edgeU = base_.vertices[corners[1]] - corner;
+    const Vec3 edgeV = base_.vertices[corners[2]] - corner;
     const Vec3 gap = p - corner;
     const Vec3 normal = edgeU.cross(edgeV);
     const double area = normal.squaredNorm();
@@ -183,7 +179,7 @@ void FootFinder::overFace(Walk& walk) const {
             return;
         }
     }
-    const int next = base_.faceNeighbours[at(foot.face)][at(outer)];
+    const int next = base_.faceNeighbours[foot.face][outer];
     if (least < FaceFibres::kFarOutside * area && next >= 0 && next != walk.previous) {
         walk.previous = foot.face;
         enter(next, walk);
@@ -266,7 +262,7 @@ void FootFinder::giveUp(Walk& walk) const {
 // Descends from the face where the walk ended, or from that where it began if this is nearer.
 void FootFinder::toNearest(const Vec3& p, int start, FootPoint& foot, FootFrame& frame) const {
     const auto nearestIn = [&](int face) {
-        return closestPointOnTriangle(base_.vertices, base_.faces[at(face)], p);
+        return closestPointOnTriangle(base_.vertices, base_.faces[face], p);
     };
     int face = foot.face;
     ClosestPointOnTriangle nearest = nearestIn(face);

@@ -12,10 +12,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Next to a sharp corner of the guide spans are halved one by one; more than 16 fits were needed
 // once in 350 curves.
 constexpr int kMaxFits = 40;
@@ -50,7 +46,7 @@ std::vector<double> firstBreaks(const CurveProblem& problem) {
 std::vector<SpanTarget> targetsOf(const GuidePath& guide, const SplineSpace& space) {
     std::vector<SpanTarget> targets;
     for (int span = 0; span < space.spanCount(); ++span) {
-        targets.emplace_back(guide, space.breaks()[at(span)], space.breaks()[at(span) + 1]);
+        targets.emplace_back(guide, space.breaks()[span], space.breaks()[span + 1]);
     }
     return targets;
 }
@@ -85,7 +81,7 @@ bool spanIsInside(
     int span
 ) {
     const PolynomialCurve curve = space.polynomial(controls, span);
-    const GuidePath::Point& near = guide.points[guide.indexAt(space.breaks()[at(span)])];
+    const GuidePath::Point& near = guide.points[guide.indexAt(space.breaks()[span])];
     TraceState state{ShellCell(*problem.shell, near.point)};
     double highest = 0.0;
     double least = 1.0;
@@ -100,9 +96,7 @@ bool spanIsInside(
     return walkStraight(*problem.shell, near.position, curve.coefficients[0], state) &&
            tracePolynomial(*problem.shell, curve, 1.0, state, measure, ignoreCrossing) &&
            highest < highestStart &&
-           least >= neededClearance(
-                        problem, guide, space.breaks()[at(span)], space.breaks()[at(span) + 1]
-                    );
+           least >= neededClearance(problem, guide, space.breaks()[span], space.breaks()[span + 1]);
 }
 
 }  // namespace
@@ -139,12 +133,12 @@ SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, doub
         std::vector<SpanTarget> finerTargets;
         for (int span = 0; span < space.spanCount(); ++span) {
             const PolynomialCurve curve = space.polynomial(controls, span);
-            const double begin = breaks[at(span)];
-            const double end = breaks[at(span) + 1];
+            const double begin = breaks[span];
+            const double end = breaks[span + 1];
             bool isFar = false;
             for (int i = 0; i < SpanTarget::kSamples && !isFar; ++i) {
-                isFar = (curve.at(SpanTarget::tau(i)) - targets[at(span)].positions[at(i)]).norm() >
-                        distance;
+                isFar =
+                    (curve.at(SpanTarget::tau(i)) - targets[span].positions[i]).norm() > distance;
             }
             if (isFar && 0.5 * space.spanLength(span) >= problem.options.minimumSpan) {
                 const double middle = 0.5 * (begin + end);
@@ -152,7 +146,7 @@ SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, doub
                 finerTargets.emplace_back(guide, begin, middle);
                 finerTargets.emplace_back(guide, middle, end);
             } else {
-                finerTargets.push_back(targets[at(span)]);
+                finerTargets.push_back(targets[span]);
             }
             finer.push_back(end);
         }
@@ -174,9 +168,9 @@ std::optional<SplineCurve> fitGuidePath(const CurveProblem& problem, const Guide
         std::vector<double> finer{breaks.front()};
         for (int span = 0; span < space.spanCount(); ++span) {
             if (!spanIsInside(problem, guide, space, controls, highestStart, span)) {
-                finer.push_back(0.5 * (breaks[at(span)] + breaks[at(span) + 1]));
+                finer.push_back(0.5 * (breaks[span] + breaks[span + 1]));
             }
-            finer.push_back(breaks[at(span) + 1]);
+            finer.push_back(breaks[span + 1]);
         }
         if (finer.size() == breaks.size()) {
             return SplineCurve{std::move(space), std::move(controls)};

@@ -11,10 +11,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // The integrals over tau of the products of derivatives of tau^a and tau^b.
 SplineSpace::BasisMatrix powerProducts(int order) {
     const auto falling = [order](int m) {
@@ -51,7 +47,7 @@ std::optional<BendingDirections> directionsInCells(
             for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
                 const double tau = tau0 + (tau1 - tau0) * kGaussNodes[i];
                 result.samples.push_back(
-                    {space.breaks()[at(span)] + tau * space.spanLength(span),
+                    {space.breaks()[span] + tau * space.spanLength(span),
                      kGaussWeights[i] * (tau1 - tau0) * space.spanLength(span),
                      directionIn(problem, cell, curve.at(tau))}
                 );
@@ -82,7 +78,7 @@ std::optional<BendingDirections> directionsAtSamples(
                 return std::nullopt;
             }
             result.samples.push_back(
-                {space.breaks()[at(span)] + tau * space.spanLength(span),
+                {space.breaks()[span] + tau * space.spanLength(span),
                  0.5 * space.spanLength(span) / segments,
                  directionIn(problem, walker.cell(), walker.position())}
             );
@@ -136,13 +132,13 @@ SplineSpace::BasisMatrix ambientProducts(
 InternalEnergy::InternalEnergy(const CurveProblem& problem, const SplineSpace& space)
     : problem_(problem), space_(space) {
     const int n = space.basisCount();
-    ambient_.assign(at(space.spanCount()), SpanMatrix::Zero(3 * n, 3 * n));
+    ambient_.assign(space.spanCount(), SpanMatrix::Zero(3 * n, 3 * n));
     for (int span = 0; span < space.spanCount(); ++span) {
         const SplineSpace::BasisMatrix products = ambientProducts(problem, space, span);
         for (int j1 = 0; j1 < n; ++j1) {
             for (int j2 = 0; j2 < n; ++j2) {
                 for (int axis = 0; axis < 3; ++axis) {
-                    ambient_[at(span)](3 * j1 + axis, 3 * j2 + axis) = products(j1, j2);
+                    ambient_[span](3 * j1 + axis, 3 * j2 + axis) = products(j1, j2);
                 }
             }
         }
@@ -156,19 +152,17 @@ void InternalEnergy::setDirections(const BendingDirections& directions) {
                          (1.0 - problem_.options.tension) *
                          (1.0 - problem_.options.normalBendingWeight);
     const auto addTo = [&](int span, SpanMoments& moments) {
-        moments.addMatricesTo(
-            internal_[at(span)], space_.bernsteinBasis(span, 2), space_.basisCount()
-        );
+        moments.addMatricesTo(internal_[span], space_.bernsteinBasis(span, 2), space_.basisCount());
         moments.clear();
     };
     int span = 0;
     SpanMoments moments(space_.degree() - 2);
     for (const BendingDirections::Sample& sample : directions.samples) {
-        while (span + 1 < space_.spanCount() && sample.parameter > space_.breaks()[at(span) + 1]) {
+        while (span + 1 < space_.spanCount() && sample.parameter > space_.breaks()[span + 1]) {
             addTo(span, moments);
             ++span;
         }
-        const double tau = (sample.parameter - space_.breaks()[at(span)]) / space_.spanLength(span);
+        const double tau = (sample.parameter - space_.breaks()[span]) / space_.spanLength(span);
         moments.addMatrix(tau, rankOne(sample.direction, scale * sample.weight));
     }
     addTo(span, moments);
@@ -183,14 +177,14 @@ double InternalEnergy::add(const ControlPoints& controls, EnergyDerivatives* der
         for (int j = 0; j < n; ++j) {
             x.segment<3>(3 * j) = controls.row(space_.control(span, j)).transpose();
         }
-        hx.noalias() = internal_[at(span)] * x;
+        hx.noalias() = internal_[span] * x;
         energy += 0.5 * x.dot(hx);
         if (derivatives != nullptr) {
             for (int j = 0; j < n; ++j) {
                 derivatives->gradient.segment<3>(3 * space_.control(span, j)) +=
                     hx.segment<3>(3 * j);
             }
-            derivatives->hessian[at(span)] += internal_[at(span)];
+            derivatives->hessian[span] += internal_[span];
         }
     }
     return energy;

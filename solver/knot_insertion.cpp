@@ -12,10 +12,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Spans that together promise this share of the gain are halved at once: 0.7 costs twice the
 // rounds, 1.0 more knots.
 constexpr double kShareOfGain = 0.9;
@@ -33,10 +29,10 @@ std::vector<double> halveSpans(
 ) {
     std::vector<double> breaks{space.breaks().front()};
     for (int span = 0; span < space.spanCount(); ++span) {
-        if (marked[at(span)] != 0 && canHalve(space, span, minimumSpan)) {
-            breaks.push_back(0.5 * (space.breaks()[at(span)] + space.breaks()[at(span) + 1]));
+        if (marked[span] != 0 && canHalve(space, span, minimumSpan)) {
+            breaks.push_back(0.5 * (space.breaks()[span] + space.breaks()[span + 1]));
         }
-        breaks.push_back(space.breaks()[at(span) + 1]);
+        breaks.push_back(space.breaks()[span + 1]);
     }
     return breaks;
 }
@@ -50,11 +46,11 @@ KnotDemand predictGain(
     int segments
 ) {
     KnotDemand gain;
-    gain.perSpan.assign(at(space.spanCount()), 0.0);
+    gain.perSpan.assign(space.spanCount(), 0.0);
     const SplineSpace fine(
         space.degree(),
         space.closed(),
-        halveSpans(space, std::vector<char>(at(space.spanCount()), 1), 0.0)
+        halveSpans(space, std::vector<char>(space.spanCount(), 1), 0.0)
     );
     const ControlPoints fineControls = refine(space, controls, fine);
     const std::vector<InterpolationRow> rows = interpolationRows(fine, problem.picks);
@@ -98,7 +94,7 @@ KnotDemand predictGain(
             local.segment<3>(3 * j) =
                 step->direction.segment<3>(3 * static_cast<Eigen::Index>(fine.control(span, j)));
         }
-        gain.perSpan[at(span / 2)] += 0.5 * local.dot(derivatives.hessian[at(span)] * local);
+        gain.perSpan[span / 2] += 0.5 * local.dot(derivatives.hessian[span] * local);
     }
     return gain;
 }
@@ -109,13 +105,13 @@ std::vector<double> halveLargest(
     std::vector<int> order;
     double sum = 0.0;
     for (int span = 0; span < space.spanCount(); ++span) {
-        if (canHalve(space, span, minimumSpan) && gain.perSpan[at(span)] > 0.0) {
+        if (canHalve(space, span, minimumSpan) && gain.perSpan[span] > 0.0) {
             order.push_back(span);
-            sum += gain.perSpan[at(span)];
+            sum += gain.perSpan[span];
         }
     }
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return gain.perSpan[at(a)] > gain.perSpan[at(b)];
+        return gain.perSpan[a] > gain.perSpan[b];
     });
     std::vector<char> marked(gain.perSpan.size(), 0);
     double reached = 0.0;
@@ -123,8 +119,8 @@ std::vector<double> halveLargest(
         if (reached >= kShareOfGain * sum) {
             break;
         }
-        reached += gain.perSpan[at(span)];
-        marked[at(span)] = 1;
+        reached += gain.perSpan[span];
+        marked[span] = 1;
     }
     return halveSpans(space, marked, minimumSpan);
 }
@@ -136,7 +132,7 @@ KnotDemand featureFunction(
     const EnergyWeights& weights
 ) {
     KnotDemand feature;
-    feature.perSpan.assign(at(space.spanCount()), 0.0);
+    feature.perSpan.assign(space.spanCount(), 0.0);
     const double tension = problem.options.tension;
     const auto onPiece = [&](int span,
                              const PolynomialCurve& curve,
@@ -145,13 +141,13 @@ KnotDemand featureFunction(
                              double tau1) {
         const double length = space.spanLength(span);
         const double tau = 0.5 * (tau0 + tau1);
-        const Triangle& face = problem.base->faces[at(cell.face)];
+        const Triangle& face = problem.base->faces[cell.face];
         // Within a cell the shadow is an affine image of the curve, so are its derivatives.
         const auto shadowOf = [&](const Vec3& derivative) {
             Vec3 image = Vec3::Zero();
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 image += cell.shadowForm(corner).gradient.dot(derivative) *
-                         problem.base->vertices[at(face[corner])];
+                         problem.base->vertices[face[corner]];
             }
             return image;
         };
@@ -159,10 +155,10 @@ KnotDemand featureFunction(
         const Vec3 second = curve.secondDerivativeAt(tau) / (length * length);
         const double height =
             std::min(std::abs(cell.relativeHeight(curve.at(tau))), kHighest * weights.barrierWidth);
-        feature.perSpan[at(span)] += (tau1 - tau0) * length *
-                                     (tension * (first - shadowOf(first)).squaredNorm() +
-                                      (1.0 - tension) * (second - shadowOf(second)).squaredNorm() +
-                                      weights.alpha * barrierValue(height, weights.barrierWidth));
+        feature.perSpan[span] += (tau1 - tau0) * length *
+                                 (tension * (first - shadowOf(first)).squaredNorm() +
+                                  (1.0 - tension) * (second - shadowOf(second)).squaredNorm() +
+                                  weights.alpha * barrierValue(height, weights.barrierWidth));
     };
     traceCurve(
         tracedShellOf(problem),
@@ -182,14 +178,13 @@ std::vector<double> insertByFeature(
     std::vector<double> breaks{space.breaks().front()};
     for (int span = 0; span < space.spanCount(); ++span) {
         const double length = space.spanLength(span);
-        const int wanted =
-            average > 0.0 ? static_cast<int>(feature.perSpan[at(span)] / average) : 0;
+        const int wanted = average > 0.0 ? static_cast<int>(feature.perSpan[span] / average) : 0;
         const int allowed = static_cast<int>(length / minimumSpan) - 1;
         const int count = std::clamp(wanted, 0, std::max(0, allowed));
         for (int i = 1; i <= count; ++i) {
-            breaks.push_back(space.breaks()[at(span)] + length * i / (count + 1));
+            breaks.push_back(space.breaks()[span] + length * i / (count + 1));
         }
-        breaks.push_back(space.breaks()[at(span) + 1]);
+        breaks.push_back(space.breaks()[span + 1]);
     }
     return breaks;
 }

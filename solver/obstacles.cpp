@@ -9,10 +9,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // J falls by no more than this at the middle of an edge with both ends on the region: three such
 // edges leave 0 in the middle of their face.
 constexpr double kDeepestBulge = 0.75;
@@ -31,23 +27,23 @@ Obstacles::Obstacles(
         values_.push_back(1.0 - distance / margin);
     }
     for (const int origin : base.ghostOrigin) {
-        values_.push_back(values_[at(origin)]);
+        values_.push_back(values_[origin]);
     }
     for (const int f : region) {
-        kinds_[at(f)] = Kind::Avoided;
+        kinds_[f] = Kind::Avoided;
     }
     for (std::size_t f = 0; f < base.faces.size(); ++f) {
         // A ghost collapses onto an edge of the face that it leads to.
         int inner = static_cast<int>(f);
         while (inner >= base.surfaceFaceCount) {
-            inner = base.faceNeighbours[at(inner)][2];
+            inner = base.faceNeighbours[inner][2];
         }
-        if (kinds_[at(inner)] == Kind::Avoided) {
+        if (kinds_[inner] == Kind::Avoided) {
             kinds_[f] = Kind::Avoided;
             continue;
         }
         const Triangle& corners = base.faces[f];
-        if (std::ranges::any_of(corners, [&](int v) { return values_[at(v)] > 0.0; })) {
+        if (std::ranges::any_of(corners, [&](int v) { return values_[v] > 0.0; })) {
             kinds_[f] = Kind::Affine;
         }
         Bulges bulges{};
@@ -55,9 +51,9 @@ Obstacles::Obstacles(
             const int v = base.surfaceVertex(corners[(k + 1) % 3]);
             const int w = base.surfaceVertex(corners[(k + 2) % 3]);
             const int behind = base.faceNeighbours[f][k];
-            const bool isFree = behind < 0 || kinds_[at(behind)] != Kind::Avoided;
-            if (isFree && v != w && values_[at(v)] == 1.0 && values_[at(w)] == 1.0) {
-                const Vec3 edge = surface.vertices()[at(v)] - surface.vertices()[at(w)];
+            const bool isFree = behind < 0 || kinds_[behind] != Kind::Avoided;
+            if (isFree && v != w && values_[v] == 1.0 && values_[w] == 1.0) {
+                const Vec3 edge = surface.vertices()[v] - surface.vertices()[w];
                 // The middle of the edge is half its length away from the region.
                 bulges[k] = -4.0 * std::min(kDeepestBulge, 0.5 * edge.norm() / margin);
                 kinds_[f] = Kind::Bulging;
@@ -73,12 +69,12 @@ double Obstacles::closeness(const SurfacePoint& point) const {
     if (isAvoided(point.face)) {
         return 1.0;
     }
-    const Triangle& corners = base_.faces[at(point.face)];
+    const Triangle& corners = base_.faces[point.face];
     const Bulges bulges = bulgesOf(point.face);
     double sum = 0.0;
     for (int k = 0; k < 3; ++k) {
-        sum += point.barycentric[k] * values_[at(corners[at(k)])] +
-               bulges[at(k)] * point.barycentric[(k + 1) % 3] * point.barycentric[(k + 2) % 3];
+        sum += point.barycentric[k] * values_[corners[k]] +
+               bulges[k] * point.barycentric[(k + 1) % 3] * point.barycentric[(k + 2) % 3];
     }
     return sum;
 }
@@ -139,9 +135,9 @@ ClosenessForm::ClosenessForm(
     const Obstacles& obstacles, const ShellBase& base, const ShellCell& cell
 )
     : hasBulges_(obstacles.kindOf(cell.face) == Obstacles::Kind::Bulging) {
-    const Triangle& corners = base.faces[static_cast<std::size_t>(cell.face)];
+    const Triangle& corners = base.faces[cell.face];
     for (std::size_t k = 0; k < 3; ++k) {
-        affine_ += obstacles.values_[static_cast<std::size_t>(corners[k])] * cell.shadowForm(k);
+        affine_ += obstacles.values_[corners[k]] * cell.shadowForm(k);
     }
     if (hasBulges_) {
         bulges_ = obstacles.bulgesOf(cell.face);

@@ -48,7 +48,7 @@ private:
     // J is the sum of J_v lambda_v and of bulge[k] lambda_(k + 1) lambda_(k + 2).
     using Bulges = std::array<double, 3>;
 
-    [[nodiscard]] Kind kindOf(int face) const { return kinds_[static_cast<std::size_t>(face)]; }
+    [[nodiscard]] Kind kindOf(int face) const { return kinds_[face]; }
 
     [[nodiscard]] Bulges bulgesOf(int face) const {
         const auto found = bulges_.find(face);

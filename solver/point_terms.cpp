@@ -10,19 +10,15 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Crossings of edges that end on what is avoided may be as close as this: rounding.
 constexpr double kClosestKink = 1.0 - 1e-12;
 
 // The field I(M_S(p)) in a cell.
 AffineForm fieldForm(const CurveProblem& problem, const ShellCell& cell) {
     AffineForm form;
-    const Triangle& face = problem.base->faces[at(cell.face)];
+    const Triangle& face = problem.base->faces[cell.face];
     for (std::size_t corner = 0; corner < 3; ++corner) {
-        const double value = problem.field[at(face[corner])];
+        const double value = problem.field[face[corner]];
         form += value * cell.shadowForm(corner);
     }
     return form;
@@ -31,7 +27,7 @@ AffineForm fieldForm(const CurveProblem& problem, const ShellCell& cell) {
 // How far p lies beyond the boundary in a ghost cell: 0 at the boundary, 1 at the outer rim.
 AffineForm beyondForm(const CurveProblem& problem, const ShellCell& cell) {
     AffineForm form;
-    const Triangle& face = problem.base->faces[at(cell.face)];
+    const Triangle& face = problem.base->faces[cell.face];
     for (std::size_t corner = 0; corner < 3; ++corner) {
         if (face[corner] >= problem.base->surfaceVertexCount) {
             form += cell.shadowForm(corner);

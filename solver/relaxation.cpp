@@ -19,10 +19,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // The first curve is a fit to the guide within this share of the length of the polygon of picks.
 // 0.01 takes 40 % more steps, 0.002 makes curves stick to where they start.
 constexpr double kFirstDistance = 0.0031;
@@ -211,7 +207,7 @@ private:
                 ++near;
             }
             const SurfacePoint& point = guide.points[near].point;
-            now().feet[at(sample)] = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
+            now().feet[sample] = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
         }
         newton_->follow(finder_);
     }
@@ -306,9 +302,9 @@ private:
 
     [[nodiscard]] std::vector<double> chooseBreaks() {
         KnotDemand gain;
-        gain.perSpan.resize(at(space().spanCount()));
+        gain.perSpan.resize(space().spanCount());
         forEach(problem_.side, space().spanCount(), kSpansAtOnce, [&](int span) {
-            gain.perSpan[at(span)] = energy().gainOfBulge(now(), alpha_, span);
+            gain.perSpan[span] = energy().gainOfBulge(now(), alpha_, span);
         });
         gain.total = std::accumulate(gain.perSpan.begin(), gain.perSpan.end(), 0.0);
         const double scale = energy().scale(energy().terms(now(), now().frames), alpha_);
@@ -326,11 +322,11 @@ private:
             trace_ = std::move(distance.trace);
             return true;
         }
-        std::vector<char> marked(at(space().spanCount()), 0);
+        std::vector<char> marked(space().spanCount(), 0);
         for (int span = 0; span < space().spanCount(); ++span) {
             // Beyond the span on which the curve leaves the shell nothing is known.
-            const bool isKnown = span == 0 || std::isfinite(distance.perSpan[at(span) - 1]);
-            marked[at(span)] = distance.perSpan[at(span)] >= tolerance_ && isKnown ? 1 : 0;
+            const bool isKnown = span == 0 || std::isfinite(distance.perSpan[span - 1]);
+            marked[span] = distance.perSpan[span] >= tolerance_ && isKnown ? 1 : 0;
         }
         breaks = halveSpans(space(), marked, options_.minimumSpan);
         return false;
@@ -345,7 +341,7 @@ private:
     // The start of the middle span, from its first sample.
     [[nodiscard]] FootOfSpan footAtMiddle() {
         const int span = space().spanCount() / 2;
-        const std::size_t sample = at(span * energy().samplesPerSpan());
+        const std::size_t sample = (span * energy().samplesPerSpan());
         FootPoint foot = now().feet[sample];
         FootFrame frame = now().frames[sample];
         const Vec3 start = space().polynomial(now().controls, span).coefficients[0];

@@ -16,7 +16,7 @@ inline constexpr std::array<double, 2> kPairNodes = {0.21132486540518712, 0.7886
 
 /// tau of sample i of the 2 M on a span.
 [[nodiscard]] inline double sampleParameter(int i, int segments) {
-    return (i / 2 + kPairNodes[static_cast<std::size_t>(i % 2)]) / segments;
+    return (i / 2 + kPairNodes[i % 2]) / segments;
 }
 
 /// Follows samples of a curve through the shell, from each to the next by a straight walk, and back

@@ -8,14 +8,6 @@
 #include <utility>
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 SurfacePoint crossingPoint(
     const TracedShell& traced,
     const PolynomialCurve& curve,
@@ -24,10 +16,10 @@ SurfacePoint crossingPoint(
     const ShellCell& to
 ) {
     Vec3 shadow = from.shadow(curve.at(tau));
-    const Triangle& face = traced.base.faces[at(from.face)];
-    const Triangle& other = traced.base.faces[at(to.face)];
+    const Triangle& face = traced.base.faces[from.face];
+    const Triangle& other = traced.base.faces[to.face];
     for (int corner = 0; corner < 3; ++corner) {
-        if (cornerOf(other, face[at(corner)]) < 0) {
+        if (cornerOf(other, face[corner]) < 0) {
             shadow[corner] = 0.0;
         }
     }
@@ -63,7 +55,7 @@ SurfacePoint ShadowCurve::on(const CellTrace& trace, double t) const {
     const auto found = std::ranges::lower_bound(trace.pieces, t, {}, &CellTrace::Piece::end);
     const CellTrace::Piece& piece = found == trace.pieces.end() ? trace.pieces.back() : *found;
     const double tau =
-        (t - space_.breaks()[bspline_curve::at(piece.span)]) / space_.spanLength(piece.span);
+        (t - space_.breaks()[piece.span]) / space_.spanLength(piece.span);
     const ShellCell cell(*shell_, piece.tet, piece.foot, piece.face);
     return onSurface(
         base_, cell.face, cell.shadow(space_.polynomial(controls_, piece.span).at(tau))

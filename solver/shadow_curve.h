@@ -29,7 +29,7 @@ template <class OnPiece>
 ) {
     CellTrace trace;
     const auto parameter = [&](int span, double tau) {
-        return space.breaks()[static_cast<std::size_t>(span)] + tau * space.spanLength(span);
+        return space.breaks()[span] + tau * space.spanLength(span);
     };
     trace.wholeSpans = traceCurve(
         traced,

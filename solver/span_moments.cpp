@@ -32,7 +32,7 @@ void SpanMoments::addForcesTo(
     for (int j = 0; j < space.basisCount(); ++j) {
         Vec3 sum = Vec3::Zero();
         for (int k = 0; k <= degree_; ++k) {
-            sum += basis(j, k) * forces_[static_cast<std::size_t>(k)];
+            sum += basis(j, k) * forces_[k];
         }
         gradient.segment<3>(3 * static_cast<Eigen::Index>(space.control(span, j))) += sum;
     }

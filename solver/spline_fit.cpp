@@ -10,10 +10,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Weight of the bending regulariser against the squared distance, in units of the span length to
 // the fourth.
 constexpr double kRegularisation = 1e-5;
@@ -68,7 +64,7 @@ public:
         for (int j = 0; j < space_.basisCount(); ++j) {
             Vec3 mean = Vec3::Zero();
             for (int m = 0; m < space_.basisCount(); ++m) {
-                mean += space_.basis(span)(j, m) * target.moments[at(m)];
+                mean += space_.basis(span)(j, m) * target.moments[m];
             }
             right_.row(space_.control(span, j)) += space_.spanLength(span) * mean.transpose();
         }
@@ -80,7 +76,7 @@ public:
             BasisMatrix products = BasisMatrix::Zero();
             for (int j = 0; j < space_.basisCount(); ++j) {
                 for (int k = 0; k < space_.basisCount(); ++k) {
-                    products(j, k) = kConstraintWeight * row.values[at(j)] * row.values[at(k)];
+                    products(j, k) = kConstraintWeight * row.values[j] * row.values[k];
                 }
             }
             addToMatrix(row.span, products);
@@ -119,7 +115,7 @@ private:
         for (std::size_t r = 0; r < rows_.size(); ++r) {
             for (int j = 0; j < space_.basisCount(); ++j) {
                 right.row(space_.control(rows_[r].span, j)) +=
-                    rows_[r].values[at(j)] * pulls[r].transpose();
+                    rows_[r].values[j] * pulls[r].transpose();
             }
         }
         for (int axis = 0; axis < 3; ++axis) {
@@ -131,7 +127,7 @@ private:
     [[nodiscard]] Vec3 valueAt(const InterpolationRow& row, const ControlPoints& controls) const {
         Vec3 value = Vec3::Zero();
         for (int j = 0; j < space_.basisCount(); ++j) {
-            value += row.values[at(j)] * controls.row(space_.control(row.span, j)).transpose();
+            value += row.values[j] * controls.row(space_.control(row.span, j)).transpose();
         }
         return value;
     }
@@ -148,7 +144,7 @@ SpanTarget::SpanTarget(const GuidePath& guide, double begin, double end) {
     moments.fill(Vec3::Zero());
     for (int i = 0; i < kSamples; ++i) {
         const Vec3 position = guide.positionAt(begin + tau(i) * (end - begin));
-        positions[at(i)] = position;
+        positions[i] = position;
         double power = 1.0 / kSamples;
         for (Vec3& moment : moments) {
             moment += power * position;
@@ -163,7 +159,7 @@ ControlPoints fitSpline(
     const std::vector<InterpolationRow> rows = interpolationRows(space, problem.picks);
     Fit fit(space, rows);
     for (int span = 0; span < space.spanCount(); ++span) {
-        fit.addTarget(span, targets[at(span)]);
+        fit.addTarget(span, targets[span]);
     }
     ControlPoints controls = fit.solve();
     // To rounding, before it is asked whether the curve stays inside.

@@ -6,22 +6,14 @@
 #include <utility>
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 SplineSpace::SplineSpace(int degree, bool closed, std::vector<double> breaks)
     : degree_(degree), closed_(closed), breaks_(std::move(breaks)) {
-    basis_.resize(at(spanCount()));
+    basis_.resize(spanCount());
     // Cox-de Boor (1), (2) carried out on polynomials in tau.
     for (int span = 0; span < spanCount(); ++span) {
         BasisMatrix table = BasisMatrix::Zero();
         table(0, 0) = 1.0;
-        const double start = breaks_[at(span)];
+        const double start = breaks_[span];
         const double length = spanLength(span);
         for (int k = 1; k <= degree_; ++k) {
             BasisMatrix next = BasisMatrix::Zero();
@@ -45,19 +37,19 @@ SplineSpace::SplineSpace(int degree, bool closed, std::vector<double> breaks)
             }
             table = next;
         }
-        basis_[at(span)] = table;
+        basis_[span] = table;
     }
 }
 
 double SplineSpace::knot(int index) const {
     const int n = spanCount();
     if (index >= 0 && index <= n) {
-        return breaks_[at(index)];
+        return breaks_[index];
     }
     if (!closed_) {
         return index < 0 ? 0.0 : 1.0;
     }
-    return index < 0 ? breaks_[at(index + n)] - 1.0 : breaks_[at(index - n)] + 1.0;
+    return index < 0 ? breaks_[index + n] - 1.0 : breaks_[index - n] + 1.0;
 }
 
 int SplineSpace::spanAt(double t) const {
@@ -74,7 +66,7 @@ SplineSpace::BasisValues SplineSpace::basisAt(int span, double tau) const {
         for (int m = degree_; m-- > 0;) {
             value = value * tau + table(j, m);
         }
-        values[at(j)] = value;
+        values[j] = value;
     }
     return values;
 }
@@ -109,14 +101,14 @@ PolynomialCurve SplineSpace::polynomial(const ControlPoints& controls, int span)
         for (int j = 0; j <= degree_; ++j) {
             sum += table(j, m) * controls.row(control(span, j)).transpose();
         }
-        curve.coefficients[at(m)] = sum;
+        curve.coefficients[m] = sum;
     }
     return curve;
 }
 
 Vec3 SplineSpace::evaluate(const ControlPoints& controls, double t) const {
     const int span = spanAt(t);
-    return polynomial(controls, span).at((t - breaks_[at(span)]) / spanLength(span));
+    return polynomial(controls, span).at((t - breaks_[span]) / spanLength(span));
 }
 
 std::vector<double> SplineSpace::knotVector() const {
@@ -147,7 +139,7 @@ ControlPoints refine(
             fine += to.spanCount();
             shift = 1.0;
         }
-        const double start = to.breaks()[at(fine)];
+        const double start = to.breaks()[fine];
         const double middle = start + 0.5 * to.spanLength(fine);
         const int span = from.spanAt(middle);
         const PolynomialCurve p = from.polynomial(controls, span);
@@ -155,16 +147,15 @@ ControlPoints refine(
         std::array<double, kMaxBasis> symmetric{};
         symmetric[0] = 1.0;
         for (int j = 1; j <= degree; ++j) {
-            const double u =
-                (knots[at(i + j)] + shift - from.breaks()[at(span)]) / from.spanLength(span);
+            const double u = (knots[i + j] + shift - from.breaks()[span]) / from.spanLength(span);
             for (int m = j; m > 0; --m) {
-                symmetric[at(m)] += u * symmetric[at(m - 1)];
+                symmetric[m] += u * symmetric[m - 1];
             }
         }
         Vec3 value = Vec3::Zero();
         double binomial = 1.0;
         for (int m = 0; m <= degree; ++m) {
-            value += p.coefficients[at(m)] * (symmetric[at(m)] / binomial);
+            value += p.coefficients[m] * (symmetric[m] / binomial);
             binomial = binomial * (degree - m) / (m + 1);
         }
         result.row(i) = value.transpose();

@@ -35,10 +35,7 @@ public:
 
     [[nodiscard]] int basisCount() const { return degree_ + 1; }
 
-    [[nodiscard]] double spanLength(int span) const {
-        return breaks_[static_cast<std::size_t>(span) + 1] -
-               breaks_[static_cast<std::size_t>(span)];
-    }
+    [[nodiscard]] double spanLength(int span) const { return breaks_[span + 1] - breaks_[span]; }
 
     /// Control point of the j-th basis function that lives on a span.
     [[nodiscard]] int control(int span, int j) const {
@@ -53,9 +50,7 @@ public:
     /// j, with tau = (t - break) / spanLength in [0, 1].
     using BasisMatrix = Eigen::Matrix<double, kMaxBasis, kMaxBasis>;
 
-    [[nodiscard]] const BasisMatrix& basis(int span) const {
-        return basis_[static_cast<std::size_t>(span)];
-    }
+    [[nodiscard]] const BasisMatrix& basis(int span) const { return basis_[span]; }
 
     /// Coefficients of the basis on a span, or of its derivative of some order by t, in the
     /// products tau^k (1 - tau)^(n - k), n = degree - order: entry (j, k) belongs to basis function

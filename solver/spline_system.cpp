@@ -9,10 +9,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // The multipliers have converged when the constraints hold to rounding, relative to the step.
 constexpr double kConstraintAccuracy = 1e-12;
 constexpr int kMaxMultiplierSteps = 12;
@@ -25,7 +21,7 @@ std::vector<InterpolationRow> interpolationRows(
     std::vector<InterpolationRow> rows;
     for (const PickConstraint& pick : picks) {
         const int span = space.spanAt(pick.parameter);
-        const double tau = (pick.parameter - space.breaks()[at(span)]) / space.spanLength(span);
+        const double tau = (pick.parameter - space.breaks()[span]) / space.spanLength(span);
         rows.push_back({span, space.basisAt(span, tau), pick.position});
     }
     return rows;
@@ -48,7 +44,7 @@ void SplineSystem::addBlocks(int span, const SpanBlocks& blocks) {
 bool SplineSystem::factorise(const std::vector<SpanMatrix>& blocks, double fitWeight) {
     factor_.clear();
     for (int span = 0; span < space_.spanCount(); ++span) {
-        const SpanMatrix& block = blocks[at(span)];
+        const SpanMatrix& block = blocks[span];
         addSpan(factor_, space_, span, block.data(), block.outerStride());
     }
     return factoriseWithRows(fitWeight);
@@ -57,7 +53,7 @@ bool SplineSystem::factorise(const std::vector<SpanMatrix>& blocks, double fitWe
 bool SplineSystem::factorise(const std::vector<SpanBlocks>& blocks, double fitWeight) {
     factor_.clear();
     for (int span = 0; span < space_.spanCount(); ++span) {
-        addBlocks(span, blocks[at(span)]);
+        addBlocks(span, blocks[span]);
     }
     return factoriseWithRows(fitWeight);
 }
@@ -66,8 +62,8 @@ bool SplineSystem::factoriseWithRows(double fitWeight) {
     for (const InterpolationRow& row : rows_) {
         SpanBlocks blocks{};
         std::size_t block = 0;
-        for (std::size_t j = 0; j < at(space_.basisCount()); ++j) {
-            for (std::size_t k = 0; k <= j; ++k, ++block) {
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            for (int k = 0; k <= j; ++k, ++block) {
                 const double value = fitWeight * row.values[j] * row.values[k];
                 blocks[block] = {value, 0.0, 0.0, value, 0.0, value};
             }
@@ -82,7 +78,7 @@ Eigen::VectorXd SplineSystem::applyConstraints(const Eigen::VectorXd& x) const {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         Vec3 sum = Vec3::Zero();
         for (int j = 0; j < space_.basisCount(); ++j) {
-            sum += rows_[r].values[at(j)] * x.segment<3>(3 * space_.control(rows_[r].span, j));
+            sum += rows_[r].values[j] * x.segment<3>(3 * space_.control(rows_[r].span, j));
         }
         result.segment<3>(3 * static_cast<Eigen::Index>(r)) = sum;
     }
@@ -93,7 +89,7 @@ void SplineSystem::addTransposed(const Eigen::VectorXd& multipliers, Eigen::Vect
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         for (int j = 0; j < space_.basisCount(); ++j) {
             out.segment<3>(3 * space_.control(rows_[r].span, j)) +=
-                rows_[r].values[at(j)] * multipliers.segment<3>(3 * static_cast<Eigen::Index>(r));
+                rows_[r].values[j] * multipliers.segment<3>(3 * static_cast<Eigen::Index>(r));
         }
     }
 }
@@ -102,9 +98,9 @@ void SplineSystem::meetConstraints(ControlPoints& controls) const {
     const auto count = static_cast<Eigen::Index>(rows_.size());
     Eigen::MatrixXd a = Eigen::MatrixXd::Zero(count, space_.controlCount());
     for (Eigen::Index r = 0; r < count; ++r) {
-        const InterpolationRow& row = rows_[static_cast<std::size_t>(r)];
+        const InterpolationRow& row = rows_[r];
         for (int j = 0; j < space_.basisCount(); ++j) {
-            a(r, space_.control(row.span, j)) += row.values[at(j)];
+            a(r, space_.control(row.span, j)) += row.values[j];
         }
     }
     const Eigen::VectorXd flat = residual(controls);

@@ -26,9 +26,7 @@ double closestParameter(const Vec3& a, const Vec3& b, const Vec3& query) {
 ClosestPointOnTriangle closestPointOnTriangle(
     const std::vector<Vec3>& vertices, const Triangle& triangle, const Vec3& query
 ) {
-    const auto corner = [&](int k) -> const Vec3& {
-        return vertices[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])];
-    };
+    const auto corner = [&](int k) -> const Vec3& { return vertices[triangle[k]]; };
     const auto at = [&](const Vec3& barycentric) {
         const Vec3 position =
             barycentric[0] * corner(0) + barycentric[1] * corner(1) + barycentric[2] * corner(2);
@@ -45,7 +43,7 @@ ClosestPointOnTriangle closestPointOnTriangle(
     for (int k = 0; k < 3; ++k) {
         int from = (k + 1) % 3;
         int to = (k + 2) % 3;
-        if (triangle[static_cast<std::size_t>(from)] > triangle[static_cast<std::size_t>(to)]) {
+        if (triangle[from] > triangle[to]) {
             std::swap(from, to);
         }
         const double t = closestParameter(corner(from), corner(to), query);

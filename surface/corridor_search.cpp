@@ -14,10 +14,6 @@ namespace {
 constexpr int kRings = 2;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 }  // namespace
 
 CorridorSearch::CorridorSearch(
@@ -57,12 +53,12 @@ int CorridorSearch::centralFace(int patch) const {
     const PatchLevels::Level& patches = patches_.levels()[levelOfWay_];
     int central = -1;
     double least = kFar;
-    for (const int face : patches.samples[at(patch)]) {
+    for (const int face : patches.samples[patch]) {
         if (face < 0) {
             continue;
         }
         const Vec3 centre = surface_.position({face, Vec3::Constant(1.0 / 3.0)});
-        const double distance = (centre - patches.centres[at(patch)]).squaredNorm();
+        const double distance = (centre - patches.centres[patch]).squaredNorm();
         if (distance < least) {
             least = distance;
             central = face;
@@ -75,7 +71,7 @@ CorridorSearch::End CorridorSearch::endAt(const SurfacePoint& point) const {
     End end{surface_.position(point), {}};
     int node = point.face;
     for (const PatchLevels::Level& level : patches_.levels()) {
-        node = level.patchOf[at(node)];
+        node = level.patchOf[node];
         end.patches.push_back(node);
     }
     return end;
@@ -115,13 +111,13 @@ void CorridorSearch::leave(
     const double estimate = isInCorridor ? kCorridorEstimate * costs_.least : costs_.least;
     const double costHere = costOf(level, from.patch);
     const Vec3& here =
-        from.patch == start.patches[level] ? start.position : patches.centres[at(from.patch)];
-    for (int i = patches.offsets[at(from.patch)]; i < patches.offsets[at(from.patch) + 1]; ++i) {
-        const int next = patches.neighbours[at(i)];
-        if (isInCorridor && !corridor_.contains(levels[level + 1].patchOf[at(next)])) {
+        from.patch == start.patches[level] ? start.position : patches.centres[from.patch];
+    for (int i = patches.offsets[from.patch]; i < patches.offsets[from.patch + 1]; ++i) {
+        const int next = patches.neighbours[i];
+        if (isInCorridor && !corridor_.contains(levels[level + 1].patchOf[next])) {
             continue;
         }
-        const Vec3& there = next == goal.patches[level] ? goal.position : patches.centres[at(next)];
+        const Vec3& there = next == goal.patches[level] ? goal.position : patches.centres[next];
         const double half = 0.5 * (there - here).norm();
         Arrival& arrival = arrivals_.at(next, {kFar, -1});
         if (from.cost + half * costHere >= arrival.cost) {
@@ -148,10 +144,10 @@ void CorridorSearch::keepAround(std::size_t level) {
     for (int i = 0; i < kRings; ++i) {
         std::vector<int> next;
         for (const int patch : ring) {
-            for (int k = patches.offsets[at(patch)]; k < patches.offsets[at(patch) + 1]; ++k) {
-                if (!corridor_.contains(patches.neighbours[at(k)])) {
-                    corridor_.at(patches.neighbours[at(k)], 1);
-                    next.push_back(patches.neighbours[at(k)]);
+            for (int k = patches.offsets[patch]; k < patches.offsets[patch + 1]; ++k) {
+                if (!corridor_.contains(patches.neighbours[k])) {
+                    corridor_.at(patches.neighbours[k], 1);
+                    next.push_back(patches.neighbours[k]);
                 }
             }
         }
@@ -172,7 +168,7 @@ double CorridorSearch::costOf(std::size_t level, int patch) {
     }
     double sum = 0.0;
     int count = 0;
-    for (const int face : patches_.levels()[level].samples[at(patch)]) {
+    for (const int face : patches_.levels()[level].samples[patch]) {
         if (face >= 0) {
             const double cost = costs_.ofFace(face);
             sum += 1.0 / (cost * cost * cost);

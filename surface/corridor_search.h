@@ -44,9 +44,7 @@ public:
 
     /// Whether a face lies in the corridor that was found last.
     [[nodiscard]] bool holds(int face) const {
-        return corridor_.contains(
-            patches_.levels().front().patchOf[static_cast<std::size_t>(face)]
-        );
+        return corridor_.contains(patches_.levels().front().patchOf[face]);
     }
 
     /// How many patches all queries so far have looked at.

@@ -15,10 +15,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // A vertex that the front has reached.
 struct Reached {
     const Vec3& position;
@@ -49,19 +45,19 @@ public:
 
     std::vector<double> marchFrom(const Region& region) {
         for (const int f : region) {
-            for (const int v : surface_.faces()[at(f)]) {
+            for (const int v : surface_.faces()[f]) {
                 offer(v, 0.0);
             }
         }
         while (!queue_.empty()) {
             const int v = queue_.top().second;
             queue_.pop();
-            if (isFinal_[at(v)] != 0) {
+            if (isFinal_[v] != 0) {
                 continue;
             }
-            isFinal_[at(v)] = 1;
+            isFinal_[v] = 1;
             for (const int f : surface_.facesAround(v)) {
-                pass(surface_.faces()[at(f)], v);
+                pass(surface_.faces()[f], v);
             }
         }
         return std::move(distances_);
@@ -70,31 +66,29 @@ public:
 private:
     using Entry = std::pair<double, int>;
 
-    [[nodiscard]] Reached reached(int v) const {
-        return {surface_.vertices()[at(v)], distances_[at(v)]};
-    }
+    [[nodiscard]] Reached reached(int v) const { return {surface_.vertices()[v], distances_[v]}; }
 
     void offer(int v, double distance) {
-        if (distance < distances_[at(v)]) {
-            distances_[at(v)] = distance;
+        if (distance < distances_[v]) {
+            distances_[v] = distance;
             queue_.emplace(distance, v);
         }
     }
 
     // From a vertex along the edges of a face, and through the face where another is known.
     void pass(const Triangle& face, int v) {
-        const std::size_t k = at(cornerOf(face, v));
+        const std::size_t k = (cornerOf(face, v));
         const std::array<int, 2> others = {face[(k + 1) % 3], face[(k + 2) % 3]};
         for (std::size_t i = 0; i < 2; ++i) {
             const int target = others[i];
             const int known = others[1 - i];
-            if (isFinal_[at(target)] != 0) {
+            if (isFinal_[target] != 0) {
                 continue;
             }
-            const Vec3& position = surface_.vertices()[at(target)];
+            const Vec3& position = surface_.vertices()[target];
             const Reached here = reached(v);
             offer(target, here.distance + (position - here.position).norm());
-            if (isFinal_[at(known)] != 0) {
+            if (isFinal_[known] != 0) {
                 offer(target, behindEdge(here, reached(known), position));
             }
         }

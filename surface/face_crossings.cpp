@@ -10,7 +10,7 @@ FaceCrossings::FaceCrossings(const Surface& surface, const TriangleTree& tree)
 
 // Threads that ask for one face at once find the same.
 bool FaceCrossings::hasCrossing(int face) const {
-    std::atomic<Known>& known = known_[static_cast<std::size_t>(face)];
+    std::atomic<Known>& known = known_[face];
     if (known.load(std::memory_order_relaxed) == Known::Nothing) {
         known.store(findCrossing(face) ? Known::Crossing : Known::Clear, std::memory_order_relaxed);
     }
@@ -19,14 +19,11 @@ bool FaceCrossings::hasCrossing(int face) const {
 
 bool FaceCrossings::findCrossing(int face) const {
     bool isFound = false;
-    const Triangle& corners = surface_.faces()[static_cast<std::size_t>(face)];
+    const Triangle& corners = surface_.faces()[face];
     tree_.forEachOverlapping(face, [&](int other) {
         isFound =
-            isFound ||
-            (other != face &&
-             trianglesIntersect(
-                 surface_.vertices(), corners, surface_.faces()[static_cast<std::size_t>(other)]
-             ));
+            isFound || (other != face &&
+                        trianglesIntersect(surface_.vertices(), corners, surface_.faces()[other]));
     });
     return isFound;
 }

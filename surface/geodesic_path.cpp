@@ -7,14 +7,6 @@
 #include <utility>
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 std::optional<GeodesicPath> GeodesicPathFinder::find(
     const SurfacePoint& start, const SurfacePoint& goal, int mostPatches
 ) {
@@ -48,7 +40,7 @@ std::vector<SurfacePoint> GeodesicPathFinder::straightened(
     const StripPath& path = route.path();
     std::vector<SurfacePoint> points{inFace(surface_, start, route.strip().front())};
     for (std::size_t i = 0; i + 1 < route.strip().size(); ++i) {
-        const Triangle& face = surface_.faces()[at(route.strip()[i])];
+        const Triangle& face = surface_.faces()[route.strip()[i]];
         SurfacePoint point{route.strip()[i], Vec3::Zero()};
         point.barycentric[cornerOf(face, path.lefts[i])] = 1.0 - path.crossings[i];
         point.barycentric[cornerOf(face, path.rights[i])] = path.crossings[i];

@@ -108,7 +108,7 @@ void checkArrays(const TriangleMesh& mesh) {
 
 double checkFacesHaveArea(const TriangleMesh& mesh) {
     const auto corner = [&](std::size_t face, std::size_t k) -> const Vec3& {
-        return mesh.vertices[static_cast<std::size_t>(mesh.faces[face][k])];
+        return mesh.vertices[mesh.faces[face][k]];
     };
     // Equal corners have no area either, so one test finds repeated vertices as well.
     double twice = 0.0;

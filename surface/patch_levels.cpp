@@ -18,10 +18,6 @@ namespace {
 // than a millisecond.
 constexpr int kFewPatches = 4096;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // The faces as a graph.
 class FaceGraph {
 public:
@@ -29,9 +25,9 @@ public:
         reserveLarge(areas_, surface.faces().size());
         reserveLarge(centres_, surface.faces().size());
         for (const Triangle& face : surface.faces()) {
-            const Vec3& a = surface.vertices()[at(face[0])];
-            const Vec3& b = surface.vertices()[at(face[1])];
-            const Vec3& c = surface.vertices()[at(face[2])];
+            const Vec3& a = surface.vertices()[face[0]];
+            const Vec3& b = surface.vertices()[face[1]];
+            const Vec3& c = surface.vertices()[face[2]];
             areas_.push_back(0.5 * (b - a).cross(c - a).norm());
             centres_.emplace_back((a + b + c) / 3.0);
         }
@@ -39,13 +35,13 @@ public:
 
     [[nodiscard]] int count() const { return surface_.faceCount(); }
 
-    [[nodiscard]] const Vec3& centre(int node) const { return centres_[at(node)]; }
+    [[nodiscard]] const Vec3& centre(int node) const { return centres_[node]; }
 
-    [[nodiscard]] double area(int node) const { return areas_[at(node)]; }
+    [[nodiscard]] double area(int node) const { return areas_[node]; }
 
     template <class Visit>
     void visitNeighbours(int node, const Visit& visit) const {
-        for (const int neighbour : surface_.faceNeighbours()[at(node)]) {
+        for (const int neighbour : surface_.faceNeighbours()[node]) {
             if (neighbour >= 0) {
                 visit(neighbour);
             }
@@ -69,29 +65,29 @@ struct PatchGraph {
     std::vector<double> areas;
 
     explicit PatchGraph(int count) {
-        reserveLarge(areas, at(count));
-        reserveLarge(level.centres, at(count));
-        reserveLarge(level.samples, at(count));
-        level.offsets.reserve(at(count) + 1);
+        reserveLarge(areas, count);
+        reserveLarge(level.centres, count);
+        reserveLarge(level.samples, count);
+        level.offsets.reserve(count + 1);
         level.offsets.push_back(0);
     }
 
     [[nodiscard]] int count() const { return level.count(); }
 
-    [[nodiscard]] const Vec3& centre(int node) const { return level.centres[at(node)]; }
+    [[nodiscard]] const Vec3& centre(int node) const { return level.centres[node]; }
 
-    [[nodiscard]] double area(int node) const { return areas[at(node)]; }
+    [[nodiscard]] double area(int node) const { return areas[node]; }
 
     template <class Visit>
     void visitNeighbours(int node, const Visit& visit) const {
-        for (int i = level.offsets[at(node)]; i < level.offsets[at(node) + 1]; ++i) {
-            visit(level.neighbours[at(i)]);
+        for (int i = level.offsets[node]; i < level.offsets[node + 1]; ++i) {
+            visit(level.neighbours[i]);
         }
     }
 
     template <class Visit>
     void visitSamples(int node, const Visit& visit) const {
-        for (const int face : level.samples[at(node)]) {
+        for (const int face : level.samples[node]) {
             if (face >= 0) {
                 visit(face);
             }
@@ -106,9 +102,9 @@ struct Pairing {
     int count = 0;
 
     template <class Graph>
-    explicit Pairing(const Graph& graph) : patchOf(makeLarge(at(graph.count()), -1)) {
+    explicit Pairing(const Graph& graph) : patchOf(makeLarge(graph.count(), -1)) {
         for (int node = 0; node < graph.count(); ++node) {
-            if (patchOf[at(node)] < 0) {
+            if (patchOf[node] < 0) {
                 place(graph, node);
             }
         }
@@ -125,7 +121,7 @@ private:
         double takenDistance = kFar;
         graph.visitNeighbours(node, [&](int neighbour) {
             const double distance = (graph.centre(neighbour) - centre).squaredNorm();
-            const bool isTaken = patchOf[at(neighbour)] >= 0;
+            const bool isTaken = patchOf[neighbour] >= 0;
             double& least = isTaken ? takenDistance : leftDistance;
             if (distance < least) {
                 least = distance;
@@ -133,12 +129,12 @@ private:
             }
         });
         if (left < 0 && taken >= 0) {
-            patchOf[at(node)] = patchOf[at(taken)];
+            patchOf[node] = patchOf[taken];
             return;
         }
-        patchOf[at(node)] = count;
+        patchOf[node] = count;
         if (left >= 0) {
-            patchOf[at(left)] = count;
+            patchOf[left] = count;
         }
         ++count;
     }
@@ -149,16 +145,16 @@ struct Members {
     std::vector<int> offsets, nodes;
 
     explicit Members(const Pairing& pairing)
-        : offsets(at(pairing.count) + 1), nodes(makeLarge(pairing.patchOf.size(), 0)) {
+        : offsets(pairing.count + 1), nodes(makeLarge(pairing.patchOf.size(), 0)) {
         for (const int patch : pairing.patchOf) {
-            ++offsets[at(patch) + 1];
+            ++offsets[patch + 1];
         }
         for (std::size_t i = 1; i < offsets.size(); ++i) {
             offsets[i] += offsets[i - 1];
         }
         std::vector<int> next(offsets.begin(), offsets.end() - 1);
         for (std::size_t node = 0; node < pairing.patchOf.size(); ++node) {
-            nodes[at(next[at(pairing.patchOf[node])]++)] = static_cast<int>(node);
+            nodes[next[pairing.patchOf[node]]++] = static_cast<int>(node);
         }
     }
 };
@@ -178,22 +174,22 @@ template <class Graph>
 PatchGraph coarsened(const Graph& fine, const Pairing& pairing) {
     const Members members(pairing);
     PatchGraph coarse(pairing.count);
-    std::vector<int> seenFrom(at(pairing.count), -1);
+    std::vector<int> seenFrom(pairing.count, -1);
     std::vector<int> faces;
     for (int patch = 0; patch < pairing.count; ++patch) {
         double area = 0.0;
         Vec3 moment = Vec3::Zero();
         faces.clear();
-        seenFrom[at(patch)] = patch;
-        for (int i = members.offsets[at(patch)]; i < members.offsets[at(patch) + 1]; ++i) {
-            const int node = members.nodes[at(i)];
+        seenFrom[patch] = patch;
+        for (int i = members.offsets[patch]; i < members.offsets[patch + 1]; ++i) {
+            const int node = members.nodes[i];
             area += fine.area(node);
             moment += fine.area(node) * fine.centre(node);
             fine.visitSamples(node, [&](int face) { faces.push_back(face); });
             fine.visitNeighbours(node, [&](int neighbour) {
-                const int other = pairing.patchOf[at(neighbour)];
-                if (seenFrom[at(other)] != patch) {
-                    seenFrom[at(other)] = patch;
+                const int other = pairing.patchOf[neighbour];
+                if (seenFrom[other] != patch) {
+                    seenFrom[other] = patch;
                     coarse.level.neighbours.push_back(other);
                 }
             });
@@ -215,7 +211,7 @@ PatchGraph quartered(const Graph& fine) {
     PatchGraph coarse = coarsened(paired, pairsOfPairs);
     coarse.level.patchOf = pairs.patchOf;
     for (int& patch : coarse.level.patchOf) {
-        patch = pairsOfPairs.patchOf[at(patch)];
+        patch = pairsOfPairs.patchOf[patch];
     }
     return coarse;
 }
@@ -260,25 +256,25 @@ const PatchLevels::Samples* PatchLevels::samplesTowards(
             break;
         }
         level = &larger;
-        patch = larger.patchOf[at(patch)];
+        patch = larger.patchOf[patch];
     }
     if (level == nullptr) {
         return nullptr;
     }
     const int start = patch;
-    double least = (level->centres[at(patch)] - p).squaredNorm();
+    double least = (level->centres[patch] - p).squaredNorm();
     for (int before = -1; patch != before;) {
         before = patch;
-        for (int i = level->offsets[at(before)]; i < level->offsets[at(before) + 1]; ++i) {
-            const int neighbour = level->neighbours[at(i)];
-            const double distance = (level->centres[at(neighbour)] - p).squaredNorm();
+        for (int i = level->offsets[before]; i < level->offsets[before + 1]; ++i) {
+            const int neighbour = level->neighbours[i];
+            const double distance = (level->centres[neighbour] - p).squaredNorm();
             if (distance < least) {
                 least = distance;
                 patch = neighbour;
             }
         }
     }
-    return patch != start ? &level->samples[at(patch)] : nullptr;
+    return patch != start ? &level->samples[patch] : nullptr;
 }
 
 }  // namespace bspline_curve

@@ -111,7 +111,7 @@ void requireSeparatePicks(const Projections& projections, bool closed, double di
 
 void requireOneComponent(const Projections& projections, const std::vector<int>& faceComponents) {
     const auto componentOf = [&](const TriangleTree::Closest& closest) {
-        return faceComponents[static_cast<std::size_t>(closest.point.face)];
+        return faceComponents[closest.point.face];
     };
     Elements bad;
     for (std::size_t i = 1; i < projections.size(); ++i) {

@@ -12,15 +12,11 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 template <class Predicate>
 Region facesWhere(const Surface& surface, const Predicate& isIn) {
     Region region;
     for (int f = 0; f < surface.faceCount(); ++f) {
-        if (isIn(surface.faces()[at(f)])) {
+        if (isIn(surface.faces()[f])) {
             region.push_back(f);
         }
     }
@@ -45,7 +41,7 @@ Region facesBeside(
         );
     }
     return facesWhere(surface, [&](const Triangle& face) {
-        const double mean = (field[at(face[0])] + field[at(face[1])] + field[at(face[2])]) / 3.0;
+        const double mean = (field[face[0]] + field[face[1]] + field[face[2]]) / 3.0;
         return side * mean > side * threshold;
     });
 }
@@ -88,7 +84,7 @@ Region facesOfVertices(const Surface& surface, std::span<const char> selected) {
         );
     }
     return facesWhere(surface, [&](const Triangle& face) {
-        return std::ranges::all_of(face, [&](int v) { return selected[at(v)] != 0; });
+        return std::ranges::all_of(face, [&](int v) { return selected[v] != 0; });
     });
 }
 
@@ -103,7 +99,7 @@ Region facesOver(const Surface& surface, std::span<const double> field, double t
 std::vector<char> faceFlags(const Surface& surface, const Region& region) {
     std::vector<char> flags(surface.faces().size(), 0);
     for (const int f : region) {
-        flags[at(f)] = 1;
+        flags[f] = 1;
     }
     return flags;
 }

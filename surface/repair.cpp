@@ -41,7 +41,7 @@ std::string RepairReport::summary() const {
 SurfacePoint MeshRepair::toOrigin(const SurfacePoint& point) const {
     const auto found = changedCorners.find(point.face);
     return {
-        .face = faceOrigins[static_cast<std::size_t>(point.face)],
+        .face = faceOrigins[point.face],
         .barycentric = found == changedCorners.end() ? point.barycentric
                                                      : Vec3(found->second * point.barycentric)
     };

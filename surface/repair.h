@@ -62,7 +62,7 @@ struct MeshRepair {
         std::vector<Value> result;
         result.reserve(vertexOrigins.size());
         for (const int origin : vertexOrigins) {
-            result.push_back(values[static_cast<std::size_t>(origin)]);
+            result.push_back(values[origin]);
         }
         return result;
     }

@@ -12,10 +12,6 @@ namespace bspline_curve::repair_steps {
 
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 bool repeatsVertex(const Triangle& face) {
     return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
 }
@@ -25,19 +21,19 @@ void eraseFaces(MeshRepair& repair, const std::vector<char>& isErased) {
     std::map<int, Eigen::Matrix3d> changed;
     int kept = 0;
     for (int f = 0; f < static_cast<int>(repair.mesh.faces.size()); ++f) {
-        if (isErased[at(f)] != 0) {
+        if (isErased[f] != 0) {
             continue;
         }
-        repair.mesh.faces[at(kept)] = repair.mesh.faces[at(f)];
-        repair.faceOrigins[at(kept)] = repair.faceOrigins[at(f)];
+        repair.mesh.faces[kept] = repair.mesh.faces[f];
+        repair.faceOrigins[kept] = repair.faceOrigins[f];
         if (const auto found = repair.changedCorners.find(f);
             found != repair.changedCorners.end()) {
             changed[kept] = found->second;
         }
         ++kept;
     }
-    repair.mesh.faces.resize(at(kept));
-    repair.faceOrigins.resize(at(kept));
+    repair.mesh.faces.resize(kept);
+    repair.faceOrigins.resize(kept);
     repair.changedCorners = std::move(changed);
 }
 
@@ -68,7 +64,7 @@ public:
 
 private:
     [[nodiscard]] const Vec3& corner(int face, int k) const {
-        return mesh_.vertices[at(mesh_.faces[at(face)][at(k % 3)])];
+        return mesh_.vertices[mesh_.faces[face][k % 3]];
     }
 
     [[nodiscard]] double sideLength(int face, int k) const {
@@ -80,9 +76,9 @@ private:
     }
 
     void erase(int face) {
-        isErased_[at(face)] = 1;
+        isErased_[face] = 1;
         hasChanged_ = true;
-        repair_.report.removedDegenerateFaces.push_back(repair_.faceOrigins[at(face)]);
+        repair_.report.removedDegenerateFaces.push_back(repair_.faceOrigins[face]);
     }
 
     /// Merges the ends of edges that are no longer than rounding; every face on them goes. Returns
@@ -91,8 +87,8 @@ private:
         std::vector<int> target(mesh_.vertices.size());
         std::iota(target.begin(), target.end(), 0);
         const auto find = [&](int v) {
-            while (target[at(v)] != v) {
-                v = target[at(v)] = target[at(target[at(v)])];
+            while (target[v] != v) {
+                v = target[v] = target[target[v]];
             }
             return v;
         };
@@ -103,18 +99,18 @@ private:
                     corner(f, k + 2).lpNorm<Eigen::Infinity>()
                 );
                 if (sideLength(f, k) <= 2.0 * kRelativeArea * size) {
-                    const int a = find(mesh_.faces[at(f)][at((k + 1) % 3)]);
-                    const int b = find(mesh_.faces[at(f)][at((k + 2) % 3)]);
-                    target[at(std::max(a, b))] = std::min(a, b);
+                    const int a = find(mesh_.faces[f][(k + 1) % 3]);
+                    const int b = find(mesh_.faces[f][(k + 2) % 3]);
+                    target[std::max(a, b)] = std::min(a, b);
                 }
             }
         }
         bool hasMerged = false;
         for (int f = 0; f < static_cast<int>(mesh_.faces.size()); ++f) {
-            for (int& v : mesh_.faces[at(f)]) {
+            for (int& v : mesh_.faces[f]) {
                 v = find(v);
             }
-            if (repeatsVertex(mesh_.faces[at(f)])) {
+            if (repeatsVertex(mesh_.faces[f])) {
                 erase(f);
                 hasMerged = true;
             }
@@ -131,20 +127,19 @@ private:
     void splitAcrossLongEdges(bool last) {
         sides_ = sortedSides(mesh_.faces);
         for (const int f : flat_) {
-            if (isTouched_[at(f)] != 0) {
+            if (isTouched_[f] != 0) {
                 continue;
             }
             int top = 0;
             for (int k = 1; k < 3; ++k) {
                 top = sideLength(f, k) > sideLength(f, top) ? k : top;
             }
-            const std::span<const Side> edge = sidesBetween(
-                mesh_.faces[at(f)][at((top + 1) % 3)], mesh_.faces[at(f)][at((top + 2) % 3)]
-            );
+            const std::span<const Side> edge =
+                sidesBetween(mesh_.faces[f][(top + 1) % 3], mesh_.faces[f][(top + 2) % 3]);
             const bool isAtBoundary = edge.size() == 1;
             const bool isSplit = edge.size() == 2 && split(f, top, edge[edge[0].face == f ? 1 : 0]);
             if (!isSplit && (isAtBoundary || last)) {
-                isTouched_[at(f)] = 1;
+                isTouched_[f] = 1;
                 erase(f);
             }
         }
@@ -166,31 +161,29 @@ private:
     /// takes the place of the flat face. Returns whether that is possible now.
     bool split(int flat, int top, const Side& across) {
         const int other = across.face;
-        const Triangle whole = mesh_.faces[at(other)];
-        const int c = mesh_.faces[at(flat)][at(top)];
-        const int s = whole[at((across.k + 1) % 3)];
-        const int t = whole[at((across.k + 2) % 3)];
-        const int d = whole[at(across.k)];
+        const Triangle whole = mesh_.faces[other];
+        const int c = mesh_.faces[flat][top];
+        const int s = whole[(across.k + 1) % 3];
+        const int t = whole[(across.k + 2) % 3];
+        const int d = whole[across.k];
         const auto has = [&](const Triangle& face) {
             return bspline_curve::hasArea(
-                mesh_.vertices[at(face[0])],
-                mesh_.vertices[at(face[1])],
-                mesh_.vertices[at(face[2])]
+                mesh_.vertices[face[0]], mesh_.vertices[face[1]], mesh_.vertices[face[2]]
             );
         };
         const Triangle first = {s, c, d};
         const Triangle second = {c, t, d};
         const std::pair<int, int> newEdge = std::minmax(c, d);
-        const bool isFree = isTouched_[at(other)] == 0 && c != d && !newEdges_.contains(newEdge) &&
+        const bool isFree = isTouched_[other] == 0 && c != d && !newEdges_.contains(newEdge) &&
                             sidesBetween(c, d).empty();
         if (!isFree || !has(first) || !has(second)) {
             return false;
         }
         newEdges_.insert(newEdge);
-        isTouched_[at(flat)] = isTouched_[at(other)] = 1;
+        isTouched_[flat] = isTouched_[other] = 1;
         hasChanged_ = true;
-        repair_.report.removedDegenerateFaces.push_back(repair_.faceOrigins[at(flat)]);
-        repair_.report.splitFaces.push_back(repair_.faceOrigins[at(other)]);
+        repair_.report.removedDegenerateFaces.push_back(repair_.faceOrigins[flat]);
+        repair_.report.splitFaces.push_back(repair_.faceOrigins[other]);
         // Where the corners of both halves lie in the origin of the whole.
         const auto found = repair_.changedCorners.find(other);
         const Eigen::Matrix3d corners = found == repair_.changedCorners.end()
@@ -198,18 +191,16 @@ private:
                                             : found->second;
         const Vec3 inS = corners.col((across.k + 1) % 3);
         const Vec3 inT = corners.col((across.k + 2) % 3);
-        const Vec3 along = mesh_.vertices[at(t)] - mesh_.vertices[at(s)];
+        const Vec3 along = mesh_.vertices[t] - mesh_.vertices[s];
         const double share = std::clamp(
-            (mesh_.vertices[at(c)] - mesh_.vertices[at(s)]).dot(along) / along.squaredNorm(),
-            0.0,
-            1.0
+            (mesh_.vertices[c] - mesh_.vertices[s]).dot(along) / along.squaredNorm(), 0.0, 1.0
         );
         const Vec3 inC = (1.0 - share) * inS + share * inT;
         repair_.changedCorners[other] << inS, inC, corners.col(across.k);
         repair_.changedCorners[flat] << inC, inT, corners.col(across.k);
-        repair_.faceOrigins[at(flat)] = repair_.faceOrigins[at(other)];
-        mesh_.faces[at(other)] = first;
-        mesh_.faces[at(flat)] = second;
+        repair_.faceOrigins[flat] = repair_.faceOrigins[other];
+        mesh_.faces[other] = first;
+        mesh_.faces[flat] = second;
         return true;
     }
 
@@ -229,8 +220,8 @@ std::vector<Side> sortedSides(const std::vector<Triangle>& faces) {
     sides.reserve(3 * faces.size());
     for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
         for (int k = 0; k < 3; ++k) {
-            const int a = faces[at(f)][at((k + 1) % 3)];
-            const int b = faces[at(f)][at((k + 2) % 3)];
+            const int a = faces[f][(k + 1) % 3];
+            const int b = faces[f][(k + 2) % 3];
             sides.push_back({std::min(a, b), std::max(a, b), f, k});
         }
     }
@@ -254,7 +245,7 @@ void removeDegenerateFaces(MeshRepair& repair) {
 void removeDuplicateFaces(MeshRepair& repair) {
     std::vector<std::pair<Triangle, int>> entries;  // by corners, ascending
     for (int f = 0; f < static_cast<int>(repair.mesh.faces.size()); ++f) {
-        entries.emplace_back(repair.mesh.faces[at(f)], f);
+        entries.emplace_back(repair.mesh.faces[f], f);
         std::ranges::sort(entries.back().first);
     }
     std::ranges::sort(entries);
@@ -262,8 +253,8 @@ void removeDuplicateFaces(MeshRepair& repair) {
     for (std::size_t i = 1; i < entries.size(); ++i) {
         const auto& [corners, face] = entries[i];
         if (corners == entries[i - 1].first) {
-            isErased[at(face)] = 1;
-            repair.report.removedDuplicateFaces.push_back(repair.faceOrigins[at(face)]);
+            isErased[face] = 1;
+            repair.report.removedDuplicateFaces.push_back(repair.faceOrigins[face]);
         }
     }
     std::ranges::sort(repair.report.removedDuplicateFaces);

@@ -14,10 +14,6 @@ namespace bspline_curve::repair_steps {
 
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// Sets of faces that are joined, with the side that each looks to.
 class Patches {
 public:
@@ -34,16 +30,16 @@ public:
         // Once to the root, and once more to make the way short.
         bool isTurned = false;
         int root = face;
-        while (parents_[at(root)] != root) {
-            isTurned = isTurned != (isTurned_[at(root)] != 0);
-            root = parents_[at(root)];
+        while (parents_[root] != root) {
+            isTurned = isTurned != (isTurned_[root] != 0);
+            root = parents_[root];
         }
         bool rest = isTurned;
-        while (parents_[at(face)] != root && face != root) {
-            const int next = parents_[at(face)];
-            const bool nextRest = rest != (isTurned_[at(face)] != 0);
-            parents_[at(face)] = root;
-            isTurned_[at(face)] = static_cast<char>(rest);
+        while (parents_[face] != root && face != root) {
+            const int next = parents_[face];
+            const bool nextRest = rest != (isTurned_[face] != 0);
+            parents_[face] = root;
+            isTurned_[face] = static_cast<char>(rest);
             face = next;
             rest = nextRest;
         }
@@ -60,8 +56,8 @@ public:
             return !isTurned;
         }
         const auto [low, high] = std::minmax(placeA.root, placeB.root);
-        parents_[at(high)] = low;
-        isTurned_[at(high)] = static_cast<char>(isTurned);
+        parents_[high] = low;
+        isTurned_[high] = static_cast<char>(isTurned);
         return true;
     }
 
@@ -100,8 +96,8 @@ public:
 
 private:
     void link(const Side& a, const Side& b) {
-        joints_[at(a.face)][at(a.k)] = b.face;
-        joints_[at(b.face)][at(b.k)] = a.face;
+        joints_[a.face][a.k] = b.face;
+        joints_[b.face][b.k] = a.face;
     }
 
     void joinPlainEdges() {
@@ -111,8 +107,8 @@ private:
                 link(edge[0], edge[1]);
                 const bool areOpposed = leadsUp(faces_, edge[0]) == leadsUp(faces_, edge[1]);
                 if (!patches_.join(edge[0].face, edge[1].face, areOpposed)) {
-                    conflicting.push_back(repair_.faceOrigins[at(edge[0].face)]);
-                    conflicting.push_back(repair_.faceOrigins[at(edge[1].face)]);
+                    conflicting.push_back(repair_.faceOrigins[edge[0].face]);
+                    conflicting.push_back(repair_.faceOrigins[edge[1].face]);
                 }
             }
         });
@@ -129,10 +125,10 @@ private:
     }
 
     [[nodiscard]] Vec3 normal(int face) const {
-        const Triangle& corners = faces_[at(face)];
+        const Triangle& corners = faces_[face];
         const std::vector<Vec3>& vertices = repair_.mesh.vertices;
-        const Vec3 ab = (vertices[at(corners[1])] - vertices[at(corners[0])]).normalized();
-        const Vec3 ac = (vertices[at(corners[2])] - vertices[at(corners[0])]).normalized();
+        const Vec3 ab = (vertices[corners[1]] - vertices[corners[0]]).normalized();
+        const Vec3 ac = (vertices[corners[2]] - vertices[corners[0]]).normalized();
         return ab.cross(ac).normalized();
     }
 
@@ -160,8 +156,8 @@ private:
         }
         std::ranges::sort(pairings);
         for (const Pairing& pair : pairings) {
-            const bool areFree = joints_[at(pair.a.face)][at(pair.a.k)] < 0 &&
-                                 joints_[at(pair.b.face)][at(pair.b.k)] < 0;
+            const bool areFree =
+                joints_[pair.a.face][pair.a.k] < 0 && joints_[pair.b.face][pair.b.k] < 0;
             if (areFree && patches_.join(pair.a.face, pair.b.face, pair.areOpposed)) {
                 link(pair.a, pair.b);
             }
@@ -174,11 +170,11 @@ private:
         std::vector<int> balance(faces_.size(), 0);
         for (int f = 0; f < count; ++f) {
             const Patches::Place place = patches_.find(f);
-            balance[at(place.root)] += place.isTurned ? -1 : 1;
+            balance[place.root] += place.isTurned ? -1 : 1;
         }
         for (int f = 0; f < count; ++f) {
             const Patches::Place place = patches_.find(f);
-            const bool isMinority = place.isTurned == (balance[at(place.root)] >= 0);
+            const bool isMinority = place.isTurned == (balance[place.root] >= 0);
             if (isMinority) {
                 turn(f);
             }
@@ -187,12 +183,12 @@ private:
     }
 
     void turn(int face) {
-        std::swap(faces_[at(face)][1], faces_[at(face)][2]);
-        std::swap(joints_[at(face)][1], joints_[at(face)][2]);
+        std::swap(faces_[face][1], faces_[face][2]);
+        std::swap(joints_[face][1], joints_[face][2]);
         const auto [corners, isNew] =
             repair_.changedCorners.try_emplace(face, Eigen::Matrix3d::Identity());
         corners->second.col(1).swap(corners->second.col(2));
-        repair_.report.reversedFaces.push_back(repair_.faceOrigins[at(face)]);
+        repair_.report.reversedFaces.push_back(repair_.faceOrigins[face]);
     }
 
     MeshRepair& repair_;
@@ -220,13 +216,13 @@ public:
 
 private:
     [[nodiscard]] int cornerOf(int face, int vertex) const {
-        const Triangle& corners = faces_[at(face)];
+        const Triangle& corners = faces_[face];
         return 3 * face + (corners[0] == vertex ? 0 : (corners[1] == vertex ? 1 : 2));
     }
 
     int findSet(int corner) {
-        while (sets_[at(corner)] != corner) {
-            corner = sets_[at(corner)] = sets_[at(sets_[at(corner)])];
+        while (sets_[corner] != corner) {
+            corner = sets_[corner] = sets_[sets_[corner]];
         }
         return corner;
     }
@@ -238,33 +234,33 @@ private:
         std::iota(sets_.begin(), sets_.end(), 0);
         for (int f = 0; f < faceCount; ++f) {
             for (int k = 0; k < 3; ++k) {
-                const int neighbour = joints_[at(f)][at(k)];
+                const int neighbour = joints_[f][k];
                 for (int end = 1; neighbour >= 0 && end < 3; ++end) {
                     const int here = 3 * f + (k + end) % 3;
-                    const int there = cornerOf(neighbour, faces_[at(f)][at((k + end) % 3)]);
+                    const int there = cornerOf(neighbour, faces_[f][(k + end) % 3]);
                     const auto [low, high] = std::minmax({findSet(here), findSet(there)});
-                    sets_[at(high)] = low;
+                    sets_[high] = low;
                 }
             }
         }
         // The largest fan at each vertex keeps it, of equal ones the first.
         std::vector<int> sizes(sets_.size(), 0);
         for (int corner = 0; corner < 3 * faceCount; ++corner) {
-            ++sizes[at(findSet(corner))];
+            ++sizes[findSet(corner)];
         }
         std::vector<int> keeper(repair_.mesh.vertices.size(), -1);
         std::vector<int> fans;
         for (int corner = 0; corner < 3 * faceCount; ++corner) {
             if (findSet(corner) == corner) {
-                int& kept = keeper[at(vertexAt(corner))];
-                kept = kept < 0 || sizes[at(corner)] > sizes[at(kept)] ? corner : kept;
+                int& kept = keeper[vertexAt(corner)];
+                kept = kept < 0 || sizes[corner] > sizes[kept] ? corner : kept;
                 fans.push_back(corner);
             }
         }
         return numberFans(fans, keeper);
     }
 
-    [[nodiscard]] int vertexAt(int corner) const { return faces_[at(corner / 3)][at(corner % 3)]; }
+    [[nodiscard]] int vertexAt(int corner) const { return faces_[corner / 3][corner % 3]; }
 
     std::vector<Triangle> numberFans(std::vector<int> fans, const std::vector<int>& keeper) {
         std::ranges::sort(fans, {}, [&](int corner) {
@@ -274,17 +270,17 @@ private:
         copies_.clear();
         for (const int fan : fans) {
             const int vertex = vertexAt(fan);
-            if (keeper[at(vertex)] == fan) {
-                ids[at(fan)] = vertex;
+            if (keeper[vertex] == fan) {
+                ids[fan] = vertex;
             } else {
-                ids[at(fan)] = static_cast<int>(repair_.mesh.vertices.size() + copies_.size());
+                ids[fan] = static_cast<int>(repair_.mesh.vertices.size() + copies_.size());
                 copies_.push_back(vertex);
             }
         }
         std::vector<Triangle> split = faces_;
         for (std::size_t f = 0; f < split.size(); ++f) {
             for (std::size_t k = 0; k < 3; ++k) {
-                split[f][k] = ids[at(findSet(static_cast<int>(3 * f + k)))];
+                split[f][k] = ids[findSet(static_cast<int>(3 * f + k))];
             }
         }
         return split;
@@ -301,7 +297,7 @@ private:
                 return;
             }
             hasCut = true;
-            const int keptPartner = joints_[at(edge[0].face)][at(edge[0].k)];
+            const int keptPartner = joints_[edge[0].face][edge[0].k];
             for (const Side& side : edge.subspan(1)) {
                 if (side.face != keptPartner) {
                     cutOut(side);
@@ -314,12 +310,12 @@ private:
     /// Parts a face from all others but the one that it is joined to at a side.
     void cutOut(const Side& side) {
         for (int k = 0; k < 3; ++k) {
-            int& neighbour = joints_[at(side.face)][at(k)];
+            int& neighbour = joints_[side.face][k];
             if (k != side.k && neighbour >= 0) {
-                std::ranges::replace(joints_[at(neighbour)], side.face, -1);
+                std::ranges::replace(joints_[neighbour], side.face, -1);
                 neighbour = -1;
-                const Triangle& face = faces_[at(side.face)];
-                const auto [low, high] = std::minmax(face[at((k + 1) % 3)], face[at((k + 2) % 3)]);
+                const Triangle& face = faces_[side.face];
+                const auto [low, high] = std::minmax(face[(k + 1) % 3], face[(k + 2) % 3]);
                 repair_.report.cutEdges.push_back({low, high});
             }
         }
@@ -332,7 +328,7 @@ private:
                 duplicated.push_back({vertex, {}});
             }
             duplicated.back().copies.push_back(static_cast<int>(repair_.mesh.vertices.size()));
-            const Vec3 position = repair_.mesh.vertices[at(vertex)];
+            const Vec3 position = repair_.mesh.vertices[vertex];
             repair_.mesh.vertices.push_back(position);
             repair_.vertexOrigins.push_back(vertex);
         }

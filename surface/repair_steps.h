@@ -36,8 +36,7 @@ void forEachEdge(const std::vector<Side>& sides, const Visitor& visit) {
 
 /// Whether a side leads from its lower vertex to the higher one.
 [[nodiscard]] inline bool leadsUp(const std::vector<Triangle>& faces, const Side& side) {
-    return faces[static_cast<std::size_t>(side.face)][static_cast<std::size_t>((side.k + 1) % 3)] ==
-           side.low;
+    return faces[side.face][(side.k + 1) % 3] == side.low;
 }
 
 /// Removes or splits away faces without area.

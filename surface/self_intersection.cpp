@@ -199,11 +199,7 @@ bool trianglesIntersect(const std::vector<Vec3>& vertices, const Triangle& a, co
         }
     }
     const auto cornersOf = [&](const Triangle& triangle) {
-        return Corners{
-            &vertices[static_cast<std::size_t>(triangle[0])],
-            &vertices[static_cast<std::size_t>(triangle[1])],
-            &vertices[static_cast<std::size_t>(triangle[2])]
-        };
+        return Corners{&vertices[triangle[0]], &vertices[triangle[1]], &vertices[triangle[2]]};
     };
     switch (shared) {
         case 0:
@@ -223,11 +219,7 @@ std::vector<std::pair<int, int>> findSelfIntersections(
     std::vector<std::pair<int, int>> pairs;
     const TriangleTree tree(vertices, triangles);
     tree.forEachOverlappingPair([&](int i, int j) {
-        if (trianglesIntersect(
-                vertices,
-                triangles[static_cast<std::size_t>(i)],
-                triangles[static_cast<std::size_t>(j)]
-            )) {
+        if (trianglesIntersect(vertices, triangles[i], triangles[j])) {
             pairs.emplace_back(i, j);
         }
     });

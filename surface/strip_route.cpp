@@ -18,10 +18,6 @@ constexpr double kShorter = 1e-12;
 // A path that bends less than this at a vertex counts as straight (radians).
 constexpr double kStraight = 1e-9;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 std::ptrdiff_t step(std::size_t index) {
     return static_cast<std::ptrdiff_t>(index);
 }
@@ -33,12 +29,12 @@ bool contains(const std::vector<int>& list, int value) {
 // The angle that the surface has at a vertex: 2 pi in the plane.
 double totalAngle(const Surface& surface, int vertex) {
     double sum = 0.0;
-    const Vec3& p = surface.vertices()[at(vertex)];
+    const Vec3& p = surface.vertices()[vertex];
     for (const int f : surface.facesAround(vertex)) {
-        const Triangle& face = surface.faces()[at(f)];
-        const std::size_t k = at(cornerOf(face, vertex));
-        const Vec3 a = surface.vertices()[at(face[(k + 1) % 3])] - p;
-        const Vec3 b = surface.vertices()[at(face[(k + 2) % 3])] - p;
+        const Triangle& face = surface.faces()[f];
+        const std::size_t k = (cornerOf(face, vertex));
+        const Vec3 a = surface.vertices()[face[(k + 1) % 3]] - p;
+        const Vec3 b = surface.vertices()[face[(k + 2) % 3]] - p;
         sum += std::atan2(a.cross(b).norm(), a.dot(b));
     }
     return sum;
@@ -64,8 +60,8 @@ void removeSpikes(std::vector<int>& strip) {
 // Where the path in a strip crosses a portal.
 Vec3 crossing(const Surface& surface, const StripPath& path, std::size_t portal) {
     const double s = path.crossings[portal];
-    return (1.0 - s) * surface.vertices()[at(path.lefts[portal])] +
-           s * surface.vertices()[at(path.rights[portal])];
+    return (1.0 - s) * surface.vertices()[path.lefts[portal]] +
+           s * surface.vertices()[path.rights[portal]];
 }
 
 std::vector<int> openFacesHolding(
@@ -231,7 +227,7 @@ bool StripRoute::areCheaper(const std::vector<Move>& moves) {
 // it.
 bool StripRoute::rerouteAround(int vertex, std::size_t portal, Strip& strip) {
     const auto isAtVertex = [&](std::size_t i) {
-        return cornerOf(surface_.faces()[at(strip[i])], vertex) >= 0;
+        return cornerOf(surface_.faces()[strip[i]], vertex) >= 0;
     };
     std::size_t first = portal;
     while (first > 0 && isAtVertex(first - 1)) {
@@ -247,10 +243,10 @@ bool StripRoute::rerouteAround(int vertex, std::size_t portal, Strip& strip) {
     int previous = strip[first + 1];
     int face = strip[first];
     while (face != strip[last]) {
-        const Triangle& corners = surface_.faces()[at(face)];
+        const Triangle& corners = surface_.faces()[face];
         int next = -1;
         for (std::size_t k = 0; k < 3; ++k) {
-            const int neighbour = surface_.faceNeighbours()[at(face)][k];
+            const int neighbour = surface_.faceNeighbours()[face][k];
             if (corners[k] != vertex && neighbour != previous) {
                 next = neighbour;
             }
@@ -271,7 +267,7 @@ bool StripRoute::rerouteAround(int vertex, std::size_t portal, Strip& strip) {
 
 bool StripRoute::holds(int face, const End& end) const {
     if (end.vertex >= 0) {
-        return cornerOf(surface_.faces()[at(face)], end.vertex) >= 0;
+        return cornerOf(surface_.faces()[face], end.vertex) >= 0;
     }
     return contains(end.faces, face);
 }
@@ -297,11 +293,11 @@ SurfacePoint StripRoute::pointIn(int face, const End& end) const {
     if (end.vertex < 0) {
         return inFace(surface_, end.point, face);
     }
-    return {face, Vec3::Unit(cornerOf(surface_.faces()[at(face)], end.vertex))};
+    return {face, Vec3::Unit(cornerOf(surface_.faces()[face], end.vertex))};
 }
 
 Vec3 StripRoute::positionOf(const End& end) const {
-    return end.vertex >= 0 ? surface_.vertices()[at(end.vertex)] : surface_.position(end.point);
+    return end.vertex >= 0 ? surface_.vertices()[end.vertex] : surface_.position(end.point);
 }
 
 // Of the shortest path in a strip.

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 bool contains(const std::vector<int>& list, int value) {
     return std::ranges::find(list, value) != list.end();
 }
@@ -46,7 +42,7 @@ std::optional<StripSearch::Way> StripSearch::find(
         }
     }
     const std::vector<int>& components = surface_.faceComponents();
-    if (components[at(start.face)] != components[at(goal.face)]) {
+    if (components[start.face] != components[goal.face]) {
         return std::nullopt;
     }
     std::optional<Way> way;
@@ -97,14 +93,13 @@ bool StripSearch::mayEnter(int face) {
 }
 
 Vec3 StripSearch::middle(int crossing) const {
-    const Triangle& face = surface_.faces()[at(crossing / 3)];
+    const Triangle& face = surface_.faces()[crossing / 3];
     const int k = crossing % 3;
-    return 0.5 * (surface_.vertices()[at(face[at((k + 1) % 3)])] +
-                  surface_.vertices()[at(face[at((k + 2) % 3)])]);
+    return 0.5 * (surface_.vertices()[face[(k + 1) % 3]] + surface_.vertices()[face[(k + 2) % 3]]);
 }
 
 int StripSearch::faceBehind(int crossing) const {
-    return surface_.faceNeighbours()[at(crossing / 3)][at(crossing % 3)];
+    return surface_.faceNeighbours()[crossing / 3][crossing % 3];
 }
 
 // The smaller of the two crossings of an edge stands for it.
@@ -115,8 +110,8 @@ int StripSearch::edgeOf(int crossing) const {
         return crossing;
     }
     // Two faces may share two edges, so it is found by an end of the edge.
-    const int end = surface_.faces()[at(face)][at((crossing % 3 + 1) % 3)];
-    return 3 * behind + (cornerOf(surface_.faces()[at(behind)], end) + 1) % 3;
+    const int end = surface_.faces()[face][(crossing % 3 + 1) % 3];
+    return 3 * behind + (cornerOf(surface_.faces()[behind], end) + 1) % 3;
 }
 
 void StripSearch::push(const Offer& entry) {

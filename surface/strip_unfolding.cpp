@@ -14,10 +14,6 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
@@ -65,18 +61,16 @@ public:
     }
 
 private:
-    [[nodiscard]] const Triangle& face(std::size_t i) const {
-        return surface_.faces()[at(strip_[i])];
-    }
+    [[nodiscard]] const Triangle& face(std::size_t i) const { return surface_.faces()[strip_[i]]; }
 
-    [[nodiscard]] const Vec3& position(int vertex) const { return surface_.vertices()[at(vertex)]; }
+    [[nodiscard]] const Vec3& position(int vertex) const { return surface_.vertices()[vertex]; }
 
     // Crosses from face i to face i + 1: records the portal, places the new corner.
     void step(std::size_t i, Unfolding& result) {
         const Triangle& here = face(i);
         const Triangle& there = face(i + 1);
         std::size_t k = 0;
-        while (surface_.faceNeighbours()[at(strip_[i])][k] != strip_[i + 1]) {
+        while (surface_.faceNeighbours()[strip_[i]][k] != strip_[i + 1]) {
             ++k;
         }
         // Leaving a counter-clockwise face over the edge from corner k+1 to k+2, that edge runs
@@ -91,14 +85,10 @@ private:
         const int cl = cornerOf(there, here[l]);
         const int cr = cornerOf(there, here[r]);
         const int apex = 3 - cl - cr;
-        next[at(cl)] = corners_[l];
-        next[at(cr)] = corners_[r];
-        next[at(apex)] = unfoldApex(
-            corners_[l],
-            corners_[r],
-            position(here[l]),
-            position(here[r]),
-            position(there[at(apex)])
+        next[cl] = corners_[l];
+        next[cr] = corners_[r];
+        next[apex] = unfoldApex(
+            corners_[l], corners_[r], position(here[l]), position(here[r]), position(there[apex])
         );
         corners_ = next;
     }

@@ -48,17 +48,17 @@ Surface::Surface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
 }
 
 Vec3 Surface::position(const SurfacePoint& point) const {
-    const Triangle& face = mesh_.faces[static_cast<std::size_t>(point.face)];
-    return point.barycentric[0] * mesh_.vertices[static_cast<std::size_t>(face[0])] +
-           point.barycentric[1] * mesh_.vertices[static_cast<std::size_t>(face[1])] +
-           point.barycentric[2] * mesh_.vertices[static_cast<std::size_t>(face[2])];
+    const Triangle& face = mesh_.faces[point.face];
+    return point.barycentric[0] * mesh_.vertices[face[0]] +
+           point.barycentric[1] * mesh_.vertices[face[1]] +
+           point.barycentric[2] * mesh_.vertices[face[2]];
 }
 
 Vec3 Surface::faceNormal(int face) const {
-    const Triangle& corners = mesh_.faces[static_cast<std::size_t>(face)];
-    const Vec3& origin = mesh_.vertices[static_cast<std::size_t>(corners[0])];
-    const Vec3 edge1 = mesh_.vertices[static_cast<std::size_t>(corners[1])] - origin;
-    const Vec3 edge2 = mesh_.vertices[static_cast<std::size_t>(corners[2])] - origin;
+    const Triangle& corners = mesh_.faces[face];
+    const Vec3& origin = mesh_.vertices[corners[0]];
+    const Vec3 edge1 = mesh_.vertices[corners[1]] - origin;
+    const Vec3 edge2 = mesh_.vertices[corners[2]] - origin;
     return edge1.cross(edge2).normalized();
 }
 

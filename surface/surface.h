@@ -56,14 +56,12 @@ public:
 
     [[nodiscard]] FaceRange facesAround(int vertex) const {
         return {
-            vertexFaces_.data() + vertexFaceOffsets_[static_cast<std::size_t>(vertex)],
-            vertexFaces_.data() + vertexFaceOffsets_[static_cast<std::size_t>(vertex) + 1]
+            vertexFaces_.data() + vertexFaceOffsets_[vertex],
+            vertexFaces_.data() + vertexFaceOffsets_[vertex + 1]
         };
     }
 
-    [[nodiscard]] bool isBoundaryVertex(int vertex) const {
-        return isBoundaryVertex_[static_cast<std::size_t>(vertex)] != 0;
-    }
+    [[nodiscard]] bool isBoundaryVertex(int vertex) const { return isBoundaryVertex_[vertex] != 0; }
 
     /// Length of the diagonal of the axis-aligned box of the referenced vertices.
     [[nodiscard]] double diagonal() const { return diagonal_; }

@@ -4,16 +4,8 @@
 #include <algorithm>
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 std::vector<int> facesHolding(const Surface& surface, const SurfacePoint& point) {
-    const Triangle& face = surface.faces()[at(point.face)];
+    const Triangle& face = surface.faces()[point.face];
     std::vector<int> faces;
     int zeros = 0;
     int zeroCorner = 0;
@@ -27,12 +19,12 @@ std::vector<int> facesHolding(const Surface& surface, const SurfacePoint& point)
         }
     }
     if (zeros == 2) {
-        const Surface::FaceRange around = surface.facesAround(face[at(liveCorner)]);
+        const Surface::FaceRange around = surface.facesAround(face[liveCorner]);
         faces.assign(around.begin(), around.end());
     } else {
         faces.push_back(point.face);
-        if (zeros == 1 && surface.faceNeighbours()[at(point.face)][at(zeroCorner)] >= 0) {
-            faces.push_back(surface.faceNeighbours()[at(point.face)][at(zeroCorner)]);
+        if (zeros == 1 && surface.faceNeighbours()[point.face][zeroCorner] >= 0) {
+            faces.push_back(surface.faceNeighbours()[point.face][zeroCorner]);
         }
     }
     std::sort(faces.begin(), faces.end());
@@ -45,7 +37,7 @@ SurfacePoint inFace(const Surface& surface, const SurfacePoint& point, int face)
     }
     SurfacePoint result{face, Vec3::Zero()};
     for (std::size_t k = 0; k < 3; ++k) {
-        const int corner = cornerOf(surface.faces()[at(face)], surface.faces()[at(point.face)][k]);
+        const int corner = cornerOf(surface.faces()[face], surface.faces()[point.face][k]);
         if (corner >= 0) {
             result.barycentric[corner] = point.barycentric[static_cast<Eigen::Index>(k)];
         }

@@ -111,10 +111,9 @@ struct TriangleTree::ClosestSearch {
 
     void visitLeaf(const Node& leaf) {
         for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
-            const int triangle = tree.order_[static_cast<std::size_t>(i)];
-            const ClosestPointOnTriangle candidate = closestPointOnTriangle(
-                tree.vertices_, tree.triangles_[static_cast<std::size_t>(triangle)], query
-            );
+            const int triangle = tree.order_[i];
+            const ClosestPointOnTriangle candidate =
+                closestPointOnTriangle(tree.vertices_, tree.triangles_[triangle], query);
             if (candidate.squaredDistance < best.squaredDistance ||
                 (candidate.squaredDistance == best.squaredDistance && triangle < best.point.face)) {
                 best.point = {.face = triangle, .barycentric = candidate.barycentric};

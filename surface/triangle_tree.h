@@ -78,13 +78,13 @@ private:
     );
     int build(const std::vector<MortonKey>& keys, std::size_t first, std::size_t last);
 
-    [[nodiscard]] const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] const Node& node(int i) const { return nodes_[i]; }
 
     [[nodiscard]] Box boxOf(int triangle) const {
-        const Triangle& corners = triangles_[static_cast<std::size_t>(triangle)];
-        const Vec3& a = vertices_[static_cast<std::size_t>(corners[0])];
-        const Vec3& b = vertices_[static_cast<std::size_t>(corners[1])];
-        const Vec3& c = vertices_[static_cast<std::size_t>(corners[2])];
+        const Triangle& corners = triangles_[triangle];
+        const Vec3& a = vertices_[corners[0]];
+        const Vec3& b = vertices_[corners[1]];
+        const Vec3& c = vertices_[corners[2]];
         return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
     }
 
@@ -157,7 +157,7 @@ void TriangleTree::forEachOverlapping(int triangle, const Visitor& visit) const 
             continue;
         }
         for (int i = node(here).first; i < node(here).first + node(here).count; ++i) {
-            const int other = order_[static_cast<std::size_t>(i)];
+            const int other = order_[i];
             if (boxOf(other).overlaps(box)) {
                 visit(other);
             }
@@ -173,12 +173,12 @@ void TriangleTree::visitLeafPair(int a, int b, const Visitor& visit) const {
     const int* const trianglesB = order_.data() + node(b).first;
     std::array<Box, kLeafSize> boxesB;
     for (int j = 0; j < countB; ++j) {
-        boxesB[static_cast<std::size_t>(j)] = boxOf(trianglesB[j]);
+        boxesB[j] = boxOf(trianglesB[j]);
     }
     for (int i = 0; i < countA; ++i) {
         const Box boxA = boxOf(trianglesA[i]);
         for (int j = a == b ? i + 1 : 0; j < countB; ++j) {
-            if (boxA.overlaps(boxesB[static_cast<std::size_t>(j)])) {
+            if (boxA.overlaps(boxesB[j])) {
                 visit(
                     std::min(trianglesA[i], trianglesB[j]), std::max(trianglesA[i], trianglesB[j])
                 );

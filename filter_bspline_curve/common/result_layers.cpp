@@ -50,8 +50,8 @@ void addVertices(
     Allocator::AddVertices(curve, polyline.surfacePoints.size());
     for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
         const auto& [face, barycentric] = polyline.surfacePoints[i];
-        const int layerFace = arrays.faceIds[static_cast<std::size_t>(face)];
-        const CFaceO& corners = surface.cm.face[static_cast<std::size_t>(layerFace)];
+        const int layerFace = arrays.faceIds[face];
+        const CFaceO& corners = surface.cm.face[layerFace];
         const Vec3 position = toVec3(corners.cP(0)) * barycentric[0] +
                               toVec3(corners.cP(1)) * barycentric[1] +
                               toVec3(corners.cP(2)) * barycentric[2];
@@ -67,7 +67,7 @@ void setAttributes(CMeshO& curve, const LayerArrays& arrays, const SurfacePolyli
     auto parameter = Allocator::AddPerVertexAttribute<Scalarm>(curve, "t");
     for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
         const SurfacePoint& point = polyline.surfacePoints[i];
-        const int face = arrays.faceIds[static_cast<std::size_t>(point.face)];
+        const int face = arrays.faceIds[point.face];
         faceIndex[i] = static_cast<Scalarm>(face);
         barycentric[i] = toPoint3m(point.barycentric);
         parameter[i] = static_cast<Scalarm>(polyline.parameters[i]);
@@ -191,7 +191,7 @@ void addResultLayers(
 void setQuality(MeshModel& layer, const LayerArrays& arrays, const FieldResult& result) {
     layer.updateDataMask(MeshModel::MM_VERTQUALITY);
     for (std::size_t i = 0; i < result.values.size(); ++i) {
-        layer.cm.vert[static_cast<std::size_t>(arrays.vertexIds[i])].Q() =
+        layer.cm.vert[arrays.vertexIds[i]].Q() =
             static_cast<CVertexO::QualityType>(result.values[i]);
     }
 }

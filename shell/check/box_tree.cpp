@@ -19,7 +19,7 @@ std::size_t BoxTree::build(std::size_t first, std::size_t last) {
     Box box;
     Box centres;
     for (std::size_t i = first; i < last; ++i) {
-        const Box& item = boxes_[static_cast<std::size_t>(order_[i])];
+        const Box& item = boxes_[order_[i]];
         box.extend(item);
         centres.extend(item.center());
     }
@@ -33,9 +33,7 @@ std::size_t BoxTree::build(std::size_t first, std::size_t last) {
             return order_.begin() + static_cast<std::ptrdiff_t>(i);
         };
         std::nth_element(position(first), position(middle), position(last), [&](int a, int b) {
-            const auto key = [&](int i) {
-                return std::pair(boxes_[static_cast<std::size_t>(i)].center()[axis], i);
-            };
+            const auto key = [&](int i) { return std::pair(boxes_[i].center()[axis], i); };
             return key(a) < key(b);
         });
         build(first, middle);

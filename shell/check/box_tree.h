@@ -35,7 +35,7 @@ public:
             }
             if (node.last - node.first <= kLeafSize) {
                 for (std::size_t i = node.first; i < node.last; ++i) {
-                    if (boxes_[static_cast<std::size_t>(order_[i])].intersects(query)) {
+                    if (boxes_[order_[i]].intersects(query)) {
                         visit(order_[i]);
                     }
                 }

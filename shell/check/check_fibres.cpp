@@ -116,7 +116,7 @@ void checkFibres(
 ) {
     Uniform random(options.seed);
     for (int prism = 0; prism < shell.prismCount(); ++prism) {
-        const bool mayMiss = hasBorder[static_cast<std::size_t>(prism)] != 0;
+        const bool mayMiss = hasBorder[prism] != 0;
         bool holds = true;
         for (int i = 0; i < options.fibresPerPrism && holds; ++i) {
             holds = fibreHolds(shell, surface, prism, mayMiss, random);

@@ -8,21 +8,17 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Whether prism f stands on face f of the base, and the face is that of the surface.
 bool isMiddleOf(const CheckedShell& shell, const Surface& surface, const ShellBase& base, int f) {
     const Prism& p = shell.prism(f);
     if (shell.slotParity(f) == 0 ||
-        (f < surface.faceCount() && base.faces[at(f)] != surface.faces()[at(f)])) {
+        (f < surface.faceCount() && base.faces[f] != surface.faces()[f])) {
         return false;
     }
     for (std::size_t slot = 0; slot < 3; ++slot) {
         const int v = p.pillars[slot];
-        if (v != base.faces[at(f)][at(p.faceCorner[slot])] ||
-            shell.shell().pillars()[at(v)].middle != base.vertices[at(v)] ||
+        if (v != base.faces[f][p.faceCorner[slot]] ||
+            shell.shell().pillars()[v].middle != base.vertices[v] ||
             !isWhereItSays(surface, base, v)) {
             return false;
         }
@@ -33,14 +29,14 @@ bool isMiddleOf(const CheckedShell& shell, const Surface& surface, const ShellBa
 // In each tetrahedron the fibres are parallel to the half pillar that it holds, which starts in
 // the face: the dot product with the normal has the sign of a volume.
 bool isTransversal(const CheckedShell& shell, const ShellBase& base, int f) {
-    const Triangle& face = base.faces[at(f)];
+    const Triangle& face = base.faces[f];
     const auto side = [&](const Vec3& tip) {
         return orientationSign(
-            base.vertices[at(face[0])], base.vertices[at(face[1])], base.vertices[at(face[2])], tip
+            base.vertices[face[0]], base.vertices[face[1]], base.vertices[face[2]], tip
         );
     };
     return std::all_of(face.begin(), face.end(), [&](int v) {
-        const Pillar& pillar = shell.shell().pillars()[at(v)];
+        const Pillar& pillar = shell.shell().pillars()[v];
         return side(pillar.top) > 0 && side(pillar.bottom) < 0;
     });
 }
@@ -51,7 +47,7 @@ bool isWhereItSays(const Surface& surface, const ShellBase& base, int v) {
     if (v >= surface.vertexCount()) {
         return surface.isBoundaryVertex(base.surfaceVertex(v));
     }
-    return base.vertices[at(v)] == base.frame.toUnit(surface.vertices()[at(v)]) ||
+    return base.vertices[v] == base.frame.toUnit(surface.vertices()[v]) ||
            std::binary_search(base.movedVertices.begin(), base.movedVertices.end(), v);
 }
 
@@ -73,19 +69,19 @@ void checkPrismPerFace(
     Violations violations
 ) {
     const int prismCount = shell.prismCount();
-    std::vector<char> isListed(at(prismCount), 0);
+    std::vector<char> isListed(prismCount, 0);
     int previous = -1;
     for (const int f : blockedFaces) {
         if (f <= previous || f >= surface.faceCount() || f >= prismCount) {
             violations.add({f});
         } else {
-            isListed[at(f)] = 1;
+            isListed[f] = 1;
         }
         previous = std::max(previous, f);
     }
     for (int f = 0; f < surface.faceCount(); ++f) {
         if (f >= prismCount || shell.shell().isGhost(f) ||
-            shell.isPresent(f) == (isListed[at(f)] != 0)) {
+            shell.isPresent(f) == (isListed[f] != 0)) {
             violations.add({f});
         }
     }

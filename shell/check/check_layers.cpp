@@ -14,10 +14,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parents_(count) {
@@ -25,9 +21,9 @@ public:
     }
 
     int find(int i) {
-        while (parents_[at(i)] != i) {
-            parents_[at(i)] = parents_[at(parents_[at(i)])];
-            i = parents_[at(i)];
+        while (parents_[i] != i) {
+            parents_[i] = parents_[parents_[i]];
+            i = parents_[i];
         }
         return i;
     }
@@ -35,7 +31,7 @@ public:
     // The smallest element stands for its set.
     void unite(int i, int j) {
         const auto [low, high] = std::minmax({find(i), find(j)});
-        parents_[at(high)] = low;
+        parents_[high] = low;
     }
 
 private:
@@ -76,7 +72,7 @@ bool prismHolds(const CheckedShell& shell, int prism, int point) {
 }
 
 std::pair<int, int> wallPillars(const Prism& p, int wall) {
-    return std::minmax(p.pillars[at((wall + 1) % 3)], p.pillars[at((wall + 2) % 3)]);
+    return std::minmax(p.pillars[(wall + 1) % 3], p.pillars[(wall + 2) % 3]);
 }
 
 // Ranks, orientation, and walls that lead there and back between the same pillars.
@@ -87,14 +83,14 @@ bool prismAgrees(const CheckedShell& shell, int i) {
         return false;
     }
     for (int wall = 0; wall < 3; ++wall) {
-        const int there = p.neighbours[at(wall)];
-        const int wallThere = p.neighbourWalls[at(wall)];
+        const int there = p.neighbours[wall];
+        const int wallThere = p.neighbourWalls[wall];
         if (there == -1) {
             continue;
         }
         if (there < 0 || there >= shell.prismCount() || there == i || wallThere < 0 ||
-            wallThere > 2 || shell.prism(there).neighbours[at(wallThere)] != i ||
-            shell.prism(there).neighbourWalls[at(wallThere)] != wall ||
+            wallThere > 2 || shell.prism(there).neighbours[wallThere] != i ||
+            shell.prism(there).neighbourWalls[wallThere] != wall ||
             wallPillars(p, wall) != wallPillars(shell.prism(there), wallThere)) {
             return false;
         }
@@ -103,7 +99,7 @@ bool prismAgrees(const CheckedShell& shell, int i) {
 }
 
 DisjointSets componentsOf(const CheckedShell& shell) {
-    DisjointSets sets(at(shell.prismCount()));
+    DisjointSets sets(shell.prismCount());
     shell.forEachFace([&](std::size_t first, std::size_t count) {
         for (std::size_t i = 1; i < count; ++i) {
             sets.unite(
@@ -143,7 +139,7 @@ std::map<int, BoundaryPart> boundaryParts(
         const Vec3 a = shell.point(face.points[0]) - origin;
         const Vec3 b = shell.point(face.points[1]) - origin;
         const Vec3 c = shell.point(face.points[2]) - origin;
-        const int inside = shell.tetPoints(face.tet)[at(face.k)];
+        const int inside = shell.tetPoints(face.tet)[face.k];
         const int side = shell.volumeSign({face.points[0], face.points[1], face.points[2], inside});
         BoundaryPart& part = parts[first];
         part.volume -= side * a.dot(b.cross(c));
@@ -192,7 +188,7 @@ void checkLayers(const CheckedShell& shell, Violations violations) {
         prisms.push_back(face.tet / kTetrahedraPerPrism);
     }
     for (const auto& [i, j] : findSelfIntersections(shell.points(), triangles)) {
-        violations.add({prisms[at(i)], prisms[at(j)]});
+        violations.add({prisms[i], prisms[j]});
     }
     checkOrientation(shell, boundary, violations);
 }
@@ -242,9 +238,9 @@ void checkComponents(const CheckedShell& shell, Violations violations) {
 }
 
 void checkNeighbours(const CheckedShell& shell, Violations violations) {
-    std::vector<char> agrees(at(shell.prismCount()), 1);
+    std::vector<char> agrees(shell.prismCount(), 1);
     for (int i = 0; i < shell.prismCount(); ++i) {
-        agrees[at(i)] = static_cast<char>(!shell.isPresent(i) || prismAgrees(shell, i));
+        agrees[i] = static_cast<char>(!shell.isPresent(i) || prismAgrees(shell, i));
     }
     // Equal faces of tetrahedra are across from each other, and no others are.
     std::vector<char> meets = agrees;
@@ -252,17 +248,17 @@ void checkNeighbours(const CheckedShell& shell, Violations violations) {
         for (std::size_t i = first; i < first + count; ++i) {
             const TetFace& face = shell.faces()[i];
             const int owner = face.tet / kTetrahedraPerPrism;
-            if (agrees[at(owner)] == 0) {
+            if (agrees[owner] == 0) {
                 continue;  // its walls cannot be crossed
             }
             const int expected = count == 2 ? shell.faces()[first + (i == first ? 1 : 0)].tet : -1;
             if (count > 2 || shell.shell().neighbour(face.tet, face.k) != expected) {
-                meets[at(owner)] = 0;
+                meets[owner] = 0;
             }
         }
     });
     for (int i = 0; i < shell.prismCount(); ++i) {
-        if (meets[at(i)] == 0) {
+        if (meets[i] == 0) {
             violations.add({i});
         }
     }

@@ -13,10 +13,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // The surface in a prism: meets every tetrahedron with every face near by.
 class PrismMeeting {
 public:
@@ -24,12 +20,12 @@ public:
         : surface_(surface) {
         for (int i = 0; i < kTetrahedraPerPrism; ++i) {
             const int tet = kTetrahedraPerPrism * prism + i;
-            tets_[at(i)] = shell.tetCorners(tet);
-            boxes_[at(i)] = boxOf(tets_[at(i)]);
-            box_.extend(boxes_[at(i)]);
+            tets_[i] = shell.tetCorners(tet);
+            boxes_[i] = boxOf(tets_[i]);
+            box_.extend(boxes_[i]);
             const std::array<int, 2> pillar = shell.halfPillar(tet);
-            from_[at(i)] = shell.point(pillar[0]);
-            to_[at(i)] = shell.point(pillar[1]);
+            from_[i] = shell.point(pillar[0]);
+            to_[i] = shell.point(pillar[1]);
         }
     }
 
@@ -78,12 +74,12 @@ struct Meetings {
 };
 
 Meetings meetAll(const CheckedShell& shell, const CheckedSurface& surface) {
-    const std::size_t faceCount = at(surface.faceCount());
+    const std::size_t faceCount = surface.faceCount();
     Meetings all{
         std::vector<char>(faceCount, 0),
         std::vector<char>(faceCount, 1),
         std::vector<char>(faceCount, 1),
-        std::vector<char>(at(shell.prismCount()), 0)
+        std::vector<char>(shell.prismCount(), 0)
     };
     for (int prism = 0; prism < shell.prismCount(); ++prism) {
         const PrismMeeting meeting(shell, surface, prism);
@@ -93,15 +89,15 @@ Meetings meetAll(const CheckedShell& shell, const CheckedSurface& surface) {
             if (!found.meets) {
                 return;
             }
-            all.isInSomePrism[at(face)] = 1;
+            all.isInSomePrism[face] = 1;
             if (!found.isTransversal) {
-                all.isTransversal[at(face)] = 0;
+                all.isTransversal[face] = 0;
             }
             if (!std::binary_search(tracked.begin(), tracked.end(), face)) {
-                all.isTracked[at(face)] = 0;
+                all.isTracked[face] = 0;
             }
             if (found.hasBorder) {
-                all.hasBorder[at(prism)] = 1;
+                all.hasBorder[prism] = 1;
             }
         });
     }
@@ -110,8 +106,8 @@ Meetings meetAll(const CheckedShell& shell, const CheckedSurface& surface) {
 
 // Whether a face of the base is that of the surface.
 bool isOfSurface(const Surface& surface, const ShellBase& base, int f) {
-    const Triangle& face = base.faces[at(f)];
-    return (f >= surface.faceCount() || face == surface.faces()[at(f)]) &&
+    const Triangle& face = base.faces[f];
+    return (f >= surface.faceCount() || face == surface.faces()[f]) &&
            std::all_of(face.begin(), face.end(), [&](int v) {
                return isWhereItSays(surface, base, v);
            });
@@ -125,7 +121,7 @@ void checkTransversality(
 ) {
     for (int f = 0; f < std::max(surface.faceCount(), checked.faceCount()); ++f) {
         if (f >= checked.faceCount() || !isOfSurface(surface, checked.base(), f) ||
-            isTransversal[at(f)] == 0) {
+            isTransversal[f] == 0) {
             violations.add({f});
         }
     }
@@ -148,7 +144,7 @@ void checkTracks(
     }
     for (int f = 0; f < surface.faceCount(); ++f) {
         const bool isLost = surface.holds(f) && shell.shell().prismsOf(f).empty();
-        if (isLost || isTracked[at(f)] == 0) {
+        if (isLost || isTracked[f] == 0) {
             violations.add({f});
         }
     }
@@ -173,7 +169,7 @@ void checkContainment(
     std::map<std::tuple<double, double, double>, int> middles;
     for (int i = CheckedShell::Middle; i < static_cast<int>(points.size());
          i += CheckedShell::kLevels) {
-        middles.emplace(key(points[at(i)]), i);
+        middles.emplace(key(points[i]), i);
     }
     std::vector<int> numbers;
     for (const Vec3& vertex : surface.base().vertices) {
@@ -184,7 +180,7 @@ void checkContainment(
         points.push_back(vertex);
     }
 
-    std::vector<char> isCut(at(surface.faceCount()), 0);
+    std::vector<char> isCut(surface.faceCount(), 0);
     for (const TetFace& boundary : shell.boundary()) {
         const bool isLayer = CheckedShell::isLayer(boundary);
         const std::array<Vec3, 3> corners = {
@@ -193,18 +189,16 @@ void checkContainment(
             shell.point(boundary.points[2])
         };
         surface.forEachNear(boxOf(corners), [&](int f) {
-            const Triangle& face = surface.base().faces[at(f)];
-            const Triangle numbered = {
-                numbers[at(face[0])], numbers[at(face[1])], numbers[at(face[2])]
-            };
-            if ((isLayer || !surface.isGhost(f)) && isCut[at(f)] == 0 &&
+            const Triangle& face = surface.base().faces[f];
+            const Triangle numbered = {numbers[face[0]], numbers[face[1]], numbers[face[2]]};
+            if ((isLayer || !surface.isGhost(f)) && isCut[f] == 0 &&
                 trianglesIntersect(points, boundary.points, numbered)) {
-                isCut[at(f)] = 1;
+                isCut[f] = 1;
             }
         });
     }
     for (int f = 0; f < surface.faceCount(); ++f) {
-        if (isCut[at(f)] != 0) {
+        if (isCut[f] != 0) {
             violations.add({f});
         }
     }
@@ -230,7 +224,7 @@ void checkSimplifiedShell(
     checkContainment(shell, checked, notContained);
     // What meets a tetrahedron and does not cross the boundary lies inside.
     for (int f = 0; f < base.surfaceFaceCount; ++f) {
-        if (checked.holds(f) && meetings.isInSomePrism[at(f)] == 0) {
+        if (checked.holds(f) && meetings.isInSomePrism[f] == 0) {
             notContained.add({f});
         }
     }

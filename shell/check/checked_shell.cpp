@@ -6,14 +6,6 @@
 #include <algorithm>
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 CheckedShell::CheckedShell(const Shell& shell) : shell_(shell) {
     points_.reserve(kLevels * shell.pillars().size());
     for (const Pillar& pillar : shell.pillars()) {
@@ -50,8 +42,8 @@ std::array<int, 4> CheckedShell::tetPoints(int tet) const {
     const Level outer = inPrism < 3 ? Top : Bottom;
     std::array<int, 4> points{};
     for (std::size_t k = 0; k < 4; ++k) {
-        const SplitVertex vertex = kSlabSplit[at(inPrism % 3)][k];
-        points[k] = kLevels * p.pillars[at(vertex.slot)] + (vertex.outer ? outer : Level::Middle);
+        const SplitVertex vertex = kSlabSplit[inPrism % 3][k];
+        points[k] = kLevels * p.pillars[vertex.slot] + (vertex.outer ? outer : Level::Middle);
     }
     return points;
 }
@@ -91,7 +83,7 @@ TetFace CheckedShell::faceOpposite(int tet, int k) const {
     std::size_t count = 0;
     for (int j = 0; j < 4; ++j) {
         if (j != k) {
-            face.points[count++] = points[at(j)];
+            face.points[count++] = points[j];
         }
     }
     std::sort(face.points.begin(), face.points.end());

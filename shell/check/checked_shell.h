@@ -32,13 +32,11 @@ public:
 
     [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
 
-    [[nodiscard]] const Vec3& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] const Vec3& point(int i) const { return points_[i]; }
 
     [[nodiscard]] int prismCount() const { return static_cast<int>(shell_.prisms().size()); }
 
-    [[nodiscard]] const Prism& prism(int i) const {
-        return shell_.prisms()[static_cast<std::size_t>(i)];
-    }
+    [[nodiscard]] const Prism& prism(int i) const { return shell_.prisms()[i]; }
 
     /// False for a blocked face, which keeps its place among the prisms of full resolution.
     [[nodiscard]] bool isPresent(int i) const {

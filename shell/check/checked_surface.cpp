@@ -4,20 +4,16 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 std::vector<char> facesHeld(
     const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces
 ) {
     std::vector<char> holds(base.faces.size(), 1);
-    for (std::size_t f = at(base.surfaceFaceCount); f < holds.size(); ++f) {
+    for (std::size_t f = base.surfaceFaceCount; f < holds.size(); ++f) {
         holds[f] = static_cast<char>(!shell.prismsOf(static_cast<int>(f)).empty());
     }
     for (const int f : blockedFaces) {
         if (f >= 0 && f < base.surfaceFaceCount) {
-            holds[at(f)] = 0;
+            holds[f] = 0;
         }
     }
     return holds;

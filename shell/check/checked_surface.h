@@ -17,7 +17,7 @@ public:
     [[nodiscard]] int faceCount() const { return static_cast<int>(base_.faces.size()); }
 
     /// Whether the shell stands for a face.
-    [[nodiscard]] bool holds(int face) const { return holds_[static_cast<std::size_t>(face)] != 0; }
+    [[nodiscard]] bool holds(int face) const { return holds_[face] != 0; }
 
     [[nodiscard]] bool isBlocked(int face) const {
         return face < base_.surfaceFaceCount && !holds(face);
@@ -26,21 +26,21 @@ public:
     [[nodiscard]] bool isGhost(int face) const { return face >= base_.surfaceFaceCount; }
 
     [[nodiscard]] std::array<Vec3, 3> corners(int face) const {
-        const Triangle& t = base_.faces[static_cast<std::size_t>(face)];
-        const auto vertex = [&](int v) { return base_.vertices[static_cast<std::size_t>(v)]; };
+        const Triangle& t = base_.faces[face];
+        const auto vertex = [&](int v) { return base_.vertices[v]; };
         return {vertex(t[0]), vertex(t[1]), vertex(t[2])};
     }
 
     /// Whether nothing that the shell stands for lies across the edge opposite to vertex k.
     [[nodiscard]] bool isBorder(int face, std::size_t k) const {
-        const int there = base_.faceNeighbours[static_cast<std::size_t>(face)][k];
+        const int there = base_.faceNeighbours[face][k];
         return there < 0 || !holds(there);
     }
 
     /// Calls visit(face) for every face held whose box overlaps `box`.
     template <class Visitor>
     void forEachNear(const BoxTree::Box& box, const Visitor& visit) const {
-        tree_.forEachOverlapping(box, [&](int i) { visit(faces_[static_cast<std::size_t>(i)]); });
+        tree_.forEachOverlapping(box, [&](int i) { visit(faces_[i]); });
     }
 
 private:

@@ -184,11 +184,7 @@ bool overlaps(const std::array<Vec3, 4>& tetrahedron, const std::array<Vec3, 3>&
     }
     std::array<bool, 3> isInside = {true, true, true};
     for (const Triangle& f : kFaces) {
-        const std::array<const Vec3*, 3> face = {
-            &tet[static_cast<std::size_t>(f[0])],
-            &tet[static_cast<std::size_t>(f[1])],
-            &tet[static_cast<std::size_t>(f[2])]
-        };
+        const std::array<const Vec3*, 3> face = {&tet[f[0]], &tet[f[1]], &tet[f[2]]};
         int highest = -1;
         int lowest = 1;
         for (std::size_t k = 0; k < 3; ++k) {

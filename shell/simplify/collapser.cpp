@@ -20,10 +20,6 @@ constexpr std::size_t kSpareEdges = 4096;
 // How often the progress callback is asked, in edges.
 constexpr int kProgressInterval = 1024;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 }  // namespace
 
 void Collapser::run(double length, const Progress& progress) {
@@ -94,7 +90,7 @@ void Collapser::pushAround(int pillar, double length) {
     editor_.complex().appendPrismsAround(pillar, around_);
     for (const int prism : around_) {
         const Triangle& pillars = editor_.complex().pillarsOf(prism);
-        const auto k = at(cornerOf(pillars, pillar));
+        const auto k = (cornerOf(pillars, pillar));
         for (const auto& [i, j] :
              {std::pair(k, (k + 1) % 3), std::pair((k + 1) % 3, (k + 2) % 3)}) {
             const auto [low, high] = std::minmax({pillars[i], pillars[j]});
@@ -157,7 +153,7 @@ bool Collapser::propose(int removed, int kept) {
     const double now = editor_.leastQuality();
     std::erase_if(editor_.fresh, [&](Triangle& pillars) {
         const bool holdsEdge = cornerOf(pillars, kept) >= 0;
-        pillars[at(cornerOf(pillars, removed))] = kept;
+        pillars[cornerOf(pillars, removed)] = kept;
         return holdsEdge;
     });
     return editor_.leastQuality() >= std::min(now, kLeastQuality);

@@ -11,17 +11,13 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Whether a closed prism holds a point.
 bool holds(const PrismComplex& complex, const Triangle& pillars, const Vec3& point) {
     const Triangle slots = slotsOf(pillars);
     const int orientation = orientationOf(pillars);
     for (const Level outer : {Level::Top, Level::Bottom}) {
         const auto pointOf = [&](int slot, bool isOuter) -> const Vec3& {
-            return complex.point(slots[at(slot)], isOuter ? outer : Level::Middle);
+            return complex.point(slots[slot], isOuter ? outer : Level::Middle);
         };
         if (slabHolds(outer == Level::Top ? orientation : -orientation, pointOf, point)) {
             return true;
@@ -44,7 +40,7 @@ ComponentWitnesses::ComponentWitnesses(const TrackedSurface& surface, const Shel
     for (std::size_t f = 0; f < components.componentOf.size(); ++f) {
         const int component = components.componentOf[f];
         for (const int v : surface.base.faces[f]) {
-            int& known = vertexComponents[at(v)];
+            int& known = vertexComponents[v];
             if (component >= 0) {
                 known = known == kNone || known == component ? component : kSeveral;
             }
@@ -54,16 +50,16 @@ ComponentWitnesses::ComponentWitnesses(const TrackedSurface& surface, const Shel
     for (std::size_t f = 0; f < components.componentOf.size(); ++f) {
         const int component = components.componentOf[f];
         for (const int v : surface.base.faces[f]) {
-            if (component >= 0 && vertices[at(component)] == kNone &&
-                vertexComponents[at(v)] == component) {
-                vertices[at(component)] = v;
+            if (component >= 0 && vertices[component] == kNone &&
+                vertexComponents[v] == component) {
+                vertices[component] = v;
             }
         }
     }
     for (std::size_t c = 0; c < vertices.size(); ++c) {
         const int v =
-            vertices[c] == kNone ? surface.base.faces[at(components.first[c])][0] : vertices[c];
-        sorted_.push_back({surface.base.vertices[at(v)], static_cast<int>(c)});
+            vertices[c] == kNone ? surface.base.faces[components.first[c]][0] : vertices[c];
+        sorted_.push_back({surface.base.vertices[v], static_cast<int>(c)});
     }
     std::ranges::sort(sorted_, [](const Witness& a, const Witness& b) {
         return std::tuple(a.position.x(), a.component) < std::tuple(b.position.x(), b.component);
@@ -77,7 +73,7 @@ bool ComponentWitnesses::areHeld(
     if (sorted_.empty()) {
         return false;
     }
-    const int component = face < 0 ? -1 : componentOf_[at(face)];
+    const int component = face < 0 ? -1 : componentOf_[face];
     for (const Triangle& pillars : prisms) {
         Vec3 low = complex.point(pillars[0], Level::Middle);
         Vec3 high = low;

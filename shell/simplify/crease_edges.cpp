@@ -16,26 +16,22 @@ constexpr double kSharpTurn = 50.0 * std::numbers::pi / 180.0;
 // A set of sharp edges is a feature where it is longer than this share of the diagonal.
 constexpr double kLeastFeature = 0.12;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 }  // namespace
 
 std::vector<std::pair<int, int>> findCreases(const ShellBase& base) {
     const auto normalOf = [&](int f) -> Vec3 {
-        const Triangle& face = base.faces[at(f)];
-        return (base.vertices[at(face[1])] - base.vertices[at(face[0])])
-            .cross(base.vertices[at(face[2])] - base.vertices[at(face[0])])
+        const Triangle& face = base.faces[f];
+        return (base.vertices[face[1]] - base.vertices[face[0]])
+            .cross(base.vertices[face[2]] - base.vertices[face[0]])
             .normalized();
     };
     const double sharpCosine = std::cos(kSharpTurn);
     std::vector<std::pair<int, int>> sharp;
     for (int f = 0; f < static_cast<int>(base.faces.size()); ++f) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const int there = base.faceNeighbours[at(f)][k];
+            const int there = base.faceNeighbours[f][k];
             if (there > f && normalOf(f).dot(normalOf(there)) < sharpCosine) {
-                const Triangle& face = base.faces[at(f)];
+                const Triangle& face = base.faces[f];
                 sharp.emplace_back(std::minmax(face[(k + 1) % 3], face[(k + 2) % 3]));
             }
         }
@@ -46,21 +42,21 @@ std::vector<std::pair<int, int>> findCreases(const ShellBase& base) {
     std::vector<int> parents(base.vertices.size());
     std::iota(parents.begin(), parents.end(), 0);
     const auto find = [&](int v) {
-        while (parents[at(v)] != v) {
-            v = parents[at(v)] = parents[at(parents[at(v)])];
+        while (parents[v] != v) {
+            v = parents[v] = parents[parents[v]];
         }
         return v;
     };
     for (const auto& [a, b] : sharp) {
         const auto [low, high] = std::minmax({find(a), find(b)});
-        parents[at(high)] = low;
+        parents[high] = low;
     }
     std::vector<double> lengths(base.vertices.size(), 0.0);
     for (const auto& [a, b] : sharp) {
-        lengths[at(find(a))] += (base.vertices[at(a)] - base.vertices[at(b)]).norm();
+        lengths[find(a)] += (base.vertices[a] - base.vertices[b]).norm();
     }
     std::erase_if(sharp, [&](const std::pair<int, int>& edge) {
-        return lengths[at(find(edge.first))] < kLeastFeature;
+        return lengths[find(edge.first)] < kLeastFeature;
     });
     return sharp;
 }

@@ -4,19 +4,11 @@
 #include <algorithm>
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 Creases::Creases(std::vector<std::pair<int, int>> edges, int pillarCount)
-    : edges_(std::move(edges)), degrees_(at(pillarCount), 0) {
+    : edges_(std::move(edges)), degrees_(pillarCount, 0) {
     for (const auto& [a, b] : edges_) {
-        ++degrees_[at(a)];
-        ++degrees_[at(b)];
+        ++degrees_[a];
+        ++degrees_[b];
     }
 }
 
@@ -38,7 +30,7 @@ void Creases::collapse(int removed, int kept) {
     edges_.erase(firstOf({std::min(removed, kept), std::max(removed, kept)}));
     const std::pair<int, int> moved(std::min(far, kept), std::max(far, kept));
     edges_.insert(firstOf(moved), moved);
-    degrees_[at(removed)] = 0;
+    degrees_[removed] = 0;
 }
 
 }  // namespace bspline_curve

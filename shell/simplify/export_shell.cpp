@@ -7,10 +7,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // A wall of a prism by its pillars.
 struct Wall {
     int low, high;
@@ -38,12 +34,10 @@ void connect(std::vector<Prism>& prisms) {
         const Wall& here = walls[i];
         const Wall& there = walls[i + 1];
         if (here.low == there.low && here.high == there.high) {
-            prisms[at(here.prism)].neighbours[at(here.slot)] = there.prism;
-            prisms[at(here.prism)].neighbourWalls[at(here.slot)] =
-                static_cast<signed char>(there.slot);
-            prisms[at(there.prism)].neighbours[at(there.slot)] = here.prism;
-            prisms[at(there.prism)].neighbourWalls[at(there.slot)] =
-                static_cast<signed char>(here.slot);
+            prisms[here.prism].neighbours[here.slot] = there.prism;
+            prisms[here.prism].neighbourWalls[here.slot] = static_cast<signed char>(there.slot);
+            prisms[there.prism].neighbours[there.slot] = here.prism;
+            prisms[there.prism].neighbourWalls[there.slot] = static_cast<signed char>(here.slot);
         }
     }
 }
@@ -52,11 +46,11 @@ void connect(std::vector<Prism>& prisms) {
 
 Shell exportShell(const ShellEditor& editor, const std::shared_ptr<const ShellBase>& base) {
     const PrismComplex& complex = editor.complex();
-    std::vector<int> numbers(at(editor.pillarCount()), -1);
+    std::vector<int> numbers(editor.pillarCount(), -1);
     std::vector<Pillar> pillars;
     for (int v = 0; v < editor.pillarCount(); ++v) {
         if (complex.hasPrisms(v)) {
-            numbers[at(v)] = static_cast<int>(pillars.size());
+            numbers[v] = static_cast<int>(pillars.size());
             pillars.push_back(editor.pillarAt(v));
         }
     }
@@ -72,12 +66,12 @@ Shell exportShell(const ShellEditor& editor, const std::shared_ptr<const ShellBa
         Prism prism;
         prism.orientation = static_cast<signed char>(orientationOf(corners));
         for (std::size_t slot = 0; slot < 3; ++slot) {
-            prism.pillars[slot] = numbers[at(slots[slot])];
+            prism.pillars[slot] = numbers[slots[slot]];
         }
         prisms.push_back(prism);
         const auto start = static_cast<std::ptrdiff_t>(tracks.faces.size());
         for (const int face : complex.facesOf(id)) {
-            tracks.faces.push_back(editor.surface().originalFaces[at(face)]);
+            tracks.faces.push_back(editor.surface().originalFaces[face]);
         }
         std::sort(tracks.faces.begin() + start, tracks.faces.end());
         tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));

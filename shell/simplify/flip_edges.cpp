@@ -10,10 +10,6 @@ namespace {
 // A flip has to make the worse triangle better by this factor.
 constexpr double kWorthwhile = 1.1;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 class Flipper {
 public:
     Flipper(ShellEditor& editor, const Creases& creases) : editor_(editor), creases_(creases) {}
@@ -29,7 +25,7 @@ public:
             return false;
         }
         const Triangle& other = complex().pillarsOf(across);
-        const int d = other[at((cornerOf(other, b) + 2) % 3)];
+        const int d = other[(cornerOf(other, b) + 2) % 3];
         const double now = std::min(editor_.quality(pillars), editor_.quality(other));
         editor_.old = {prism, across};
         editor_.fresh = {{c, a, d}, {d, b, c}};
@@ -46,7 +42,7 @@ private:
         complex().appendPrismsAround(from, around_);
         const auto found = std::ranges::find_if(around_, [&](int prism) {
             const Triangle& pillars = complex().pillarsOf(prism);
-            return pillars[at((cornerOf(pillars, from) + 1) % 3)] == to;
+            return pillars[(cornerOf(pillars, from) + 1) % 3] == to;
         });
         return found == around_.end() ? -1 : *found;
     }

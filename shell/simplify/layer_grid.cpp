@@ -19,10 +19,6 @@ constexpr std::size_t kSpareEntries = 4096;
 // The frame's coordinates are above this.
 constexpr double kLowest = -4.0;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 Triangle layerOf(const Triangle& pillars, Level level) {
     return {pointOf(pillars[0], level), pointOf(pillars[1], level), pointOf(pillars[2], level)};
 }
@@ -30,13 +26,13 @@ Triangle layerOf(const Triangle& pillars, Level level) {
 }  // namespace
 
 LayerGrid::Box LayerGrid::boxOf(const Triangle& points) const {
-    const Vec3& a = complex_.points[at(points[0])];
-    const Vec3& b = complex_.points[at(points[1])];
-    const Vec3& c = complex_.points[at(points[2])];
+    const Vec3& a = complex_.points[points[0]];
+    const Vec3& b = complex_.points[points[1]];
+    const Vec3& c = complex_.points[points[2]];
     Box box;
     for (int k = 0; k < 3; ++k) {
-        box.low[at(k)] = static_cast<float>(std::min({a[k], b[k], c[k]})) - kFloatMargin;
-        box.high[at(k)] = static_cast<float>(std::max({a[k], b[k], c[k]})) + kFloatMargin;
+        box.low[k] = static_cast<float>(std::min({a[k], b[k], c[k]})) - kFloatMargin;
+        box.high[k] = static_cast<float>(std::max({a[k], b[k], c[k]})) + kFloatMargin;
     }
     return box;
 }
@@ -90,8 +86,8 @@ void LayerGrid::rebuild(double cellSize) {
 }
 
 void LayerGrid::enterAll() {
-    const auto ids = at(complex_.prismIdCount());
-    heads_.assign(std::bit_ceil(at(complex_.prismCount()) + endWalls_.size() + 1), -1);
+    const auto ids = complex_.prismIdCount();
+    heads_.assign(std::bit_ceil(complex_.prismCount() + endWalls_.size() + 1), -1);
     entries_.clear();
     boxes_.resize(ids);
     cells_.resize(ids);
@@ -121,7 +117,7 @@ void LayerGrid::insert(int prism) {
 }
 
 void LayerGrid::enterPrism(int prism) {
-    const std::size_t i = at(prism);
+    const std::size_t i = prism;
     boxes_[i] = whole(layerBoxesOf(complex_.pillarsOf(prism)));
     CellRange cells = cellsOf(boxes_[i]);
     if (isEntered_[i] != 0) {
@@ -159,8 +155,8 @@ bool LayerGrid::meetsPrism(
 }
 
 bool LayerGrid::meetsWall(const Triangle& pillars, const LayerBoxes& boxes, int wall) const {
-    const Wall& corners = endWalls_[at(wall)];
-    const Box& box = wallBoxes_[at(wall)];
+    const Wall& corners = endWalls_[wall];
+    const Box& box = wallBoxes_[wall];
     return (boxes[0].overlaps(box) &&
             trianglesIntersect(complex_.points, layerOf(pillars, Level::Top), corners)) ||
            (boxes[1].overlaps(box) &&
@@ -173,15 +169,15 @@ bool LayerGrid::meetsItem(
 ) {
     if (item < 0) {
         const int wall = -1 - item;
-        return std::exchange(wallStamps_[at(wall)], stamp_) != stamp_ &&
+        return std::exchange(wallStamps_[wall], stamp_) != stamp_ &&
                meetsWall(pillars, boxes, wall);
     }
-    if (stamps_[at(item)] >= stamp_ || !complex_.isAlive(item)) {
+    if (stamps_[item] >= stamp_ || !complex_.isAlive(item)) {
         return false;
     }
-    stamps_[at(item)] = stamp_;
+    stamps_[item] = stamp_;
     const Triangle& other = complex_.pillarsOf(item);
-    return box.overlaps(boxes_[at(item)]) && meetsPrism(pillars, boxes, other, layerBoxesOf(other));
+    return box.overlaps(boxes_[item]) && meetsPrism(pillars, boxes, other, layerBoxesOf(other));
 }
 
 bool LayerGrid::meetsOthers(const Triangle& pillars, const LayerBoxes& boxes) {
@@ -190,8 +186,8 @@ bool LayerGrid::meetsOthers(const Triangle& pillars, const LayerBoxes& boxes) {
     for (int x = cells.low[0]; x <= cells.high[0]; ++x) {
         for (int y = cells.low[1]; y <= cells.high[1]; ++y) {
             for (int z = cells.low[2]; z <= cells.high[2]; ++z) {
-                for (int i = heads_[slotOf(x, y, z)]; i >= 0; i = entries_[at(i)].next) {
-                    if (meetsItem(pillars, boxes, box, entries_[at(i)].item)) {
+                for (int i = heads_[slotOf(x, y, z)]; i >= 0; i = entries_[i].next) {
+                    if (meetsItem(pillars, boxes, box, entries_[i].item)) {
                         return true;
                     }
                 }
@@ -214,7 +210,7 @@ bool LayerGrid::collides(std::span<const Triangle> prisms, std::span<const int> 
     const int first = stamp_;
     stamp_ += static_cast<int>(prisms.size());
     for (const int prism : replaced) {
-        stamps_[at(prism)] = stamp_;
+        stamps_[prism] = stamp_;
     }
     const int last = std::exchange(stamp_, first);
     bool collides = false;

@@ -12,10 +12,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Either layer encloses more than this share of what the other one does: far above the rounding of
 // a million replacements.
 constexpr double kLeastShare = 1e-9;
@@ -25,35 +21,35 @@ constexpr double kLeastShare = 1e-9;
 LayerVolumes::LayerVolumes(const Shell& start) {
     PrismComponents found = findComponents(start.prisms());
     for (int c = 0; c < found.count(); ++c) {
-        const int pillar = start.prisms()[at(found.first[at(c)])].pillars[0];
-        components_.push_back({start.pillars()[at(pillar)].middle, found.isClosed[at(c)] != 0, {}});
+        const int pillar = start.prisms()[found.first[c]].pillars[0];
+        components_.push_back({start.pillars()[pillar].middle, found.isClosed[c] != 0, {}});
     }
     componentOf_ = std::move(found.componentOf);
     volumes_.resize(componentOf_.size());
 }
 
 void LayerVolumes::enter(const PrismComplex& complex, int prism, int face) {
-    componentOf_[at(prism)] = componentOf_[at(face)];  // ids are at most faces
-    Component& component = components_[at(componentOf_[at(prism)])];
+    componentOf_[prism] = componentOf_[face];  // ids are at most faces
+    Component& component = components_[componentOf_[prism]];
     const Volumes own = volumesOf(complex, complex.pillarsOf(prism), component.origin);
     component.volumes.bottom += own.bottom;
     component.volumes.top += own.top;
-    volumes_[at(prism)] = own;
+    volumes_[prism] = own;
 }
 
 bool LayerVolumes::replace(
     const PrismComplex& complex, std::span<const Triangle> fresh, std::span<const int> old
 ) {
-    freshComponent_ = componentOf_[at(old.front())];
+    freshComponent_ = componentOf_[old.front()];
     fresh_.assign(fresh.size(), {});
-    Component& component = components_[at(freshComponent_)];
+    Component& component = components_[freshComponent_];
     if (!component.isClosed) {
         return true;
     }
     Volumes after = component.volumes;
     for (const int prism : old) {
-        after.bottom -= volumes_[at(prism)].bottom;
-        after.top -= volumes_[at(prism)].top;
+        after.bottom -= volumes_[prism].bottom;
+        after.top -= volumes_[prism].top;
     }
     for (std::size_t i = 0; i < fresh.size(); ++i) {
         fresh_[i] = volumesOf(complex, fresh[i], component.origin);
@@ -70,11 +66,11 @@ bool LayerVolumes::replace(
 
 void LayerVolumes::setId(int prism, std::size_t indexInFresh) {
     if (prism >= static_cast<int>(volumes_.size())) {
-        volumes_.resize(at(prism) + 1);
-        componentOf_.resize(at(prism) + 1);
+        volumes_.resize(prism + 1);
+        componentOf_.resize(prism + 1);
     }
-    volumes_[at(prism)] = fresh_[indexInFresh];
-    componentOf_[at(prism)] = freshComponent_;
+    volumes_[prism] = fresh_[indexInFresh];
+    componentOf_[prism] = freshComponent_;
 }
 
 LayerVolumes::Volumes LayerVolumes::volumesOf(

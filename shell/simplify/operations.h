@@ -22,9 +22,7 @@ public:
     [[nodiscard]] bool holdEdge(int a, int b) const;
 
     /// Number of crease edges at a pillar.
-    [[nodiscard]] int degree(int pillar) const {
-        return degrees_[static_cast<std::size_t>(pillar)];
-    }
+    [[nodiscard]] int degree(int pillar) const { return degrees_[pillar]; }
 
     /// Pillar `removed`, which has two crease edges, goes into `kept` along one of them.
     void collapse(int removed, int kept);
@@ -37,8 +35,7 @@ private:
 /// Makes pillars longer, up to `reach` on either side of the middle, turning them where that helps.
 class Thickener {
 public:
-    explicit Thickener(ShellEditor& editor)
-        : editor_(editor), failed_(static_cast<std::size_t>(editor.pillarCount()), -1) {}
+    explicit Thickener(ShellEditor& editor) : editor_(editor), failed_(editor.pillarCount(), -1) {}
 
     void run(double reach);
 
@@ -95,9 +92,7 @@ void flipEdges(ShellEditor& editor, const Creases& creases);
 class Relaxer {
 public:
     Relaxer(ShellEditor& editor, const Creases& creases)
-        : editor_(editor),
-          creases_(creases),
-          failed_(static_cast<std::size_t>(editor.pillarCount()), -1) {}
+        : editor_(editor), creases_(creases), failed_(editor.pillarCount(), -1) {}
 
     void run();
 

@@ -19,10 +19,6 @@ constexpr double kSurfaceMargin = 0.85;
 // Least cosine between the half pillars of a tetrahedron and the normals of the faces that meet it.
 constexpr float kLeastCosine = 0.03F + kFloatMargin;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -68,14 +64,13 @@ double largestGap(const TetCorners& tet, const FaceCorners& face, double enough)
     };
     double gap = gapAlong(edges[0].cross(edges[1]), tet, face);
     for (std::size_t i = 0; i < 4 && gap <= enough; ++i) {
-        const Vec3& origin = *tet[at(kFaces[i][0])];
-        const Vec3 normal =
-            (*tet[at(kFaces[i][1])] - origin).cross(*tet[at(kFaces[i][2])] - origin);
+        const Vec3& origin = *tet[kFaces[i][0]];
+        const Vec3 normal = (*tet[kFaces[i][1]] - origin).cross(*tet[kFaces[i][2]] - origin);
         gap = std::max(gap, gapAlong(normal, tet, face));
     }
     for (std::size_t i = 0; i < 18 && gap <= enough; ++i) {
         const std::array<int, 2>& e = kEdges[i / 3];
-        const Vec3 along = *tet[at(e[1])] - *tet[at(e[0])];
+        const Vec3 along = *tet[e[1]] - *tet[e[0]];
         gap = std::max(gap, gapAlong(along.cross(edges[i % 3]), tet, face));
     }
     return gap;
@@ -135,7 +130,7 @@ bool PatchTest::isUpright(const Triangle& pillars) const {
     for (const Level outer : {Level::Top, Level::Bottom}) {
         const int wanted = outer == Level::Top ? orientation : -orientation;
         const auto pointOf = [&](int slot, bool isOuter) -> const Vec3& {
-            return complex_.point(slots[at(slot)], isOuter ? outer : Level::Middle);
+            return complex_.point(slots[slot], isOuter ? outer : Level::Middle);
         };
         if (!slabIsUpright(wanted, pointOf)) {
             return false;
@@ -149,7 +144,7 @@ PatchTest::Sides PatchTest::sidesOf(const Triangle& slots, const Triangle& pilla
     std::array<Vec3, 9> points;
     for (int k = 0; k < 3; ++k) {
         for (int level = 0; level < 3; ++level) {
-            points[at(3 * k + level)] = complex_.points[at(3 * pillars[at(k)] + level)];
+            points[3 * k + level] = complex_.points[3 * pillars[k] + level];
         }
     }
     const auto middle = [&](std::size_t k) -> const Vec3& { return points[3 * (k % 3) + 1]; };
@@ -168,9 +163,7 @@ PatchTest::Sides PatchTest::sidesOf(const Triangle& slots, const Triangle& pilla
     for (const int side : {2, 0}) {
         std::array<Vec3, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) {
-            corners[k] =
-                middle(k) +
-                kSurfaceMargin * (points[3 * k + static_cast<std::size_t>(side)] - middle(k));
+            corners[k] = middle(k) + kSurfaceMargin * (points[3 * k + side] - middle(k));
         }
         const Vec3 normal = (side == 2 ? 1.0 : -1.0) *
                             (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
@@ -200,8 +193,8 @@ bool PatchTest::meetsTetrahedron(int face, const Triangle& slots, int slab, int 
     std::array<const Vec3*, 4> corners{};
     const Level outer = slab == 0 ? Level::Top : Level::Bottom;
     for (std::size_t k = 0; k < 4; ++k) {
-        const SplitVertex vertex = kSlabSplit[at(tet)][k];
-        corners[k] = &complex_.point(slots[at(vertex.slot)], vertex.outer ? outer : Level::Middle);
+        const SplitVertex vertex = kSlabSplit[tet][k];
+        corners[k] = &complex_.point(slots[vertex.slot], vertex.outer ? outer : Level::Middle);
     }
     return !areApart(
         corners, {&surface_.corner(face, 0), &surface_.corner(face, 1), &surface_.corner(face, 2)}
@@ -209,10 +202,10 @@ bool PatchTest::meetsTetrahedron(int face, const Triangle& slots, int slab, int 
 }
 
 bool PatchTest::isSeen(int face, const Triangle& slots, const Sides& sides) const {
-    const std::array<float, 3>& normal = surface_.bounds[at(face)].normal;
+    const std::array<float, 3>& normal = surface_.bounds[face].normal;
     for (int half = 0; half < 6; ++half) {
         // The fibres of a tetrahedron run along the half pillar that it holds.
-        if (dot(normal, sides.halves[at(half)]) < kLeastCosine &&
+        if (dot(normal, sides.halves[half]) < kLeastCosine &&
             meetsTetrahedron(face, slots, half / 3, 2 - half % 3)) {
             return false;
         }
@@ -236,7 +229,7 @@ bool PatchTest::accepts(std::span<const Triangle> prisms, std::span<const int> f
         const Triangle slots = slotsOf(pillars);
         const Sides sides = sidesOf(slots, pillars);
         for (const int face : faces) {
-            const FaceBound& bound = surface_.bounds[at(face)];
+            const FaceBound& bound = surface_.bounds[face];
             const float d0 = sides.walls[0].at(bound.centre);
             const float d1 = sides.walls[1].at(bound.centre);
             const float d2 = sides.walls[2].at(bound.centre);

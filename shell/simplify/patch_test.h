@@ -27,10 +27,7 @@ public:
 
     /// After accepts(): faces that may meet prism i.
     [[nodiscard]] std::span<const int> tracked(std::size_t i) const {
-        return {
-            tracked_.data() + trackedFirst_[i],
-            static_cast<std::size_t>(trackedFirst_[i + 1] - trackedFirst_[i])
-        };
+        return std::span(tracked_).subspan(trackedFirst_[i], trackedFirst_[i + 1] - trackedFirst_[i]);
     }
 
 private:

@@ -4,19 +4,11 @@
 #include <utility>
 
 namespace bspline_curve {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 void PrismComplex::reserve(int prismCount) {
-    pillarsOf_.reserve(at(prismCount));
-    nextCorners_.reserve(3 * at(prismCount));
-    tracks_.reserve(at(prismCount));
-    trackPool_.reserve(at(prismCount));
+    pillarsOf_.reserve(prismCount);
+    nextCorners_.reserve(3 * prismCount);
+    tracks_.reserve(prismCount);
+    trackPool_.reserve(prismCount);
 }
 
 int PrismComplex::addPrism(const Triangle& pillars, std::span<const int> faces) {
@@ -28,33 +20,33 @@ int PrismComplex::addPrism(const Triangle& pillars, std::span<const int> faces) 
     } else {
         prism = freeIds_.back();
         freeIds_.pop_back();
-        pillarsOf_[at(prism)] = pillars;
+        pillarsOf_[prism] = pillars;
     }
     for (int k = 0; k < 3; ++k) {
-        int& first = firstCorners_[at(pillars[at(k)])];
-        nextCorners_[at(3 * prism + k)] = std::exchange(first, 3 * prism + k);
+        int& first = firstCorners_[pillars[k]];
+        nextCorners_[3 * prism + k] = std::exchange(first, 3 * prism + k);
     }
     ++prismCount_;
-    tracks_[at(prism)] = {};
+    tracks_[prism] = {};
     setFaces(prism, faces);
     return prism;
 }
 
 void PrismComplex::removePrism(int prism) {
     for (int k = 0; k < 3; ++k) {
-        unlink(pillarsOf_[at(prism)][at(k)], 3 * prism + k);
+        unlink(pillarsOf_[prism][k], 3 * prism + k);
     }
-    pillarsOf_[at(prism)] = {-1, -1, -1};
-    usedPool_ -= at(tracks_[at(prism)].count);
-    tracks_[at(prism)] = {};
+    pillarsOf_[prism] = {-1, -1, -1};
+    usedPool_ -= (tracks_[prism].count);
+    tracks_[prism] = {};
     freeIds_.push_back(prism);
     --prismCount_;
 }
 
 void PrismComplex::setFaces(int prism, std::span<const int> faces) {
-    Track& track = tracks_[at(prism)];
-    usedPool_ += faces.size() - at(track.count);
-    if (faces.size() > at(track.count)) {
+    Track& track = tracks_[prism];
+    usedPool_ += faces.size() - track.count;
+    if (std::ssize(faces) > track.count) {
         if (trackPool_.size() + faces.size() > trackPool_.capacity()) {
             track.count = 0;  // not to be kept
             compactPool();
@@ -68,11 +60,11 @@ void PrismComplex::setFaces(int prism, std::span<const int> faces) {
 }
 
 void PrismComplex::unlink(int pillar, int corner) {
-    int* link = &firstCorners_[at(pillar)];
+    int* link = &firstCorners_[pillar];
     while (*link != corner) {
-        link = &nextCorners_[at(*link)];
+        link = &nextCorners_[*link];
     }
-    *link = nextCorners_[at(corner)];
+    *link = nextCorners_[corner];
 }
 
 void PrismComplex::compactPool() {

@@ -36,13 +36,12 @@ enum class Level : signed char { Bottom = 0, Middle = 1, Top = 2 };
 /// each pillar the prisms around it, for each prism the faces of the surface that meet it.
 class PrismComplex {
 public:
-    explicit PrismComplex(int pillarCount)
-        : firstCorners_(static_cast<std::size_t>(pillarCount), -1) {}
+    explicit PrismComplex(int pillarCount) : firstCorners_(pillarCount, -1) {}
 
     std::vector<Vec3> points;  ///< see pointOf
 
     [[nodiscard]] const Vec3& point(int pillar, Level level) const {
-        return points[static_cast<std::size_t>(pointOf(pillar, level))];
+        return points[pointOf(pillar, level)];
     }
 
     /// Ids run from 0 to here; some are free.
@@ -50,18 +49,14 @@ public:
 
     [[nodiscard]] int prismCount() const { return prismCount_; }
 
-    [[nodiscard]] bool isAlive(int prism) const {
-        return pillarsOf_[static_cast<std::size_t>(prism)][0] >= 0;
-    }
+    [[nodiscard]] bool isAlive(int prism) const { return pillarsOf_[prism][0] >= 0; }
 
     /// Pillars of a prism, counter-clockwise seen from the top.
-    [[nodiscard]] const Triangle& pillarsOf(int prism) const {
-        return pillarsOf_[static_cast<std::size_t>(prism)];
-    }
+    [[nodiscard]] const Triangle& pillarsOf(int prism) const { return pillarsOf_[prism]; }
 
     [[nodiscard]] std::span<const int> facesOf(int prism) const {
-        const Track& track = tracks_[static_cast<std::size_t>(prism)];
-        return {trackPool_.data() + track.first, static_cast<std::size_t>(track.count)};
+        const Track& track = tracks_[prism];
+        return std::span(trackPool_).subspan(track.first, track.count);
     }
 
     void reserve(int prismCount);
@@ -72,15 +67,12 @@ public:
 
     /// Appends the prisms around a pillar, newest first.
     void appendPrismsAround(int pillar, std::vector<int>& prisms) const {
-        for (int c = firstCorners_[static_cast<std::size_t>(pillar)]; c >= 0;
-             c = nextCorners_[static_cast<std::size_t>(c)]) {
+        for (int c = firstCorners_[pillar]; c >= 0; c = nextCorners_[c]) {
             prisms.push_back(c / 3);
         }
     }
 
-    [[nodiscard]] bool hasPrisms(int pillar) const {
-        return firstCorners_[static_cast<std::size_t>(pillar)] >= 0;
-    }
+    [[nodiscard]] bool hasPrisms(int pillar) const { return firstCorners_[pillar] >= 0; }
 
 private:
     struct Track {

@@ -12,17 +12,13 @@ constexpr double kGoodQuality = 0.9;
 // A move has to make the worst triangle better by this factor.
 constexpr double kWorthwhile = 1.02;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 }  // namespace
 
 void Relaxer::run() {
     for (int pillar = 0; pillar < editor_.pillarCount(); ++pillar) {
         if (!editor_.isFrozen(pillar) && creases_.degree(pillar) == 0 &&
-            editor_.complex().hasPrisms(pillar) && failed_[at(pillar)] < editor_.changed(pillar)) {
-            failed_[at(pillar)] = editor_.time();
+            editor_.complex().hasPrisms(pillar) && failed_[pillar] < editor_.changed(pillar)) {
+            failed_[pillar] = editor_.time();
             relax(pillar);
         }
     }
@@ -38,7 +34,7 @@ void Relaxer::relax(int pillar) {
     const Pillar before = editor_.pillarAt(pillar);
     Vec3 centre = Vec3::Zero();
     for (const Triangle& pillars : editor_.fresh) {
-        const auto k = at(cornerOf(pillars, pillar));
+        const auto k = (cornerOf(pillars, pillar));
         centre += complex.point(pillars[(k + 1) % 3], Level::Middle);
     }
     centre /= static_cast<double>(editor_.fresh.size());

@@ -11,10 +11,6 @@
 namespace bspline_curve {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // The walls where the shell ends, split like their prisms.
 std::vector<LayerGrid::Wall> endWallsOf(const Shell& start) {
     std::vector<LayerGrid::Wall> walls;
@@ -52,15 +48,15 @@ ShellEditor::ShellEditor(const TrackedSurface& surface, const Shell& start)
     isFrozen_.assign(pillarCount, 0);
     complex_.reserve(static_cast<int>(start.prisms().size()));
     for (int f = 0; f < static_cast<int>(start.prisms().size()); ++f) {
-        const Prism& prism = start.prisms()[at(f)];
+        const Prism& prism = start.prisms()[f];
         if (prism.orientation == 0) {
             continue;
         }
-        volumes_.enter(complex_, complex_.addPrism(surface.base.faces[at(f)], {&f, 1}), f);
+        volumes_.enter(complex_, complex_.addPrism(surface.base.faces[f], {&f, 1}), f);
         for (std::size_t slot = 0; slot < 3; ++slot) {
             if (prism.neighbours[slot] < 0) {
-                isFrozen_[at(prism.pillars[(slot + 1) % 3])] = 1;
-                isFrozen_[at(prism.pillars[(slot + 2) % 3])] = 1;
+                isFrozen_[prism.pillars[(slot + 1) % 3]] = 1;
+                isFrozen_[prism.pillars[(slot + 2) % 3]] = 1;
             }
         }
     }
@@ -86,9 +82,9 @@ Pillar ShellEditor::pillarAt(int pillar) const {
 }
 
 void ShellEditor::setPillar(int pillar, const Pillar& value) {
-    complex_.points[at(pointOf(pillar, Level::Bottom))] = value.bottom;
-    complex_.points[at(pointOf(pillar, Level::Middle))] = value.middle;
-    complex_.points[at(pointOf(pillar, Level::Top))] = value.top;
+    complex_.points[pointOf(pillar, Level::Bottom)] = value.bottom;
+    complex_.points[pointOf(pillar, Level::Middle)] = value.middle;
+    complex_.points[pointOf(pillar, Level::Top)] = value.top;
 }
 
 // Cheap tests first: most proposals fail early.
@@ -112,7 +108,7 @@ bool ShellEditor::replace() {
         grid_.insert(prism);
         volumes_.setId(prism, i);
         for (const int pillar : fresh[i]) {
-            changed_[at(pillar)] = time_;
+            changed_[pillar] = time_;
         }
     }
     return true;
@@ -133,8 +129,8 @@ void ShellEditor::gatherFaces() {
     faces_.clear();
     for (const int prism : old) {
         for (const int face : complex_.facesOf(prism)) {
-            if (faceStamps_[at(face)] != faceStamp_) {
-                faceStamps_[at(face)] = faceStamp_;
+            if (faceStamps_[face] != faceStamp_) {
+                faceStamps_[face] = faceStamp_;
                 faces_.push_back(face);
             }
         }
@@ -177,7 +173,7 @@ std::optional<Vec3> ShellEditor::onSurface(const Vec3& point, const Vec3& direct
     gatherFaces();
     double nearest = std::numeric_limits<double>::infinity();
     for (const int face : faces_) {
-        const FaceBound& bound = surface_.bounds[at(face)];
+        const FaceBound& bound = surface_.bounds[face];
         const Vec3 centre = Eigen::Map<const Eigen::Vector3f>(bound.centre.data()).cast<double>();
         const auto radius = static_cast<double>(bound.radius);
         const double along = (centre - point).dot(direction);

@@ -39,9 +39,7 @@ public:
     [[nodiscard]] int pillarCount() const { return static_cast<int>(isFrozen_.size()); }
 
     /// Pillars at the end of the shell stay as they are.
-    [[nodiscard]] bool isFrozen(int pillar) const {
-        return isFrozen_[static_cast<std::size_t>(pillar)] != 0;
-    }
+    [[nodiscard]] bool isFrozen(int pillar) const { return isFrozen_[pillar] != 0; }
 
     /// Enters all prisms anew into the grid that finds neighbours in space.
     void rebuildGrid(double cellSize) { grid_.rebuild(cellSize); }
@@ -90,9 +88,7 @@ public:
     /// operation that failed would fail again until something changes.
     [[nodiscard]] int time() const { return time_; }
 
-    [[nodiscard]] int changed(int pillar) const {
-        return changed_[static_cast<std::size_t>(pillar)];
-    }
+    [[nodiscard]] int changed(int pillar) const { return changed_[pillar]; }
 
 private:
     void gatherFaces();

@@ -13,16 +13,12 @@ constexpr double kWorthwhile = 1.1;
 // Where a step fails, this share of it is tried.
 constexpr double kShorterStep = 0.4;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 }  // namespace
 
 void Thickener::run(double reach) {
     for (int pillar = 0; pillar < editor_.pillarCount(); ++pillar) {
         if (!editor_.isFrozen(pillar) && editor_.complex().hasPrisms(pillar) &&
-            failed_[at(pillar)] < editor_.changed(pillar)) {
+            failed_[pillar] < editor_.changed(pillar)) {
             thicken(pillar, reach);
         }
     }
@@ -60,7 +56,7 @@ void Thickener::thicken(int pillar, double reach) {
     }
     lengthen(pillar, Level::Top, reach);
     lengthen(pillar, Level::Bottom, reach);
-    failed_[at(pillar)] = editor_.time();
+    failed_[pillar] = editor_.time();
 }
 
 void Thickener::lengthen(int pillar, Level level, double reach) {

@@ -15,10 +15,6 @@ namespace {
 // Normals of needles thinner than this (area by squared longest edge) are mostly rounding.
 constexpr double kLeastShape = 1e-9;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 FaceBound boundOf(const Vec3& a, const Vec3& b, const Vec3& c) {
     FaceBound bound;
     const Vec3 centre = (a + b + c) / 3.0;
@@ -28,8 +24,8 @@ FaceBound boundOf(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double longest =
         std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     for (int k = 0; k < 3; ++k) {
-        bound.centre[at(k)] = static_cast<float>(centre[k]);
-        bound.normal[at(k)] =
+        bound.centre[k] = static_cast<float>(centre[k]);
+        bound.normal[k] =
             length > kLeastShape * longest ? static_cast<float>(normal[k] / length) : 0.0F;
     }
     bound.radius = static_cast<float>(radius) + kFloatMargin;
@@ -55,7 +51,7 @@ std::vector<int> orderOf(std::size_t count, const CentreOf& centreOf, const IsLa
 std::vector<int> inverseOf(const std::vector<int>& order) {
     std::vector<int> inverse(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-        inverse[at(order[i])] = static_cast<int>(i);
+        inverse[order[i]] = static_cast<int>(i);
     }
     return inverse;
 }
@@ -66,16 +62,16 @@ TrackedSurface::TrackedSurface(const ShellBase& original) {
     creases = findCreases(original);
     std::vector<char> onCrease(original.vertices.size(), 0);
     for (const auto& [a, b] : creases) {
-        onCrease[at(a)] = onCrease[at(b)] = 1;
+        onCrease[a] = onCrease[b] = 1;
     }
     const std::vector<int> vertices = orderOf(
         original.vertices.size(),
         [&](std::size_t v) -> const Vec3& { return original.vertices[v]; },
-        [&](int v) { return onCrease[at(v)] != 0; }
+        [&](int v) { return onCrease[v] != 0; }
     );
     originalFaces = orderOf(
         original.faces.size(),
-        [&](std::size_t f) -> const Vec3& { return original.vertices[at(original.faces[f][0])]; },
+        [&](std::size_t f) -> const Vec3& { return original.vertices[original.faces[f][0]]; },
         [&](int f) { return f >= original.surfaceFaceCount; }
     );
     const std::vector<int> vertexNumbers = inverseOf(vertices);
@@ -88,28 +84,28 @@ TrackedSurface::TrackedSurface(const ShellBase& original) {
     base.directions.reserve(vertices.size());
     base.edgeLengths.reserve(vertices.size());
     for (const int v : vertices) {
-        base.vertices.push_back(original.vertices[at(v)]);
-        base.directions.push_back(original.directions[at(v)]);
-        base.edgeLengths.push_back(original.edgeLengths[at(v)]);
+        base.vertices.push_back(original.vertices[v]);
+        base.directions.push_back(original.directions[v]);
+        base.edgeLengths.push_back(original.edgeLengths[v]);
     }
     base.faces.reserve(originalFaces.size());
     base.faceNeighbours.reserve(originalFaces.size());
     for (const int f : originalFaces) {
-        const Triangle& face = original.faces[at(f)];
-        const Triangle& near = original.faceNeighbours[at(f)];
+        const Triangle& face = original.faces[f];
+        const Triangle& near = original.faceNeighbours[f];
         const auto neighbour = [&](std::size_t k) {
-            return near[k] < 0 ? -1 : faceNumbers[at(near[k])];
+            return near[k] < 0 ? -1 : faceNumbers[near[k]];
         };
         base.faces.push_back(
-            {vertexNumbers[at(face[0])], vertexNumbers[at(face[1])], vertexNumbers[at(face[2])]}
+            {vertexNumbers[face[0]], vertexNumbers[face[1]], vertexNumbers[face[2]]}
         );
         base.faceNeighbours.push_back({neighbour(0), neighbour(1), neighbour(2)});
     }
     for (const int v : original.unseenVertices) {
-        base.unseenVertices.push_back(vertexNumbers[at(v)]);
+        base.unseenVertices.push_back(vertexNumbers[v]);
     }
     for (auto& [a, b] : creases) {
-        const auto [low, high] = std::minmax(vertexNumbers[at(a)], vertexNumbers[at(b)]);
+        const auto [low, high] = std::minmax(vertexNumbers[a], vertexNumbers[b]);
         a = low;
         b = high;
     }

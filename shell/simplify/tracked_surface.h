@@ -34,8 +34,7 @@ public:
     void prepareForEditing();
 
     [[nodiscard]] const Vec3& corner(int face, std::size_t k) const {
-        return base
-            .vertices[static_cast<std::size_t>(base.faces[static_cast<std::size_t>(face)][k])];
+        return base.vertices[base.faces[face][k]];
     }
 
     /// Renumbered; ghost faces last. Without what only surface points need (ghost origins, moved

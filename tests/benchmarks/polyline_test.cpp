@@ -24,10 +24,6 @@ namespace {
 
 constexpr double kAlpha = 300.0;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // A problem and a guide, made as for a spline.
 struct Setting {
     Setting(const TriangleMesh& mesh, const std::vector<Vec3>& picks, const SolverOptions& options)
@@ -131,7 +127,7 @@ Eigen::VectorXd product(
     Eigen::VectorXd result = Eigen::VectorXd::Zero(way.size());
     for (int i = 0; i < energy.count(); ++i) {
         for (int steps = 0; steps < 3; ++steps) {
-            const SymmetricMatrix& m = hessian[at(i)][at(steps)];
+            const SymmetricMatrix& m = hessian[i][steps];
             Eigen::Matrix3d block;
             block << m[0], m[1], m[2], m[1], m[3], m[4], m[2], m[4], m[5];
             const Eigen::Index row = 3 * Eigen::Index{i};

@@ -25,10 +25,6 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 using Predicate = std::function<bool(const Vec3&)>;
 
 /// The faces whose middle is in a set.
@@ -63,7 +59,7 @@ void expectOutside(const Surface& surface, const Region& region, const SurfacePo
     const std::vector<char> isIn = faceFlags(surface, region);
     const std::size_t count = line.surfacePoints.size();
     for (std::size_t i = 0; i < count; ++i) {
-        EXPECT_EQ(isIn[at(line.surfacePoints[i].face)], 0) << "vertex " << i;
+        EXPECT_EQ(isIn[line.surfacePoints[i].face], 0) << "vertex " << i;
         if (i + 1 == count && !line.closed) {
             break;
         }
@@ -72,7 +68,7 @@ void expectOutside(const Surface& surface, const Region& region, const SurfacePo
         EXPECT_TRUE(
             std::ranges::any_of(
                 here,
-                [&](int f) { return isIn[at(f)] == 0 && std::ranges::find(next, f) != next.end(); }
+                [&](int f) { return isIn[f] == 0 && std::ranges::find(next, f) != next.end(); }
             )
         ) << "segment "
           << i;
@@ -204,8 +200,8 @@ TEST_P(Avoidance, CurvesSayHowClearTheyAreAtEverySampling) {
     double nearest = 1.0;
     for (const Vec3& p : curve.polyline.points) {
         for (const int f : disc) {
-            for (const int v : designer.surface().faces()[at(f)]) {
-                nearest = std::min(nearest, (p - designer.surface().vertices()[at(v)]).norm());
+            for (const int v : designer.surface().faces()[f]) {
+                nearest = std::min(nearest, (p - designer.surface().vertices()[v]).norm());
             }
         }
     }
@@ -250,7 +246,7 @@ TEST_P(Avoidance, PicksThatLieInsideAreRefusedByName) {
     const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
     for (const Vec3& inside :
          {Vec3(0.51, 0.52, 0),
-          designer.surface().vertices()[at(designer.surface().faces()[at(disc.front())][0])]}) {
+          designer.surface().vertices()[designer.surface().faces()[disc.front()][0]]}) {
         const auto error = refusal(designer, {{0.1, 0.1, 0}, {0.9, 0.1, 0}, inside}, disc);
         ASSERT_TRUE(error.has_value());
         EXPECT_EQ(error->code(), InputErrorCode::PickAvoided) << error->what();
@@ -317,19 +313,19 @@ struct Layout {
 /// Components of the faces outside of a region: -1 inside.
 std::vector<int> componentsOutside(const Surface& surface, const Region& region) {
     const std::vector<char> isIn = faceFlags(surface, region);
-    std::vector<int> component(at(surface.faceCount()), -1);
+    std::vector<int> component(surface.faceCount(), -1);
     for (int seed = 0, next = 0; seed < surface.faceCount(); ++seed) {
-        if (isIn[at(seed)] != 0 || component[at(seed)] >= 0) {
+        if (isIn[seed] != 0 || component[seed] >= 0) {
             continue;
         }
         std::vector<int> stack{seed};
-        component[at(seed)] = next;
+        component[seed] = next;
         while (!stack.empty()) {
             const int f = stack.back();
             stack.pop_back();
-            for (const int there : surface.faceNeighbours()[at(f)]) {
-                if (there >= 0 && isIn[at(there)] == 0 && component[at(there)] < 0) {
-                    component[at(there)] = next;
+            for (const int there : surface.faceNeighbours()[f]) {
+                if (there >= 0 && isIn[there] == 0 && component[there] < 0) {
+                    component[there] = next;
                     stack.push_back(there);
                 }
             }
@@ -369,11 +365,11 @@ Layout randomLayout(const Surface& surface, std::uint64_t seed) {
     int first = -1;
     for (int count = random.integer(3, 5); count > 0; --count) {
         SurfacePoint pick = anyPoint();
-        for (int tries = 0; tries < 1000 && !anywhere && component[at(pick.face)] < 0; ++tries) {
+        for (int tries = 0; tries < 1000 && !anywhere && component[pick.face] < 0; ++tries) {
             pick = anyPoint();
         }
-        first = layout.picks.empty() ? component[at(pick.face)] : first;
-        layout.isPossible &= first >= 0 && component[at(pick.face)] == first;
+        first = layout.picks.empty() ? component[pick.face] : first;
+        layout.isPossible &= first >= 0 && component[pick.face] == first;
         layout.picks.push_back(surface.position(pick));
     }
     return layout;

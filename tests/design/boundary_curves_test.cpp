@@ -69,7 +69,7 @@ TEST_P(Boundary, CurvesGoRoundNotches) {
     std::erase_if(mesh.faces, [&](const Triangle& face) {
         Vec3 centre = Vec3::Zero();
         for (const int v : face) {
-            centre += mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
+            centre += mesh.vertices[v] / 3.0;
         }
         return centre.y() < 0.6 && std::abs(centre.x() - 0.5) < 0.09;
     });

@@ -110,7 +110,7 @@ TEST(CloseChords, AreNoneOverASlit) {
     std::erase_if(bent.faces, [&](const Triangle& face) {
         Vec3 centre = Vec3::Zero();
         for (const int v : face) {
-            centre += bent.vertices[static_cast<std::size_t>(v)] / 3.0;
+            centre += bent.vertices[v] / 3.0;
         }
         return std::abs(centre.x() - 0.5) < 0.5 / cells && std::abs(centre.y() - 0.5) < 0.2;
     });

@@ -32,7 +32,7 @@ void addJoint(
     Eigen::MatrixXd& right
 ) {
     const auto& [a, b, c, h0, h1] = joint;
-    const auto point = [&](Eigen::Index i) { return points[static_cast<std::size_t>(i)]; };
+    const auto point = [&](Eigen::Index i) { return points[i]; };
     matrix(b, a) += h0 / 6.0;
     matrix(b, b) += (h0 + h1) / 3.0;
     matrix(b, c) += h1 / 6.0;

@@ -13,10 +13,6 @@
 namespace bspline_curve::test_support {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 std::size_t segmentCount(const SurfacePolyline& line) {
     return line.points.size() - (line.closed ? 0 : 1);
 }
@@ -37,22 +33,22 @@ Vec3 pointOfSpline(const SplineData& spline, double t) {
     const int degree = spline.degree;
     const int last = static_cast<int>(spline.controlPoints.size()) - 1;
     int k = degree;
-    while (k < last && spline.knots[at(k + 1)] <= t) {
+    while (k < last && spline.knots[k + 1] <= t) {
         ++k;
     }
     std::vector<Vec3> d;
     for (int j = 0; j <= degree; ++j) {
-        d.push_back(spline.controlPoints[at(j + k - degree)]);
+        d.push_back(spline.controlPoints[j + k - degree]);
     }
     for (int r = 1; r <= degree; ++r) {
         for (int j = degree; j >= r; --j) {
-            const double left = spline.knots[at(j + k - degree)];
-            const double right = spline.knots[at(j + 1 + k - r)];
+            const double left = spline.knots[j + k - degree];
+            const double right = spline.knots[j + 1 + k - r];
             const double a = (t - left) / (right - left);
-            d[at(j)] = (1.0 - a) * d[at(j - 1)] + a * d[at(j)];
+            d[j] = (1.0 - a) * d[j - 1] + a * d[j];
         }
     }
-    return d[at(degree)];
+    return d[degree];
 }
 
 double largestGap(const SplineData& a, const SplineData& b, bool reversed, int count) {
@@ -114,10 +110,10 @@ void expectStrict(const Surface& surface, const SurfacePolyline& line) {
         EXPECT_GE(point.barycentric.minCoeff(), 0.0) << "vertex " << i;
         EXPECT_LE(point.barycentric.maxCoeff(), 1.0) << "vertex " << i;
         EXPECT_NEAR(point.barycentric.sum(), 1.0, kRounding) << "vertex " << i;
-        const Triangle& face = surface.faces()[at(point.face)];
+        const Triangle& face = surface.faces()[point.face];
         Vec3 position = Vec3::Zero();
         for (int k = 0; k < 3; ++k) {
-            position += point.barycentric[k] * surface.vertices()[at(face[at(k)])];
+            position += point.barycentric[k] * surface.vertices()[face[k]];
         }
         const double magnitude = surface.diagonal() + position.norm();
         EXPECT_LE((position - line.points[i]).norm(), kRounding * magnitude) << "vertex " << i;
@@ -155,9 +151,9 @@ void expectGoodCurve(
         ASSERT_GT(index, before) << "pick " << i;
         ASSERT_LT(index, static_cast<int>(curve.polyline.points.size())) << "pick " << i;
         before = index;
-        EXPECT_LE((curve.polyline.points[at(index)] - picks[i]).norm(), near) << "pick " << i;
+        EXPECT_LE((curve.polyline.points[index] - picks[i]).norm(), near) << "pick " << i;
         const double t = curve.spline.pickParameters[i];
-        EXPECT_EQ(curve.polyline.parameters[at(index)], t) << "pick " << i;
+        EXPECT_EQ(curve.polyline.parameters[index], t) << "pick " << i;
         EXPECT_LE((pointOfSpline(curve.spline, t) - picks[i]).norm(), near) << "pick " << i;
     }
     EXPECT_EQ(curve.polyline.picks.front(), 0);

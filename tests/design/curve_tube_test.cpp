@@ -66,9 +66,7 @@ void expectWatertight(const TriangleMesh& tube) {
 double volumeOf(const TriangleMesh& mesh) {
     double volume = 0.0;
     for (const Triangle& face : mesh.faces) {
-        const auto corner = [&](std::size_t k) -> const Vec3& {
-            return mesh.vertices[static_cast<std::size_t>(face[k])];
-        };
+        const auto corner = [&](std::size_t k) -> const Vec3& { return mesh.vertices[face[k]]; };
         volume += corner(0).dot(corner(1).cross(corner(2))) / 6.0;
     }
     return volume;

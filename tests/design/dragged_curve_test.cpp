@@ -19,10 +19,6 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 class DraggedCurves : public testing::TestWithParam<bool> {
 protected:
     [[nodiscard]] Curve curve() const {
@@ -140,7 +136,7 @@ TEST_P(DraggedCurves, AreTheSameWhereNothingMoved) {
         EXPECT_NEAR(breaks[i], before.spline.knots[i + degree], 1e-12);
     }
     for (int c = 0; c < after.spline.space.controlCount(); ++c) {
-        const Vec3 there = base_.frame.toUnit(before.spline.controlPoints[at(c)]);
+        const Vec3 there = base_.frame.toUnit(before.spline.controlPoints[c]);
         EXPECT_LT((after.spline.controls.row(c).transpose() - there).norm(), 1e-12);
     }
     for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -172,10 +168,10 @@ TEST_P(DraggedCurves, StayWhereNoPickNearbyMoved) {
     const double end = before.spline.pickParameters[3];
     int still = 0;
     for (int c = 0; c < space.controlCount(); ++c) {
-        const Vec3 there = base_.frame.toUnit(before.spline.controlPoints[at(c)]);
+        const Vec3 there = base_.frame.toUnit(before.spline.controlPoints[c]);
         const double moved = (after.spline.controls.row(c).transpose() - there).norm();
-        const double first = before.spline.knots[at(c + 1)];
-        const double last = before.spline.knots[at(c + space.degree())];
+        const double first = before.spline.knots[c + 1];
+        const double last = before.spline.knots[c + space.degree()];
         if (first > begin && last < end) {
             EXPECT_LT(moved, 1e-12);
             ++still;

@@ -36,11 +36,10 @@ std::vector<double> sampled(
 double valueAt(
     const Surface& surface, const SurfacePoint& point, const std::vector<double>& field
 ) {
-    const Triangle& face = surface.faces()[static_cast<std::size_t>(point.face)];
+    const Triangle& face = surface.faces()[point.face];
     double value = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-        value += point.barycentric[static_cast<Eigen::Index>(k)] *
-                 field[static_cast<std::size_t>(face[k])];
+        value += point.barycentric[static_cast<Eigen::Index>(k)] * field[face[k]];
     }
     return value;
 }

@@ -36,7 +36,7 @@ std::vector<Vec3> onFaces(const TriangleMesh& mesh, const std::vector<Vec3>& wis
             Vec3 point = Vec3::Zero();
             const std::array<double, 3> weights = {0.21, 0.33, 0.46};
             for (std::size_t k = 0; k < 3; ++k) {
-                point += weights[k] * mesh.vertices[static_cast<std::size_t>(face[k])];
+                point += weights[k] * mesh.vertices[face[k]];
             }
             if ((point - wish).squaredNorm() < nearest) {
                 nearest = (point - wish).squaredNorm();

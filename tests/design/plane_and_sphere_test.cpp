@@ -96,7 +96,7 @@ double straying(const Curve& curve, const std::vector<Vec3>& picks) {
         const int end =
             i + 1 < picks.size() ? line.picks[i + 1] : static_cast<int>(line.points.size());
         for (int j = line.picks[i]; j < end; ++j) {
-            const Vec3& p = line.points[static_cast<std::size_t>(j)];
+            const Vec3& p = line.points[j];
             largest = std::max(largest, distanceToSegment(p, a, b) / (b - a).norm());
         }
     }
@@ -155,7 +155,7 @@ TEST_P(Spheres, CurvesWithFullTensionAreGreatCircles) {
         for (std::size_t i = 0; i + 1 < picks.size(); ++i) {
             const double distance = std::acos(picks[i].dot(picks[i + 1]));
             for (int j = curve.polyline.picks[i]; j < curve.polyline.picks[i + 1]; ++j) {
-                const Vec3& p = curve.polyline.points[static_cast<std::size_t>(j)];
+                const Vec3& p = curve.polyline.points[j];
                 largest =
                     std::max(largest, angleToGreatCircle(p, picks[i], picks[i + 1]) / distance);
             }

@@ -78,7 +78,7 @@ TEST_P(Topology, CurvesRunAlongSharpEdges) {
 Vec3 onTorusMesh(int majorSegments, int minorSegments, int i, int j) {
     const TriangleMesh mesh = torus(majorSegments, minorSegments);
     const int index = (j % minorSegments) * majorSegments + i % majorSegments;
-    return mesh.vertices[static_cast<std::size_t>(index)];
+    return mesh.vertices[index];
 }
 
 TEST_P(Topology, ClosedCurvesGoRoundAHandleEitherWay) {
@@ -104,7 +104,7 @@ TEST_P(Topology, ClosedCurvesGoRoundACylinder) {
     const TriangleMesh mesh = openCylinder(24, 12);
     std::vector<Vec3> picks;
     for (const auto& [i, j] : {std::pair{0, 5}, {7, 7}, {13, 4}, {19, 6}}) {
-        picks.push_back(mesh.vertices[static_cast<std::size_t>(j * 24 + i)]);
+        picks.push_back(mesh.vertices[j * 24 + i]);
     }
     const Curve curve = goodCurve(designer, picks, closedOptions());
     EXPECT_NEAR(turnsAboutZ(curve.polyline), 1.0, 1e-9);
@@ -114,8 +114,8 @@ TEST_P(Topology, PicksMayLieOnVerticesAndEdges) {
     const TriangleMesh mesh = withNoise(icosphere(3), 0.01, 31);
     const CurveDesigner designer = designerOn(mesh);
     const auto vertex = [&](int face, std::size_t k) {
-        const Triangle& corners = mesh.faces[static_cast<std::size_t>(face)];
-        return mesh.vertices[static_cast<std::size_t>(corners[k])];
+        const Triangle& corners = mesh.faces[face];
+        return mesh.vertices[corners[k]];
     };
     std::vector<Vec3> vertices;
     std::vector<Vec3> edges;

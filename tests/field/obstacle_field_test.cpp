@@ -58,7 +58,7 @@ std::vector<int> facesWhere(
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         Vec3 centre = Vec3::Zero();
         for (const int corner : mesh.faces[f]) {
-            centre += mesh.vertices[static_cast<std::size_t>(corner)] / 3.0;
+            centre += mesh.vertices[corner] / 3.0;
         }
         if (holdsAtCentre(centre)) {
             region.push_back(static_cast<int>(f));
@@ -193,12 +193,10 @@ TEST(ObstacleField, SurvivesTinyFaces) {
     const int first = static_cast<int>(mesh.vertices.size());
     Vec3 centre = Vec3::Zero();
     for (const int corner : face) {
-        centre += mesh.vertices[static_cast<std::size_t>(corner)] / 3.0;
+        centre += mesh.vertices[corner] / 3.0;
     }
     for (const int corner : face) {
-        mesh.vertices.push_back(
-            centre + 1e-9 * (mesh.vertices[static_cast<std::size_t>(corner)] - centre)
-        );
+        mesh.vertices.push_back(centre + 1e-9 * (mesh.vertices[corner] - centre));
     }
     mesh.vertices.push_back(centre);
     mesh.faces[900] = {first, first + 1, first + 3};
@@ -206,10 +204,8 @@ TEST(ObstacleField, SurvivesTinyFaces) {
     mesh.faces.push_back({first + 2, first, first + 3});
     for (int k = 0; k < 3; ++k) {
         const int next = (k + 1) % 3;
-        mesh.faces.push_back(
-            {face[static_cast<std::size_t>(k)], face[static_cast<std::size_t>(next)], first + next}
-        );
-        mesh.faces.push_back({face[static_cast<std::size_t>(k)], first + next, first + k});
+        mesh.faces.push_back({face[k], face[next], first + next});
+        mesh.faces.push_back({face[k], first + next, first + k});
     }
     const auto inside = [](const Vec3& p) { return (p - Vec3(0.5, 0.5, 0)).norm() < 0.3; };
     const TriangleMesh even = plate(30, 30);

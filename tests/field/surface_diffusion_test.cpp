@@ -18,9 +18,9 @@ using namespace test_support;
 Eigen::VectorXd massesOf(const Surface& surface) {
     Eigen::VectorXd masses = Eigen::VectorXd::Zero(surface.vertexCount());
     for (const Triangle& face : surface.faces()) {
-        const Vec3& a = surface.vertices()[static_cast<std::size_t>(face[0])];
-        const Vec3& b = surface.vertices()[static_cast<std::size_t>(face[1])];
-        const Vec3& c = surface.vertices()[static_cast<std::size_t>(face[2])];
+        const Vec3& a = surface.vertices()[face[0]];
+        const Vec3& b = surface.vertices()[face[1]];
+        const Vec3& c = surface.vertices()[face[2]];
         for (const int corner : face) {
             masses[corner] += (b - a).cross(c - a).norm() / 6.0;
         }
@@ -56,7 +56,7 @@ TEST(SurfaceDiffusion, AveragesAsOverADisc) {
             SurfaceDiffusion(surface).smoothed<1>(spikeIn(surface, centre), radius);
         double moment = 0.0;
         for (int v = 0; v < surface.vertexCount(); ++v) {
-            const Vec3 offset = mesh.vertices[static_cast<std::size_t>(v)] - Vec3(0.5, 0.5, 0.0);
+            const Vec3 offset = mesh.vertices[v] - Vec3(0.5, 0.5, 0.0);
             moment += masses[v] * smooth[v] * offset.squaredNorm();
         }
         EXPECT_NEAR(moment / masses[centre], 0.5 * radius * radius, 0.01 * radius * radius);
@@ -98,21 +98,21 @@ TEST(SurfaceDiffusion, GivesEachVertexItsOwnValue) {
         const Surface surface(one);
         VertexValues<1> heights(surface.vertexCount());
         for (int v = 0; v < surface.vertexCount(); ++v) {
-            heights[v] = one.vertices[static_cast<std::size_t>(v)].z();
+            heights[v] = one.vertices[v].z();
         }
         return SurfaceDiffusion(surface).smoothed<1>(heights, 0.3);
     };
     const VertexValues<1> values = smoothed(mesh);
     std::map<double, double> ofHeight;
     for (int v = 0; v < static_cast<int>(values.size()); ++v) {
-        const double height = mesh.vertices[static_cast<std::size_t>(v)].z();
+        const double height = mesh.vertices[v].z();
         EXPECT_NEAR(values[v], height, 0.05);
         ofHeight[height] = values[v];
     }
     const TriangleMesh other = renumbered(mesh, 7);
     const VertexValues<1> otherValues = smoothed(other);
     for (int v = 0; v < static_cast<int>(otherValues.size()); ++v) {
-        const double height = other.vertices[static_cast<std::size_t>(v)].z();
+        const double height = other.vertices[v].z();
         EXPECT_NEAR(otherValues[v], ofHeight.at(height), 1e-12);
     }
 }

@@ -70,7 +70,7 @@ TEST(RunCurveFilter, DrawsThroughThePicksOfTheTool) {
     const SurfacePolyline& line = result.curve.polyline;
     ASSERT_EQ(line.picks.size(), kPicks.size());
     for (std::size_t i = 0; i < kPicks.size(); ++i) {
-        EXPECT_LT((line.points[static_cast<std::size_t>(line.picks[i])] - kPicks[i]).norm(), 1e-9);
+        EXPECT_LT((line.points[line.picks[i]] - kPicks[i]).norm(), 1e-9);
     }
     EXPECT_TRUE(figure<bool>(result.figures, "usable"));
     EXPECT_EQ(figure<int>(result.figures, "vertices"), static_cast<int>(line.points.size()));
@@ -138,7 +138,7 @@ TEST(RunCurveFilter, TakesSelectionsAsFacesToAvoid) {
     LayerInput layer = plateLayer();
     const std::vector<Triangle>& faces = layer.mesh.faces;
     const auto isInWall = [&](int v) {
-        const Vec3& p = layer.mesh.vertices[static_cast<std::size_t>(v)];
+        const Vec3& p = layer.mesh.vertices[v];
         return p.x() > 0.2 && p.x() < 0.8 && p.y() < 0.3;
     };
     std::size_t wall = 0;
@@ -159,7 +159,7 @@ TEST(RunCurveFilter, TakesSelectionsAsFacesToAvoid) {
             runCurveFilter(layer, {.tool = picks, .layer = {}}, request, designers);
         EXPECT_EQ(figure<int>(result.figures, "avoided_faces"), static_cast<int>(wall));
         for (const SurfacePoint& point : result.curve.polyline.surfacePoints) {
-            EXPECT_EQ(layer.selectedFaces[static_cast<std::size_t>(point.face)], 0);
+            EXPECT_EQ(layer.selectedFaces[point.face], 0);
         }
     }
 }

@@ -247,7 +247,7 @@ TEST_F(DamagedMesh, RandomDamageNeverCrashes) {
     constexpr unsigned kSeed = 20250731;
     std::mt19937 random(kSeed);
     for (int round = 0; round < 3000; ++round) {
-        const auto& [name, original] = files[static_cast<std::size_t>(round) % files.size()];
+        const auto& [name, original] = files[round % files.size()];
         const std::string bytes = damaged(original, "0123456789 -.\\#vflqeE\t\r", random);
         SCOPED_TRACE(
             std::string("seed ") + std::to_string(kSeed) + ", round " + std::to_string(round) +

@@ -76,7 +76,7 @@ TEST_F(DamagedPicks, RandomDamageNeverCrashes) {
     constexpr unsigned kSeed = 20260801;
     std::mt19937 random(kSeed);
     for (int round = 0; round < 1500; ++round) {
-        const auto& [name, original] = kFiles[static_cast<std::size_t>(round) % kFiles.size()];
+        const auto& [name, original] = kFiles[round % kFiles.size()];
         const std::string bytes = damaged(original, "0123456789 -.,;\"\\#[]{}<>/:eEnx\t\r", random);
         SCOPED_TRACE(
             "seed " + std::to_string(kSeed) + ", round " + std::to_string(round) + ": " + bytes

@@ -192,9 +192,7 @@ TEST_F(MeshReader, CutsQuadsOfAnyFormatIntoTwo) {
         readMesh(write("a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"));
     ASSERT_EQ(mesh.faces.size(), 2U);
     for (const Triangle& face : mesh.faces) {
-        const auto at = [&](std::size_t k) {
-            return mesh.vertices[static_cast<std::size_t>(face[k])];
-        };
+        const auto at = [&](std::size_t k) { return mesh.vertices[face[k]]; };
         const Vec3 a = at(1) - at(0);
         const Vec3 b = at(2) - at(0);
         EXPECT_EQ(a.x() * b.y() - a.y() * b.x(), 1.0) << "twice the area, oriented upwards";
@@ -216,7 +214,7 @@ TEST_F(MeshReader, WeldsEqualVerticesOfStl) {
     for (const Triangle& face : kTwoFaces) {
         binary += bytesOf(0.0F) + bytesOf(0.0F) + bytesOf(1.0F);
         for (const int id : face) {
-            for (const double x : kSquare[static_cast<std::size_t>(id)]) {
+            for (const double x : kSquare[id]) {
                 binary += bytesOf(static_cast<float>(x));
             }
         }

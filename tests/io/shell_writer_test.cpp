@@ -33,9 +33,7 @@ struct Built {
 };
 
 double volume(const ShellCells& cells, const std::array<int, 4>& tet) {
-    const auto point = [&](std::size_t k) {
-        return cells.points[static_cast<std::size_t>(tet[k])];
-    };
+    const auto point = [&](std::size_t k) { return cells.points[tet[k]]; };
     return (point(1) - point(0)).cross(point(2) - point(0)).dot(point(3) - point(0)) / 6.0;
 }
 
@@ -59,7 +57,7 @@ struct LayerCorners {
         for (std::size_t k = 0; k < 3; ++k) {
             const int point = cells.layers[3 * face + layer][k];
             heights[k] = ShellCells::height(point);
-            sum += cells.points[static_cast<std::size_t>(point)];
+            sum += cells.points[point];
         }
     }
 
@@ -155,7 +153,7 @@ TEST(ShellCells, LiveInTheUsersCoordinatesWithTheSurfaceInTheMiddle) {
         EXPECT_EQ((std::array{top.heights, middle.heights, bottom.heights}), kHeights);
         Vec3 face = Vec3::Zero();
         for (const int vertex : built.surface.faces()[f]) {
-            face += built.surface.vertices()[static_cast<std::size_t>(vertex)];
+            face += built.surface.vertices()[vertex];
         }
         EXPECT_LT((middle.sum - face).norm(), 1e-11);
         const Vec3 normal = built.surface.faceNormal(static_cast<int>(f));

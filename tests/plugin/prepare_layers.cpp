@@ -37,7 +37,7 @@ QVariant flattened(const Rows& rows) {
 
 std::map<std::string, QVariant> convertWithDeleted(MeshModel& layer, int faces) {
     for (int f = 0; f < faces; ++f) {
-        Allocator::DeleteFace(layer.cm, layer.cm.face[static_cast<std::size_t>(f)]);
+        Allocator::DeleteFace(layer.cm, layer.cm.face[f]);
     }
     vcg::tri::Clean<CMeshO>::RemoveUnreferencedVertex(layer.cm);
     const bspline_curve::LayerArrays mesh = bspline_curve::arraysOf(layer);

@@ -106,7 +106,7 @@ TriangleMesh notchedPlate(int cells) {
     std::erase_if(mesh.faces, [&](const Triangle& face) {
         Vec3 centre = Vec3::Zero();
         for (const int v : face) {
-            centre += mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
+            centre += mesh.vertices[v] / 3.0;
         }
         return centre.x() < 0.5 && std::abs(centre.y() - 0.5 - 0.5 / cells) < 0.5 / cells;
     });
@@ -121,7 +121,7 @@ TriangleMesh plateWithSingularVertex() {
     int side = 1;
     for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {-1, 0}, {0, -1}}) {
         const int neighbour = middle + dx + 9 * dy;
-        mesh.vertices[static_cast<std::size_t>(neighbour)].z() = side * height;
+        mesh.vertices[neighbour].z() = side * height;
         side = -side;
     }
     return mesh;
@@ -158,7 +158,7 @@ TriangleMesh sphereWithSatellite() {
     const TriangleMesh sphere = icosphere(0);
     Vec3 centre = Vec3::Zero();
     for (const int v : sphere.faces[0]) {
-        centre += sphere.vertices[static_cast<std::size_t>(v)] / 3.0;
+        centre += sphere.vertices[v] / 3.0;
     }
     Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();
     aside.translation() = 1.1 * centre;
@@ -176,15 +176,13 @@ TriangleMesh withHoles(const TriangleMesh& mesh, int count, Random& random) {
     for (int hole = 0; hole < count; ++hole) {
         const int centre = random.integer(0, static_cast<int>(mesh.vertices.size()) - 1);
         std::vector<char> isNear(mesh.vertices.size(), 0);
-        isNear[static_cast<std::size_t>(centre)] = 1;
+        isNear[centre] = 1;
         for (int ring = 0; ring < 3; ++ring) {
             std::vector<char> next = isNear;
             for (const Triangle& face : mesh.faces) {
-                if (std::ranges::any_of(face, [&](int v) {
-                        return isNear[static_cast<std::size_t>(v)] != 0;
-                    })) {
+                if (std::ranges::any_of(face, [&](int v) { return isNear[v] != 0; })) {
                     for (const int v : face) {
-                        next[static_cast<std::size_t>(v)] = 1;
+                        next[v] = 1;
                     }
                 }
             }

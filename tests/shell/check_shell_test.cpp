@@ -119,8 +119,8 @@ TEST_F(CheckShellOnDamage, FindsANeighbourOnOneSideOnly) {
 
 TEST_F(CheckShellOnDamage, FindsTornNeighbours) {
     Prism& here = prisms_[3];
-    Prism& there = prisms_[static_cast<std::size_t>(here.neighbours[1])];
-    there.neighbours[static_cast<std::size_t>(here.neighbourWalls[1])] = -1;
+    Prism& there = prisms_[here.neighbours[1]];
+    there.neighbours[here.neighbourWalls[1]] = -1;
     here.neighbours[1] = -1;
     EXPECT_FALSE(check().consistentNeighbours.holds);
     EXPECT_EQ(check().consistentNeighbours.violations, 2);

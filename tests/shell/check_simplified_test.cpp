@@ -30,7 +30,7 @@ std::vector<std::string> broken(const ShellCheck& check) {
 using Names = std::vector<std::string>;
 
 TriangleMesh withVertexMoved(TriangleMesh mesh, int vertex, const Vec3& by) {
-    mesh.vertices[static_cast<std::size_t>(vertex)] += by;
+    mesh.vertices[vertex] += by;
     return mesh;
 }
 
@@ -89,8 +89,8 @@ TEST_P(CheckHandmadeShell, FindsTornNeighbours) {
         std::find_if(here.neighbours.begin(), here.neighbours.end(), [](int i) { return i >= 0; }) -
         here.neighbours.begin()
     );
-    Prism& there = coarse.prisms[static_cast<std::size_t>(here.neighbours[wall])];
-    there.neighbours[static_cast<std::size_t>(here.neighbourWalls[wall])] = -1;
+    Prism& there = coarse.prisms[here.neighbours[wall]];
+    there.neighbours[here.neighbourWalls[wall]] = -1;
     here.neighbours[wall] = -1;
     EXPECT_EQ(broken(coarse.check()), Names{"consistent neighbours"});
 }

@@ -159,7 +159,7 @@ TEST(FirstExit, IsTheEndForCurvesThatStay) {
 // Exactly on the edge of the tolerance.
 TEST(FirstExit, LeavesAtOnceWhereTheMarginIsUsedUp) {
     for (const int degree : {1, 2, 3, 4}) {
-        std::vector<double> c(static_cast<std::size_t>(degree) + 1, 0.0);
+        std::vector<double> c(degree + 1, 0.0);
         c[0] = -kCellTolerance;
         c[1] = -1.0;
         EXPECT_EQ(exitOf(c, 1.0), 0.0) << "degree " << degree;

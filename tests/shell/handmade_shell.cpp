@@ -14,18 +14,14 @@
 namespace bspline_curve::test_support {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
     std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
     for (const Triangle& face : mesh.faces) {
-        const Vec3& a = mesh.vertices[at(face[0])];
+        const Vec3& a = mesh.vertices[face[0]];
         const Vec3 normal =
-            (mesh.vertices[at(face[1])] - a).cross(mesh.vertices[at(face[2])] - a).normalized();
+            (mesh.vertices[face[1]] - a).cross(mesh.vertices[face[2]] - a).normalized();
         for (const int v : face) {
-            normals[at(v)] += normal;
+            normals[v] += normal;
         }
     }
     for (Vec3& normal : normals) {
@@ -51,14 +47,14 @@ std::vector<Prism> prismsOver(const std::vector<Triangle>& faces) {
         prisms.push_back(prism);
         for (int wall = 0; wall < 3; ++wall) {
             const auto edge =
-                std::minmax(prism.pillars[at((wall + 1) % 3)], prism.pillars[at((wall + 2) % 3)]);
+                std::minmax(prism.pillars[(wall + 1) % 3], prism.pillars[(wall + 2) % 3]);
             const auto [entry, isNew] = wallOf.try_emplace(edge, index, wall);
             if (!isNew) {
                 const auto [there, wallThere] = entry->second;
-                prisms[at(index)].neighbours[at(wall)] = there;
-                prisms[at(index)].neighbourWalls[at(wall)] = static_cast<signed char>(wallThere);
-                prisms[at(there)].neighbours[at(wallThere)] = index;
-                prisms[at(there)].neighbourWalls[at(wallThere)] = static_cast<signed char>(wall);
+                prisms[index].neighbours[wall] = there;
+                prisms[index].neighbourWalls[wall] = static_cast<signed char>(wallThere);
+                prisms[there].neighbours[wallThere] = index;
+                prisms[there].neighbourWalls[wallThere] = static_cast<signed char>(wall);
             }
         }
     }
@@ -110,21 +106,20 @@ void HandmadeShell::track() {
     std::vector<Eigen::AlignedBox3d> faceBoxes(base->faces.size());
     for (std::size_t f = 0; f < faceBoxes.size(); ++f) {
         for (const int v : base->faces[f]) {
-            faceBoxes[f].extend(base->vertices[at(v)]);
+            faceBoxes[f].extend(base->vertices[v]);
         }
     }
     tracks = {.offsets = {0}, .faces = {}};
     for (const Prism& prism : prisms) {
         Eigen::AlignedBox3d box;
         for (const int pillar : prism.pillars) {
-            for (const Vec3& p : {
-                     pillars[at(pillar)].bottom, pillars[at(pillar)].middle, pillars[at(pillar)].top
-                 }) {
+            for (const Vec3& p :
+                 {pillars[pillar].bottom, pillars[pillar].middle, pillars[pillar].top}) {
                 box.extend(p);
             }
         }
         for (int f = 0; f < static_cast<int>(faceBoxes.size()); ++f) {
-            if (faceBoxes[at(f)].intersects(box) &&
+            if (faceBoxes[f].intersects(box) &&
                 !std::binary_search(blockedFaces.begin(), blockedFaces.end(), f)) {
                 tracks.faces.push_back(f);
             }
@@ -134,14 +129,14 @@ void HandmadeShell::track() {
 }
 
 bool HandmadeShell::forget(int prism, int face) {
-    const auto first = tracks.faces.begin() + tracks.offsets[at(prism)];
-    const auto last = tracks.faces.begin() + tracks.offsets[at(prism) + 1];
+    const auto first = tracks.faces.begin() + tracks.offsets[prism];
+    const auto last = tracks.faces.begin() + tracks.offsets[prism + 1];
     const auto entry = std::find(first, last, face);
     if (entry == last) {
         return false;
     }
     tracks.faces.erase(entry);
-    for (std::size_t i = at(prism) + 1; i < tracks.offsets.size(); ++i) {
+    for (std::size_t i = prism + 1; i < tracks.offsets.size(); ++i) {
         --tracks.offsets[i];
     }
     return true;
@@ -149,8 +144,8 @@ bool HandmadeShell::forget(int prism, int face) {
 
 int HandmadeShell::faceInside(int prism) const {
     Vec3 centre = Vec3::Zero();
-    for (const int pillar : prisms[at(prism)].pillars) {
-        centre += pillars[at(pillar)].middle / 3.0;
+    for (const int pillar : prisms[prism].pillars) {
+        centre += pillars[pillar].middle / 3.0;
     }
     int nearest = -1;
     double distance = std::numeric_limits<double>::infinity();

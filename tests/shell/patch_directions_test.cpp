@@ -26,10 +26,6 @@ constexpr int kCoarse = 220;
 // Of noise, in edges.
 constexpr double kRoughness = 0.2;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 Surface noisyPlate(int squares) {
     return Surface(withNoise(plate(squares, squares), kRoughness / squares, 7));
 }
@@ -38,7 +34,7 @@ Surface noisyPlate(int squares) {
 double unevenness(const ShellBase& base) {
     double sum = 0.0;
     for (int v = 0; v < base.surfaceVertexCount; ++v) {
-        sum += base.directions[at(v)].head<2>().squaredNorm();
+        sum += base.directions[v].head<2>().squaredNorm();
     }
     return std::sqrt(sum / base.surfaceVertexCount);
 }
@@ -72,20 +68,20 @@ TEST(PatchDirections, SeeAllFaces) {
     for (int v = 0; v < surface.vertexCount(); ++v) {
         std::vector<Vec3> normals;
         for (const int face : surface.facesAround(v)) {
-            normals.push_back(rough.faceNormals[at(face)]);
+            normals.push_back(rough.faceNormals[face]);
         }
-        const double before = leastCosine(rough.base.directions[at(v)], std::span(normals));
-        const double after = leastCosine(base.directions[at(v)], std::span(normals));
+        const double before = leastCosine(rough.base.directions[v], std::span(normals));
+        const double after = leastCosine(base.directions[v], std::span(normals));
         EXPECT_GE(after, std::min(before, 0.8) - 1e-12);
     }
     // Averages over three rings alone reach no farther than these.
     const auto turnAt = [&](double distance) {
         double largest = 0.0;
         for (int v = 0; v < surface.vertexCount(); ++v) {
-            const Vec3& p = surface.vertices()[at(v)];
+            const Vec3& p = surface.vertices()[v];
             const bool isOnTop = p.z() == 1.0 && std::abs(p.y() - 0.5) < 0.1;
             if (isOnTop && std::abs(1.0 - p.x() - distance) < 1e-9) {
-                largest = std::max(largest, base.directions[at(v)].x());
+                largest = std::max(largest, base.directions[v].x());
             }
         }
         return largest;

@@ -20,16 +20,12 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 TEST(PolynomialCurve, ShiftsWithoutMoving) {
     Random random(3);
     for (int degree = 1; degree <= kMaxPolynomialDegree; ++degree) {
         PolynomialCurve curve{.degree = degree, .coefficients = {}};
         for (int j = 0; j <= degree; ++j) {
-            curve.coefficients[at(j)] = random.point(-1.0, 1.0);
+            curve.coefficients[j] = random.point(-1.0, 1.0);
         }
         const PolynomialCurve shifted = curve.shifted(0.7);
         const double h = 1e-5;
@@ -88,7 +84,7 @@ Trace traced(const Shell& shell, const PolynomialCurve& curve, double end, int f
             EXPECT_EQ(shell.neighbour(from.tet, k), to.tet);
             if (s > 0.0) {
                 // On the face, if the walk did not just turn about an edge.
-                EXPECT_LT(from.walls[at(k)].at(curve.at(s)), 1e-9);
+                EXPECT_LT(from.walls[k].at(curve.at(s)), 1e-9);
             }
         }
     );
@@ -118,7 +114,7 @@ double insidenessOfShell(const std::vector<ShellCell>& cells, const Vec3& p) {
 std::vector<ShellCell> allCells(const Shell& shell) {
     std::vector<ShellCell> cells;
     for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
-        if (shell.prisms()[at(tet / kTetrahedraPerPrism)].orientation != 0) {
+        if (shell.prisms()[tet / kTetrahedraPerPrism].orientation != 0) {
             cells.emplace_back(shell, tet);
         }
     }
@@ -129,7 +125,7 @@ std::vector<ShellCell> allCells(const Shell& shell) {
 PolynomialCurve randomCurve(const Vec3& start, int degree, double reach, Random& random) {
     PolynomialCurve curve{.degree = degree, .coefficients = {start}};
     for (int j = 1; j <= degree; ++j) {
-        curve.coefficients[at(j)] = reach * random.point(-1.0, 1.0);
+        curve.coefficients[j] = reach * random.point(-1.0, 1.0);
     }
     return curve;
 }
@@ -163,7 +159,7 @@ TEST_P(TracePolynomial, AgreesWithBruteForce) {
             randomCurve(shell.lift(point, 0.0), degree, random.uniform(0.01, 0.5), random);
         const Vec3 normal = built.surface.faceNormal(point.face);
         for (int j = 1; j <= degree; ++j) {
-            Vec3& c = curve.coefficients[at(j)];
+            Vec3& c = curve.coefficients[j];
             c -= random.uniform(0.5, 1.0) * c.dot(normal) * normal;
         }
         const Trace trace = traced(shell, curve, 1.0, shell.locate(point));
@@ -218,7 +214,7 @@ protected:
         for (int degree = 1; degree <= kMaxPolynomialDegree; ++degree) {
             PolynomialCurve line{.degree = degree, .coefficients = {from + lift}};
             for (int j = 1; j <= degree; ++j) {
-                line.coefficients[at(j)] = (to - from) / degree;
+                line.coefficients[j] = (to - from) / degree;
             }
             int starts = 0;
             for (int tet = 0; tet < built_.shell().tetrahedronCount(); ++tet) {

@@ -23,17 +23,13 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // ---- Thickness ----
 
 TEST(ShellBuilder, MakesPillarsAsLongAsAskedWhereNothingIsInTheWay) {
     const BuiltShell built(plate(6, 5), {.thickness = 0.75});
     for (int v = 0; v < built.surface.vertexCount(); ++v) {
-        const Pillar& pillar = built.shell().pillars()[at(v)];
-        const double wanted = 0.75 * built.base.edgeLengths[at(v)];
+        const Pillar& pillar = built.shell().pillars()[v];
+        const double wanted = 0.75 * built.base.edgeLengths[v];
         EXPECT_NEAR((pillar.top - pillar.middle).norm(), wanted, 1e-15);
         EXPECT_NEAR((pillar.bottom - pillar.middle).norm(), wanted, 1e-15);
     }
@@ -50,9 +46,8 @@ TEST(ShellBuilder, SeparatesParallelPlates) {
             double highestBelow = -1.0;
             double lowestAbove = 1.0;
             for (int v = 0; v < half; ++v) {
-                highestBelow = std::max(highestBelow, built.shell().pillars()[at(v)].top.z());
-                lowestAbove =
-                    std::min(lowestAbove, built.shell().pillars()[at(half + v)].bottom.z());
+                highestBelow = std::max(highestBelow, built.shell().pillars()[v].top.z());
+                lowestAbove = std::min(lowestAbove, built.shell().pillars()[half + v].bottom.z());
             }
             EXPECT_LT(highestBelow, lowestAbove);
             // Most of the gap is used, or all that was asked for.
@@ -82,8 +77,8 @@ TEST(ShellBuilder, SeparatesAComponentInsideOfAPrism) {
     double shortest = std::numeric_limits<double>::infinity();
     double longest = 0.0;
     for (int v = 0; v < 12; ++v) {
-        const Pillar& pillar = built.shell().pillars()[at(v)];
-        const double length = (pillar.top - pillar.middle).norm() / built.base.edgeLengths[at(v)];
+        const Pillar& pillar = built.shell().pillars()[v];
+        const double length = (pillar.top - pillar.middle).norm() / built.base.edgeLengths[v];
         shortest = std::min(shortest, length);
         longest = std::max(longest, length);
     }
@@ -102,8 +97,8 @@ TEST(ShellBuilder, SeparatesConcentricSpheres) {
     double highest = 0.0;
     const int half = built.surface.vertexCount() / 2;
     for (int v = 0; v < half; ++v) {
-        const Pillar& outerPillar = built.shell().pillars()[at(v)];
-        const Pillar& innerPillar = built.shell().pillars()[at(half + v)];
+        const Pillar& outerPillar = built.shell().pillars()[v];
+        const Pillar& innerPillar = built.shell().pillars()[half + v];
         const double gap = (outerPillar.middle - innerPillar.middle).norm();
         lowest = std::min(lowest, (outerPillar.bottom - innerPillar.middle).norm() / gap);
         highest = std::max(highest, (innerPillar.top - innerPillar.middle).norm() / gap);
@@ -228,13 +223,12 @@ TEST(ShellBase, MovesASingularVertexUntilADirectionExists) {
     EXPECT_TRUE(built.blockedFaces().empty());
     EXPECT_TRUE(built.check().passed()) << describe(built.check());
     for (int f = 0; f < built.surface.faceCount(); ++f) {
-        const Triangle& face = built.base.faces[at(f)];
-        const Vec3 normal =
-            (built.base.vertices[at(face[1])] - built.base.vertices[at(face[0])])
-                .cross(built.base.vertices[at(face[2])] - built.base.vertices[at(face[0])])
-                .normalized();
+        const Triangle& face = built.base.faces[f];
+        const Vec3 normal = (built.base.vertices[face[1]] - built.base.vertices[face[0]])
+                                .cross(built.base.vertices[face[2]] - built.base.vertices[face[0]])
+                                .normalized();
         for (const int v : face) {
-            EXPECT_GT(normal.dot(built.base.directions[at(v)]), 0.99 * kLeastPillarCosine);
+            EXPECT_GT(normal.dot(built.base.directions[v]), 0.99 * kLeastPillarCosine);
         }
     }
 }
@@ -257,7 +251,7 @@ TEST(ShellBase, MovesNothingElse) {
     EXPECT_TRUE(std::is_sorted(moved.begin(), moved.end()));
     for (int v = 0; v < built.surface.vertexCount(); ++v) {
         const bool hasMoved =
-            built.base.vertices[at(v)] != built.base.frame.toUnit(built.surface.vertices()[at(v)]);
+            built.base.vertices[v] != built.base.frame.toUnit(built.surface.vertices()[v]);
         EXPECT_TRUE(!hasMoved || std::binary_search(moved.begin(), moved.end(), v))
             << "vertex " << v;
     }
@@ -280,8 +274,8 @@ TEST(ShellBase, GrowsGhostsBeyondEveryBoundaryEdge) {
         for (int f = 0; f < built.surface.faceCount(); ++f) {
             EXPECT_FALSE(built.shell().isGhost(f));
             for (std::size_t k = 0; k < 3; ++k) {
-                if (built.surface.faceNeighbours()[at(f)][k] < 0) {
-                    EXPECT_GE(base.faceNeighbours[at(f)][k], built.surface.faceCount());
+                if (built.surface.faceNeighbours()[f][k] < 0) {
+                    EXPECT_GE(base.faceNeighbours[f][k], built.surface.faceCount());
                 }
             }
         }
@@ -298,13 +292,13 @@ TEST(ShellBase, CollapsesGhostsToTheBoundary) {
         } else {
             EXPECT_TRUE(built.surface.isBoundaryVertex(origin));
             EXPECT_NEAR(
-                (base.vertices[at(v)] - base.vertices[at(origin)]).norm(),
-                0.5 * base.edgeLengths[at(origin)],
+                (base.vertices[v] - base.vertices[origin]).norm(),
+                0.5 * base.edgeLengths[origin],
                 1e-12
             );
         }
     }
-    for (std::size_t f = at(base.surfaceFaceCount); f < base.faces.size(); ++f) {
+    for (std::size_t f = base.surfaceFaceCount; f < base.faces.size(); ++f) {
         std::set<int> origins;
         for (const int v : base.faces[f]) {
             origins.insert(base.surfaceVertex(v));

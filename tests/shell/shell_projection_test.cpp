@@ -18,18 +18,14 @@ using namespace test_support;
 
 constexpr int kPointsPerMesh = caseCount(100000, 4000);
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // 1e-11, or the rounding of the affine maps where cells are thinner than 1e-4 of the diagonal.
 double roundingOf(const Shell& shell) {
     double largest = 0.0;
     for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
-        if (shell.prisms()[at(tet / kTetrahedraPerPrism)].orientation != 0) {
+        if (shell.prisms()[tet / kTetrahedraPerPrism].orientation != 0) {
             const ShellCell cell(shell, tet);
             for (int k = 0; k < cell.wallCount; ++k) {
-                largest = std::max(largest, cell.walls[at(k)].gradient.norm());
+                largest = std::max(largest, cell.walls[k].gradient.norm());
             }
         }
     }
@@ -60,11 +56,11 @@ bool walk(
 // The points where the fibre turns on its way from the surface to height w: the outer weight of
 // one slot after the other is used up.
 std::vector<Vec3> fibrePoints(const Shell& shell, const SurfacePoint& point, double w) {
-    const Prism& prism = shell.prisms()[at(point.face)];
+    const Prism& prism = shell.prisms()[point.face];
     std::vector<Vec3> points;
     double height = 0.0;
     for (const int slot : {2, 1, 0}) {
-        height += point.barycentric[prism.faceCorner[at(slot)]];
+        height += point.barycentric[prism.faceCorner[slot]];
         if (height >= std::abs(w)) {
             break;
         }
@@ -120,7 +116,7 @@ TEST_P(ShellProjection, AgreesAcrossEveryFace) {
     double worstHeight = 0.0;
     double worstShadow = 0.0;
     for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
-        if (shell.prisms()[at(tet / kTetrahedraPerPrism)].orientation == 0) {
+        if (shell.prisms()[tet / kTetrahedraPerPrism].orientation == 0) {
             continue;
         }
         const ShellCell here(shell, tet);
@@ -162,17 +158,17 @@ protected:
 TEST_F(ShellCellMaps, AreThoseOfTheCorners) {
     for (int tet = 0; tet < shell_.tetrahedronCount(); ++tet) {
         const ShellCell cell(shell_, tet);
-        const Prism& prism = shell_.prisms()[at(cell.prism)];
+        const Prism& prism = shell_.prisms()[cell.prism];
         const int inPrism = tet % kTetrahedraPerPrism;
         for (int k = 0; k < 4; ++k) {
             const Vec3 corner = shell_.position(tet, k);
-            const SplitVertex split = kSlabSplit[at(inPrism % 3)][at(k)];
+            const SplitVertex split = kSlabSplit[inPrism % 3][k];
             const double height = split.outer ? (inPrism < 3 ? 1.0 : -1.0) : 0.0;
             EXPECT_NEAR(cell.height.at(corner), height, 1e-12);
-            EXPECT_NEAR(cell.shadow(corner)[prism.faceCorner[at(split.slot)]], 1.0, 1e-12);
+            EXPECT_NEAR(cell.shadow(corner)[prism.faceCorner[split.slot]], 1.0, 1e-12);
             EXPECT_NEAR(cell.shadow(corner).cwiseAbs().sum(), 1.0, 1e-11);
             EXPECT_NEAR(cell.insideness(corner), 0.0, 1e-12);
-            EXPECT_NEAR(cell.walls[at(k)].at(corner), 1.0, 1e-12);
+            EXPECT_NEAR(cell.walls[k].at(corner), 1.0, 1e-12);
         }
     }
 }
@@ -193,10 +189,10 @@ TEST_F(ShellCellMaps, InterpolateBetweenTheCorners) {
         double height = 0.0;
         Vec3 shadow = Vec3::Zero();
         for (int k = 0; k < 4; ++k) {
-            const SplitVertex split = kSlabSplit[at(tet % 3)][at(k)];
+            const SplitVertex split = kSlabSplit[tet % 3][k];
             p += weights[k] * shell_.position(tet, k);
             height += split.outer ? weights[k] * (tet % kTetrahedraPerPrism < 3 ? 1.0 : -1.0) : 0.0;
-            shadow[shell_.prisms()[at(cell.prism)].faceCorner[at(split.slot)]] += weights[k];
+            shadow[shell_.prisms()[cell.prism].faceCorner[split.slot]] += weights[k];
         }
         EXPECT_NEAR(cell.height.at(p), height, 1e-12);
         EXPECT_LT((cell.shadow(p) - shadow).norm(), 1e-12);
@@ -222,9 +218,7 @@ TEST_F(ShellCellMaps, HaveTheGradientsOfTheirDifferences) {
             );
             const Vec3 change = (cell.shadow(p + offset) - cell.shadow(p - offset)) / (2.0 * step);
             for (int corner = 0; corner < 3; ++corner) {
-                EXPECT_NEAR(
-                    change[corner], cell.shadowForm(at(corner)).gradient[axis], 1e-11 * scale
-                );
+                EXPECT_NEAR(change[corner], cell.shadowForm(corner).gradient[axis], 1e-11 * scale);
             }
         }
     }
@@ -236,8 +230,8 @@ TEST_F(ShellCellMaps, KeepTheShadowAlongTheFibre) {
         const ShellCell cell(shell_, tet);
         for (int k = 0; k < 4; ++k) {
             for (int j = 0; j < 4; ++j) {
-                const SplitVertex lower = kSlabSplit[at(tet % 3)][at(k)];
-                const SplitVertex upper = kSlabSplit[at(tet % 3)][at(j)];
+                const SplitVertex lower = kSlabSplit[tet % 3][k];
+                const SplitVertex upper = kSlabSplit[tet % 3][j];
                 if (lower.slot != upper.slot || lower.outer || !upper.outer) {
                     continue;
                 }
@@ -253,10 +247,10 @@ TEST_F(ShellCellMaps, KeepTheShadowAlongTheFibre) {
 
 TEST_F(ShellCellMaps, BlendFibresBetweenThePillars) {
     for (int i = 0; i < static_cast<int>(shell_.prisms().size()); ++i) {
-        const Prism& prism = shell_.prisms()[at(i)];
+        const Prism& prism = shell_.prisms()[i];
         Vec3 sum = Vec3::Zero();
         for (std::size_t slot = 0; slot < 3; ++slot) {
-            const Pillar& pillar = shell_.pillars()[at(prism.pillars[slot])];
+            const Pillar& pillar = shell_.pillars()[prism.pillars[slot]];
             const Vec3 fibre = pillar.top - pillar.bottom;
             sum += fibre;
             const SurfacePoint vertex{i, Vec3::Unit(prism.faceCorner[slot])};
@@ -271,8 +265,7 @@ TEST(ShellLift, FollowsThePillarsAtTheVertices) {
     const BuiltShell built(torus(16, 8));
     for (int f = 0; f < built.surface.faceCount(); ++f) {
         for (int corner = 0; corner < 3; ++corner) {
-            const Pillar& pillar =
-                built.shell().pillars()[at(built.surface.faces()[at(f)][at(corner)])];
+            const Pillar& pillar = built.shell().pillars()[built.surface.faces()[f][corner]];
             const SurfacePoint vertex{f, Vec3::Unit(corner)};
             EXPECT_EQ(built.shell().lift(vertex, 0.0), pillar.middle);
             EXPECT_EQ(built.shell().lift(vertex, 1.0), pillar.top);

@@ -22,10 +22,6 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 bool areSame(const Shell& a, const Shell& b) {
     return std::ranges::equal(
                a.pillars(),
@@ -127,7 +123,7 @@ TEST(ShellSimplifier, KeepsMiddleEdgesAlongTheCreasesOfABox) {
     const ShellFrame& frame = simplified.base->frame;
     // How many sides of the box hold a pillar's middle, each as a bit.
     const auto sidesOf = [&](int pillar) {
-        const Vec3 p = frame.toUser(simplified.shell().pillars()[at(pillar)].middle);
+        const Vec3 p = frame.toUser(simplified.shell().pillars()[pillar].middle);
         unsigned sides = 0;
         for (int k = 0; k < 3; ++k) {
             sides |= static_cast<unsigned>(std::abs(p[k]) < 1e-12) << (2 * k);
@@ -147,9 +143,9 @@ TEST(ShellSimplifier, KeepsMiddleEdgesAlongTheCreasesOfABox) {
     }
     double length = 0.0;
     for (const auto& [a, b] : creases) {
-        length += frame.scale * (simplified.shell().pillars()[at(a)].middle -
-                                 simplified.shell().pillars()[at(b)].middle)
-                                    .norm();
+        length += frame.scale *
+                  (simplified.shell().pillars()[a].middle - simplified.shell().pillars()[b].middle)
+                      .norm();
     }
     EXPECT_NEAR(length, 4.0 * lengths.sum(), 1e-9);
 }

@@ -27,10 +27,6 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // ---- The same by brute force, from pillars, prisms and faces alone ----
 
 Eigen::Vector4d barycentricsIn(const Shell& shell, int tet, const Vec3& p) {
@@ -52,7 +48,7 @@ PrismPoint inPrism(const Shell& shell, int tet, const Vec3& p) {
     const Eigen::Vector4d lambda = barycentricsIn(shell, tet, p);
     PrismPoint result{tet / kTetrahedraPerPrism};
     for (int k = 0; k < 4; ++k) {
-        const SplitVertex corner = kSlabSplit[at(tet % 3)][at(k)];
+        const SplitVertex corner = kSlabSplit[tet % 3][k];
         result.beta[corner.slot] += lambda[k];
         if (corner.outer) {
             result.height += tet % kTetrahedraPerPrism < 3 ? lambda[k] : -lambda[k];
@@ -79,7 +75,7 @@ Vec3 onFibre(const Shell& shell, int prism, const Vec3& beta, double w) {
     double rest = std::abs(w);
     Vec3 result = Vec3::Zero();
     for (int slot = 2; slot >= 0; --slot) {
-        const Pillar& pillar = shell.pillars()[at(shell.prisms()[at(prism)].pillars[at(slot)])];
+        const Pillar& pillar = shell.pillars()[shell.prisms()[prism].pillars[slot]];
         const double outer = std::clamp(rest, 0.0, beta[slot]);
         rest -= outer;
         result +=
@@ -112,9 +108,9 @@ std::optional<Foot> footByBruteForce(
             continue;
         }
         for (const Triangle& face : base.faces) {
-            const Vec3& a = base.vertices[at(face[0])];
-            const Vec3& b = base.vertices[at(face[1])];
-            const Vec3& c = base.vertices[at(face[2])];
+            const Vec3& a = base.vertices[face[0]];
+            const Vec3& b = base.vertices[face[1]];
+            const Vec3& c = base.vertices[face[2]];
             Eigen::Matrix3d system;
             system << from - to, b - a, c - a;
             if (std::abs(system.determinant()) < 1e-18) {
@@ -278,7 +274,7 @@ TEST_P(CoarseShells, AreTracedExactly) {
         const Vec3 normal = coarse_.surface.faceNormal(point.face);
         PolynomialCurve curve{.degree = 3, .coefficients = {base_.position(point)}};
         for (int j = 1; j <= 3; ++j) {
-            Vec3& c = curve.coefficients[at(j)];
+            Vec3& c = curve.coefficients[j];
             c = 0.1 * random.point(-1.0, 1.0);
             c -= random.uniform(0.7, 1.0) * c.dot(normal) * normal;
         }
@@ -301,7 +297,7 @@ TEST_P(CoarseShells, AreTracedExactly) {
                 ++crossings;
                 EXPECT_EQ(s, now);
                 const Vec3 p = curve.at(s);
-                EXPECT_NEAR(from.walls[at(wall)].at(p), 0.0, 2e-9);
+                EXPECT_NEAR(from.walls[wall].at(p), 0.0, 2e-9);
                 EXPECT_NEAR(from.height.at(p), to.height.at(p), 1e-9);
                 EXPECT_NEAR(from.surfaceHeight.at(p), to.surfaceHeight.at(p), 1e-8);
                 EXPECT_LT(
@@ -342,8 +338,8 @@ TEST_P(CoarseShells, LetLinesPassThroughVertices) {
     for (int f = 0; f < coarse_.surface.faceCount(); f += stride) {
         const SurfacePoint start{f, Vec3::Unit(f % 3)};
         const Vec3 from = base_.position(start);
-        const Triangle& face = base_.faces[at(f)];
-        const Vec3 along = base_.vertices[at(face[at((f + 1) % 3)])] - from;
+        const Triangle& face = base_.faces[f];
+        const Vec3 along = base_.vertices[face[(f + 1) % 3]] - from;
         for (const double times : {1.0, 2.0, 3.0}) {
             // To where the edge leads, as far as its end is below the surface of the shell.
             const Vec3 to = from + times * along;

@@ -91,7 +91,7 @@ protected:
         const int start = random_.integer(0, 3);
         Vec3 p = Vec3::Zero();
         for (int k = 0; k < 4; ++k) {
-            p += weights[static_cast<std::size_t>(k)] * shell_.position(tet, (start + k) % 4);
+            p += weights[k] * shell_.position(tet, (start + k) % 4);
         }
         return p;
     }

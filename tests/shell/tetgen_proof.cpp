@@ -96,14 +96,14 @@ struct Boundary {
         std::vector<int> parents(pointCount);
         std::iota(parents.begin(), parents.end(), 0);
         const auto find = [&](int i) {
-            while (parents[static_cast<std::size_t>(i)] != i) {
-                i = parents[static_cast<std::size_t>(i)];
+            while (parents[i] != i) {
+                i = parents[i];
             }
             return i;
         };
         for (const auto& [a, b, c] : triangles) {
-            parents[static_cast<std::size_t>(find(b))] = find(a);
-            parents[static_cast<std::size_t>(find(c))] = find(a);
+            parents[find(b)] = find(a);
+            parents[find(c)] = find(a);
         }
         std::map<int, double> volumeOfPart;
         for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -120,7 +120,7 @@ struct Boundary {
 Boundary addBoundary(const Shell& shell, Complex& complex) {
     Boundary boundary;
     for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
-        if (shell.prisms()[static_cast<std::size_t>(tet / kTetrahedraPerPrism)].orientation == 0) {
+        if (shell.prisms()[tet / kTetrahedraPerPrism].orientation == 0) {
             continue;
         }
         for (int k = 0; k < 4; ++k) {
@@ -141,12 +141,8 @@ Boundary addBoundary(const Shell& shell, Complex& complex) {
 void addSurface(const ShellBase& base, std::span<const int> blockedFaces, Complex& complex) {
     for (int f = 0; f < base.surfaceFaceCount; ++f) {
         if (!std::binary_search(blockedFaces.begin(), blockedFaces.end(), f)) {
-            const Triangle& face = base.faces[static_cast<std::size_t>(f)];
-            complex.add(
-                {base.vertices[static_cast<std::size_t>(face[0])],
-                 base.vertices[static_cast<std::size_t>(face[1])],
-                 base.vertices[static_cast<std::size_t>(face[2])]}
-            );
+            const Triangle& face = base.faces[f];
+            complex.add({base.vertices[face[0]], base.vertices[face[1]], base.vertices[face[2]]});
         }
     }
 }

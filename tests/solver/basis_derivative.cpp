@@ -21,7 +21,7 @@ SplineSpace::BasisValues basisDerivative(
             }
             value = value * tau + factor * table(j, m);
         }
-        values[static_cast<std::size_t>(j)] = value * scale;
+        values[j] = value * scale;
     }
     return values;
 }

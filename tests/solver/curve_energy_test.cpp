@@ -65,7 +65,7 @@ void avoid(test_support::ProblemFixture& fixture, Avoided avoided) {
     } else {
         for (const GuidePath::Point& point : fixture.guide().points) {
             for (const int f : facesHolding(surface, point.point)) {
-                isIn[static_cast<std::size_t>(f)] = 0;
+                isIn[f] = 0;
             }
         }
     }
@@ -88,7 +88,7 @@ void keepPicks(
     for (std::size_t r = 0; r < rows.size(); ++r) {
         for (int j = 0; j < space.basisCount(); ++j) {
             constraints(static_cast<Eigen::Index>(r), space.control(rows[r].span, j)) +=
-                rows[r].values[static_cast<std::size_t>(j)];
+                rows[r].values[j];
         }
     }
     const Eigen::MatrixXd violation = constraints * direction;

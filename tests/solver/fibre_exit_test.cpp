@@ -32,7 +32,7 @@ public:
     using Coordinates = std::array<Vec3, 4>;
 
     ExitCase(const ShellBase& base, const Coordinates& coordinates) : fibres_(base, kFace) {
-        const Vec3 corner = base.vertices[static_cast<std::size_t>(base.faces[kFace][0])];
+        const Vec3 corner = base.vertices[base.faces[kFace][0]];
         const Vec3 normal =
             fibres_.edgeU().norm() * fibres_.edgeU().cross(fibres_.edgeV()).normalized();
         curve_.degree = 3;

@@ -31,10 +31,6 @@ using namespace test_support;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 std::vector<double> evenBreaks(int spans) {
     std::vector<double> breaks;
     for (int i = 0; i <= spans; ++i) {
@@ -79,10 +75,10 @@ struct Followed {
 
     // How far q + height n(q) is from P, at best.
     [[nodiscard]] double missOf(const SurfacePoint& foot, double t) const {
-        const Triangle& face = base.faces[at(foot.face)];
+        const Triangle& face = base.faces[foot.face];
         Vec3 n = Vec3::Zero();
         for (int corner = 0; corner < 3; ++corner) {
-            n += foot.barycentric[corner] * base.directions[at(face[at(corner)])];
+            n += foot.barycentric[corner] * base.directions[face[corner]];
         }
         return (space.evaluate(controls, t) - base.position(foot)).cross(n.normalized()).norm();
     }
@@ -148,7 +144,7 @@ TEST_P(FibreTraces, PassFromFaceToFaceOnTheEdgesBetween) {
         const auto& [parameter, point] = trace_.crossings[i];
         EXPECT_GE(parameter, before);
         before = parameter;
-        const Triangle& neighbours = followed_.base.faceNeighbours[at(faces[i])];
+        const Triangle& neighbours = followed_.base.faceNeighbours[faces[i]];
         EXPECT_EQ(std::ranges::count(neighbours, faces[i + 1]), 1);
         EXPECT_EQ(point.face, faces[i]);
         EXPECT_EQ(point.barycentric.minCoeff(), 0.0);
@@ -209,7 +205,7 @@ TEST_P(FibreTraces, AreTheSameInHalves) {
             trace_,
             followed_.space,
             followed_.controls,
-            followed_.space.breaks()[at(span)]
+            followed_.space.breaks()[span]
         );
         const CurveDistance alone = followed_.measuredInHalves({span, foot});
         expectSame(alone, distance_);
@@ -376,8 +372,8 @@ TEST(FibreTrace, EndsWhereFibresCross) {
     const int whole = progressOf(distance.trace).wholeSpans;
     EXPECT_GT(whole, 0);
     EXPECT_LT(whole, followed.space.spanCount());
-    EXPECT_LT(distance.perSpan[at(whole - 1)], 0.5);
-    EXPECT_EQ(distance.perSpan[at(whole)], kInfinity);
+    EXPECT_LT(distance.perSpan[whole - 1], 0.5);
+    EXPECT_EQ(distance.perSpan[whole], kInfinity);
 }
 
 // The direction at one corner points to the other side, so that fibres cross near the edge: each
@@ -419,7 +415,7 @@ TEST(FibreTrace, TellsTheSidesOfAPlateApart) {
     ASSERT_LT(followed.problem.picks.back().position.z(), 0.0);
     const CurveDistance distance = followed.measured();
     EXPECT_EQ(distance.largest, kInfinity);
-    EXPECT_EQ(distance.perSpan[at(followed.space.spanAt(0.5))], kInfinity);
+    EXPECT_EQ(distance.perSpan[followed.space.spanAt(0.5)], kInfinity);
     EXPECT_TRUE(std::isfinite(distance.perSpan.front()));
 }
 

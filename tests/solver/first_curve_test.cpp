@@ -49,7 +49,7 @@ TEST(FirstCurves, AreNoneWhereTheShellIsInterrupted) {
     connectPrisms(prisms, problem.base->faceNeighbours);
     GuidePath guide = fixture.guide();  // as paths do not enter faces without prisms
     std::erase_if(guide.points, [&](const GuidePath::Point& point) {
-        return prisms[static_cast<std::size_t>(point.point.face)].orientation == 0;
+        return prisms[point.point.face].orientation == 0;
     });
     const Shell interrupted(whole.pillars(), std::move(prisms), problem.base->surfaceFaceCount);
     problem.shell = &interrupted;

@@ -26,10 +26,6 @@ using namespace test_support;
 
 constexpr double kAlpha = 20.0;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 using Way = std::function<Vec3(double)>;
 
 // A space with uneven spans.
@@ -62,7 +58,7 @@ public:
         for (int j = 0; j < space_.controlCount(); ++j) {
             double t = 0.0;
             for (int k = 1; k <= options.degree; ++k) {
-                t += knots[at(j + k)] / options.degree;
+                t += knots[j + k] / options.degree;
             }
             controls_.row(j) = base_.frame.toUnit(way(t)).transpose();
         }
@@ -96,17 +92,15 @@ public:
     [[nodiscard]] FootedSpline footed(const FootEnergy& energy, ControlPoints controls) const {
         FootedSpline spline{
             std::move(controls),
-            std::vector<FootPoint>(at(energy.sampleCount())),
-            std::vector<FootFrame>(at(energy.sampleCount())),
+            std::vector<FootPoint>(energy.sampleCount()),
+            std::vector<FootFrame>(energy.sampleCount()),
             {},
             {}
         };
         for (int i = 0; i < energy.sampleCount(); ++i) {
             const SurfacePoint nearest =
                 tree_.closestPoint(space_.evaluate(spline.controls, energy.parameter(i))).point;
-            spline.feet[at(i)] = {
-                nearest.face, nearest.barycentric[1], nearest.barycentric[2], 0.0
-            };
+            spline.feet[i] = {nearest.face, nearest.barycentric[1], nearest.barycentric[2], 0.0};
         }
         energy.follow(finder_, spline);
         return spline;
@@ -185,7 +179,7 @@ Eigen::VectorXd product(
     const int size = 3 * space.basisCount();
     for (int span = 0; span < space.spanCount(); ++span) {
         const auto unknown = [&](int i) { return 3 * space.control(span, i / 3) + i % 3; };
-        const SpanMatrix matrix = denseOf(hessian[at(span)], space.basisCount());
+        const SpanMatrix matrix = denseOf(hessian[span], space.basisCount());
         for (int i = 0; i < size; ++i) {
             for (int j = 0; j < size; ++j) {
                 result[unknown(i)] += matrix(i, j) * x[unknown(j)];
@@ -593,15 +587,15 @@ Relaxed relaxed(
     SplineSystem system(space, interpolationRows(space, problem.picks));
     FootedSpline spline{
         std::move(controls),
-        std::vector<FootPoint>(at(energy.sampleCount())),
-        std::vector<FootFrame>(at(energy.sampleCount())),
+        std::vector<FootPoint>(energy.sampleCount()),
+        std::vector<FootFrame>(energy.sampleCount()),
         {},
         {}
     };
     for (int i = 0; i < energy.sampleCount(); ++i) {
         const SurfacePoint nearest =
             tree.closestPoint(space.evaluate(spline.controls, energy.parameter(i))).point;
-        spline.feet[at(i)] = {nearest.face, nearest.barycentric[1], nearest.barycentric[2], 0.0};
+        spline.feet[i] = {nearest.face, nearest.barycentric[1], nearest.barycentric[2], 0.0};
     }
     Eigen::VectorXd gradient;
     std::vector<SpanBlocks> hessian;
@@ -638,17 +632,15 @@ TEST(FeetOfARefinedSpline, AreThoseOfItsPositions) {
         const FootedSpline coarse = scene.footed(before, scene.controls());
         std::vector<double> breaks = scene.space().breaks();
         for (const int span : {0, 3, scene.space().spanCount() - 1}) {
-            breaks.push_back(
-                scene.space().breaks()[at(span)] + 0.5 * scene.space().spanLength(span)
-            );
+            breaks.push_back(scene.space().breaks()[span] + 0.5 * scene.space().spanLength(span));
         }
         std::ranges::sort(breaks);
         const SplineSpace finer(3, closed, breaks);
         const FootEnergy energy(scene.problem(), finer, scene.edge());
         FootedSpline spline{
             refine(scene.space(), scene.controls(), finer),
-            std::vector<FootPoint>(at(energy.sampleCount())),
-            std::vector<FootFrame>(at(energy.sampleCount())),
+            std::vector<FootPoint>(energy.sampleCount()),
+            std::vector<FootFrame>(energy.sampleCount()),
             {},
             {}
         };
@@ -657,15 +649,14 @@ TEST(FeetOfARefinedSpline, AreThoseOfItsPositions) {
         FootedSpline again = spline;
         energy.follow(finder, again);
         for (int i = 0; i < energy.sampleCount(); ++i) {
-            const FootPoint& foot = spline.feet[at(i)];
-            EXPECT_EQ(foot.face, again.feet[at(i)].face);
-            EXPECT_LT((spline.positions[at(i)] - again.positions[at(i)]).norm(), 1e-14);
+            const FootPoint& foot = spline.feet[i];
+            EXPECT_EQ(foot.face, again.feet[i].face);
+            EXPECT_LT((spline.positions[i] - again.positions[i]).norm(), 1e-14);
             EXPECT_LT(
-                (spline.seconds[at(i)] - again.seconds[at(i)]).norm(),
-                1e-9 * again.seconds[at(i)].norm()
+                (spline.seconds[i] - again.seconds[i]).norm(), 1e-9 * again.seconds[i].norm()
             );
-            EXPECT_NEAR(foot.height, again.feet[at(i)].height, 1e-8);
-            EXPECT_LT((spline.frames[at(i)].height - again.frames[at(i)].height).norm(), 1e-6);
+            EXPECT_NEAR(foot.height, again.feet[i].height, 1e-8);
+            EXPECT_LT((spline.frames[i].height - again.frames[i].height).norm(), 1e-6);
         }
     }
 }
@@ -683,7 +674,7 @@ Halving halveAllSpans(const std::vector<Vec3>& picks, int degree, double alpha) 
     const Relaxed coarse = relaxed(fixture, first.space, first.controls, alpha);
     std::vector<double> breaks = first.space.breaks();
     for (int span = 0; span < first.space.spanCount(); ++span) {
-        breaks.push_back(first.space.breaks()[at(span)] + 0.5 * first.space.spanLength(span));
+        breaks.push_back(first.space.breaks()[span] + 0.5 * first.space.spanLength(span));
     }
     std::ranges::sort(breaks);
     const SplineSpace finer(degree, false, breaks);

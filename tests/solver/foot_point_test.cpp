@@ -25,10 +25,6 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 int faceCountOf(const ShellBase& base) {
     return static_cast<int>(base.faces.size());
 }
@@ -48,12 +44,12 @@ double meanEdge(const ShellBase& base) {
 }
 
 Vec3 combine(const std::vector<Vec3>& values, const Triangle& face, const Vec3& weights) {
-    return weights[0] * values[at(face[0])] + weights[1] * values[at(face[1])] +
-           weights[2] * values[at(face[2])];
+    return weights[0] * values[face[0]] + weights[1] * values[face[1]] +
+           weights[2] * values[face[2]];
 }
 
 Vec3 directionAt(const ShellBase& base, const FootPoint& foot) {
-    return combine(base.directions, base.faces[at(foot.face)], foot.barycentric());
+    return combine(base.directions, base.faces[foot.face], foot.barycentric());
 }
 
 Vec3 footPosition(const ShellBase& base, const FootPoint& foot) {
@@ -90,9 +86,9 @@ Found find(const ShellBase& base, const Vec3& p, const FootPoint& start) {
 // The foot of p in one face, where its fibres lead there; Newton's method on the 3 x 3 system, with
 // the matrix inverted as a whole.
 std::optional<FootPoint> footIn(const ShellBase& base, int face, const Vec3& p) {
-    const Triangle& corners = base.faces[at(face)];
+    const Triangle& corners = base.faces[face];
     const auto difference = [&](const std::vector<Vec3>& values, std::size_t corner) {
-        return Vec3(values[at(corners[corner])] - values[at(corners[0])]);
+        return Vec3(values[corners[corner]] - values[corners[0]]);
     };
     FootPoint foot = centreOf(face);
     for (int step = 0; step < 30; ++step) {
@@ -132,22 +128,20 @@ double distanceToSurface(const ShellBase& base, const Vec3& p) {
 }
 
 Vec3 normalOf(const ShellBase& base, int face) {
-    const Triangle& corners = base.faces[at(face)];
-    const Vec3& a = base.vertices[at(corners[0])];
-    return (base.vertices[at(corners[1])] - a)
-        .cross(base.vertices[at(corners[2])] - a)
-        .normalized();
+    const Triangle& corners = base.faces[face];
+    const Vec3& a = base.vertices[corners[0]];
+    return (base.vertices[corners[1]] - a).cross(base.vertices[corners[2]] - a).normalized();
 }
 
 // Distance to the faces that hold a foot: one, two on an edge, all around a vertex.
 double distanceNearby(const ShellBase& base, const Vec3& p, const FootPoint& foot) {
-    const Triangle& here = base.faces[at(foot.face)];
+    const Triangle& here = base.faces[foot.face];
     const Vec3 barycentric = foot.barycentric();
     double least = std::numeric_limits<double>::infinity();
     for (const Triangle& other : base.faces) {
         bool holds = true;
         for (int k = 0; k < 3; ++k) {
-            holds &= barycentric[k] < 1e-12 || std::ranges::find(other, here[at(k)]) != other.end();
+            holds &= barycentric[k] < 1e-12 || std::ranges::find(other, here[k]) != other.end();
         }
         if (holds) {
             least =
@@ -212,7 +206,7 @@ TEST_P(FeetNear, AreThoseThatPointsWereRaisedFrom) {
         const Vec3 p = pointOver(base_, from);
         // From its own face, and from those beside it, but not round an edge of a box.
         std::vector<int> starts = {from.face};
-        for (const int next : base_.faceNeighbours[at(from.face)]) {
+        for (const int next : base_.faceNeighbours[from.face]) {
             if (next >= 0 && normalOf(base_, from.face).dot(normalOf(base_, next)) > 0.5) {
                 starts.push_back(next);
             }
@@ -575,10 +569,10 @@ TEST(FeetBeyondABoundary, LieInGhostFaces) {
         FootPoint from = centreOf(face);
         from.height = 0.1 * edge;
         const Vec3 p = pointOver(base, from);
-        const int inside = *std::ranges::max_element(base.faceNeighbours[at(face)]);
-        const int start = *std::ranges::min_element(
-            base.faceNeighbours[at(face)], {}, [&](int next) { return next < 0 ? inside : next; }
-        );
+        const int inside = *std::ranges::max_element(base.faceNeighbours[face]);
+        const int start = *std::ranges::min_element(base.faceNeighbours[face], {}, [&](int next) {
+            return next < 0 ? inside : next;
+        });
         const Found found = find(base, p, centreOf(start));
         EXPECT_TRUE(expectFootOrNearest(base, p, found));
         EXPECT_GE(found.foot.face, base.surfaceFaceCount);
@@ -629,7 +623,7 @@ TEST(FeetOfAnyPoint, AreFiniteAndHereOrNearestWhateverTheDirections) {
                 direction = random.point(-1.0, 1.0).normalized();
             }
         } else if (seed % 3 == 2) {
-            base.directions[at(random.integer(0, 10))] = Vec3::Zero();
+            base.directions[random.integer(0, 10)] = Vec3::Zero();
         }
         for (int i = 0; i < 30; ++i) {
             const int face = random.integer(0, faceCountOf(base) - 1);

@@ -30,7 +30,7 @@ protected:
         return region;
     }
 
-    [[nodiscard]] bool isIn(int face) const { return flags_[static_cast<std::size_t>(face)] != 0; }
+    [[nodiscard]] bool isIn(int face) const { return flags_[face] != 0; }
 
     Surface surface_{withNoise(icosphere(2), 0.01, 7)};
     ShellBase base_ = makeShellBase(surface_, 3);
@@ -42,9 +42,8 @@ protected:
 TEST_P(ObstaclesOnASphere, AreCloseByOneOnTheRegionAndItsEdgesAlone) {
     for (int f = 0; f < surface_.faceCount(); ++f) {
         EXPECT_EQ(obstacles_.isAvoided(f), isIn(f));
-        const bool isEnclosed = std::ranges::all_of(
-            surface_.faceNeighbours()[static_cast<std::size_t>(f)], [&](int g) { return isIn(g); }
-        );
+        const bool isEnclosed =
+            std::ranges::all_of(surface_.faceNeighbours()[f], [&](int g) { return isIn(g); });
         const SurfacePoint inside{f, Vec3(0.2, 0.3, 0.5)};
         EXPECT_EQ(obstacles_.closeness(inside) == 1.0, isIn(f) || isEnclosed) << "face " << f;
         EXPECT_GE(obstacles_.closeness(inside), 0.0);
@@ -52,8 +51,7 @@ TEST_P(ObstaclesOnASphere, AreCloseByOneOnTheRegionAndItsEdgesAlone) {
             Vec3 onEdge = Vec3::Constant(0.4);
             onEdge[k] = 0.0;
             onEdge[(k + 1) % 3] = 0.6;
-            const int behind =
-                surface_.faceNeighbours()[static_cast<std::size_t>(f)][static_cast<std::size_t>(k)];
+            const int behind = surface_.faceNeighbours()[f][k];
             const double closeness = obstacles_.closeness({f, onEdge});
             if (isIn(f) || isIn(behind)) {
                 EXPECT_NEAR(closeness, 1.0, 1e-12) << "face " << f;
@@ -67,8 +65,7 @@ TEST_P(ObstaclesOnASphere, AreCloseByOneOnTheRegionAndItsEdgesAlone) {
 TEST_P(ObstaclesOnASphere, AreEquallyCloseFromBothSidesOfAnEdge) {
     for (int f = 0; f < surface_.faceCount(); ++f) {
         for (int k = 0; k < 3; ++k) {
-            const int behind =
-                surface_.faceNeighbours()[static_cast<std::size_t>(f)][static_cast<std::size_t>(k)];
+            const int behind = surface_.faceNeighbours()[f][k];
             Vec3 onEdge = Vec3::Constant(0.3);
             onEdge[k] = 0.0;
             onEdge[(k + 1) % 3] = 0.7;
@@ -86,8 +83,7 @@ TEST_P(ObstaclesOnASphere, AreEquallyCloseFromBothSidesOfAnEdge) {
 TEST_P(ObstaclesOnASphere, KeepPointsOnTheirEdgeHalfAsClearAsItAllows) {
     for (int f = 0; f < surface_.faceCount(); ++f) {
         for (int k = 0; k < 3; ++k) {
-            const int behind =
-                surface_.faceNeighbours()[static_cast<std::size_t>(f)][static_cast<std::size_t>(k)];
+            const int behind = surface_.faceNeighbours()[f][k];
             if (isIn(f) || isIn(behind)) {
                 continue;
             }

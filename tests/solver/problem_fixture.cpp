@@ -66,7 +66,7 @@ void ProblemFixture::setField(const std::vector<double>& field) {
     field_ = field;
     problem_.fieldCosts = summaryOf(vertexCostsOf(field, problem_.options.fieldCost));
     for (const int origin : shell_->base->ghostOrigin) {
-        field_.push_back(field[static_cast<std::size_t>(origin)]);
+        field_.push_back(field[origin]);
     }
     problem_.field = field_;
 }

@@ -25,10 +25,6 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 struct Scene {
     std::string name;
     TriangleMesh mesh;
@@ -110,8 +106,8 @@ struct Measures {
 double fieldAt(const CurveProblem& problem, const FootPoint& foot) {
     double value = 0.0;
     for (int k = 0; k < 3 && !problem.field.empty(); ++k) {
-        const int v = problem.base->faces[at(foot.face)][at(k)];
-        value += foot.barycentric()[k] * problem.field[at(v)];
+        const int v = problem.base->faces[foot.face][k];
+        value += foot.barycentric()[k] * problem.field[v];
     }
     return value;
 }

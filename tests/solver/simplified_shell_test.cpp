@@ -25,10 +25,6 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Cells that a few straight lines pass, with a point of each.
 struct CellPoint {
     ShellCell cell;
@@ -151,7 +147,7 @@ Drawn draw(const ProblemFixture& fixture, const std::vector<Vec3>& picks) {
     expectStrict(fixture.surface(), line);
     EXPECT_EQ(line.picks.size(), picks.size());
     for (std::size_t i = 0; i < picks.size(); ++i) {
-        EXPECT_LT((line.points[at(line.picks[i])] - picks[i]).norm(), 0.02);
+        EXPECT_LT((line.points[line.picks[i]] - picks[i]).norm(), 0.02);
     }
     return {std::move(solution), std::move(line)};
 }
@@ -163,10 +159,10 @@ std::vector<Vec3> picksOn(const TriangleMesh& mesh, std::uint64_t seed, int coun
     std::vector<Vec3> picks;
     for (int i = 0; i < count; ++i) {
         const Triangle& face =
-            mesh.faces[at(random.integer(0, static_cast<int>(mesh.faces.size()) - 1))];
+            mesh.faces[random.integer(0, static_cast<int>(mesh.faces.size()) - 1)];
         picks.emplace_back(
-            0.5 * mesh.vertices[at(face[0])] + 0.3 * mesh.vertices[at(face[1])] +
-            0.2 * mesh.vertices[at(face[2])]
+            0.5 * mesh.vertices[face[0]] + 0.3 * mesh.vertices[face[1]] +
+            0.2 * mesh.vertices[face[2]]
         );
     }
     return picks;

@@ -34,7 +34,7 @@ TEST_P(Moments, BernsteinFormsHaveTheBasisValues) {
                     for (int k = 0; k <= n; ++k) {
                         value += basis(j, k) * std::pow(tau, k) * std::pow(1.0 - tau, n - k);
                     }
-                    const double wanted = expected[static_cast<std::size_t>(j)];
+                    const double wanted = expected[j];
                     EXPECT_NEAR(value, wanted, 1e-13 * basis.norm());
                 }
             }

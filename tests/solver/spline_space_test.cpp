@@ -16,23 +16,19 @@ namespace {
 
 using test_support::Random;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // The recursion of Cox and de Boor, word for word, with 0 / 0 = 0. Right-continuous.
 double coxDeBoor(const std::vector<double>& knots, int i, int degree, double t) {
     if (degree == 0) {
-        return knots[at(i)] <= t && t < knots[at(i + 1)] ? 1.0 : 0.0;
+        return knots[i] <= t && t < knots[i + 1] ? 1.0 : 0.0;
     }
     double value = 0.0;
-    const double left = knots[at(i + degree)] - knots[at(i)];
+    const double left = knots[i + degree] - knots[i];
     if (left > 0.0) {
-        value += (t - knots[at(i)]) / left * coxDeBoor(knots, i, degree - 1, t);
+        value += (t - knots[i]) / left * coxDeBoor(knots, i, degree - 1, t);
     }
-    const double right = knots[at(i + degree + 1)] - knots[at(i + 1)];
+    const double right = knots[i + degree + 1] - knots[i + 1];
     if (right > 0.0) {
-        value += (knots[at(i + degree + 1)] - t) / right * coxDeBoor(knots, i + 1, degree - 1, t);
+        value += (knots[i + degree + 1] - t) / right * coxDeBoor(knots, i + 1, degree - 1, t);
     }
     return value;
 }
@@ -64,7 +60,7 @@ Vec3 derivative(
     const SplineSpace::BasisValues values = test_support::basisDerivative(space, span, tau, order);
     Vec3 sum = Vec3::Zero();
     for (int j = 0; j < space.basisCount(); ++j) {
-        sum += values[at(j)] * controls.row(space.control(span, j)).transpose();
+        sum += values[j] * controls.row(space.control(span, j)).transpose();
     }
     return sum;
 }
@@ -89,8 +85,8 @@ TEST_P(SplineSpaces, BasisFunctionsSumToOneAndAreNotNegative) {
             const SplineSpace::BasisValues values = space_.basisAt(span, tau);
             double sum = 0.0;
             for (int j = 0; j < space_.basisCount(); ++j) {
-                sum += values[at(j)];
-                EXPECT_GE(values[at(j)], -1e-15);
+                sum += values[j];
+                EXPECT_GE(values[j], -1e-15);
             }
             EXPECT_NEAR(sum, 1.0, 1e-14) << "span " << span << ", tau " << tau;
         }
@@ -117,14 +113,14 @@ TEST_P(SplineSpaces, KnotVectorsAreClampedOrPeriodic) {
     const int n = space_.spanCount();
     ASSERT_EQ(static_cast<int>(knots.size()), n + 1 + 2 * degree());
     for (int i = 0; i <= n; ++i) {
-        EXPECT_EQ(knots[at(i + degree())], space_.breaks()[at(i)]);
+        EXPECT_EQ(knots[i + degree()], space_.breaks()[i]);
     }
     for (int i = 0; i <= 2 * degree(); ++i) {
         if (closed()) {
-            EXPECT_NEAR(knots[at(i + n)], knots[at(i)] + 1.0, 1e-15) << "knot " << i;
+            EXPECT_NEAR(knots[i + n], knots[i] + 1.0, 1e-15) << "knot " << i;
         } else if (i <= degree()) {
-            EXPECT_EQ(knots[at(i)], 0.0);
-            EXPECT_EQ(knots[knots.size() - 1 - at(i)], 1.0);
+            EXPECT_EQ(knots[i], 0.0);
+            EXPECT_EQ(knots[knots.size() - 1 - i], 1.0);
         }
     }
 }
@@ -163,7 +159,7 @@ TEST_P(SplineSpaces, PolynomialsOfSpansAreTheSpline) {
     for (int span = 0; span < space_.spanCount(); ++span) {
         const PolynomialCurve polynomial = space_.polynomial(controls_, span);
         for (const double tau : {0.0, 0.3, 0.9}) {
-            const double t = space_.breaks()[at(span)] + tau * space_.spanLength(span);
+            const double t = space_.breaks()[span] + tau * space_.spanLength(span);
             EXPECT_LT((polynomial.at(tau) - space_.evaluate(controls_, t)).norm(), 1e-13);
             EXPECT_LT(
                 (polynomial.derivativeAt(tau) / space_.spanLength(span) -
@@ -182,10 +178,10 @@ TEST_P(SplineSpaces, RefiningLeavesTheCurveUnchanged) {
             const int inserted = random_.integer(0, 3);
             for (int i = 1; i <= inserted; ++i) {
                 finer.push_back(
-                    space_.breaks()[at(span)] + space_.spanLength(span) * i / (inserted + 1.0)
+                    space_.breaks()[span] + space_.spanLength(span) * i / (inserted + 1.0)
                 );
             }
-            finer.push_back(space_.breaks()[at(span) + 1]);
+            finer.push_back(space_.breaks()[span + 1]);
         }
         const SplineSpace fine(degree(), closed(), finer);
         const ControlPoints controls = refine(space_, controls_, fine);
@@ -221,8 +217,8 @@ TEST_P(SplineSpaces, FindTheSpanThatHoldsAParameter) {
     EXPECT_EQ(space_.spanAt(0.0), 0);
     EXPECT_EQ(space_.spanAt(1.0), space_.spanCount() - 1);
     for (int span = 0; span < space_.spanCount(); ++span) {
-        EXPECT_EQ(space_.spanAt(space_.breaks()[at(span)]), span);
-        EXPECT_EQ(space_.spanAt(space_.breaks()[at(span)] + 0.5 * space_.spanLength(span)), span);
+        EXPECT_EQ(space_.spanAt(space_.breaks()[span]), span);
+        EXPECT_EQ(space_.spanAt(space_.breaks()[span] + 0.5 * space_.spanLength(span)), span);
     }
 }
 

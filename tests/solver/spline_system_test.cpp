@@ -17,10 +17,6 @@ namespace {
 
 using test_support::Random;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // A spline space with constraints and a Hessian, beside the same as dense matrices.
 class SplineSystems : public testing::TestWithParam<std::tuple<int, bool>> {
 protected:
@@ -73,7 +69,7 @@ protected:
                 for (int i = 0; i < blockSize(); ++i) {
                     for (int j = i % 3; j < blockSize(); j += 3) {
                         block(i, j) +=
-                            0.25 * space_.spanLength(span) * second[at(i / 3)] * second[at(j / 3)];
+                            0.25 * space_.spanLength(span) * second[i / 3] * second[j / 3];
                     }
                 }
             }
@@ -89,7 +85,7 @@ protected:
             const auto unknown = [&](int i) { return 3 * space_.control(span, i / 3) + i % 3; };
             for (int i = 0; i < blockSize(); ++i) {
                 for (int j = 0; j < blockSize(); ++j) {
-                    matrix(unknown(i), unknown(j)) += blocks[at(span)](i, j);
+                    matrix(unknown(i), unknown(j)) += blocks[span](i, j);
                 }
             }
         }
@@ -106,7 +102,7 @@ protected:
                     matrix(
                         3 * static_cast<Eigen::Index>(r) + axis,
                         3 * space_.control(row.span, j) + axis
-                    ) += row.values[at(j)];
+                    ) += row.values[j];
                 }
             }
         }

@@ -13,20 +13,15 @@
 namespace bspline_curve::test_support {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 constexpr int kSmoothingPasses = 3;
 
 std::vector<Pillar> pillarsOn(const Surface& middle, const ShellFrame& frame, double height) {
     std::vector<Vec3> normals(middle.vertices().size(), Vec3::Zero());
     for (const Triangle& face : middle.faces()) {
-        const Vec3& a = middle.vertices()[at(face[0])];
-        const Vec3 normal =
-            (middle.vertices()[at(face[1])] - a).cross(middle.vertices()[at(face[2])] - a);
+        const Vec3& a = middle.vertices()[face[0]];
+        const Vec3 normal = (middle.vertices()[face[1]] - a).cross(middle.vertices()[face[2]] - a);
         for (const int v : face) {
-            normals[at(v)] += normal;
+            normals[v] += normal;
         }
     }
     const double length = height * middle.averageEdgeLength() / frame.scale;
@@ -48,16 +43,16 @@ SurfaceTracks tracksByBoxes(
     for (const Prism& prism : prisms) {
         Eigen::AlignedBox3d box;
         for (const int pillar : prism.pillars) {
-            box.extend(pillars[at(pillar)].bottom);
-            box.extend(pillars[at(pillar)].middle);
-            box.extend(pillars[at(pillar)].top);
+            box.extend(pillars[pillar].bottom);
+            box.extend(pillars[pillar].middle);
+            box.extend(pillars[pillar].top);
         }
         box.min().array() -= kMargin;
         box.max().array() += kMargin;
         for (std::size_t f = 0; f < base.faces.size(); ++f) {
             Eigen::AlignedBox3d faceBox;
             for (const int v : base.faces[f]) {
-                faceBox.extend(base.vertices[at(v)]);
+                faceBox.extend(base.vertices[v]);
             }
             if (box.intersects(faceBox)) {
                 tracks.faces.push_back(static_cast<int>(f));
@@ -132,15 +127,13 @@ CoarseShell::CoarseShell(TriangleMesh fine)
 std::vector<Prism> prismsOver(const Surface& middle) {
     std::vector<Prism> prisms;
     for (int f = 0; f < middle.faceCount(); ++f) {
-        const Triangle& face = middle.faces()[at(f)];
+        const Triangle& face = middle.faces()[f];
         Prism prism;
         std::array<int, 3> corners = {0, 1, 2};
-        std::sort(corners.begin(), corners.end(), [&](int a, int b) {
-            return face[at(a)] < face[at(b)];
-        });
+        std::sort(corners.begin(), corners.end(), [&](int a, int b) { return face[a] < face[b]; });
         for (std::size_t slot = 0; slot < 3; ++slot) {
-            prism.pillars[slot] = face[at(corners[slot])];
-            prism.neighbours[slot] = middle.faceNeighbours()[at(f)][at(corners[slot])];
+            prism.pillars[slot] = face[corners[slot]];
+            prism.neighbours[slot] = middle.faceNeighbours()[f][corners[slot]];
             prism.faceCorner[slot] = static_cast<signed char>(corners[slot]);
         }
         prism.orientation = corners[1] == (corners[0] + 1) % 3 ? 1 : -1;
@@ -151,7 +144,7 @@ std::vector<Prism> prismsOver(const Surface& middle) {
             if (prism.neighbours[slot] < 0) {
                 continue;
             }
-            const Prism& other = prisms[at(prism.neighbours[slot])];
+            const Prism& other = prisms[prism.neighbours[slot]];
             for (std::size_t wall = 0; wall < 3; ++wall) {
                 if (std::find(prism.pillars.begin(), prism.pillars.end(), other.pillars[wall]) ==
                     prism.pillars.end()) {

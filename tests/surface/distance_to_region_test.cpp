@@ -16,9 +16,9 @@ using namespace test_support;
 Region facesWithin(const Surface& surface, const Vec3& centre, double radius) {
     Region region;
     for (int f = 0; f < surface.faceCount(); ++f) {
-        const Triangle& corners = surface.faces()[static_cast<std::size_t>(f)];
+        const Triangle& corners = surface.faces()[f];
         if (std::ranges::all_of(corners, [&](int v) {
-                return (surface.vertices()[static_cast<std::size_t>(v)] - centre).norm() <= radius;
+                return (surface.vertices()[v] - centre).norm() <= radius;
             })) {
             region.push_back(f);
         }
@@ -49,8 +49,8 @@ TEST(DistanceToRegion, IsWithinASeventhOutsideADisc) {
     for (std::size_t v = 0; v < distances.size(); ++v) {
         double expected = 0.3;
         for (const int f : disc) {
-            for (const int w : surface.faces()[static_cast<std::size_t>(f)]) {
-                const Vec3& corner = surface.vertices()[static_cast<std::size_t>(w)];
+            for (const int w : surface.faces()[f]) {
+                const Vec3& corner = surface.vertices()[w];
                 expected = std::min(expected, (surface.vertices()[v] - corner).norm());
             }
         }

@@ -19,10 +19,6 @@ namespace {
 
 using namespace test_support;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 SurfacePoint randomPoint(const Surface& surface, Random& random) {
     const double a = random.uniform(0.0, 1.0);
     const double b = random.uniform(0.0, 1.0 - a);
@@ -45,7 +41,7 @@ SurfacePoint randomPointOfAnyKind(const Surface& surface, Random& random) {
 
 SurfacePoint atVertex(const Surface& surface, int vertex) {
     const int face = *surface.facesAround(vertex).begin();
-    return {face, Vec3::Unit(cornerOf(surface.faces()[at(face)], vertex))};
+    return {face, Vec3::Unit(cornerOf(surface.faces()[face], vertex))};
 }
 
 Vec3 randomInRectangle(Random& random, double x0, double x1, double y0, double y1) {
@@ -59,10 +55,10 @@ SurfacePoint locate(const Surface& surface, const Vec3& p) {
     SurfacePoint best;
     double bestScore = -1e300;
     for (int f = 0; f < surface.faceCount(); ++f) {
-        const Triangle& face = surface.faces()[at(f)];
-        const Vec3& a = surface.vertices()[at(face[0])];
-        const Vec3 ab = surface.vertices()[at(face[1])] - a;
-        const Vec3 ac = surface.vertices()[at(face[2])] - a;
+        const Triangle& face = surface.faces()[f];
+        const Vec3& a = surface.vertices()[face[0]];
+        const Vec3 ab = surface.vertices()[face[1]] - a;
+        const Vec3 ac = surface.vertices()[face[2]] - a;
         const Vec3 n = ab.cross(ac);
         const double v = (p - a).cross(ac).dot(n) / n.squaredNorm();
         const double w = ab.cross(p - a).dot(n) / n.squaredNorm();
@@ -100,7 +96,7 @@ void expectWellFormed(
 }
 
 TravelCosts travelCosts(const std::vector<double>& costs) {
-    return {[costs](int face) { return costs[at(face)]; }, *std::ranges::min_element(costs)};
+    return {[costs](int face) { return costs[face]; }, *std::ranges::min_element(costs)};
 }
 
 // Costs that let paths enter all faces but those with a flag.
@@ -213,11 +209,10 @@ TEST(GeodesicPaths, InOneFaceAreSegments) {
 TEST(GeodesicPaths, AlongAnEdgeAreTheEdge) {
     const Surface surface(withNoise(icosphere(2), 0.02, 4));
     for (int f = 0; f < 50; ++f) {
-        const Triangle& face = surface.faces()[at(f)];
+        const Triangle& face = surface.faces()[f];
         const GeodesicPath path =
             goodPath(surface, atVertex(surface, face[0]), atVertex(surface, face[1]));
-        const double edge =
-            (surface.vertices()[at(face[0])] - surface.vertices()[at(face[1])]).norm();
+        const double edge = (surface.vertices()[face[0]] - surface.vertices()[face[1]]).norm();
         EXPECT_NEAR(path.length, edge, 1e-14);
     }
 }
@@ -255,7 +250,7 @@ TEST(GeodesicPaths, GoRoundBlockedFaces) {
             goodPath(surface, locate(surface, a), locate(surface, b), blocked);
         EXPECT_NEAR(path.length, lengthRoundTheSlot(a, b), 1e-12);
         for (const SurfacePoint& point : path.points) {
-            EXPECT_EQ(blocked[at(point.face)], 0);
+            EXPECT_EQ(blocked[point.face], 0);
         }
     }
 }
@@ -264,8 +259,7 @@ TEST(GeodesicPaths, GoRoundBlockedFaces) {
 double meanCost(const GeodesicPath& path, const std::vector<double>& costs) {
     double sum = 0.0;
     for (std::size_t i = 1; i < path.points.size(); ++i) {
-        sum +=
-            costs[at(path.points[i - 1].face)] * (path.positions[i] - path.positions[i - 1]).norm();
+        sum += costs[path.points[i - 1].face] * (path.positions[i] - path.positions[i - 1]).norm();
     }
     return sum / path.length;
 }
@@ -296,7 +290,7 @@ TEST(GeodesicPaths, TakeTheWayRoundWhereThatIsCheaper) {
 
 TEST(GeodesicPaths, AreTheSameWhateverAllFacesCost) {
     const Surface surface(withNoise(icosphere(3), 0.02, 4));
-    const std::vector<double> costs(at(surface.faceCount()), 7.5);
+    const std::vector<double> costs(surface.faceCount(), 7.5);
     Random random(12);
     for (int i = 0; i < 50; ++i) {
         SCOPED_TRACE("seed 12, pair " + std::to_string(i));
@@ -455,7 +449,7 @@ TEST(StripUnfolding, TurnsAtTheCornersOfTheStrip) {
     const double bend = std::atan2(0.35, 0.15);
     for (const StripPath::Corner& corner : inStrip.corners) {
         EXPECT_NEAR(corner.bend, bend, 1e-12);
-        EXPECT_NEAR(surface.vertices()[at(corner.vertex)].y(), 0.6, 1e-15);
+        EXPECT_NEAR(surface.vertices()[corner.vertex].y(), 0.6, 1e-15);
     }
     EXPECT_EQ(inStrip.crossings.size(), strip.size() - 1);
     for (const double crossing : inStrip.crossings) {
@@ -467,9 +461,9 @@ TEST(StripUnfolding, TurnsAtTheCornersOfTheStrip) {
 TEST(SurfacePoints, AreHeldByTheirFaceTheNeighbourOrTheStar) {
     const Surface surface(icosphere(2));
     for (int f = 0; f < surface.faceCount(); f += 7) {
-        const Triangle& face = surface.faces()[at(f)];
+        const Triangle& face = surface.faces()[f];
         EXPECT_EQ(facesHolding(surface, {f, {0.2, 0.3, 0.5}}), std::vector<int>{f});
-        std::vector<int> pair{f, surface.faceNeighbours()[at(f)][1]};
+        std::vector<int> pair{f, surface.faceNeighbours()[f][1]};
         std::ranges::sort(pair);
         EXPECT_EQ(facesHolding(surface, {f, {0.4, 0.0, 0.6}}), pair);
         const Surface::FaceRange around = surface.facesAround(face[2]);
@@ -479,7 +473,7 @@ TEST(SurfacePoints, AreHeldByTheirFaceTheNeighbourOrTheStar) {
         for (const int g : star) {
             EXPECT_LT(
                 (surface.position(inFace(surface, {f, Vec3::UnitZ()}, g)) -
-                 surface.vertices()[at(face[2])])
+                 surface.vertices()[face[2]])
                     .norm(),
                 1e-15
             );

@@ -26,10 +26,6 @@ using namespace test_support;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 Vec3 centreOf(const Surface& surface, int face) {
     return surface.position({face, Vec3::Constant(1.0 / 3.0)});
 }
@@ -49,9 +45,9 @@ SurfacePoint nearest(const Surface& surface, const Vec3& point) {
 std::set<std::pair<int, int>> joinedPatches(const Surface& surface, const std::vector<int>& patch) {
     std::set<std::pair<int, int>> pairs;
     for (int f = 0; f < surface.faceCount(); ++f) {
-        for (const int g : surface.faceNeighbours()[at(f)]) {
-            if (g >= 0 && patch[at(f)] != patch[at(g)]) {
-                pairs.emplace(patch[at(f)], patch[at(g)]);
+        for (const int g : surface.faceNeighbours()[f]) {
+            if (g >= 0 && patch[f] != patch[g]) {
+                pairs.emplace(patch[f], patch[g]);
             }
         }
     }
@@ -64,17 +60,17 @@ int pieces(const Surface& surface, const std::vector<int>& patch) {
     int count = 0;
     for (int f = 0; f < surface.faceCount(); ++f) {
         std::vector<int> stack;
-        if (seen[at(f)] == 0) {
+        if (seen[f] == 0) {
             ++count;
-            seen[at(f)] = 1;
+            seen[f] = 1;
             stack.push_back(f);
         }
         while (!stack.empty()) {
             const int here = stack.back();
             stack.pop_back();
-            for (const int g : surface.faceNeighbours()[at(here)]) {
-                if (g >= 0 && seen[at(g)] == 0 && patch[at(g)] == patch[at(here)]) {
-                    seen[at(g)] = 1;
+            for (const int g : surface.faceNeighbours()[here]) {
+                if (g >= 0 && seen[g] == 0 && patch[g] == patch[here]) {
+                    seen[g] = 1;
                     stack.push_back(g);
                 }
             }
@@ -86,9 +82,9 @@ int pieces(const Surface& surface, const std::vector<int>& patch) {
 void expectGoodLevels(const Surface& surface) {
     const PatchLevels patches(surface);
     ASSERT_FALSE(patches.levels().empty());
-    std::vector<int> patch(at(surface.faceCount()));
+    std::vector<int> patch(surface.faceCount());
     for (int f = 0; f < surface.faceCount(); ++f) {
-        patch[at(f)] = f;
+        patch[f] = f;
     }
     int below = surface.faceCount();
     for (const PatchLevels::Level& level : patches.levels()) {
@@ -96,20 +92,20 @@ void expectGoodLevels(const Surface& surface) {
         EXPECT_LT(level.count(), below / 3);
         below = level.count();
         for (int& p : patch) {
-            p = level.patchOf[at(p)];
+            p = level.patchOf[p];
         }
         EXPECT_EQ(pieces(surface, patch), level.count());
         std::set<std::pair<int, int>> listed;
         for (int p = 0; p < level.count(); ++p) {
-            for (int i = level.offsets[at(p)]; i < level.offsets[at(p) + 1]; ++i) {
-                EXPECT_TRUE(listed.emplace(p, level.neighbours[at(i)]).second);
+            for (int i = level.offsets[p]; i < level.offsets[p + 1]; ++i) {
+                EXPECT_TRUE(listed.emplace(p, level.neighbours[i]).second);
             }
         }
         EXPECT_EQ(listed, joinedPatches(surface, patch));
         for (int p = 0; p < level.count(); ++p) {
-            EXPECT_EQ(patch[at(level.samples[at(p)][0])], p);
-            for (const int f : level.samples[at(p)]) {
-                EXPECT_TRUE(f < 0 || patch[at(f)] == p);
+            EXPECT_EQ(patch[level.samples[p][0]], p);
+            for (const int f : level.samples[p]) {
+                EXPECT_TRUE(f < 0 || patch[f] == p);
             }
         }
     }
@@ -248,9 +244,7 @@ TEST(JumpsAlongPatches, StayOnTheirComponent) {
     const PatchLevels::Samples* const samples = patches.samplesTowards({1.5, 0.0, 0.5}, from, 40.0);
     ASSERT_NE(samples, nullptr);
     for (const int face : *samples) {
-        EXPECT_TRUE(
-            face < 0 || spheres.faceComponents()[at(face)] == spheres.faceComponents()[at(from)]
-        );
+        EXPECT_TRUE(face < 0 || spheres.faceComponents()[face] == spheres.faceComponents()[from]);
     }
 }
 

@@ -73,7 +73,7 @@ std::array<Point, 4> nearlyCoplanarPoints(Random& random) {
     for (std::size_t k = 0; k < 3; ++k) {
         p[3][k] = p[0][k] + s * (p[1][k] - p[0][k]) + t * (p[2][k] - p[0][k]);
     }
-    p[3][static_cast<std::size_t>(random.integer(0, 2))] += random.integer(-1, 1);
+    p[3][random.integer(0, 2)] += random.integer(-1, 1);
     return p;
 }
 

@@ -28,10 +28,10 @@ struct RegionTest : public ::testing::Test {
     }
 
     [[nodiscard]] double meanX(int face) const {
-        const Triangle& corners = surface.faces()[static_cast<std::size_t>(face)];
+        const Triangle& corners = surface.faces()[face];
         double sum = 0.0;
         for (const int v : corners) {
-            sum += surface.vertices()[static_cast<std::size_t>(v)].x();
+            sum += surface.vertices()[v].x();
         }
         return sum / 3.0;
     }

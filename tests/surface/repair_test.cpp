@@ -26,10 +26,6 @@ using test_support::torus;
 using test_support::withFaceReversed;
 using Ids = std::vector<int>;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// The validator's word on a mesh; "" where it takes it.
 std::string refusalOf(const TriangleMesh& mesh) {
     try {
@@ -43,7 +39,7 @@ std::string refusalOf(const TriangleMesh& mesh) {
 Vec3 pointOn(const TriangleMesh& mesh, const SurfacePoint& point) {
     Vec3 position = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
-        position += point.barycentric[k] * mesh.vertices[at(mesh.faces[at(point.face)][at(k)])];
+        position += point.barycentric[k] * mesh.vertices[mesh.faces[point.face][k]];
     }
     return position;
 }
@@ -56,7 +52,7 @@ MeshRepair repaired(const TriangleMesh& mesh) {
     EXPECT_EQ(repair.faceOrigins.size(), repair.mesh.faces.size());
     EXPECT_GE(repair.mesh.vertices.size(), mesh.vertices.size());
     for (std::size_t v = 0; v < repair.mesh.vertices.size(); ++v) {
-        EXPECT_EQ(repair.mesh.vertices[v], mesh.vertices[at(repair.vertexOrigins[v])]);
+        EXPECT_EQ(repair.mesh.vertices[v], mesh.vertices[repair.vertexOrigins[v]]);
         EXPECT_TRUE(v >= mesh.vertices.size() || repair.vertexOrigins[v] == static_cast<int>(v));
     }
     const Vec3 inside(0.2, 0.3, 0.5);
@@ -173,7 +169,7 @@ TEST(Repair, AMeshThatIsWhollyTurnedStaysSo) {
 TEST(Repair, MergesTheEndsOfAnEdgeWithoutLength) {
     TriangleMesh mesh = plate(4, 4);
     // A vertex of the middle of the plate moves onto its neighbour: two faces lose their area.
-    mesh.vertices[at(2 * 5 + 2)] = mesh.vertices[at(2 * 5 + 3)];
+    mesh.vertices[2 * 5 + 2] = mesh.vertices[2 * 5 + 3];
     const MeshRepair repair = repaired(mesh);
     EXPECT_EQ(repair.report.removedDegenerateFaces.size(), 2U);
     EXPECT_EQ(repair.report.mergedVertices, (std::vector{std::pair(13, 12)}));
@@ -241,7 +237,7 @@ TEST(Repair, PartsTwoFacesOfWhichEachEdgeIsHeldTogetherAtItsEnds) {
     TriangleMesh mesh = joined(icosphere(1), icosphere(1));
     const int shift = static_cast<int>(icosphere(1).vertices.size());
     for (std::size_t v = 0; v < icosphere(1).vertices.size(); ++v) {
-        mesh.vertices[at(shift) + v] += Vec3(3, 0, 0);
+        mesh.vertices[shift + v] += Vec3(3, 0, 0);
     }
     const int u = mesh.faces[0][0];
     const int v = mesh.faces[0][1];

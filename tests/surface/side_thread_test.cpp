@@ -18,8 +18,8 @@ namespace {
 using namespace std::chrono_literals;
 
 std::vector<int> callsOf(SideThread* side, int count, int atOnce) {
-    std::vector<int> calls(static_cast<std::size_t>(count));
-    forEach(side, count, atOnce, [&](int i) { ++calls[static_cast<std::size_t>(i)]; });
+    std::vector<int> calls(count);
+    forEach(side, count, atOnce, [&](int i) { ++calls[i]; });
     return calls;
 }
 
@@ -28,7 +28,7 @@ std::set<std::thread::id> threadsOf(SideThread& side) {
     constexpr int kTasks = 200;
     std::vector<std::thread::id> ids(kTasks);
     side.forEach(kTasks, 1, [&](int i) {
-        ids[static_cast<std::size_t>(i)] = std::this_thread::get_id();
+        ids[i] = std::this_thread::get_id();
         std::this_thread::sleep_for(1ms);
     });
     return {ids.begin(), ids.end()};
@@ -38,7 +38,7 @@ TEST(SideThread, CallsForEachIndexOnce) {
     SideThread side;
     for (const int count : {0, 1, 2, 7, 1000}) {
         for (const int atOnce : {1, 3, 2000}) {
-            const std::vector<int> once(static_cast<std::size_t>(count), 1);
+            const std::vector<int> once(count, 1);
             EXPECT_EQ(callsOf(&side, count, atOnce), once);
             EXPECT_EQ(callsOf(nullptr, count, atOnce), once);
         }
@@ -51,7 +51,7 @@ TEST(SideThread, HasDoneAllWhenALoopEnds) {
     constexpr int kCount = 64;
     std::vector<int> values(kCount, 0);
     for (int loop = 1; loop <= 20000; ++loop) {
-        side.forEach(kCount, 4, [&](int i) { values[static_cast<std::size_t>(i)] += i; });
+        side.forEach(kCount, 4, [&](int i) { values[i] += i; });
         const std::size_t some = static_cast<std::size_t>(loop) % kCount;
         ASSERT_EQ(values[some], loop * static_cast<int>(some));
     }

@@ -24,17 +24,13 @@ using namespace test_support;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 Vec3 middleBetween(const Surface& surface, int face, int neighbour) {
-    const Triangle& neighbours = surface.faceNeighbours()[at(face)];
+    const Triangle& neighbours = surface.faceNeighbours()[face];
     const auto k =
         static_cast<std::size_t>(std::ranges::find(neighbours, neighbour) - neighbours.begin());
-    const Triangle& corners = surface.faces()[at(face)];
-    return 0.5 * (surface.vertices()[at(corners[(k + 1) % 3])] +
-                  surface.vertices()[at(corners[(k + 2) % 3])]);
+    const Triangle& corners = surface.faces()[face];
+    return 0.5 *
+           (surface.vertices()[corners[(k + 1) % 3]] + surface.vertices()[corners[(k + 2) % 3]]);
 }
 
 /// What the way in a strip costs, over the midpoints of its edges.
@@ -50,7 +46,7 @@ double costOf(
     for (std::size_t i = 0; i < strip.size(); ++i) {
         const Vec3 to = i + 1 < strip.size() ? middleBetween(surface, strip[i], strip[i + 1])
                                              : surface.position(goal);
-        sum += costs[at(strip[i])] * (to - from).norm();
+        sum += costs[strip[i]] * (to - from).norm();
         from = to;
     }
     return sum;
@@ -63,20 +59,18 @@ double leastCost(
     const SurfacePoint& start,
     const SurfacePoint& goal
 ) {
-    const auto isOpen = [&](int f) { return f >= 0 && std::isfinite(costs[at(f)]); };
+    const auto isOpen = [&](int f) { return f >= 0 && std::isfinite(costs[f]); };
     // Of the way into a face over each of its edges.
     std::vector<std::array<double, 3>> entry(surface.faces().size(), {kFar, kFar, kFar});
     const auto relax = [&](int f, const Vec3& from, double cost) {
         bool isChanged = false;
-        for (const int g : surface.faceNeighbours()[at(f)]) {
+        for (const int g : surface.faceNeighbours()[f]) {
             if (!isOpen(g)) {
                 continue;
             }
-            const Triangle& back = surface.faceNeighbours()[at(g)];
-            double& known =
-                entry[at(g)][at(static_cast<int>(std::ranges::find(back, f) - back.begin()))];
-            const double offered =
-                cost + costs[at(f)] * (middleBetween(surface, f, g) - from).norm();
+            const Triangle& back = surface.faceNeighbours()[g];
+            double& known = entry[g][static_cast<int>(std::ranges::find(back, f) - back.begin())];
+            const double offered = cost + costs[f] * (middleBetween(surface, f, g) - from).norm();
             if (offered < known) {
                 known = offered;
                 isChanged = true;
@@ -93,9 +87,9 @@ double leastCost(
         isChanged = false;
         for (int f = 0; f < surface.faceCount(); ++f) {
             for (std::size_t k = 0; k < 3; ++k) {
-                const double cost = entry[at(f)][k];
+                const double cost = entry[f][k];
                 if (std::isfinite(cost)) {
-                    const int g = surface.faceNeighbours()[at(f)][k];
+                    const int g = surface.faceNeighbours()[f][k];
                     isChanged |= relax(f, middleBetween(surface, f, g), cost);
                 }
             }
@@ -104,10 +98,10 @@ double leastCost(
     double least = kFar;
     for (const int f : facesHolding(surface, goal)) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (std::isfinite(entry[at(f)][k])) {
-                const int g = surface.faceNeighbours()[at(f)][k];
+            if (std::isfinite(entry[f][k])) {
+                const int g = surface.faceNeighbours()[f][k];
                 const Vec3 last = surface.position(goal) - middleBetween(surface, f, g);
-                least = std::min(least, entry[at(f)][k] + costs[at(f)] * last.norm());
+                least = std::min(least, entry[f][k] + costs[f] * last.norm());
             }
         }
     }
@@ -137,7 +131,7 @@ TEST_P(StripsOfLeastCost, AreThoseOfAnExhaustiveSearch) {
             costs.push_back(random_.integer(0, 4) == 0 ? kFar : random_.uniform(1.0, 20.0));
         }
         StripSearch search(
-            surface_, {[&](int f) { return costs[at(f)]; }, *std::ranges::min_element(costs)}
+            surface_, {[&](int f) { return costs[f]; }, *std::ranges::min_element(costs)}
         );
         for (int query = 0; query < 10; ++query) {
             SCOPED_TRACE("query " + std::to_string(query));
@@ -151,7 +145,7 @@ TEST_P(StripsOfLeastCost, AreThoseOfAnExhaustiveSearch) {
             }
             EXPECT_TRUE(way->overPatches.empty());
             for (const int f : way->strip) {
-                EXPECT_TRUE(std::isfinite(costs[at(f)])) << "face " << f;
+                EXPECT_TRUE(std::isfinite(costs[f])) << "face " << f;
             }
             if (way->strip.size() > 1) {
                 // Sums of at most a hundred legs, in another order.

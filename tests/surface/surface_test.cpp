@@ -47,12 +47,11 @@ TriangleMesh cone(int faces) {
 }
 
 int vertexOf(const Surface& surface, int face, int k) {
-    return surface.faces()[static_cast<std::size_t>(face)][static_cast<std::size_t>(k % 3)];
+    return surface.faces()[face][k % 3];
 }
 
 int neighbourOf(const Surface& surface, int face, int k) {
-    return surface
-        .faceNeighbours()[static_cast<std::size_t>(face)][static_cast<std::size_t>(k % 3)];
+    return surface.faceNeighbours()[face][k % 3];
 }
 
 int cornerOf(const Surface& surface, int face, int vertex) {
@@ -200,9 +199,7 @@ double meanOfEdgesInOrder(const TriangleMesh& mesh) {
     }
     double sum = 0.0;
     for (const auto& [low, high] : edges) {
-        sum += (mesh.vertices[static_cast<std::size_t>(low)] -
-                mesh.vertices[static_cast<std::size_t>(high)])
-                   .norm();
+        sum += (mesh.vertices[low] - mesh.vertices[high]).norm();
     }
     return sum / static_cast<double>(edges.size());
 }
@@ -242,7 +239,7 @@ TEST(Surface, NumbersComponentsInOrderOfTheirFirstFaces) {
     ASSERT_EQ(surface.componentCount(), 2);
     for (int face = 0; face < surface.faceCount(); ++face) {
         const int expected = face < surface.faceCount() / 2 ? 0 : 1;
-        EXPECT_EQ(surface.faceComponents()[static_cast<std::size_t>(face)], expected);
+        EXPECT_EQ(surface.faceComponents()[face], expected);
     }
     const Surface shuffled(renumbered(twoComponents(), 4));
     EXPECT_EQ(shuffled.componentCount(), 2);
@@ -263,10 +260,8 @@ TEST(Surface, MeasuresTheDiagonalAndTheMeanOfAllEdges) {
         double count = 0.0;
         for (int face = 0; face < sample.faceCount(); ++face) {
             for (int k = 0; k < 3; ++k) {
-                const Vec3& tail =
-                    sample.vertices()[static_cast<std::size_t>(vertexOf(sample, face, k + 1))];
-                const Vec3& head =
-                    sample.vertices()[static_cast<std::size_t>(vertexOf(sample, face, k + 2))];
+                const Vec3& tail = sample.vertices()[vertexOf(sample, face, k + 1)];
+                const Vec3& head = sample.vertices()[vertexOf(sample, face, k + 2)];
                 const double weight = neighbourOf(sample, face, k) < 0 ? 2.0 : 1.0;
                 sum += weight * (head - tail).norm();
                 count += weight;
@@ -295,8 +290,7 @@ TEST(Surface, PositionFollowsTheBarycentricCoordinates) {
     const Surface surface(plate(1, 1));
     for (int face = 0; face < 2; ++face) {
         for (int k = 0; k < 3; ++k) {
-            const Vec3& corner =
-                surface.vertices()[static_cast<std::size_t>(vertexOf(surface, face, k))];
+            const Vec3& corner = surface.vertices()[vertexOf(surface, face, k)];
             EXPECT_EQ(surface.position({.face = face, .barycentric = Vec3::Unit(k)}), corner);
         }
     }

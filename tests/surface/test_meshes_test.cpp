@@ -33,9 +33,9 @@ int eulerCharacteristic(const TriangleMesh& mesh) {
 double area(const TriangleMesh& mesh) {
     double twice = 0.0;
     for (const auto& [a, b, c] : mesh.faces) {
-        const Vec3& origin = mesh.vertices[static_cast<std::size_t>(a)];
-        const Vec3 ab = mesh.vertices[static_cast<std::size_t>(b)] - origin;
-        const Vec3 ac = mesh.vertices[static_cast<std::size_t>(c)] - origin;
+        const Vec3& origin = mesh.vertices[a];
+        const Vec3 ab = mesh.vertices[b] - origin;
+        const Vec3 ac = mesh.vertices[c] - origin;
         twice += ab.cross(ac).norm();
     }
     return 0.5 * twice;
@@ -45,9 +45,9 @@ double area(const TriangleMesh& mesh) {
 double volume(const TriangleMesh& mesh) {
     double sixfold = 0.0;
     for (const auto& [a, b, c] : mesh.faces) {
-        const Vec3& first = mesh.vertices[static_cast<std::size_t>(a)];
-        const Vec3& second = mesh.vertices[static_cast<std::size_t>(b)];
-        const Vec3& third = mesh.vertices[static_cast<std::size_t>(c)];
+        const Vec3& first = mesh.vertices[a];
+        const Vec3& second = mesh.vertices[b];
+        const Vec3& third = mesh.vertices[c];
         sixfold += first.dot(second.cross(third));
     }
     return sixfold / 6.0;

@@ -190,12 +190,11 @@ TEST(TriangleTree, FindsPointsOfTheSurfaceAtDistanceZero) {
     const TriangleTree tree(mesh.vertices, mesh.faces);
     for (int i = 0; i < 500; ++i) {
         const int face = random.integer(0, static_cast<int>(mesh.faces.size()) - 1);
-        const auto& [a, b, c] = mesh.faces[static_cast<std::size_t>(face)];
+        const auto& [a, b, c] = mesh.faces[face];
         const double u = random.uniform(0.0, 0.5);
         const double v = random.uniform(0.0, 0.5);
-        const Vec3 query = (1.0 - u - v) * mesh.vertices[static_cast<std::size_t>(a)] +
-                           u * mesh.vertices[static_cast<std::size_t>(b)] +
-                           v * mesh.vertices[static_cast<std::size_t>(c)];
+        const Vec3 query =
+            (1.0 - u - v) * mesh.vertices[a] + u * mesh.vertices[b] + v * mesh.vertices[c];
         EXPECT_LT(std::sqrt(tree.closestPoint(query).squaredDistance), 1e-12);
     }
 }
@@ -214,7 +213,7 @@ PairSet overlapsByBruteForce(const TriangleMesh& mesh) {
     std::vector<Eigen::AlignedBox3d> boxes(mesh.faces.size());
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         for (const int vertex : mesh.faces[f]) {
-            boxes[f].extend(mesh.vertices[static_cast<std::size_t>(vertex)]);
+            boxes[f].extend(mesh.vertices[vertex]);
         }
     }
     PairSet pairs;
