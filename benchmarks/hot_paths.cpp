@@ -4,7 +4,7 @@
 // run and what they are. hot_paths --about: compiler, flags and processor, a line each.
 #include "benchmarks/paths.h"
 #include "benchmarks/scene.h"
-#include "surface/side_task.h"
+#include "utility/worker_task.h"
 
 #include <algorithm>
 #include <exception>

@@ -2,9 +2,9 @@
 #include "benchmarks/paths.h"
 
 #include "design/curve_designer.h"
+#include "projection/fibre_tracer.h"
 #include "shell/shell_simplifier.h"
-#include "solver/fibre_tracer.h"
-#include "solver/foot_newton.h"
+#include "solver/sampled_newton.h"
 #include "surface/patch_levels.h"
 #include "surface/self_intersection.h"
 #include "surface/surface.h"
@@ -39,7 +39,7 @@ void addMeshPaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
                      }});
     paths.push_back({"patches", "face", faces, [&surface] { const PatchLevels made(surface); }});
     paths.push_back({"shell_base", "face", faces, [&scene, &surface] {
-                         static_cast<void>(makeShellBase(
+                         static_cast<void>(extendSurface(
                              surface,
                              makeRoughBase(surface),
                              scene.prepared.options().smoothingPasses,
@@ -52,11 +52,11 @@ void addMeshPaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
          }}
     );
     const Surface small(bumpySphere(kSimplifiedSubdivisions));
-    const auto base = std::make_shared<const ShellBase>(makeShellBase(small, 3));
-    paths.push_back({"simplify_shell", "face", small.faceCount(), [base] {
+    const auto extended = std::make_shared<const ExtendedSurface>(extendSurface(small, 3));
+    paths.push_back({"simplify_shell", "face", small.faceCount(), [extended] {
                          ShellOptions options;
                          options.kind = ShellKind::Simplified;
-                         static_cast<void>(buildSimplifiedShell(base, options));
+                         static_cast<void>(buildSimplifiedShell(extended, options));
                      }});
 }
 
@@ -65,8 +65,8 @@ void addMeshPaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
 // The points of the first path, a little off the surface.
 std::vector<Vec3> queriesNear(const Scene& scene) {
     std::vector<Vec3> queries;
-    for (const GuidePath::Point& point : scene.path.guide.points) {
-        queries.emplace_back(1.001 * scene.prepared.base()->frame.toUser(point.position));
+    for (const InitialPath::Point& point : scene.path.path.points) {
+        queries.emplace_back(1.001 * scene.prepared.extended()->frame.toUser(point.position));
     }
     return queries;
 }
@@ -95,7 +95,7 @@ void addCurvePaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
 // axis, and back.
 void addFootPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
     const auto energy =
-        std::make_shared<const FootEnergy>(scene.problem, scene.first.space, scene.heightUnit);
+        std::make_shared<const SampledEnergy>(scene.problem, scene.first.space, scene.heightUnit);
     const int samples = energy->sampleCount();
     const Vec3 shift = Vec3::Constant(scene.problem.averageEdgeLength);
     std::vector<Vec3> here;
@@ -103,7 +103,7 @@ void addFootPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
         here.push_back(scene.first.space.evaluate(scene.first.controls, energy->parameter(sample)));
     }
     paths.push_back({"foot_point", "move", 2 * samples, [&scene, here, shift] {
-                         const FootFinder finder(*scene.prepared.base());
+                         const FibreProjector finder(*scene.prepared.extended());
                          for (std::size_t i = 0; i < here.size(); ++i) {
                              FootPoint foot = scene.firstFooted.feet[i];
                              FootFrame frame;
@@ -119,13 +119,13 @@ void addFootPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
 }
 
 void addNewtonPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
-    const auto newton = std::make_shared<FootNewton>(
-        scene.problem, scene.first, scene.heightUnit, FootEnergy::kUsualSegments
+    const auto newton = std::make_shared<SampledNewton>(
+        scene.problem, scene.first, scene.heightUnit, SampledEnergy::kUsualSegments
     );
     paths.push_back(
         {"newton_step", "span", scene.first.space.spanCount(), [&scene, newton] {
              newton->now() = scene.firstFooted;
-             static_cast<void>(newton->step(FootFinder(*scene.prepared.base()), kAlpha));
+             static_cast<void>(newton->step(FibreProjector(*scene.prepared.extended()), kAlpha));
          }}
     );
 }

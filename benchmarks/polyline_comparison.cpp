@@ -4,14 +4,14 @@
 #include "benchmarks/polyline_relaxation.h"
 #include "design/curve_designer.h"
 #include "design/curve_solver.h"
-#include "design/guide_path.h"
+#include "design/initial_path.h"
 #include "design/prepared_surface.h"
 #include "io/mesh_reader.h"
 #include "io/picks_reader.h"
 #include "surface/picks.h"
-#include "surface/side_task.h"
-#include "surface/side_thread.h"
-#include "surface/stopwatch.h"
+#include "utility/stopwatch.h"
+#include "utility/worker_task.h"
+#include "utility/worker_thread.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -86,20 +86,21 @@ Json asPolyline(
 ) {
     RelaxedPolyline curve;
     const double seconds = leastTime(repeat, [&] {
-        std::optional<SideThread> side;
+        std::optional<WorkerThread> side;
         if (areWorthTwoThreads(prepared.surface().faces().size())) {
             side.emplace();
         }
         const std::vector<SurfacePoint> located =
             locatePicks(prepared.surface(), prepared.tree(), picks, options.closed);
-        Terrain terrain;
-        terrain.patches = &prepared.patches();
-        terrain.side = side ? &*side : nullptr;
-        const PickPath path =
-            makePickPath(prepared.surface(), *prepared.base(), located, options.closed, terrain);
+        PathConstraints constraints;
+        constraints.patches = &prepared.patches();
+        constraints.side = side ? &*side : nullptr;
+        const PickPath path = makePickPath(
+            prepared.surface(), *prepared.extended(), located, options.closed, constraints
+        );
         CurveProblem problem = makeProblem(prepared, options, path.picks);
-        problem.side = terrain.side;
-        curve = relaxPolyline(problem, path.guide, samples);
+        problem.side = constraints.side;
+        curve = relaxPolyline(problem, path.path, samples);
     });
     return resultOf(
         seconds,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/polyline_energy.h"
 
-#include "solver/foot_energy.h"
-#include "solver/relaxation.h"
-#include "surface/side_thread.h"
+#include "solver/sampled_energy.h"
+#include "solver/sampled_solver.h"
+#include "utility/worker_thread.h"
 
 #include <algorithm>
 #include <array>
@@ -59,14 +59,16 @@ void PolylineEnergy::placeVertices(int count) {
     }
 }
 
-FootedPolyline PolylineEnergy::along(const GuidePath& guide, const FootFinder& finder) const {
+FootedPolyline PolylineEnergy::along(
+    const InitialPath& initialPath, const FibreProjector& finder
+) const {
     FootedPolyline line;
     for (const Vertex& vertex : vertices_) {
-        const SurfacePoint& near = guide.points[guide.indexAt(vertex.parameter)].point;
+        const SurfacePoint& near = initialPath.points[initialPath.indexAt(vertex.parameter)].point;
         line.feet.push_back({near.face, near.barycentric[1], near.barycentric[2], 0.0});
         line.points.push_back(
             vertex.pick >= 0 ? problem_.picks[vertex.pick].position
-                             : guide.positionAt(vertex.parameter)
+                             : initialPath.positionAt(vertex.parameter)
         );
     }
     line.frames.resize(line.feet.size());
@@ -74,12 +76,12 @@ FootedPolyline PolylineEnergy::along(const GuidePath& guide, const FootFinder& f
     return line;
 }
 
-void PolylineEnergy::follow(const FootFinder& finder, FootedPolyline& line) const {
+void PolylineEnergy::follow(const FibreProjector& finder, FootedPolyline& line) const {
     const std::size_t vertices = line.points.size();
     const auto groups = static_cast<int>((vertices + kVerticesAtOnce - 1) / kVerticesAtOnce);
     forEach(problem_.side, groups, 1, [&](int group) {
         const std::size_t first = group * kVerticesAtOnce;
-        std::array<FootFinder::Move, kVerticesAtOnce> moves;
+        std::array<FibreProjector::Move, kVerticesAtOnce> moves;
         std::size_t end = 0;
         for (std::size_t i = first; i < std::min(vertices, first + kVerticesAtOnce); ++i) {
             moves[end++] = {line.points[i], &line.feet[i], &line.frames[i]};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "projection/fibre_projector.h"
 #include "solver/curve_problem.h"
-#include "solver/foot_point.h"
 #include "solver/initial_curve.h"
-#include "solver/symmetric_matrix.h"
+#include "spline/symmetric_matrix.h"
 
 #include <Eigen/Core>
 
@@ -20,7 +20,7 @@ struct FootedPolyline {
     std::vector<FootFrame> frames;
 };
 
-/// The energy of FootEnergy, without a field, of a polyline: derivatives by t become differences
+/// The energy of SampledEnergy, without a field, of a polyline: derivatives by t become differences
 /// between neighbouring vertices, and the vertices are the samples of the distance. Vertices at
 /// picks stay where they are. For surfaces without boundary.
 class PolylineEnergy {
@@ -30,11 +30,13 @@ public:
 
     [[nodiscard]] int count() const { return static_cast<int>(vertices_.size()); }
 
-    /// Vertices on a guide, with the feet that belong to them.
-    [[nodiscard]] FootedPolyline along(const GuidePath& guide, const FootFinder& finder) const;
+    /// Vertices on a initial path, with the feet that belong to them.
+    [[nodiscard]] FootedPolyline along(
+        const InitialPath& initialPath, const FibreProjector& finder
+    ) const;
 
     /// Finds all feet anew.
-    void follow(const FootFinder& finder, FootedPolyline& line) const;
+    void follow(const FibreProjector& finder, FootedPolyline& line) const;
 
     struct Terms {
         double internal = 0.0, distance = 0.0;
@@ -51,7 +53,7 @@ public:
     /// it (cyclic where the polyline is closed).
     using Blocks = std::array<SymmetricMatrix, 3>;
 
-    /// Gradient and Hessian, the polyline's own directions frozen. `turning`: see FootEnergy.
+    /// Gradient and Hessian, the polyline's own directions frozen. `turning`: see SampledEnergy.
     void differentiate(
         const FootedPolyline& line,
         double alpha,

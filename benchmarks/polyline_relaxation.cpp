@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/polyline_relaxation.h"
 
-#include "solver/band_cholesky.h"
-#include "solver/relaxation.h"
+#include "solver/sampled_solver.h"
+#include "spline/band_cholesky.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,8 @@
 namespace bspline_curve::benchmarks {
 namespace {
 
-// Rounds and steps end as those of relax() do, so that both get the same chance; these are for
-// polylines that would not end.
+// Rounds and steps end as those of solveSampled() do, so that both get the same chance; these are
+// for polylines that would not end.
 constexpr double kHighestAlpha = 1e12;
 constexpr int kMaxRounds = 24;
 constexpr int kMaxSteps = 30;
@@ -29,12 +29,12 @@ constexpr int kBandwidth = 2;
 
 class PolylineRelaxer {
 public:
-    PolylineRelaxer(const CurveProblem& problem, const GuidePath& guide, int count)
+    PolylineRelaxer(const CurveProblem& problem, const InitialPath& initialPath, int count)
         : problem_(problem),
-          finder_(*problem.base, problem.patches),
+          finder_(*problem.extended, problem.patches),
           energy_(problem, count),
           factor_(energy_.count(), kBandwidth, energy_.isClosed() ? kBandwidth : 0),
-          now_(energy_.along(guide, finder_)),
+          now_(energy_.along(initialPath, finder_)),
           alpha_(firstAlphaOf(problem)) {}
 
     RelaxedPolyline run() {
@@ -130,7 +130,7 @@ private:
     }
 
     const CurveProblem& problem_;
-    FootFinder finder_;
+    FibreProjector finder_;
     PolylineEnergy energy_;
     BandCholesky<3> factor_;
     FootedPolyline now_;
@@ -141,8 +141,10 @@ private:
 
 }  // namespace
 
-RelaxedPolyline relaxPolyline(const CurveProblem& problem, const GuidePath& guide, int count) {
-    return PolylineRelaxer(problem, guide, count).run();
+RelaxedPolyline relaxPolyline(
+    const CurveProblem& problem, const InitialPath& initialPath, int count
+) {
+    return PolylineRelaxer(problem, initialPath, count).run();
 }
 
 }  // namespace bspline_curve::benchmarks

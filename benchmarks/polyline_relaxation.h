@@ -16,10 +16,11 @@ struct RelaxedPolyline {
 
 /// What the paper compares with: not a spline, but a polyline with a fixed number of vertices is
 /// optimised, as by Jin et al., "A shell space constrained approach for curve design on surface
-/// meshes", 2019 ([9] of the paper). Over the same fibres as relax(), from the same guide, with the
-/// same energies, weights, growth of the weights and stop rules; no vertices are inserted.
+/// meshes", 2019 ([9] of the paper). Over the same fibres as solveSampled(), from the same initial
+/// path, with the same energies, weights, growth of the weights and stop rules; no vertices are
+/// inserted.
 [[nodiscard]] RelaxedPolyline relaxPolyline(
-    const CurveProblem& problem, const GuidePath& guide, int count
+    const CurveProblem& problem, const InitialPath& initialPath, int count
 );
 
 }  // namespace bspline_curve::benchmarks

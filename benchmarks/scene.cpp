@@ -2,7 +2,7 @@
 #include "benchmarks/scene.h"
 
 #include "design/curve_solver.h"
-#include "solver/relaxation.h"
+#include "solver/sampled_solver.h"
 #include "support/meshes.h"
 #include "surface/picks.h"
 
@@ -52,8 +52,8 @@ SolverOptions closedCurve() {
     return options;
 }
 
-Solution relaxed(const CurveProblem& problem, const GuidePath& guide) {
-    std::optional<Solution> solution = relax(problem, guide);
+Solution relaxed(const CurveProblem& problem, const InitialPath& initialPath) {
+    std::optional<Solution> solution = solveSampled(problem, initialPath);
     if (!solution) {
         throw std::logic_error("the curve to measure by does not come to rest");
     }
@@ -81,14 +81,14 @@ Scene::Scene(int subdivisions)
       path(makePath()),
       problem(makeProblem(prepared, options, path.picks)),
       heightUnit(heightUnitOf(problem)),
-      first(looseFit(problem, path.guide)),
+      first(looseFit(problem, path.path)),
       firstFooted(footed(first)),
-      solution(relaxed(problem, path.guide)) {}
+      solution(relaxed(problem, path.path)) {}
 
 PickPath Scene::makePath() const {
     return makePickPath(
         prepared.surface(),
-        *prepared.base(),
+        *prepared.extended(),
         located,
         options.closed,
         {.blockedFaces = {}, .patches = &prepared.patches()}
@@ -96,8 +96,8 @@ PickPath Scene::makePath() const {
 }
 
 FootedSpline Scene::footed(const SplineCurve& curve) const {
-    const FootEnergy energy(problem, curve.space, heightUnit);
-    const TriangleTree tree(prepared.base()->vertices, prepared.base()->faces);
+    const SampledEnergy energy(problem, curve.space, heightUnit);
+    const TriangleTree tree(prepared.extended()->vertices, prepared.extended()->faces);
     FootedSpline result;
     result.controls = curve.controls;
     for (int sample = 0; sample < energy.sampleCount(); ++sample) {
@@ -106,7 +106,7 @@ FootedSpline Scene::footed(const SplineCurve& curve) const {
         result.feet.push_back({foot.face, foot.barycentric[1], foot.barycentric[2], 0.0});
     }
     result.frames.resize(result.feet.size());
-    energy.follow(FootFinder(*prepared.base()), result);
+    energy.follow(FibreProjector(*prepared.extended()), result);
     return result;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/guide_path.h"
+#include "design/initial_path.h"
 #include "design/prepared_surface.h"
 #include "solver/curve_problem.h"
-#include "solver/foot_energy.h"
 #include "solver/initial_curve.h"
+#include "solver/sampled_energy.h"
 #include "solver/solution.h"
 #include "surface/types.h"
 
@@ -30,9 +30,9 @@ struct Scene {
     std::vector<SurfacePoint> located;  ///< the picks
     PickPath path;
     CurveProblem problem;
-    double heightUnit;         ///< of FootEnergy
-    SplineCurve first;         ///< along the path, as in relax()
-    FootedSpline firstFooted;  ///< the same with the feet of FootEnergy's samples
+    double heightUnit;         ///< of SampledEnergy
+    SplineCurve first;         ///< along the path, as in solveSampled()
+    FootedSpline firstFooted;  ///< the same with the feet of SampledEnergy's samples
     Solution solution;
 
     /// Paths from pick to pick, as at first.

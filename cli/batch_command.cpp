@@ -12,7 +12,7 @@
 #include "io/job_results.h"
 #include "io/text_parsing.h"
 #include "surface/input_error.h"
-#include "surface/stopwatch.h"
+#include "utility/stopwatch.h"
 
 #include <poll.h>
 

@@ -14,7 +14,7 @@
 #include "io/report_writer.h"
 #include "surface/input_error.h"
 #include "surface/progress.h"
-#include "surface/stopwatch.h"
+#include "utility/stopwatch.h"
 
 #include <cstddef>
 #include <optional>

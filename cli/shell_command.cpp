@@ -15,7 +15,7 @@
 #include "shell/shell_store.h"
 #include "surface/input_error.h"
 #include "surface/progress.h"
-#include "surface/stopwatch.h"
+#include "utility/stopwatch.h"
 
 #include <algorithm>
 #include <memory>
@@ -43,7 +43,7 @@ void checkOutputs(const ShellArguments& arguments) {
 
 struct Built {
     Surface surface;
-    std::shared_ptr<const ShellBase> base;
+    std::shared_ptr<const ExtendedSurface> extended;
     ObtainedShell obtained;
 
     [[nodiscard]] const Shell& shell() const { return obtained.build.shell; }
@@ -76,12 +76,13 @@ Built buildStages(
     figures.seconds.repair = watch.lap();
     Surface surface(std::move(mesh));
     figures.seconds.validate = watch.lap();
-    auto base =
-        std::make_shared<const ShellBase>(makeShellBase(surface, arguments.shell.smoothingPasses));
-    figures.seconds.base = watch.lap();
+    auto extended = std::make_shared<const ExtendedSurface>(
+        extendSurface(surface, arguments.shell.smoothingPasses)
+    );
+    figures.seconds.extended = watch.lap();
     ObtainedShell obtained = findOrMakeShell(
         surface,
-        base,
+        extended,
         arguments.shell,
         takesStoredShell(arguments) ? store : nullptr,
         progressPart(bar, kBuildStart, 1.0)
@@ -91,7 +92,7 @@ Built buildStages(
     figures.seconds.cpu = processCpuSeconds() - cpuBefore;
     figures.peakMemoryBytes = peakMemoryBytes();
     return {
-        .surface = std::move(surface), .base = std::move(base), .obtained = std::move(obtained)
+        .surface = std::move(surface), .extended = std::move(extended), .obtained = std::move(obtained)
     };
 }
 
@@ -135,7 +136,7 @@ void writeResults(
     std::optional<AtomicFile> report;
     if (!arguments.output.empty() && (!check || check->passed())) {
         output.emplace(
-            arguments.output, shellBytes(arguments.output, built.shell(), built.base->frame)
+            arguments.output, shellBytes(arguments.output, built.shell(), built.extended->frame)
         );
     }
     figures.seconds.write = watch.lap();
@@ -144,7 +145,7 @@ void writeResults(
             arguments.report,
             shellReportText(
                 {.surface = built.surface,
-                 .base = *built.base,
+                 .extended = *built.extended,
                  .build = built.obtained.build,
                  .check = check ? &*check : nullptr},
                 figures
@@ -179,7 +180,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
         bar.show(1.0, "checking");
         watch.lap();
         check = checkShell(
-            built.surface, *built.base, built.shell(), built.obtained.build.report.blockedFaces
+            built.surface, *built.extended, built.shell(), built.obtained.build.report.blockedFaces
         );
         figures.seconds.check = watch.lap();
         if (interrupted()) {
@@ -187,7 +188,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
         }
     }
     if (!check || check->passed()) {
-        keepShell(built.surface, *built.base, arguments.shell, store, built.obtained);
+        keepShell(built.surface, *built.extended, arguments.shell, store, built.obtained);
     }
     bar.clear();
     figures.notes = built.obtained.notes;

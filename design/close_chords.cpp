@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/close_chords.h"
 
-#include "solver/foot_point.h"
+#include "projection/fibre_projector.h"
 
 #include <cmath>
 #include <cstddef>
@@ -25,8 +25,8 @@ struct Foot {
 
 // Of the midpoints of the chords that may not be close, in their order.
 std::vector<Foot> feetOfMidpoints(
-    const ShellBase& base,
-    const FootFinder& finder,
+    const ExtendedSurface& extended,
+    const FibreProjector& finder,
     const std::vector<Chord>& chords,
     const SurfacePoint& end
 ) {
@@ -35,11 +35,11 @@ std::vector<Foot> feetOfMidpoints(
         if (!chords[i].isClose) {
             const SurfacePoint& from = chords[i].begin;
             const SurfacePoint& to = i + 1 < chords.size() ? chords[i + 1].begin : end;
-            const Vec3 middle = 0.5 * (base.position(from) + base.position(to));
+            const Vec3 middle = 0.5 * (extended.position(from) + extended.position(to));
             feet.push_back({middle, {from.face, from.barycentric[1], from.barycentric[2]}, {}});
         }
     }
-    std::vector<FootFinder::Move> moves;
+    std::vector<FibreProjector::Move> moves;
     moves.reserve(feet.size());
     for (Foot& foot : feet) {
         moves.push_back({foot.point, &foot.foot, &foot.frame});
@@ -51,18 +51,18 @@ std::vector<Foot> feetOfMidpoints(
 }  // namespace
 
 std::optional<std::vector<SurfacePoint>> withCloseChords(
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     const PatchLevels* patches,
     std::span<const SurfacePoint> path,
     double distance
 ) {
-    const FootFinder finder(base, patches);
+    const FibreProjector finder(extended, patches);
     std::vector<Chord> chords;
     for (const SurfacePoint& point : path.first(path.size() - 1)) {
         chords.push_back({point, false});
     }
     for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
-        const std::vector<Foot> feet = feetOfMidpoints(base, finder, chords, path.back());
+        const std::vector<Foot> feet = feetOfMidpoints(extended, finder, chords, path.back());
         auto foot = feet.begin();
         std::vector<Chord> halved;
         halved.reserve(chords.size() + feet.size());
@@ -76,7 +76,7 @@ std::optional<std::vector<SurfacePoint>> withCloseChords(
                 halved.back().isClose = true;
                 continue;
             }
-            if (at.face >= base.surfaceFaceCount) {
+            if (at.face >= extended.surfaceFaceCount) {
                 return std::nullopt;
             }
             const Vec3 barycentric = at.barycentric().cwiseMax(0.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shell/shell_base.h"
+#include "shell/extended_surface.h"
 #include "surface/patch_levels.h"
 #include "surface/surface_point.h"
 
@@ -15,10 +15,10 @@ namespace bspline_curve {
 /// its midpoint until that lies within a distance of the surface, or has been halved eight times.
 /// The time depends on how much the surface bends along the path, not on how many faces it has.
 ///
-/// `patches`: see FootFinder. `path`: its points stay. `distance`: in the shell's frame. Nothing
-/// where a foot lies beyond the surface's boundary.
+/// `patches`: see FibreProjector. `path`: its points stay. `distance`: in the shell's frame.
+/// Nothing where a foot lies beyond the surface's boundary.
 [[nodiscard]] std::optional<std::vector<SurfacePoint>> withCloseChords(
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     const PatchLevels* patches,
     std::span<const SurfacePoint> path,
     double distance

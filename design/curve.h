@@ -51,7 +51,7 @@ struct Curve {
 };
 
 /// What a curve is drawn by, besides its picks. All may be empty.
-struct Guidance {
+struct CurveInputs {
     std::span<const double> field{};  ///< one finite value per vertex
     std::span<const int> avoid{};     ///< faces that the curve must not enter
     /// A curve of the same designer through as many picks, each near the one of now, as while a

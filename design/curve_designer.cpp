@@ -2,21 +2,21 @@
 #include "design/curve_designer.h"
 
 #include "design/curve_solver.h"
-#include "design/known_field.h"
+#include "design/field_cache.h"
 #include "design/prepared_surface.h"
 #include "design/strict_polyline.h"
+#include "projection/fibre_tracer.h"
+#include "projection/projected_curve.h"
 #include "shell/shell_store.h"
-#include "solver/fibre_tracer.h"
 #include "solver/obstacles.h"
-#include "solver/shadow_curve.h"
 #include "surface/input_error.h"
 #include "surface/picks.h"
 #include "surface/region.h"
-#include "surface/side_task.h"
-#include "surface/side_thread.h"
-#include "surface/sparse_map.h"
-#include "surface/stopwatch.h"
 #include "surface/surface_point.h"
+#include "utility/sparse_map.h"
+#include "utility/stopwatch.h"
+#include "utility/worker_task.h"
+#include "utility/worker_thread.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +134,7 @@ SplineCurve splineOf(const SplineData& data, const ShellFrame& frame) {
 struct CurveDesigner::State : PreparedSurface {
     using PreparedSurface::PreparedSurface;
 
-    mutable KnownField knownField;
+    mutable FieldCache fieldCache;
 
     [[nodiscard]] StageSeconds stageSeconds() const;
     [[nodiscard]] ShellSummary summary() const;
@@ -157,7 +157,7 @@ struct CurveDesigner::State : PreparedSurface {
 
 StageSeconds CurveDesigner::State::stageSeconds() const {
     const Seconds all = seconds();
-    return {all.validate, all.tree, all.base + all.wholeShell};
+    return {all.validate, all.tree, all.extended + all.wholeShell};
 }
 
 ShellSummary CurveDesigner::State::summary() const {
@@ -182,7 +182,7 @@ std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
     }
     requireExactAvoidance(options);
     return std::optional<Obstacles>(
-        std::in_place, surface(), *base(), region, options.avoidMargin * surface().diagonal()
+        std::in_place, surface(), *extended(), region, options.avoidMargin * surface().diagonal()
     );
 }
 
@@ -207,12 +207,12 @@ SurfacePolyline CurveDesigner::State::polylineOf(
         }
     }
     if (!trace) {
-        trace = traceCells(tracedShellOf(problem), space, controls);
+        trace = traceCells(traceStartOf(problem), space, controls);
     }
     if (!progressOf(*trace).isWhole) {
         throw std::logic_error("the polyline was asked of a spline that leaves its shell");
     }
-    const ShadowCurve shadow(problem, space, controls, std::move(*trace));
+    const ProjectedCurve shadow(problem, space, controls, std::move(*trace));
     return makeStrictPolyline(surface(), problem, shadow, sampling);
 }
 
@@ -240,7 +240,7 @@ SplineData CurveDesigner::State::exportSpline(
     const int repeated = data.closed ? data.degree : 0;
     for (int i = 0; i < curve.space.controlCount() + repeated; ++i) {
         const int c = i % curve.space.controlCount();
-        data.controlPoints.push_back(base()->frame.toUser(curve.controls.row(c).transpose()));
+        data.controlPoints.push_back(extended()->frame.toUser(curve.controls.row(c).transpose()));
     }
     for (const PickConstraint& pick : problem.picks) {
         data.pickParameters.push_back(pick.parameter);
@@ -279,35 +279,35 @@ ShellSummary CurveDesigner::shell() const {
 }
 
 ShellLayers CurveDesigner::shellLayers() const {
-    return makeShellLayers(state_->wholeShell().build.shell, state_->base()->frame);
+    return makeShellLayers(state_->wholeShell().build.shell, state_->extended()->frame);
 }
 
 Curve CurveDesigner::design(
     const std::vector<Vec3>& picks,
     const SolverOptions& options,
     const SamplingOptions& sampling,
-    const Guidance& guidance,
+    const CurveInputs& inputs,
     const Progress& progress
 ) const {
     options.validate();
     sampling.validate();
     const State& state = *state_;
-    const std::shared_ptr<const CheckedField> field =
-        state.knownField.find(state.surface(), *state.base(), guidance.field, options.fieldCost);
+    const std::shared_ptr<const ValidatedField> field =
+        state.fieldCache.find(state.surface(), *state.extended(), inputs.field, options.fieldCost);
     const std::vector<SurfacePoint> located =
         locatePicks(state.surface(), state.tree(), picks, options.closed);
-    const Region region = state.regionOf(guidance.avoid);
+    const Region region = state.regionOf(inputs.avoid);
     const std::optional<Obstacles> obstacles = state.obstaclesOf(region, options);
     if (obstacles) {
         refuseAvoidedPicks(state.surface(), *obstacles, located);
     }
-    const Guides guides{*field, obstacles ? &*obstacles : nullptr, guidance.start};
-    std::optional<SideThread> side;
+    const DesignContext context{*field, obstacles ? &*obstacles : nullptr, inputs.start};
+    std::optional<WorkerThread> side;
     if (areWorthTwoThreads(state.surface().faces().size())) {
         side.emplace();
     }
     auto [problem, solution] =
-        CurveSolver(state, located, options, guides, side ? &*side : nullptr).solve(progress);
+        CurveSolver(state, located, options, context, side ? &*side : nullptr).solve(progress);
     if (!std::isfinite(solution.report.maxDistance)) {
         refuseLostCurve(solution.report.status);
     }
@@ -334,11 +334,11 @@ SurfacePolyline CurveDesigner::resample(
     sampling.validate();
     const State& state = *state_;
     const SplineData& data = curve.spline;
-    const SplineCurve spline = splineOf(data, state.base()->frame);
+    const SplineCurve spline = splineOf(data, state.extended()->frame);
     std::vector<PickConstraint> picks;
     for (std::size_t i = 0; i < data.pickParameters.size(); ++i) {
         const SurfacePoint& point = curve.polyline.surfacePoints[curve.polyline.picks[i]];
-        picks.push_back({point, state.base()->position(point), data.pickParameters[i]});
+        picks.push_back({point, state.extended()->position(point), data.pickParameters[i]});
     }
     SolverOptions options;
     options.degree = data.degree;

@@ -51,7 +51,7 @@ public:
         const std::vector<Vec3>& picks,
         const SolverOptions& options = {},
         const SamplingOptions& sampling = {},
-        const Guidance& guidance = {},
+        const CurveInputs& inputs = {},
         const Progress& progress = {}
     ) const;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/curve_solver.h"
 
-#include "design/dragged_curve.h"
+#include "design/warm_start.h"
 #include "shell/shell_boundary.h"
-#include "solver/solve.h"
+#include "solver/cellwise_solver.h"
 #include "surface/input_error.h"
-#include "surface/stopwatch.h"
+#include "utility/stopwatch.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ constexpr std::array<double, 3> kGuideShares = {1.0, 0.25, 0.0};
 double distanceToleranceOf(const PreparedSurface& prepared, const SolverOptions& options) {
     return options.distanceTolerance *
            std::max(prepared.surface().averageEdgeLength(), prepared.finestEdge()) /
-           prepared.base()->frame.scale;
+           prepared.extended()->frame.scale;
 }
 
 }  // namespace
@@ -51,9 +51,9 @@ CurveProblem makeProblem(
     const PreparedSurface& prepared, const SolverOptions& options, std::vector<PickConstraint> picks
 ) {
     const Surface& surface = prepared.surface();
-    const double scale = prepared.base()->frame.scale;
+    const double scale = prepared.extended()->frame.scale;
     CurveProblem problem;
-    problem.base = prepared.base().get();
+    problem.extended = prepared.extended().get();
     problem.patches = &prepared.patches();
     problem.picks = std::move(picks);
     problem.options = options;
@@ -74,7 +74,7 @@ Solved CurveSolver::solve(const Progress& progress) const {
     if (std::optional<Solved> solved = solveFromStart(begin)) {
         return std::move(*solved);
     }
-    const Progress rest = partOf(progress, guides_.start != nullptr ? kStartShare : 0.0, 1.0);
+    const Progress rest = partOf(progress, context_.start != nullptr ? kStartShare : 0.0, 1.0);
     if (isLocal()) {
         if (std::optional<Solved> solved = relaxOver(nullptr, partOf(rest, 0.0, kNearbyShare))) {
             return std::move(*solved);
@@ -98,12 +98,12 @@ PickPath CurveSolver::pathRound(
 ) const {
     return makePickPath(
         prepared_.surface(),
-        *prepared_.base(),
+        *prepared_.extended(),
         picks_,
         options_.closed,
         {blockedFaces,
          travel,
-         guides_.obstacles,
+         context_.obstacles,
          &prepared_.patches(),
          kind,
          kChordTolerances * distanceToleranceOf(prepared_, options_),
@@ -116,9 +116,9 @@ CurveProblem CurveSolver::problemOn(
 ) const {
     CurveProblem problem = makeProblem(prepared_, options_, path.picks);
     problem.shell = shell;
-    problem.field = guides_.field.values;
-    problem.fieldCosts = guides_.field.costs;
-    problem.obstacles = guides_.obstacles;
+    problem.field = context_.field.values;
+    problem.fieldCosts = context_.field.costs;
+    problem.obstacles = context_.obstacles;
     problem.side = side_;
     problem.progress = progress;
     return problem;
@@ -126,23 +126,23 @@ CurveProblem CurveSolver::problemOn(
 
 // Nothing where there is no such curve, or none from there.
 std::optional<Solved> CurveSolver::solveFromStart(const Progress& progress) const {
-    if (guides_.start == nullptr) {
+    if (context_.start == nullptr) {
         return std::nullopt;
     }
-    const Curve& start = *guides_.start;
+    const Curve& start = *context_.start;
     const SplineData& spline = start.spline;
-    if (!start.report.isRelaxed || spline.degree != options_.degree ||
+    if (!start.report.isSampled || spline.degree != options_.degree ||
         spline.closed != options_.closed || spline.pickParameters.size() != picks_.size()) {
         return std::nullopt;
     }
-    std::optional<DraggedCurve> dragged = dragCurve(start, *prepared_.base(), picks_);
+    std::optional<WarmStart> dragged = dragCurve(start, *prepared_.extended(), picks_);
     if (!dragged) {
         return std::nullopt;
     }
     const Shell* const shell = isLocal() ? nullptr : &prepared_.wholeShell().build.shell;
     CurveProblem problem = problemOn(dragged->path, shell, progress);
-    RelaxationStart begin{std::move(dragged->spline), start.report.rounds.back().alpha};
-    return relaxed(std::move(problem), dragged->path.guide, std::move(begin), Patience::Short);
+    SampledStart begin{std::move(dragged->spline), start.report.rounds.back().alpha};
+    return relaxed(std::move(problem), dragged->path.path, std::move(begin), StopPolicy::Short);
 }
 
 // In the shell given, or one of its own. Nothing where no attempt leads to a curve.
@@ -150,7 +150,7 @@ std::optional<Solved> CurveSolver::relaxOver(
     const ObtainedShell* whole, const Progress& progress
 ) const {
     Stopwatch lap;
-    const FieldTravel travel = guides_.field.travel(options_, 1.0);
+    const FieldTravel travel = context_.field.travel(options_, 1.0);
     std::span<const int> blocked;
     const Shell* shell = nullptr;
     if (whole != nullptr) {
@@ -160,13 +160,13 @@ std::optional<Solved> CurveSolver::relaxOver(
     const PickPath quick = pathRound(blocked, travel, PathKind::Quick);
     const Progress begin = partOf(progress, 0.0, kLooseShare);
     CurveProblem loose = problemOn(quick, shell, begin);
-    if (!isForFootPoints(loose)) {
+    if (!isForSamples(loose)) {
         return std::nullopt;
     }
     double pathSeconds = lap.lap();
-    std::optional<Solved> solved = relaxed(loose, quick.guide, {}, Patience::Short);
+    std::optional<Solved> solved = relaxed(loose, quick.path, {}, StopPolicy::Short);
     // With obstacles it is mostly these that are in its way.
-    if (!solved && guides_.obstacles == nullptr) {
+    if (!solved && context_.obstacles == nullptr) {
         lap.lap();
         const PickPath close = pathRound(blocked, travel, PathKind::Close);
         pathSeconds += lap.lap();
@@ -175,7 +175,7 @@ std::optional<Solved> CurveSolver::relaxOver(
     if (!solved) {
         const Progress last = partOf(progress, kTightShare, 1.0);
         loose.progress = last;
-        solved = relaxed(std::move(loose), quick.guide, {}, Patience::Long);
+        solved = relaxed(std::move(loose), quick.path, {}, StopPolicy::Long);
     }
     if (solved) {
         solved->solution.report.seconds.path = pathSeconds;
@@ -191,9 +191,9 @@ std::optional<Solved> CurveSolver::relaxTightly(
     for (const double stiffness : kStiffnesses) {
         const Progress part = partOf(progress, done, done + share);
         CurveProblem problem = problemOn(path, shell, part);
-        RelaxationStart start = stiffStart(problem, path.guide, stiffness);
+        SampledStart start = stiffStart(problem, path.path, stiffness);
         if (std::optional<Solved> solved =
-                relaxed(std::move(problem), path.guide, std::move(start), Patience::Short)) {
+                relaxed(std::move(problem), path.path, std::move(start), StopPolicy::Short)) {
             return solved;
         }
         done += share;
@@ -204,11 +204,12 @@ std::optional<Solved> CurveSolver::relaxTightly(
 // Nothing where a curve without a shell, which knows them, comes upon a crossing.
 std::optional<Solved> CurveSolver::relaxed(
     CurveProblem problem,
-    const GuidePath& guide,
-    std::optional<RelaxationStart> start,
-    Patience patience
+    const InitialPath& initialPath,
+    std::optional<SampledStart> start,
+    StopPolicy stopPolicy
 ) const {
-    std::optional<Solution> solution = relax(problem, guide, std::move(start), patience);
+    std::optional<Solution> solution =
+        solveSampled(problem, initialPath, std::move(start), stopPolicy);
     problem.progress = {};  // it ends here
     if (!solution) {
         return std::nullopt;
@@ -230,7 +231,7 @@ Solved CurveSolver::solveInCells(const ObtainedShell& whole, const Progress& pro
     }
     Stopwatch lap;
     for (const double share : kGuideShares) {
-        const FieldTravel travel = guides_.field.travel(options_, share);
+        const FieldTravel travel = context_.field.travel(options_, share);
         if (share > 0.0 && travel.empty()) {
             continue;
         }
@@ -239,7 +240,7 @@ Solved CurveSolver::solveInCells(const ObtainedShell& whole, const Progress& pro
         CurveProblem problem = problemOn(path, &whole.build.shell, progress);
         problem.boundary = boundary ? &*boundary : nullptr;
         const double pathSeconds = lap.lap();
-        if (std::optional<Solution> solution = solveByCells(problem, path.guide)) {
+        if (std::optional<Solution> solution = solveCellwise(problem, path.path)) {
             problem.boundary = nullptr;  // it ends here
             problem.progress = {};
             solution->report.seconds.path = pathSeconds;

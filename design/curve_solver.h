@@ -2,12 +2,12 @@
 #pragma once
 
 #include "design/curve.h"
-#include "design/guide_path.h"
-#include "design/known_field.h"
+#include "design/field_cache.h"
+#include "design/initial_path.h"
 #include "design/prepared_surface.h"
 #include "solver/curve_problem.h"
 #include "solver/obstacles.h"
-#include "solver/relaxation.h"
+#include "solver/sampled_solver.h"
 #include "solver/solution.h"
 
 #include <optional>
@@ -17,8 +17,8 @@
 namespace bspline_curve {
 
 /// What draws a curve somewhere, or keeps it away. Refers to all of these.
-struct Guides {
-    const CheckedField& field;
+struct DesignContext {
+    const ValidatedField& field;
     const Obstacles* obstacles = nullptr;  ///< null: nothing to avoid
     const Curve* start = nullptr;          ///< a curve through picks nearby; null: none
 };
@@ -44,10 +44,10 @@ public:
         const PreparedSurface& prepared,
         const std::vector<SurfacePoint>& picks,
         const SolverOptions& options,
-        const Guides& guides,
-        SideThread* side
+        const DesignContext& context,
+        WorkerThread* side
     )
-        : prepared_(prepared), picks_(picks), options_(options), guides_(guides), side_(side) {}
+        : prepared_(prepared), picks_(picks), options_(options), context_(context), side_(side) {}
 
     /// Throws InputError (SelfIntersection, NoPath, NoShell), Cancelled.
     [[nodiscard]] Solved solve(const Progress& progress) const;
@@ -70,9 +70,9 @@ private:
     ) const;
     [[nodiscard]] std::optional<Solved> relaxed(
         CurveProblem problem,
-        const GuidePath& guide,
-        std::optional<RelaxationStart> start,
-        Patience patience
+        const InitialPath& initialPath,
+        std::optional<SampledStart> start,
+        StopPolicy stopPolicy
     ) const;
     [[nodiscard]] Solved solveInCells(const ObtainedShell& whole, const Progress& progress) const;
     void refuseBlockedPicks(const std::vector<int>& blockedFaces) const;
@@ -80,8 +80,8 @@ private:
     const PreparedSurface& prepared_;
     const std::vector<SurfacePoint>& picks_;
     SolverOptions options_;
-    const Guides& guides_;
-    SideThread* side_;
+    const DesignContext& context_;
+    WorkerThread* side_;
 };
 
 }  // namespace bspline_curve

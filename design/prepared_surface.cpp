@@ -27,7 +27,7 @@ PreparedSurface::PreparedSurface(TriangleMesh mesh, const ShellOptions& options)
           std::async(
               std::launch::async,
               [this] {
-                  return makeShellBase(
+                  return extendSurface(
                       surface_, roughBase_.get(), options_.smoothingPasses, patches_
                   );
               }
@@ -36,7 +36,7 @@ PreparedSurface::PreparedSurface(TriangleMesh mesh, const ShellOptions& options)
       tree_(surface_.vertices(), surface_.faces()),
       crossings_(surface_, tree_),
       treeSeconds_(watch_.lap()),
-      base_(std::make_shared<const ShellBase>(futureBase_.get())),
+      extended_(std::make_shared<const ExtendedSurface>(futureBase_.get())),
       baseSeconds_(watch_.lap()) {}
 
 const ObtainedShell& PreparedSurface::wholeShell(
@@ -50,10 +50,10 @@ const ObtainedShell& PreparedSurface::wholeShell(
             whole.kind = ShellKind::FullResolution;
         }
         auto obtained = std::make_unique<ObtainedShell>(
-            findOrMakeShell(surface_, base_, whole, store, progress)
+            findOrMakeShell(surface_, extended_, whole, store, progress)
         );
         wholeSeconds_ = building.lap();
-        keepShell(surface_, *base_, whole, store, *obtained);
+        keepShell(surface_, *extended_, whole, store, *obtained);
         whole_ = std::move(obtained);
     }
     return *whole_;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shell/shell_base.h"
+#include "shell/extended_surface.h"
 #include "shell/shell_options.h"
 #include "shell/shell_store.h"
 #include "surface/face_crossings.h"
 #include "surface/patch_levels.h"
 #include "surface/progress.h"
-#include "surface/stopwatch.h"
 #include "surface/surface.h"
 #include "surface/triangle_tree.h"
+#include "utility/stopwatch.h"
 
 #include <future>
 #include <memory>
@@ -35,7 +35,9 @@ public:
 
     [[nodiscard]] const FaceCrossings& crossings() const { return crossings_; }
 
-    [[nodiscard]] const std::shared_ptr<const ShellBase>& base() const { return base_; }
+    [[nodiscard]] const std::shared_ptr<const ExtendedSurface>& extended() const {
+        return extended_;
+    }
 
     [[nodiscard]] const ShellOptions& options() const { return options_; }
 
@@ -51,9 +53,9 @@ public:
     /// The same if it is there; else null.
     [[nodiscard]] const ObtainedShell* wholeShellIfBuilt() const;
 
-    /// `base`: what the others did not hide of it.
+    /// `extended`: what the others did not hide of it.
     struct Seconds {
-        double validate = 0.0, tree = 0.0, base = 0.0, wholeShell = 0.0;
+        double validate = 0.0, tree = 0.0, extended = 0.0, wholeShell = 0.0;
     };
 
     [[nodiscard]] Seconds seconds() const;
@@ -66,11 +68,11 @@ private:
     double validateSeconds_;
     std::future<RoughBase> roughBase_;  // made by another thread meanwhile
     PatchLevels patches_;
-    std::future<ShellBase> futureBase_;  // likewise
+    std::future<ExtendedSurface> futureBase_;  // likewise
     TriangleTree tree_;
     FaceCrossings crossings_;
     double treeSeconds_;
-    std::shared_ptr<const ShellBase> base_;
+    std::shared_ptr<const ExtendedSurface> extended_;
     double baseSeconds_;
     mutable std::mutex wholeMutex_;
     mutable std::unique_ptr<const ObtainedShell> whole_;

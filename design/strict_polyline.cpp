@@ -25,7 +25,7 @@ struct Vertex {
 
 class PolylineMaker {
 public:
-    PolylineMaker(const Surface& surface, const CurveProblem& problem, const ShadowCurve& shadow)
+    PolylineMaker(const Surface& surface, const CurveProblem& problem, const ProjectedCurve& shadow)
         : surface_(surface), problem_(problem), shadow_(shadow) {}
 
     SurfacePolyline make(const SamplingOptions& sampling) {
@@ -149,7 +149,7 @@ private:
 
     const Surface& surface_;
     const CurveProblem& problem_;
-    const ShadowCurve& shadow_;
+    const ProjectedCurve& shadow_;
     std::vector<Vertex> vertices_;
 };
 
@@ -158,7 +158,7 @@ private:
 SurfacePolyline makeStrictPolyline(
     const Surface& surface,
     const CurveProblem& problem,
-    const ShadowCurve& shadow,
+    const ProjectedCurve& shadow,
     const SamplingOptions& sampling
 ) {
     return PolylineMaker(surface, problem, shadow).make(sampling);

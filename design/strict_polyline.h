@@ -2,7 +2,7 @@
 #pragma once
 
 #include "design/curve.h"
-#include "solver/shadow_curve.h"
+#include "projection/projected_curve.h"
 #include "surface/surface.h"
 
 namespace bspline_curve {
@@ -12,7 +12,7 @@ namespace bspline_curve {
 [[nodiscard]] SurfacePolyline makeStrictPolyline(
     const Surface& surface,
     const CurveProblem& problem,
-    const ShadowCurve& shadow,
+    const ProjectedCurve& shadow,
     const SamplingOptions& sampling
 );
 

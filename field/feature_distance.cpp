@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/feature_distance.h"
 
-#include "surface/index_sets.h"
+#include "utility/index_sets.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/surface_diffusion.h"
 
-#include "surface/side_task.h"
 #include "surface/spatial_order.h"
+#include "utility/worker_task.h"
 
 #include <Eigen/Geometry>
 
@@ -45,7 +45,7 @@ constexpr Eigen::Index kRowsAtOnce = 1024;
 
 // Calls task(begin, end) for all rows, block by block.
 template <class Task>
-void forEachBlock(SideThread* side, Eigen::Index rows, const Task& task) {
+void forEachBlock(WorkerThread* side, Eigen::Index rows, const Task& task) {
     const auto blocks = static_cast<int>((rows + kRowsAtOnce - 1) / kRowsAtOnce);
     forEach(side, blocks, 1, [&](int block) {
         const Eigen::Index begin = block * kRowsAtOnce;
@@ -55,7 +55,7 @@ void forEachBlock(SideThread* side, Eigen::Index rows, const Task& task) {
 
 // The sum of what a task returns for each row.
 template <int K, class Task>
-Eigen::Array<double, 1, K> sumOfRows(SideThread* side, Eigen::Index rows, const Task& task) {
+Eigen::Array<double, 1, K> sumOfRows(WorkerThread* side, Eigen::Index rows, const Task& task) {
     using Row = Eigen::Array<double, 1, K>;
     const Eigen::Index blocks = (rows + kRowsAtOnce - 1) / kRowsAtOnce;
     VertexValues<K> sums(blocks, K);
@@ -149,7 +149,7 @@ Eigen::Array<double, 1, K> SurfaceDiffusion::productAt(
 /// each row is visited as seldom as can be.
 template <int K>
 VertexValues<K> SurfaceDiffusion::implicitStep(
-    VertexValues<K> values, double time, SideThread* side
+    VertexValues<K> values, double time, WorkerThread* side
 ) const {
     using Row = Eigen::Array<double, 1, K>;
     constexpr double kTolerance = 1e-5;  // of the values, in the norm of the preconditioner
@@ -200,11 +200,11 @@ VertexValues<K> SurfaceDiffusion::smoothed(const VertexValues<K>& values, double
     if (radius <= 0.0) {
         return values;
     }
-    std::optional<SideThread> side;
+    std::optional<WorkerThread> side;
     if (vertexOf_.size() >= kVerticesForTwoThreads) {
         side.emplace();
     }
-    SideThread* const second = side ? &*side : nullptr;
+    WorkerThread* const second = side ? &*side : nullptr;
     VertexValues<K> byRow(values.rows(), K);
     for (Eigen::Index row = 0; row < values.rows(); ++row) {
         byRow.row(row) = values.row(vertexOf_[row]);

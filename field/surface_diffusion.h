@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/side_thread.h"
 #include "surface/surface.h"
+#include "utility/worker_thread.h"
 
 #include <Eigen/Core>
 
@@ -35,7 +35,7 @@ private:
     // Solves (M + time L) x = M values; takes the values and returns x.
     template <int K>
     [[nodiscard]] VertexValues<K> implicitStep(
-        VertexValues<K> values, double time, SideThread* side
+        VertexValues<K> values, double time, WorkerThread* side
     ) const;
     // A row of (M + time L) values.
     template <int K>

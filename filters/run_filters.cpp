@@ -9,7 +9,7 @@
 #include "io/shell_cache.h"
 #include "surface/input_error.h"
 #include "surface/region.h"
-#include "surface/stopwatch.h"
+#include "utility/stopwatch.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -110,7 +110,7 @@ fs::path ShellCache::entryOf(const Surface& surface, std::string_view parameters
 
 ShellCache::Found ShellCache::find(
     const Surface& surface,
-    const std::shared_ptr<const ShellBase>& base,
+    const std::shared_ptr<const ExtendedSurface>& extended,
     std::string_view parameters
 ) const {
     const fs::path entry = entryOf(surface, parameters);
@@ -120,7 +120,7 @@ ShellCache::Found ShellCache::find(
         if (!bytes) {
             return {};
         }
-        Found found{.build = decodeShell(entry, *bytes, surface, base, parameters), .note = {}};
+        Found found{.build = decodeShell(entry, *bytes, surface, extended, parameters), .note = {}};
         // Where that fails the entry only looks older than it is.
         fs::last_write_time(entry, fs::file_time_type::clock::now(), error);
         return found;
@@ -136,7 +136,7 @@ ShellCache::Found ShellCache::find(
 
 std::string ShellCache::store(
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     std::string_view parameters,
     const ShellBuild& build
 ) const {
@@ -147,7 +147,7 @@ std::string ShellCache::store(
     }
     const fs::path entry = entryOf(surface, parameters);
     try {
-        saveShell(entry, surface, base, parameters, build);
+        saveShell(entry, surface, extended, parameters, build);
     } catch (const InputError& reason) {
         return std::string("the shell was not stored: ") + reason.what();
     }

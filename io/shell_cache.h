@@ -36,13 +36,13 @@ public:
     /// What is found counts as used now.
     [[nodiscard]] Found find(
         const Surface& surface,
-        const std::shared_ptr<const ShellBase>& base,
+        const std::shared_ptr<const ExtendedSurface>& extended,
         std::string_view parameters
     ) const override;
 
     [[nodiscard]] std::string store(
         const Surface& surface,
-        const ShellBase& base,
+        const ExtendedSurface& extended,
         std::string_view parameters,
         const ShellBuild& build
     ) const override;

@@ -44,21 +44,21 @@ std::uint32_t count32(std::size_t count) {
     return static_cast<std::uint32_t>(count);
 }
 
-std::uint64_t baseChecksum(const ShellBase& base) {
+std::uint64_t baseChecksum(const ExtendedSurface& extended) {
     ByteWriter writer;
-    writer.add(base.frame.centre);
-    writer.add(base.frame.scale);
-    writer.add(base.surfaceVertexCount);
-    writer.add(base.surfaceFaceCount);
-    writer.addAll(base.vertices);
-    for (const std::vector<Triangle>* triangles : {&base.faces, &base.faceNeighbours}) {
+    writer.add(extended.frame.centre);
+    writer.add(extended.frame.scale);
+    writer.add(extended.surfaceVertexCount);
+    writer.add(extended.surfaceFaceCount);
+    writer.addAll(extended.vertices);
+    for (const std::vector<Triangle>* triangles : {&extended.faces, &extended.faceNeighbours}) {
         for (const Triangle& triangle : *triangles) {
             writer.addAll(triangle);
         }
     }
-    writer.addAll(base.directions);
-    writer.addAll(base.ghostOrigin);
-    writer.addAll(base.movedVertices);
+    writer.addAll(extended.directions);
+    writer.addAll(extended.ghostOrigin);
+    writer.addAll(extended.movedVertices);
     return checksumOf(writer.bytes());
 }
 
@@ -66,7 +66,7 @@ std::uint64_t baseChecksum(const ShellBase& base) {
 
 std::string encode(
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     std::string_view parameters,
     const ShellBuild& build
 ) {
@@ -83,7 +83,7 @@ std::string encode(
     writer.add(kVersion);
     writer.add(std::uint64_t{kHeaderBytes + parameters.size() + kCountBytes} + counts.bytes());
     writer.add(surfaceChecksum(surface));
-    writer.add(baseChecksum(base));
+    writer.add(baseChecksum(extended));
     writer.add(count32(parameters.size()));
     writer.add(parameters);
     writer.addAll(
@@ -124,28 +124,28 @@ public:
 
     ShellBuild decode(
         const Surface& surface,
-        const std::shared_ptr<const ShellBase>& base,
+        const std::shared_ptr<const ExtendedSurface>& extended,
         std::string_view parameters
     ) {
         checkWhole();
-        checkKey(surface, *base, parameters);
+        checkKey(surface, *extended, parameters);
         readCounts();
         ShellBuildReport report;
         report.orientationRounds = reader_.take<std::int32_t>();
         report.intersectionRounds = reader_.take<std::int32_t>();
         std::vector<Pillar> pillars = readPillars();
         std::vector<Prism> prisms = readPrisms();
-        SurfaceTracks tracks = readTracks(static_cast<int>(base->faces.size()));
+        SurfaceTracks tracks = readTracks(static_cast<int>(extended->faces.size()));
         report.blockedFaces = reader_.takeInts(counts_.blocked);
-        checkAscending(report.blockedFaces, base->surfaceFaceCount, "blocked face");
+        checkAscending(report.blockedFaces, extended->surfaceFaceCount, "blocked face");
         const std::vector<int> pairs = reader_.takeInts(2 * std::size_t{counts_.intersections});
         for (std::size_t i = 0; i < pairs.size(); i += 2) {
-            checkIndex(pairs[i], base->surfaceFaceCount, "intersecting face");
-            checkIndex(pairs[i + 1], base->surfaceFaceCount, "intersecting face");
+            checkIndex(pairs[i], extended->surfaceFaceCount, "intersecting face");
+            checkIndex(pairs[i + 1], extended->surfaceFaceCount, "intersecting face");
             report.selfIntersections.emplace_back(pairs[i], pairs[i + 1]);
         }
         return {
-            .shell = Shell(std::move(pillars), std::move(prisms), std::move(tracks), base),
+            .shell = Shell(std::move(pillars), std::move(prisms), std::move(tracks), extended),
             .report = std::move(report)
         };
     }
@@ -186,7 +186,9 @@ private:
         }
     }
 
-    void checkKey(const Surface& surface, const ShellBase& base, std::string_view parameters) {
+    void checkKey(
+        const Surface& surface, const ExtendedSurface& extended, std::string_view parameters
+    ) {
         if (reader_.take<std::uint64_t>() != surfaceChecksum(surface)) {
             refuse("was made for another surface");
         }
@@ -202,7 +204,7 @@ private:
                 inQuotes(parameters)
             );
         }
-        if (writtenBase != baseChecksum(base)) {
+        if (writtenBase != baseChecksum(extended)) {
             refuse("was made by a program that prepares this surface in another way");
         }
     }
@@ -329,31 +331,31 @@ std::uint64_t surfaceChecksum(const Surface& surface) {
 void saveShell(
     const fs::path& file,
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     std::string_view parameters,
     const ShellBuild& build
 ) {
     assert(!build.shell.isFullResolution());
-    AtomicFile(file, encode(surface, base, parameters, build)).commit();
+    AtomicFile(file, encode(surface, extended, parameters, build)).commit();
 }
 
 ShellBuild loadShell(
     const fs::path& file,
     const Surface& surface,
-    const std::shared_ptr<const ShellBase>& base,
+    const std::shared_ptr<const ExtendedSurface>& extended,
     std::string_view parameters
 ) {
-    return decodeShell(file, readWholeFile(file), surface, base, parameters);
+    return decodeShell(file, readWholeFile(file), surface, extended, parameters);
 }
 
 ShellBuild decodeShell(
     const fs::path& file,
     std::string_view bytes,
     const Surface& surface,
-    const std::shared_ptr<const ShellBase>& base,
+    const std::shared_ptr<const ExtendedSurface>& extended,
     std::string_view parameters
 ) {
-    return Decoder(file, bytes).decode(surface, base, parameters);
+    return Decoder(file, bytes).decode(surface, extended, parameters);
 }
 
 }  // namespace bspline_curve

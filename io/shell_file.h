@@ -13,7 +13,8 @@
 namespace bspline_curve {
 
 // A simplified shell as a file: what took long to compute, and enough to notice that it belongs to
-// something else. The base is not in it, since it follows from the surface; its checksum is.
+// something else. The extended surface is not in it, since it follows from the surface; its
+// checksum is.
 //
 // Little endian throughout; counts and indices are 32 bits wide, reals are IEEE doubles.
 //   8 bytes   "BSCSHELL"
@@ -23,7 +24,7 @@ namespace bspline_curve {
 //   u32, …    parameters: length and bytes
 //   u32 × 5   pillars, prisms, track entries, blocked faces, intersecting pairs
 //   i32, i32  rounds of the builder (orientation, intersection)
-//   f64 × 9   of each pillar: bottom, middle, top, in the frame of the base
+//   f64 × 9   of each pillar: bottom, middle, top, in the frame of the extended surface
 //   i32 × 6, i8 × 7  of each prism: pillars, neighbours; faceCorner, neighbourWalls, orientation
 //   i32, …    track offsets (prisms + 1), track entries, blocked faces, intersecting pairs
 //   u64       checksum of all bytes before
@@ -37,7 +38,7 @@ namespace bspline_curve {
 void saveShell(
     const std::filesystem::path& file,
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     std::string_view parameters,
     const ShellBuild& build
 );
@@ -48,7 +49,7 @@ void saveShell(
 [[nodiscard]] ShellBuild loadShell(
     const std::filesystem::path& file,
     const Surface& surface,
-    const std::shared_ptr<const ShellBase>& base,
+    const std::shared_ptr<const ExtendedSurface>& extended,
     std::string_view parameters
 );
 
@@ -57,7 +58,7 @@ void saveShell(
     const std::filesystem::path& file,
     std::string_view bytes,
     const Surface& surface,
-    const std::shared_ptr<const ShellBase>& base,
+    const std::shared_ptr<const ExtendedSurface>& extended,
     std::string_view parameters
 );
 

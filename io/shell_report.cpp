@@ -72,7 +72,7 @@ Json secondsOf(const ShellRunFigures& figures) {
         {"read", seconds.read},
         {"repair", seconds.repair},
         {"validate", seconds.validate},
-        {"base", seconds.base},
+        {"base", seconds.extended},
         {"shell", seconds.shell},
         {"check", seconds.check},
         {"write", seconds.write},
@@ -132,9 +132,9 @@ ShellThickness measureThickness(
 }
 
 std::string shellReportText(const ReportedShell& reported, const ShellRunFigures& figures) {
-    const auto& [surface, base, build, check] = reported;
+    const auto& [surface, extended, build, check] = reported;
     const PrismCounts counts = countPrisms(build.shell);
-    const ShellThickness thickness = measureThickness(surface, base.frame, build.shell);
+    const ShellThickness thickness = measureThickness(surface, extended.frame, build.shell);
     const Json document = {
         {"shell", name(build.shell.kind())},
         {"prisms", counts.all},
@@ -142,7 +142,7 @@ std::string shellReportText(const ReportedShell& reported, const ShellRunFigures
         {"pillars", counts.pillars},
         {"faces", figures.faces},
         {"blocked_faces", build.report.blockedFaces.size()},
-        {"moved_vertices", base.movedVertices.size()},
+        {"moved_vertices", extended.movedVertices.size()},
         {"thickness", {{"mean", thickness.mean}, {"p5", thickness.p5}, {"min", thickness.min}}},
         {"seconds", secondsOf(figures)},
         {"peak_memory_bytes", figures.peakMemoryBytes},

@@ -22,7 +22,7 @@ struct ShellRunFigures {
     /// base and shell), as wall; the others: wall clock of each stage.
     struct {
         double cpu = 0.0, wall = 0.0;
-        double read = 0.0, repair = 0.0, validate = 0.0, base = 0.0, shell = 0.0;
+        double read = 0.0, repair = 0.0, validate = 0.0, extended = 0.0, shell = 0.0;
         double check = 0.0, write = 0.0;
     } seconds;
 
@@ -47,7 +47,7 @@ struct ShellThickness {
 /// What a report is about.
 struct ReportedShell {
     const Surface& surface;
-    const ShellBase& base;
+    const ExtendedSurface& extended;
     const ShellBuild& build;
     const ShellCheck* check = nullptr;  ///< null: not asked for
 };

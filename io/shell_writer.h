@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/extended_surface.h"
 #include "shell/shell.h"
-#include "shell/shell_base.h"
 
 #include <filesystem>
 #include <string>

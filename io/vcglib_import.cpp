@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/vcglib_import.h"
 
-#include "surface/large_array.h"
+#include "utility/large_array.h"
 
 #include <vcg/complex/complex.h>
 #include <wrap/io_trimesh/import_obj.h>

@@ -16,7 +16,7 @@ bool ShellCheck::passed() const {
 
 ShellCheck checkShell(
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     const Shell& shell,
     std::span<const int> blockedFaces,
     const ShellCheckOptions& options
@@ -28,10 +28,10 @@ ShellCheck checkShell(
     checkComponents(checked, {result.separateComponents, options});
     checkNeighbours(checked, {result.consistentNeighbours, options});
     if (shell.isFullResolution()) {
-        checkMiddleSurface(checked, surface, base, {result.transversalSurface, options});
+        checkMiddleSurface(checked, surface, extended, {result.transversalSurface, options});
         checkPrismPerFace(checked, surface, blockedFaces, {result.completeTracking, options});
     } else {
-        checkSimplifiedShell(checked, surface, base, blockedFaces, options, result);
+        checkSimplifiedShell(checked, surface, extended, blockedFaces, options, result);
     }
     return result;
 }

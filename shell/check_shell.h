@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/extended_surface.h"
 #include "shell/shell.h"
-#include "shell/shell_base.h"
 
 #include <array>
 #include <cstdint>
@@ -44,15 +44,15 @@ struct ShellCheck {
     /// No component of the shell lies inside of another one. Ids: a pillar of the inner component
     /// and the prism that holds it, in turn.
     InvariantCheck separateComponents{.name = "separate components", .firstIds = {}};
-    /// The base is the surface, up to the vertices that it says it moved, and every face is
-    /// transversal: its normal has a positive dot product with the fibre direction (the half pillar
-    /// that it holds) of each tetrahedron that the face meets. Full resolution: the surface is the
-    /// middle of the shell. Ids: faces of the base.
+    /// The extended surface is the surface, up to the vertices that it says it moved, and every
+    /// face is transversal: its normal has a positive dot product with the fibre direction (the
+    /// half pillar that it holds) of each tetrahedron that the face meets. Full resolution: the
+    /// surface is the middle of the shell. Ids: faces of the extended surface.
     InvariantCheck transversalSurface{.name = "transversal surface", .firstIds = {}};
     /// Every face of the surface lies inside of the shell and touches neither top nor bottom; with
     /// the walls where the shell ends it has at most such vertices in common as are middles of
     /// pillars there, and the edges between these. Ghosts may leave through these walls. Full
-    /// resolution: follows from the middle. Ids: faces of the base.
+    /// resolution: follows from the middle. Ids: faces of the extended surface.
     InvariantCheck containedSurface{.name = "contained surface", .firstIds = {}};
     /// Of each prism some fibres, chosen at random, meet the surface exactly once; at most once
     /// where the surface ends in the prism. With the invariants above one fibre of a prism stands
@@ -61,7 +61,8 @@ struct ShellCheck {
     InvariantCheck singleCrossings{.name = "single crossings", .firstIds = {}};
     /// Full resolution: every face of the surface has exactly one prism or is listed as blocked,
     /// and no prism leads to a blocked one. Simplified: every prism lists every face that meets it,
-    /// ascending, every face is listed somewhere, and no blocked one is. Ids: faces of the base.
+    /// ascending, every face is listed somewhere, and no blocked one is. Ids: faces of the extended
+    /// surface.
     InvariantCheck completeTracking{.name = "complete tracking", .firstIds = {}};
     /// Neighbours agree about walls, pillars, diagonals and orientation; prisms with a common wall
     /// are neighbours. Ids: prisms.
@@ -84,14 +85,13 @@ struct ShellCheck {
 };
 
 /// Checks the invariants of a shell of either form with exact predicates, from its plain data
-/// (pillars, prisms, tracks, kSlabSplit) and the base alone; shares no code with those who build,
-/// simplify or query shells. `blockedFaces` lists the faces of the surface that are said to have no
-/// prism, ascending (ShellBuildReport). Indices must be valid.
-/// O(n log n) for full resolution; simplified shells in addition O(pairs of faces and prisms whose
-/// boxes overlap).
+/// (pillars, prisms, tracks, kSlabSplit) and the extended surface alone; shares no code with those
+/// who build, simplify or query shells. `blockedFaces` lists the faces of the surface that are said
+/// to have no prism, ascending (ShellBuildReport). Indices must be valid. O(n log n) for full
+/// resolution; simplified shells in addition O(pairs of faces and prisms whose boxes overlap).
 [[nodiscard]] ShellCheck checkShell(
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     const Shell& shell,
     std::span<const int> blockedFaces,
     const ShellCheckOptions& options = {}

@@ -12,7 +12,7 @@ namespace bspline_curve {
 [[nodiscard]] Prism prismOver(const Triangle& face);
 
 /// Joins prisms over neighbouring faces across their walls, but for those whose orientation is 0
-/// (blocked). Prism i lies over face i; `faceNeighbours` as in ShellBase. O(n).
+/// (blocked). Prism i lies over face i; `faceNeighbours` as in ExtendedSurface. O(n).
 void connectPrisms(std::vector<Prism>& prisms, const std::vector<Triangle>& faceNeighbours);
 
 }  // namespace bspline_curve

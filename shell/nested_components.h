@@ -30,9 +30,9 @@ struct NestedVertex {
 };
 
 /// Finds components inside of others, or overlapping them, given that no boundaries intersect: then
-/// middle and tips of one vertex of each component stand for all. `faceNeighbours` as in ShellBase;
-/// prisms with a nonzero `blocked` are left out. Exact. O(n) for one component, O(n log c + hits)
-/// for c.
+/// middle and tips of one vertex of each component stand for all. `faceNeighbours` as in
+/// ExtendedSurface; prisms with a nonzero `blocked` are left out. Exact. O(n) for one component,
+/// O(n log c + hits) for c.
 [[nodiscard]] std::vector<NestedVertex> findNestedComponents(
     const PillarLayers& layers,
     const std::vector<Prism>& prisms,

@@ -33,18 +33,20 @@ double lineParameter(const Vec3& p, const Vec3& d, const std::array<Vec3, 3>& co
 
 }  // namespace
 
-void keepPillarsApart(const ShellBase& base, std::array<std::vector<double>, 2>& lengths) {
+void keepPillarsApart(
+    const ExtendedSurface& extended, std::array<std::vector<double>, 2>& lengths
+) {
     // One tree of the faces and of the pillars, which are triangles without area there.
-    const auto n = static_cast<int>(base.vertices.size());
-    const auto faceCount = static_cast<int>(base.faces.size());
-    std::vector<Vec3> points = base.vertices;
+    const auto n = static_cast<int>(extended.vertices.size());
+    const auto faceCount = static_cast<int>(extended.faces.size());
+    std::vector<Vec3> points = extended.vertices;
     for (const int side : {0, 1}) {
         for (int v = 0; v < n; ++v) {
             const double reach = (side == 0 ? 1.0 : -1.0) * lengths[side][v];
-            points.emplace_back(base.vertices[v] + reach * base.directions[v]);
+            points.emplace_back(extended.vertices[v] + reach * extended.directions[v]);
         }
     }
-    std::vector<Triangle> triangles = base.faces;
+    std::vector<Triangle> triangles = extended.faces;
     for (int v = 0; v < n; ++v) {
         triangles.push_back({v, n + v, 2 * n + v});
     }
@@ -55,14 +57,14 @@ void keepPillarsApart(const ShellBase& base, std::array<std::vector<double>, 2>&
             return;
         }
         const int v = j - faceCount;
-        const Triangle& face = base.faces[i];
+        const Triangle& face = extended.faces[i];
         if (std::find(face.begin(), face.end(), v) != face.end()) {
             return;
         }
         const double t = lineParameter(
-            base.vertices[v],
-            base.directions[v],
-            {base.vertices[face[0]], base.vertices[face[1]], base.vertices[face[2]]}
+            extended.vertices[v],
+            extended.directions[v],
+            {extended.vertices[face[0]], extended.vertices[face[1]], extended.vertices[face[2]]}
         );
         const std::size_t side = t > 0.0 ? 0 : 1;
         if (t != 0.0 && std::abs(t) <= wanted[side][v]) {

@@ -19,8 +19,8 @@ struct PrismComponents {
 /// Of a finished shell. O(n).
 [[nodiscard]] PrismComponents findComponents(const std::vector<Prism>& prisms);
 
-/// Of one under construction: `faceNeighbours` as in ShellBase; where `blocked` is not zero there
-/// is no prism. O(n).
+/// Of one under construction: `faceNeighbours` as in ExtendedSurface; where `blocked` is not zero
+/// there is no prism. O(n).
 [[nodiscard]] PrismComponents findComponents(
     const std::vector<Triangle>& faceNeighbours, const std::vector<char>& blocked
 );

@@ -69,15 +69,15 @@ Shell::Shell(
     std::vector<Pillar> pillars,
     std::vector<Prism> prisms,
     SurfaceTracks tracks,
-    std::shared_ptr<const ShellBase> base
+    std::shared_ptr<const ExtendedSurface> extended
 )
     : pillars_(std::move(pillars)),
       prisms_(std::move(prisms)),
       prismCount_(countPrisms(prisms_)),
-      surfaceFaceCount_(base->surfaceFaceCount),
+      surfaceFaceCount_(extended->surfaceFaceCount),
       tracks_(std::move(tracks)),
-      base_(std::move(base)) {
-    prismOffsets_.assign(base_->faces.size() + 1, 0);
+      extended_(std::move(extended)) {
+    prismOffsets_.assign(extended_->faces.size() + 1, 0);
     for (const int face : tracks_.faces) {
         ++prismOffsets_[face + 1];
     }
@@ -162,11 +162,12 @@ int Shell::locate(const SurfacePoint& point) const {
     if (isFullResolution()) {
         return point.face * kTetrahedraPerPrism;
     }
-    const Vec3 p = base_->position(point);
-    const Triangle& face = base_->faces[point.face];
-    const Vec3& corner = base_->vertices[face[0]];
-    const Vec3 normal =
-        (base_->vertices[face[1]] - corner).cross(base_->vertices[face[2]] - corner).normalized();
+    const Vec3 p = extended_->position(point);
+    const Triangle& face = extended_->faces[point.face];
+    const Vec3& corner = extended_->vertices[face[0]];
+    const Vec3 normal = (extended_->vertices[face[1]] - corner)
+                            .cross(extended_->vertices[face[2]] - corner)
+                            .normalized();
     int best = -1;
     double highest = -std::numeric_limits<double>::infinity();
     std::array<AffineForm, 4> lambda;
@@ -198,7 +199,7 @@ Vec3 Shell::lift(const SurfacePoint& point, double w) const {
         return onFibre(point.face, beta, w);
     }
     const int tet = locate(point);
-    const Vec3 p = base_->position(point);
+    const Vec3 p = extended_->position(point);
     std::array<AffineForm, 4> lambda;
     barycentrics(tet, lambda.data());
     for (std::size_t k = 0; k < 4; ++k) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shell/affine_form.h"
-#include "shell/shell_base.h"
+#include "shell/extended_surface.h"
 #include "shell/shell_options.h"
 #include "surface/types.h"
 
@@ -51,8 +51,8 @@ inline constexpr std::array<std::array<SplitVertex, 4>, 3> kSlabSplit = {
 
 inline constexpr int kTetrahedraPerPrism = 6;
 
-/// Which faces of the base meet which prisms of a simplified shell. Every prism lists all faces
-/// that meet it; a listed face may miss it.
+/// Which faces of the extended surface meet which prisms of a simplified shell. Every prism lists
+/// all faces that meet it; a listed face may miss it.
 struct SurfaceTracks {
     /// Faces of prism i: faces[offsets[i]] to faces[offsets[i + 1]], ascending.
     std::vector<int> offsets, faces;
@@ -63,34 +63,34 @@ struct SurfaceTracks {
 /// surface's box centred at the origin, its diagonal 1. Tetrahedron ids are 6 * prism + 3 * slab +
 /// k with slab 0 = top, 1 = bottom.
 ///
-/// A shell of full resolution has one prism per face of the base (prism i over face i, ghost prisms
-/// after the others), so the surface lies at f = 0. A simplified shell has few and thick prisms,
-/// each of which knows the faces of the base that meet it; the surface lies at a height f = w_S(u,
-/// v) of its own over every point (u, v) of the middle.
+/// A shell of full resolution has one prism per face of the extended surface (prism i over face i,
+/// ghost prisms after the others), so the surface lies at f = 0. A simplified shell has few and
+/// thick prisms, each of which knows the faces of the extended surface that meet it; the surface
+/// lies at a height f = w_S(u, v) of its own over every point (u, v) of the middle.
 class Shell {
 public:
     /// A shell of full resolution.
     Shell(std::vector<Pillar> pillars, std::vector<Prism> prisms, int surfaceFaceCount);
 
-    /// A simplified shell around the surface of `base`.
+    /// A simplified shell around the surface of `extended`.
     Shell(
         std::vector<Pillar> pillars,
         std::vector<Prism> prisms,
         SurfaceTracks tracks,
-        std::shared_ptr<const ShellBase> base
+        std::shared_ptr<const ExtendedSurface> extended
     );
 
     /// Whether the surface is the middle of the shell, with prism i over face i.
-    [[nodiscard]] bool isFullResolution() const { return base_ == nullptr; }
+    [[nodiscard]] bool isFullResolution() const { return extended_ == nullptr; }
 
     [[nodiscard]] ShellKind kind() const {
         return isFullResolution() ? ShellKind::FullResolution : ShellKind::Simplified;
     }
 
-    /// Faces of the base that may meet a prism of a simplified shell, ascending.
+    /// Faces of the extended surface that may meet a prism of a simplified shell, ascending.
     [[nodiscard]] std::span<const int> facesOf(int prism) const;
 
-    /// Prisms of a simplified shell that a face of the base may meet, ascending.
+    /// Prisms of a simplified shell that a face of the extended surface may meet, ascending.
     [[nodiscard]] std::span<const int> prismsOf(int face) const;
 
     [[nodiscard]] const SurfaceTracks& tracks() const { return tracks_; }
@@ -112,7 +112,7 @@ public:
 
     [[nodiscard]] int surfaceFaceCount() const { return surfaceFaceCount_; }
 
-    /// Whether no prism holds a face of the base: curves cannot pass it.
+    /// Whether no prism holds a face of the extended surface: curves cannot pass it.
     [[nodiscard]] bool isBlocked(int face) const {
         const auto f = static_cast<std::size_t>(face);
         return isFullResolution() ? prisms_[f].orientation == 0
@@ -122,8 +122,8 @@ public:
     /// The faces of the surface, ghosts left out, that are blocked, ascending. O(n).
     [[nodiscard]] std::vector<int> blockedFaces() const;
 
-    /// The base of a simplified shell.
-    [[nodiscard]] const ShellBase& base() const { return *base_; }
+    /// The extended surface of a simplified shell.
+    [[nodiscard]] const ExtendedSurface& extended() const { return *extended_; }
 
     /// Tetrahedron across the face opposite to vertex k of tetrahedron `tet`; -1 where the shell
     /// ends.
@@ -173,7 +173,7 @@ private:
     int surfaceFaceCount_;
     SurfaceTracks tracks_;
     std::vector<int> prismOffsets_, facePrisms_;  // tracks_ the other way round
-    std::shared_ptr<const ShellBase> base_;
+    std::shared_ptr<const ExtendedSurface> extended_;
 };
 
 }  // namespace bspline_curve

@@ -35,41 +35,43 @@ using PillarMarks = std::array<std::vector<char>, 2>;
 
 // The triangles of the shell's boundary.
 struct Boundary {
-    std::vector<int> faces;           // of the base, whose prism each belongs to
+    std::vector<int> faces;           // of the extended surface, whose prism each belongs to
     std::vector<Triangle> triangles;  // of the layers' points
 };
 
 class Builder {
 public:
-    Builder(const ShellBase& base, const ShellOptions& options) : base_(base) {
-        const std::size_t n = base.vertices.size();
+    Builder(const ExtendedSurface& extended, const ShellOptions& options) : extended_(extended) {
+        const std::size_t n = extended.vertices.size();
         for (const int side : {kTop, kBottom}) {
             for (std::size_t v = 0; v < n; ++v) {
-                lengths_[side].push_back(options.thickness * base.edgeLengths[v]);
+                lengths_[side].push_back(options.thickness * extended.edgeLengths[v]);
             }
         }
         wantedLengths_ = lengths_[0];
-        keepPillarsApart(base, lengths_);
+        keepPillarsApart(extended, lengths_);
         layers_.pillarCount = n;
         layers_.points.reserve(3 * n);
         for (int layer = 0; layer < 3; ++layer) {
-            layers_.points.insert(layers_.points.end(), base.vertices.begin(), base.vertices.end());
+            layers_.points.insert(
+                layers_.points.end(), extended.vertices.begin(), extended.vertices.end()
+            );
         }
         for (std::size_t v = 0; v < n; ++v) {
             placeTips(v);
         }
-        prisms_.reserve(base.faces.size());
-        for (const Triangle& face : base.faces) {
+        prisms_.reserve(extended.faces.size());
+        for (const Triangle& face : extended.faces) {
             prisms_.push_back(prismOver(face));
         }
-        blocked_.assign(base.faces.size(), 0);
+        blocked_.assign(extended.faces.size(), 0);
         changed_.assign(n, 1);
         std::vector<char> unseen(n, 0);
-        for (const int v : base.unseenVertices) {
+        for (const int v : extended.unseenVertices) {
             unseen[v] = 1;
         }
-        for (std::size_t f = 0; f < base.faces.size(); ++f) {
-            for (const int v : base.faces[f]) {
+        for (std::size_t f = 0; f < extended.faces.size(); ++f) {
+            for (const int v : extended.faces[f]) {
                 blocked_[f] = static_cast<char>(blocked_[f] | unseen[v]);
             }
         }
@@ -116,7 +118,7 @@ public:
             // Most builds need a handful of rounds, each with less to do than the one before.
             bspline_curve::report(progress, 1.0 - 0.7 / (round + 1.0), "separating top and bottom");
             PillarMarks marks = noPillars();
-            std::vector<char> freed(base_.vertices.size(), 0);
+            std::vector<char> freed(extended_.vertices.size(), 0);
             report_.intersectionRounds = round;
             if (!markIntersecting(marks, freed) && !markNested(marks, freed) &&
                 !markEverted(marks, freed)) {
@@ -132,7 +134,7 @@ public:
     }
 
     ShellBuild finish() {
-        std::vector<Pillar> pillars(base_.vertices.size());
+        std::vector<Pillar> pillars(extended_.vertices.size());
         for (std::size_t v = 0; v < pillars.size(); ++v) {
             pillars[v] = {
                 layers_.point(kBottom, v), layers_.point(kMiddle, v), layers_.point(kTop, v)
@@ -147,21 +149,21 @@ public:
                 report_.blockedFaces.push_back(static_cast<int>(f));
             }
         }
-        connectPrisms(prisms_, base_.faceNeighbours);
+        connectPrisms(prisms_, extended_.faceNeighbours);
         return {
-            Shell(std::move(pillars), std::move(prisms_), base_.surfaceFaceCount),
+            Shell(std::move(pillars), std::move(prisms_), extended_.surfaceFaceCount),
             std::move(report_)
         };
     }
 
 private:
-    [[nodiscard]] bool isGhost(int face) const { return face >= base_.surfaceFaceCount; }
+    [[nodiscard]] bool isGhost(int face) const { return face >= extended_.surfaceFaceCount; }
 
     void placeTips(std::size_t v) {
         layers_.points[layers_.indexOf(kTop, v)] =
-            base_.vertices[v] + lengths_[kTop][v] * base_.directions[v];
+            extended_.vertices[v] + lengths_[kTop][v] * extended_.directions[v];
         layers_.points[layers_.indexOf(kBottom, v)] =
-            base_.vertices[v] - lengths_[kBottom][v] * base_.directions[v];
+            extended_.vertices[v] - lengths_[kBottom][v] * extended_.directions[v];
     }
 
     [[nodiscard]] bool slabIsUpright(const Prism& prism, int slab) const {
@@ -175,7 +177,8 @@ private:
 
     [[nodiscard]] PillarMarks noPillars() const {
         return {
-            std::vector<char>(base_.vertices.size(), 0), std::vector<char>(base_.vertices.size(), 0)
+            std::vector<char>(extended_.vertices.size(), 0),
+            std::vector<char>(extended_.vertices.size(), 0)
         };
     }
 
@@ -255,7 +258,7 @@ private:
                 add(f, prism.pillars, {side, side, side});
             }
             for (std::size_t slot = 0; slot < 3; ++slot) {
-                const int there = base_.faceNeighbours[f][prism.faceCorner[slot]];
+                const int there = extended_.faceNeighbours[f][prism.faceCorner[slot]];
                 if (there >= 0 && blocked_[there] == 0) {
                     continue;
                 }
@@ -301,7 +304,8 @@ private:
         for (const auto& [i, j] : pairs) {
             const int f = faces[i];
             const int g = faces[j];
-            if (f != g && trianglesIntersect(base_.vertices, base_.faces[f], base_.faces[g])) {
+            if (f != g &&
+                trianglesIntersect(extended_.vertices, extended_.faces[f], extended_.faces[g])) {
                 blockCrossingFaces(freed);
                 continue;
             }
@@ -320,7 +324,7 @@ private:
 
     bool markNested(PillarMarks& marks, std::vector<char>& freed) {
         const std::vector<NestedVertex> nested =
-            findNestedComponents(layers_, prisms_, base_.faceNeighbours, blocked_);
+            findNestedComponents(layers_, prisms_, extended_.faceNeighbours, blocked_);
         for (const NestedVertex& found : nested) {
             if (!markForShrinking(marks, found.slab, prisms_[found.prism].pillars)) {
                 block(found.prism, freed);
@@ -331,7 +335,7 @@ private:
 
     bool markEverted(PillarMarks& marks, std::vector<char>& freed) {
         const std::vector<EvertedPrism> everted =
-            findEvertedLayers(layers_, prisms_, base_.faceNeighbours, blocked_);
+            findEvertedLayers(layers_, prisms_, extended_.faceNeighbours, blocked_);
         for (const auto& [prism, slab] : everted) {
             if (!markForShrinking(marks, slab, prisms_[prism].pillars)) {
                 block(prism, freed);
@@ -345,7 +349,7 @@ private:
         if (std::exchange(crossingsAreBlocked_, true)) {
             return;
         }
-        for (const auto& [f, g] : findSelfIntersections(base_.vertices, base_.faces)) {
+        for (const auto& [f, g] : findSelfIntersections(extended_.vertices, extended_.faces)) {
             blockPair(f, g, freed);
             if (!isGhost(f) && !isGhost(g)) {
                 report_.selfIntersections.emplace_back(f, g);
@@ -365,12 +369,12 @@ private:
 
     void block(int face, std::vector<char>& freed) {
         blocked_[face] = 1;
-        for (const int v : base_.faces[face]) {
+        for (const int v : extended_.faces[face]) {
             freed[v] = 1;
         }
     }
 
-    const ShellBase& base_;
+    const ExtendedSurface& extended_;
     std::array<std::vector<double>, 2> lengths_;  // of half pillars, above and below
     std::vector<double> wantedLengths_;
     PillarLayers layers_;
@@ -384,10 +388,10 @@ private:
 }  // namespace
 
 ShellBuild buildShell(
-    const ShellBase& base, const ShellOptions& options, const Progress& progress
+    const ExtendedSurface& extended, const ShellOptions& options, const Progress& progress
 ) {
     options.validate();
-    Builder builder(base, options);
+    Builder builder(extended, options);
     builder.uprightAll();
     builder.separateAll(progress);
     return builder.finish();

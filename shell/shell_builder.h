@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/extended_surface.h"
 #include "shell/shell.h"
-#include "shell/shell_base.h"
 #include "shell/shell_options.h"
 #include "surface/progress.h"
 
@@ -34,7 +34,7 @@ struct ShellBuild {
 /// way to the surface.
 /// Throws Cancelled where the callback asks for it. O(n log n); 86,000 faces take about 0.5 s.
 [[nodiscard]] ShellBuild buildShell(
-    const ShellBase& base, const ShellOptions& options, const Progress& progress = {}
+    const ExtendedSurface& extended, const ShellOptions& options, const Progress& progress = {}
 );
 
 }  // namespace bspline_curve

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_cell.h"
 
-#include "shell/shell_base.h"
+#include "shell/extended_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +128,7 @@ Entry ShellCell::enter(const Shell& shell, const ShellCell& from, int wall) {
     copyTetrahedron(from);
     int nextFace = from.face;
     if (wall < kFootFalls) {
-        nextFace = shell.base().faceNeighbours[from.face][wall - kFirstFaceWall];
+        nextFace = shell.extended().faceNeighbours[from.face][wall - kFirstFaceWall];
         if (nextFace < 0 || shell.isBlocked(nextFace)) {
             return Entry::Outside;
         }
@@ -197,11 +197,11 @@ void ShellCell::setFoot(const Shell& shell, int tetrahedron) {
 // Puts a face into the coordinates of the foot; false where it is not seen from above.
 bool ShellCell::setFace(const Shell& shell, int newFace) {
     face = newFace;
-    const ShellBase& base = shell.base();
-    const Triangle& corners = base.faces[face];
-    const Vec3& origin = base.vertices[corners[0]];
-    const Vec3 edge1 = base.vertices[corners[1]] - origin;
-    const Vec3 edge2 = base.vertices[corners[2]] - origin;
+    const ExtendedSurface& extended = shell.extended();
+    const Triangle& corners = extended.faces[face];
+    const Vec3& origin = extended.vertices[corners[0]];
+    const Vec3 edge1 = extended.vertices[corners[1]] - origin;
+    const Vec3 edge2 = extended.vertices[corners[2]] - origin;
     const std::array<double, 2> d1 = {
         footBeta_[0].gradient.dot(edge1), footBeta_[1].gradient.dot(edge1)
     };
@@ -267,7 +267,7 @@ void ShellCell::compose() {
     }
 }
 
-Vec3 directionAt(const Shell& shell, const ShellBase& base, const SurfacePoint& shadow) {
+Vec3 directionAt(const Shell& shell, const ExtendedSurface& extended, const SurfacePoint& shadow) {
     Vec3 direction = Vec3::Zero();
     if (shell.isFullResolution()) {
         const Prism& prism = shell.prisms()[shadow.face];
@@ -276,9 +276,9 @@ Vec3 directionAt(const Shell& shell, const ShellBase& base, const SurfacePoint& 
             direction += shadow.barycentric[prism.faceCorner[slot]] * (pillar.top - pillar.bottom);
         }
     } else {
-        const Triangle& face = base.faces[shadow.face];
+        const Triangle& face = extended.faces[shadow.face];
         for (int corner = 0; corner < 3; ++corner) {
-            direction += shadow.barycentric[corner] * base.directions[face[corner]];
+            direction += shadow.barycentric[corner] * extended.directions[face[corner]];
         }
     }
     return direction.normalized();

@@ -20,11 +20,11 @@ enum class Entry {
 /// barycentric coordinates, height, and the shadow M_S(p). Holds no pointer.
 ///
 /// In a shell of full resolution it is a tetrahedron, bounded by four walls. In a simplified shell
-/// it is the part of a tetrahedron whose points have their shadow in one face of the base, and in
-/// one tetrahedron of the same prism, the foot: the height of the surface is affine there. It is
-/// bounded by up to nine walls: the four of the tetrahedron, the three edges of the face, and the
-/// heights that separate the foot from the tetrahedra below and above. Every wall is an affine form
-/// that is positive inside.
+/// it is the part of a tetrahedron whose points have their shadow in one face of the extended
+/// surface, and in one tetrahedron of the same prism, the foot: the height of the surface is affine
+/// there. It is bounded by up to nine walls: the four of the tetrahedron, the three edges of the
+/// face, and the heights that separate the foot from the tetrahedra below and above. Every wall is
+/// an affine form that is positive inside.
 ///
 /// Built in about 30 ns in a shell of full resolution.
 struct ShellCell {
@@ -37,7 +37,7 @@ struct ShellCell {
     int tet = -1;
     int prism = -1;
     int foot = -1;  ///< tetrahedron that holds the shadow; -1 in a shell of full resolution
-    int face = -1;  ///< of the base, ghosts included, that holds the shadow
+    int face = -1;  ///< of the extended surface, ghosts included, that holds the shadow
     int wallCount = 0;
 
     /// The first wallCount bound the cell. Forms 4 to 6 are the barycentric coordinates of the
@@ -123,9 +123,10 @@ private:
 /// The direction of the surface at a shadow, of unit length: what bending along the surface does
 /// not count. In a shell of full resolution the fibre from bottom to top, interpolated between the
 /// pillars (so longer ones count more, which makes it depend less on the triangulation); in a
-/// simplified one, whose fibres are those of a coarser surface, the directions of the base.
+/// simplified one, whose fibres are those of a coarser surface, the directions of the extended
+/// surface.
 [[nodiscard]] Vec3 directionAt(
-    const Shell& shell, const ShellBase& base, const SurfacePoint& shadow
+    const Shell& shell, const ExtendedSurface& extended, const SurfacePoint& shadow
 );
 
 }  // namespace bspline_curve

@@ -45,7 +45,7 @@ void simplify(
     Creases creases(std::move(creaseEdges), editor.pillarCount());
     Thickener thickener(editor);
     Collapser collapser(editor, creases);
-    Relaxer relaxer(editor, creases);
+    SampledSolver relaxer(editor, creases);
     const double reach = 0.5 * options.targetThickness * longestSide;
     const double longest = options.targetEdgeLength * longestSide;
     double length = kFirstStage * meanEdgeOf(editor);
@@ -77,32 +77,32 @@ void simplify(
 }  // namespace
 
 ShellBuild makeShell(
-    const std::shared_ptr<const ShellBase>& base,
+    const std::shared_ptr<const ExtendedSurface>& extended,
     const ShellOptions& options,
     const Progress& progress
 ) {
-    return options.kind == ShellKind::Simplified ? buildSimplifiedShell(base, options, progress)
-                                                 : buildShell(*base, options, progress);
+    return options.kind == ShellKind::Simplified ? buildSimplifiedShell(extended, options, progress)
+                                                 : buildShell(*extended, options, progress);
 }
 
 ShellBuild buildSimplifiedShell(
-    const std::shared_ptr<const ShellBase>& base,
+    const std::shared_ptr<const ExtendedSurface>& extended,
     const ShellOptions& options,
     const Progress& progress
 ) {
     options.validate();
     constexpr double kStartShare = 0.1;  // of the whole time
-    TrackedSurface surface(*base);
+    TrackedSurface surface(*extended);
     ShellOptions thin = options;
     thin.thickness = kStartThickness;
     const Progress startPart = partOf(progress, 0.0, kStartShare);
-    ShellBuild build = buildShell(surface.base, thin, startPart);
+    ShellBuild build = buildShell(surface.extended, thin, startPart);
     const Progress restPart = partOf(progress, kStartShare, 1.0);
     surface.prepareForEditing();
     ShellEditor editor(surface, build.shell);
     build.shell = Shell({}, {}, 0);  // a large one, and no longer needed
-    simplify(editor, surface.creases, longestSideOf(surface.base), options, restPart);
-    build.shell = exportShell(editor, base);
+    simplify(editor, surface.creases, longestSideOf(surface.extended), options, restPart);
+    build.shell = exportShell(editor, extended);
     for (int& face : build.report.blockedFaces) {
         face = surface.originalFaces[face];
     }

@@ -35,7 +35,7 @@ std::string storedShellParameters(const ShellOptions& options) {
 
 ObtainedShell findOrMakeShell(
     const Surface& surface,
-    const std::shared_ptr<const ShellBase>& base,
+    const std::shared_ptr<const ExtendedSurface>& extended,
     const ShellOptions& options,
     const ShellStore* store,
     const Progress& progress
@@ -43,27 +43,30 @@ ObtainedShell findOrMakeShell(
     options.validate();
     std::vector<std::string> notes;
     if (store != nullptr && options.kind == ShellKind::Simplified) {
-        ShellStore::Found found = store->find(surface, base, storedShellParameters(options));
+        ShellStore::Found found = store->find(surface, extended, storedShellParameters(options));
         addNote(notes, std::move(found.note));
         if (found.build) {
             return {.build = std::move(*found.build), .isFromStore = true, .notes = notes};
         }
     }
     return {
-        .build = makeShell(base, options, progress), .isFromStore = false, .notes = std::move(notes)
+        .build = makeShell(extended, options, progress),
+        .isFromStore = false,
+        .notes = std::move(notes)
     };
 }
 
 void keepShell(
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     const ShellOptions& options,
     const ShellStore* store,
     ObtainedShell& shell
 ) {
     if (store != nullptr && !shell.isFromStore && !shell.build.shell.isFullResolution()) {
         addNote(
-            shell.notes, store->store(surface, base, storedShellParameters(options), shell.build)
+            shell.notes,
+            store->store(surface, extended, storedShellParameters(options), shell.build)
         );
     }
 }

@@ -27,21 +27,21 @@ public:
     /// The shell that was stored for this surface, base and parameters.
     [[nodiscard]] virtual Found find(
         const Surface& surface,
-        const std::shared_ptr<const ShellBase>& base,
+        const std::shared_ptr<const ExtendedSurface>& extended,
         std::string_view parameters
     ) const = 0;
 
     /// Stores a simplified shell. Returns a note where that failed, else nothing.
     [[nodiscard]] virtual std::string store(
         const Surface& surface,
-        const ShellBase& base,
+        const ExtendedSurface& extended,
         std::string_view parameters,
         const ShellBuild& build
     ) const = 0;
 };
 
 /// All that a simplified shell follows from besides its surface, as text: kSimplifierVersion and
-/// the options that buildSimplifiedShell() and makeShellBase() heed, to the last digit.
+/// the options that buildSimplifiedShell() and extendSurface() heed, to the last digit.
 [[nodiscard]] std::string storedShellParameters(const ShellOptions& options);
 
 /// A shell and how it was come by.
@@ -56,7 +56,7 @@ struct ObtainedShell {
 /// Throws InputError (BadOption), Cancelled.
 [[nodiscard]] ObtainedShell findOrMakeShell(
     const Surface& surface,
-    const std::shared_ptr<const ShellBase>& base,
+    const std::shared_ptr<const ExtendedSurface>& extended,
     const ShellOptions& options,
     const ShellStore* store,
     const Progress& progress = {}
@@ -65,7 +65,7 @@ struct ObtainedShell {
 /// Stores a simplified shell that did not come from there; does nothing where there is no store.
 void keepShell(
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     const ShellOptions& options,
     const ShellStore* store,
     ObtainedShell& shell

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/curve_tracer.h"
-#include "solver/gauss_rule.h"
+#include "projection/cell_tracer.h"
 #include "solver/quadrature.h"
+#include "spline/gauss_rule.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,7 +136,7 @@ bool integrateCells(
             addKink(problem, space, weights, {from, to, wall, curve, span, tau}, *collector);
         }
     };
-    const int spans = traceCurve(tracedShellOf(problem), space, controls, onPiece, onCrossing);
+    const int spans = traceCurve(traceStartOf(problem), space, controls, onPiece, onCrossing);
     if (collector) {
         collector->finish();
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/extended_surface.h"
 #include "shell/shell.h"
-#include "shell/shell_base.h"
 #include "solver/field_cost.h"
 #include "solver/options.h"
 #include "surface/progress.h"
@@ -16,7 +16,7 @@ namespace bspline_curve {
 class Obstacles;
 class PatchLevels;
 class ShellBoundary;
-class SideThread;
+class WorkerThread;
 
 /// A pick in the shell's frame, with the parameter at which the curve passes it.
 struct PickConstraint {
@@ -26,21 +26,22 @@ struct PickConstraint {
 };
 
 /// One curve to solve for: the shell, the picks, the field; all in the shell's frame. Refers to the
-/// shell, the base, the obstacles, the field and the thread.
+/// shell, the extended surface, the obstacles, the field and the thread.
 struct CurveProblem {
-    const Shell* shell = nullptr;  ///< null: for relax() alone, which then follows the fibres
-    const ShellBase* base = nullptr;
+    const Shell* shell =
+        nullptr;  ///< null: for solveSampled() alone, which then follows the fibres
+    const ExtendedSurface* extended = nullptr;
     const PatchLevels* patches = nullptr;     ///< of the surface; null: feet are found without
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     const Obstacles* obstacles = nullptr;     ///< what the curve avoids; null: nothing
     std::vector<PickConstraint> picks;
-    std::span<const double> field;  ///< one value per vertex of the base, or empty
+    std::span<const double> field;  ///< one value per vertex of the extended surface, or empty
     FieldCosts fieldCosts;          ///< of `field`, as the options say
     SolverOptions options;
     double chordLength = 0.0;        ///< L of (4)
     double averageEdgeLength = 0.0;  ///< in the shell's frame
     double distanceTolerance = 0.0;  ///< epsilon of (3), in the shell's frame
-    SideThread* side = nullptr;      ///< to share work with; null: none
+    WorkerThread* side = nullptr;    ///< to share work with; null: none
     Progress progress;
 };
 

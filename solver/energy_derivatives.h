@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/span_moments.h"
+#include "spline/span_moments.h"
 
 #include <vector>
 

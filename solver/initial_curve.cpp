@@ -12,15 +12,16 @@
 namespace bspline_curve {
 namespace {
 
-// Next to a sharp corner of the guide spans are halved one by one; more than 16 fits were needed
-// once in 350 curves.
+// Next to a sharp corner of the initial path spans are halved one by one; more than 16 fits were
+// needed once in 350 curves.
 constexpr int kMaxFits = 40;
 // Where there is no shell, spans are halved without end, each in two.
 constexpr std::size_t kMostBreaks = 5000;
 // A first curve that comes nearer to the top or the bottom than this is fitted again with more
 // spans: close to the pole of the barrier, Newton's method stalls at once.
 constexpr double kHighestStart = 0.9;
-// The same where it comes nearer to what it avoids than this share of the guide's least clearance.
+// The same where it comes nearer to what it avoids than this share of the initial path's least
+// clearance.
 constexpr double kLeastClearanceShare = 0.3;
 
 std::vector<double> firstBreaks(const CurveProblem& problem) {
@@ -43,22 +44,23 @@ std::vector<double> firstBreaks(const CurveProblem& problem) {
     return breaks;
 }
 
-std::vector<SpanTarget> targetsOf(const GuidePath& guide, const SplineSpace& space) {
+std::vector<SpanTarget> targetsOf(const InitialPath& initialPath, const SplineSpace& space) {
     std::vector<SpanTarget> targets;
     for (int span = 0; span < space.spanCount(); ++span) {
-        targets.emplace_back(guide, space.breaks()[span], space.breaks()[span + 1]);
+        targets.emplace_back(initialPath, space.breaks()[span], space.breaks()[span + 1]);
     }
     return targets;
 }
 
 // How clear of what it avoids the first curve must stay between two parameters.
 double neededClearance(
-    const CurveProblem& problem, const GuidePath& guide, double begin, double end
+    const CurveProblem& problem, const InitialPath& initialPath, double begin, double end
 ) {
     double least = 1.0;
     if (problem.obstacles != nullptr) {
-        for (std::size_t i = guide.indexAt(begin); i <= guide.indexAt(end) + 1; ++i) {
-            least = std::min(least, 1.0 - problem.obstacles->closeness(guide.points[i].point));
+        for (std::size_t i = initialPath.indexAt(begin); i <= initialPath.indexAt(end) + 1; ++i) {
+            least =
+                std::min(least, 1.0 - problem.obstacles->closeness(initialPath.points[i].point));
         }
     }
     return kLeastClearanceShare * least;
@@ -71,17 +73,17 @@ double clearance(const CurveProblem& problem, const ShellCell& cell, const Vec3&
 }
 
 // Whether the curve stays well inside the shell, and clear of what it avoids, on a span, starting
-// from the guide's own cell.
+// from the initial path's own cell.
 bool spanIsInside(
     const CurveProblem& problem,
-    const GuidePath& guide,
+    const InitialPath& initialPath,
     const SplineSpace& space,
     const ControlPoints& controls,
     double highestStart,
     int span
 ) {
     const PolynomialCurve curve = space.polynomial(controls, span);
-    const GuidePath::Point& near = guide.points[guide.indexAt(space.breaks()[span])];
+    const InitialPath::Point& near = initialPath.points[initialPath.indexAt(space.breaks()[span])];
     TraceState state{ShellCell(*problem.shell, near.point)};
     double highest = 0.0;
     double least = 1.0;
@@ -96,19 +98,21 @@ bool spanIsInside(
     return walkStraight(*problem.shell, near.position, curve.coefficients[0], state) &&
            tracePolynomial(*problem.shell, curve, 1.0, state, measure, ignoreCrossing) &&
            highest < highestStart &&
-           least >= neededClearance(problem, guide, space.breaks()[span], space.breaks()[span + 1]);
+           least >= neededClearance(
+                        problem, initialPath, space.breaks()[span], space.breaks()[span + 1]
+                    );
 }
 
 }  // namespace
 
-std::size_t GuidePath::indexAt(double t) const {
+std::size_t InitialPath::indexAt(double t) const {
     const auto above = std::ranges::upper_bound(points, t, {}, &Point::parameter);
     const auto index =
         static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, above - points.begin())) - 1;
     return std::min(index, points.size() - 2);
 }
 
-Vec3 GuidePath::positionAt(double t) const {
+Vec3 InitialPath::positionAt(double t) const {
     const std::size_t i = indexAt(t);
     const Point& a = points[i];
     const Point& b = points[i + 1];
@@ -117,16 +121,20 @@ Vec3 GuidePath::positionAt(double t) const {
     return (1.0 - s) * a.position + s * b.position;
 }
 
-std::optional<SplineCurve> makeFirstCurve(const CurveProblem& problem, const GuidePath& guide) {
+std::optional<SplineCurve> makeFirstCurve(
+    const CurveProblem& problem, const InitialPath& initialPath
+) {
     return problem.options.initialCurve == InitialCurve::GeodesicFit
-               ? fitGuidePath(problem, guide)
-               : makeControlPolygon(problem, guide);
+               ? fitInitialPath(problem, initialPath)
+               : makeControlPolygon(problem, initialPath);
 }
 
-SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, double distance) {
+SplineCurve fitLoosely(
+    const CurveProblem& problem, const InitialPath& initialPath, double distance
+) {
     std::vector<double> breaks = firstBreaks(problem);
     SplineSpace space(problem.options.degree, problem.options.closed, breaks);
-    std::vector<SpanTarget> targets = targetsOf(guide, space);
+    std::vector<SpanTarget> targets = targetsOf(initialPath, space);
     while (true) {
         ControlPoints controls = fitSpline(problem, space, targets);
         std::vector<double> finer{breaks.front()};
@@ -143,8 +151,8 @@ SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, doub
             if (isFar && 0.5 * space.spanLength(span) >= problem.options.minimumSpan) {
                 const double middle = 0.5 * (begin + end);
                 finer.push_back(middle);
-                finerTargets.emplace_back(guide, begin, middle);
-                finerTargets.emplace_back(guide, middle, end);
+                finerTargets.emplace_back(initialPath, begin, middle);
+                finerTargets.emplace_back(initialPath, middle, end);
             } else {
                 finerTargets.push_back(targets[span]);
             }
@@ -159,15 +167,17 @@ SplineCurve fitLoosely(const CurveProblem& problem, const GuidePath& guide, doub
     }
 }
 
-std::optional<SplineCurve> fitGuidePath(const CurveProblem& problem, const GuidePath& guide) {
+std::optional<SplineCurve> fitInitialPath(
+    const CurveProblem& problem, const InitialPath& initialPath
+) {
     std::vector<double> breaks = firstBreaks(problem);
     const double highestStart = kHighestStart / relativeReach(problem);
     for (int attempt = 0; attempt < kMaxFits && breaks.size() <= kMostBreaks; ++attempt) {
         SplineSpace space(problem.options.degree, problem.options.closed, breaks);
-        ControlPoints controls = fitSpline(problem, space, targetsOf(guide, space));
+        ControlPoints controls = fitSpline(problem, space, targetsOf(initialPath, space));
         std::vector<double> finer{breaks.front()};
         for (int span = 0; span < space.spanCount(); ++span) {
-            if (!spanIsInside(problem, guide, space, controls, highestStart, span)) {
+            if (!spanIsInside(problem, initialPath, space, controls, highestStart, span)) {
                 finer.push_back(0.5 * (breaks[span] + breaks[span + 1]));
             }
             finer.push_back(breaks[span + 1]);

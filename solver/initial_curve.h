@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/curve_problem.h"
-#include "solver/spline_space.h"
+#include "spline/spline_space.h"
 
 #include <optional>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace bspline_curve {
 
 /// A way along the surface through all picks, by parameter: what the first spline follows.
-struct GuidePath {
+struct InitialPath {
     struct Point {
         double parameter;  ///< ascending in [0, 1]
         SurfacePoint point;
@@ -31,26 +31,31 @@ struct SplineCurve {
     ControlPoints controls;
 };
 
-/// The first spline, made as the options say; nothing where none along the guide stays inside the
-/// shell.
+/// The first spline, made as the options say; nothing where none along the initial path stays
+/// inside the shell.
 [[nodiscard]] std::optional<SplineCurve> makeFirstCurve(
-    const CurveProblem& problem, const GuidePath& guide
+    const CurveProblem& problem, const InitialPath& initialPath
 );
 
-/// First spline by least squares: follows the guide path, passes all picks, lies in the shell.
-/// Spans that leave the shell are halved and the fit repeated. Nothing where no fit stays inside.
-[[nodiscard]] std::optional<SplineCurve> fitGuidePath(
-    const CurveProblem& problem, const GuidePath& guide
+/// First spline by least squares: follows the initial path path, passes all picks, lies in the
+/// shell. Spans that leave the shell are halved and the fit repeated. Nothing where no fit stays
+/// inside.
+[[nodiscard]] std::optional<SplineCurve> fitInitialPath(
+    const CurveProblem& problem, const InitialPath& initialPath
 );
 
-/// The same within a distance of the guide, in the shell's frame, instead of within the shell.
+/// The same within a distance of the initial path, in the shell's frame, instead of within the
+/// shell.
 [[nodiscard]] SplineCurve fitLoosely(
-    const CurveProblem& problem, const GuidePath& guide, double distance
+    const CurveProblem& problem, const InitialPath& initialPath, double distance
 );
 
 /// First spline by Alg. 2 of the paper: its control polygon runs in turn to the top and to the
-/// bottom of the shell over the picks, with midpoints of the guide path where a segment would leave
-/// the shell. It may leave the shell all the same (the paper's eta, see integrateSamples).
-[[nodiscard]] SplineCurve makeControlPolygon(const CurveProblem& problem, const GuidePath& guide);
+/// bottom of the shell over the picks, with midpoints of the initial path path where a segment
+/// would leave the shell. It may leave the shell all the same (the paper's eta, see
+/// integrateSamples).
+[[nodiscard]] SplineCurve makeControlPolygon(
+    const CurveProblem& problem, const InitialPath& initialPath
+);
 
 }  // namespace bspline_curve

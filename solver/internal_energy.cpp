@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/internal_energy.h"
 
-#include "solver/curve_tracer.h"
-#include "solver/gauss_rule.h"
-#include "solver/sample_walker.h"
+#include "projection/cell_tracer.h"
+#include "solver/paper/sample_walker.h"
+#include "spline/gauss_rule.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ SplineSpace::BasisMatrix powerProducts(int order) {
 }
 
 Vec3 directionIn(const CurveProblem& problem, const ShellCell& cell, const Vec3& p) {
-    return directionAt(*problem.shell, *problem.base, {cell.face, cell.shadow(p)});
+    return directionAt(*problem.shell, *problem.extended, {cell.face, cell.shadow(p)});
 }
 
 std::optional<BendingDirections> directionsInCells(
@@ -38,7 +38,7 @@ std::optional<BendingDirections> directionsInCells(
 ) {
     BendingDirections result;
     const int spans = traceCurve(
-        tracedShellOf(problem),
+        traceStartOf(problem),
         space,
         controls,
         [&](

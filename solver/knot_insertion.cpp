@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/knot_insertion.h"
 
+#include "projection/cell_tracer.h"
 #include "solver/barrier.h"
-#include "solver/curve_tracer.h"
-#include "solver/minimiser.h"
+#include "solver/cellwise_newton.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ KnotDemand predictGain(
     );
     const ControlPoints fineControls = refine(space, controls, fine);
     const std::vector<InterpolationRow> rows = interpolationRows(fine, problem.picks);
-    CurveEnergy energy(problem, fine, rows, segments);
+    CellwiseEnergy energy(problem, fine, rows, segments);
     SplineSystem system(fine, rows);
     EnergyDerivatives derivatives;
     if (problem.options.bending == Bending::Geodesic) {
@@ -141,13 +141,13 @@ KnotDemand featureFunction(
                              double tau1) {
         const double length = space.spanLength(span);
         const double tau = 0.5 * (tau0 + tau1);
-        const Triangle& face = problem.base->faces[cell.face];
+        const Triangle& face = problem.extended->faces[cell.face];
         // Within a cell the shadow is an affine image of the curve, so are its derivatives.
         const auto shadowOf = [&](const Vec3& derivative) {
             Vec3 image = Vec3::Zero();
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 image += cell.shadowForm(corner).gradient.dot(derivative) *
-                         problem.base->vertices[face[corner]];
+                         problem.extended->vertices[face[corner]];
             }
             return image;
         };
@@ -161,7 +161,7 @@ KnotDemand featureFunction(
                                   weights.alpha * barrierValue(height, weights.barrierWidth));
     };
     traceCurve(
-        tracedShellOf(problem),
+        traceStartOf(problem),
         space,
         controls,
         onPiece,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/curve_energy.h"
+#include "solver/cellwise_energy.h"
 
 #include <vector>
 
@@ -18,7 +18,7 @@ struct KnotDemand {
 /// Predicts by one Newton step in the space with all spans halved how much the energy would fall,
 /// and how the spans share it (by the step's energy norm). One evaluation in the finer space, with
 /// the bending directions of the minimisation before; `segments` of the finer spans as in
-/// CurveEnergy.
+/// CellwiseEnergy.
 [[nodiscard]] KnotDemand predictGain(
     const CurveProblem& problem,
     const SplineSpace& space,

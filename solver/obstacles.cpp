@@ -20,37 +20,37 @@ constexpr double kPathWeight = 1.0;
 }  // namespace
 
 Obstacles::Obstacles(
-    const Surface& surface, const ShellBase& base, const Region& region, double margin
+    const Surface& surface, const ExtendedSurface& extended, const Region& region, double margin
 )
-    : base_(base), kinds_(base.faces.size(), Kind::Far) {
+    : extended_(extended), kinds_(extended.faces.size(), Kind::Far) {
     for (const double distance : distancesToRegion(surface, region, margin)) {
         values_.push_back(1.0 - distance / margin);
     }
-    for (const int origin : base.ghostOrigin) {
+    for (const int origin : extended.ghostOrigin) {
         values_.push_back(values_[origin]);
     }
     for (const int f : region) {
         kinds_[f] = Kind::Avoided;
     }
-    for (std::size_t f = 0; f < base.faces.size(); ++f) {
+    for (std::size_t f = 0; f < extended.faces.size(); ++f) {
         // A ghost collapses onto an edge of the face that it leads to.
         int inner = static_cast<int>(f);
-        while (inner >= base.surfaceFaceCount) {
-            inner = base.faceNeighbours[inner][2];
+        while (inner >= extended.surfaceFaceCount) {
+            inner = extended.faceNeighbours[inner][2];
         }
         if (kinds_[inner] == Kind::Avoided) {
             kinds_[f] = Kind::Avoided;
             continue;
         }
-        const Triangle& corners = base.faces[f];
+        const Triangle& corners = extended.faces[f];
         if (std::ranges::any_of(corners, [&](int v) { return values_[v] > 0.0; })) {
             kinds_[f] = Kind::Affine;
         }
         Bulges bulges{};
         for (std::size_t k = 0; k < 3; ++k) {
-            const int v = base.surfaceVertex(corners[(k + 1) % 3]);
-            const int w = base.surfaceVertex(corners[(k + 2) % 3]);
-            const int behind = base.faceNeighbours[f][k];
+            const int v = extended.surfaceVertex(corners[(k + 1) % 3]);
+            const int w = extended.surfaceVertex(corners[(k + 2) % 3]);
+            const int behind = extended.faceNeighbours[f][k];
             const bool isFree = behind < 0 || kinds_[behind] != Kind::Avoided;
             if (isFree && v != w && values_[v] == 1.0 && values_[w] == 1.0) {
                 const Vec3 edge = surface.vertices()[v] - surface.vertices()[w];
@@ -69,7 +69,7 @@ double Obstacles::closeness(const SurfacePoint& point) const {
     if (isAvoided(point.face)) {
         return 1.0;
     }
-    const Triangle& corners = base_.faces[point.face];
+    const Triangle& corners = extended_.faces[point.face];
     const Bulges bulges = bulgesOf(point.face);
     double sum = 0.0;
     for (int k = 0; k < 3; ++k) {
@@ -132,10 +132,10 @@ double Obstacles::pathCost(int face) const {
 }
 
 ClosenessForm::ClosenessForm(
-    const Obstacles& obstacles, const ShellBase& base, const ShellCell& cell
+    const Obstacles& obstacles, const ExtendedSurface& extended, const ShellCell& cell
 )
     : hasBulges_(obstacles.kindOf(cell.face) == Obstacles::Kind::Bulging) {
-    const Triangle& corners = base.faces[cell.face];
+    const Triangle& corners = extended.faces[cell.face];
     for (std::size_t k = 0; k < 3; ++k) {
         affine_ += obstacles.values_[corners[k]] * cell.shadowForm(k);
     }

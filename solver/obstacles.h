@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shell/affine_form.h"
-#include "shell/shell_base.h"
+#include "shell/extended_surface.h"
 #include "shell/shell_cell.h"
 #include "surface/region.h"
 
@@ -22,9 +22,11 @@ namespace bspline_curve {
 class Obstacles {
 public:
     /// `margin`: in the user's unit, > 0.
-    Obstacles(const Surface& surface, const ShellBase& base, const Region& region, double margin);
+    Obstacles(
+        const Surface& surface, const ExtendedSurface& extended, const Region& region, double margin
+    );
 
-    /// Whether a face of the base, ghosts included, belongs to the region.
+    /// Whether a face of the extended surface, ghosts included, belongs to the region.
     [[nodiscard]] bool isAvoided(int face) const { return kindOf(face) == Kind::Avoided; }
 
     /// Whether J is 0 all over a face.
@@ -55,9 +57,9 @@ private:
         return found == bulges_.end() ? Bulges{} : found->second;
     }
 
-    const ShellBase& base_;
-    std::vector<double> values_;  // J at each vertex of the base
-    std::vector<Kind> kinds_;     // of each face of the base
+    const ExtendedSurface& extended_;
+    std::vector<double> values_;  // J at each vertex of the extended surface
+    std::vector<Kind> kinds_;     // of each face of the extended surface
     std::unordered_map<int, Bulges> bulges_;
 };
 
@@ -65,7 +67,9 @@ private:
 class ClosenessForm {
 public:
     ClosenessForm() = default;
-    ClosenessForm(const Obstacles& obstacles, const ShellBase& base, const ShellCell& cell);
+    ClosenessForm(
+        const Obstacles& obstacles, const ExtendedSurface& extended, const ShellCell& cell
+    );
 
     [[nodiscard]] double at(const Vec3& p) const;
     [[nodiscard]] Vec3 gradient(const Vec3& p) const;

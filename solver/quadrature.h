@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/point_terms.h"
+#include "solver/cell_integrand.h"
 
 namespace bspline_curve {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/curve_trace.h"
+#include "projection/curve_trace.h"
 #include "solver/initial_curve.h"
 #include "solver/solve_report.h"
 
@@ -14,7 +14,7 @@ namespace bspline_curve {
 struct Solution {
     SplineCurve curve;
     SolveReport report;
-    /// Of the curve, where one was left over: always from relax().
+    /// Of the curve, where one was left over: always from solveSampled().
     std::optional<CurveTrace> trace;
 };
 

@@ -140,10 +140,10 @@ private:
 
 }  // namespace
 
-SpanTarget::SpanTarget(const GuidePath& guide, double begin, double end) {
+SpanTarget::SpanTarget(const InitialPath& initialPath, double begin, double end) {
     moments.fill(Vec3::Zero());
     for (int i = 0; i < kSamples; ++i) {
-        const Vec3 position = guide.positionAt(begin + tau(i) * (end - begin));
+        const Vec3 position = initialPath.positionAt(begin + tau(i) * (end - begin));
         positions[i] = position;
         double power = 1.0 / kSamples;
         for (Vec3& moment : moments) {

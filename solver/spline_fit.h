@@ -8,13 +8,13 @@
 
 namespace bspline_curve {
 
-/// A guide at samples of a span.
+/// A initial path at samples of a span.
 struct SpanTarget {
     /// More than the unknowns of a span, few enough to be cheap.
     static constexpr int kSamples = 16;
 
-    /// Of the guide between two parameters.
-    SpanTarget(const GuidePath& guide, double begin, double end);
+    /// Of the initial path between two parameters.
+    SpanTarget(const InitialPath& initialPath, double begin, double end);
 
     /// Parameter of a sample in the span, in [0, 1].
     [[nodiscard]] static double tau(int sample) { return (sample + 0.5) / kSamples; }

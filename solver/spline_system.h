@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/band_cholesky.h"
 #include "solver/curve_problem.h"
-#include "solver/spline_space.h"
-#include "solver/symmetric_matrix.h"
+#include "spline/band_cholesky.h"
+#include "spline/spline_space.h"
+#include "spline/symmetric_matrix.h"
 
 #include <Eigen/Core>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "surface/patch_levels.h"
-#include "surface/sparse_map.h"
 #include "surface/surface.h"
 #include "surface/travel_costs.h"
+#include "utility/sparse_map.h"
 
 #include <cstddef>
 #include <limits>

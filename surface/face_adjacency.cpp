@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/face_adjacency.h"
 
-#include "surface/index_sets.h"
 #include "surface/input_error.h"
-#include "surface/large_array.h"
-#include "surface/side_task.h"
+#include "utility/index_sets.h"
+#include "utility/large_array.h"
+#include "utility/worker_task.h"
 
 #include <algorithm>
 #include <array>

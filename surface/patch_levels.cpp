@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/patch_levels.h"
 
-#include "surface/large_array.h"
+#include "utility/large_array.h"
 
 #include <Eigen/Geometry>
 

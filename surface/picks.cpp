@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/picks.h"
 
-#include "surface/index_sets.h"
 #include "surface/input_error.h"
+#include "utility/index_sets.h"
 
 #include <algorithm>
 #include <cmath>

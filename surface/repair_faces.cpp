@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces without area and faces that are there twice.
-#include "surface/index_sets.h"
 #include "surface/mesh_checks.h"
 #include "surface/repair_steps.h"
+#include "utility/index_sets.h"
 
 #include <algorithm>
 #include <numeric>

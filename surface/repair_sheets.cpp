@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which faces belong to one sheet, which way it looks, and where sheets are parted.
-#include "surface/index_sets.h"
 #include "surface/input_error.h"
 #include "surface/repair_steps.h"
+#include "utility/index_sets.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/large_array.h"
 #include "surface/types.h"
+#include "utility/large_array.h"
 
 #include <algorithm>
 #include <compare>

@@ -3,9 +3,9 @@
 
 #include "surface/corridor_search.h"
 #include "surface/patch_levels.h"
-#include "surface/sparse_map.h"
 #include "surface/surface.h"
 #include "surface/travel_costs.h"
+#include "utility/sparse_map.h"
 
 #include <cstddef>
 #include <limits>

@@ -3,7 +3,7 @@
 
 #include "surface/face_adjacency.h"
 #include "surface/mesh_checks.h"
-#include "surface/side_task.h"
+#include "utility/worker_task.h"
 
 #include <Eigen/Geometry>
 

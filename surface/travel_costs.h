@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/sparse_map.h"
+#include "utility/sparse_map.h"
 
 #include <cmath>
 #include <functional>

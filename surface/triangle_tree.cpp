@@ -2,8 +2,8 @@
 #include "surface/triangle_tree.h"
 
 #include "surface/closest_point.h"
-#include "surface/large_array.h"
 #include "surface/spatial_order.h"
+#include "utility/large_array.h"
 
 #include <bit>
 #include <cmath>

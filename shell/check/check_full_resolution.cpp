@@ -8,18 +8,20 @@
 namespace bspline_curve {
 namespace {
 
-// Whether prism f stands on face f of the base, and the face is that of the surface.
-bool isMiddleOf(const CheckedShell& shell, const Surface& surface, const ShellBase& base, int f) {
+// Whether prism f stands on face f of the extended surface, and the face is that of the surface.
+bool isMiddleOf(
+    const CheckedShell& shell, const Surface& surface, const ExtendedSurface& extended, int f
+) {
     const Prism& p = shell.prism(f);
     if (shell.slotParity(f) == 0 ||
-        (f < surface.faceCount() && base.faces[f] != surface.faces()[f])) {
+        (f < surface.faceCount() && extended.faces[f] != surface.faces()[f])) {
         return false;
     }
     for (std::size_t slot = 0; slot < 3; ++slot) {
         const int v = p.pillars[slot];
-        if (v != base.faces[f][p.faceCorner[slot]] ||
-            shell.shell().pillars()[v].middle != base.vertices[v] ||
-            !isWhereItSays(surface, base, v)) {
+        if (v != extended.faces[f][p.faceCorner[slot]] ||
+            shell.shell().pillars()[v].middle != extended.vertices[v] ||
+            !isWhereItSays(surface, extended, v)) {
             return false;
         }
     }
@@ -28,11 +30,11 @@ bool isMiddleOf(const CheckedShell& shell, const Surface& surface, const ShellBa
 
 // In each tetrahedron the fibres are parallel to the half pillar that it holds, which starts in
 // the face: the dot product with the normal has the sign of a volume.
-bool isTransversal(const CheckedShell& shell, const ShellBase& base, int f) {
-    const Triangle& face = base.faces[f];
+bool isTransversal(const CheckedShell& shell, const ExtendedSurface& extended, int f) {
+    const Triangle& face = extended.faces[f];
     const auto side = [&](const Vec3& tip) {
         return orientationSign(
-            base.vertices[face[0]], base.vertices[face[1]], base.vertices[face[2]], tip
+            extended.vertices[face[0]], extended.vertices[face[1]], extended.vertices[face[2]], tip
         );
     };
     return std::all_of(face.begin(), face.end(), [&](int v) {
@@ -43,20 +45,23 @@ bool isTransversal(const CheckedShell& shell, const ShellBase& base, int f) {
 
 }  // namespace
 
-bool isWhereItSays(const Surface& surface, const ShellBase& base, int v) {
+bool isWhereItSays(const Surface& surface, const ExtendedSurface& extended, int v) {
     if (v >= surface.vertexCount()) {
-        return surface.isBoundaryVertex(base.surfaceVertex(v));
+        return surface.isBoundaryVertex(extended.surfaceVertex(v));
     }
-    return base.vertices[v] == base.frame.toUnit(surface.vertices()[v]) ||
-           std::binary_search(base.movedVertices.begin(), base.movedVertices.end(), v);
+    return extended.vertices[v] == extended.frame.toUnit(surface.vertices()[v]) ||
+           std::binary_search(extended.movedVertices.begin(), extended.movedVertices.end(), v);
 }
 
 void checkMiddleSurface(
-    const CheckedShell& shell, const Surface& surface, const ShellBase& base, Violations violations
+    const CheckedShell& shell,
+    const Surface& surface,
+    const ExtendedSurface& extended,
+    Violations violations
 ) {
-    for (int f = 0; f < static_cast<int>(base.faces.size()); ++f) {
-        const bool isMiddle = f < shell.prismCount() && isMiddleOf(shell, surface, base, f);
-        if (!isMiddle || (shell.isPresent(f) && !isTransversal(shell, base, f))) {
+    for (int f = 0; f < static_cast<int>(extended.faces.size()); ++f) {
+        const bool isMiddle = f < shell.prismCount() && isMiddleOf(shell, surface, extended, f);
+        if (!isMiddle || (shell.isPresent(f) && !isTransversal(shell, extended, f))) {
             violations.add({f});
         }
     }

@@ -104,12 +104,12 @@ Meetings meetAll(const CheckedShell& shell, const CheckedSurface& surface) {
     return all;
 }
 
-// Whether a face of the base is that of the surface.
-bool isOfSurface(const Surface& surface, const ShellBase& base, int f) {
-    const Triangle& face = base.faces[f];
+// Whether a face of the extended surface is that of the surface.
+bool isOfSurface(const Surface& surface, const ExtendedSurface& extended, int f) {
+    const Triangle& face = extended.faces[f];
     return (f >= surface.faceCount() || face == surface.faces()[f]) &&
            std::all_of(face.begin(), face.end(), [&](int v) {
-               return isWhereItSays(surface, base, v);
+               return isWhereItSays(surface, extended, v);
            });
 }
 
@@ -120,7 +120,7 @@ void checkTransversality(
     Violations violations
 ) {
     for (int f = 0; f < std::max(surface.faceCount(), checked.faceCount()); ++f) {
-        if (f >= checked.faceCount() || !isOfSurface(surface, checked.base(), f) ||
+        if (f >= checked.faceCount() || !isOfSurface(surface, checked.extended(), f) ||
             isTransversal[f] == 0) {
             violations.add({f});
         }
@@ -136,7 +136,7 @@ void checkTracks(
 ) {
     int previous = -1;
     for (const int f : blockedFaces) {
-        if (f <= previous || f >= surface.base().surfaceFaceCount ||
+        if (f <= previous || f >= surface.extended().surfaceFaceCount ||
             !shell.shell().prismsOf(f).empty()) {
             violations.add({f});
         }
@@ -163,7 +163,7 @@ void checkTracks(
 void checkContainment(
     const CheckedShell& shell, const CheckedSurface& surface, Violations violations
 ) {
-    // Vertices of the base that are middles of pillars get the number of these.
+    // Vertices of the extended surface that are middles of pillars get the number of these.
     const auto key = [](const Vec3& p) { return std::tuple(p[0], p[1], p[2]); };
     std::vector<Vec3> points = shell.points();
     std::map<std::tuple<double, double, double>, int> middles;
@@ -172,7 +172,7 @@ void checkContainment(
         middles.emplace(key(points[i]), i);
     }
     std::vector<int> numbers;
-    for (const Vec3& vertex : surface.base().vertices) {
+    for (const Vec3& vertex : surface.extended().vertices) {
         const auto middle = middles.find(key(vertex));
         numbers.push_back(
             middle == middles.end() ? static_cast<int>(points.size()) : middle->second
@@ -189,7 +189,7 @@ void checkContainment(
             shell.point(boundary.points[2])
         };
         surface.forEachNear(boxOf(corners), [&](int f) {
-            const Triangle& face = surface.base().faces[f];
+            const Triangle& face = surface.extended().faces[f];
             const Triangle numbered = {numbers[face[0]], numbers[face[1]], numbers[face[2]]};
             if ((isLayer || !surface.isGhost(f)) && isCut[f] == 0 &&
                 trianglesIntersect(points, boundary.points, numbered)) {
@@ -207,12 +207,12 @@ void checkContainment(
 void checkSimplifiedShell(
     const CheckedShell& shell,
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     std::span<const int> blockedFaces,
     const ShellCheckOptions& options,
     ShellCheck& result
 ) {
-    const CheckedSurface checked(shell.shell(), base, blockedFaces);
+    const CheckedSurface checked(shell.shell(), extended, blockedFaces);
     const Meetings meetings = meetAll(shell, checked);
     checkTransversality(
         checked, surface, meetings.isTransversal, {result.transversalSurface, options}
@@ -223,7 +223,7 @@ void checkSimplifiedShell(
     Violations notContained(result.containedSurface, options);
     checkContainment(shell, checked, notContained);
     // What meets a tetrahedron and does not cross the boundary lies inside.
-    for (int f = 0; f < base.surfaceFaceCount; ++f) {
+    for (int f = 0; f < extended.surfaceFaceCount; ++f) {
         if (checked.holds(f) && meetings.isInSomePrism[f] == 0) {
             notContained.add({f});
         }

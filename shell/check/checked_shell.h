@@ -120,14 +120,19 @@ void checkLayers(const CheckedShell& shell, Violations violations);
 void checkComponents(const CheckedShell& shell, Violations violations);
 void checkNeighbours(const CheckedShell& shell, Violations violations);
 
-/// Whether a vertex of the base is that of the surface, or is listed as moved, or grew from its
-/// boundary.
-[[nodiscard]] bool isWhereItSays(const Surface& surface, const ShellBase& base, int vertex);
+/// Whether a vertex of the extended surface is that of the surface, or is listed as moved, or grew
+/// from its boundary.
+[[nodiscard]] bool isWhereItSays(
+    const Surface& surface, const ExtendedSurface& extended, int vertex
+);
 
 // ---- Full resolution ----
 
 void checkMiddleSurface(
-    const CheckedShell& shell, const Surface& surface, const ShellBase& base, Violations violations
+    const CheckedShell& shell,
+    const Surface& surface,
+    const ExtendedSurface& extended,
+    Violations violations
 );
 void checkPrismPerFace(
     const CheckedShell& shell,
@@ -142,7 +147,7 @@ void checkPrismPerFace(
 void checkSimplifiedShell(
     const CheckedShell& shell,
     const Surface& surface,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     std::span<const int> blockedFaces,
     const ShellCheckOptions& options,
     ShellCheck& result

@@ -5,14 +5,14 @@ namespace bspline_curve {
 namespace {
 
 std::vector<char> facesHeld(
-    const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces
+    const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
 ) {
-    std::vector<char> holds(base.faces.size(), 1);
-    for (std::size_t f = base.surfaceFaceCount; f < holds.size(); ++f) {
+    std::vector<char> holds(extended.faces.size(), 1);
+    for (std::size_t f = extended.surfaceFaceCount; f < holds.size(); ++f) {
         holds[f] = static_cast<char>(!shell.prismsOf(static_cast<int>(f)).empty());
     }
     for (const int f : blockedFaces) {
-        if (f >= 0 && f < base.surfaceFaceCount) {
+        if (f >= 0 && f < extended.surfaceFaceCount) {
             holds[f] = 0;
         }
     }
@@ -32,10 +32,10 @@ std::vector<int> indicesOf(const std::vector<char>& flags) {
 }  // namespace
 
 CheckedSurface::CheckedSurface(
-    const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces
+    const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
 )
-    : base_(base),
-      holds_(facesHeld(shell, base, blockedFaces)),
+    : extended_(extended),
+      holds_(facesHeld(shell, extended, blockedFaces)),
       faces_(indicesOf(holds_)),
       tree_(boxes()) {}
 

@@ -6,34 +6,36 @@
 
 namespace bspline_curve {
 
-/// The faces of the base that a simplified shell stands for: those of the surface that are not
-/// blocked, and the ghosts that some prism lists.
+/// The faces of the extended surface that a simplified shell stands for: those of the surface that
+/// are not blocked, and the ghosts that some prism lists.
 class CheckedSurface {
 public:
-    CheckedSurface(const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces);
+    CheckedSurface(
+        const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
+    );
 
-    [[nodiscard]] const ShellBase& base() const { return base_; }
+    [[nodiscard]] const ExtendedSurface& extended() const { return extended_; }
 
-    [[nodiscard]] int faceCount() const { return static_cast<int>(base_.faces.size()); }
+    [[nodiscard]] int faceCount() const { return static_cast<int>(extended_.faces.size()); }
 
     /// Whether the shell stands for a face.
     [[nodiscard]] bool holds(int face) const { return holds_[face] != 0; }
 
     [[nodiscard]] bool isBlocked(int face) const {
-        return face < base_.surfaceFaceCount && !holds(face);
+        return face < extended_.surfaceFaceCount && !holds(face);
     }
 
-    [[nodiscard]] bool isGhost(int face) const { return face >= base_.surfaceFaceCount; }
+    [[nodiscard]] bool isGhost(int face) const { return face >= extended_.surfaceFaceCount; }
 
     [[nodiscard]] std::array<Vec3, 3> corners(int face) const {
-        const Triangle& t = base_.faces[face];
-        const auto vertex = [&](int v) { return base_.vertices[v]; };
+        const Triangle& t = extended_.faces[face];
+        const auto vertex = [&](int v) { return extended_.vertices[v]; };
         return {vertex(t[0]), vertex(t[1]), vertex(t[2])};
     }
 
     /// Whether nothing that the shell stands for lies across the edge opposite to vertex k.
     [[nodiscard]] bool isBorder(int face, std::size_t k) const {
-        const int there = base_.faceNeighbours[face][k];
+        const int there = extended_.faceNeighbours[face][k];
         return there < 0 || !holds(there);
     }
 
@@ -46,7 +48,7 @@ public:
 private:
     [[nodiscard]] std::vector<BoxTree::Box> boxes() const;
 
-    const ShellBase& base_;
+    const ExtendedSurface& extended_;
     std::vector<char> holds_;
     std::vector<int> faces_;  ///< those held, ascending
     BoxTree tree_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/operations.h"
-#include "surface/index_sets.h"
 #include "surface/surface_point.h"
+#include "utility/index_sets.h"
 
 #include <Eigen/Geometry>
 

@@ -39,7 +39,7 @@ ComponentWitnesses::ComponentWitnesses(const TrackedSurface& surface, const Shel
     std::vector<int> vertexComponents(start.pillars().size(), kNone);
     for (std::size_t f = 0; f < components.componentOf.size(); ++f) {
         const int component = components.componentOf[f];
-        for (const int v : surface.base.faces[f]) {
+        for (const int v : surface.extended.faces[f]) {
             int& known = vertexComponents[v];
             if (component >= 0) {
                 known = known == kNone || known == component ? component : kSeveral;
@@ -49,7 +49,7 @@ ComponentWitnesses::ComponentWitnesses(const TrackedSurface& surface, const Shel
     std::vector<int> vertices(components.first.size(), kNone);
     for (std::size_t f = 0; f < components.componentOf.size(); ++f) {
         const int component = components.componentOf[f];
-        for (const int v : surface.base.faces[f]) {
+        for (const int v : surface.extended.faces[f]) {
             if (component >= 0 && vertices[component] == kNone &&
                 vertexComponents[v] == component) {
                 vertices[component] = v;
@@ -58,8 +58,8 @@ ComponentWitnesses::ComponentWitnesses(const TrackedSurface& surface, const Shel
     }
     for (std::size_t c = 0; c < vertices.size(); ++c) {
         const int v =
-            vertices[c] == kNone ? surface.base.faces[components.first[c]][0] : vertices[c];
-        sorted_.push_back({surface.base.vertices[v], static_cast<int>(c)});
+            vertices[c] == kNone ? surface.extended.faces[components.first[c]][0] : vertices[c];
+        sorted_.push_back({surface.extended.vertices[v], static_cast<int>(c)});
     }
     std::ranges::sort(sorted_, [](const Witness& a, const Witness& b) {
         return std::tuple(a.position.x(), a.component) < std::tuple(b.position.x(), b.component);

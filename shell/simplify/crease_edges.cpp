@@ -18,20 +18,20 @@ constexpr double kLeastFeature = 0.12;
 
 }  // namespace
 
-std::vector<std::pair<int, int>> findCreases(const ShellBase& base) {
+std::vector<std::pair<int, int>> findCreases(const ExtendedSurface& extended) {
     const auto normalOf = [&](int f) -> Vec3 {
-        const Triangle& face = base.faces[f];
-        return (base.vertices[face[1]] - base.vertices[face[0]])
-            .cross(base.vertices[face[2]] - base.vertices[face[0]])
+        const Triangle& face = extended.faces[f];
+        return (extended.vertices[face[1]] - extended.vertices[face[0]])
+            .cross(extended.vertices[face[2]] - extended.vertices[face[0]])
             .normalized();
     };
     const double sharpCosine = std::cos(kSharpTurn);
     std::vector<std::pair<int, int>> sharp;
-    for (int f = 0; f < static_cast<int>(base.faces.size()); ++f) {
+    for (int f = 0; f < static_cast<int>(extended.faces.size()); ++f) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const int there = base.faceNeighbours[f][k];
+            const int there = extended.faceNeighbours[f][k];
             if (there > f && normalOf(f).dot(normalOf(there)) < sharpCosine) {
-                const Triangle& face = base.faces[f];
+                const Triangle& face = extended.faces[f];
                 sharp.emplace_back(std::minmax(face[(k + 1) % 3], face[(k + 2) % 3]));
             }
         }
@@ -39,7 +39,7 @@ std::vector<std::pair<int, int>> findCreases(const ShellBase& base) {
     std::ranges::sort(sharp);
 
     // Connected sets of sharp edges and their lengths.
-    std::vector<int> parents(base.vertices.size());
+    std::vector<int> parents(extended.vertices.size());
     std::iota(parents.begin(), parents.end(), 0);
     const auto find = [&](int v) {
         while (parents[v] != v) {
@@ -51,9 +51,9 @@ std::vector<std::pair<int, int>> findCreases(const ShellBase& base) {
         const auto [low, high] = std::minmax({find(a), find(b)});
         parents[high] = low;
     }
-    std::vector<double> lengths(base.vertices.size(), 0.0);
+    std::vector<double> lengths(extended.vertices.size(), 0.0);
     for (const auto& [a, b] : sharp) {
-        lengths[find(a)] += (base.vertices[a] - base.vertices[b]).norm();
+        lengths[find(a)] += (extended.vertices[a] - extended.vertices[b]).norm();
     }
     std::erase_if(sharp, [&](const std::pair<int, int>& edge) {
         return lengths[find(edge.first)] < kLeastFeature;

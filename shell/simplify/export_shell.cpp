@@ -44,7 +44,9 @@ void connect(std::vector<Prism>& prisms) {
 
 }  // namespace
 
-Shell exportShell(const ShellEditor& editor, const std::shared_ptr<const ShellBase>& base) {
+Shell exportShell(
+    const ShellEditor& editor, const std::shared_ptr<const ExtendedSurface>& extended
+) {
     const PrismComplex& complex = editor.complex();
     std::vector<int> numbers(editor.pillarCount(), -1);
     std::vector<Pillar> pillars;
@@ -77,7 +79,7 @@ Shell exportShell(const ShellEditor& editor, const std::shared_ptr<const ShellBa
         tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));
     }
     connect(prisms);
-    return {std::move(pillars), std::move(prisms), std::move(tracks), base};
+    return {std::move(pillars), std::move(prisms), std::move(tracks), extended};
 }
 
 }  // namespace bspline_curve

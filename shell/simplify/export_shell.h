@@ -8,9 +8,9 @@
 namespace bspline_curve {
 
 /// The shell that an editor has arrived at, for curves: pillars numbered in the order of the split,
-/// prisms with their neighbours, faces numbered as in `base`.
+/// prisms with their neighbours, faces numbered as in `extended`.
 [[nodiscard]] Shell exportShell(
-    const ShellEditor& editor, const std::shared_ptr<const ShellBase>& base
+    const ShellEditor& editor, const std::shared_ptr<const ExtendedSurface>& extended
 );
 
 }  // namespace bspline_curve

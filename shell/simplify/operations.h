@@ -89,15 +89,15 @@ private:
 void flipEdges(ShellEditor& editor, const Creases& creases);
 
 /// Moves pillars along the surface to where the prisms around them are better shaped.
-class Relaxer {
+class SampledSolver {
 public:
-    Relaxer(ShellEditor& editor, const Creases& creases)
+    SampledSolver(ShellEditor& editor, const Creases& creases)
         : editor_(editor), creases_(creases), failed_(editor.pillarCount(), -1) {}
 
     void run();
 
 private:
-    void relax(int pillar);
+    void solveSampled(int pillar);
 
     ShellEditor& editor_;
     const Creases& creases_;

@@ -27,7 +27,9 @@ public:
 
     /// After accepts(): faces that may meet prism i.
     [[nodiscard]] std::span<const int> tracked(std::size_t i) const {
-        return std::span(tracked_).subspan(trackedFirst_[i], trackedFirst_[i + 1] - trackedFirst_[i]);
+        return std::span(tracked_).subspan(
+            trackedFirst_[i], trackedFirst_[i + 1] - trackedFirst_[i]
+        );
     }
 
 private:

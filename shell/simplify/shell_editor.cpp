@@ -52,7 +52,7 @@ ShellEditor::ShellEditor(const TrackedSurface& surface, const Shell& start)
         if (prism.orientation == 0) {
             continue;
         }
-        volumes_.enter(complex_, complex_.addPrism(surface.base.faces[f], {&f, 1}), f);
+        volumes_.enter(complex_, complex_.addPrism(surface.extended.faces[f], {&f, 1}), f);
         for (std::size_t slot = 0; slot < 3; ++slot) {
             if (prism.neighbours[slot] < 0) {
                 isFrozen_[prism.pillars[(slot + 1) % 3]] = 1;
@@ -60,7 +60,7 @@ ShellEditor::ShellEditor(const TrackedSurface& surface, const Shell& start)
             }
         }
     }
-    faceStamps_.assign(surface.base.faces.size(), 0);
+    faceStamps_.assign(surface.extended.faces.size(), 0);
     changed_.assign(pillarCount, 0);
 }
 

@@ -58,7 +58,7 @@ std::vector<int> inverseOf(const std::vector<int>& order) {
 
 }  // namespace
 
-TrackedSurface::TrackedSurface(const ShellBase& original) {
+TrackedSurface::TrackedSurface(const ExtendedSurface& original) {
     creases = findCreases(original);
     std::vector<char> onCrease(original.vertices.size(), 0);
     for (const auto& [a, b] : creases) {
@@ -77,32 +77,32 @@ TrackedSurface::TrackedSurface(const ShellBase& original) {
     const std::vector<int> vertexNumbers = inverseOf(vertices);
     const std::vector<int> faceNumbers = inverseOf(originalFaces);
 
-    base.frame = original.frame;
-    base.surfaceVertexCount = original.surfaceVertexCount;
-    base.surfaceFaceCount = original.surfaceFaceCount;
-    base.vertices.reserve(vertices.size());
-    base.directions.reserve(vertices.size());
-    base.edgeLengths.reserve(vertices.size());
+    extended.frame = original.frame;
+    extended.surfaceVertexCount = original.surfaceVertexCount;
+    extended.surfaceFaceCount = original.surfaceFaceCount;
+    extended.vertices.reserve(vertices.size());
+    extended.directions.reserve(vertices.size());
+    extended.edgeLengths.reserve(vertices.size());
     for (const int v : vertices) {
-        base.vertices.push_back(original.vertices[v]);
-        base.directions.push_back(original.directions[v]);
-        base.edgeLengths.push_back(original.edgeLengths[v]);
+        extended.vertices.push_back(original.vertices[v]);
+        extended.directions.push_back(original.directions[v]);
+        extended.edgeLengths.push_back(original.edgeLengths[v]);
     }
-    base.faces.reserve(originalFaces.size());
-    base.faceNeighbours.reserve(originalFaces.size());
+    extended.faces.reserve(originalFaces.size());
+    extended.faceNeighbours.reserve(originalFaces.size());
     for (const int f : originalFaces) {
         const Triangle& face = original.faces[f];
         const Triangle& near = original.faceNeighbours[f];
         const auto neighbour = [&](std::size_t k) {
             return near[k] < 0 ? -1 : faceNumbers[near[k]];
         };
-        base.faces.push_back(
+        extended.faces.push_back(
             {vertexNumbers[face[0]], vertexNumbers[face[1]], vertexNumbers[face[2]]}
         );
-        base.faceNeighbours.push_back({neighbour(0), neighbour(1), neighbour(2)});
+        extended.faceNeighbours.push_back({neighbour(0), neighbour(1), neighbour(2)});
     }
     for (const int v : original.unseenVertices) {
-        base.unseenVertices.push_back(vertexNumbers[v]);
+        extended.unseenVertices.push_back(vertexNumbers[v]);
     }
     for (auto& [a, b] : creases) {
         const auto [low, high] = std::minmax(vertexNumbers[a], vertexNumbers[b]);
@@ -114,11 +114,11 @@ TrackedSurface::TrackedSurface(const ShellBase& original) {
 
 void TrackedSurface::prepareForEditing() {
     // Assigning {} would keep the memory.
-    base.faceNeighbours = std::vector<Triangle>();
-    base.directions = std::vector<Vec3>();
-    base.edgeLengths = std::vector<double>();
-    bounds.reserve(base.faces.size());
-    for (int face = 0; face < static_cast<int>(base.faces.size()); ++face) {
+    extended.faceNeighbours = std::vector<Triangle>();
+    extended.directions = std::vector<Vec3>();
+    extended.edgeLengths = std::vector<double>();
+    bounds.reserve(extended.faces.size());
+    for (int face = 0; face < static_cast<int>(extended.faces.size()); ++face) {
         bounds.push_back(boundOf(corner(face, 0), corner(face, 1), corner(face, 2)));
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shell/shell_base.h"
+#include "shell/extended_surface.h"
 
 #include <array>
 #include <vector>
@@ -27,19 +27,19 @@ inline constexpr float kFloatMargin = 1e-6F;
 class TrackedSurface {
 public:
     /// Without bounds.
-    explicit TrackedSurface(const ShellBase& original);
+    explicit TrackedSurface(const ExtendedSurface& original);
 
     /// Once the start shell is there: drops what only this takes (neighbours, directions, lengths),
     /// and computes the bounds.
     void prepareForEditing();
 
     [[nodiscard]] const Vec3& corner(int face, std::size_t k) const {
-        return base.vertices[base.faces[face][k]];
+        return extended.vertices[extended.faces[face][k]];
     }
 
     /// Renumbered; ghost faces last. Without what only surface points need (ghost origins, moved
     /// vertices).
-    ShellBase base;
+    ExtendedSurface extended;
     std::vector<int> originalFaces;            ///< face of the original base for each face
     std::vector<std::pair<int, int>> creases;  ///< edges, low vertex first, ascending
     std::vector<FaceBound> bounds;             ///< of each face

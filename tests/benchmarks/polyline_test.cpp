@@ -5,7 +5,7 @@
 #include "benchmarks/scene.h"
 #include "design/curve_solver.h"
 #include "design/prepared_surface.h"
-#include "solver/relaxation.h"
+#include "solver/sampled_solver.h"
 #include "support/meshes.h"
 #include "surface/picks.h"
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kAlpha = 300.0;
 
-// A problem and a guide, made as for a spline.
+// A problem and a initial path, made as for a spline.
 struct Setting {
     Setting(const TriangleMesh& mesh, const std::vector<Vec3>& picks, const SolverOptions& options)
         : prepared(mesh, {}), path(pathOf(picks, options)), problem(problemOf(options)) {}
@@ -39,7 +39,7 @@ private:
     ) const {
         return makePickPath(
             prepared.surface(),
-            *prepared.base(),
+            *prepared.extended(),
             locatePicks(prepared.surface(), prepared.tree(), picks, options.closed),
             options.closed,
             {.blockedFaces = {}, .patches = &prepared.patches()}
@@ -99,11 +99,11 @@ Eigen::VectorXd someWay(int vertices) {
 
 TEST_P(Polylines, GradientIsThatOfTheEnergy) {
     const Setting setting = bumpy();
-    const FootFinder finder(*setting.prepared.base());
+    const FibreProjector finder(*setting.prepared.extended());
     const PolylineEnergy energy(setting.problem, 60);
-    const FootedPolyline guide = energy.along(setting.path.guide, finder);
+    const FootedPolyline initialPath = energy.along(setting.path.path, finder);
     const Eigen::VectorXd way = someWay(energy.count());
-    FootedPolyline line = moved(guide, someWay(energy.count()).reverse(), 1e-4);
+    FootedPolyline line = moved(initialPath, someWay(energy.count()).reverse(), 1e-4);
     energy.follow(finder, line);
     Eigen::VectorXd gradient;
     std::vector<PolylineEnergy::Blocks> hessian;
@@ -146,9 +146,9 @@ TEST_P(Polylines, HessianIsTheChangeOfTheGradient) {
     const Setting setting(
         test_support::plate(12, 12), {{0.2, 0.3, 0.0}, {0.5, 0.7, 0.0}, {0.8, 0.4, 0.0}}, options()
     );
-    const FootFinder finder(*setting.prepared.base());
+    const FibreProjector finder(*setting.prepared.extended());
     const PolylineEnergy energy(setting.problem, 40);
-    const FootedPolyline line = energy.along(setting.path.guide, finder);
+    const FootedPolyline line = energy.along(setting.path.path, finder);
     const Eigen::VectorXd way = someWay(energy.count());
     FootedPolyline there = moved(line, way, 1e-3);
     energy.follow(finder, there);
@@ -166,9 +166,9 @@ TEST_P(Polylines, ComeToRestWhereTheSplineDoes) {
     const Setting setting(
         test_support::plate(24, 24), {{0.2, 0.3, 0.0}, {0.5, 0.7, 0.0}, {0.8, 0.4, 0.0}}, options()
     );
-    const std::optional<Solution> spline = relax(setting.problem, setting.path.guide);
+    const std::optional<Solution> spline = solveSampled(setting.problem, setting.path.path);
     ASSERT_TRUE(spline.has_value());
-    const RelaxedPolyline relaxed = relaxPolyline(setting.problem, setting.path.guide, 400);
+    const RelaxedPolyline relaxed = relaxPolyline(setting.problem, setting.path.path, 400);
     EXPECT_TRUE(relaxed.isWithinTolerance);
     const double expected = spline->report.iterations.back().terms.internal;
     EXPECT_NEAR(relaxed.internalEnergy, expected, 0.02 * expected);
@@ -176,17 +176,17 @@ TEST_P(Polylines, ComeToRestWhereTheSplineDoes) {
 
 TEST_P(Polylines, LieNearTheSurfaceAndPassThePicks) {
     const Setting setting = bumpy();
-    const RelaxedPolyline relaxed = relaxPolyline(setting.problem, setting.path.guide, 300);
+    const RelaxedPolyline relaxed = relaxPolyline(setting.problem, setting.path.path, 300);
     EXPECT_TRUE(relaxed.isWithinTolerance);
     EXPECT_LT(relaxed.largestHeight, 1.0);
     for (const PickConstraint& pick : setting.problem.picks) {
         const auto isPick = [&](const Vec3& point) { return point == pick.position; };
         EXPECT_TRUE(std::ranges::any_of(relaxed.line.points, isPick));
     }
-    const FootFinder finder(*setting.prepared.base());
+    const FibreProjector finder(*setting.prepared.extended());
     const PolylineEnergy energy(setting.problem, 300);
-    const FootedPolyline guide = energy.along(setting.path.guide, finder);
-    EXPECT_LT(relaxed.internalEnergy, 0.5 * energy.terms(guide, guide.frames).internal);
+    const FootedPolyline initialPath = energy.along(setting.path.path, finder);
+    EXPECT_LT(relaxed.internalEnergy, 0.5 * energy.terms(initialPath, initialPath.frames).internal);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -22,12 +22,12 @@ using namespace test_support;
 /// A surface to lay paths on.
 struct Ground {
     Surface surface;
-    ShellBase base;
+    ExtendedSurface extended;
     TriangleTree tree;
 
     explicit Ground(TriangleMesh mesh)
         : surface(std::move(mesh)),
-          base(makeShellBase(surface, 3)),
+          extended(extendSurface(surface, 3)),
           tree(surface.vertices(), surface.faces()) {}
 
     /// Through the points of the surface nearest to some of the user's space.
@@ -43,7 +43,7 @@ struct Ground {
     [[nodiscard]] std::optional<std::vector<SurfacePoint>> close(
         const std::vector<SurfacePoint>& path, double distance
     ) const {
-        return withCloseChords(base, nullptr, path, distance / base.frame.scale);
+        return withCloseChords(extended, nullptr, path, distance / extended.frame.scale);
     }
 
     /// The farthest that midpoints of chords lie from the surface.

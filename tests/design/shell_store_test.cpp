@@ -25,7 +25,7 @@ class MemoryStore : public ShellStore {
 public:
     [[nodiscard]] Found find(
         const Surface& /*surface*/,
-        const std::shared_ptr<const ShellBase>& /*base*/,
+        const std::shared_ptr<const ExtendedSurface>& /*extended*/,
         std::string_view parameters
     ) const override {
         ++finds;
@@ -38,7 +38,7 @@ public:
 
     [[nodiscard]] std::string store(
         const Surface& /*surface*/,
-        const ShellBase& /*base*/,
+        const ExtendedSurface& /*extended*/,
         std::string_view parameters,
         const ShellBuild& build
     ) const override {

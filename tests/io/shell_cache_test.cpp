@@ -21,11 +21,11 @@ using test_support::HandmadeShell;
 class ShellCaches : public FileTest {
 protected:
     [[nodiscard]] ShellCache::Found find(const ShellCache& cache, std::string_view parameters) {
-        return cache.find(*shell_.surface, shell_.base, parameters);
+        return cache.find(*shell_.surface, shell_.extended, parameters);
     }
 
     [[nodiscard]] std::string store(const ShellCache& cache, std::string_view parameters) {
-        return cache.store(*shell_.surface, *shell_.base, parameters, buildOf(shell_));
+        return cache.store(*shell_.surface, *shell_.extended, parameters, buildOf(shell_));
     }
 
     /// That the cache has exactly this shell, and nothing to say about it.
@@ -158,14 +158,14 @@ TEST_F(ShellCaches, MissForOtherParametersAndSurfaces) {
     EXPECT_FALSE(find(cache_, "b").build.has_value());
     EXPECT_EQ(find(cache_, "b").note, "");
     const HandmadeShell other = test_support::coarseSphere(0, 2);
-    EXPECT_FALSE(cache_.find(*other.surface, other.base, "a").build.has_value());
+    EXPECT_FALSE(cache_.find(*other.surface, other.extended, "a").build.has_value());
     EXPECT_TRUE(find(cache_, "a").build.has_value());
 }
 
 TEST_F(ShellCaches, ReplaceAnEntryThatIsStoredAgain) {
     ASSERT_EQ(store(cache_, "a"), "");
     const HandmadeShell thinner = smallShell(0.25);
-    ASSERT_EQ(cache_.store(*thinner.surface, *thinner.base, "a", buildOf(thinner)), "");
+    ASSERT_EQ(cache_.store(*thinner.surface, *thinner.extended, "a", buildOf(thinner)), "");
     EXPECT_EQ(entries().size(), 1U);
     expectFound(thinner, "a");
 }
@@ -184,8 +184,9 @@ TEST_F(ShellCaches, DeleteAndReportDamagedEntries) {
 
 TEST_F(ShellCaches, DeleteWhatAnotherBaseMade) {
     ASSERT_EQ(store(cache_, "a"), "");
-    const auto base = std::make_shared<const ShellBase>(makeShellBase(*shell_.surface, 0));
-    const ShellCache::Found found = cache_.find(*shell_.surface, base, "a");
+    const auto extended =
+        std::make_shared<const ExtendedSurface>(extendSurface(*shell_.surface, 0));
+    const ShellCache::Found found = cache_.find(*shell_.surface, extended, "a");
     EXPECT_FALSE(found.build.has_value());
     expectContains(found.note, "in another way");
     EXPECT_TRUE(entries().empty());

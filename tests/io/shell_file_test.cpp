@@ -18,12 +18,14 @@ constexpr std::string_view kParameters = "thickness 0.12";
 
 class ShellFiles : public FileTest {
 protected:
-    ShellFiles() { saveShell(file_, *shell_.surface, *shell_.base, kParameters, buildOf(shell_)); }
+    ShellFiles() {
+        saveShell(file_, *shell_.surface, *shell_.extended, kParameters, buildOf(shell_));
+    }
 
     [[nodiscard]] ShellBuild load() const { return load(file_); }
 
     [[nodiscard]] ShellBuild load(const std::filesystem::path& file) const {
-        return loadShell(file, *shell_.surface, shell_.base, kParameters);
+        return loadShell(file, *shell_.surface, shell_.extended, kParameters);
     }
 
     /// What a file of these bytes is refused for.
@@ -60,13 +62,13 @@ TEST_F(ShellFiles, GiveBackWhatWasSaved) {
     expectSame(build, buildOf(shell_));
     EXPECT_FALSE(build.shell.isFullResolution());
     const ShellCheck check =
-        checkShell(*shell_.surface, *shell_.base, build.shell, build.report.blockedFaces);
+        checkShell(*shell_.surface, *shell_.extended, build.shell, build.report.blockedFaces);
     EXPECT_TRUE(check.passed());
     EXPECT_EQ(fileCount(), 1U);
 }
 
 TEST_F(ShellFiles, AreTheSameBytesEveryTime) {
-    saveShell(path("again.shell"), *shell_.surface, *shell_.base, kParameters, load());
+    saveShell(path("again.shell"), *shell_.surface, *shell_.extended, kParameters, load());
     EXPECT_EQ(read(file_), read(path("again.shell")));
 }
 
@@ -112,26 +114,31 @@ TEST_F(ShellFiles, AreRefusedForAnotherSurface) {
     mesh.vertices[5].x() = std::nextafter(mesh.vertices[5].x(), 10.0);
     const Surface moved(mesh);
     expectContains(
-        refusal([&] { return loadShell(file_, moved, shell_.base, kParameters); }),
+        refusal([&] { return loadShell(file_, moved, shell_.extended, kParameters); }),
         "was made for another surface"
     );
     mesh = {shell_.surface->vertices(), shell_.surface->faces()};
     std::swap(mesh.faces[0], mesh.faces[1]);
     const Surface renumbered(mesh);
-    EXPECT_NE(refusal([&] { return loadShell(file_, renumbered, shell_.base, kParameters); }), "");
+    EXPECT_NE(
+        refusal([&] { return loadShell(file_, renumbered, shell_.extended, kParameters); }), ""
+    );
 }
 
 TEST_F(ShellFiles, AreRefusedForOtherParameters) {
     expectContains(
-        refusal([&] { return loadShell(file_, *shell_.surface, shell_.base, "thickness 0.13"); }),
+        refusal([&] {
+            return loadShell(file_, *shell_.surface, shell_.extended, "thickness 0.13");
+        }),
         R"(was made with other parameters: "thickness 0.12", not "thickness 0.13")"
     );
 }
 
 TEST_F(ShellFiles, AreRefusedForAnotherBase) {
-    const auto base = std::make_shared<const ShellBase>(makeShellBase(*shell_.surface, 0));
+    const auto extended =
+        std::make_shared<const ExtendedSurface>(extendSurface(*shell_.surface, 0));
     expectContains(
-        refusal([&] { return loadShell(file_, *shell_.surface, base, kParameters); }),
+        refusal([&] { return loadShell(file_, *shell_.surface, extended, kParameters); }),
         "prepares this surface in another way"
     );
 }
@@ -189,7 +196,9 @@ TEST_F(ShellFiles, AreRefusedWithACoordinateThatIsNotFinite) {
 TEST_F(ShellFiles, SayWhereTheyCannotBeWritten) {
     const std::string text = refusal(
         [&] {
-            saveShell(path("nowhere/a.shell"), *shell_.surface, *shell_.base, "", buildOf(shell_));
+            saveShell(
+                path("nowhere/a.shell"), *shell_.surface, *shell_.extended, "", buildOf(shell_)
+            );
             return 0;
         },
         InputErrorCode::UnwritableFile
@@ -200,10 +209,10 @@ TEST_F(ShellFiles, SayWhereTheyCannotBeWritten) {
 TEST_F(ShellFiles, ChangeOnlyTogetherWithTheVersionOfTheSimplifier) {
     const ShellOptions options;
     const Surface surface(creasedHill());
-    const auto base =
-        std::make_shared<const ShellBase>(makeShellBase(surface, options.smoothingPasses));
-    const ShellBuild build = buildSimplifiedShell(base, options);
-    saveShell(path("hill.shell"), surface, *base, "", build);
+    const auto extended =
+        std::make_shared<const ExtendedSurface>(extendSurface(surface, options.smoothingPasses));
+    const ShellBuild build = buildSimplifiedShell(extended, options);
+    saveShell(path("hill.shell"), surface, *extended, "", build);
     constexpr int kVersion = 4;
     constexpr std::uint64_t kChecksum = 18157527224980071819U;
     EXPECT_EQ(kSimplifierVersion, kVersion);

@@ -23,12 +23,14 @@ namespace {
 
 struct Built {
     explicit Built(TriangleMesh mesh)
-        : surface(std::move(mesh)), base(makeShellBase(surface, 3)), build(buildShell(base, {})) {}
+        : surface(std::move(mesh)),
+          extended(extendSurface(surface, 3)),
+          build(buildShell(extended, {})) {}
 
-    [[nodiscard]] ShellCells cells() const { return makeShellCells(build.shell, base.frame); }
+    [[nodiscard]] ShellCells cells() const { return makeShellCells(build.shell, extended.frame); }
 
     Surface surface;
-    ShellBase base;
+    ExtendedSurface extended;
     ShellBuild build;
 };
 
@@ -185,12 +187,12 @@ TEST(ShellCells, BlockedFacesAreLeftOut) {
 }
 
 TEST(ShellCells, OfASimplifiedShellGhostsAreThePrismsThatNoFaceOfTheSurfaceMeets) {
-    auto base = std::make_shared<ShellBase>(makeShellBase(twoByOne(), 0));
-    ASSERT_EQ(base->surfaceFaceCount, 2);
-    base->faces.push_back({0, 1, 2});  // a ghost
+    auto extended = std::make_shared<ExtendedSurface>(extendSurface(twoByOne(), 0));
+    ASSERT_EQ(extended->surfaceFaceCount, 2);
+    extended->faces.push_back({0, 1, 2});  // a ghost
     const Shell plain = twoPrisms(1.0, 1.0);
     const SurfaceTracks tracks{.offsets = {0, 2, 3}, .faces = {0, 2, 2}};
-    const Shell shell(plain.pillars(), plain.prisms(), tracks, base);
+    const Shell shell(plain.pillars(), plain.prisms(), tracks, extended);
     EXPECT_FALSE(isGhostPrism(shell, 0));
     EXPECT_TRUE(isGhostPrism(shell, 1));
 }
@@ -198,9 +200,9 @@ TEST(ShellCells, OfASimplifiedShellGhostsAreThePrismsThatNoFaceOfTheSurfaceMeets
 TEST(ShellWriter, WritesTheSameBytesInEveryLocale) {
     const Built built(test_support::icosphere(3));  // 1,280 faces: a thousands separator would show
     for (const char* const name : {"a.vtu", "a.msh", "a.PLY"}) {
-        const std::string plain = shellBytes(name, built.build.shell, built.base.frame);
+        const std::string plain = shellBytes(name, built.build.shell, built.extended.frame);
         const CommaLocale comma;
-        EXPECT_EQ(shellBytes(name, built.build.shell, built.base.frame), plain) << name;
+        EXPECT_EQ(shellBytes(name, built.build.shell, built.extended.frame), plain) << name;
     }
 }
 
@@ -247,7 +249,7 @@ TEST(ShellReport, WritesEveryFigureUnderItsName) {
     figures.peakMemoryBytes = 1000000;
     figures.notes = {"a note"};
     const auto report = nlohmann::json::parse(shellReportText(
-        {.surface = built.surface, .base = built.base, .build = built.build}, figures
+        {.surface = built.surface, .extended = built.extended, .build = built.build}, figures
     ));
     const std::size_t prisms = built.build.shell.prisms().size();
     expectValues(
@@ -277,7 +279,11 @@ TEST(ShellReport, SaysHowEachInvariantFared) {
     check.transversalSurface.violations = 12;
     check.transversalSurface.firstIds = {3, 4};
     const auto report = nlohmann::json::parse(shellReportText(
-        {.surface = built.surface, .base = built.base, .build = built.build, .check = &check}, {}
+        {.surface = built.surface,
+         .extended = built.extended,
+         .build = built.build,
+         .check = &check},
+        {}
     ));
     EXPECT_EQ(report["check"].size(), check.invariants().size());
     expectValues(
@@ -294,7 +300,7 @@ TEST(ShellReport, ListsWhatARepairChanged) {
     ShellRunFigures figures;
     figures.repair = repairMesh(test_support::bowTie()).report;
     const auto repaired = nlohmann::json::parse(shellReportText(
-        {.surface = built.surface, .base = built.base, .build = built.build}, figures
+        {.surface = built.surface, .extended = built.extended, .build = built.build}, figures
     ))["repair"];
     const auto nothing = nlohmann::json::array();
     expectValues(

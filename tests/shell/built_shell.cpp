@@ -13,24 +13,26 @@ namespace bspline_curve::test_support {
 
 BuiltShell::BuiltShell(TriangleMesh mesh, const ShellOptions& options)
     : surface(std::move(mesh)),
-      base(makeShellBase(surface, options.smoothingPasses)),
-      build(buildShell(base, options)) {}
+      extended(extendSurface(surface, options.smoothingPasses)),
+      build(buildShell(extended, options)) {}
 
 ShellCheck BuiltShell::check() const {
     return check(build.shell);
 }
 
 ShellCheck BuiltShell::check(const Shell& other) const {
-    return checkShell(surface, base, other, blockedFaces());
+    return checkShell(surface, extended, other, blockedFaces());
 }
 
 SimplifiedShell::SimplifiedShell(TriangleMesh mesh, const ShellOptions& options)
     : surface(std::move(mesh)),
-      base(std::make_shared<const ShellBase>(makeShellBase(surface, options.smoothingPasses))),
-      build(buildSimplifiedShell(base, options)) {}
+      extended(
+          std::make_shared<const ExtendedSurface>(extendSurface(surface, options.smoothingPasses))
+      ),
+      build(buildSimplifiedShell(extended, options)) {}
 
 ShellCheck SimplifiedShell::check() const {
-    return checkShell(surface, *base, shell(), build.report.blockedFaces);
+    return checkShell(surface, *extended, shell(), build.report.blockedFaces);
 }
 
 double SimplifiedShell::meanThickness() const {
@@ -38,7 +40,7 @@ double SimplifiedShell::meanThickness() const {
     for (const Pillar& pillar : shell().pillars()) {
         total += (pillar.top - pillar.bottom).norm();
     }
-    return total / static_cast<double>(shell().pillars().size()) / longestSideOf(*base);
+    return total / static_cast<double>(shell().pillars().size()) / longestSideOf(*extended);
 }
 
 std::ostream& operator<<(std::ostream& stream, const NamedMesh& named) {

@@ -26,7 +26,7 @@ struct BuiltShell {
     [[nodiscard]] ShellCheck check(const Shell& other) const;
 
     Surface surface;
-    ShellBase base;
+    ExtendedSurface extended;
     ShellBuild build;
 };
 
@@ -43,7 +43,7 @@ struct SimplifiedShell {
     [[nodiscard]] double meanThickness() const;
 
     Surface surface;
-    std::shared_ptr<const ShellBase> base;
+    std::shared_ptr<const ExtendedSurface> extended;
     ShellBuild build;
 };
 

@@ -28,7 +28,7 @@ TEST_P(CheckShellOnMesh, PassesAtEveryThickness) {
                                             << describe(built.check());
         EXPECT_TRUE(built.blockedFaces().empty())
             << "thickness " << thickness << ": " << built.blockedFaces().size() << " blocked";
-        EXPECT_TRUE(built.base.unseenVertices.empty());
+        EXPECT_TRUE(built.extended.unseenVertices.empty());
     }
 }
 
@@ -140,14 +140,14 @@ TEST_F(CheckShellOnDamage, FindsAFaceThatLostItsPrism) {
 
 TEST_F(CheckShellOnDamage, FindsABlockedFaceThatHasAPrism) {
     const std::vector<int> blocked = {3};
-    const ShellCheck result = checkShell(built_.surface, built_.base, built_.shell(), blocked);
+    const ShellCheck result = checkShell(built_.surface, built_.extended, built_.shell(), blocked);
     EXPECT_FALSE(result.completeTracking.holds);
     EXPECT_EQ(result.completeTracking.firstIds, blocked);
 }
 
 TEST_F(CheckShellOnDamage, FindsASurfaceOfAnotherShape) {
     const Surface other(torus(16, 8, 1.0, 0.31));
-    EXPECT_FALSE(checkShell(other, built_.base, built_.shell(), built_.blockedFaces())
+    EXPECT_FALSE(checkShell(other, built_.extended, built_.shell(), built_.blockedFaces())
                      .transversalSurface.holds);
 }
 
@@ -159,7 +159,7 @@ TEST_F(CheckShellOnDamage, ReportsAsManyIdsAsAskedFor) {
     for (const int count : {0, 5}) {
         const ShellCheck result = checkShell(
             built_.surface,
-            built_.base,
+            built_.extended,
             upsideDown,
             built_.blockedFaces(),
             {.maxReportedIds = count}
@@ -221,7 +221,7 @@ TEST(CheckShell, FindsABottomThatTurnedInsideOut) {
     const Surface surface(middle);
     const ShellCheck result = checkShell(
         surface,
-        makeShellBase(surface, 0),
+        extendSurface(surface, 0),
         Shell(pillars, prismsOver(surface), surface.faceCount()),
         {}
     );

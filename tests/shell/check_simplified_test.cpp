@@ -151,13 +151,13 @@ TEST(CheckSimplified, FindsAFoldedFace) {
         withVertexMoved(plate(16, 16), 8 * 17 + 8, Vec3(0.09, 0.04, 1e-3)),
         0.2
     );
-    // The base moves what no direction sees; take it back.
-    ShellBase base = *folded.base;
+    // The extended surface moves what no direction sees; take it back.
+    ExtendedSurface extended = *folded.extended;
     for (std::size_t v = 0; v < folded.surface->vertices().size(); ++v) {
-        base.vertices[v] = base.frame.toUnit(folded.surface->vertices()[v]);
+        extended.vertices[v] = extended.frame.toUnit(folded.surface->vertices()[v]);
     }
     HandmadeShell taken = folded;
-    taken.base = std::make_shared<const ShellBase>(base);
+    taken.extended = std::make_shared<const ExtendedSurface>(extended);
     taken.track();
     const ShellCheck check = taken.check({.fibresPerPrism = 2000});
     EXPECT_FALSE(check.transversalSurface.holds);
@@ -175,11 +175,11 @@ TEST(CheckSimplified, FindsAFaceAlongTheFibres) {
         }
     }
     HandmadeShell coarse(shifted(plate(3, 3, 1.5, 1.5), Vec3(-0.25, -0.25, 0.0)), fine, 0.25);
-    ShellBase base = *coarse.base;
+    ExtendedSurface extended = *coarse.extended;
     for (std::size_t v = 0; v < coarse.surface->vertices().size(); ++v) {
-        base.vertices[v] = base.frame.toUnit(coarse.surface->vertices()[v]);
+        extended.vertices[v] = extended.frame.toUnit(coarse.surface->vertices()[v]);
     }
-    coarse.base = std::make_shared<const ShellBase>(base);
+    coarse.extended = std::make_shared<const ExtendedSurface>(extended);
     coarse.track();
     const ShellCheck check = coarse.check();
     // The eight of the step, and the ghosts at its two ends.
@@ -227,7 +227,7 @@ TEST(CheckSimplified, AllowsHolesInTheSurface) {
 TEST(CheckSimplified, FindsASurfaceOfAnotherShape) {
     const HandmadeShell coarse = coarseTorus();
     const Surface other(displaced(torus(16, 8), 2, [](const Vec3&) { return Vec3::Zero(); }));
-    EXPECT_FALSE(checkShell(other, *coarse.base, coarse.shell(), {}).transversalSurface.holds);
+    EXPECT_FALSE(checkShell(other, *coarse.extended, coarse.shell(), {}).transversalSurface.holds);
 }
 
 // ---- Where the surface ends ----
@@ -246,7 +246,7 @@ TEST(CheckSimplified, AllowsGhostsToLeaveThroughTheEndWalls) {
     const HandmadeShell coarse(
         shifted(plate(3, 3, 1.02, 1.02), Vec3(-0.01, -0.01, 0.0)), plate(16, 16), 0.2
     );
-    ASSERT_GT(coarse.base->faces.size(), coarse.surface->faces().size());
+    ASSERT_GT(coarse.extended->faces.size(), coarse.surface->faces().size());
     const ShellCheck check = coarse.check();
     EXPECT_TRUE(check.passed()) << describe(check);
 }

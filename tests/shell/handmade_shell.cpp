@@ -80,33 +80,33 @@ TriangleMesh shifted(TriangleMesh mesh, const Vec3& by) {
 
 HandmadeShell::HandmadeShell(const TriangleMesh& middle, TriangleMesh fine, double halfThickness)
     : surface(std::make_shared<const Surface>(std::move(fine))),
-      base(std::make_shared<const ShellBase>(makeShellBase(*surface, 3))),
+      extended(std::make_shared<const ExtendedSurface>(extendSurface(*surface, 3))),
       prisms(prismsOver(middle.faces)) {
     const std::vector<Vec3> normals = vertexNormals(middle);
     for (std::size_t v = 0; v < middle.vertices.size(); ++v) {
         const Vec3 reach = halfThickness * normals[v];
         pillars.push_back(
-            {base->frame.toUnit(middle.vertices[v] - reach),
-             base->frame.toUnit(middle.vertices[v]),
-             base->frame.toUnit(middle.vertices[v] + reach)}
+            {extended->frame.toUnit(middle.vertices[v] - reach),
+             extended->frame.toUnit(middle.vertices[v]),
+             extended->frame.toUnit(middle.vertices[v] + reach)}
         );
     }
     track();
 }
 
 Shell HandmadeShell::shell() const {
-    return {pillars, prisms, tracks, base};
+    return {pillars, prisms, tracks, extended};
 }
 
 ShellCheck HandmadeShell::check(const ShellCheckOptions& options) const {
-    return checkShell(*surface, *base, shell(), blockedFaces, options);
+    return checkShell(*surface, *extended, shell(), blockedFaces, options);
 }
 
 void HandmadeShell::track() {
-    std::vector<Eigen::AlignedBox3d> faceBoxes(base->faces.size());
+    std::vector<Eigen::AlignedBox3d> faceBoxes(extended->faces.size());
     for (std::size_t f = 0; f < faceBoxes.size(); ++f) {
-        for (const int v : base->faces[f]) {
-            faceBoxes[f].extend(base->vertices[v]);
+        for (const int v : extended->faces[f]) {
+            faceBoxes[f].extend(extended->vertices[v]);
         }
     }
     tracks = {.offsets = {0}, .faces = {}};
@@ -149,8 +149,8 @@ int HandmadeShell::faceInside(int prism) const {
     }
     int nearest = -1;
     double distance = std::numeric_limits<double>::infinity();
-    for (int f = 0; f < base->surfaceFaceCount; ++f) {
-        const double here = (base->position({f, Vec3::Constant(1.0 / 3.0)}) - centre).norm();
+    for (int f = 0; f < extended->surfaceFaceCount; ++f) {
+        const double here = (extended->position({f, Vec3::Constant(1.0 / 3.0)}) - centre).norm();
         if (here < distance) {
             distance = here;
             nearest = f;

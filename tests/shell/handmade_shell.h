@@ -16,8 +16,8 @@ namespace bspline_curve::test_support {
 /// close to it. Everything may be changed before shell() is asked for. In the shell's frame.
 struct HandmadeShell {
     /// Pillars stand on the vertices of `middle`, along the mean of the normals around them, and
-    /// reach `halfThickness` (user's unit) to either side. Tracks hold all faces of the base whose
-    /// boxes overlap a prism's, ghosts included.
+    /// reach `halfThickness` (user's unit) to either side. Tracks hold all faces of the extended
+    /// surface whose boxes overlap a prism's, ghosts included.
     HandmadeShell(const TriangleMesh& middle, TriangleMesh fine, double halfThickness);
 
     [[nodiscard]] Shell shell() const;
@@ -33,7 +33,7 @@ struct HandmadeShell {
     [[nodiscard]] int faceInside(int prism) const;
 
     std::shared_ptr<const Surface> surface;
-    std::shared_ptr<const ShellBase> base;
+    std::shared_ptr<const ExtendedSurface> extended;
     std::vector<Pillar> pillars;
     std::vector<Prism> prisms;
     SurfaceTracks tracks;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lifted_walk.h"
 
-#include "shell/shell_base.h"
+#include "shell/extended_surface.h"
 
 namespace bspline_curve::test_support {
 namespace {
@@ -14,13 +14,13 @@ constexpr int kMostHalvings = 16;
 
 bool walkUp(
     const Shell& shell,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     const SurfacePoint& point,
     double w,
     TraceState& state
 ) {
     state = {ShellCell(shell, point)};
-    Vec3 here = base.position(point);
+    Vec3 here = extended.position(point);
     const double start = state.cell.height.at(here);
     const int steps = 1 << kMostHalvings;
     int done = 0;

@@ -10,7 +10,7 @@ namespace bspline_curve::test_support {
 /// state holds the end then.
 [[nodiscard]] bool walkUp(
     const Shell& shell,
-    const ShellBase& base,
+    const ExtendedSurface& extended,
     const SurfacePoint& point,
     double w,
     TraceState& state

@@ -2,8 +2,8 @@
 // Directions of fine surfaces, smooth at a scale that faces do not have.
 #include "shell/patch_directions.h"
 
+#include "shell/extended_surface.h"
 #include "shell/pillar_directions.h"
-#include "shell/shell_base.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -31,12 +31,12 @@ Surface noisyPlate(int squares) {
 }
 
 // How far directions of a plate are turned from its own, root mean square.
-double unevenness(const ShellBase& base) {
+double unevenness(const ExtendedSurface& extended) {
     double sum = 0.0;
-    for (int v = 0; v < base.surfaceVertexCount; ++v) {
-        sum += base.directions[v].head<2>().squaredNorm();
+    for (int v = 0; v < extended.surfaceVertexCount; ++v) {
+        sum += extended.directions[v].head<2>().squaredNorm();
     }
-    return std::sqrt(sum / base.surfaceVertexCount);
+    return std::sqrt(sum / extended.surfaceVertexCount);
 }
 
 TEST(PatchDirections, AreForFineSurfacesAlone) {
@@ -50,12 +50,12 @@ TEST(PatchDirections, AreForFineSurfacesAlone) {
 // Noise as high as edges are long turns the directions of either alike, but for patches.
 TEST(PatchDirections, AreSmootherThanFacesAre) {
     const Surface surface = noisyPlate(kFine);
-    const double coarse = unevenness(makeShellBase(noisyPlate(kCoarse), kSmoothingPasses));
-    const double fine = unevenness(makeShellBase(surface, kSmoothingPasses));
+    const double coarse = unevenness(extendSurface(noisyPlate(kCoarse), kSmoothingPasses));
+    const double fine = unevenness(extendSurface(surface, kSmoothingPasses));
     EXPECT_LT(fine, 0.6 * coarse);
     EXPECT_GT(fine, 0.0);
-    const double rough = unevenness(makeShellBase(surface, 0));
-    EXPECT_EQ(rough, unevenness(makeRoughBase(surface).base));
+    const double rough = unevenness(extendSurface(surface, 0));
+    EXPECT_EQ(rough, unevenness(makeRoughBase(surface).extended));
     EXPECT_GT(rough, 3.0 * fine);
 }
 
@@ -63,15 +63,15 @@ TEST(PatchDirections, SeeAllFaces) {
     const Surface surface(box(200));
     const PatchLevels patches(surface);
     ASSERT_NE(patchesToSmoothOver(patches), nullptr);
-    const ShellBase base = makeShellBase(surface, kSmoothingPasses);
+    const ExtendedSurface extended = extendSurface(surface, kSmoothingPasses);
     const RoughBase rough = makeRoughBase(surface);
     for (int v = 0; v < surface.vertexCount(); ++v) {
         std::vector<Vec3> normals;
         for (const int face : surface.facesAround(v)) {
             normals.push_back(rough.faceNormals[face]);
         }
-        const double before = leastCosine(rough.base.directions[v], std::span(normals));
-        const double after = leastCosine(base.directions[v], std::span(normals));
+        const double before = leastCosine(rough.extended.directions[v], std::span(normals));
+        const double after = leastCosine(extended.directions[v], std::span(normals));
         EXPECT_GE(after, std::min(before, 0.8) - 1e-12);
     }
     // Averages over three rings alone reach no farther than these.
@@ -81,7 +81,7 @@ TEST(PatchDirections, SeeAllFaces) {
             const Vec3& p = surface.vertices()[v];
             const bool isOnTop = p.z() == 1.0 && std::abs(p.y() - 0.5) < 0.1;
             if (isOnTop && std::abs(1.0 - p.x() - distance) < 1e-9) {
-                largest = std::max(largest, base.directions[v].x());
+                largest = std::max(largest, extended.directions[v].x());
             }
         }
         return largest;

@@ -204,7 +204,7 @@ protected:
     static constexpr int kCells = 6;
 
     [[nodiscard]] Vec3 grid(double i, double j) const {
-        return built_.base.frame.toUnit(Vec3(i / kCells, j / kCells, 0.0));
+        return built_.extended.frame.toUnit(Vec3(i / kCells, j / kCells, 0.0));
     }
 
     // Traces a line at every height from every face that holds its start.
@@ -226,7 +226,8 @@ protected:
                 EXPECT_TRUE(trace.inside) << "from tetrahedron " << tet << ", degree " << degree;
                 const Vec3 end = to + lift;
                 EXPECT_NEAR(
-                    (built_.base.position({trace.last.face, trace.last.shadow(end)}) - to).norm(),
+                    (built_.extended.position({trace.last.face, trace.last.shadow(end)}) - to)
+                        .norm(),
                     0.0,
                     1e-9
                 );

@@ -29,7 +29,7 @@ TEST(ShellBuilder, MakesPillarsAsLongAsAskedWhereNothingIsInTheWay) {
     const BuiltShell built(plate(6, 5), {.thickness = 0.75});
     for (int v = 0; v < built.surface.vertexCount(); ++v) {
         const Pillar& pillar = built.shell().pillars()[v];
-        const double wanted = 0.75 * built.base.edgeLengths[v];
+        const double wanted = 0.75 * built.extended.edgeLengths[v];
         EXPECT_NEAR((pillar.top - pillar.middle).norm(), wanted, 1e-15);
         EXPECT_NEAR((pillar.bottom - pillar.middle).norm(), wanted, 1e-15);
     }
@@ -54,7 +54,7 @@ TEST(ShellBuilder, SeparatesParallelPlates) {
             const double unitGap = gap / built.surface.diagonal();
             EXPECT_GT(
                 built.shell().pillars()[0].top.z() - built.shell().pillars()[0].middle.z(),
-                std::min(0.3 * unitGap, 0.7 * built.base.edgeLengths[0])
+                std::min(0.3 * unitGap, 0.7 * built.extended.edgeLengths[0])
             );
         }
     }
@@ -78,7 +78,7 @@ TEST(ShellBuilder, SeparatesAComponentInsideOfAPrism) {
     double longest = 0.0;
     for (int v = 0; v < 12; ++v) {
         const Pillar& pillar = built.shell().pillars()[v];
-        const double length = (pillar.top - pillar.middle).norm() / built.base.edgeLengths[v];
+        const double length = (pillar.top - pillar.middle).norm() / built.extended.edgeLengths[v];
         shortest = std::min(shortest, length);
         longest = std::max(longest, length);
     }
@@ -149,7 +149,8 @@ TEST(ShellBuilder, LeavesAFlatBoxWhole) {
 // In the shell's frame: faces that just touch may come apart by rounding.
 std::set<int> crossingFaces(const BuiltShell& built) {
     std::set<int> faces;
-    for (const auto& [f, g] : findSelfIntersections(built.base.vertices, built.surface.faces())) {
+    for (const auto& [f, g] :
+         findSelfIntersections(built.extended.vertices, built.surface.faces())) {
         faces.insert({f, g});
     }
     return faces;
@@ -169,7 +170,7 @@ TEST(ShellBuilder, BlocksTheFacesWhereTheSurfaceCrossesItselfAndReportsThem) {
         );
         EXPECT_EQ(
             built.build.report.selfIntersections,
-            findSelfIntersections(built.base.vertices, built.surface.faces())
+            findSelfIntersections(built.extended.vertices, built.surface.faces())
         );
         EXPECT_TRUE(built.check().passed()) << describe(built.check());
     }
@@ -209,7 +210,7 @@ TEST(ShellBuilder, LetsGhostsGiveWayToTheSurface) {
 
 // ---- Singular vertices ----
 
-TEST(ShellBase, MovesASingularVertexUntilADirectionExists) {
+TEST(ExtendedSurface, MovesASingularVertexUntilADirectionExists) {
     const BuiltShell built(plateWithSingularVertex());
     const int singular = 4 * 9 + 4;
     std::vector<Vec3> normals;
@@ -218,90 +219,91 @@ TEST(ShellBase, MovesASingularVertexUntilADirectionExists) {
     }
     ASSERT_LT(leastCosine(directionOfLeastAngle(normals), normals), kLeastPillarCosine);
 
-    EXPECT_FALSE(built.base.movedVertices.empty());
-    EXPECT_TRUE(built.base.unseenVertices.empty());
+    EXPECT_FALSE(built.extended.movedVertices.empty());
+    EXPECT_TRUE(built.extended.unseenVertices.empty());
     EXPECT_TRUE(built.blockedFaces().empty());
     EXPECT_TRUE(built.check().passed()) << describe(built.check());
     for (int f = 0; f < built.surface.faceCount(); ++f) {
-        const Triangle& face = built.base.faces[f];
-        const Vec3 normal = (built.base.vertices[face[1]] - built.base.vertices[face[0]])
-                                .cross(built.base.vertices[face[2]] - built.base.vertices[face[0]])
-                                .normalized();
+        const Triangle& face = built.extended.faces[f];
+        const Vec3 normal =
+            (built.extended.vertices[face[1]] - built.extended.vertices[face[0]])
+                .cross(built.extended.vertices[face[2]] - built.extended.vertices[face[0]])
+                .normalized();
         for (const int v : face) {
-            EXPECT_GT(normal.dot(built.base.directions[v]), 0.99 * kLeastPillarCosine);
+            EXPECT_GT(normal.dot(built.extended.directions[v]), 0.99 * kLeastPillarCosine);
         }
     }
 }
 
-TEST(ShellBase, NamesTheVerticesThatGetNoDirection) {
+TEST(ExtendedSurface, NamesTheVerticesThatGetNoDirection) {
     const BuiltShell built(tennisBallVertex());
     std::vector<Vec3> normals;
     for (int f = 0; f < built.surface.faceCount(); ++f) {
         normals.push_back(built.surface.faceNormal(f));
     }
     ASSERT_LT(leastCosine(directionOfLeastAngle(normals), normals), 0.0);
-    EXPECT_EQ(built.base.unseenVertices, std::vector<int>{0});
+    EXPECT_EQ(built.extended.unseenVertices, std::vector<int>{0});
     EXPECT_EQ(static_cast<int>(built.blockedFaces().size()), built.surface.faceCount());
     EXPECT_TRUE(built.check().passed()) << describe(built.check());
 }
 
-TEST(ShellBase, MovesNothingElse) {
+TEST(ExtendedSurface, MovesNothingElse) {
     const BuiltShell built(plateWithSingularVertex());
-    const std::vector<int>& moved = built.base.movedVertices;
+    const std::vector<int>& moved = built.extended.movedVertices;
     EXPECT_TRUE(std::is_sorted(moved.begin(), moved.end()));
     for (int v = 0; v < built.surface.vertexCount(); ++v) {
         const bool hasMoved =
-            built.base.vertices[v] != built.base.frame.toUnit(built.surface.vertices()[v]);
+            built.extended.vertices[v] != built.extended.frame.toUnit(built.surface.vertices()[v]);
         EXPECT_TRUE(!hasMoved || std::binary_search(moved.begin(), moved.end(), v))
             << "vertex " << v;
     }
-    EXPECT_TRUE(BuiltShell(box(4)).base.movedVertices.empty());
+    EXPECT_TRUE(BuiltShell(box(4)).extended.movedVertices.empty());
 }
 
 // ---- Ghosts ----
 
-TEST(ShellBase, GrowsGhostsBeyondEveryBoundaryEdge) {
+TEST(ExtendedSurface, GrowsGhostsBeyondEveryBoundaryEdge) {
     for (const auto& [mesh, boundaryEdges] :
          {std::pair(plate(6, 5), 22), {openCylinder(16, 5), 32}, {icosphere(1), 0}}) {
         const BuiltShell built(mesh);
-        const ShellBase& base = built.base;
-        EXPECT_EQ(base.surfaceVertexCount, built.surface.vertexCount());
-        EXPECT_EQ(base.surfaceFaceCount, built.surface.faceCount());
-        EXPECT_EQ(static_cast<int>(base.ghostOrigin.size()), boundaryEdges);
+        const ExtendedSurface& extended = built.extended;
+        EXPECT_EQ(extended.surfaceVertexCount, built.surface.vertexCount());
+        EXPECT_EQ(extended.surfaceFaceCount, built.surface.faceCount());
+        EXPECT_EQ(static_cast<int>(extended.ghostOrigin.size()), boundaryEdges);
         EXPECT_EQ(
-            static_cast<int>(base.faces.size()), built.surface.faceCount() + 2 * boundaryEdges
+            static_cast<int>(extended.faces.size()), built.surface.faceCount() + 2 * boundaryEdges
         );
         for (int f = 0; f < built.surface.faceCount(); ++f) {
             EXPECT_FALSE(built.shell().isGhost(f));
             for (std::size_t k = 0; k < 3; ++k) {
                 if (built.surface.faceNeighbours()[f][k] < 0) {
-                    EXPECT_GE(base.faceNeighbours[f][k], built.surface.faceCount());
+                    EXPECT_GE(extended.faceNeighbours[f][k], built.surface.faceCount());
                 }
             }
         }
     }
 }
 
-TEST(ShellBase, CollapsesGhostsToTheBoundary) {
+TEST(ExtendedSurface, CollapsesGhostsToTheBoundary) {
     const BuiltShell built(withNoise(openCylinder(16, 5), 0.03, 7));
-    const ShellBase& base = built.base;
-    for (int v = 0; v < static_cast<int>(base.vertices.size()); ++v) {
-        const int origin = base.surfaceVertex(v);
-        if (v < base.surfaceVertexCount) {
+    const ExtendedSurface& extended = built.extended;
+    for (int v = 0; v < static_cast<int>(extended.vertices.size()); ++v) {
+        const int origin = extended.surfaceVertex(v);
+        if (v < extended.surfaceVertexCount) {
             EXPECT_EQ(origin, v);
         } else {
             EXPECT_TRUE(built.surface.isBoundaryVertex(origin));
             EXPECT_NEAR(
-                (base.vertices[v] - base.vertices[origin]).norm(),
-                0.5 * base.edgeLengths[origin],
+                (extended.vertices[v] - extended.vertices[origin]).norm(),
+                0.5 * extended.edgeLengths[origin],
                 1e-12
             );
         }
     }
-    for (std::size_t f = base.surfaceFaceCount; f < base.faces.size(); ++f) {
+    for (std::size_t f = extended.surfaceFaceCount; f < extended.faces.size(); ++f) {
         std::set<int> origins;
-        for (const int v : base.faces[f]) {
-            origins.insert(base.surfaceVertex(v));
+        for (const int v : extended.faces[f]) {
+            origins.insert(extended.surfaceVertex(v));
         }
         EXPECT_EQ(origins.size(), 2U) << "ghost face " << f;
     }
@@ -330,7 +332,7 @@ TEST(ShellBoundary, KnowsNoBlockedPrisms) {
     ASSERT_FALSE(blocked.empty());
     for (const int f : blocked) {
         const ShellBoundary::Nearest nearest =
-            boundary.nearest(built.base.position({f, Vec3::Constant(1.0 / 3.0)}));
+            boundary.nearest(built.extended.position({f, Vec3::Constant(1.0 / 3.0)}));
         EXPECT_FALSE(
             std::binary_search(blocked.begin(), blocked.end(), nearest.tet / kTetrahedraPerPrism)
         );
@@ -362,9 +364,9 @@ TEST(ShellBuilder, BuildsTheSameShellTwice) {
 
 TEST(ShellBuilder, StopsWhereItIsCancelled) {
     const Surface surface(icosphere(2));
-    const ShellBase base = makeShellBase(surface, 3);
+    const ExtendedSurface extended = extendSurface(surface, 3);
     EXPECT_THROW(
-        static_cast<void>(buildShell(base, {}, [](double, const char*) { return false; })),
+        static_cast<void>(buildShell(extended, {}, [](double, const char*) { return false; })),
         Cancelled
     );
 }
@@ -394,8 +396,8 @@ TEST(ShellOptions, RefusesValuesOutOfRange) {
 
 TEST(ShellBuilder, RefusesBadOptions) {
     const Surface surface(plate(2, 2));
-    const ShellBase base = makeShellBase(surface, 3);
-    EXPECT_THROW(static_cast<void>(buildShell(base, {.thickness = -1.0})), InputError);
+    const ExtendedSurface extended = extendSurface(surface, 3);
+    EXPECT_THROW(static_cast<void>(buildShell(extended, {.thickness = -1.0})), InputError);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using namespace test_support;
 
 TEST(ShellLayers, EncloseAClosedSurface) {
     const BuiltShell built(icosphere(3, 5.0));
-    const ShellLayers layers = makeShellLayers(built.shell(), built.base.frame);
+    const ShellLayers layers = makeShellLayers(built.shell(), built.extended.frame);
     for (const TriangleMesh* const layer : {&layers.top, &layers.bottom}) {
         const Surface surface(*layer);  // a closed manifold, oriented
         EXPECT_EQ(surface.faceCount(), built.surface.faceCount());
@@ -31,7 +31,7 @@ TEST(ShellLayers, EncloseAClosedSurface) {
 
 TEST(ShellLayers, LieOnTheirSidesOfAPlateAndReachBeyondItsBoundary) {
     const BuiltShell built(plate(6, 6));
-    const ShellLayers layers = makeShellLayers(built.shell(), built.base.frame);
+    const ShellLayers layers = makeShellLayers(built.shell(), built.extended.frame);
     double least = 1.0;
     for (const Vec3& vertex : layers.top.vertices) {
         EXPECT_GT(vertex.z(), 0.0);
@@ -47,7 +47,7 @@ TEST(ShellLayers, LieOnTheirSidesOfAPlateAndReachBeyondItsBoundary) {
 TEST(ShellLayers, HaveHolesWherePrismsAreBlocked) {
     const BuiltShell built(crossingPlates());
     ASSERT_FALSE(built.blockedFaces().empty());
-    const ShellLayers layers = makeShellLayers(built.shell(), built.base.frame);
+    const ShellLayers layers = makeShellLayers(built.shell(), built.extended.frame);
     std::size_t prisms = 0;
     for (const Prism& prism : built.shell().prisms()) {
         prisms += prism.orientation == 0 ? 0U : 1U;
@@ -57,7 +57,7 @@ TEST(ShellLayers, HaveHolesWherePrismsAreBlocked) {
 
 TEST(ShellLayers, OfASimplifiedShellAreFewerFacesAroundTheSurface) {
     const SimplifiedShell built(icosphere(3));
-    const ShellLayers layers = makeShellLayers(built.shell(), built.base->frame);
+    const ShellLayers layers = makeShellLayers(built.shell(), built.extended->frame);
     EXPECT_LT(layers.top.faces.size(), built.surface.faces().size());
     for (const Vec3& vertex : layers.top.vertices) {
         EXPECT_GT(vertex.norm(), 1.0);

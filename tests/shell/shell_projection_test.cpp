@@ -132,8 +132,8 @@ TEST_P(ShellProjection, AgreesAcrossEveryFace) {
                 p += weights[j] * shell.position(tet, (k + 1 + j) % 4);
             }
             worstHeight = std::max(worstHeight, std::abs(here.height.at(p) - there.height.at(p)));
-            const Vec3 shadowHere = built.base.position({here.face, here.shadow(p)});
-            const Vec3 shadowThere = built.base.position({there.face, there.shadow(p)});
+            const Vec3 shadowHere = built.extended.position({here.face, here.shadow(p)});
+            const Vec3 shadowThere = built.extended.position({there.face, there.shadow(p)});
             worstShadow = std::max(worstShadow, (shadowHere - shadowThere).norm());
         }
     }
@@ -254,9 +254,9 @@ TEST_F(ShellCellMaps, BlendFibresBetweenThePillars) {
             const Vec3 fibre = pillar.top - pillar.bottom;
             sum += fibre;
             const SurfacePoint vertex{i, Vec3::Unit(prism.faceCorner[slot])};
-            EXPECT_EQ(directionAt(shell_, built_.base, vertex), fibre.normalized());
+            EXPECT_EQ(directionAt(shell_, built_.extended, vertex), fibre.normalized());
         }
-        const Vec3 middle = directionAt(shell_, built_.base, {i, Vec3::Constant(1.0 / 3.0)});
+        const Vec3 middle = directionAt(shell_, built_.extended, {i, Vec3::Constant(1.0 / 3.0)});
         EXPECT_LT((middle - sum.normalized()).norm(), 1e-15);
     }
 }

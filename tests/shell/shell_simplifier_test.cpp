@@ -80,7 +80,7 @@ TEST_P(SimplifyShell, HoldsAllInvariants) {
     const SimplifiedShell simplified(GetParam().mesh);
     EXPECT_TRUE(simplified.check().passed()) << describe(simplified.check());
     EXPECT_TRUE(simplified.build.report.blockedFaces.empty());
-    EXPECT_LE(simplified.shell().prisms().size(), simplified.base->faces.size());
+    EXPECT_LE(simplified.shell().prisms().size(), simplified.extended->faces.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -120,7 +120,7 @@ TEST(ShellSimplifier, KeepsMiddleEdgesAlongTheCreasesOfABox) {
     const Vec3 lengths(1.0, 0.8, 0.6);
     const SimplifiedShell simplified(box(10, lengths));
     EXPECT_LT(simplified.shell().prisms().size(), 400U);
-    const ShellFrame& frame = simplified.base->frame;
+    const ShellFrame& frame = simplified.extended->frame;
     // How many sides of the box hold a pillar's middle, each as a bit.
     const auto sidesOf = [&](int pillar) {
         const Vec3 p = frame.toUser(simplified.shell().pillars()[pillar].middle);
@@ -162,7 +162,7 @@ TEST(ShellSimplifier, MakesPillarsNoLongerThanAskedWhereTheStartIsNot) {
     for (const double thickness : {0.05, 0.135, 0.3}) {
         const SimplifiedShell simplified(icosphere(5), {.targetThickness = thickness});
         for (const Pillar& pillar : simplified.shell().pillars()) {
-            const double side = longestSideOf(*simplified.base);
+            const double side = longestSideOf(*simplified.extended);
             EXPECT_LE((pillar.top - pillar.bottom).norm(), thickness * side * (1.0 + 1e-9));
         }
     }
@@ -199,7 +199,7 @@ TEST(ShellSimplifier, ReportsBlockedFacesAndSimplifiesTheRest) {
     EXPECT_EQ(report.blockedFaces, simplified.shell().blockedFaces());
     EXPECT_LT(
         simplified.shell().prisms().size(),
-        simplified.base->faces.size() - report.blockedFaces.size()
+        simplified.extended->faces.size() - report.blockedFaces.size()
     );
     EXPECT_TRUE(simplified.check().passed()) << describe(simplified.check());
     // The same faces as at full resolution.
@@ -210,9 +210,9 @@ TEST(ShellSimplifier, ReportsBlockedFacesAndSimplifiesTheRest) {
 
 TEST(ShellSimplifier, ReportsFractionsThatNeverFall) {
     const Surface surface(icosphere(4));
-    const auto base = std::make_shared<const ShellBase>(makeShellBase(surface, 3));
+    const auto extended = std::make_shared<const ExtendedSurface>(extendSurface(surface, 3));
     std::vector<double> fractions;
-    static_cast<void>(buildSimplifiedShell(base, {}, [&](double fraction, const char* stage) {
+    static_cast<void>(buildSimplifiedShell(extended, {}, [&](double fraction, const char* stage) {
         EXPECT_NE(stage, nullptr);
         fractions.push_back(fraction);
         return true;
@@ -225,12 +225,12 @@ TEST(ShellSimplifier, ReportsFractionsThatNeverFall) {
 
 TEST(ShellSimplifier, StopsWhereverItIsCancelled) {
     const Surface surface(icosphere(4));
-    const auto base = std::make_shared<const ShellBase>(makeShellBase(surface, 3));
+    const auto extended = std::make_shared<const ExtendedSurface>(extendSurface(surface, 3));
     // How many calls there are until one of them asks to stop, and whether that was done.
     const auto buildUntil = [&](int last) {
         int calls = 0;
         try {
-            static_cast<void>(buildSimplifiedShell(base, {}, [&](double, const char*) {
+            static_cast<void>(buildSimplifiedShell(extended, {}, [&](double, const char*) {
                 return ++calls != last;
             }));
         } catch (const Cancelled&) {
@@ -247,10 +247,10 @@ TEST(ShellSimplifier, StopsWhereverItIsCancelled) {
 
 TEST(ShellSimplifier, RefusesOptionsOutOfRange) {
     const Surface surface(icosphere(1));
-    const auto base = std::make_shared<const ShellBase>(makeShellBase(surface, 3));
+    const auto extended = std::make_shared<const ExtendedSurface>(extendSurface(surface, 3));
     const auto refuses = [&](const ShellOptions& options) {
         try {
-            static_cast<void>(buildSimplifiedShell(base, options));
+            static_cast<void>(buildSimplifiedShell(extended, options));
             return false;
         } catch (const InputError& error) {
             return error.code() == InputErrorCode::BadOption;
@@ -267,9 +267,9 @@ TEST(ShellSimplifier, RefusesOptionsOutOfRange) {
 
 TEST(ShellSimplifier, BuildsTheKindThatTheOptionsName) {
     const Surface surface(icosphere(2));
-    const auto base = std::make_shared<const ShellBase>(makeShellBase(surface, 3));
-    EXPECT_TRUE(makeShell(base, {.kind = ShellKind::FullResolution}).shell.isFullResolution());
-    EXPECT_FALSE(makeShell(base, {.kind = ShellKind::Simplified}).shell.isFullResolution());
+    const auto extended = std::make_shared<const ExtendedSurface>(extendSurface(surface, 3));
+    EXPECT_TRUE(makeShell(extended, {.kind = ShellKind::FullResolution}).shell.isFullResolution());
+    EXPECT_FALSE(makeShell(extended, {.kind = ShellKind::Simplified}).shell.isFullResolution());
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ struct Foot {
 // Where the fibre through a point meets the surface, nothing where it misses. Faces that it meets
 // in their edges are allowed for.
 std::optional<Foot> footByBruteForce(
-    const Shell& shell, const ShellBase& base, const PrismPoint& point
+    const Shell& shell, const ExtendedSurface& extended, const PrismPoint& point
 ) {
     constexpr double kMargin = 1e-9;
     const Vec3& beta = point.beta;
@@ -107,10 +107,10 @@ std::optional<Foot> footByBruteForce(
         if ((to - from).norm() < 1e-12) {
             continue;
         }
-        for (const Triangle& face : base.faces) {
-            const Vec3& a = base.vertices[face[0]];
-            const Vec3& b = base.vertices[face[1]];
-            const Vec3& c = base.vertices[face[2]];
+        for (const Triangle& face : extended.faces) {
+            const Vec3& a = extended.vertices[face[0]];
+            const Vec3& b = extended.vertices[face[1]];
+            const Vec3& c = extended.vertices[face[2]];
             Eigen::Matrix3d system;
             system << from - to, b - a, c - a;
             if (std::abs(system.determinant()) < 1e-18) {
@@ -137,11 +137,11 @@ void expectExact(const CoarseShell& coarse, const ShellCell& cell, const Vec3& p
     const Shell& shell = coarse.shell;
     ASSERT_GE(cell.insideness(p), -1e-9);
     const PrismPoint point = inPrism(shell, cell.tet, p);
-    const std::optional<Foot> foot = footByBruteForce(shell, *coarse.base, point);
+    const std::optional<Foot> foot = footByBruteForce(shell, *coarse.extended, point);
     ASSERT_TRUE(foot.has_value());
     EXPECT_NEAR(cell.height.at(p), point.height, 1e-11);
     EXPECT_NEAR(cell.surfaceHeight.at(p), foot->height, 1e-8);
-    const Vec3 shadow = coarse.base->position({cell.face, cell.shadow(p)});
+    const Vec3 shadow = coarse.extended->position({cell.face, cell.shadow(p)});
     EXPECT_LT((shadow - foot->position).norm(), 1e-9);
     EXPECT_EQ(cell.prism, cell.foot / kTetrahedraPerPrism);
 }
@@ -151,11 +151,11 @@ protected:
     CoarseShells()
         : coarse_(GetParam().fine, GetParam().coarse, GetParam().height),
           shell_(coarse_.shell),
-          base_(*coarse_.base) {}
+          extended_(*coarse_.extended) {}
 
     CoarseShell coarse_;
     const Shell& shell_;
-    const ShellBase& base_;
+    const ExtendedSurface& extended_;
 };
 
 INSTANTIATE_TEST_SUITE_P(
@@ -171,7 +171,7 @@ TEST_P(CoarseShells, LocatePointsOfTheSurface) {
         const SurfacePoint point{
             random.integer(0, coarse_.surface.faceCount() - 1), random.awkwardBarycentric()
         };
-        const Vec3 p = base_.position(point);
+        const Vec3 p = extended_.position(point);
         const ShellCell cell(shell_, point);
         EXPECT_EQ(cell.face, point.face);
         expectExact(coarse_, cell, p);
@@ -193,11 +193,11 @@ TEST_P(CoarseShells, ProjectWhatTheyLift) {
         };
         const double w = random.uniform(-1.0, 1.0);
         TraceState state;
-        ASSERT_TRUE(walkUp(shell_, base_, point, w, state));
+        ASSERT_TRUE(walkUp(shell_, extended_, point, w, state));
         const Vec3 lifted = shell_.lift(point, w);
         EXPECT_GE(state.cell.insideness(lifted), -2.0 * kCellTolerance);
-        const Vec3 shadow = base_.position({state.cell.face, state.cell.shadow(lifted)});
-        worst = std::max(worst, (shadow - base_.position(point)).norm());
+        const Vec3 shadow = extended_.position({state.cell.face, state.cell.shadow(lifted)});
+        worst = std::max(worst, (shadow - extended_.position(point)).norm());
         worstHeight = std::max(worstHeight, std::abs(state.cell.height.at(lifted) - w));
     }
     // Over creases the maps of the cell before the wall say something else within its tolerance.
@@ -217,8 +217,8 @@ TEST_P(CoarseShells, FindTheFaceUnderAPoint) {
         const std::optional<ShellCell> cell = ShellCell::find(shell_, deepestTet(shell_, p), p);
         ASSERT_TRUE(cell.has_value());
         EXPECT_GE(cell->insideness(p), -1e-10);
-        const Vec3 shadow = base_.position({cell->face, cell->shadow(p)});
-        EXPECT_LT((shadow - base_.position(point)).norm(), 1e-12);
+        const Vec3 shadow = extended_.position({cell->face, cell->shadow(p)});
+        EXPECT_LT((shadow - extended_.position(point)).norm(), 1e-12);
     }
 }
 
@@ -227,22 +227,22 @@ TEST(FacesBeyondTheTop, HaveNoPartInAPrism) {
     const double height = 0.1;
     const TriangleMesh sheets = parallelPlates(6, 2.5 * height);
     const CoarseShell lower(plate(6, 6), plate(2, 2), height);
-    const auto base = std::make_shared<ShellBase>(makeShellBase(Surface(sheets), 3));
+    const auto extended = std::make_shared<ExtendedSurface>(extendSurface(Surface(sheets), 3));
     SurfaceTracks tracks{{0}, {}};
     std::vector<Pillar> pillars;
     for (const Pillar& pillar : lower.shell.pillars()) {
         const auto moved = [&](const Vec3& p) {
-            return base->frame.toUnit(lower.base->frame.toUser(p));
+            return extended->frame.toUnit(lower.extended->frame.toUser(p));
         };
         pillars.push_back({moved(pillar.bottom), moved(pillar.middle), moved(pillar.top)});
     }
     for (std::size_t i = 0; i < lower.shell.prisms().size(); ++i) {
-        for (int face = 0; face < base->surfaceFaceCount; ++face) {
+        for (int face = 0; face < extended->surfaceFaceCount; ++face) {
             tracks.faces.push_back(face);
         }
         tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));
     }
-    const Shell shell(pillars, lower.shell.prisms(), tracks, base);
+    const Shell shell(pillars, lower.shell.prisms(), tracks, extended);
     Random random(45);
     for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
         for (int i = 0; i < 20; ++i) {
@@ -272,7 +272,7 @@ TEST_P(CoarseShells, AreTracedExactly) {
             random.integer(0, coarse_.surface.faceCount() - 1), random.barycentric()
         };
         const Vec3 normal = coarse_.surface.faceNormal(point.face);
-        PolynomialCurve curve{.degree = 3, .coefficients = {base_.position(point)}};
+        PolynomialCurve curve{.degree = 3, .coefficients = {extended_.position(point)}};
         for (int j = 1; j <= 3; ++j) {
             Vec3& c = curve.coefficients[j];
             c = 0.1 * random.point(-1.0, 1.0);
@@ -301,8 +301,8 @@ TEST_P(CoarseShells, AreTracedExactly) {
                 EXPECT_NEAR(from.height.at(p), to.height.at(p), 1e-9);
                 EXPECT_NEAR(from.surfaceHeight.at(p), to.surfaceHeight.at(p), 1e-8);
                 EXPECT_LT(
-                    (base_.position({from.face, from.shadow(p)}) -
-                     base_.position({to.face, to.shadow(p)}))
+                    (extended_.position({from.face, from.shadow(p)}) -
+                     extended_.position({to.face, to.shadow(p)}))
                         .norm(),
                     1e-9
                 );
@@ -323,7 +323,9 @@ TEST_P(CoarseShells, AreTracedExactly) {
         const Vec3 beyond = curve.at(now + 1e-6);
         const int tet = deepestTet(shell_, beyond);
         if (barycentricsIn(shell_, tet, beyond).minCoeff() > 0.0) {
-            EXPECT_FALSE(footByBruteForce(shell_, base_, inPrism(shell_, tet, beyond)).has_value());
+            EXPECT_FALSE(
+                footByBruteForce(shell_, extended_, inPrism(shell_, tet, beyond)).has_value()
+            );
         }
     }
     EXPECT_GT(inside, 20);
@@ -337,15 +339,15 @@ TEST_P(CoarseShells, LetLinesPassThroughVertices) {
     const int stride = std::max(1, coarse_.surface.faceCount() / 120);
     for (int f = 0; f < coarse_.surface.faceCount(); f += stride) {
         const SurfacePoint start{f, Vec3::Unit(f % 3)};
-        const Vec3 from = base_.position(start);
-        const Triangle& face = base_.faces[f];
-        const Vec3 along = base_.vertices[face[(f + 1) % 3]] - from;
+        const Vec3 from = extended_.position(start);
+        const Triangle& face = extended_.faces[f];
+        const Vec3 along = extended_.vertices[face[(f + 1) % 3]] - from;
         for (const double times : {1.0, 2.0, 3.0}) {
             // To where the edge leads, as far as its end is below the surface of the shell.
             const Vec3 to = from + times * along;
             const int tet = deepestTet(shell_, to);
             if (barycentricsIn(shell_, tet, to).minCoeff() < -1e-14 ||
-                !footByBruteForce(shell_, base_, inPrism(shell_, tet, to))) {
+                !footByBruteForce(shell_, extended_, inPrism(shell_, tet, to))) {
                 continue;
             }
             TraceState state{ShellCell(shell_, start)};
@@ -373,15 +375,15 @@ TEST(BothForms, AgreeOnTheSameShell) {
     for (const NamedMesh& mesh : shellMeshes()) {
         SCOPED_TRACE(mesh.name);
         const BuiltShell built(mesh.mesh);
-        const auto base = std::make_shared<ShellBase>(built.base);
+        const auto extended = std::make_shared<ExtendedSurface>(built.extended);
         const Shell& thin = built.shell();
-        const Shell other = asSimplified(thin, base);
+        const Shell other = asSimplified(thin, extended);
         Random random(44);
         for (int i = 0; i < 300; ++i) {
             const SurfacePoint point{
                 random.integer(0, built.surface.faceCount() - 1), random.barycentric()
             };
-            const Vec3 from = base->position(point);
+            const Vec3 from = extended->position(point);
             const Vec3 reach = 0.1 * random.point(-1.0, 1.0);
             TraceState a{ShellCell(thin, point)};
             TraceState b{ShellCell(other, point)};
@@ -402,8 +404,8 @@ TEST(BothForms, AgreeOnTheSameShell) {
             EXPECT_NEAR(b.cell.surfaceHeight.at(end), 0.0, 1e-7);
             EXPECT_NEAR(a.cell.relativeHeight(end), b.cell.relativeHeight(end), 1e-7);
             EXPECT_LT(
-                (base->position({a.cell.face, a.cell.shadow(end)}) -
-                 base->position({b.cell.face, b.cell.shadow(end)}))
+                (extended->position({a.cell.face, a.cell.shadow(end)}) -
+                 extended->position({b.cell.face, b.cell.shadow(end)}))
                     .norm(),
                 1e-8
             );
@@ -423,16 +425,16 @@ TEST(BlockedFaces, HaveNoPrism) {
         }
         tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));
     }
-    const Shell shell(coarse.shell.pillars(), coarse.shell.prisms(), tracks, coarse.base);
+    const Shell shell(coarse.shell.pillars(), coarse.shell.prisms(), tracks, coarse.extended);
     EXPECT_EQ(shell.blockedFaces(), std::vector<int>{7});
     EXPECT_TRUE(shell.isBlocked(7));
     EXPECT_EQ(shell.locate({7, Vec3::Constant(1.0 / 3.0)}), -1);
     // Curves do not pass it.
-    const int next = coarse.base->faceNeighbours[7][0];
+    const int next = coarse.extended->faceNeighbours[7][0];
     const SurfacePoint start{next, Vec3::Constant(1.0 / 3.0)};
     TraceState state{ShellCell(shell, start)};
-    const Vec3 to = coarse.base->position({7, Vec3::Constant(1.0 / 3.0)});
-    EXPECT_FALSE(walkStraight(shell, coarse.base->position(start), to, state));
+    const Vec3 to = coarse.extended->position({7, Vec3::Constant(1.0 / 3.0)});
+    EXPECT_FALSE(walkStraight(shell, coarse.extended->position(start), to, state));
 }
 
 }  // namespace

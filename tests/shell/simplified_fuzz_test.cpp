@@ -38,10 +38,10 @@ Proof expectValidShell(RandomKind kind, std::uint64_t seed) {
     const ShellCheck check = simplified.check();
     EXPECT_TRUE(check.passed()) << describe(check);
     const std::vector<int>& blocked = simplified.build.report.blockedFaces;
-    if (shortestTetgenEdge(simplified.shell(), *simplified.base, blocked) < kLeastTetgenEdge) {
+    if (shortestTetgenEdge(simplified.shell(), *simplified.extended, blocked) < kLeastTetgenEdge) {
         return Proof::TooHardForTetgen;
     }
-    const TetgenProof proof = proveWithTetgen(simplified.shell(), *simplified.base, blocked);
+    const TetgenProof proof = proveWithTetgen(simplified.shell(), *simplified.extended, blocked);
     EXPECT_TRUE(proof.holds()) << proof;
     return Proof::Given;
 }

@@ -52,7 +52,7 @@ protected:
               {.targetThickness = 0.1, .targetEdgeLength = 0.1}
           ),
           shell_(simplified_.shell()),
-          base_(*simplified_.base),
+          extended_(*simplified_.extended),
           random_(GetParam().seed) {}
 
     struct Lifted {
@@ -115,7 +115,7 @@ protected:
     }
 
     [[nodiscard]] Vec3 shadowOf(const ShellCell& cell, const Vec3& p) const {
-        return base_.position({cell.face, cell.shadow(p)});
+        return extended_.position({cell.face, cell.shadow(p)});
     }
 
     /// Compares cells in points of the side of a tetrahedron opposite to vertex k.
@@ -144,7 +144,7 @@ protected:
 
     /// Beyond the rim of a surface there are points without shadow, and nowhere else.
     void expectMost(int compared, int tried) const {
-        if (base_.ghostOrigin.empty()) {
+        if (extended_.ghostOrigin.empty()) {
             EXPECT_EQ(compared, tried);
         } else {
             EXPECT_GT(compared, tried / 2);
@@ -153,7 +153,7 @@ protected:
 
     SimplifiedShell simplified_;
     const Shell& shell_;
-    const ShellBase& base_;
+    const ExtendedSurface& extended_;
     Random random_;
 };
 
@@ -168,7 +168,8 @@ TEST_P(SimplifiedProjection, UndoesLifting) {
         if (!cell) {
             FAIL() << "no cell for point " << i;
         }
-        worstShadow = std::max(worstShadow, (shadowOf(*cell, p) - base_.position(point)).norm());
+        worstShadow =
+            std::max(worstShadow, (shadowOf(*cell, p) - extended_.position(point)).norm());
         worstHeight = std::max(worstHeight, std::abs(cell->height.at(p) - height));
     }
     EXPECT_LT(worstShadow, GetParam().tolerance);
@@ -217,11 +218,11 @@ TEST_P(SimplifiedProjection, LetsWalksReachWhatIsLifted) {
     for (int i = 0; i < kWalksPerMesh; ++i) {
         const auto [point, height] = randomLifted();
         TraceState state;
-        ASSERT_TRUE(walkUp(shell_, base_, point, height, state)) << "point " << i;
+        ASSERT_TRUE(walkUp(shell_, extended_, point, height, state)) << "point " << i;
         const Vec3 p = shell_.lift(point, height);
         EXPECT_GE(state.cell.insideness(p), -2.0 * kCellTolerance);
         worstShadow =
-            std::max(worstShadow, (shadowOf(state.cell, p) - base_.position(point)).norm());
+            std::max(worstShadow, (shadowOf(state.cell, p) - extended_.position(point)).norm());
         worstHeight = std::max(worstHeight, std::abs(state.cell.height.at(p) - height));
     }
     EXPECT_LT(worstShadow, kCellTolerance);
@@ -253,7 +254,7 @@ TEST(WalksInThinTetrahedra, ReachWhatIsLifted) {
         const double height = random.uniform(-1.0, 1.0);
         TraceState state;
         ASSERT_TRUE(
-            walkUp(simplified.shell(), *simplified.base, {face, barycentric}, height, state)
+            walkUp(simplified.shell(), *simplified.extended, {face, barycentric}, height, state)
         ) << "point "
           << i;
     }

@@ -138,11 +138,15 @@ Boundary addBoundary(const Shell& shell, Complex& complex) {
     return boundary;
 }
 
-void addSurface(const ShellBase& base, std::span<const int> blockedFaces, Complex& complex) {
-    for (int f = 0; f < base.surfaceFaceCount; ++f) {
+void addSurface(
+    const ExtendedSurface& extended, std::span<const int> blockedFaces, Complex& complex
+) {
+    for (int f = 0; f < extended.surfaceFaceCount; ++f) {
         if (!std::binary_search(blockedFaces.begin(), blockedFaces.end(), f)) {
-            const Triangle& face = base.faces[f];
-            complex.add({base.vertices[face[0]], base.vertices[face[1]], base.vertices[face[2]]});
+            const Triangle& face = extended.faces[f];
+            complex.add(
+                {extended.vertices[face[0]], extended.vertices[face[1]], extended.vertices[face[2]]}
+            );
         }
     }
 }
@@ -187,21 +191,21 @@ std::ostream& operator<<(std::ostream& stream, const TetgenProof& proof) {
 }
 
 double shortestTetgenEdge(
-    const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces
+    const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
 ) {
     Complex complex;
     addBoundary(shell, complex);
-    addSurface(base, blockedFaces, complex);
+    addSurface(extended, blockedFaces, complex);
     return complex.shortestEdge();
 }
 
 TetgenProof proveWithTetgen(
-    const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces
+    const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
 ) {
     // -X1 leaves the exact predicates as ours need them; -Q: quiet.
     Complex complex;
     const Boundary boundary = addBoundary(shell, complex);
-    addSurface(base, blockedFaces, complex);
+    addSurface(extended, blockedFaces, complex);
     TetgenProof proof;
     tetgenio intersections;
     proof.error = run(complex, "pdQX1", intersections);

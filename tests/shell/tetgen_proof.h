@@ -29,14 +29,14 @@ inline constexpr double kLeastTetgenEdge = 1e-6;
 
 /// The shortest of these edges, in the shell's frame.
 [[nodiscard]] double shortestTetgenEdge(
-    const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces
+    const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
 );
 
 /// Tetrahedralises top, surface (the faces that are not blocked, without ghosts), bottom and the
 /// walls where the shell ends, which TetGen can do only if they meet in common corners and edges
 /// alone. Not in one thread while another one evaluates predicates (surface/predicates.h).
 [[nodiscard]] TetgenProof proveWithTetgen(
-    const Shell& shell, const ShellBase& base, std::span<const int> blockedFaces
+    const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
 );
 
 }  // namespace bspline_curve::test_support

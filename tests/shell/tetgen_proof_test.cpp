@@ -13,7 +13,7 @@ namespace {
 using namespace test_support;
 
 TetgenProof prove(const HandmadeShell& coarse) {
-    return proveWithTetgen(coarse.shell(), *coarse.base, coarse.blockedFaces);
+    return proveWithTetgen(coarse.shell(), *coarse.extended, coarse.blockedFaces);
 }
 
 class ProvenHandmadeShell : public testing::TestWithParam<NamedHandmadeShell> {};
@@ -33,7 +33,7 @@ class ProvenShell : public testing::TestWithParam<NamedMesh> {};
 
 TEST_P(ProvenShell, HasLayersThatDoNotMeet) {
     const BuiltShell built(GetParam().mesh);
-    const TetgenProof proof = proveWithTetgen(built.shell(), built.base, built.blockedFaces());
+    const TetgenProof proof = proveWithTetgen(built.shell(), built.extended, built.blockedFaces());
     EXPECT_TRUE(proof.holds()) << proof;
 }
 

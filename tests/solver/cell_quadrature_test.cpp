@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem_fixture.h"
+#include "projection/cell_tracer.h"
 #include "solver/barrier.h"
-#include "solver/curve_tracer.h"
 #include "solver/quadrature.h"
 #include "support/meshes.h"
 
@@ -35,7 +35,7 @@ protected:
     [[nodiscard]] std::optional<double> reference(const ControlPoints& controls, int steps) const {
         double sum = 0.0;
         const int spans = traceCurve(
-            tracedShellOf(fixture_.problem()),
+            traceStartOf(fixture_.problem()),
             space_,
             controls,
             [&](int, const PolynomialCurve& curve, const ShellCell& cell, double from, double to) {

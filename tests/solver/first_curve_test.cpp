@@ -21,7 +21,8 @@ ProblemFixture acrossAPlate() {
 
 TEST(FirstCurves, StayInTheShell) {
     const ProblemFixture fixture = acrossAPlate();
-    const std::optional<SplineCurve> first = fitGuidePath(fixture.problem(), fixture.guide());
+    const std::optional<SplineCurve> first =
+        fitInitialPath(fixture.problem(), fixture.initialPath());
     ASSERT_TRUE(first.has_value());
     const SplineCurve& curve = *first;
     for (const PickConstraint& pick : fixture.problem().picks) {
@@ -36,24 +37,24 @@ TEST(FirstCurves, AreNoneWhereTheShellIsInterrupted) {
     CurveProblem& problem = fixture.problem();
     const Shell& whole = *problem.shell;
     std::vector<Prism> prisms;
-    const double middle = problem.base->frame.toUnit({1.0, 0.5, 0.0}).x();
-    const double beside = problem.base->frame.toUnit({1.2, 0.5, 0.0}).x();
+    const double middle = problem.extended->frame.toUnit({1.0, 0.5, 0.0}).x();
+    const double beside = problem.extended->frame.toUnit({1.2, 0.5, 0.0}).x();
     for (std::size_t f = 0; f < whole.prisms().size(); ++f) {
-        prisms.push_back(prismOver(problem.base->faces[f]));
+        prisms.push_back(prismOver(problem.extended->faces[f]));
         const Vec3 centre =
-            problem.base->position({static_cast<int>(f), Vec3::Constant(1.0 / 3.0)});
+            problem.extended->position({static_cast<int>(f), Vec3::Constant(1.0 / 3.0)});
         if (centre.x() > middle && centre.x() < beside) {
             prisms[f].orientation = 0;
         }
     }
-    connectPrisms(prisms, problem.base->faceNeighbours);
-    GuidePath guide = fixture.guide();  // as paths do not enter faces without prisms
-    std::erase_if(guide.points, [&](const GuidePath::Point& point) {
+    connectPrisms(prisms, problem.extended->faceNeighbours);
+    InitialPath initialPath = fixture.initialPath();  // as paths do not enter faces without prisms
+    std::erase_if(initialPath.points, [&](const InitialPath::Point& point) {
         return prisms[point.point.face].orientation == 0;
     });
-    const Shell interrupted(whole.pillars(), std::move(prisms), problem.base->surfaceFaceCount);
+    const Shell interrupted(whole.pillars(), std::move(prisms), problem.extended->surfaceFaceCount);
     problem.shell = &interrupted;
-    EXPECT_FALSE(fitGuidePath(problem, guide).has_value());
+    EXPECT_FALSE(fitInitialPath(problem, initialPath).has_value());
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(FeatureFunction, IsZeroOnAPlane) {
             {{0.1, 0.2, 0}, {0.5, 0.7, 0}, {0.9, 0.3, 0}},
             options
         );
-        const SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide()).value();
+        const SplineCurve curve = fitInitialPath(fixture.problem(), fixture.initialPath()).value();
         const KnotDemand feature =
             featureFunction(fixture.problem(), curve.space, curve.controls, {10.0, 0.0, 1.0});
         EXPECT_LT(feature.total, 1e-18);
@@ -102,7 +102,7 @@ TEST(FeatureFunction, IsPositiveOnASphereAndTheSumOfItsSpans) {
     const test_support::ProblemFixture fixture(
         test_support::icosphere(3), {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}}, {}
     );
-    const SplineCurve curve = fitGuidePath(fixture.problem(), fixture.guide()).value();
+    const SplineCurve curve = fitInitialPath(fixture.problem(), fixture.initialPath()).value();
     const KnotDemand feature =
         featureFunction(fixture.problem(), curve.space, curve.controls, {10.0, 0.0, 1.0});
     double sum = 0.0;

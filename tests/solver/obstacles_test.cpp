@@ -33,10 +33,10 @@ protected:
     [[nodiscard]] bool isIn(int face) const { return flags_[face] != 0; }
 
     Surface surface_{withNoise(icosphere(2), 0.01, 7)};
-    ShellBase base_ = makeShellBase(surface_, 3);
+    ExtendedSurface extended_ = extendSurface(surface_, 3);
     Region region_ = someFaces(surface_);
     std::vector<char> flags_ = faceFlags(surface_, region_);
-    Obstacles obstacles_{surface_, base_, region_, GetParam()};
+    Obstacles obstacles_{surface_, extended_, region_, GetParam()};
 };
 
 TEST_P(ObstaclesOnASphere, AreCloseByOneOnTheRegionAndItsEdgesAlone) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem_fixture.h"
 
-#include "solver/relaxation.h"
+#include "solver/sampled_solver.h"
 #include "surface/picks.h"
 #include "surface/triangle_tree.h"
 
@@ -29,10 +29,10 @@ ProblemFixture::ProblemFixture(
     const TriangleTree tree(surface.vertices(), surface.faces());
     picks_ = locatePicks(surface, tree, picks, options.closed);
     problem_.shell = &shell_->shell;
-    problem_.base = shell_->base.get();
+    problem_.extended = shell_->extended.get();
     problem_.options = options;
     makePath();
-    problem_.averageEdgeLength = surface.averageEdgeLength() / shell_->base->frame.scale;
+    problem_.averageEdgeLength = surface.averageEdgeLength() / shell_->extended->frame.scale;
     problem_.distanceTolerance = problem_.options.distanceTolerance * problem_.averageEdgeLength;
     for (std::size_t i = 0; i + 1 < problem_.picks.size(); ++i) {
         problem_.chordLength +=
@@ -47,17 +47,17 @@ ProblemFixture::ProblemFixture(
 void ProblemFixture::makePath() {
     PickPath path = makePickPath(
         shell_->surface,
-        *shell_->base,
+        *shell_->extended,
         picks_,
         problem_.options.closed,
         {.blockedFaces = shell_->shell.blockedFaces(), .obstacles = obstacles_.get()}
     );
-    guide_ = std::move(path.guide);
+    path_ = std::move(path.path);
     problem_.picks = std::move(path.picks);
 }
 
 void ProblemFixture::avoid(const Region& region, double margin) {
-    obstacles_ = std::make_unique<Obstacles>(shell_->surface, *shell_->base, region, margin);
+    obstacles_ = std::make_unique<Obstacles>(shell_->surface, *shell_->extended, region, margin);
     problem_.obstacles = obstacles_.get();
     makePath();
 }
@@ -65,15 +65,16 @@ void ProblemFixture::avoid(const Region& region, double margin) {
 void ProblemFixture::setField(const std::vector<double>& field) {
     field_ = field;
     problem_.fieldCosts = summaryOf(vertexCostsOf(field, problem_.options.fieldCost));
-    for (const int origin : shell_->base->ghostOrigin) {
+    for (const int origin : shell_->extended->ghostOrigin) {
         field_.push_back(field[origin]);
     }
     problem_.field = field_;
 }
 
 Solution solved(const ProblemFixture& fixture) {
-    std::optional<Solution> relaxed = relax(fixture.problem(), fixture.guide());
-    return relaxed ? std::move(*relaxed) : solveByCells(fixture.problem(), fixture.guide()).value();
+    std::optional<Solution> relaxed = solveSampled(fixture.problem(), fixture.initialPath());
+    return relaxed ? std::move(*relaxed)
+                   : solveCellwise(fixture.problem(), fixture.initialPath()).value();
 }
 
 }  // namespace bspline_curve::test_support

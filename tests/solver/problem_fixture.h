@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/guide_path.h"
+#include "design/initial_path.h"
+#include "solver/cellwise_solver.h"
 #include "solver/initial_curve.h"
-#include "solver/solve.h"
 #include "support/coarse_shell.h"
 #include "surface/surface.h"
 
@@ -26,14 +26,14 @@ public:
 
     [[nodiscard]] CurveProblem& problem() { return problem_; }
 
-    [[nodiscard]] const GuidePath& guide() const { return guide_; }
+    [[nodiscard]] const InitialPath& initialPath() const { return path_; }
 
     [[nodiscard]] const Surface& surface() const { return shell_->surface; }
 
     /// One value per vertex of the surface.
     void setField(const std::vector<double>& field);
 
-    /// Avoids a region, with a margin in the mesh's unit; the guide goes round it.
+    /// Avoids a region, with a margin in the mesh's unit; the initial path goes round it.
     void avoid(const Region& region, double margin);
 
 private:
@@ -48,12 +48,12 @@ private:
     std::unique_ptr<CoarseShell> shell_;
     std::vector<SurfacePoint> picks_;
     std::unique_ptr<Obstacles> obstacles_;
-    GuidePath guide_;
+    InitialPath path_;
     std::vector<double> field_;
     CurveProblem problem_;
 };
 
-/// The solution from the first spline along the guide.
+/// The solution from the first spline along the initial path.
 [[nodiscard]] Solution solved(const ProblemFixture& fixture);
 
 }  // namespace bspline_curve::test_support

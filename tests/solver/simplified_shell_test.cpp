@@ -3,11 +3,11 @@
 #include "design/curve_checks.h"
 #include "design/strict_polyline.h"
 #include "problem_fixture.h"
+#include "projection/projected_curve.h"
 #include "shell/polynomial_trace.h"
 #include "shell/shell_boundary.h"
-#include "solver/point_terms.h"
-#include "solver/shadow_curve.h"
-#include "solver/solve.h"
+#include "solver/cell_integrand.h"
+#include "solver/cellwise_solver.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -40,7 +40,7 @@ std::vector<CellPoint> cellsAlongLines(const CoarseShell& coarse, std::uint64_t 
         };
         const PolynomialCurve line{
             .degree = 1,
-            .coefficients = {coarse.base->position(point), 0.15 * random.point(-1.0, 1.0)}
+            .coefficients = {coarse.extended->position(point), 0.15 * random.point(-1.0, 1.0)}
         };
         TraceState state{ShellCell(coarse.shell, point)};
         (void)tracePolynomial(
@@ -82,11 +82,11 @@ TEST(IntegrandOfACell, HasTheDerivativesOfItsDifferences) {
         const CoarseShell coarse(mesh.fine, mesh.coarse, mesh.height);
         CurveProblem problem;
         problem.shell = &coarse.shell;
-        problem.base = coarse.base.get();
+        problem.extended = coarse.extended.get();
         problem.options.fieldWeight = 1.0;
         problem.options.fieldCost = FieldCost::Square;
         std::vector<double> field;
-        for (const Vec3& v : coarse.base->vertices) {
+        for (const Vec3& v : coarse.extended->vertices) {
             field.push_back(std::sin(3.0 * v.x()) + v.y() * v.z());
         }
         problem.field = field;
@@ -135,11 +135,11 @@ struct Drawn {
 Drawn draw(const ProblemFixture& fixture, const std::vector<Vec3>& picks) {
     Solution solution = solved(fixture);
     const auto& [space, controls] = solution.curve;
-    const ShadowCurve shadow(
+    const ProjectedCurve shadow(
         fixture.problem(),
         space,
         controls,
-        traceCells(tracedShellOf(fixture.problem()), space, controls)
+        traceCells(traceStartOf(fixture.problem()), space, controls)
     );
     SurfacePolyline line =
         makeStrictPolyline(fixture.surface(), fixture.problem(), shadow, SamplingOptions());
@@ -254,7 +254,7 @@ TEST(CoarseShellBoundary, HasACellForEveryPoint) {
             const ShellBoundary::Nearest nearest = boundary.nearest(random.point(-0.6, 0.6));
             const std::optional<ShellCell> cell =
                 ShellCell::find(coarse.shell, nearest.tet, nearest.position);
-            if (!coarse.base->ghostOrigin.empty()) {
+            if (!coarse.extended->ghostOrigin.empty()) {
                 continue;  // beyond the rim no fibre needs to meet the surface
             }
             ASSERT_TRUE(cell.has_value());

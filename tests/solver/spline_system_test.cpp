@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/spline_system.h"
 
-#include "basis_derivative.h"
+#include "spline/basis_derivative.h"
 #include "support/random.h"
 
 #include <Eigen/LU>

@@ -27,15 +27,17 @@ std::vector<Pillar> pillarsOn(const Surface& middle, const ShellFrame& frame, do
     const double length = height * middle.averageEdgeLength() / frame.scale;
     std::vector<Pillar> pillars;
     for (std::size_t v = 0; v < normals.size(); ++v) {
-        const Vec3 base = frame.toUnit(middle.vertices()[v]);
+        const Vec3 extended = frame.toUnit(middle.vertices()[v]);
         const Vec3 up = length * normals[v].normalized();
-        pillars.push_back({base - up, base, base + up});
+        pillars.push_back({extended - up, extended, extended + up});
     }
     return pillars;
 }
 
 SurfaceTracks tracksByBoxes(
-    const std::vector<Pillar>& pillars, const std::vector<Prism>& prisms, const ShellBase& base
+    const std::vector<Pillar>& pillars,
+    const std::vector<Prism>& prisms,
+    const ExtendedSurface& extended
 ) {
     constexpr double kMargin = 1e-6;
     SurfaceTracks tracks;
@@ -49,10 +51,10 @@ SurfaceTracks tracksByBoxes(
         }
         box.min().array() -= kMargin;
         box.max().array() += kMargin;
-        for (std::size_t f = 0; f < base.faces.size(); ++f) {
+        for (std::size_t f = 0; f < extended.faces.size(); ++f) {
             Eigen::AlignedBox3d faceBox;
-            for (const int v : base.faces[f]) {
-                faceBox.extend(base.vertices[v]);
+            for (const int v : extended.faces[f]) {
+                faceBox.extend(extended.vertices[v]);
             }
             if (box.intersects(faceBox)) {
                 tracks.faces.push_back(static_cast<int>(f));
@@ -64,12 +66,12 @@ SurfaceTracks tracksByBoxes(
 }
 
 Shell makeShell(
-    const Surface& middle, const std::shared_ptr<const ShellBase>& base, double height
+    const Surface& middle, const std::shared_ptr<const ExtendedSurface>& extended, double height
 ) {
-    std::vector<Pillar> pillars = pillarsOn(middle, base->frame, height);
+    std::vector<Pillar> pillars = pillarsOn(middle, extended->frame, height);
     std::vector<Prism> prisms = prismsOver(middle);
-    SurfaceTracks tracks = tracksByBoxes(pillars, prisms, *base);
-    return {std::move(pillars), std::move(prisms), std::move(tracks), base};
+    SurfaceTracks tracks = tracksByBoxes(pillars, prisms, *extended);
+    return {std::move(pillars), std::move(prisms), std::move(tracks), extended};
 }
 
 // Turned by an angle that aligns nothing.
@@ -116,13 +118,13 @@ TriangleMesh centredBox(double size, int subdivisions) {
 
 CoarseShell::CoarseShell(TriangleMesh fine, const TriangleMesh& coarse, double height)
     : surface(std::move(fine)),
-      base(std::make_shared<ShellBase>(makeShellBase(surface, kSmoothingPasses))),
-      shell(makeShell(Surface(coarse), base, height)) {}
+      extended(std::make_shared<ExtendedSurface>(extendSurface(surface, kSmoothingPasses))),
+      shell(makeShell(Surface(coarse), extended, height)) {}
 
 CoarseShell::CoarseShell(TriangleMesh fine)
     : surface(std::move(fine)),
-      base(std::make_shared<ShellBase>(makeShellBase(surface, kSmoothingPasses))),
-      shell(buildShell(*base, ShellOptions()).shell) {}
+      extended(std::make_shared<ExtendedSurface>(extendSurface(surface, kSmoothingPasses))),
+      shell(buildShell(*extended, ShellOptions()).shell) {}
 
 std::vector<Prism> prismsOver(const Surface& middle) {
     std::vector<Prism> prisms;
@@ -156,13 +158,13 @@ std::vector<Prism> prismsOver(const Surface& middle) {
     return prisms;
 }
 
-Shell asSimplified(const Shell& thin, const std::shared_ptr<const ShellBase>& base) {
+Shell asSimplified(const Shell& thin, const std::shared_ptr<const ExtendedSurface>& extended) {
     SurfaceTracks tracks;
     tracks.offsets.push_back(0);
     for (std::size_t i = 0; i < thin.prisms().size(); ++i) {
         if (thin.prisms()[i].orientation != 0) {
             std::vector<int> faces{static_cast<int>(i)};
-            for (const int next : base->faceNeighbours[i]) {
+            for (const int next : extended->faceNeighbours[i]) {
                 if (next >= 0) {
                     faces.push_back(next);
                 }
@@ -172,7 +174,7 @@ Shell asSimplified(const Shell& thin, const std::shared_ptr<const ShellBase>& ba
         }
         tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));
     }
-    return {thin.pillars(), thin.prisms(), std::move(tracks), base};
+    return {thin.pillars(), thin.prisms(), std::move(tracks), extended};
 }
 
 std::ostream& operator<<(std::ostream& stream, const CoarseShellCase& named) {

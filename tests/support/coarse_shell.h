@@ -23,7 +23,7 @@ struct CoarseShell {
     explicit CoarseShell(TriangleMesh fine);
 
     Surface surface;
-    std::shared_ptr<const ShellBase> base;
+    std::shared_ptr<const ExtendedSurface> extended;
     Shell shell;
 };
 
@@ -31,7 +31,9 @@ struct CoarseShell {
 [[nodiscard]] std::vector<Prism> prismsOver(const Surface& middle);
 
 /// A shell of full resolution in the other form: every prism tracks its face and the neighbours.
-[[nodiscard]] Shell asSimplified(const Shell& thin, const std::shared_ptr<const ShellBase>& base);
+[[nodiscard]] Shell asSimplified(
+    const Shell& thin, const std::shared_ptr<const ExtendedSurface>& extended
+);
 
 struct CoarseShellCase {
     std::string name;

@@ -62,7 +62,7 @@ double leastCost(
     const auto isOpen = [&](int f) { return f >= 0 && std::isfinite(costs[f]); };
     // Of the way into a face over each of its edges.
     std::vector<std::array<double, 3>> entry(surface.faces().size(), {kFar, kFar, kFar});
-    const auto relax = [&](int f, const Vec3& from, double cost) {
+    const auto solveSampled = [&](int f, const Vec3& from, double cost) {
         bool isChanged = false;
         for (const int g : surface.faceNeighbours()[f]) {
             if (!isOpen(g)) {
@@ -80,7 +80,7 @@ double leastCost(
     };
     for (const int f : facesHolding(surface, start)) {
         if (isOpen(f)) {
-            relax(f, surface.position(start), 0.0);
+            solveSampled(f, surface.position(start), 0.0);
         }
     }
     for (bool isChanged = true; isChanged;) {
@@ -90,7 +90,7 @@ double leastCost(
                 const double cost = entry[f][k];
                 if (std::isfinite(cost)) {
                     const int g = surface.faceNeighbours()[f][k];
-                    isChanged |= relax(f, middleBetween(surface, f, g), cost);
+                    isChanged |= solveSampled(f, middleBetween(surface, f, g), cost);
                 }
             }
         }

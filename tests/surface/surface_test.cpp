@@ -3,7 +3,7 @@
 
 #include "support/meshes.h"
 #include "support/random.h"
-#include "surface/side_task.h"
+#include "utility/worker_task.h"
 
 #include <Eigen/Geometry>
 

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/field_cache.h"
+
+#include "surface/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+void requireFinite(std::span<const double> field, std::span<const double> costs) {
+    std::vector<std::int64_t> bad;
+    for (std::size_t v = 0; v < field.size(); ++v) {
+        if (!std::isfinite(field[v]) || !std::isfinite(costs[v])) {
+            bad.push_back(static_cast<std::int64_t>(v));
+        }
+    }
+    if (!bad.empty()) {
+        throw InputError(
+            InputErrorCode::BadField,
+            "the field or its cost is not finite at " + std::to_string(bad.size()) + " vertices (" +
+                describeElements(bad) + "): give another number there",
+            bad
+        );
+    }
+}
+
+double leastOfFaces(const Surface& surface, std::span<const double> vertexCosts) {
+    const auto meanOver = [&](const Triangle& face) {
+        return (vertexCosts[face[0]] + vertexCosts[face[1]] + vertexCosts[face[2]]) / 3.0;
+    };
+    double least = meanOver(surface.faces().front());
+    for (const Triangle& face : surface.faces()) {
+        least = std::min(least, meanOver(face));
+    }
+    return least;
+}
+
+}  // namespace
+
+FieldTravel ValidatedField::travel(const SolverOptions& options, double share) const {
+    const double weight = share * options.fieldWeight / kUsualBending;
+    if (vertexCosts.empty() || weight == 0.0 || !options.fieldGuidesPath) {
+        return {};
+    }
+    return {vertexCosts, weight, leastOfFaces};
+}
+
+ValidatedField validateField(
+    const Surface& surface,
+    const ExtendedSurface& extended,
+    std::span<const double> field,
+    FieldCost cost
+) {
+    if (field.empty()) {
+        return {};
+    }
+    if (field.size() != surface.vertices().size()) {
+        throw InputError(
+            InputErrorCode::BadField,
+            "the field has " + std::to_string(field.size()) + " values for " +
+                std::to_string(surface.vertices().size()) + " vertices: give one value per vertex"
+        );
+    }
+    ValidatedField checked;
+    checked.vertexCosts = vertexCostsOf(field, cost);
+    requireFinite(field, checked.vertexCosts);
+    checked.values.assign(field.begin(), field.end());
+    for (const int origin : extended.ghostOrigin) {
+        checked.values.push_back(field[origin]);
+    }
+    checked.costs = summaryOf(checked.vertexCosts);
+    checked.leastOfFaces = leastOfFaces(surface, checked.vertexCosts);
+    return checked;
+}
+
+std::shared_ptr<const ValidatedField> FieldCache::find(
+    const Surface& surface,
+    const ExtendedSurface& extended,
+    std::span<const double> field,
+    FieldCost cost
+) {
+    if (field.empty()) {
+        return std::make_shared<const ValidatedField>();
+    }
+    const std::scoped_lock lock(mutex_);
+    if (!isKept(field, cost)) {
+        kept_ =
+            std::make_shared<const ValidatedField>(validateField(surface, extended, field, cost));
+        cost_ = cost;
+    }
+    return kept_;
+}
+
+// Compares the bits: a value that is no number is like none that is kept.
+bool FieldCache::isKept(std::span<const double> field, FieldCost cost) const {
+    return kept_ != nullptr && cost == cost_ && field.size() == kept_->vertexCosts.size() &&
+           std::memcmp(field.data(), kept_->values.data(), field.size_bytes()) == 0;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/projected_curve.h"
+
+#include "projection/fibre_tracer.h"
+#include "surface/surface_point.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bspline_curve {
+SurfacePoint crossingPoint(
+    const TraceStart& traced,
+    const PolynomialCurve& curve,
+    double tau,
+    const ShellCell& from,
+    const ShellCell& to
+) {
+    Vec3 shadow = from.shadow(curve.at(tau));
+    const Triangle& face = traced.extended.faces[from.face];
+    const Triangle& other = traced.extended.faces[to.face];
+    for (int corner = 0; corner < 3; ++corner) {
+        if (cornerOf(other, face[corner]) < 0) {
+            shadow[corner] = 0.0;
+        }
+    }
+    return onSurface(traced.extended, from.face, shadow);
+}
+
+CellTrace traceCells(
+    const TraceStart& traced, const SplineSpace& space, const ControlPoints& controls
+) {
+    return traceCells(
+        traced, space, controls, [](int, const PolynomialCurve&, const ShellCell&, double, double) {
+        }
+    );
+}
+
+ProjectedCurve::ProjectedCurve(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    CurveTrace trace
+)
+    : extended_(*problem.extended),
+      shell_(problem.shell),
+      space_(space),
+      controls_(controls),
+      trace_(std::move(trace)) {}
+
+SurfacePoint ProjectedCurve::at(double t) const {
+    return std::visit([&](const auto& trace) { return on(trace, t); }, trace_);
+}
+
+SurfacePoint ProjectedCurve::on(const CellTrace& trace, double t) const {
+    const auto found = std::ranges::lower_bound(trace.pieces, t, {}, &CellTrace::Piece::end);
+    const CellTrace::Piece& piece = found == trace.pieces.end() ? trace.pieces.back() : *found;
+    const double tau = (t - space_.breaks()[piece.span]) / space_.spanLength(piece.span);
+    const ShellCell cell(*shell_, piece.tet, piece.foot, piece.face);
+    return onSurface(
+        extended_, cell.face, cell.shadow(space_.polynomial(controls_, piece.span).at(tau))
+    );
+}
+
+SurfacePoint ProjectedCurve::on(const FibreTrace& trace, double t) const {
+    const FootPoint foot = footAt(extended_, trace, space_, controls_, t);
+    return onSurface(extended_, foot.face, foot.barycentric());
+}
+
+}  // namespace bspline_curve

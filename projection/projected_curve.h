@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "projection/cell_tracer.h"
+#include "projection/curve_trace.h"
+#include "solver/curve_problem.h"
+#include "spline/spline_space.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// The point at `curve(tau)` where a spline passes from one cell into one over another face.
+[[nodiscard]] SurfacePoint crossingPoint(
+    const TraceStart& traced,
+    const PolynomialCurve& curve,
+    double tau,
+    const ShellCell& from,
+    const ShellCell& to
+);
+
+/// Traces a whole spline through the cells of a shell; `onPiece` as in traceCurve().
+template <class OnPiece>
+[[nodiscard]] CellTrace traceCells(
+    const TraceStart& traced,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    OnPiece&& onPiece
+) {
+    CellTrace trace;
+    const auto parameter = [&](int span, double tau) {
+        return space.breaks()[span] + tau * space.spanLength(span);
+    };
+    trace.wholeSpans = traceCurve(
+        traced,
+        space,
+        controls,
+        [&](
+            int span, const PolynomialCurve& curve, const ShellCell& cell, double tau0, double tau1
+        ) {
+            onPiece(span, curve, cell, tau0, tau1);
+            trace.pieces.push_back({parameter(span, tau1), span, cell.tet, cell.foot, cell.face});
+        },
+        [&](int span,
+            const PolynomialCurve& curve,
+            const ShellCell& from,
+            const ShellCell& to,
+            double tau,
+            int) {
+            if (from.face != to.face) {
+                trace.crossings.push_back(
+                    {parameter(span, tau), crossingPoint(traced, curve, tau, from, to)}
+                );
+            }
+        }
+    );
+    trace.isWhole = trace.wholeSpans == space.spanCount();
+    return trace;
+}
+
+/// The same, of the pieces alone.
+[[nodiscard]] CellTrace traceCells(
+    const TraceStart& traced, const SplineSpace& space, const ControlPoints& controls
+);
+
+/// The shadow Q = M_S(P) of a spline on the surface: the spline cut where its shadow crosses edges,
+/// each piece carried to its face, through the cells of a shell or along the fibres.
+class ProjectedCurve {
+public:
+    /// `space` and `controls` must outlive this, and so must what `problem` refers to. `trace`:
+    /// whole, of this spline, in the problem's shell or over its base.
+    ProjectedCurve(
+        const CurveProblem& problem,
+        const SplineSpace& space,
+        const ControlPoints& controls,
+        CurveTrace trace
+    );
+
+    /// Where the shadow passes from one face into the next, in order.
+    [[nodiscard]] const std::vector<EdgeCrossing>& crossings() const {
+        return progressOf(trace_).crossings;
+    }
+
+    /// The shadow at t in [0, 1].
+    [[nodiscard]] SurfacePoint at(double t) const;
+
+private:
+    [[nodiscard]] SurfacePoint on(const CellTrace& trace, double t) const;
+    [[nodiscard]] SurfacePoint on(const FibreTrace& trace, double t) const;
+
+    const ExtendedSurface& extended_;
+    const Shell* shell_;
+    const SplineSpace& space_;
+    const ControlPoints& controls_;
+    CurveTrace trace_;
+};
+
+}  // namespace bspline_curve

@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/extended_surface.h"
+
+#include "shell/patch_directions.h"
+#include "shell/pillar_directions.h"
+#include "utility/index_sets.h"
+#include "utility/large_array.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+#include <span>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+// A weighted average is kept as direction where it sees every face at least this well.
+constexpr double kGoodAverageCosine = 0.3;
+// How often, and how far towards its ring's mean, a singular vertex moves.
+constexpr int kMaxMoves = 60;
+constexpr double kMoveFraction = 0.25;
+// Width of the ghost strip in local mean edge lengths, and how often it is halved where it folds.
+constexpr double kGhostWidth = 0.5;
+
+// Of the referenced vertices.
+Eigen::AlignedBox3d boxOf(const Surface& surface) {
+    Eigen::AlignedBox3d box;
+    for (int v = 0; v < surface.vertexCount(); ++v) {
+        if (!surface.facesAround(v).empty()) {
+            box.extend(surface.vertices()[v]);
+        }
+    }
+    return box;
+}
+
+class ExtendedSurfaceBuilder {
+public:
+    /// `normals`: of the surface's faces, unit, found with the directions.
+    ExtendedSurfaceBuilder(
+        const Surface& surface, ExtendedSurface& extended, std::vector<Vec3>& normals
+    )
+        : surface_(surface), extended_(extended), normals_(normals) {}
+
+    void placeVertices(const ShellFrame& frame) {
+        extended_.frame = frame;
+        extended_.surfaceVertexCount = surface_.vertexCount();
+        extended_.surfaceFaceCount = surface_.faceCount();
+        reserveLarge(extended_.vertices, surface_.vertices().size());
+        for (const Vec3& vertex : surface_.vertices()) {
+            extended_.vertices.push_back(extended_.frame.toUnit(vertex));
+        }
+        reserveLarge(extended_.faces, surface_.faces().size());
+        extended_.faces = surface_.faces();
+        reserveLarge(extended_.faceNeighbours, surface_.faces().size());
+        extended_.faceNeighbours = surface_.faceNeighbours();
+    }
+
+    void measureEdges() {
+        extended_.edgeLengths = makeLarge(extended_.vertices.size(), 0.0);
+        for (const Triangle& face : extended_.faces) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int a = face[k];
+                const int b = face[(k + 1) % 3];
+                const double length = (extended_.vertices[a] - extended_.vertices[b]).norm();
+                extended_.edgeLengths[a] += length;
+                extended_.edgeLengths[b] += length;
+            }
+        }
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            // Each face at a vertex counts two edges there.
+            extended_.edgeLengths[v] /= std::max(1, 2 * surface_.facesAround(v).size());
+        }
+    }
+
+    // Directions of all vertices; a vertex that none sees moves towards its ring's mean until one
+    // does.
+    void findDirections() {
+        extended_.directions = makeLarge<Vec3>(extended_.vertices.size(), Vec3::Zero());
+        // Face by face, so that nothing of a face is computed or fetched for each of its corners.
+        reserveLarge(normals_, extended_.faces.size());
+        for (const Triangle& face : extended_.faces) {
+            const Vec3 cross = crossOf(face);
+            const double doubleArea = cross.norm();
+            normals_.push_back(cross.normalized());
+            for (std::size_t k = 0; k < 3; ++k) {
+                extended_.directions[face[k]] += cornerAngle(face, k, doubleArea) * normals_.back();
+            }
+        }
+        std::vector<int> unseen;
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            if (surface_.facesAround(v).empty()) {
+                extended_.directions[v] = Vec3::UnitZ();
+            } else if (!chooseDirection(v, extended_.directions[v])) {
+                unseen.push_back(v);
+            }
+        }
+        std::vector<char> moved(extended_.vertices.size(), 0);
+        for (int round = 0; round < kMaxMoves && !unseen.empty(); ++round) {
+            unseen = moveVertices(unseen, moved);
+        }
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            if (moved[v] != 0) {
+                extended_.movedVertices.push_back(v);
+            }
+        }
+        extended_.unseenVertices = unseen;
+    }
+
+    // Averages directions of patches over the faces around each vertex, kept likewise.
+    void takeDirectionsOf(const PatchLevels& patches) {
+        const std::vector<Vec3> ofPatches = smoothPatchDirections(patches, normals_);
+        const std::vector<int>& patchOf = patches.levels().front().patchOf;
+        std::vector<Vec3> sums = makeLarge<Vec3>(extended_.vertices.size(), Vec3::Zero());
+        for (std::size_t f = 0; f < extended_.faces.size(); ++f) {
+            for (const int v : extended_.faces[f]) {
+                sums[v] += ofPatches[patchOf[f]];
+            }
+        }
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            turn(v, sums[v]);
+        }
+    }
+
+    // Averages directions over the ring, each kept only where the smallest cosine does not suffer.
+    void smoothDirections(int passes) {
+        std::vector<Vec3> sums = makeLarge<Vec3>(extended_.vertices.size(), Vec3::Zero());
+        for (int pass = 0; pass < passes; ++pass) {
+            for (const Triangle& face : extended_.faces) {
+                const Vec3 sum = extended_.directions[face[0]] + extended_.directions[face[1]] +
+                                 extended_.directions[face[2]];
+                for (const int v : face) {
+                    sums[v] += sum;
+                }
+            }
+            for (int v = 0; v < surface_.vertexCount(); ++v) {
+                turn(v, std::exchange(sums[v], Vec3::Zero()));
+            }
+        }
+    }
+
+private:
+    // Smoothing may cost a pillar some of its view as long as it keeps this much.
+    static constexpr double kSmoothEnoughCosine = 0.8;
+
+    // Towards a sum of directions, where the pillar may.
+    void turn(int v, const Vec3& sum) {
+        const double length = sum.norm();
+        if (length >= kLeastPillarCosine && mayTurn(v, sum / length)) {
+            extended_.directions[v] = sum / length;
+        }
+    }
+
+    [[nodiscard]] bool mayTurn(int v, const Vec3& direction) const {
+        const auto normals = std::views::transform(
+            surface_.facesAround(v), [&](int f) -> const Vec3& { return normals_[f]; }
+        );
+        const double after = leastCosine(direction, normals);
+        return after >= kSmoothEnoughCosine ||
+               after >= leastCosine(extended_.directions[v], normals);
+    }
+
+    // The normal of a face, as long as twice its area.
+    [[nodiscard]] Vec3 crossOf(const Triangle& face) const {
+        const Vec3& corner = extended_.vertices[face[0]];
+        return (extended_.vertices[face[1]] - corner).cross(extended_.vertices[face[2]] - corner);
+    }
+
+    [[nodiscard]] Vec3 normalOf(int f) const { return crossOf(extended_.faces[f]).normalized(); }
+
+    void gatherNormals(int v) {
+        star_.clear();
+        for (const int f : surface_.facesAround(v)) {
+            star_.push_back(normals_[f]);
+        }
+    }
+
+    bool findDirection(int v) {
+        Vec3 sum = Vec3::Zero();
+        for (const int f : surface_.facesAround(v)) {
+            const Triangle& face = extended_.faces[f];
+            const std::size_t k = face[0] == v ? 0 : (face[1] == v ? 1 : 2);
+            sum += cornerAngle(face, k, crossOf(face).norm()) * normals_[f];
+        }
+        return chooseDirection(v, sum);
+    }
+
+    // The average of the normals around a vertex, of which the sum is given, where it sees all
+    // faces well, else the one that sees them best. Returns whether it sees all.
+    bool chooseDirection(int v, const Vec3& sum) {
+        gatherNormals(v);
+        const double length = sum.norm();
+        const Vec3 average = sum / length;
+        if (length > 0.0 && leastCosine(average, star_) >= kGoodAverageCosine) {
+            extended_.directions[v] = average;
+            return true;
+        }
+        extended_.directions[v] = directionOfLeastAngle(star_);
+        return leastCosine(extended_.directions[v], star_) >= kLeastPillarCosine;
+    }
+
+    [[nodiscard]] double cornerAngle(const Triangle& face, std::size_t k, double doubleArea) const {
+        const Vec3& corner = extended_.vertices[face[k]];
+        const Vec3 a = extended_.vertices[face[(k + 1) % 3]] - corner;
+        const Vec3 b = extended_.vertices[face[(k + 2) % 3]] - corner;
+        return std::atan2(doubleArea, a.dot(b));
+    }
+
+    // One step of all unseen vertices; returns those that are unseen now, ascending.
+    std::vector<int> moveVertices(const std::vector<int>& unseen, std::vector<char>& moved) {
+        std::vector<Vec3> targets;
+        std::vector<int> touched;
+        for (const int v : unseen) {
+            Vec3 sum = Vec3::Zero();
+            int count = 0;
+            for (const int f : surface_.facesAround(v)) {
+                for (const int corner : extended_.faces[f]) {
+                    touched.push_back(corner);
+                    if (corner != v) {
+                        sum += extended_.vertices[corner];
+                        ++count;
+                    }
+                }
+            }
+            targets.emplace_back(sum / count);
+        }
+        for (std::size_t i = 0; i < unseen.size(); ++i) {
+            Vec3& p = extended_.vertices[unseen[i]];
+            p += kMoveFraction * (targets[i] - p);
+            moved[unseen[i]] = 1;
+        }
+        for (const int v : unseen) {
+            for (const int f : surface_.facesAround(v)) {
+                normals_[f] = normalOf(f);
+            }
+        }
+        sortUnique(touched);
+        std::vector<int> still;
+        for (const int v : touched) {
+            if (!findDirection(v)) {
+                still.push_back(v);
+            }
+        }
+        return still;
+    }
+
+    const Surface& surface_;
+    ExtendedSurface& extended_;
+    std::vector<Vec3>& normals_;
+    std::vector<Vec3> star_;  // those around a vertex
+};
+
+// Grows the ghost strip: each boundary edge gets a quad, each boundary vertex one ghost.
+class GhostBuilder {
+public:
+    GhostBuilder(const Surface& surface, ExtendedSurface& extended)
+        : surface_(surface), extended_(extended) {}
+
+    void build() {
+        collectBoundary();
+        placeGhosts();
+        addFaces();
+    }
+
+private:
+    struct BoundaryEdge {
+        int face, from, to;  // in the face's own order
+    };
+
+    void collectBoundary() {
+        nextEdge_.assign(extended_.vertices.size(), -1);
+        previousEdge_.assign(extended_.vertices.size(), -1);
+        for (int f = 0; f < surface_.faceCount(); ++f) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (surface_.faceNeighbours()[f][k] >= 0) {
+                    continue;
+                }
+                const Triangle& face = surface_.faces()[f];
+                const int from = face[(k + 1) % 3];
+                const int to = face[(k + 2) % 3];
+                nextEdge_[from] = static_cast<int>(edges_.size());
+                previousEdge_[to] = static_cast<int>(edges_.size());
+                edges_.push_back({f, from, to});
+            }
+        }
+    }
+
+    [[nodiscard]] Vec3 outward(const BoundaryEdge& edge) const {
+        const Vec3 normal = extended_.directions[edge.from] + extended_.directions[edge.to];
+        return (extended_.vertices[edge.to] - extended_.vertices[edge.from])
+            .cross(normal)
+            .normalized();
+    }
+
+    void placeGhosts() {
+        ghostOf_.assign(extended_.vertices.size(), -1);
+        for (const BoundaryEdge& edge : edges_) {
+            const int v = edge.from;
+            if (previousEdge_[v] < 0) {
+                continue;
+            }
+            const Vec3 sum = outward(edge) + outward(edges_[previousEdge_[v]]);
+            const double length = sum.norm();
+            const Vec3 direction = length > 0.0 ? Vec3(sum / length) : outward(edge);
+            ghostOf_[v] = static_cast<int>(extended_.vertices.size());
+            extended_.ghostOrigin.push_back(v);
+            extended_.vertices.emplace_back(
+                extended_.vertices[v] + kGhostWidth * extended_.edgeLengths[v] * direction
+            );
+            extended_.directions.push_back(extended_.directions[v]);
+            extended_.edgeLengths.push_back(extended_.edgeLengths[v]);
+        }
+    }
+
+    // The quad beyond edge from->to is (to, from, from') and (to, from', to'). It is left out, and
+    // the shell ends at that edge, where it would stand on its head (narrow notches).
+    void addFaces() {
+        std::vector<int> firstFace(edges_.size(), -1);
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            const BoundaryEdge& edge = edges_[e];
+            const int fromGhost = ghostOf_[edge.from];
+            const int toGhost = ghostOf_[edge.to];
+            const Triangle inner = {edge.to, edge.from, fromGhost};
+            const Triangle outer = {edge.to, fromGhost, toGhost};
+            if (fromGhost < 0 || toGhost < 0 || !isUpright(inner) || !isUpright(outer)) {
+                continue;
+            }
+            const int f = static_cast<int>(extended_.faces.size());
+            firstFace[e] = f;
+            extended_.faces.push_back(inner);
+            extended_.faces.push_back(outer);
+            extended_.faceNeighbours.push_back({-1, f + 1, edge.face});
+            extended_.faceNeighbours.push_back({-1, -1, f});
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Triangle& face = extended_.faces[edge.face];
+                if (face[(k + 1) % 3] == edge.from && face[(k + 2) % 3] == edge.to) {
+                    extended_.faceNeighbours[edge.face][k] = f;
+                }
+            }
+        }
+        // Neighbouring quads share the edge from a boundary vertex to its ghost.
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            const int after = nextEdge_[edges_[e].to];
+            if (firstFace[e] >= 0 && after >= 0 && firstFace[after] >= 0) {
+                extended_.faceNeighbours[firstFace[e] + 1][1] = firstFace[after];
+                extended_.faceNeighbours[firstFace[after]][0] = firstFace[e] + 1;
+            }
+        }
+    }
+
+    [[nodiscard]] bool isUpright(const Triangle& face) const {
+        if (face[2] < 0) {
+            return false;
+        }
+        const Vec3 normal = (extended_.vertices[face[1]] - extended_.vertices[face[0]])
+                                .cross(extended_.vertices[face[2]] - extended_.vertices[face[0]]);
+        const double length = normal.norm();
+        return std::all_of(face.begin(), face.end(), [&](int v) {
+            return normal.dot(extended_.directions[v]) > kLeastPillarCosine * length;
+        });
+    }
+
+    const Surface& surface_;
+    ExtendedSurface& extended_;
+    std::vector<BoundaryEdge> edges_;
+    std::vector<int> nextEdge_, previousEdge_, ghostOf_;
+};
+
+}  // namespace
+
+double longestSideOf(const ExtendedSurface& extended) {
+    Eigen::AlignedBox3d box;
+    for (int f = 0; f < extended.surfaceFaceCount; ++f) {
+        for (const int v : extended.faces[f]) {
+            box.extend(extended.vertices[v]);
+        }
+    }
+    return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+}
+
+double longestSideOf(const Surface& surface) {
+    return boxOf(surface).sizes().maxCoeff();
+}
+
+RoughBase makeRoughBase(const Surface& surface) {
+    RoughBase rough;
+    ExtendedSurfaceBuilder builder(surface, rough.extended, rough.faceNormals);
+    builder.placeVertices({boxOf(surface).center(), surface.diagonal()});
+    builder.findDirections();
+    builder.measureEdges();
+    return rough;
+}
+
+ExtendedSurface extendSurface(
+    const Surface& surface, RoughBase rough, int smoothingPasses, const PatchLevels& patches
+) {
+    ExtendedSurfaceBuilder builder(surface, rough.extended, rough.faceNormals);
+    if (smoothingPasses > 0 && patchesToSmoothOver(patches) != nullptr) {
+        builder.takeDirectionsOf(patches);
+        --smoothingPasses;  // that was one
+    }
+    builder.smoothDirections(smoothingPasses);
+    GhostBuilder(surface, rough.extended).build();
+    return std::move(rough.extended);
+}
+
+ExtendedSurface extendSurface(const Surface& surface, int smoothingPasses) {
+    return extendSurface(surface, makeRoughBase(surface), smoothingPasses, PatchLevels(surface));
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/internal_energy.h"
+#include "solver/quadrature.h"
+#include "solver/solve_report.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+struct EnergyValue {
+    bool inside = false;  ///< the curve may be used: below the barrier; else nothing else is set
+    double total = 0.0;
+    /// What changes of the energy are measured against: the terms that are never negative, and a
+    /// part of what the field costs over its least cost.
+    double scale = 0.0;
+    EnergyTerms terms;
+};
+
+/// The energy (7) of a spline in a shell.
+/// `segments`: E_dist and E_ext at two samples on each of so many parts of a span; 0: cell by cell,
+/// exactly.
+class CellwiseEnergy {
+public:
+    CellwiseEnergy(
+        const CurveProblem& problem,
+        const SplineSpace& space,
+        const std::vector<InterpolationRow>& rows,
+        int segments
+    );
+
+    /// See InternalEnergy::setDirections.
+    void setDirections(const BendingDirections& directions) { internal_.setDirections(directions); }
+
+    void setSegments(int segments) { segments_ = segments; }
+
+    [[nodiscard]] EnergyValue evaluate(
+        const ControlPoints& controls, const EnergyWeights& weights
+    ) const {
+        return evaluate(controls, weights, nullptr);
+    }
+
+    /// Sets the derivatives as well.
+    [[nodiscard]] EnergyValue evaluate(
+        const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives& derivatives
+    ) const {
+        derivatives.reset(space_);
+        return evaluate(controls, weights, &derivatives);
+    }
+
+private:
+    [[nodiscard]] EnergyValue evaluate(
+        const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
+    ) const;
+    double addFit(
+        const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
+    ) const;
+
+    const CurveProblem& problem_;
+    const SplineSpace& space_;
+    const std::vector<InterpolationRow>& rows_;
+    InternalEnergy internal_;
+    int segments_;
+};
+
+}  // namespace bspline_curve

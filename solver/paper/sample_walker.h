@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/polynomial_trace.h"
+#include "shell/shell_boundary.h"
+#include "solver/curve_problem.h"
+#include "spline/spline_space.h"
+
+#include <array>
+#include <optional>
+
+namespace bspline_curve {
+
+/// Two Gauss points on each of the M even segments of a span (14)-(16).
+inline constexpr std::array<double, 2> kPairNodes = {0.21132486540518712, 0.78867513459481288};
+
+/// tau of sample i of the 2 M on a span.
+[[nodiscard]] inline double sampleParameter(int i, int segments) {
+    return (i / 2 + kPairNodes[i % 2]) / segments;
+}
+
+/// Follows samples of a curve through the shell, from each to the next by a straight walk, and back
+/// in through the nearest point of the boundary where the curve was outside. Without
+/// CurveProblem::boundary it stays outside.
+class SampleWalker {
+public:
+    SampleWalker(
+        const CurveProblem& problem, const SplineSpace& space, const ControlPoints& controls
+    )
+        : problem_(problem), here_(problem.picks.front().position) {
+        state_.cell = ShellCell(*problem.shell, problem.picks.front().point);
+        moveTo(space.polynomial(controls, 0).coefficients[0]);
+    }
+
+    void moveTo(const Vec3& p) {
+        if (!outside_ && walk(here_, p)) {
+            here_ = p;
+            return;
+        }
+        if (problem_.boundary == nullptr) {
+            outside_ = true;
+            return;
+        }
+        const ShellBoundary::Nearest nearest = problem_.boundary->nearest(p);
+        const std::optional<ShellCell> entry =
+            ShellCell::find(*problem_.shell, nearest.tet, nearest.position);
+        if (!entry) {
+            outside_ = true;  // no face there: the sample before stands for this one
+            return;
+        }
+        state_ = {*entry};
+        // Inside where the walk from the boundary ends inside.
+        outside_ = !walk(nearest.position, p);
+        if (outside_) {
+            state_ = {*entry};
+        }
+        here_ = outside_ ? nearest.position : p;
+    }
+
+    [[nodiscard]] const ShellCell& cell() const { return state_.cell; }
+
+    [[nodiscard]] bool outside() const { return outside_; }
+
+    /// The sample itself, or its nearest point of the boundary.
+    [[nodiscard]] const Vec3& position() const { return here_; }
+
+private:
+    bool walk(const Vec3& from, const Vec3& to) {
+        return walkStraight(*problem_.shell, from, to, state_);
+    }
+
+    const CurveProblem& problem_;
+    TraceState state_;
+    Vec3 here_;
+    bool outside_ = false;
+};
+
+}  // namespace bspline_curve

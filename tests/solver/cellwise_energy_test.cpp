@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/cellwise_energy.h"
+
+#include "problem_fixture.h"
+#include "support/meshes.h"
+#include "surface/surface_point.h"
+
+#include <Eigen/Cholesky>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+// The gradient is that of the integrand at the quadrature points; pieces that grow and shrink with
+// the curve change the sum by the error of the quadrature as well.
+constexpr double kQuadratureError = 1e-5;
+// The barrier of what is avoided is steep all along a way that is one face wide.
+constexpr double kSteepQuadratureError = 3e-4;
+// Kinks at walls that the curve grazes are bounded in the Hessian, and pieces end at other places.
+constexpr double kGrazingError = 0.02;
+
+enum class Avoided { Nothing, Disc, AllButTheWay };
+
+struct Case {
+    std::string name;
+    int degree;
+    bool closed;
+    FieldCost cost;
+    bool simplified = false;
+    Avoided avoided = Avoided::Nothing;
+};
+
+const std::vector<Vec3> kPicks = {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}};
+
+test_support::ProblemFixture makeFixture(const Case& c, const SolverOptions& options) {
+    const TriangleMesh fine = test_support::withNoise(test_support::icosphere(3), 0.01, 7);
+    if (c.simplified) {
+        const test_support::CoarseShellCase coarse{
+            "NoisySphere", fine, test_support::icosphere(1), 0.3
+        };
+        return {coarse, kPicks, options};
+    }
+    return {fine, kPicks, options};
+}
+
+// A disc in the way, or all faces but those of the way itself, which then leads over edges that
+// have both ends on what is avoided.
+void avoid(test_support::ProblemFixture& fixture, Avoided avoided) {
+    if (avoided == Avoided::Nothing) {
+        return;
+    }
+    const Surface& surface = fixture.surface();
+    std::vector<char> isIn(surface.faces().size(), avoided == Avoided::Disc ? 0 : 1);
+    if (avoided == Avoided::Disc) {
+        const Vec3 centre = Vec3(1, 1.1, 0.2).normalized();
+        for (std::size_t f = 0; f < isIn.size(); ++f) {
+            const Vec3 middle = surface.position({static_cast<int>(f), Vec3::Constant(1.0 / 3.0)});
+            isIn[f] = (middle - centre).norm() < 0.2 ? 1 : 0;
+        }
+    } else {
+        for (const InitialPath::Point& point : fixture.initialPath().points) {
+            for (const int f : facesHolding(surface, point.point)) {
+                isIn[f] = 0;
+            }
+        }
+    }
+    Region region;
+    for (std::size_t f = 0; f < isIn.size(); ++f) {
+        if (isIn[f] != 0) {
+            region.push_back(static_cast<int>(f));
+        }
+    }
+    fixture.avoid(region, 0.2);
+}
+
+// Changes a direction so that it leaves the curve at the picks in place. There the curve lies
+// exactly in the middle surface, at the end of a span, and the quadrature has a kink.
+void keepPicks(
+    ControlPoints& direction, const SplineSpace& space, const std::vector<InterpolationRow>& rows
+) {
+    Eigen::MatrixXd constraints =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), space.controlCount());
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        for (int j = 0; j < space.basisCount(); ++j) {
+            constraints(static_cast<Eigen::Index>(r), space.control(rows[r].span, j)) +=
+                rows[r].values[j];
+        }
+    }
+    const Eigen::MatrixXd violation = constraints * direction;
+    direction -=
+        constraints.transpose() * (constraints * constraints.transpose()).ldlt().solve(violation);
+}
+
+Eigen::VectorXd hessianTimes(
+    const EnergyDerivatives& derivatives, const SplineSpace& space, const Eigen::VectorXd& x
+) {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(x.size());
+    const int size = 3 * space.basisCount();
+    for (int span = 0; span < space.spanCount(); ++span) {
+        const auto s = static_cast<std::size_t>(span);
+        const auto unknown = [&](int i) { return 3 * space.control(span, i / 3) + i % 3; };
+        for (int i = 0; i < size; ++i) {
+            for (int j = 0; j < size; ++j) {
+                result[unknown(i)] +=
+                    (derivatives.hessian[s](i, j) + derivatives.negativeKinks[s](i, j)) *
+                    x[unknown(j)];
+            }
+        }
+    }
+    return result;
+}
+
+class CurveEnergyDerivatives : public testing::TestWithParam<Case> {};
+
+// Central differences of the energy along random directions of the control points against the
+// gradient, and of the gradient against the Hessian. On a noisy sphere the curve crosses hundreds
+// of walls.
+TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
+    const Case& c = GetParam();
+    SolverOptions options;
+    options.degree = c.degree;
+    options.closed = c.closed;
+    options.tension = 0.3;
+    options.fieldWeight = 2.0;
+    options.fieldCost = c.cost;
+    test_support::ProblemFixture fixture = makeFixture(c, options);
+    std::vector<double> field;
+    for (const Vec3& v : fixture.surface().vertices()) {
+        field.push_back(std::sin(3.0 * v.x()) + v.y() * v.z());
+    }
+    fixture.setField(field);
+    avoid(fixture, c.avoided);
+    const SplineCurve curve = fitInitialPath(fixture.problem(), fixture.initialPath()).value();
+    const std::vector<InterpolationRow> rows =
+        interpolationRows(curve.space, fixture.problem().picks);
+    CellwiseEnergy energy(fixture.problem(), curve.space, rows, 0);
+    const std::optional<BendingDirections> directions =
+        bendingDirectionsAlong(fixture.problem(), curve.space, curve.controls, 0);
+    ASSERT_TRUE(directions.has_value());
+    energy.setDirections(*directions);
+    EnergyWeights weights{20.0, 5.0, 1.0};
+    weights.avoidance = 3.0;
+
+    const double quadratureError =
+        c.avoided == Avoided::AllButTheWay ? kSteepQuadratureError : kQuadratureError;
+    EnergyDerivatives derivatives;
+    ASSERT_TRUE(energy.evaluate(curve.controls, weights, derivatives).inside);
+    std::mt19937_64 random(11);
+    std::normal_distribution<double> normal;
+    for (int trial = 0; trial < 5; ++trial) {
+        ControlPoints direction(curve.controls.rows(), 3);
+        for (Eigen::Index i = 0; i < direction.size(); ++i) {
+            direction.data()[i] = normal(random);
+        }
+        keepPicks(direction, curve.space, rows);
+        const Eigen::Map<const Eigen::VectorXd> flat(direction.data(), direction.size());
+        const double h = 1e-7;
+        const ControlPoints up = curve.controls + h * direction;
+        const ControlPoints down = curve.controls - h * direction;
+        const double predicted = derivatives.gradient.dot(flat);
+        const double difference =
+            (energy.evaluate(up, weights).total - energy.evaluate(down, weights).total) / (2.0 * h);
+        EXPECT_NEAR(predicted, difference, quadratureError * derivatives.gradient.norm())
+            << "trial " << trial;
+
+        EnergyDerivatives above;
+        EnergyDerivatives below;
+        ASSERT_TRUE(energy.evaluate(up, weights, above).inside);
+        ASSERT_TRUE(energy.evaluate(down, weights, below).inside);
+        const Eigen::VectorXd change = (above.gradient - below.gradient) / (2.0 * h);
+        const Eigen::VectorXd product = hessianTimes(derivatives, curve.space, flat);
+        EXPECT_LT((change - product).norm(), kGrazingError * product.norm()) << "trial " << trial;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    AllKinds,
+    CurveEnergyDerivatives,
+    testing::Values(
+        Case{"OpenQuadratic", 2, false, FieldCost::Identity},
+        Case{"OpenCubic", 3, false, FieldCost::Square},
+        Case{"OpenQuartic", 4, false, FieldCost::ExpMinus},
+        Case{"ClosedCubic", 3, true, FieldCost::Identity},
+        Case{"ClosedQuadratic", 2, true, FieldCost::Square},
+        Case{"ClosedQuartic", 4, true, FieldCost::Identity},
+        Case{"SimplifiedQuadratic", 2, false, FieldCost::Identity, true},
+        Case{"SimplifiedCubic", 3, false, FieldCost::Square, true},
+        Case{"SimplifiedClosedCubic", 3, true, FieldCost::Identity, true},
+        Case{"SimplifiedClosedQuartic", 4, true, FieldCost::ExpMinus, true},
+        Case{"RoundADisc", 3, false, FieldCost::Identity, false, Avoided::Disc},
+        Case{"RoundADiscClosed", 4, true, FieldCost::Identity, false, Avoided::Disc},
+        Case{"SimplifiedRoundADisc", 2, false, FieldCost::Identity, true, Avoided::Disc},
+        Case{"OneFaceWide", 3, false, FieldCost::Identity, false, Avoided::AllButTheWay},
+        Case{"OneFaceWideClosed", 2, true, FieldCost::Identity, false, Avoided::AllButTheWay},
+        Case{"SimplifiedOneFaceWide", 4, false, FieldCost::Identity, true, Avoided::AllButTheWay}
+    )
+);
+
+}  // namespace
+}  // namespace bspline_curve

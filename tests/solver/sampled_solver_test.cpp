@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves relaxed by foot points against those integrated cell by cell, and which are which.
+#include "solver/sampled_solver.h"
+
+#include "design/curve_checks.h"
+#include "problem_fixture.h"
+#include "projection/fibre_projector.h"
+#include "support/meshes.h"
+#include "surface/input_error.h"
+#include "surface/triangle_tree.h"
+#include "utility/worker_thread.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+struct Scene {
+    std::string name;
+    TriangleMesh mesh;
+    std::vector<Vec3> picks;
+    bool closed = false;
+    int degree = 3;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Scene& scene) {
+    return stream << scene.name;
+}
+
+const std::vector<Vec3> kSpherePicks = {
+    {1, 0.1, 0.2}, {0.2, 1, 0.1}, {-0.7, 0.3, 0.7}, {-0.3, -0.9, 0.2}
+};
+const std::vector<Vec3> kTorusPicks = {
+    {1.3, 0.1, 0.1}, {0.1, 1.0, 0.3}, {-0.9, 0.5, -0.25}, {-0.8, -0.8, 0.2}
+};
+
+// Of points near the surface the nearest ones on it.
+std::vector<Vec3> onSurface(const TriangleMesh& mesh, std::vector<Vec3> points) {
+    const TriangleTree tree(mesh.vertices, mesh.faces);
+    for (Vec3& p : points) {
+        p = tree.closestPoint(p).position;
+    }
+    return points;
+}
+
+Scene sphere(bool closed = false) {
+    return {closed ? "ClosedOnASphere" : "Sphere", icosphere(4), kSpherePicks, closed};
+}
+
+Scene noisySphere(bool closed = false, int degree = 3) {
+    return {
+        "NoisySphere" + std::string(closed ? "Closed" : "") + std::to_string(degree),
+        withNoise(icosphere(4), 0.005, 17),
+        kSpherePicks,
+        closed,
+        degree
+    };
+}
+
+Scene plateWithBoundary() {
+    return {
+        "Plate",
+        jitteredPlate(20, 20, 0.25, 5),
+        {{0.02, 0.1, 0}, {0.4, 0.97, 0}, {0.7, 0.03, 0}, {0.98, 0.6, 0}}
+    };
+}
+
+ProblemFixture makeFixture(const Scene& scene, SolverOptions options = {}) {
+    options.closed = scene.closed;
+    options.degree = scene.degree;
+    return {scene.mesh, onSurface(scene.mesh, scene.picks), options};
+}
+
+ProblemFixture byCells(const Scene& scene, SolverOptions options = {}) {
+    options.quadrature = Quadrature::Cells;
+    return makeFixture(scene, options);
+}
+
+std::optional<Solution> relaxed(const ProblemFixture& fixture) {
+    return solveSampled(fixture.problem(), fixture.initialPath());
+}
+
+void expectSame(const Solution& a, const Solution& b) {
+    EXPECT_EQ(a.curve.space.breaks(), b.curve.space.breaks());
+    EXPECT_EQ(a.curve.controls, b.curve.controls);
+    EXPECT_EQ(a.report.status, b.report.status);
+    EXPECT_EQ(a.report.newtonIterations, b.report.newtonIterations);
+    EXPECT_EQ(a.report.maxDistance, b.report.maxDistance);
+}
+
+// Length, E_int without tension and the mean of the field, in the shell's frame, by many samples.
+struct Measures {
+    double length = 0.0, bending = 0.0, field = 0.0;
+};
+
+double fieldAt(const CurveProblem& problem, const FootPoint& foot) {
+    double value = 0.0;
+    for (int k = 0; k < 3 && !problem.field.empty(); ++k) {
+        const int v = problem.extended->faces[foot.face][k];
+        value += foot.barycentric()[k] * problem.field[v];
+    }
+    return value;
+}
+
+Measures measured(const ProblemFixture& fixture, const SplineCurve& curve) {
+    const CurveProblem& problem = fixture.problem();
+    const TriangleTree tree(problem.extended->vertices, problem.extended->faces);
+    const FibreProjector finder(*problem.extended);
+    Measures sum;
+    constexpr int kSteps = 40;
+    for (int span = 0; span < curve.space.spanCount(); ++span) {
+        const PolynomialCurve piece = curve.space.polynomial(curve.controls, span);
+        const double length = curve.space.spanLength(span);
+        for (int i = 0; i < kSteps; ++i) {
+            const double tau = (i + 0.5) / kSteps;
+            const SurfacePoint nearest = tree.closestPoint(piece.at(tau)).point;
+            FootPoint foot{nearest.face, nearest.barycentric[1], nearest.barycentric[2], 0.0};
+            FootFrame frame;
+            finder.move(piece.at(tau), foot, frame);
+            const Vec3 bend = piece.secondDerivativeAt(tau) / (length * length);
+            const double normal = frame.direction.dot(bend);
+            const double share = 1.0 - problem.options.normalBendingWeight;
+            sum.field += length / kSteps * fieldAt(problem, foot);
+            sum.length += piece.derivativeAt(tau).norm() / kSteps;
+            sum.bending += length / kSteps * (bend.squaredNorm() - share * normal * normal);
+        }
+    }
+    sum.bending /= problem.chordLength * problem.chordLength;
+    return sum;
+}
+
+// ---- Curves that are relaxed ----
+
+class Relaxation : public testing::TestWithParam<Scene> {};
+
+TEST_P(Relaxation, GivesTheCurvesOfTheCells) {
+    const ProblemFixture fixture = makeFixture(GetParam());
+    const std::optional<Solution> quick = relaxed(fixture);
+    ASSERT_TRUE(quick.has_value());
+    expectSame(*quick, solved(fixture));
+    const Solution cells = solved(byCells(GetParam()));
+    for (const SolveReport& report : {quick->report, cells.report}) {
+        EXPECT_TRUE(report.usable);
+        EXPECT_LT(report.maxDistance, fixture.problem().options.distanceTolerance);
+        EXPECT_LT(report.maxPickGap, 1e-9);
+    }
+    const Measures one = measured(fixture, quick->curve);
+    const Measures other = measured(fixture, cells.curve);
+    const double tolerance =
+        fixture.problem().options.distanceTolerance * fixture.problem().averageEdgeLength;
+    EXPECT_NEAR(one.length, other.length, 2.0 * tolerance);
+    EXPECT_LT(one.bending, 1.2 * other.bending);
+    EXPECT_LT(quick->report.newtonIterations, cells.report.newtonIterations);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    Relaxation,
+    testing::Values(
+        sphere(),
+        sphere(true),
+        noisySphere(),
+        noisySphere(true),
+        noisySphere(false, 4),
+        noisySphere(true, 4),
+        Scene{"Torus", torus(64, 24), kTorusPicks},
+        plateWithBoundary(),
+        Scene{
+            "Box",
+            box(10, {1.0, 0.8, 0.6}),
+            {{0.9, 0.1, 0.6}, {0.5, 0.5, 0.6}, {0.2, 0.8, 0.4}, {0.7, 0.8, 0.2}}
+        }
+    ),
+    [](const auto& testInfo) { return testInfo.param.name; }
+);
+
+void setWaves(ProblemFixture& fixture) {
+    std::vector<double> field;
+    for (const Vec3& v : fixture.surface().vertices()) {
+        field.push_back(1.0 + std::sin(3.0 * v.x()) * v.y());
+    }
+    fixture.setField(field);
+}
+
+TEST(RelaxationUnderAField, CostsNoMoreThanByCells) {
+    SolverOptions options;
+    options.fieldWeight = 200.0;
+    ProblemFixture fixture = makeFixture(noisySphere(), options);
+    setWaves(fixture);
+    const std::optional<Solution> quick = relaxed(fixture);
+    ASSERT_TRUE(quick.has_value());
+    EXPECT_TRUE(quick->report.usable);
+    ProblemFixture exact = byCells(noisySphere(), options);
+    setWaves(exact);
+    const Measures one = measured(fixture, quick->curve);
+    const Measures other = measured(exact, solved(exact).curve);
+    EXPECT_NEAR(quick->report.fieldCost, one.field, 1e-3);
+    EXPECT_LT(one.bending + 200.0 * one.field, 1.01 * (other.bending + 200.0 * other.field));
+    // It is another curve than without the field.
+    const std::optional<Solution> without = relaxed(makeFixture(noisySphere()));
+    ASSERT_TRUE(without.has_value());
+    EXPECT_LT(one.field, measured(fixture, without->curve).field - 0.03);
+}
+
+// On a plate no direction changes, so that a step is judged by the energy that is reported.
+TEST(RelaxationSteps, NeverRaiseTheEnergy) {
+    for (const bool withField : {false, true}) {
+        SolverOptions options;
+        options.fieldWeight = 50.0;
+        ProblemFixture fixture = makeFixture(plateWithBoundary(), options);
+        if (withField) {
+            setWaves(fixture);
+        }
+        const std::optional<Solution> quick = relaxed(fixture);
+        ASSERT_TRUE(quick.has_value());
+        const std::vector<IterationReport>& iterations = quick->report.iterations;
+        EXPECT_EQ(static_cast<int>(iterations.size()), quick->report.newtonIterations);
+        int falls = 0;
+        for (std::size_t i = 0; i < iterations.size(); ++i) {
+            EXPECT_GE(iterations[i].step, 0.0);
+            EXPECT_LE(iterations[i].step, 1.0);
+            if (i > 0 && iterations[i].round == iterations[i - 1].round) {
+                EXPECT_LE(iterations[i].total, iterations[i - 1].total) << "step " << i;
+                ++falls;
+            }
+        }
+        EXPECT_GT(falls, 0);
+    }
+}
+
+// Where a step fails at some bumps the rest of the curve goes all its way. Steps that are only
+// shortened are so 10 times here.
+TEST(RelaxationSteps, AreSeldomShortened) {
+    int shortened = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        for (const bool closed : {false, true}) {
+            const Scene bumpy{"Bumpy", withNoise(icosphere(4), 0.03, seed), kSpherePicks, closed};
+            const std::optional<Solution> solution = relaxed(makeFixture(bumpy));
+            ASSERT_TRUE(solution.has_value()) << "seed " << seed;
+            shortened += static_cast<int>(
+                std::ranges::count_if(solution->report.iterations, [](const IterationReport& step) {
+                    return step.step < 1.0;
+                })
+            );
+        }
+    }
+    EXPECT_LE(shortened, 3);
+}
+
+// Single curves take three steps or eight; what counts is that no resolution takes more of them.
+TEST(RelaxationSteps, AreAsManyOnASubdividedMesh) {
+    int onCoarse = 0;
+    int onFine = 0;
+    for (Scene scene : {sphere(), noisySphere(), plateWithBoundary()}) {
+        SCOPED_TRACE(scene.name);
+        const std::optional<Solution> coarse = relaxed(makeFixture(scene));
+        // The picks of the first mesh: the surface is the same.
+        scene.picks = onSurface(scene.mesh, scene.picks);
+        scene.mesh = midpointSubdivide(scene.mesh);
+        SolverOptions options;
+        options.distanceTolerance *= 2.0;  // the same length: edges are half as long
+        const std::optional<Solution> fine = relaxed(makeFixture(scene, options));
+        ASSERT_TRUE(coarse && fine);
+        onCoarse += coarse->report.newtonIterations;
+        onFine += fine->report.newtonIterations;
+    }
+    EXPECT_LE(onFine, 2 * onCoarse) << onCoarse << " and " << onFine;
+    EXPECT_LE(onCoarse, 2 * onFine) << onCoarse << " and " << onFine;
+}
+
+// The curve stays in the middle of a lens, however large its weight of the distance becomes: for
+// seven rounds until that is the largest.
+TEST(RelaxationSteps, EndSoonWhereTheCurveStaysFarAway) {
+    constexpr double kThickness = 0.05;
+    Scene lens{
+        "Lens",
+        icosphere(4),
+        {{0.5, 0.0, kThickness}, {0.6, 0.1, -kThickness}, {-0.5, 0.3, kThickness}}
+    };
+    for (Vec3& vertex : lens.mesh.vertices) {
+        vertex.z() *= kThickness;
+    }
+    ProblemFixture fixture = makeFixture(lens);
+    int rounds = 0;
+    fixture.problem().progress = [&](double, const char*) {
+        ++rounds;
+        return true;
+    };
+    EXPECT_FALSE(relaxed(fixture).has_value());
+    EXPECT_LE(rounds, 5);
+}
+
+TEST(RelaxationSteps, StopWhereTheCallbackSaysSo) {
+    SolverOptions options;
+    options.distanceTolerance *= 0.1;  // so that it takes some rounds
+    ProblemFixture fixture = makeFixture(noisySphere(true), options);
+    int calls = 0;
+    double last = 0.0;
+    fixture.problem().progress = [&](double fraction, const char*) {
+        EXPECT_GE(fraction, last);
+        EXPECT_LE(fraction, 1.0);
+        last = fraction;
+        ++calls;
+        return true;
+    };
+    EXPECT_TRUE(solveSampled(fixture.problem(), fixture.initialPath()).has_value());
+    ASSERT_GT(calls, 1);
+    for (int allowed = 0; allowed < calls; ++allowed) {
+        int left = allowed;
+        fixture.problem().progress = [&](double, const char*) { return left-- > 0; };
+        EXPECT_THROW(
+            static_cast<void>(solveSampled(fixture.problem(), fixture.initialPath())), Cancelled
+        );
+    }
+}
+
+// ---- Curves that are not ----
+
+void expectByCells(ProblemFixture fixture) {
+    EXPECT_FALSE(relaxed(fixture).has_value());
+    const Solution one = solved(fixture);
+    fixture.problem().options.quadrature = Quadrature::Cells;
+    expectSame(one, solved(fixture));
+}
+
+TEST(RelaxationIsNotFor, TightCurves) {
+    SolverOptions options;
+    options.tension = 0.8;
+    expectByCells(makeFixture(sphere(), options));
+}
+
+TEST(RelaxationIsNotFor, QuadraticSplines) {
+    expectByCells(makeFixture(noisySphere(false, 2)));
+    expectByCells(makeFixture(noisySphere(true, 2)));
+}
+
+TEST(RelaxationIsNotFor, StrongFields) {
+    SolverOptions options;
+    options.fieldWeight = 1e5;
+    ProblemFixture fixture = makeFixture(noisySphere(), options);
+    setWaves(fixture);
+    expectByCells(std::move(fixture));
+}
+
+TEST(RelaxationIsNotFor, ThePapersSettings) {
+    const Scene scene{"SmallSphere", icosphere(3), kSpherePicks};
+    SolverOptions options;
+    options.interpolation = Interpolation::Penalty;
+    expectByCells(makeFixture(scene, options));
+    options = {};
+    options.initialCurve = InitialCurve::ControlPolygon;
+    expectByCells(makeFixture(scene, options));
+    options = {};
+    options.barrierWidth = BarrierWidth::Tight;
+    expectByCells(makeFixture(scene, options));
+    options = {};
+    options.distanceWeight = DistanceWeight::Adaptive;
+    expectByCells(makeFixture(scene, options));
+    options = {};
+    options.knotRule = KnotRule::FeatureFunction;
+    expectByCells(makeFixture(scene, options));
+    for (const Quadrature quadrature : {Quadrature::Cells, Quadrature::Samples}) {
+        options = {};
+        options.quadrature = quadrature;
+        EXPECT_FALSE(relaxed(makeFixture(scene, options)).has_value());
+    }
+}
+
+// All faces whose middle lies within a ball.
+Region ball(const Surface& surface, const Vec3& centre, double radius) {
+    Region region;
+    for (int f = 0; f < surface.faceCount(); ++f) {
+        if ((surface.position({f, Vec3::Constant(1.0 / 3.0)}) - centre).norm() < radius) {
+            region.push_back(f);
+        }
+    }
+    return region;
+}
+
+TEST(RelaxationIsNotFor, CurvesThatWhatTheyAvoidPushes) {
+    const Scene scene{"Plate", jitteredPlate(20, 20, 0.25, 5), {{0.1, 0.48, 0}, {0.9, 0.48, 0}}};
+    for (const double centre : {0.5, 0.65}) {  // in the way, and beside it
+        ProblemFixture fixture = makeFixture(scene);
+        fixture.avoid(ball(fixture.surface(), {0.5, centre, 0}, 0.1), 0.1);
+        expectByCells(std::move(fixture));
+    }
+}
+
+TEST(RelaxationOfCurves, IsTheSameOnTwoThreads) {
+    WorkerThread side;
+    for (const Scene& scene : {noisySphere(true), plateWithBoundary(), noisySphere(false, 4)}) {
+        ProblemFixture fixture = makeFixture(scene);
+        fixture.problem().shell = nullptr;
+        const std::optional<Solution> alone = relaxed(fixture);
+        fixture.problem().side = &side;
+        const std::optional<Solution> both = relaxed(fixture);
+        ASSERT_TRUE(alone && both);
+        expectSame(*alone, *both);
+    }
+}
+
+TEST(RelaxationOfCurves, IsTheSameBesideWhatIsFarAway) {
+    const Scene scene{"Plate", jitteredPlate(20, 20, 0.25, 5), {{0.1, 0.48, 0}, {0.9, 0.48, 0}}};
+    ProblemFixture fixture = makeFixture(scene);
+    const std::optional<Solution> without = relaxed(fixture);
+    fixture.avoid(ball(fixture.surface(), {0.5, 0.9, 0}, 0.08), 0.1);
+    const std::optional<Solution> with = relaxed(fixture);
+    ASSERT_TRUE(without && with);
+    expectSame(*without, *with);
+}
+
+TEST(RelaxationIsNotFor, CurvesWhoseProgressFalls) {
+    ProblemFixture fixture = makeFixture(noisySphere(true));
+    fixture.avoid(ball(fixture.surface(), {0.3, 0.8, 0.5}, 0.3), 0.2);
+    EXPECT_FALSE(relaxed(fixture).has_value());
+    double last = 0.0;
+    fixture.problem().progress = [&](double fraction, const char*) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return true;
+    };
+    static_cast<void>(solved(fixture));
+}
+
+// ---- Curves that are refused ----
+
+std::optional<InputError> refusal(
+    const CurveDesigner& designer,
+    const std::vector<Vec3>& picks,
+    Quadrature quadrature,
+    const Region& avoid
+) {
+    SolverOptions options;
+    options.quadrature = quadrature;
+    try {
+        static_cast<void>(designer.design(picks, options, {}, {.avoid = avoid}));
+    } catch (const InputError& error) {
+        return error;
+    }
+    return std::nullopt;
+}
+
+TEST(RelaxationOfCurves, RefusesWhatCellsRefuse) {
+    struct Refused {
+        TriangleMesh mesh;
+        std::vector<Vec3> picks;
+        double wall = 0.0;  // faces to avoid beside x = 0.5
+    };
+
+    const std::vector<Refused> cases = {
+        {twoComponents(), {{-1, 0, 0}, {3, 0, 0}}},
+        {crossingPlates(), {{0.5, 0.1, 0}, {0.5, 0.9, 0}}},
+        {plate(8, 8), {{0.1, 0.2, 0}, {0.9, 0.7, 0}}, 0.1},
+        {plate(8, 8), {{0.1, 0.2, 0}, {0.5, 0.7, 0}}, 0.1},
+        {plate(8, 8), {{0.1, 0.2, 0}, {0.5, 0.7, 3.0}}},
+        {plate(8, 8), {{0.1, 0.2, 0}, {0.1, 0.2, 0}}},
+    };
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        SCOPED_TRACE("case " + std::to_string(i));
+        const CurveDesigner designer(cases[i].mesh);
+        Region avoid;
+        for (int f = 0; f < designer.surface().faceCount(); ++f) {
+            const double x = designer.surface().position({f, Vec3::Constant(1.0 / 3.0)}).x();
+            if (std::abs(x - 0.5) < cases[i].wall) {
+                avoid.push_back(f);
+            }
+        }
+        const std::vector<Vec3>& picks = cases[i].picks;
+        const auto one = refusal(designer, picks, Quadrature::FootPoints, avoid);
+        const auto other = refusal(designer, picks, Quadrature::Cells, avoid);
+        ASSERT_TRUE(one && other);
+        EXPECT_EQ(one->code(), other->code());
+        EXPECT_STREQ(one->what(), other->what());
+        EXPECT_EQ(one->elements(), other->elements());
+    }
+}
+
+}  // namespace
+}  // namespace bspline_curve
