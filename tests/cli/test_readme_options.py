@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README, docs/PARAMETERS.md, the description of the filters and the program's help say the same."""
+"""README, docs/COMMAND_LINE.md, docs/PARAMETERS.md, the description of the filters and the program's help say the same."""
 
 import json
 import re
@@ -11,6 +11,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text()
+PAGE = (ROOT / "docs" / "COMMAND_LINE.md").read_text()
 FILTERS = json.loads((ROOT / "filters" / "filters.json").read_text())["filters"]
 CURVE, FIELD = ({p["id"]: p for p in f["parameters"]} for f in FILTERS)
 
@@ -66,14 +67,14 @@ def test_a_kind_is_told_with_the_option(run):
     assert "selected" not in helped(run)["avoid"][1]
 
 
-def rows_of(title, following):
-    section = re.search(rf"\n{title}\n(.*?)\n{following}", README, re.S)[1]
+def rows_of(page, title):
+    section = re.search(rf"\n## {title}\n(.*?)(?=\n## |\Z)", page, re.S)[1]
     return section, re.findall(r"^\| (`[\w-]+`[^|]*) \| ([^|]*) \|", section, re.M)
 
 
-@pytest.mark.parametrize("verb, title", [("shell", "### Shells"), ("field", "### Fields")])
+@pytest.mark.parametrize("verb, title", [("shell", "Shells"), ("field", "Fields")])
 def test_the_section_of_a_verb_names_every_option_and_its_default(run, verb, title):
-    section, rows = rows_of(title, "##")
+    section, rows = rows_of(PAGE, title)
     options = helped(run, verb)
     for name, default in rows:
         given = options[name.strip("`-")][0]
@@ -83,7 +84,7 @@ def test_the_section_of_a_verb_names_every_option_and_its_default(run, verb, tit
 
 
 def test_the_table_of_curves_has_the_programs_defaults(run):
-    _, rows = rows_of("## Options", "## ")
+    _, rows = rows_of(README, "Options")
     options = helped(run)
     assert len(rows) > 6
     for name, default in rows:
@@ -92,7 +93,8 @@ def test_the_table_of_curves_has_the_programs_defaults(run):
 
 
 def test_what_the_program_alone_has_is_explained(run):
-    assert [n for n in OF_PROGRAM[()] if f"`--{n}`" not in README and f"--{n} " not in README] == []
+    section, _ = rows_of(PAGE, "Curves")
+    assert [name for name in OF_PROGRAM[()] if f"`--{name}`" not in section] == []
 
 
 def test_the_page_of_parameters_is_what_the_description_says():
