@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Links, files and names in README, CONTRIBUTING and docs/ exist."""
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = [*ROOT.glob("*.md"), *sorted((ROOT / "docs").glob("*.md"))]
+FOLDERS = "utility|surface|shell|spline|projection|solver|design|field|io|filters|cli|python|scripts|tests|benchmarks|cmake|examples|docs|include"
+
+
+def anchor_of(title):
+    """As GitHub makes it from a heading."""
+    return re.sub(r"[^\w\- ]", "", title.replace("`", "").lower()).strip().replace(" ", "-")
+
+
+def text_of(page):
+    return re.sub(r"^```.*?^```", "", page.read_text(), flags=re.M | re.S)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_somewhere(page):
+    lost = []
+    for link in re.findall(r"\]\(([^)\s]+)\)|<img src=\"([^\"]+)\"", page.read_text()):
+        path, _, anchor = (link[0] or link[1]).partition("#")
+        if path.startswith(("http:", "https:")):
+            continue
+        target = (page.parent / path).resolve() if path else page
+        found = target.exists()
+        if found and anchor:
+            found = anchor in [anchor_of(title) for title in re.findall(r"^#+ (.*)$", text_of(target), re.M)]
+        if not found:
+            lost.append(link)
+    assert lost == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_files_that_are_named_exist(page):
+    named = re.findall(rf"`((?:{FOLDERS})/[\w./*-]*)`", text_of(page))
+    lost = [path for path in named if not any(ROOT.glob(path.rstrip("/")))]
+    if page.name == "CHANGELOG.md":
+        lost = [path for path in lost if path not in text_of(page).partition("### Removed")[2]]
+    assert lost == []
+
+
+@pytest.mark.parametrize("page", ["CONTRIBUTING.md", "docs/ALGORITHM.md"])
+def test_names_stand_in_the_file_that_the_page_tells(page):
+    pairs = re.findall(r"`([A-Za-z_:]+)` in\s+`([\w/]+\.(?:h|cpp))`", text_of(ROOT / page))
+    pairs += [(name, path) for path, name in re.findall(r"`([\w/]+\.(?:h|cpp))` \(`([A-Za-z_:]+)`", text_of(ROOT / page))]
+    assert len(pairs) > 5
+    assert [pair for pair in pairs if pair[0].split("::")[-1] not in (ROOT / pair[1]).read_text()] == []
