@@ -18,10 +18,10 @@ PAGE = ROOT / "docs" / "PARAMETERS.md"
 INTRODUCTION = """\
 # Parameters
 
-Made from [filters/filters.json](../filters/filters.json) by `scripts/parameters_page.py`: what dialogs of MeshLab,
-pymeshlab, scripts and the program say as well. The program writes dashes in place of underscores (`--avoid-margin`), and
-flags without a value in place of `true`; parameters marked with ° it does not have, since they name layers and selections,
-for which it has files (`bspline_curve --help`).
+`scripts/parameters_page.py` makes this page from [filters/filters.json](../filters/filters.json); the dialogs of MeshLab,
+pymeshlab, scripts and the program show the same texts. The program writes dashes for underscores (`--avoid-margin`) and
+flags without a value. It does not have the parameters marked with °, which name layers and selections; it has options for
+files instead ([COMMAND_LINE.md](COMMAND_LINE.md)).
 """
 
 GROUPS = {

@@ -166,8 +166,8 @@ def draw_function(flt, parameters):
     told.insert(at, quality)
     doc = docstring(
         "Draw a smooth curve through points on a triangle mesh.",
-        "A variational B-spline, found in a thin shell around the surface, and its exact shadow as a polyline every segment "
-        "of which lies inside one face. A further curve on the same arrays needs no second shell.",
+        "A variational B-spline close to the surface, and its exact projection onto it, a polyline every segment of which "
+        "lies inside one face. A further curve on the same arrays finds the surface prepared.",
         {"Parameters": [*MESH_HELP, PICKS_HELP, *told],
          "Returns": [("", "Curve", "Where it is not `usable`, it shows how far it came.")],
          "Raises": [("", kind, text) for kind, text in RAISES]},

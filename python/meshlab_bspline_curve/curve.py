@@ -28,7 +28,7 @@ class Tube:
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """A polyline on a mesh, and the B-spline that it is the shadow of.
+    """A polyline on a mesh, and the B-spline that was projected onto it.
 
     Attributes
     ----------

@@ -88,17 +88,17 @@ def generate_bspline_curve_on_surface(
 ) -> dict[str, Any]:
     """Draws a smooth curve through picked points on a triangle mesh.
 
-    Draws a smooth curve through picked points on a triangle mesh: a variational B-spline, found in a thin shell around
-    the surface, and its exact shadow as a polyline every segment of which lies inside one face. The curve becomes a new
-    layer; the mesh is not changed. Picks come from Edit > PickPoints, a layer of points, a file or text; their order is
-    the order of the curve. A scalar per vertex (a field) may draw the curve to where its cost is low. Each vertex of
-    the curve knows its face (`face_index`), its barycentric coordinates there (`barycentric`) and its parameter (`t`).
+    Draws a smooth curve through picked points on a triangle mesh: a variational B-spline close to the surface, and its
+    exact projection onto it, a polyline every segment of which lies inside one face. The curve becomes a new layer; the
+    mesh is not changed. Picks come from Edit > PickPoints, a layer of points, a file or text; their order is the order
+    of the curve. A scalar per vertex (a field) may draw the curve to where its cost is low. Each vertex of the curve
+    knows its face (`face_index`), its barycentric coordinates there (`barycentric`) and its parameter (`t`).
 
     Parameters
     ----------
     surface_layer : int, optional
-        The layer with the triangle mesh that the curve is drawn on. Default: the current layer; where that has no
-        faces, the layer that it was drawn on if it is a curve of this filter, else the only layer with faces.
+        The layer with the triangle mesh that the curve is drawn on. Default: the current layer. If that has no faces:
+        the layer that it was drawn on if it is a curve of this filter, else the only layer with faces.
     picks_layer : int, optional
         A layer of points without faces; the curve passes through its vertices in their order. The surface itself
         (default): no layer of picks.
@@ -106,9 +106,9 @@ def generate_bspline_curve_on_surface(
         A file of picks in world coordinates: .pp as PickPoints saves it, .json {"picks": [[x, y, z], ...]}, .mrk.json
         of 3D Slicer, .csv or .xyz with one point a line. Empty: no file.
     picks : str, optional
-        Picks as text "x y z; x y z; ..." in world coordinates. Empty: no text. Where neither text nor file nor layer is
-        given, the points of Edit > PickPoints on the surface are used. Picks farther from the surface than 1 % of its
-        diagonal are refused.
+        Picks as text "x y z; x y z; ..." in world coordinates. Empty: no text. Without text, file and layer the points
+        of Edit > PickPoints on the surface are used. Picks farther from the surface than 1 % of its diagonal are
+        refused.
     closed : bool, default False
         On: a closed curve through at least 3 picks. Off: an open curve from the first to the last of at least 2 picks,
         unless the file of picks says that it is closed.
@@ -124,12 +124,12 @@ def generate_bspline_curve_on_surface(
         the surface, to its sharp edges; boundary-distance: along the surface, to its own edges; quality: the per-vertex
         quality of the mesh; obstacle: a hill on a region of faces.
     field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
-        What a value x of the field costs. natural: what the kind of field is meant for, exp-minus for curvature, ridge
-        and valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus:
-        exp(-x), which draws the curve to large values.
+        What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
+        valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
+        which draws the curve to large values.
     field_weight : float ≥ 0, default 2000.0
-        How much the field counts against smoothness; 0 has no effect, nor has any weight without a field. For costs
-        between 0 and 1, in units of 1 / cost.
+        Weight of the field against smoothness, in units of 1 / cost, for costs between 0 and 1. 0: the field has no
+        effect.
     samples : int ≥ 0, default 256
         At least this many vertices at even steps of the spline's parameter, besides those where the curve crosses mesh
         edges and the picks. 0: none.
@@ -143,24 +143,24 @@ def generate_bspline_curve_on_surface(
         name ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality
         or the spline. Empty: no file.
     avoid : {'none', 'selected-faces', 'selected-vertices', 'under-threshold', 'over-threshold'}, default 'none'
-        Faces of the surface that the curve does not enter. none: it may enter all; selected-faces: those;
-        selected-vertices: the faces all of whose vertices are selected; under-threshold: the faces over which the mean
-        of the field, or without a field of the per-vertex quality, is under the threshold; over-threshold: likewise
-        over it.
+        Faces of the surface that the curve does not enter. none: it may enter all faces; selected-faces: the selected
+        faces; selected-vertices: the faces all of whose vertices are selected; under-threshold: the faces over which
+        the mean of the field, or without a field of the per-vertex quality, is under the threshold; over-threshold: the
+        same, over the threshold.
     avoid_threshold : float, default 0.0
         The threshold of under-threshold and over-threshold, in the unit of the field. Only with avoid under-threshold
         or over-threshold.
     avoid_margin : float in (0, 1], default 0.02
-        From this far away on they push the curve, relative to the diagonal of the mesh's box.
+        Distance within which faces to avoid push the curve away, relative to the diagonal of the mesh's box.
     shell : {'local', 'full', 'simplified'}, default 'local'
-        The shell around the surface, in which the curve is sought. local: the fibres of one thin prism per face, near
-        the curve; the whole surface gets its prisms only for a curve that needs them; full: one thin prism per face, of
-        the whole surface from the start; simplified: few thick prisms, which take seconds to build on large meshes and
-        are kept for the next curve.
+        Where the curve is sought. local: no prisms: the fibres of a full shell are followed beneath the curve; a shell
+        is built only for a curve that needs one; full: a shell of one thin prism per face, built at the start;
+        simplified: a shell of few thick prisms, which takes seconds to build on large meshes and is kept for the next
+        curve.
     control_polygon : bool, default False
         The control points of the spline and the segments between them become a layer too.
     shell_layers : bool, default False
-        Top and bottom of the shell that the curve was sought in become layers too.
+        Top and bottom of the shell become layers too; a local shell is built for that.
     field_curvature_scale : float in [0, 1], default 0.015
         Fields of curvature, ridges and valleys: radius that curvatures are averaged over, relative to the diagonal of
         the mesh's box. More: less noise. Only with field maximal-curvature or ridge or valley.
@@ -179,14 +179,14 @@ def generate_bspline_curve_on_surface(
         Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal. Only with field
         obstacle.
     field_smoothing : float in [0, 1], default 0.0
-        Radius that the values of any field are averaged over in the end, relative to the diagonal. 0: not at all.
+        Radius over which the values are averaged, relative to the diagonal. 0: not averaged.
     field_normalised : bool, default False
-        Maps the values to [0, 1], between their quantiles of 1 % and 99 %.
+        Maps the values between their quantiles of 1 % and 99 % to [0, 1].
     field_inverted : bool, default False
-        Lets high and low values change places.
+        Turns x into minimum + maximum - x.
     preset : {'default', 'paper'}, default 'default'
-        What the settings below are where they say preset. default: the settings that measured best; paper: those of the
-        paper (2023), for comparison.
+        The values of the settings below that are left at preset. default: the settings that gave the best curves;
+        paper: those of the paper (2023), for comparison.
     bending : {'preset', 'geodesic', 'ambient'}, default 'preset'
         What smoothness means. preset: as the preset says, by default geodesic; geodesic: only bending within the
         surface is penalised; ambient: all bending, as in the paper.
@@ -202,41 +202,41 @@ def generate_bspline_curve_on_surface(
         Simplified shell: shorter edges are collapsed where its invariants allow it, relative to the longest side of the
         mesh's box. Only with shell simplified.
     shell_thickness : float in (0, 1000], default 0.75
-        Local or full shell: largest distance of its top and bottom from the surface, in mean edge lengths. Only with
-        shell local or full.
+        Full shell, also where local builds one: largest distance of its top and bottom from the surface, in mean edge
+        lengths. Only with shell local or full.
     shell_smoothing_passes : int ≥ 0, default 3
-        Rounds of averaging of the directions of the shell's pillars.
+        Rounds of averaging of the pillar directions (the directions of the fibres).
     initial_curve : {'preset', 'geodesic-fit', 'control-polygon'}, default 'preset'
         How the first spline is made. preset: as the preset says, by default geodesic-fit; geodesic-fit: a fit to the
         path through the picks; control-polygon: Alg. 2 of the paper.
     field_guides_path : {'preset', 'off', 'on'}, default 'preset'
-        The path from pick to pick that the curve starts from. preset: as the preset says, by default on; off: it is a
-        geodesic, as in the paper; on: it goes where the field costs little.
+        Whether the initial path from pick to pick follows the field. preset: as the preset says, by default on; off:
+        no, it is a geodesic, as in the paper; on: yes, it goes where the field costs little.
     quadrature : {'preset', 'foot-points', 'cells', 'samples'}, default 'preset'
-        Where integrals are taken. preset: as the preset says, by default foot-points; foot-points: at samples by their
-        foot points on the surface, which is quick on any resolution; curves that it is not for, or that do not come to
-        lie in the shell that way, are integrated by cells; cells: exactly, cell by cell of the shell; samples: at even
-        steps in the shell, as in the paper.
+        How integrals are computed. preset: as the preset says, by default foot-points; foot-points: at samples that are
+        projected onto the surface, fast on any resolution; by cells for curves that this cannot handle; cells: exactly,
+        cell by cell of a shell; samples: at even steps in a shell, as in the paper.
     barrier_width : {'preset', 'full', 'tight'}, default 'preset'
         How wide the barrier of the distance is. preset: as the preset says, by default full; full: the whole shell;
         tight: narrowed around the current curve, (12) of the paper.
     distance_weight : {'preset', 'schedule', 'adaptive'}, default 'preset'
         How the weight of the distance to the surface changes. preset: as the preset says, by default schedule;
-        schedule: grows from round to round; adaptive: (18) of the paper.
+        schedule: it grows from round to round; adaptive: (18) of the paper.
     interpolation : {'preset', 'constraint', 'penalty'}, default 'preset'
         How the spline is held at the picks. preset: as the preset says, by default constraint; constraint: exactly;
         penalty: by (9) of the paper.
     knot_rule : {'preset', 'energy-and-distance', 'feature-function'}, default 'preset'
         Where knots are inserted. preset: as the preset says, by default energy-and-distance; energy-and-distance: where
-        they ask for them; feature-function: (19)-(23) of the paper.
+        they lower the energy most, and where the spline is too far from the surface; feature-function: (19)-(23) of the
+        paper.
     samples_per_span : int ≥ 4, default 24
         Samples per knot span where quadrature is samples.
     max_rounds : int ≥ 1, default 24
-        Most rounds of minimisation and knot insertion.
+        Largest number of rounds of minimisation and knot insertion.
     max_iterations : int ≥ 1, default 100
-        Most Newton iterations a round.
+        Largest number of Newton iterations per round.
     minimum_span : float in (0, 0.1], default 0.0001
-        No knot span is made shorter than this, as a share of the whole.
+        Shortest knot span, as a share of the whole parameter range.
 
     Returns
     -------
@@ -352,11 +352,11 @@ def compute_scalar_field_for_curves_per_vertex(
         Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal. Only with kind
         obstacle.
     smoothing : float in [0, 1], default 0.0
-        Radius that the values of any field are averaged over in the end, relative to the diagonal. 0: not at all.
+        Radius over which the values are averaged, relative to the diagonal. 0: not averaged.
     normalised : bool, default False
-        Maps the values to [0, 1], between their quantiles of 1 % and 99 %.
+        Maps the values between their quantiles of 1 % and 99 % to [0, 1].
     inverted : bool, default False
-        Lets high and low values change places.
+        Turns x into minimum + maximum - x.
 
     Returns
     -------
