@@ -132,7 +132,7 @@ def stages_table(scaling):
         stages = row["stages"]
         rows.append([f"{row['faces']:,}, {FIELD_NAMES[row['field']]}", *(milliseconds(stages[key]) for key in stages),
                      milliseconds(row["cold"])])
-    return table(["faces", "validate, ms", "tree and patches", "rest of the shell's base", "field", "first curve", "cold"], rows)
+    return table(["faces", "validate, ms", "tree and patches", "wait for the extended surface", "field", "first curve", "cold"], rows)
 
 
 def scaling_table(scaling):
