@@ -129,7 +129,7 @@ def draw(program, case, *options, repeat=5):
 
 def is_in_whole_shell(report):
     """Whether the curve needed a shell of the whole surface, as those do that are drawn cell by cell."""
-    return report["prisms"] > report["mesh"]["faces"] / 2
+    return report["shell"] != "fibres"
 
 
 def best_of(reports):

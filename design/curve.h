@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shell/shell_options.h"
 #include "solver/solve_report.h"
 #include "surface/types.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,9 +47,10 @@ struct Curve {
     SurfacePolyline polyline;
     SplineData spline;
     SolveReport report;
-    /// Of the shell that it was drawn in, without those that are blocked; local: those that it
-    /// would have over the faces passed.
-    int prisms = 0;
+    /// The shell that the curve was drawn in; none: it was drawn along fibres, without one.
+    std::optional<ShellKind> shell;
+    int prisms = 0;       ///< of that shell, without blocked ones; 0 without a shell
+    int facesPassed = 0;  ///< different faces that the curve passes, along fibres; else 0
 };
 
 /// What a curve is drawn by, besides its picks. All may be empty.

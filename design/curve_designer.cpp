@@ -99,16 +99,19 @@ void refuseAvoidedPicks(
     );
 }
 
-// Of the shell; without one, those over the faces passed.
-int prismsOf(const CurveProblem& problem, const Solution& solution) {
+// Says in which shell the curve was drawn, or how many faces its fibres met.
+void describeShell(const CurveProblem& problem, const Solution& solution, Curve& curve) {
     if (problem.shell != nullptr) {
-        return problem.shell->prismCount();
+        curve.shell =
+            problem.shell->isFullResolution() ? ShellKind::FullResolution : ShellKind::Simplified;
+        curve.prisms = problem.shell->prismCount();
+        return;
     }
     SparseMap<char> faces;
     for (const int face : facesPassed(solution)) {
         faces.at(face, 1);
     }
-    return static_cast<int>(faces.size());
+    curve.facesPassed = static_cast<int>(faces.size());
 }
 
 // Share of the progress for what comes before the shell.
@@ -314,7 +317,7 @@ Curve CurveDesigner::design(
 
     Stopwatch watch;
     Curve curve;
-    curve.prisms = prismsOf(problem, solution);
+    describeShell(problem, solution, curve);
     curve.polyline = state.polylineOf(problem, solution.curve, std::move(solution.trace), sampling);
     curve.spline = state.exportSpline(solution.curve, problem);
     curve.report = solution.report;

@@ -70,6 +70,17 @@ CurveProblem makeProblem(
 }
 
 Solved CurveSolver::solve(const Progress& progress) const {
+    Stopwatch watch;
+    const double shellBefore = prepared_.seconds().wholeShell;
+    Solved solved = solveInTurn(progress);
+    auto& seconds = solved.solution.report.seconds;
+    seconds.shell = prepared_.seconds().wholeShell - shellBefore;
+    const double own = seconds.path + seconds.initial + seconds.minimise + seconds.knots;
+    seconds.failedAttempts = std::max(0.0, watch.lap() - seconds.shell - own);
+    return solved;
+}
+
+Solved CurveSolver::solveInTurn(const Progress& progress) const {
     const Progress begin = partOf(progress, 0.0, kStartShare);
     if (std::optional<Solved> solved = solveFromStart(begin)) {
         return std::move(*solved);

@@ -61,6 +61,7 @@ private:
     [[nodiscard]] CurveProblem problemOn(
         const PickPath& path, const Shell* shell, const Progress& progress
     ) const;
+    [[nodiscard]] Solved solveInTurn(const Progress& progress) const;
     [[nodiscard]] std::optional<Solved> solveFromStart(const Progress& progress) const;
     [[nodiscard]] std::optional<Solved> relaxOver(
         const ObtainedShell* whole, const Progress& progress

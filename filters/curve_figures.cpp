@@ -16,8 +16,9 @@ double lengthOf(const SurfacePolyline& polyline) {
 
 /// Of one curve on a surface that is ready.
 double secondsOf(const SolveReport& report) {
-    const auto& [path, initial, minimise, knots, polyline] = report.seconds;
-    return path + initial + minimise + knots + polyline;
+    const auto& part = report.seconds;
+    return part.path + part.initial + part.minimise + part.knots + part.polyline +
+           part.failedAttempts;
 }
 
 /// x, y, z of each point in turn: hosts keep vectors, but no matrix of n rows.
@@ -58,11 +59,13 @@ Figures curveFigures(const Curve& curve, const DesignerCache::Found& found, doub
         {"avoided_faces", report.avoidedFaces},
         {"clearance", report.clearance},
         {"prisms", curve.prisms},
-        {"shell_cached", shell.isFromStore || found.isKept},
-        {"shell_kept", found.isKept},
+        {"faces_passed", curve.facesPassed},
+        {"shell_cached",
+         curve.shell && report.seconds.shell == 0.0 && (shell.isFromStore || found.isKept)},
+        {"surface_kept", found.isKept},
         {"seconds", seconds},
         {"seconds_surface", stages.validate + stages.tree},
-        {"seconds_shell", stages.shell},
+        {"seconds_shell", found.isKept ? report.seconds.shell : stages.shell},
         {"seconds_curve", secondsOf(report)},
         {"knots", curve.spline.knots},
         {"control_points", flattened(curve.spline.controlPoints)},

@@ -6,6 +6,7 @@
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
 #include "io/curve_writer.h"
+#include "io/report_writer.h"
 #include "io/shell_cache.h"
 #include "surface/input_error.h"
 #include "surface/region.h"
@@ -143,16 +144,6 @@ std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Fou
     return warnings;
 }
 
-/// What logs say of the shell; no figure, since pymeshlab warns of texts.
-std::string shellWord(const DesignerCache::Found& found) {
-    if (found.isKept) {
-        return "shell=kept ";
-    }
-    const ShellSummary& shell = found.designer->shell();
-    return std::string("shell=") +
-           (shell.isFromStore ? "cached " : name(shell.kind) + std::string(" "));
-}
-
 }  // namespace
 
 CurveResult runCurveFilter(
@@ -197,7 +188,9 @@ CurveResult runCurveFilter(
     result.quality = field.empty() ? result.curve.polyline.parameters : along;
     result.figures = curveFigures(result.curve, found, watch.lap());
     result.log = {
-        .figures = shellWord(found) + keyValueText(result.figures),
+        // The shell's name is no figure, since pymeshlab warns of texts.
+        .figures =
+            std::string("shell=") + shellName(result.curve) + " " + keyValueText(result.figures),
         .warnings = warningsOf(result.curve, found)
     };
     addExtras(request, designer, along, result);

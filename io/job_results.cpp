@@ -199,4 +199,23 @@ void JobResultsFile::append(const std::string& line) {
     }
 }
 
+void JobResultsFile::sortByJob() const {
+    if (!std::filesystem::is_regular_file(file_)) {
+        return;
+    }
+    std::vector<JobRecord> records = readJobRecords(file_);
+    const auto number = [](const JobRecord& record) {
+        return parseInteger(record.fields.front()).value_or(0);
+    };
+    if (std::ranges::is_sorted(records, {}, number)) {
+        return;
+    }
+    std::ranges::stable_sort(records, {}, number);
+    std::string text = jobResultsHeader();
+    for (const JobRecord& record : records) {
+        text += record.line();
+    }
+    AtomicFile(file_, text).commit();
+}
+
 }  // namespace bspline_curve

@@ -80,6 +80,9 @@ public:
     /// Throws InputError (UnwritableFile).
     void append(const std::string& line);
 
+    /// Brings the lines into the order of the jobs, once none is to follow. Throws InputError.
+    void sortByJob() const;
+
 private:
     std::filesystem::path file_;
     int descriptor_ = -1;

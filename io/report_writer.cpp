@@ -40,6 +40,7 @@ Json secondsOf(const SolveReport& report, const RunFigures& figures) {
         {"minimise", solve.minimise},
         {"knots", solve.knots},
         {"polyline", solve.polyline},
+        {"failed_attempts", solve.failedAttempts},
     };
 }
 
@@ -108,14 +109,19 @@ Json meshOf(const Surface& surface, const std::string& file) {
 
 }  // namespace
 
+const char* shellName(const Curve& curve) {
+    return curve.shell ? name(*curve.shell) : "fibres";
+}
+
 std::string reportText(const Curve& curve, const Surface& surface, const RunFigures& figures) {
     const SolveReport& report = curve.report;
     const Json document = {
         {"status", name(report.status)},
         {"usable", report.usable},
-        {"shell", name(figures.shell.kind)},
+        {"shell", shellName(curve)},
         {"prisms", curve.prisms},
-        {"cached", figures.shell.isFromStore},
+        {"faces_passed", curve.facesPassed},
+        {"cached", curve.shell && figures.shell.isFromStore},
         {"notes", figures.shell.notes},
         {"field", fieldOf(report, figures)},
         {"avoid", avoidanceOf(report)},

@@ -28,6 +28,9 @@ struct RunFigures {
     std::optional<RepairReport> repair;  ///< where it was asked for
 };
 
+/// The shell that a curve was drawn in, as reports say it: "fibres", "full" or "simplified".
+[[nodiscard]] const char* shellName(const Curve& curve);
+
 /// The report as JSON: how long each stage took, why the solver stopped, figures of mesh, shell and
 /// curve, every round and every iteration. Lengths in the user's unit, but max_distance in average
 /// edge lengths and max_pick_gap relative to the diagonal.

@@ -15,7 +15,8 @@ def main():
         ("curve", f"{'closed' if curve['closed'] else 'open'}, degree {curve['degree']}, length {curve['length']:.4g}, "
                   f"{curve['vertices']:,} vertices, each segment in one face"),
         ("status", f"{report['status']}, {verdict}"),
-        ("shell", f"{report['shell']}, {report['prisms']:,} prisms{', from the cache' if report['cached'] else ''}"),
+        ("shell", f"none: fibres over {report['faces_passed']:,} faces" if report["shell"] == "fibres" else
+                  f"{report['shell']}, {report['prisms']:,} prisms{', from the cache' if report['cached'] else ''}"),
         ("knots", f"{report['knots_first']} at first, {report['knots_last']} at last"),
         ("distance", f"spline to surface at most {report['max_distance']:.3g} mean edge lengths "
                      f"(allowed: {report['allowed_distance']:.3g}); the polyline lies on the surface"),

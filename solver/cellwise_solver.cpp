@@ -84,7 +84,7 @@ double meanFieldCost(const CurveProblem& problem, const EnergyTerms& terms) {
 
 int firstSegments(const CurveProblem& problem) {
     if (problem.options.quadrature == Quadrature::Samples) {
-        return problem.options.samplesPerSpan;
+        return (problem.options.samplesPerSpan + 1) / 2;  // two samples each
     }
     const bool isSmooth = problem.options.tension <= kHighestRoughTension && !hasPull(problem);
     // Straight walks between samples cut the corners of what the curve avoids.
@@ -391,10 +391,10 @@ private:
 
     void finish() {
         report_.knotsLast = knotCount();
-        report_.maxPickGap = stage_->system.residual(curve_.controls).lpNorm<Eigen::Infinity>();
         if (options_.interpolation == Interpolation::Penalty) {
             meetPicks();
         }
+        report_.maxPickGap = stage_->system.residual(curve_.controls).lpNorm<Eigen::Infinity>();
         report_.maxDistance = distance_ / problem_.averageEdgeLength;
         report_.usable = isNear();
         report_.seconds.minimise += watch_.lap();

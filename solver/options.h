@@ -57,7 +57,8 @@ struct SolverOptions {
     /// other curves, and those that do not come to lie in the shell that way, are integrated by
     /// Cells.
     Quadrature quadrature = Quadrature::FootPoints;
-    int samplesPerSpan = 24;  ///< evenly spaced samples per knot span for Quadrature::Samples, >= 4
+    /// Evenly spaced samples per knot span for Quadrature::Samples, >= 4; odd: one more.
+    int samplesPerSpan = 48;
     BarrierWidth barrierWidth = BarrierWidth::Full;
     DistanceWeight distanceWeight = DistanceWeight::Schedule;
     Interpolation interpolation = Interpolation::Constraint;

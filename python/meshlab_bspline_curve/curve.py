@@ -56,7 +56,7 @@ class Curve:
         Where `tube_radius` asked for one.
     figures : dict
         What the filter reports: usable, converged, length, max_distance (spline to surface, in mean edge lengths),
-        shell_kept (no shell had to be built), seconds and others.
+        surface_kept (the surface was prepared by an earlier call), seconds and others.
     """
 
     points: Floats

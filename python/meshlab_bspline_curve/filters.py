@@ -79,7 +79,7 @@ def draw_curve(
     distance_weight: DistanceWeight = "preset",
     interpolation: Interpolation = "preset",
     knot_rule: KnotRule = "preset",
-    samples_per_span: int = 24,
+    samples_per_span: int = 48,
     max_rounds: int = 24,
     max_iterations: int = 100,
     minimum_span: float = 0.0001,
@@ -212,8 +212,8 @@ def draw_curve(
         Where knots are inserted. preset: as the preset says, by default energy-and-distance; energy-and-distance: where
         they lower the energy most, and where the spline is too far from the surface; feature-function: (19)-(23) of the
         paper.
-    samples_per_span : int ≥ 4, default 24
-        Samples per knot span where quadrature is samples.
+    samples_per_span : int ≥ 4, default 48
+        Evenly spaced samples per knot span, for quadrature samples; an odd number counts as the next even one.
     max_rounds : int ≥ 1, default 24
         Largest number of rounds of minimisation and knot insertion.
     max_iterations : int ≥ 1, default 100

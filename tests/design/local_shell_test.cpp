@@ -35,7 +35,11 @@ TEST(LocalShell, GivesTheCurveOfTheWholeShell) {
     const double tolerance = SolverOptions().distanceTolerance * full.surface().averageEdgeLength();
     EXPECT_LT(largestDistance(near.polyline, whole.polyline), tolerance);
     EXPECT_EQ(whole.prisms, full.surface().faceCount());
-    EXPECT_LT(near.prisms, whole.prisms / 4);
+    EXPECT_EQ(whole.shell, ShellKind::FullResolution);
+    EXPECT_EQ(near.shell, std::nullopt);
+    EXPECT_EQ(near.prisms, 0);
+    EXPECT_GT(near.facesPassed, 0);
+    EXPECT_LT(near.facesPassed, whole.prisms / 4);
 }
 
 // Integrals cell by cell take the whole shell, so everything is the same.
@@ -47,6 +51,7 @@ TEST(LocalShell, IsTheWholeOneForCurvesThatNeedIt) {
     const Curve near = designerIn(ShellKind::Local, mesh).design(picks, options);
     const Curve whole = designerIn(ShellKind::FullResolution, mesh).design(picks, options);
     EXPECT_EQ(near.polyline.points, whole.polyline.points);
+    EXPECT_EQ(near.shell, ShellKind::FullResolution);
     EXPECT_EQ(near.prisms, whole.prisms);
 }
 

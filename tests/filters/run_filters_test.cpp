@@ -85,7 +85,7 @@ TEST(RunCurveFilter, DrawsThroughThePicksOfTheTool) {
 TEST(RunCurveFilter, NamesEachFigureOnceAndLogsThoseThatAreNoLists) {
     const CurveResult result = draw(plateLayer(), {});
     std::set<std::string> names;
-    expectPart(result.log.figures, "shell=local usable=true ");
+    expectPart(result.log.figures, "shell=fibres usable=true ");
     for (const Figure& each : result.figures) {
         EXPECT_TRUE(names.insert(each.name).second) << each.name;
         const bool isList = std::holds_alternative<std::vector<double>>(each.value);
@@ -98,10 +98,10 @@ TEST(RunCurveFilter, KeepsTheDesignerForTheNextCurve) {
     DesignerCache designers;
     const CurveResult first = draw(plateLayer(), {}, designers);
     const CurveResult second = draw(plateLayer(), {}, designers);
-    EXPECT_FALSE(figure<bool>(first.figures, "shell_kept"));
-    EXPECT_TRUE(figure<bool>(second.figures, "shell_kept"));
+    EXPECT_FALSE(figure<bool>(first.figures, "surface_kept"));
+    EXPECT_TRUE(figure<bool>(second.figures, "surface_kept"));
     EXPECT_EQ(figure<double>(second.figures, "seconds_shell"), 0.0);
-    expectPart(second.log.figures, "shell=kept ");
+    expectPart(second.log.figures, " shell_cached=false surface_kept=true ");
     EXPECT_EQ(first.curve.polyline.points, second.curve.polyline.points);
 }
 
@@ -113,7 +113,7 @@ TEST(RunCurveFilter, FollowsAMeshThatChanged) {
         vertex.z() += 0.001;
     }
     const CurveResult moved = draw(layer, {}, designers);
-    EXPECT_FALSE(figure<bool>(moved.figures, "shell_kept"));
+    EXPECT_FALSE(figure<bool>(moved.figures, "surface_kept"));
     for (const Vec3& point : moved.curve.polyline.points) {
         EXPECT_DOUBLE_EQ(point.z(), 0.001);
     }

@@ -160,7 +160,7 @@ def test_a_second_curve_needs_no_second_shell(serve, sphere, write_script, tmp_p
     run = serve("-i", sphere, "-s", script, "-o", tmp_path / "second.obj")
     assert run.status == 0, run.output
     first, second = run.figures[0], run.figures[-1]  # it prints what it logged before once more
-    assert (first["shell_kept"], second["shell_kept"]) == ("false", "true")
+    assert (first["surface_kept"], second["surface_kept"]) == ("false", "true")
     assert polylines.distance_to(picks_of(other), *polylines.read_obj(tmp_path / "second.obj")) <= 2 * ROUNDING
 
 

@@ -88,7 +88,7 @@ def test_a_field_is_computed(session):
 def test_apply_works_twice_in_a_row_and_the_second_needs_no_shell(session):
     first, second = curves_of(session)
     assert (first["usable"], second["usable"]) == ("true", "true")
-    assert (first["shell_kept"], second["shell_kept"]) == ("false", "true")
+    assert (first["surface_kept"], second["surface_kept"]) == ("false", "true")
     assert first["length"] == second["length"]
 
 

@@ -37,6 +37,7 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     figures.readMemoryBytes = 1000000;
     figures.peakMemoryBytes = 3000000;
     curve.prisms = 142;
+    curve.shell = ShellKind::Simplified;
     figures.shell = {.kind = ShellKind::Simplified, .isFromStore = true, .notes = {"a note"}};
     const auto report = reportOf(curve, figures);
     expectValues(

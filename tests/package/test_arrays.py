@@ -88,7 +88,7 @@ def test_evaluated_points_are_of_the_spline(degree, closed, home, sphere):
 def test_further_calls_on_the_same_arrays_keep_the_shell(home, sphere):
     code = USE + (
         "kept = []\n"
-        "def draw(mesh, through): kept.append(draw_curve(mesh, faces, through).figures['shell_kept'])\n"
+        "def draw(mesh, through): kept.append(draw_curve(mesh, faces, through).figures['surface_kept'])\n"
         "draw(vertices, picks); draw(vertices, picks); draw(vertices.copy(), picks[:2]); draw(vertices * 2, picks * 2)\n"
         "draw(vertices, picks)\n"
         "answer['kept'] = kept"

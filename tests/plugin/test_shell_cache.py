@@ -45,8 +45,8 @@ def test_the_second_curve_is_served_from_the_cache(cache):
 
 
 def test_the_log_says_where_the_shell_came_from(cache, plate_picks, plugin_path):
-    assert " shell=simplified " in log_of_a_curve(plugin_path, plate_picks)
-    assert " shell=cached " in log_of_a_curve(plugin_path, plate_picks)
+    assert " shell_cached=false " in log_of_a_curve(plugin_path, plate_picks)
+    assert " shell_cached=true " in log_of_a_curve(plugin_path, plate_picks)
 
 
 def test_a_damaged_entry_is_rebuilt_and_the_log_says_so(cache, plate_picks, plugin_path):
@@ -55,9 +55,9 @@ def test_a_damaged_entry_is_rebuilt_and_the_log_says_so(cache, plate_picks, plug
     stored = entry.read_bytes()
     entry.write_bytes(stored[:-9])
     log = log_of_a_curve(plugin_path, plate_picks)
-    assert " shell=simplified " in log and entry.name in log
+    assert " shell=simplified " in log and " shell_cached=false " in log and entry.name in log
     assert entry.read_bytes() == stored
-    assert " shell=cached " in log_of_a_curve(plugin_path, plate_picks)
+    assert " shell_cached=true " in log_of_a_curve(plugin_path, plate_picks)
 
 
 def test_the_program_has_stored_it_for_the_filter(cache, plate, plate_picks, program, tmp_path):
@@ -84,8 +84,8 @@ def kept(document, picks, **parameters):
     document.set_current_mesh(0)
     _, figures = draw(document, picks, **parameters)
     assert figures["usable"]
-    assert (figures["seconds_shell"] == 0) == figures["shell_kept"]
-    return figures["shell_kept"]
+    assert (figures["seconds_shell"] == 0) == figures["surface_kept"]
+    return figures["surface_kept"]
 
 
 def test_a_further_curve_builds_no_shell_whatever_else_changed():
