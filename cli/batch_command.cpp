@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bspline_curve batch JOBS.csv …: many curves, each in a process of its own. So a job that crashes
-// ends alone, and its memory is the system's again as soon as it ends.
+// bspline_curve batch JOBS.csv …: many curves, each in a process of its own, a copy of one that has
+// read and prepared the mesh. So a job that crashes ends alone, and its memory is the system's
+// again as soon as it ends.
 #include "cli/batch_options.h"
 #include "cli/child_process.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/job_table.h"
+#include "cli/mesh_process.h"
+#include "cli/packet_socket.h"
 #include "cli/progress_bar.h"
 #include "cli/temporary_folder.h"
 #include "cli/verb.h"
@@ -15,6 +18,8 @@
 #include "utility/stopwatch.h"
 
 #include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -22,6 +27,7 @@
 #include <deque>
 #include <iostream>
 #include <iterator>
+#include <list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -101,13 +107,47 @@ std::string messageOf(std::string_view printed) {
     return message;
 }
 
+/// A process that prepares a mesh and draws curves on it, see runMeshProcess.
+struct MeshProcess {
+    std::string preparation;
+    std::unique_ptr<ChildProcess> process;
+    int socket = -1;
+
+    explicit MeshProcess(const Job& job, ChildProcess::Request request)
+        : preparation(job.preparation) {
+        const auto [ours, theirs] = makePacketSockets();
+        socket = ours;
+        request.standardInput = theirs;
+        try {
+            process = std::make_unique<ChildProcess>(request);
+        } catch (const std::system_error&) {
+            ::close(ours);
+            ::close(theirs);
+            throw;
+        }
+        ::close(theirs);
+    }
+
+    ~MeshProcess() { ::close(socket); }
+
+    MeshProcess(const MeshProcess&) = delete;
+    MeshProcess& operator=(const MeshProcess&) = delete;
+
+    /// Waits for its end.
+    ChildProcess::End wait() const {
+        while (process->read()) {
+        }
+        return process->wait();
+    }
+};
+
 /// A job that runs.
 struct RunningJob {
     Job job;
-    path report;
-    std::optional<std::filesystem::file_time_type> reportBefore;  ///< none: it was not there
-    Stopwatch watch;
-    std::unique_ptr<ChildProcess> process;
+    path report{};
+    std::optional<std::filesystem::file_time_type> reportBefore{};  ///< none: it was not there
+    Stopwatch watch{};
+    const MeshProcess* mesh = nullptr;
 };
 
 /// When a file was written; none where it is not there.
@@ -125,17 +165,25 @@ void addFigures(const path& report, JobResult& result) {
     }
 }
 
+/// Jobs that share a mesh one after the other; else in their order.
+std::deque<Job> inTurn(std::vector<Job> jobs) {
+    std::map<std::string, std::size_t> first;
+    for (const Job& job : jobs) {
+        first.emplace(job.preparation, job.number);
+    }
+    std::ranges::stable_sort(jobs, {}, [&](const Job& job) { return first.at(job.preparation); });
+    return {std::make_move_iterator(jobs.begin()), std::make_move_iterator(jobs.end())};
+}
+
 /// Runs the jobs of a plan, so many at once, and writes a line for each as it ends.
 class Batch {
 public:
     Batch(const BatchArguments& arguments, Plan plan, ProgressBar& bar)
         : arguments_(arguments),
           results_(arguments.results, plan.kept),
-          waiting_(
-              std::make_move_iterator(plan.jobs.begin()), std::make_move_iterator(plan.jobs.end())
-          ),
           total_(plan.jobs.size() + plan.doneBefore),
           done_(plan.doneBefore),
+          waiting_(inTurn(std::move(plan.jobs))),
           bar_(bar) {}
 
     void run() {
@@ -143,8 +191,9 @@ public:
             show();
             startJobs();
             passOnInterrupt();
-            takeWhatIsPrinted();
+            takeEnds();
         }
+        results_.sortByJob();
     }
 
     [[nodiscard]] std::size_t done() const { return done_; }
@@ -180,63 +229,111 @@ private:
     }
 
     void start(Job job) {
-        RunningJob running{
-            .job = std::move(job), .report = {}, .reportBefore = {}, .watch = {}, .process = nullptr
-        };
-        ChildProcess::Request request{
-            .arguments = {"curve"},
-            .directory = arguments_.jobs.has_parent_path() ? arguments_.jobs.parent_path() : ".",
-            .memoryBytes = arguments_.jobMemoryBytes
-        };
+        RunningJob running{.job = std::move(job)};
+        std::vector<std::string> request{std::to_string(running.job.number)};
         const auto& words = running.job.arguments;
-        request.arguments.insert(request.arguments.end(), words.begin(), words.end());
+        request.insert(request.end(), words.begin(), words.end());
         running.report = running.job.reportPath;
         if (running.report.empty()) {
-            running.report =
-                reports_.path() / ("job-" + std::to_string(running.job.number) + ".json");
-            request.arguments.push_back("--report=" + running.report.string());
+            running.report = reports_.path() / ("job-" + request.front() + ".json");
+            request.push_back("--report=" + running.report.string());
         }
         running.reportBefore = timeOf(running.report);
         try {
-            running.process = std::make_unique<ChildProcess>(request);
+            running.mesh = &processFor(running.job);
         } catch (const std::system_error& error) {
             finish(running, {.exitCode = 1}, std::string("cannot be started: ") + error.what());
             return;
         }
+        // Where it has ended meanwhile, its end is the job's.
+        static_cast<void>(sendPacket(running.mesh->socket, request));
+        const bool isLast =
+            waiting_.empty() || waiting_.front().preparation != running.job.preparation;
+        if (isLast) {
+            ::shutdown(running.mesh->socket, SHUT_WR);
+        }
         running_.push_back(std::move(running));
+    }
+
+    const MeshProcess& processFor(const Job& job) {
+        const auto found = std::ranges::find(meshes_, job.preparation, &MeshProcess::preparation);
+        if (found != meshes_.end()) {
+            return *found;
+        }
+        return meshes_.emplace_back(
+            job,
+            ChildProcess::Request{
+                .arguments = {kMeshProcess},
+                .directory =
+                    arguments_.jobs.has_parent_path() ? arguments_.jobs.parent_path() : ".",
+                .memoryBytes = arguments_.jobMemoryBytes
+            }
+        );
     }
 
     void passOnInterrupt() {
         if (interrupted() && !std::exchange(isInterruptPassedOn_, true)) {
-            for (const RunningJob& running : running_) {
-                running.process->interrupt();
+            for (const MeshProcess& mesh : meshes_) {
+                mesh.process->interrupt();
             }
         }
     }
 
-    /// Waits a moment for jobs that print something or end.
-    void takeWhatIsPrinted() {
+    /// Waits a moment for jobs that end.
+    void takeEnds() {
         constexpr int kMilliseconds = 100;
         std::vector<pollfd> descriptors;
-        for (const RunningJob& running : running_) {
-            descriptors.push_back(
-                {.fd = running.process->descriptor(), .events = POLLIN, .revents = 0}
-            );
+        for (const MeshProcess& mesh : meshes_) {
+            descriptors.push_back({.fd = mesh.socket, .events = POLLIN, .revents = 0});
         }
         if (::poll(descriptors.data(), descriptors.size(), kMilliseconds) <= 0) {
             return;
         }
-        std::vector<RunningJob> still;
-        for (std::size_t i = 0; i < running_.size(); ++i) {
-            RunningJob& running = running_[i];
-            if (descriptors[i].revents == 0 || running.process->read()) {
-                still.push_back(std::move(running));
+        auto mesh = meshes_.begin();
+        for (const pollfd& descriptor : descriptors) {
+            const auto here = mesh++;
+            if (descriptor.revents == 0) {
                 continue;
             }
-            const ChildProcess::End end = running.process->wait();
-            finish(running, end, messageOf(running.process->printed()));
+            if (const auto answer = receivePacket(here->socket)) {
+                takeEnd(*answer);
+            } else {
+                takeEndOfMesh(*here);
+                meshes_.erase(here);
+            }
         }
-        running_ = std::move(still);
+    }
+
+    void takeEnd(const std::vector<std::string>& answer) {
+        const std::size_t number = std::stoull(answer.at(0));
+        const auto running = std::ranges::find_if(running_, [&](const RunningJob& candidate) {
+            return candidate.job.number == number;
+        });
+        const ChildProcess::End end{
+            .exitCode = std::stoi(answer.at(1)),
+            .signal = std::stoi(answer.at(2)),
+            .peakMemoryBytes = std::stoll(answer.at(3))
+        };
+        finish(*running, end, messageOf(answer.at(4)));
+        running_.erase(running);
+    }
+
+    /// What became of a mesh became of the jobs that run on it; where it was refused, of all jobs
+    /// on it.
+    void takeEndOfMesh(const MeshProcess& mesh) {
+        const ChildProcess::End end = mesh.wait();
+        const std::string message = messageOf(mesh.process->printed());
+        const bool isRefused = end.signal == 0 && end.exitCode != 0;
+        while (isRefused && !waiting_.empty() && waiting_.front().preparation == mesh.preparation) {
+            running_.push_back({.job = std::move(waiting_.front()), .mesh = &mesh});
+            waiting_.pop_front();
+        }
+        for (RunningJob& running : running_) {
+            if (running.mesh == &mesh) {
+                finish(running, end, message);
+            }
+        }
+        std::erase_if(running_, [&](const RunningJob& running) { return running.mesh == &mesh; });
     }
 
     /// Writes the line of a job that ended. One that Ctrl-C ended has none: it did not fail.
@@ -285,9 +382,10 @@ private:
     const BatchArguments& arguments_;
     TemporaryFolder reports_;
     JobResultsFile results_;
-    std::deque<Job> waiting_;
-    std::vector<RunningJob> running_;
     std::size_t total_, done_;
+    std::deque<Job> waiting_;  // those that share a mesh follow each other
+    std::list<MeshProcess> meshes_;
+    std::vector<RunningJob> running_;
     std::size_t failed_ = 0;
     std::string firstFailure_;
     bool isInterruptPassedOn_ = false;

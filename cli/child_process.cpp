@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <iostream>
 #include <system_error>
 
 namespace bspline_curve::cli {
@@ -30,19 +31,12 @@ constexpr std::size_t kMostPrinted = 1 << 16;
     throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// What a child needs between fork and exec, where nothing may be allocated.
-struct Launch {
-    std::vector<char*> words;  ///< ends with a null pointer
-    const char* directory;
-    const std::optional<std::uint64_t>& memoryBytes;
-    int standardError;
-    pid_t parent;
-};
+constexpr int kNotStarted = 127;
 
-/// Replaces the child's standard streams; 0 where that went well.
-bool redirectStreams(int standardError) {
+/// Replaces a child's standard streams; false where that fails. `input`: -1 for nothing.
+bool redirectStreams(int input, int standardError) {
     const int nothing = ::open(kNothing, O_RDWR);
-    return nothing >= 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
+    return nothing >= 0 && ::dup2(input < 0 ? nothing : input, STDIN_FILENO) >= 0 &&
            ::dup2(nothing, STDOUT_FILENO) >= 0 && ::dup2(standardError, STDERR_FILENO) >= 0;
 }
 
@@ -54,48 +48,30 @@ bool limitMemory(const std::optional<std::uint64_t>& bytes) {
     return ::setrlimit(RLIMIT_AS, &limit) == 0;
 }
 
-/// The child's part: only calls that are safe after fork.
-[[noreturn]] void becomeChild(const Launch& launch) {
-    constexpr int kNotStarted = 127;
+/// A child's first steps: only calls that are safe after fork.
+void leaveParent(pid_t parent) {
     static_cast<void>(::setpgid(0, 0));
 #ifdef __linux__
     static_cast<void>(::prctl(PR_SET_PDEATHSIG, SIGINT));
-    if (::getppid() != launch.parent) {
+    if (::getppid() != parent) {
         ::_exit(kNotStarted);  // it ended before the line above
     }
 #endif
-    if (redirectStreams(launch.standardError) && ::chdir(launch.directory) == 0 &&
-        limitMemory(launch.memoryBytes)) {
-        ::execv(kThisProgram, launch.words.data());
-    }
-    const char* const reason = std::strerror(errno);
-    static_cast<void>(::write(STDERR_FILENO, reason, std::strlen(reason)) < 0);
-    ::_exit(kNotStarted);
 }
 
 }  // namespace
 
-ChildProcess::ChildProcess(const Request& request) {
+template <class Become>
+void ChildProcess::start(Become become) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
         refuseErrno("no pipe");
     }
-    std::vector<std::string> texts{"bspline_curve"};
-    texts.insert(texts.end(), request.arguments.begin(), request.arguments.end());
-    Launch launch{
-        .words = {},
-        .directory = request.directory.c_str(),
-        .memoryBytes = request.memoryBytes,
-        .standardError = ends[1],
-        .parent = ::getpid()
-    };
-    for (std::string& text : texts) {
-        launch.words.push_back(text.data());
-    }
-    launch.words.push_back(nullptr);
+    const pid_t parent = ::getpid();
     id_ = ::fork();
     if (id_ == 0) {
-        becomeChild(launch);
+        leaveParent(parent);
+        become(ends[1]);
     }
     const int reason = errno;
     ::close(ends[1]);
@@ -105,6 +81,39 @@ ChildProcess::ChildProcess(const Request& request) {
         errno = reason;
         refuseErrno("no process");
     }
+}
+
+ChildProcess::ChildProcess(const Request& request) {
+    // Between fork and exec nothing may be allocated.
+    std::vector<std::string> texts{"bspline_curve"};
+    texts.insert(texts.end(), request.arguments.begin(), request.arguments.end());
+    std::vector<char*> words;
+    for (std::string& text : texts) {
+        words.push_back(text.data());
+    }
+    words.push_back(nullptr);
+    start([&](int standardError) {
+        if (redirectStreams(request.standardInput, standardError) &&
+            ::chdir(request.directory.c_str()) == 0 && limitMemory(request.memoryBytes)) {
+            ::execv(kThisProgram, words.data());
+        }
+        const char* const reason = std::strerror(errno);
+        static_cast<void>(::write(STDERR_FILENO, reason, std::strlen(reason)) < 0);
+        ::_exit(kNotStarted);
+    });
+}
+
+ChildProcess::ChildProcess(const std::function<ExitCode()>& work) {
+    start([&](int standardError) {
+        constexpr int kNoInput = -1;
+        if (!redirectStreams(kNoInput, standardError)) {
+            ::_exit(kNotStarted);
+        }
+        const ExitCode code = work();
+        std::cerr.flush();
+        // What belongs to the parent, such as temporary files, is left alone.
+        ::_exit(static_cast<int>(code));
+    });
 }
 
 ChildProcess::~ChildProcess() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -19,6 +20,9 @@ using Arguments = std::span<const char* const>;
 
 /// Prints one line "bspline_curve: …" to stderr; line ends within become blanks.
 void printError(const std::string& message);
+
+/// What `run` returns; what it throws besides becomes a line on stderr and a failure.
+[[nodiscard]] ExitCode reportingErrors(const std::function<ExitCode()>& run);
 
 /// The verb batch: many curves, as a file lists them.
 [[nodiscard]] ExitCode runBatch(Arguments arguments);

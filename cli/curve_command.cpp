@@ -2,14 +2,19 @@
 // bspline_curve MESH --picks FILE --output FILE …: one curve through picks on a mesh.
 #include "cli/command.h"
 #include "cli/curve_options.h"
+#include "cli/described_options.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
+#include "cli/nearest_word.h"
+#include "cli/prepared_mesh.h"
 #include "cli/process_figures.h"
 #include "cli/progress_bar.h"
 #include "cli/shell_cache_option.h"
+#include "cli/value_checks.h"
 #include "cli/verb.h"
 #include "design/curve_designer.h"
 #include "field/make_field.h"
+#include "filters/requests.h"
 #include "io/atomic_file.h"
 #include "io/curve_writer.h"
 #include "io/field_reader.h"
@@ -22,11 +27,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <iomanip>
 #include <optional>
 #include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -35,18 +42,35 @@ namespace bspline_curve::cli {
 
 namespace {
 
+// Shares of the progress of a curve: up to the end of preparing the mesh, and of the field.
+constexpr double kShellShare = 0.6;
+constexpr double kFieldShare = 0.7;
+
+/// What a curve is drawn by, besides the mesh.
 struct Inputs {
-    MeshFile mesh;
     std::vector<Vec3> picks;
-    std::vector<double> quality;
-    int givenFaces = 0;
-    std::optional<MeshRepair> repair;  ///< where it was asked for; mesh and quality are as repaired
-    double readSeconds = 0.0;
-    std::int64_t readMemoryBytes = 0;
+    std::vector<double> quality;  ///< of the mesh as repaired
 };
 
+/// Refuses a word of an option that is neither one of its words nor a file.
+void checkIsFile(std::string_view option, const std::filesystem::path& word) {
+    if (word.empty() || std::filesystem::exists(word)) {
+        return;
+    }
+    const std::vector<std::string> words = curveFilter().parameter(option).optionIds(false);
+    throw InputError(
+        InputErrorCode::UnreadableFile,
+        flagOf(option) + " " + word.string() + ": there is no such file, and it is none of " +
+            joined(words) + didYouMean(word.string(), words)
+    );
+}
+
 /// Refuses what could only fail after the work.
-void checkOutputs(const CurveArguments& arguments) {
+void checkFiles(const CurveArguments& arguments) {
+    if (!findFieldKind(arguments.field)) {
+        checkIsFile("field", arguments.field);
+    }
+    checkIsFile("avoid", arguments.avoid.file);
     checkCurveExtension(arguments.output);
     checkWritable(arguments.output);
     if (!arguments.report.empty()) {
@@ -56,49 +80,44 @@ void checkOutputs(const CurveArguments& arguments) {
 }
 
 /// The values of a file, or of the mesh where they are asked for, as field or for a threshold.
-std::vector<double> qualityFor(const CurveArguments& arguments, MeshFile& mesh) {
+std::vector<double> qualityFor(const CurveArguments& arguments, const LoadedMesh& loaded) {
     const bool isFile = !arguments.field.empty() && !findFieldKind(arguments.field);
     if (isFile) {
-        return readField(arguments.field, mesh.mesh.vertices.size());
+        return readField(arguments.field, loaded.givenVertices);
     }
     const bool isNeeded =
         !arguments.field.empty() && arguments.fieldOptions.kind == FieldKind::Quality;
-    if (isNeeded && mesh.quality.empty()) {
+    if (isNeeded && loaded.mesh.quality.empty()) {
         refuseMissingQuality(arguments.mesh);
     }
-    return std::move(mesh.quality);
+    return loaded.mesh.quality;
 }
 
 /// Sets arguments.solver.closed as well where the picks file asks for it.
-Inputs readInputs(CurveArguments& arguments) {
-    Inputs inputs;
+std::vector<Vec3> picksFor(CurveArguments& arguments) {
     PicksFile picks = readPicks(arguments.picks);
-    inputs.picks = std::move(picks.picks);
     arguments.solver.closed = arguments.solver.closed || picks.closed.value_or(false);
-    Stopwatch watch;
-    inputs.mesh = readInputMesh(arguments.mesh, arguments.repair);
-    inputs.readSeconds = watch.lap();
-    inputs.readMemoryBytes = peakMemoryBytes();
-    inputs.quality = qualityFor(arguments, inputs.mesh);
-    inputs.givenFaces = static_cast<int>(inputs.mesh.mesh.faces.size());
-    inputs.repair = repairIfAsked(inputs.mesh.mesh, arguments.repair);
-    if (inputs.repair && !inputs.quality.empty()) {
-        inputs.quality = inputs.repair->carriedOver(inputs.quality);
-    }
-    if (interrupted()) {
-        throw Cancelled();
+    return std::move(picks.picks);
+}
+
+Inputs inputsFor(
+    const CurveArguments& arguments, const LoadedMesh& loaded, std::vector<Vec3> picks
+) {
+    Inputs inputs{.picks = std::move(picks), .quality = qualityFor(arguments, loaded)};
+    if (loaded.repair && !inputs.quality.empty()) {
+        inputs.quality = loaded.repair->carriedOver(inputs.quality);
     }
     return inputs;
 }
 
 GivenMesh givenMesh(
-    const CurveArguments& arguments, const Inputs& inputs, std::span<const double> values
+    const CurveArguments& arguments, const LoadedMesh& loaded, std::span<const double> values
 ) {
     return {
         .file = arguments.mesh,
-        .faces = inputs.givenFaces,
+        .faces = static_cast<int>(loaded.givenFaces),
         .quality = values,
-        .repair = inputs.repair ? &*inputs.repair : nullptr
+        .repair = loaded.repair ? &*loaded.repair : nullptr
     };
 }
 
@@ -106,80 +125,70 @@ GivenMesh givenMesh(
 std::vector<double> makeFieldFor(
     const CurveArguments& arguments,
     const Inputs& inputs,
-    const Surface& surface,
+    const PreparedMesh& prepared,
     const Progress& progress
 ) {
     if (arguments.field.empty()) {
         return {};
     }
-    const Region region =
-        readRegion(arguments.fieldRegion, surface, givenMesh(arguments, inputs, inputs.quality));
+    const Surface& surface = prepared.designer.surface();
+    const Region region = readRegion(
+        arguments.fieldRegion, surface, givenMesh(arguments, prepared.loaded, inputs.quality)
+    );
     return makeField(
         surface, arguments.fieldOptions, {.quality = inputs.quality, .region = region}, progress
     );
 }
 
 struct Drawn {
-    CurveDesigner designer;
     std::vector<double> field;
     Region avoid;
     Curve curve;
     RunFigures figures;
 };
 
-/// The first curve, with nothing kept but a stored shell, and its times.
-Drawn drawCold(const CurveArguments& arguments, Inputs& inputs, ProgressBar& bar) {
-    // Of a cold run; for the bar only.
-    constexpr double kShellShare = 0.6;
-    constexpr double kFieldShare = 0.7;
-    const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
-    Stopwatch cold;
-    CurveDesigner designer(
-        std::move(inputs.mesh.mesh),
-        arguments.shell,
-        progressPart(bar, 0.0, kShellShare),
-        cache ? &*cache : nullptr
-    );
-    RunFigures figures;
+/// The first curve, and the times of all that led to it.
+Drawn drawCold(
+    const CurveArguments& arguments,
+    const Inputs& inputs,
+    const PreparedMesh& prepared,
+    ProgressBar& bar
+) {
+    const auto& [loaded, designer, preparing] = prepared;
+    Drawn drawn;
+    RunFigures& figures = drawn.figures;
     Stopwatch watch;
-    std::vector<double> field = makeFieldFor(
-        arguments, inputs, designer.surface(), progressPart(bar, kShellShare, kFieldShare)
-    );
+    drawn.field =
+        makeFieldFor(arguments, inputs, prepared, progressPart(bar, kShellShare, kFieldShare));
     figures.fieldSeconds = watch.lap();
-    Region avoid = readRegion(
+    drawn.avoid = readRegion(
         arguments.avoid,
         designer.surface(),
-        givenMesh(arguments, inputs, field.empty() ? inputs.quality : field)
+        givenMesh(arguments, loaded, drawn.field.empty() ? inputs.quality : drawn.field)
     );
-    Curve curve = designer.design(
+    drawn.curve = designer.design(
         inputs.picks,
         arguments.solver,
         arguments.sampling,
-        {.field = field, .avoid = avoid},
+        {.field = drawn.field, .avoid = drawn.avoid},
         progressPart(bar, kFieldShare, 1.0)
     );
     figures.designSeconds = watch.lap();
-    figures.coldSeconds = cold.lap();
+    figures.coldSeconds = preparing + figures.fieldSeconds + figures.designSeconds;
     figures.peakMemoryBytes = peakMemoryBytes();
-    figures.readSeconds = inputs.readSeconds;
-    figures.readMemoryBytes = inputs.readMemoryBytes;
+    figures.readSeconds = loaded.readSeconds;
+    figures.readMemoryBytes = loaded.readMemoryBytes;
     figures.stages = designer.seconds();
     figures.shell = designer.shell();
     figures.meshFile = arguments.mesh.string();
-    if (inputs.repair) {
-        figures.repair = inputs.repair->report;
+    if (loaded.repair) {
+        figures.repair = loaded.repair->report;
     }
     if (!arguments.field.empty()) {
         figures.field = name(arguments.fieldOptions.kind);
         figures.fieldCost = name(arguments.solver.fieldCost);
     }
-    return {
-        .designer = std::move(designer),
-        .field = std::move(field),
-        .avoid = std::move(avoid),
-        .curve = std::move(curve),
-        .figures = figures
-    };
+    return drawn;
 }
 
 double median(std::vector<double> values) {
@@ -190,13 +199,17 @@ double median(std::vector<double> values) {
 
 /// Median seconds of further curves on the same shell; none where none are asked for.
 std::optional<double> timeWarm(
-    const CurveArguments& arguments, const Inputs& inputs, const Drawn& drawn, ProgressBar& bar
+    const CurveArguments& arguments,
+    const Inputs& inputs,
+    const CurveDesigner& designer,
+    const Drawn& drawn,
+    ProgressBar& bar
 ) {
     std::vector<double> times;
     for (int i = 0; i < arguments.repeat; ++i) {
         bar.show(static_cast<double>(i) / arguments.repeat, "repeat");
         Stopwatch watch;
-        static_cast<void>(drawn.designer.design(
+        static_cast<void>(designer.design(
             inputs.picks,
             arguments.solver,
             arguments.sampling,
@@ -222,11 +235,11 @@ std::string unusableMessage(const SolveReport& report) {
 }
 
 /// The curve with the faces and barycentric coordinates of the mesh as it was given.
-Curve onGivenMesh(const Curve& curve, const Inputs& inputs) {
+Curve onGivenMesh(const Curve& curve, const LoadedMesh& loaded) {
     Curve given = curve;
-    if (inputs.repair) {
+    if (loaded.repair) {
         for (SurfacePoint& point : given.polyline.surfacePoints) {
-            point = inputs.repair->toOrigin(point);
+            point = loaded.repair->toOrigin(point);
         }
     }
     return given;
@@ -234,34 +247,36 @@ Curve onGivenMesh(const Curve& curve, const Inputs& inputs) {
 
 /// Writes curve and report together: both files appear, or none. Of a curve that is not usable only
 /// the report.
-void writeResults(const CurveArguments& arguments, const Inputs& inputs, const Drawn& drawn) {
+void writeResults(
+    const CurveArguments& arguments, const PreparedMesh& prepared, const Drawn& drawn
+) {
+    const Surface& surface = prepared.designer.surface();
     std::optional<AtomicFile> report;
     if (!arguments.report.empty()) {
-        report.emplace(
-            arguments.report, reportText(drawn.curve, drawn.designer.surface(), drawn.figures)
-        );
+        report.emplace(arguments.report, reportText(drawn.curve, surface, drawn.figures));
     }
     if (drawn.curve.report.usable) {
         const std::vector<double> quality =
-            drawn.field.empty()
-                ? std::vector<double>()
-                : fieldAlong(drawn.curve.polyline, drawn.designer.surface().faces(), drawn.field);
-        writeCurve(arguments.output, onGivenMesh(drawn.curve, inputs), quality);
+            drawn.field.empty() ? std::vector<double>()
+                                : fieldAlong(drawn.curve.polyline, surface.faces(), drawn.field);
+        writeCurve(arguments.output, onGivenMesh(drawn.curve, prepared.loaded), quality);
     }
     if (report) {
         report->commit();
     }
 }
 
-ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
-    checkOutputs(arguments);
-    bar.show(0.0, "reading");
-    Inputs inputs = readInputs(arguments);
-    Drawn drawn = drawCold(arguments, inputs, bar);
-    drawn.figures.warmSeconds = timeWarm(arguments, inputs, drawn, bar);
+ExitCode drawAndWrite(
+    const CurveArguments& arguments,
+    const Inputs& inputs,
+    const PreparedMesh& prepared,
+    ProgressBar& bar
+) {
+    Drawn drawn = drawCold(arguments, inputs, prepared, bar);
+    drawn.figures.warmSeconds = timeWarm(arguments, inputs, prepared.designer, drawn, bar);
     bar.clear();
     printNotes(drawn.figures.shell.notes);
-    writeResults(arguments, inputs, drawn);
+    writeResults(arguments, prepared, drawn);
     if (!drawn.curve.report.usable) {
         printError(unusableMessage(drawn.curve.report));
         return ExitCode::Failure;
@@ -269,7 +284,27 @@ ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
     return ExitCode::Success;
 }
 
+ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
+    checkFiles(arguments);
+    bar.show(0.0, "reading");
+    std::vector<Vec3> picks = picksFor(arguments);
+    LoadedMesh loaded = loadMesh(arguments);
+    sayRepaired(loaded.repair);
+    const Inputs inputs = inputsFor(arguments, loaded, std::move(picks));
+    const PreparedMesh prepared(std::move(loaded), arguments, progressPart(bar, 0.0, kShellShare));
+    return drawAndWrite(arguments, inputs, prepared, bar);
+}
+
 }  // namespace
+
+ExitCode drawOn(const PreparedMesh& prepared, CurveArguments arguments) {
+    return runVerb(arguments.repair, [&](ProgressBar& bar) {
+        checkFiles(arguments);
+        sayRepaired(prepared.loaded.repair);
+        const Inputs inputs = inputsFor(arguments, prepared.loaded, picksFor(arguments));
+        return drawAndWrite(arguments, inputs, prepared, bar);
+    });
+}
 
 ExitCode runCurve(Arguments arguments) {
     auto parsed = parseCurveArguments(arguments);

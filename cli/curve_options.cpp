@@ -170,7 +170,7 @@ private:
         "a\n"
         "polyline whose every segment lies in one face. The verb \"curve\" may go before the "
         "mesh;\n"
-        "the other verbs are \"batch\", \"field\" and \"shell\": bspline_curve batch --help.\n\n"
+        "the other verbs are \"batch\", \"field\" and \"shell\": bspline_curve help batch.\n\n"
         "Exit status: 0 done; 1 bad mesh, picks or file, or no usable curve; 2 wrong usage;\n"
         "130 interrupted by Ctrl-C. No output is written unless the status is 0.\n",
         "bspline_curve"

@@ -88,6 +88,7 @@ ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
     }
     const TriangleMesh given = file.mesh;
     const std::optional<MeshRepair> repair = repairIfAsked(file.mesh, arguments.repair);
+    sayRepaired(repair);
     const Surface surface(std::move(file.mesh));
     figures.seconds.validate = watch.lap();
     if (repair) {

@@ -5,6 +5,7 @@
 #include "io/atomic_file.h"
 #include "io/csv.h"
 #include "io/curve_writer.h"
+#include "io/number_text.h"
 #include "io/report_writer.h"
 #include "io/text_parsing.h"
 #include "surface/input_error.h"
@@ -75,6 +76,22 @@ std::optional<bool> flagOf(const std::string& cell) {
         return true;
     }
     return std::ranges::find(kNo, word) != kNo.end() ? std::optional(false) : std::nullopt;
+}
+
+/// What a process that prepares a mesh for curves depends on.
+std::string preparationOf(const CurveArguments& curve) {
+    const ShellOptions& shell = curve.shell;
+    std::string text = curve.mesh.string() + '\n' + name(shell.kind);
+    for (const double value :
+         {shell.thickness,
+          static_cast<double>(shell.smoothingPasses),
+          shell.targetThickness,
+          shell.targetEdgeLength,
+          curve.repair ? 1.0 : 0.0,
+          curve.noCache ? 1.0 : 0.0}) {
+        text += ' ' + numberText(value);
+    }
+    return text;
 }
 
 /// Takes the lines of a jobs file one by one.
@@ -148,6 +165,7 @@ private:
             words.push_back(argument.c_str());
         }
         const CurveArguments curve = readCurveArguments(words);
+        job.preparation = preparationOf(curve);
         job.outputPath = folder_ / curve.output;
         checkCurveExtension(job.outputPath);
         checkWritable(job.outputPath);

@@ -15,8 +15,9 @@ struct Job {
     std::size_t number = 0;              ///< from 1, in the order of the file
     std::string mesh, picks, output;     ///< as the file has them
     std::vector<std::string> arguments;  ///< of the verb curve, in the folder of the file
-    std::filesystem::path outputPath;    ///< from where the program runs
-    std::filesystem::path reportPath;    ///< likewise; empty: none asked for
+    std::string preparation;           ///< the same for jobs that share a mesh and its preparation
+    std::filesystem::path outputPath;  ///< from where the program runs
+    std::filesystem::path reportPath;  ///< likewise; empty: none asked for
 
     /// As words for a shell.
     [[nodiscard]] std::string command() const;

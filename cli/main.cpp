@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
+#include "cli/mesh_process.h"
+#include "cli/nearest_word.h"
 #include "cli/process_figures.h"
+#include "cli/value_checks.h"
 
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace bspline_curve::cli {
 
@@ -26,12 +32,42 @@ constexpr std::array kVerbs{
     Verb{.name = "shell", .run = runShell}
 };
 
+ExitCode refuseVerb(const std::string& word) {
+    std::vector<std::string> words{"help"};
+    for (const Verb& verb : kVerbs) {
+        words.emplace_back(verb.name);
+    }
+    printError(
+        word + " is neither a mesh file nor one of the verbs " + joined(words) +
+        didYouMean(word, words)
+    );
+    return ExitCode::Usage;
+}
+
+/// Whether a word can name no mesh: there is no such file, and meshes have extensions.
+bool isNoMesh(const std::string& word) {
+    return !word.starts_with('-') && std::filesystem::path(word).extension().empty() &&
+           !std::filesystem::exists(word);
+}
+
 ExitCode run(Arguments arguments) {
-    const auto isNamed = [&](const Verb& verb) {
-        return !arguments.empty() && verb.name == arguments.front();
-    };
-    const auto* const verb = std::ranges::find_if(kVerbs, isNamed);
-    return verb == kVerbs.end() ? runCurve(arguments) : verb->run(arguments.subspan(1));
+    if (arguments.empty()) {
+        return runCurve(arguments);
+    }
+    const std::string word = arguments.front();
+    if (word == kMeshProcess) {
+        return runMeshProcess();
+    }
+    if (word == "help") {
+        std::vector<const char*> words(arguments.begin() + 1, arguments.end());
+        words.push_back("--help");
+        return run(words);
+    }
+    const auto* const verb = std::ranges::find(kVerbs, word, &Verb::name);
+    if (verb != kVerbs.end()) {
+        return verb->run(arguments.subspan(1));
+    }
+    return isNoMesh(word) ? refuseVerb(word) : runCurve(arguments);
 }
 
 }  // namespace
@@ -42,18 +78,24 @@ void printError(const std::string& message) {
     std::cerr << "bspline_curve: " << line << '\n';
 }
 
-}  // namespace bspline_curve::cli
-
-int main(int argc, char** argv) {
-    using namespace bspline_curve::cli;
-    returnLargeArrays();
+ExitCode reportingErrors(const std::function<ExitCode()>& run) {
     try {
-        const Arguments all(argv, argc);
-        return static_cast<int>(run(all.subspan(std::min<std::size_t>(all.size(), 1))));
+        return run();
     } catch (const std::bad_alloc&) {
         printError("out of memory");
     } catch (const std::exception& error) {
         printError(std::string("internal error: ") + error.what());
     }
-    return static_cast<int>(ExitCode::Failure);
+    return ExitCode::Failure;
+}
+
+}  // namespace bspline_curve::cli
+
+int main(int argc, char** argv) {
+    using namespace bspline_curve::cli;
+    returnLargeArrays();
+    const Arguments all(argv, argc);
+    return static_cast<int>(reportingErrors([&] {
+        return run(all.subspan(std::min<std::size_t>(all.size(), 1)));
+    }));
 }

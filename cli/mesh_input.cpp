@@ -36,10 +36,13 @@ std::optional<MeshRepair> repairIfAsked(TriangleMesh& mesh, bool repair) {
     }
     MeshRepair repaired = repairMesh(std::move(mesh));
     mesh = std::move(repaired.mesh);
-    if (!repaired.report.isEmpty()) {
-        printError("repaired: " + repaired.report.summary());
-    }
     return repaired;
+}
+
+void sayRepaired(const std::optional<MeshRepair>& repair) {
+    if (repair && !repair->report.isEmpty()) {
+        printError("repaired: " + repair->report.summary());
+    }
 }
 
 }  // namespace bspline_curve::cli

@@ -22,8 +22,10 @@ void addRepairOption(CLI::App& app, bool& repair);
 /// Throws InputError (BadField): a mesh file without the quality that was asked for.
 [[noreturn]] void refuseMissingQuality(const std::filesystem::path& file);
 
-/// Where asked for, repairs `mesh` and says on stderr what was changed. The result's own mesh is
-/// moved to `mesh`.
+/// Where asked for, repairs `mesh`. The result's own mesh is moved to `mesh`.
 [[nodiscard]] std::optional<MeshRepair> repairIfAsked(TriangleMesh& mesh, bool repair);
+
+/// Says on stderr what was changed, if anything.
+void sayRepaired(const std::optional<MeshRepair>& repair);
 
 }  // namespace bspline_curve::cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/nearest_word.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -65,7 +67,8 @@ Interval<Number> atLeast(Number low) {
 [[nodiscard]] inline CLI::Validator oneOf(const std::vector<std::string>& words) {
     const auto check = [words](const std::string& word) {
         const bool isKnown = std::ranges::find(words, word) != words.end();
-        return isKnown ? std::string() : word + " is none of " + joined(words);
+        return isKnown ? std::string()
+                       : word + " is none of " + joined(words) + didYouMean(word, words);
     };
     return {check, ""};
 }

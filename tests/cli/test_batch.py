@@ -141,10 +141,21 @@ def test_separators_comments_and_quotes(run, hill):
     assert (hill / "a;1.ply").is_file()
 
 
-def test_jobs_on_one_mesh_share_the_shell_in_the_cache(run, hill, cache):
-    write_jobs(hill, *[f"hill.ply,picks.json,{n}.ply,{n}.json,simplified" for n in "abc"], columns="mesh,picks,output,report,shell")
-    assert run("batch", "jobs.csv", "--jobs", 1).returncode == 0
-    assert [json.loads((hill / f"{n}.json").read_text())["cached"] for n in "abc"] == [False, True, True]
+def test_jobs_on_one_mesh_share_one_preparation(run, hill, cache):
+    (hill / "flat.ply").write_bytes((hill / "hill.ply").read_bytes())
+    rows = [f"{mesh}.ply,picks.json,{mesh}{n}.ply,{mesh}{n}.json,simplified" for n in "abc" for mesh in ("hill", "flat")]
+    rows.append("hill.ply,picks.json,fibres.ply,fibres.json,local")
+    write_jobs(hill, *rows, columns="mesh,picks,output,report,shell")
+    assert run("batch", "jobs.csv", "--jobs", 2).returncode == 0
+    reports = {path.stem: json.loads(path.read_text()) for path in hill.glob("*.json") if path.stem != "picks"}
+
+    def preparations(names):
+        """Times that no two preparations share."""
+        return {tuple(reports[name]["seconds"][key] for key in ("read", "validate", "shell")) for name in names}
+
+    assert len(preparations(f"hill{n}" for n in "abc")) == len(preparations(f"flat{n}" for n in "abc")) == 1
+    assert len(preparations(reports)) == 3, "another mesh, or another shell, is another preparation"
+    assert list(results(hill)) == list(range(1, 8)), "the lines are in the order of the jobs"
 
 
 def test_a_job_that_needs_too_much_memory_fails_alone(run, hill):
@@ -308,9 +319,10 @@ def long_batch(program, hill):
         started.append(process)
         end = time.monotonic() + 60
         while time.monotonic() < end:
-            children = psutil.Process(process.pid).children()
-            if (hill / "a.ply").exists() and len(lasting(children)) == running:
-                return process, lasting(children)
+            jobs = jobs_of(process)
+            written = hill / "jobs.results.csv"
+            if written.exists() and "done" in written.read_text() and len(jobs) == running:
+                return process, jobs
             time.sleep(0.02)
         raise AssertionError("the jobs do not run")
 
@@ -320,13 +332,12 @@ def long_batch(program, hill):
         process.wait()
 
 
-def lasting(children):
-    """Those that run a long job."""
+def jobs_of(batch):
+    """The processes that draw curves: children of those that prepare meshes."""
     found = []
-    for child in children:
+    for mesh in psutil.Process(batch.pid).children():
         try:
-            if f"--repeat={LONG}" in child.cmdline() and child.status() != psutil.STATUS_ZOMBIE:
-                found.append(child)
+            found += [job for job in mesh.children() if job.status() != psutil.STATUS_ZOMBIE]
         except psutil.NoSuchProcess:
             pass
     return found
@@ -335,24 +346,40 @@ def lasting(children):
 def test_so_many_jobs_run_at_once(long_batch):
     process, _ = long_batch()
     for _ in range(10):
-        assert len(psutil.Process(process.pid).children()) == 2
+        assert len(psutil.Process(process.pid).children()) == 1 and len(jobs_of(process)) == 2
         time.sleep(0.02)
+
+
+def crash(processes):
+    for process in processes:
+        process.send_signal(signal.SIGSEGV)
+        process.wait(60)
+    return len(processes)
 
 
 def test_a_job_that_crashes_ends_alone(long_batch, hill):
     process, _ = long_batch()
     crashed = 0
     while crashed < 3:
-        for job in lasting(psutil.Process(process.pid).children()):
-            job.send_signal(signal.SIGSEGV)
-            job.wait(60)
-            crashed += 1
+        crashed += crash(jobs_of(process))
         time.sleep(0.02)
     _, err = process.communicate(timeout=60)
     assert process.returncode == 1 and "3 of 4 jobs failed" in err
     assert status(hill) == {1: "done", 2: "crashed", 3: "crashed", 4: "crashed"}
     assert "Segmentation fault" in results(hill)[2]["message"]
     assert not (hill / "b.ply").exists()
+
+
+def test_a_mesh_that_crashes_takes_only_its_running_jobs_along(long_batch, hill):
+    process, jobs = long_batch()
+    crash(psutil.Process(process.pid).children())
+    assert psutil.wait_procs(jobs, timeout=60)[1] == []
+    end = time.monotonic() + 60
+    while len(jobs_of(process)) != 1 and time.monotonic() < end:
+        time.sleep(0.02)
+    assert crash(jobs_of(process)) == 1, "the last job has got a process for its mesh anew"
+    process.communicate(timeout=60)
+    assert status(hill) == {1: "done", 2: "crashed", 3: "crashed", 4: "crashed"}
 
 
 def test_ctrl_c_leaves_results_to_go_on_with(long_batch, hill, run):

@@ -86,6 +86,23 @@ def test_missing_files(refused):
 
 
 @pytest.mark.parametrize(
+    "status, words, parts",
+    [
+        (2, ("shel", "plate.ply"), ["shel is neither a mesh file nor one of the verbs help|batch|", "did you mean shell?"]),
+        (2, ("frobnicate", "plate.ply"), ["help|batch|curve|field|shell\n"]),
+        (2, ("help", "bach"), ["did you mean batch?"]),
+        (1, (*DEFAULT, "--field", "valey"), ["--field valey: there is no such file", "|valley|", "did you mean valley?"]),
+        (1, (*DEFAULT, "--field", "none.npy"), ["none.npy: there is no such file", "|obstacle\n"]),
+        (1, (*DEFAULT, "--avoid", "selected"), ["--avoid selected: there is no such file", "over-threshold"]),
+        (2, (*DEFAULT, "--shell", "ful"), ["ful is none of local|full|simplified; did you mean full?"]),
+    ],
+)
+def test_mistyped_words(refused, status, words, parts):
+    line = refused(status, *words)
+    assert [part for part in parts if part not in line] == [], line
+
+
+@pytest.mark.parametrize(
     "name, content, part",
     [
         ("a.ply", b"", "empty"),

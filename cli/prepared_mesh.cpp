@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/prepared_mesh.h"
+
+#include "cli/interrupt.h"
+#include "cli/mesh_input.h"
+#include "cli/process_figures.h"
+#include "cli/shell_cache_option.h"
+#include "surface/progress.h"
+#include "utility/stopwatch.h"
+
+#include <utility>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+CurveDesigner designerFor(
+    TriangleMesh mesh, const CurveArguments& arguments, const Progress& progress
+) {
+    const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
+    return CurveDesigner(std::move(mesh), arguments.shell, progress, cache ? &*cache : nullptr);
+}
+
+}  // namespace
+
+LoadedMesh loadMesh(const CurveArguments& arguments) {
+    LoadedMesh loaded;
+    Stopwatch watch;
+    loaded.mesh = readInputMesh(arguments.mesh, arguments.repair);
+    loaded.readSeconds = watch.lap();
+    loaded.readMemoryBytes = peakMemoryBytes();
+    loaded.givenVertices = loaded.mesh.mesh.vertices.size();
+    loaded.givenFaces = loaded.mesh.mesh.faces.size();
+    loaded.repair = repairIfAsked(loaded.mesh.mesh, arguments.repair);
+    if (interrupted()) {
+        throw Cancelled();
+    }
+    return loaded;
+}
+
+PreparedMesh::PreparedMesh(
+    LoadedMesh from, const CurveArguments& arguments, const Progress& progress
+)
+    : loaded(std::move(from)),
+      designer(designerFor(std::move(loaded.mesh.mesh), arguments, progress)) {
+    const StageSeconds stages = designer.seconds();
+    seconds = stages.validate + stages.tree + stages.shell;
+}
+
+}  // namespace bspline_curve::cli

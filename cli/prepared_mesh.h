@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/curve_options.h"
+#include "design/curve_designer.h"
+#include "io/mesh_reader.h"
+#include "surface/repair.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+// A mesh that is read and prepared once, for as many curves as are asked for.
+namespace bspline_curve::cli {
+
+/// A mesh file as curves need it.
+struct LoadedMesh {
+    MeshFile mesh;  ///< repaired where that was asked for; the quality is as given
+    std::size_t givenVertices = 0, givenFaces = 0;
+    std::optional<MeshRepair> repair;  ///< where it was asked for
+    double readSeconds = 0.0;
+    std::int64_t readMemoryBytes = 0;
+};
+
+/// Throws InputError, Cancelled.
+[[nodiscard]] LoadedMesh loadMesh(const CurveArguments& arguments);
+
+/// A mesh with all that does not depend on the picks. The vertices and faces of `loaded` have moved
+/// into the designer.
+struct PreparedMesh {
+    LoadedMesh loaded;
+    CurveDesigner designer;
+    double seconds = 0.0;  ///< of preparing
+
+    /// Throws InputError, Cancelled.
+    PreparedMesh(LoadedMesh from, const CurveArguments& arguments, const Progress& progress);
+};
+
+/// Draws one curve on a mesh that is ready, and writes it. Prints what goes wrong.
+[[nodiscard]] ExitCode drawOn(const PreparedMesh& prepared, CurveArguments arguments);
+
+}  // namespace bspline_curve::cli
