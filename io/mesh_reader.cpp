@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mesh_reader.h"
 
-#include "io/file_checks.h"
+#include "io/mesh_parsers.h"
 #include "io/text_parsing.h"
-#include "io/vcglib_import.h"
 #include "surface/input_error.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 
 namespace bspline_curve {
 
 namespace {
+
+struct Format {
+    std::string_view extension;
+    ParsedMesh (*parse)(const std::filesystem::path& file, std::string_view bytes);
+};
+
+constexpr std::array kFormats = {
+    Format{".ply", parsePly},
+    Format{".obj", parseObj},
+    Format{".off", parseOff},
+    Format{".stl", parseStl}
+};
 
 using Key = std::array<double, 3>;
 
@@ -55,50 +68,6 @@ TriangleMesh welded(const TriangleMesh& soup) {
     return mesh;
 }
 
-/// The importers report some failures by a shorter mesh only.
-void checkImported(
-    const std::filesystem::path& file, const ExpectedMesh& expected, const ImportedMesh& imported
-) {
-    if (!imported.error.empty()) {
-        refuseFile(file, imported.error);
-    }
-    const TriangleMesh& mesh = imported.mesh;
-    if (mesh.vertices.size() != expected.vertices || mesh.faces.size() != expected.triangles) {
-        refuseFile(
-            file,
-            "vcglib could read only " + std::to_string(mesh.vertices.size()) + " of " +
-                std::to_string(expected.vertices) + " vertices and " +
-                std::to_string(mesh.faces.size()) + " of " + std::to_string(expected.triangles) +
-                " triangles; save it again with MeshLab"
-        );
-    }
-    for (const Triangle& face : mesh.faces) {
-        for (const int id : face) {
-            if (id < 0 || static_cast<std::size_t>(id) >= mesh.vertices.size()) {
-                refuseFile(file, "vcglib read a face of vertices that do not exist");
-            }
-        }
-    }
-}
-
-/// Puts back what the importer has left out, so that faces are numbered as in the file.
-void insertOmitted(std::vector<Triangle>& faces, const std::vector<OmittedTriangle>& omitted) {
-    if (omitted.empty()) {
-        return;
-    }
-    std::vector<Triangle> all;
-    all.reserve(faces.size() + omitted.size());
-    auto rest = faces.begin();
-    for (const auto& [place, corners] : omitted) {
-        while (all.size() < place && rest != faces.end()) {
-            all.push_back(*rest++);
-        }
-        all.push_back(corners);
-    }
-    all.insert(all.end(), rest, faces.end());
-    faces = std::move(all);
-}
-
 [[noreturn]] void refuseRepeating(
     const std::filesystem::path& file, const std::vector<std::int64_t>& faces
 ) {
@@ -116,45 +85,23 @@ void insertOmitted(std::vector<Triangle>& faces, const std::vector<OmittedTriang
 
 MeshFile readMeshFile(const std::filesystem::path& file, RepeatedVertices repeated) {
     const std::string extension = lowerCaseExtension(file);
-    const bool known =
-        extension == ".ply" || extension == ".obj" || extension == ".off" || extension == ".stl";
-    if (!known) {
+    const auto* const format = std::ranges::find(kFormats, extension, &Format::extension);
+    if (format == kFormats.end()) {
         refuseFile(
             file, "the extension " + inQuotes(extension) + " is none of .ply, .obj, .off, .stl"
         );
     }
-    const std::string bytes = readWholeFile(file);
-    const auto checked = [&](ExpectedMesh found) {
-        if (!found.repeating.empty() && repeated == RepeatedVertices::Refuse) {
-            refuseRepeating(file, found.repeating);
-        }
-        return found;
-    };
-    ExpectedMesh expected;
-    ImportedMesh imported;
-    if (extension == ".ply") {
-        expected = checked(checkPly(file, bytes));
-        imported = importPly(file, expected.quality);
-    } else if (extension == ".obj") {
-        expected = checked(checkObj(file, bytes));
-        imported = importObj(file);
-    } else if (extension == ".stl") {
-        expected = checkStl(file, bytes);
-        imported = importStl(file);
-    } else {
-        const CheckedOff off = checkOff(file, bytes);
-        expected = off.expected;
-        imported = importOffText(off.text);
+    ParsedMesh parsed = format->parse(file, readWholeFile(file));
+    if (!parsed.repeating.empty() && repeated == RepeatedVertices::Refuse) {
+        refuseRepeating(file, parsed.repeating);
     }
-    insertOmitted(imported.mesh.faces, expected.omitted);
-    checkImported(file, expected, imported);
-    if (imported.mesh.faces.empty()) {
+    if (parsed.mesh.faces.empty()) {
         refuseFile(file, "has no faces");
     }
     if (extension == ".stl") {
-        imported.mesh = welded(imported.mesh);
+        parsed.mesh = welded(parsed.mesh);
     }
-    return {.mesh = std::move(imported.mesh), .quality = std::move(imported.quality)};
+    return {.mesh = std::move(parsed.mesh), .quality = std::move(parsed.quality)};
 }
 
 TriangleMesh readMesh(const std::filesystem::path& file) {

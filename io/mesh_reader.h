@@ -17,11 +17,11 @@ struct MeshFile {
 /// What to do with faces that name a vertex twice.
 enum class RepeatedVertices : std::uint8_t { Refuse, Keep };
 
-/// A mesh with its per-vertex quality (PLY only), by vcglib's importers: .ply, .obj, .off and .stl.
+/// A mesh with its per-vertex quality (PLY only): .ply, .obj, .off and .stl.
 /// Coordinates keep the precision of the file; vertices and faces keep its order. Polygons are cut
-/// into triangle fans (quads in an OFF file along the diagonal that vcglib prefers). The vertices
-/// of an STL file that have equal coordinates are made one, in order of first use. Only what the
-/// file says is checked, not whether it is a surface. Throws InputError (UnreadableFile, or
+/// into fans of triangles at their first corner. The vertices of an STL file that have equal
+/// coordinates are made one, in order of first use. Only what the file says is checked, not whether
+/// it is a surface. Throws InputError (UnreadableFile, or
 /// DegenerateFace where a face of a PLY or OBJ file names a vertex twice and is not to be kept),
 /// naming file and reason.
 [[nodiscard]] MeshFile readMeshFile(

@@ -103,6 +103,10 @@ std::optional<double> parseNumber(std::string_view token) {
     return parseWhole<double>(token);
 }
 
+std::optional<float> parseFloat(std::string_view token) {
+    return parseWhole<float>(token);
+}
+
 std::optional<long long> parseInteger(std::string_view token) {
     return parseWhole<long long>(token);
 }

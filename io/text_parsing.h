@@ -30,6 +30,8 @@ namespace bspline_curve {
 
 /// A number that fills the whole token, whatever the locale; "nan" and "inf" are numbers here.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view token);
+/// The same, rounded once, to a float.
+[[nodiscard]] std::optional<float> parseFloat(std::string_view token);
 [[nodiscard]] std::optional<long long> parseInteger(std::string_view token);
 
 /// Without blanks at both ends (a carriage return is a blank).

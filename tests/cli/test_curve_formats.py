@@ -3,6 +3,7 @@
 
 import csv
 import json
+from pathlib import Path
 
 import ezdxf
 import ezdxf.recover
@@ -96,10 +97,16 @@ def test_obj_in_meshlab(case):
     assert mesh.edge_matrix().tolist() == case.edges
 
 
-def test_points_of_obj_in_meshio_and_trimesh(case):
+def test_what_other_readers_take_is_what_the_page_says(case):
+    """docs/FILES.md sends readers that would lose the lines, or z, to other formats."""
     path = case.file("curve.obj")
-    assert np.array_equal(meshio.read(path).points, case.points)
-    assert np.array_equal(trimesh.load(path).vertices, case.points)
+    assert np.array_equal(meshio.read(path).points, case.points) and meshio.read(path).cells == []
+    assert np.array_equal(trimesh.load(path).vertices, case.points) and not hasattr(trimesh.load(path), "entities")
+    with pytest.raises(Exception):
+        meshio.read(case.file("curve.ply"))
+    assert trimesh.load(case.file("curve.dxf")).vertices.shape[1] == 2, "trimesh reads no z"
+    page = (Path(__file__).resolve().parents[2] / "docs" / "FILES.md").read_text()
+    assert "| trimesh | `.obj`; without z: `.dxf`" in page and "| meshio | `.obj` | `.ply`" in page
 
 
 def test_free_form_obj(case):

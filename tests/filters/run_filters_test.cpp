@@ -186,20 +186,24 @@ TEST(RunCurveFilter, SaysThatIdsLeaveOutDeletedElements) {
     expectPart(refusal([&] { return draw(layer, {}); }), "without the layer's deleted elements)");
 }
 
-TEST(RunCurveFilter, WarnsOfACurveThatIsNotUsable) {
+/// A curve on a sphere that does not reach its tolerance.
+CurveResult drawUnusable(CurveRequest request) {
     LayerInput layer;
     layer.mesh = icosphere(2);
-    CurveRequest request;
     request.solver.distanceTolerance = 1e-9;
     request.solver.maxRounds = 1;
     request.solver.maxIterations = 1;
     DesignerCache designers;
-    const CurveResult result = runCurveFilter(
+    return runCurveFilter(
         layer,
         {.tool = {layer.mesh.vertices[0], layer.mesh.vertices[40]}, .layer = {}},
         request,
         designers
     );
+}
+
+TEST(RunCurveFilter, WarnsOfACurveThatIsNotUsable) {
+    const CurveResult result = drawUnusable({});
     EXPECT_FALSE(figure<bool>(result.figures, "usable"));
     ASSERT_EQ(result.log.warnings.size(), 1u);
     expectPart(result.log.warnings[0], "did not reach the distance tolerance");
@@ -310,20 +314,9 @@ TEST(RunCurveFilter, RefusesFilesThatItCannotWriteBeforeItDraws) {
 }
 
 TEST_F(SavedCurve, IsNotWrittenWhereItIsNotUsable) {
-    LayerInput layer;
-    layer.mesh = icosphere(2);
     CurveRequest request;
-    request.solver.distanceTolerance = 1e-9;
-    request.solver.maxRounds = 1;
-    request.solver.maxIterations = 1;
     request.saveFile = path("curve.ply").string();
-    DesignerCache designers;
-    const CurveResult result = runCurveFilter(
-        layer,
-        {.tool = {layer.mesh.vertices[0], layer.mesh.vertices[40]}, .layer = {}},
-        request,
-        designers
-    );
+    const CurveResult result = drawUnusable(request);
     EXPECT_FALSE(std::filesystem::exists(request.saveFile));
     ASSERT_EQ(result.log.warnings.size(), 2u);
     expectPart(result.log.warnings[1], "was not written to " + request.saveFile);

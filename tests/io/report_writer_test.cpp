@@ -27,7 +27,7 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     curve.report.allowedDistance = 0.15;
     curve.report.maxPickGap = 1e-15;
     curve.report.newtonIterations = 42;
-    curve.report.rounds = {{10, 1e6, 11, 7, MinimiseStatus::EarlyStop, 0.3}};
+    curve.report.rounds = {{10, 1e6, 11, 7, MinimiseStatus::IterationLimit, 0.3}};
     curve.report.iterations = {{0, 5.0, {1, 2, 3, 4}, 0.5, 1.0}};
     curve.report.seconds.minimise = 0.25;
     RunFigures figures;
@@ -60,7 +60,7 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
          {"/peak_memory_bytes/read", 1000000},
          {"/peak_memory_bytes/cold", 3000000},
          {"/rounds/0/alpha", 10},
-         {"/rounds/0/status", name(MinimiseStatus::EarlyStop)},
+         {"/rounds/0/status", name(MinimiseStatus::IterationLimit)},
          {"/iterations/0/distance", 3},
          {"/mesh/file", "a.ply"},
          {"/mesh/vertices", 4},

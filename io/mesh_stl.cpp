@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/file_checks.h"
+#include "io/mesh_parsers.h"
 #include "io/text_parsing.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -11,8 +12,8 @@ namespace bspline_curve {
 
 namespace {
 
-constexpr std::size_t kHeaderSize = 84;  // 80 characters and the count
-constexpr std::size_t kTriangleSize = 50;
+constexpr std::size_t kHeaderSize = 84;    // 80 characters and the count
+constexpr std::size_t kTriangleSize = 50;  // normal, three corners and two bytes more
 
 std::size_t binaryTriangles(std::string_view bytes) {
     static_assert(std::endian::native == std::endian::little);
@@ -21,7 +22,7 @@ std::size_t binaryTriangles(std::string_view bytes) {
     return count;
 }
 
-/// vcglib's rule: binary where the size fits the count, or where the beginning is not text.
+/// Binary where the size fits the count, or where the beginning is not text.
 bool isBinary(std::string_view bytes) {
     if (bytes.size() == kHeaderSize + kTriangleSize * binaryTriangles(bytes)) {
         return true;
@@ -30,7 +31,7 @@ bool isBinary(std::string_view bytes) {
     return std::ranges::any_of(start, [](char c) { return static_cast<unsigned char>(c) > 127; });
 }
 
-std::size_t checkBinary(const std::filesystem::path& file, std::string_view bytes) {
+void parseBinary(const std::filesystem::path& file, std::string_view bytes, TriangleMesh& mesh) {
     const std::size_t triangles = binaryTriangles(bytes);
     const std::size_t expected = kHeaderSize + kTriangleSize * triangles;
     if (bytes.size() < expected) {
@@ -40,22 +41,36 @@ std::size_t checkBinary(const std::filesystem::path& file, std::string_view byte
                 std::to_string(expected) + " bytes, the file has " + std::to_string(bytes.size())
         );
     }
-    return triangles;
-}
-
-void checkAsciiVertex(
-    const std::filesystem::path& file, std::size_t line, const std::vector<std::string_view>& words
-) {
-    if (words.size() != 4 || !parseNumber(words[1]) || !parseNumber(words[2]) ||
-        !parseNumber(words[3])) {
-        refuseLine(file, line, "a vertex needs three coordinates");
+    mesh.vertices.reserve(3 * triangles);
+    for (std::size_t i = 0; i < triangles; ++i) {
+        std::array<float, 12> numbers{};  // the normal comes first
+        std::memcpy(numbers.data(), bytes.data() + kHeaderSize + kTriangleSize * i, sizeof numbers);
+        for (int k = 3; k < 12; k += 3) {
+            mesh.vertices.emplace_back(numbers[k], numbers[k + 1], numbers[k + 2]);
+        }
     }
 }
 
-std::size_t checkAscii(const std::filesystem::path& file, std::string_view bytes) {
+Vec3 parseAsciiVertex(
+    const std::filesystem::path& file, std::size_t line, const std::vector<std::string_view>& words
+) {
+    Vec3 point;
+    for (std::size_t k = 1; words.size() == 4 && k < 4; ++k) {
+        const auto number = parseFloat(words[k]);
+        if (!number) {
+            break;
+        }
+        point[static_cast<int>(k) - 1] = static_cast<double>(*number);
+        if (k == 3) {
+            return point;
+        }
+    }
+    refuseLine(file, line, "a vertex needs three coordinates");
+}
+
+void parseAscii(const std::filesystem::path& file, std::string_view bytes, TriangleMesh& mesh) {
     LineReader lines(bytes);
     std::size_t facets = 0;
-    std::size_t vertices = 0;
     bool ended = false;
     for (std::size_t statement = 0; lines.next();) {
         const auto words = splitAtBlanks(lines.line());
@@ -69,34 +84,35 @@ std::size_t checkAscii(const std::filesystem::path& file, std::string_view bytes
         if (keyword == "facet") {
             ++facets;
         } else if (keyword == "vertex") {
-            checkAsciiVertex(file, lines.number(), words);
-            ++vertices;
+            mesh.vertices.push_back(parseAsciiVertex(file, lines.number(), words));
         }
         ended = keyword == "endsolid";
     }
-    if (!ended || vertices != 3 * facets) {
+    if (!ended || mesh.vertices.size() != 3 * facets) {
         refuseFile(
             file,
             "is truncated or no STL file: " + std::to_string(facets) + " facets, " +
-                std::to_string(vertices) + " vertices" +
+                std::to_string(mesh.vertices.size()) + " vertices" +
                 (ended ? "" : ", no \"endsolid\" at the end")
         );
     }
-    return facets;
 }
 
 }  // namespace
 
-ExpectedMesh checkStl(const std::filesystem::path& file, std::string_view bytes) {
+ParsedMesh parseStl(const std::filesystem::path& file, std::string_view bytes) {
     if (bytes.size() < kHeaderSize) {
         refuseFile(
             file, "is too short for an STL mesh (" + std::to_string(bytes.size()) + " bytes)"
         );
     }
-    ExpectedMesh expected;
-    expected.triangles = isBinary(bytes) ? checkBinary(file, bytes) : checkAscii(file, bytes);
-    expected.vertices = 3 * expected.triangles;
-    return expected;
+    ParsedMesh parsed;
+    TriangleMesh& mesh = parsed.mesh;
+    isBinary(bytes) ? parseBinary(file, bytes, mesh) : parseAscii(file, bytes, mesh);
+    for (int i = 0; i + 2 < static_cast<int>(mesh.vertices.size()); i += 3) {
+        mesh.faces.push_back({i, i + 1, i + 2});
+    }
+    return parsed;
 }
 
 }  // namespace bspline_curve

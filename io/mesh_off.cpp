@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/file_checks.h"
+#include "io/mesh_parsers.h"
 #include "io/text_parsing.h"
 
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -10,13 +11,13 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/// Reads an OFF file line by line and writes it out plainly.
-class OffCheck {
+/// Reads an OFF file line by line.
+class OffParser {
 public:
-    OffCheck(const std::filesystem::path& file, std::string_view bytes)
+    OffParser(const std::filesystem::path& file, std::string_view bytes)
         : file_(file), lines_(bytes) {}
 
-    CheckedOff run() {
+    ParsedMesh run() {
         readHeader();
         for (std::size_t i = 0; i < vertices_; ++i) {
             readVertex();
@@ -24,12 +25,7 @@ public:
         for (std::size_t i = 0; i < faces_; ++i) {
             readFace();
         }
-        CheckedOff result;
-        result.expected.vertices = vertices_;
-        result.expected.triangles = triangles_;
-        result.text =
-            "OFF\n" + std::to_string(vertices_) + ' ' + std::to_string(facesOut_) + " 0\n" + body_;
-        return result;
+        return std::move(parsed_);
     }
 
 private:
@@ -82,12 +78,15 @@ private:
         if (words.size() < 3) {
             refuse("a vertex needs three coordinates on one line");
         }
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (!parseNumber(words[k])) {
+        Vec3 point;
+        for (int k = 0; k < 3; ++k) {
+            const auto number = parseNumber(words[k]);
+            if (!number) {
                 refuse(inQuotes(words[k]) + " is not a number");
             }
-            append(words[k], k < 2 ? ' ' : '\n');
+            point[k] = *number;
         }
+        parsed_.mesh.vertices.push_back(point);
     }
 
     void readFace() {
@@ -103,39 +102,18 @@ private:
                 std::to_string(words.size() - 1) + " indices"
             );
         }
+        corners_.clear();
         for (std::size_t k = 1; k <= corners; ++k) {
-            if (count(words[k]) >= vertices_) {
+            const std::size_t id = count(words[k]);
+            if (id >= vertices_) {
                 refuse(
                     "the face names vertex " + std::string(words[k]) + " of " +
                     std::to_string(vertices_) + ", counted from 0"
                 );
             }
+            corners_.push_back(static_cast<int>(id));
         }
-        words.resize(corners + 1);
-        triangles_ += corners - 2;
-        writeFace(words);
-    }
-
-    void writeFace(const Words& words) {
-        if (words.size() <= 5) {
-            for (std::size_t k = 0; k < words.size(); ++k) {
-                append(words[k], k + 1 < words.size() ? ' ' : '\n');
-            }
-            ++facesOut_;
-            return;
-        }
-        for (std::size_t k = 2; k + 1 < words.size(); ++k) {
-            append("3", ' ');
-            append(words[1], ' ');
-            append(words[k], ' ');
-            append(words[k + 1], '\n');
-            ++facesOut_;
-        }
-    }
-
-    void append(std::string_view word, char separator) {
-        body_ += word;
-        body_ += separator;
+        addFan(corners_, parsed_.mesh.faces);
     }
 
     [[noreturn]] void refuse(const std::string& reason) const {
@@ -144,14 +122,15 @@ private:
 
     const std::filesystem::path& file_;
     LineReader lines_;
-    std::size_t vertices_ = 0, faces_ = 0, facesOut_ = 0, triangles_ = 0;
-    std::string body_;
+    std::size_t vertices_ = 0, faces_ = 0;
+    std::vector<int> corners_;
+    ParsedMesh parsed_;
 };
 
 }  // namespace
 
-CheckedOff checkOff(const std::filesystem::path& file, std::string_view bytes) {
-    return OffCheck(file, bytes).run();
+ParsedMesh parseOff(const std::filesystem::path& file, std::string_view bytes) {
+    return OffParser(file, bytes).run();
 }
 
 }  // namespace bspline_curve

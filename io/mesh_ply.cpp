@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/file_checks.h"
+#include "io/mesh_parsers.h"
 #include "io/ply_header.h"
 #include "io/text_parsing.h"
+#include "utility/large_array.h"
 
 #include <algorithm>
 #include <array>
@@ -22,16 +23,10 @@ public:
 
     [[nodiscard]] bool failed() const { return failed_; }
 
-    void skip(PlyScalar type) {
-        if (format_ == PlyFormat::Ascii) {
-            static_cast<void>(number(type));
-        } else {
-            static_cast<void>(take(sizeOf(type)));
-        }
-    }
-
     /// Many scalars at once, without looking at them; binary only.
     void skipBytes(std::size_t count) { static_cast<void>(take(count)); }
+
+    [[nodiscard]] std::size_t bytesLeft() const { return data_.size(); }
 
     double number(PlyScalar type) {
         if (format_ == PlyFormat::Ascii) {
@@ -67,7 +62,12 @@ private:
         const std::size_t end = std::min(data_.find_first_of(kBlanks, first), data_.size());
         const std::string_view token = data_.substr(first, end - first);
         data_.remove_prefix(end);
-        if (isFloating(type)) {
+        if (type == PlyScalar::Float) {
+            const auto value = parseFloat(token);
+            failed_ = failed_ || !value;
+            return static_cast<double>(value.value_or(0.0F));
+        }
+        if (type == PlyScalar::Double) {
             const auto value = parseNumber(token);
             failed_ = failed_ || !value;
             return value.value_or(0.0);
@@ -108,27 +108,31 @@ private:
     bool failed_ = false;
 };
 
-class DataCheck {
+class DataParser {
 public:
-    DataCheck(const std::filesystem::path& file, const PlyHeader& header, std::string_view data)
+    DataParser(const std::filesystem::path& file, const PlyHeader& header, std::string_view data)
         : file_(file), header_(header), cursor_(data, header.format) {}
 
-    void run(ExpectedMesh& expected) {
-        vertices_ = static_cast<double>(expected.vertices);
+    ParsedMesh run() {
         for (const PlyElement& element : header_.elements) {
-            checkElement(element);
+            if (element.name == "vertex") {
+                vertices_ = static_cast<double>(element.count);
+            }
         }
-        expected.triangles = triangles_;
-        expected.repeating = std::move(repeating_);
+        for (const PlyElement& element : header_.elements) {
+            readElement(element);
+        }
+        return std::move(parsed_);
     }
 
 private:
-    void checkElement(const PlyElement& element) {
+    void readElement(const PlyElement& element) {
+        const bool isVertex = element.name == "vertex";
         const bool hasList =
             std::ranges::any_of(element.properties, [](const PlyProperty& property) {
                 return property.countType != PlyScalar::None;
             });
-        if (!hasList && header_.format != PlyFormat::Ascii) {
+        if (!hasList && !isVertex && header_.format != PlyFormat::Ascii) {
             std::size_t size = 0;
             for (const PlyProperty& property : element.properties) {
                 size += sizeOf(property.type);
@@ -137,24 +141,46 @@ private:
             refuseIfFailed(element, element.count);
             return;
         }
+        std::vector<double*> targets;  // of the properties
+        for (const PlyProperty& property : element.properties) {
+            targets.push_back(isVertex ? targetOf(property) : &ignored_);
+        }
+        const bool hasQuality = std::ranges::find(targets, &quality_) != targets.end();
+        if (isVertex) {  // at least a byte for each, whatever the header says
+            reserveLarge(parsed_.mesh.vertices, std::min(element.count, cursor_.bytesLeft()));
+        }
         for (std::size_t i = 0; i < element.count; ++i) {
-            for (const PlyProperty& property : element.properties) {
-                checkProperty(element, property, i);
+            for (std::size_t k = 0; k < targets.size(); ++k) {
+                const PlyProperty& property = element.properties[k];
+                if (property.countType == PlyScalar::None) {
+                    *targets[k] = cursor_.number(property.type);
+                } else {
+                    readList(element, property, i);
+                }
             }
             refuseIfFailed(element, i);
+            if (isVertex) {
+                parsed_.mesh.vertices.push_back(point_);
+            }
+            if (hasQuality) {
+                parsed_.quality.push_back(quality_);
+            }
         }
     }
 
-    void checkProperty(const PlyElement& element, const PlyProperty& property, std::size_t i) {
-        if (property.countType == PlyScalar::None) {
-            cursor_.skip(property.type);
-            return;
+    double* targetOf(const PlyProperty& property) {
+        constexpr std::string_view kAxes = "xyz";
+        const std::size_t axis = property.name.size() == 1 ? kAxes.find(property.name) : kAxes.npos;
+        if (axis != kAxes.npos) {
+            return &point_[static_cast<int>(axis)];
         }
+        return property.name == "quality" && isFloating(property.type) ? &quality_ : &ignored_;
+    }
+
+    void readList(const PlyElement& element, const PlyProperty& property, std::size_t i) {
         const double count = cursor_.number(property.countType);
         const bool isFace = element.name == "face" &&
                             (property.name == "vertex_indices" || property.name == "vertex_index");
-        // vcglib has room for 255 corners, and takes those of the face before where there are
-        // under 3.
         if (!cursor_.failed() && isFace && (count < 3 || count > 255)) {
             refuseFile(
                 file_,
@@ -164,16 +190,8 @@ private:
         }
         corners_.clear();
         for (double k = 0; k < count && !cursor_.failed(); ++k) {
-            corners_.push_back(cursor_.number(property.type));
-        }
-        if (isFace && !cursor_.failed()) {
-            checkFace(i);
-        }
-    }
-
-    void checkFace(std::size_t i) {
-        for (const double corner : corners_) {
-            if (corner < 0 || corner >= vertices_) {
+            const double corner = cursor_.number(property.type);
+            if (isFace && !cursor_.failed() && (corner < 0 || corner >= vertices_)) {
                 refuseFile(
                     file_,
                     "face " + std::to_string(i) + " names vertex " +
@@ -181,11 +199,15 @@ private:
                         std::to_string(static_cast<long long>(vertices_)) + ", counted from 0"
                 );
             }
+            if (isFace) {
+                corners_.push_back(static_cast<int>(corner));
+            }
         }
-        triangles_ += corners_.size() - 2;
-        std::ranges::sort(corners_);
-        if (std::ranges::adjacent_find(corners_) != corners_.end()) {
-            repeating_.push_back(static_cast<std::int64_t>(i));
+        if (isFace && !cursor_.failed()) {
+            addFan(corners_, parsed_.mesh.faces);
+            if (sortAndFindRepeated(corners_)) {
+                parsed_.repeating.push_back(static_cast<std::int64_t>(i));
+            }
         }
     }
 
@@ -205,20 +227,19 @@ private:
     const PlyHeader& header_;
     DataCursor cursor_;
     double vertices_ = 0.0;
-    std::size_t triangles_ = 0;
-    std::vector<double> corners_;
-    std::vector<std::int64_t> repeating_;
+    Vec3 point_ = Vec3::Zero();
+    double quality_ = 0.0, ignored_ = 0.0;
+    std::vector<int> corners_;
+    ParsedMesh parsed_;
 };
 
-// ---------------------------------------------------------------- what vcglib needs of the header
+// ---------------------------------------------------------------- what the header must say
 
-ExpectedMesh expectVertices(const std::filesystem::path& file, const PlyHeader& header) {
+void checkVertices(const std::filesystem::path& file, const PlyHeader& header) {
     const auto vertex = std::ranges::find(header.elements, "vertex", &PlyElement::name);
     if (vertex == header.elements.end() || vertex->count == 0) {
         refuseFile(file, "has no vertices");
     }
-    ExpectedMesh expected;
-    expected.vertices = vertex->count;
     for (const char* name : {"x", "y", "z"}) {
         const PlyProperty* const property = findProperty(*vertex, name);
         if (property == nullptr || !isFloating(property->type)) {
@@ -232,12 +253,6 @@ ExpectedMesh expectVertices(const std::filesystem::path& file, const PlyHeader& 
             );
         }
     }
-    const PlyProperty* const quality = findProperty(*vertex, "quality");
-    if (quality != nullptr && isFloating(quality->type) &&
-        (header.format != PlyFormat::BigEndian || quality->type == PlyScalar::Float)) {
-        expected.quality = quality->type;
-    }
-    return expected;
 }
 
 void checkElementsKnown(const std::filesystem::path& file, const PlyHeader& header) {
@@ -254,9 +269,9 @@ void checkElementsKnown(const std::filesystem::path& file, const PlyHeader& head
 
 }  // namespace
 
-ExpectedMesh checkPly(const std::filesystem::path& file, std::string_view bytes) {
+ParsedMesh parsePly(const std::filesystem::path& file, std::string_view bytes) {
     const PlyHeader header = readPlyHeader(file, bytes);
-    ExpectedMesh expected = expectVertices(file, header);
+    checkVertices(file, header);
     checkElementsKnown(file, header);
     const auto face = std::ranges::find(header.elements, "face", &PlyElement::name);
     if (face == header.elements.end() || face->count == 0) {
@@ -270,8 +285,7 @@ ExpectedMesh checkPly(const std::filesystem::path& file, std::string_view bytes)
     if (isFloating(indices->type)) {
         refuseFile(file, "the faces' vertex indices are of type " + nameOf(indices->type));
     }
-    DataCheck(file, header, bytes.substr(header.size)).run(expected);
-    return expected;
+    return DataParser(file, header, bytes.substr(header.size)).run();
 }
 
 }  // namespace bspline_curve
