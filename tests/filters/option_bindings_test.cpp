@@ -202,9 +202,7 @@ TEST(OptionBindings, EnumOptionsAreTheEnumerators) {
     check(shellBindings(), "shell", &ShellOptions::kind);
     check(regionBindings("field_"), "field_region", &FieldRequest::region);
     check(fieldBindings("field", "field_"), "field", &FieldOptions::kind);
-    expectEnumerators(
-        fieldFilter(), named(fieldBindings("kind", ""), "kind"), &FieldOptions::kind
-    );
+    expectEnumerators(fieldFilter(), named(fieldBindings("kind", ""), "kind"), &FieldOptions::kind);
 }
 
 TEST(OptionBindings, EnumOptionsAreWhatCanBeAvoided) {
