@@ -160,7 +160,7 @@ Drawn drawCold(
     Stopwatch watch;
     drawn.field =
         makeFieldFor(arguments, inputs, prepared, progressPart(bar, kShellShare, kFieldShare));
-    figures.fieldSeconds = watch.lap();
+    figures.fieldSeconds = arguments.field.empty() ? 0.0 : watch.lap();
     drawn.avoid = readRegion(
         arguments.avoid,
         designer.surface(),

@@ -40,7 +40,13 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
     )
         ->required()
         ->type_name("FILE");
-    app.add_option("--output", arguments.output, "Curve to write: " + curveExtensions() + "; for trimesh: .ply, meshio: .vtu, PyVista and ParaView: .vtu or .obj (docs/FILES.md)")
+    app.add_option(
+           "--output",
+           arguments.output,
+           "Curve to write: " + curveExtensions() +
+               "; for trimesh: .ply, meshio: .vtu, PyVista and ParaView: .vtu or .obj "
+               "(docs/FILES.md)"
+    )
         ->required()
         ->type_name("FILE");
     app.add_option(

@@ -74,7 +74,7 @@ def test_every_job_is_drawn_as_by_itself(run, hill, at_once):
             assert float(row["length"]) == report["curve"]["length"]
             assert float(row["max_distance"]) == report["max_distance"]
             assert int(row["vertices"]) == report["curve"]["vertices"]
-            assert 0 < float(row["seconds"]) < 60 and int(row["peak_memory_bytes"]) > 1e6
+            assert float(row["seconds"]) > 0 and int(row["peak_memory_bytes"]) > 1e6
 
 
 def test_a_job_that_fails_does_not_stop_the_others(run, hill):
