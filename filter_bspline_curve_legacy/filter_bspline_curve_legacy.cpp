@@ -9,7 +9,10 @@
 #include "filters/run_filters.h"
 #include "surface/input_error.h"
 
+#include <QCoreApplication>
+#include <QFileInfo>
 #include <exception>
+#include <string>
 
 namespace {
 
@@ -17,16 +20,25 @@ using namespace bspline_curve;
 
 constexpr int kAllDone = 100;
 
-// meshlabserver prints the stages in one line; its log shall begin in another.
-constexpr const char* kEndOfProgress = "done\n";
+/// meshlabserver prints what it is told as it is, one after another: it needs line ends, and each
+/// stage once. The window shows the last.
+bool isServer() {
+    return QFileInfo(QCoreApplication::applicationFilePath()).baseName() == "meshlabserver";
+}
 
 /// Reports progress as percents.
 Progress hostProgress(vcg::CallBackPos* callback) {
     if (callback == nullptr) {
         return {};
     }
-    return [callback](double fraction, const char* stage) {
-        return callback(static_cast<int>(fraction * (kAllDone - 1)), stage);
+    return [callback,
+            inLines = isServer(),
+            last = std::string()](double fraction, const char* stage) mutable {
+        std::string text = stage;
+        if (inLines) {
+            text = last == stage ? "" : last.assign(stage) + "\n";
+        }
+        return callback(static_cast<int>(fraction * (kAllDone - 1)), text.c_str());
     };
 }
 
@@ -99,7 +111,7 @@ bool FilterBsplineCurveLegacyPlugin::applyFilter(
         errorMessage = QString::fromStdString(describeFailure(isField ? "field" : "curve", error));
     }
     if (callback != nullptr) {
-        callback(kAllDone, kEndOfProgress);
+        callback(kAllDone, isServer() ? "" : "done");
     }
     if (written.figures.empty()) {
         Log(GLLogStream::WARNING, errorMessage.toStdString());

@@ -32,6 +32,24 @@ def run(program, tmp_path):
 
 
 @pytest.fixture
+def refused(run, tmp_path):
+    """Runs a command that must fail; checks status, line, what it says and that no file came or changed; returns the line."""
+
+    def call(status, *arguments, says=()):
+        before = {p.name: p.is_file() and p.read_bytes() for p in tmp_path.iterdir()}
+        process = run(*arguments)
+        assert process.returncode == status, process.stderr
+        assert process.stdout == ""
+        assert process.stderr.count("\n") == 1 and process.stderr.endswith("\n"), process.stderr
+        assert process.stderr.startswith("bspline_curve: ")
+        assert [part for part in says if part not in process.stderr] == [], process.stderr
+        assert {p.name: p.is_file() and p.read_bytes() for p in tmp_path.iterdir()} == before
+        return process.stderr
+
+    return call
+
+
+@pytest.fixture
 def plate(tmp_path):
     """A plate in plate.ply and three picks in picks.json."""
     meshes.write_ply(tmp_path / "plate.ply", *meshes.plate())

@@ -5,6 +5,12 @@ import json
 
 import numpy as np
 
+def succeed(process):
+    """A process that did its work and said nothing: a pipe shows no progress."""
+    assert process.returncode == 0, process.stderr
+    assert process.stderr == "" and process.stdout == ""
+
+
 PLY_TYPES = {"double": "<f8", "float": "<f4", "int": "<i4", "uchar": "u1"}
 
 

@@ -12,15 +12,9 @@ import made_meshes as meshes
 import numpy as np
 import pytest
 from made_meshes import PICKS
-from curve_files import read_curve, read_ply
+from curve_files import read_curve, read_ply, succeed
 
 DEFAULT = ("plate.ply", "--picks", "picks.json", "--output", "curve.ply")
-
-
-def succeed(process):
-    assert process.returncode == 0, process.stderr
-    assert process.stderr == "", "a pipe shows no progress"
-    assert process.stdout == ""
 
 
 def passes(points, picks, tolerance=1e-9):

@@ -99,6 +99,7 @@ def test_the_commands_of_the_page_work(prefix, display, checkout):
     (checkout / "build" / "meshlab-2020.09").symlink_to(prefix)
     done = display.run(["bash", "-e", "-c", commands], cwd=checkout)
     assert done.returncode == 0, done.stdout + done.stderr
+    assert "\npreparing the surface\nbuilding the shell\n" in done.stdout and "\ndone\nshell=" in done.stdout, "lines"
     vertices, edges = polylines.read_obj(checkout / "examples" / "curve.obj")
     assert len(edges) == len(vertices) - 1 > 100
 
