@@ -2,7 +2,7 @@
 // polyline_comparison MESH PICKS: times the same curve as a spline and as a polyline that is
 // optimised itself (relaxPolyline), for several numbers of samples, and prints a JSON document.
 #include "benchmarks/polyline_relaxation.h"
-#include "design/curve_designer.h"
+#include "bspline_curve/designer.h"
 #include "design/curve_solver.h"
 #include "design/initial_path.h"
 #include "design/prepared_surface.h"

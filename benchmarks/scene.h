@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/mesh.h"
 #include "design/initial_path.h"
 #include "design/prepared_surface.h"
 #include "solver/curve_problem.h"
 #include "solver/initial_curve.h"
 #include "solver/sampled_energy.h"
 #include "solver/solution.h"
-#include "surface/types.h"
 
 #include <vector>
 

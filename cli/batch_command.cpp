@@ -14,7 +14,8 @@
 #include "cli/verb.h"
 #include "io/job_results.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
+#include "bspline_curve/error.h"
+#include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 
 #include <poll.h>

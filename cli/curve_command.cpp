@@ -12,7 +12,7 @@
 #include "cli/shell_cache_option.h"
 #include "cli/value_checks.h"
 #include "cli/verb.h"
-#include "design/curve_designer.h"
+#include "bspline_curve/designer.h"
 #include "field/make_field.h"
 #include "filters/requests.h"
 #include "io/atomic_file.h"
@@ -21,9 +21,10 @@
 #include "io/mesh_reader.h"
 #include "io/picks_reader.h"
 #include "io/report_writer.h"
-#include "surface/input_error.h"
-#include "surface/progress.h"
+#include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "utility/stopwatch.h"
+#include "design/designer_surface.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -131,7 +132,7 @@ std::vector<double> makeFieldFor(
     if (arguments.field.empty()) {
         return {};
     }
-    const Surface& surface = prepared.designer.surface();
+    const Surface& surface = surfaceOf(prepared.designer);
     const Region region = readRegion(
         arguments.fieldRegion, surface, givenMesh(arguments, prepared.loaded, inputs.quality)
     );
@@ -163,7 +164,7 @@ Drawn drawCold(
     figures.fieldSeconds = arguments.field.empty() ? 0.0 : watch.lap();
     drawn.avoid = readRegion(
         arguments.avoid,
-        designer.surface(),
+        surfaceOf(designer),
         givenMesh(arguments, loaded, drawn.field.empty() ? inputs.quality : drawn.field)
     );
     drawn.curve = designer.design(
@@ -250,7 +251,7 @@ Curve onGivenMesh(const Curve& curve, const LoadedMesh& loaded) {
 void writeResults(
     const CurveArguments& arguments, const PreparedMesh& prepared, const Drawn& drawn
 ) {
-    const Surface& surface = prepared.designer.surface();
+    const Surface& surface = surfaceOf(prepared.designer);
     std::optional<AtomicFile> report;
     if (!arguments.report.empty()) {
         report.emplace(arguments.report, reportText(drawn.curve, surface, drawn.figures));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/curve_options.h"
 
+#include "bspline_curve/error.h"
 #include "cli/described_options.h"
 #include "cli/mesh_input.h"
 #include "cli/parse_with.h"
@@ -8,7 +9,6 @@
 #include "cli/value_checks.h"
 #include "filters/requests.h"
 #include "io/curve_writer.h"
-#include "surface/input_error.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/curve.h"
+#include "bspline_curve/options.h"
+#include "bspline_curve/shell.h"
 #include "cli/command.h"
 #include "cli/field_input.h"
-#include "design/curve.h"
-#include "shell/shell_options.h"
-#include "solver/options.h"
 
 #include <filesystem>
 #include <optional>

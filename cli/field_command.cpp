@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve field MESH --kind KIND --output FILE …: a field on a mesh.
+#include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "cli/command.h"
 #include "cli/field_options.h"
 #include "cli/interrupt.h"
@@ -12,8 +14,6 @@
 #include "io/field_writer.h"
 #include "io/mesh_reader.h"
 #include "io/report_writer.h"
-#include "surface/input_error.h"
-#include "surface/progress.h"
 #include "utility/stopwatch.h"
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "cli/mesh_input.h"
 #include "io/region_reader.h"
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "field/field_options.h"
+#include "bspline_curve/field.h"
 #include "surface/region.h"
 #include "surface/repair.h"
 

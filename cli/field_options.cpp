@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/field_options.h"
 
+#include "bspline_curve/error.h"
 #include "cli/described_options.h"
 #include "cli/mesh_input.h"
 #include "cli/parse_with.h"
 #include "filters/requests.h"
-#include "surface/input_error.h"
 
 #include <CLI/CLI.hpp>
 

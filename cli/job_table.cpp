@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/job_table.h"
 
+#include "bspline_curve/error.h"
 #include "cli/curve_options.h"
 #include "io/atomic_file.h"
 #include "io/csv.h"
@@ -8,7 +9,7 @@
 #include "io/number_text.h"
 #include "io/report_writer.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/mesh_input.h"
 
+#include "bspline_curve/error.h"
 #include "cli/command.h"
-#include "surface/input_error.h"
 
 #include <CLI/CLI.hpp>
 

@@ -8,7 +8,7 @@
 #include "cli/packet_socket.h"
 #include "cli/prepared_mesh.h"
 #include "cli/verb.h"
-#include "surface/progress.h"
+#include "bspline_curve/progress.h"
 
 #include <poll.h>
 #include <unistd.h>

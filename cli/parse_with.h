@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/error.h"
 #include "cli/verb.h"
-#include "surface/input_error.h"
 
 #include <CLI/CLI.hpp>
 

@@ -5,7 +5,7 @@
 #include "cli/mesh_input.h"
 #include "cli/process_figures.h"
 #include "cli/shell_cache_option.h"
-#include "surface/progress.h"
+#include "bspline_curve/progress.h"
 #include "utility/stopwatch.h"
 
 #include <utility>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/curve_options.h"
-#include "design/curve_designer.h"
+#include "bspline_curve/designer.h"
 #include "io/mesh_reader.h"
 #include "surface/repair.h"
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve shell MESH --output FILE …: the shell of a mesh.
+#include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
@@ -13,8 +15,7 @@
 #include "io/shell_report.h"
 #include "io/shell_writer.h"
 #include "shell/shell_store.h"
-#include "surface/input_error.h"
-#include "surface/progress.h"
+#include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
@@ -92,7 +93,9 @@ Built buildStages(
     figures.seconds.cpu = processCpuSeconds() - cpuBefore;
     figures.peakMemoryBytes = peakMemoryBytes();
     return {
-        .surface = std::move(surface), .extended = std::move(extended), .obtained = std::move(obtained)
+        .surface = std::move(surface),
+        .extended = std::move(extended),
+        .obtained = std::move(obtained)
     };
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/shell.h"
 #include "cli/command.h"
-#include "shell/shell_options.h"
 
 #include <filesystem>
 #include <variant>

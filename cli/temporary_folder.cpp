@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/temporary_folder.h"
 
-#include "surface/input_error.h"
+#include "bspline_curve/error.h"
 
 #include <cerrno>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/progress.h"
 #include "cli/command.h"
 #include "cli/progress_bar.h"
-#include "surface/progress.h"
 
 #include <functional>
 

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "design/curve_designer.h"
-
+#include "bspline_curve/designer.h"
+#include "bspline_curve/error.h"
 #include "design/curve_solver.h"
+#include "design/designer_surface.h"
 #include "design/field_cache.h"
 #include "design/prepared_surface.h"
 #include "design/strict_polyline.h"
 #include "projection/fibre_tracer.h"
 #include "projection/projected_curve.h"
+#include "shell/shell_layers.h"
 #include "shell/shell_store.h"
 #include "solver/obstacles.h"
-#include "surface/input_error.h"
 #include "surface/picks.h"
 #include "surface/region.h"
 #include "surface/surface_point.h"
+#include "utility/report_progress.h"
 #include "utility/sparse_map.h"
 #include "utility/stopwatch.h"
 #include "utility/worker_task.h"
@@ -269,8 +271,12 @@ CurveDesigner::~CurveDesigner() = default;
 CurveDesigner::CurveDesigner(CurveDesigner&&) noexcept = default;
 CurveDesigner& CurveDesigner::operator=(CurveDesigner&&) noexcept = default;
 
-const Surface& CurveDesigner::surface() const {
-    return state_->surface();
+const TriangleMesh& CurveDesigner::mesh() const {
+    return state_->surface().mesh();
+}
+
+const Surface& surfaceOf(const CurveDesigner& designer) {
+    return designer.state_->surface();
 }
 
 StageSeconds CurveDesigner::seconds() const {

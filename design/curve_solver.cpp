@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/curve_solver.h"
 
+#include "bspline_curve/error.h"
 #include "design/warm_start.h"
 #include "shell/shell_boundary.h"
 #include "solver/cellwise_solver.h"
-#include "surface/input_error.h"
+#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/curve.h"
+#include "bspline_curve/curve.h"
 #include "design/field_cache.h"
 #include "design/initial_path.h"
 #include "design/prepared_surface.h"

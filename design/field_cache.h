@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/options.h"
 #include "design/field_travel.h"
 #include "shell/extended_surface.h"
 #include "solver/field_cost.h"
-#include "solver/options.h"
 #include "surface/surface.h"
 
 #include <memory>

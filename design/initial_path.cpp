@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/initial_path.h"
 
+#include "bspline_curve/error.h"
 #include "design/close_chords.h"
 #include "design/shortened_path.h"
+#include "surface/error_messages.h"
 #include "surface/geodesic_path.h"
-#include "surface/input_error.h"
 #include "utility/worker_thread.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/prepared_surface.h"
 
-#include "solver/options.h"
+#include "bspline_curve/options.h"
 
 #include <cmath>
 #include <utility>

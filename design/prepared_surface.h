@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/progress.h"
+#include "bspline_curve/shell.h"
 #include "shell/extended_surface.h"
-#include "shell/shell_options.h"
 #include "shell/shell_store.h"
 #include "surface/face_crossings.h"
 #include "surface/patch_levels.h"
-#include "surface/progress.h"
 #include "surface/surface.h"
 #include "surface/triangle_tree.h"
 #include "utility/stopwatch.h"

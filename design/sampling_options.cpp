@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "design/curve.h"
-#include "surface/input_error.h"
+#include "bspline_curve/curve.h"
+#include "bspline_curve/error.h"
+#include "bspline_curve/options.h"
 
 #include <cmath>
 #include <string>

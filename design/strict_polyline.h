@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/curve.h"
+#include "bspline_curve/curve.h"
+#include "bspline_curve/options.h"
 #include "projection/projected_curve.h"
 #include "surface/surface.h"
 

@@ -4,6 +4,7 @@
 #include "field/curvature_tensors.h"
 #include "field/surface_diffusion.h"
 #include "field/vertex_normals.h"
+#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/progress.h"
+#include "bspline_curve/progress.h"
 #include "surface/surface.h"
 
 #include <vector>

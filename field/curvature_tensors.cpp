@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/curvature_tensors.h"
 
+#include "utility/report_progress.h"
+
 #include <Eigen/Geometry>
 
 #include <vcg/complex/algorithms/update/curvature_fitting.h>

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/make_field.h"
 
+#include "bspline_curve/error.h"
 #include "field/curvature_field.h"
 #include "field/feature_distance.h"
 #include "field/normal_variation.h"
 #include "field/obstacle_field.h"
 #include "field/surface_diffusion.h"
 #include "field/value_range.h"
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
+#include "utility/report_progress.h"
 
 #include <Eigen/Core>
 
@@ -167,6 +169,15 @@ std::vector<double> makeField(
     }
     report(progress, 1.0, "field");
     return values;
+}
+
+std::vector<double> makeField(
+    const TriangleMesh& mesh,
+    const FieldOptions& options,
+    const FieldInputs& inputs,
+    const Progress& progress
+) {
+    return makeField(Surface(mesh), options, inputs, progress);
 }
 
 }  // namespace bspline_curve

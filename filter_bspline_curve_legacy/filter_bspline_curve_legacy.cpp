@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve_legacy/filter_bspline_curve_legacy.h"
 
+#include "bspline_curve/error.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/result_layers.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 #include "filters/description_html.h"
 #include "filters/run_filters.h"
-#include "surface/input_error.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/choose_picks.h"
 
+#include "bspline_curve/error.h"
 #include "filters/utf8_path.h"
-#include "surface/input_error.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/designer_cache.h"
 
+#include "design/designer_surface.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -69,7 +71,7 @@ std::shared_ptr<const CurveDesigner> DesignerCache::find(
     const std::lock_guard lock(mutex_);
     const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
         return entry.hash == hash && entry.options == options &&
-               isSame(mesh, entry.designer->surface());
+               isSame(mesh, surfaceOf(*entry.designer));
     });
     if (found == entries_.end()) {
         return nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/curve_designer.h"
+#include "bspline_curve/designer.h"
 
 #include <cstddef>
 #include <cstdint>

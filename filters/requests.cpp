@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/requests.h"
 
+#include "bspline_curve/error.h"
 #include "filters/option_bindings.h"
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
 
 #include <cmath>
 

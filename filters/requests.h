@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/curve.h"
-#include "field/field_options.h"
+#include "bspline_curve/curve.h"
+#include "bspline_curve/field.h"
+#include "bspline_curve/options.h"
+#include "bspline_curve/shell.h"
 #include "filters/parameter_values.h"
-#include "shell/shell_options.h"
-#include "solver/options.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/run_filters.h"
 
+#include "bspline_curve/error.h"
+#include "design/designer_surface.h"
 #include "field/make_field.h"
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
@@ -8,8 +10,8 @@
 #include "io/curve_writer.h"
 #include "io/report_writer.h"
 #include "io/shell_cache.h"
-#include "surface/input_error.h"
 #include "surface/region.h"
+#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
@@ -161,19 +163,19 @@ CurveResult runCurveFilter(
     const DesignerCache::Found found =
         designerFor(surface, request.shell, designers, partOf(progress, 0.0, kSurfaceShare));
     const CurveDesigner& designer = *found.designer;
-    checkTube(request, designer.surface());
+    checkTube(request, surfaceOf(designer));
     std::vector<double> field;
     if (request.field) {
         field = madeFrom(surface, [&] {
             return fieldOf(
                 surface,
-                designer.surface(),
+                surfaceOf(designer),
                 *request.field,
                 partOf(progress, kSurfaceShare, kFieldShare)
             );
         });
     }
-    const Region avoid = avoidedRegion(request, surface, designer.surface(), field);
+    const Region avoid = avoidedRegion(request, surface, surfaceOf(designer), field);
     CurveResult result;
     result.curve = designer.design(
         chosen.picks,

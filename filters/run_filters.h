@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/curve.h"
+#include "bspline_curve/curve.h"
+#include "bspline_curve/progress.h"
+#include "bspline_curve/shell.h"
 #include "filters/designer_cache.h"
 #include "filters/figures.h"
 #include "filters/layer_input.h"
 #include "filters/requests.h"
-#include "shell/shell_layers.h"
-#include "surface/progress.h"
 
 #include <exception>
 #include <optional>

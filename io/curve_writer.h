@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/curve.h"
-#include "surface/types.h"
+#include "bspline_curve/curve.h"
+#include "bspline_curve/mesh.h"
 
 #include <filesystem>
 #include <span>

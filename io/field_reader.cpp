@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/field_reader.h"
 
+#include "bspline_curve/error.h"
 #include "io/npy.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
 
 #include <array>
 #include <cmath>

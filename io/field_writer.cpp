@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/field_writer.h"
 
+#include "bspline_curve/error.h"
 #include "io/append_binary.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
 
 #include <array>
 #include <cassert>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/job_results.h"
 
+#include "bspline_curve/error.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
 
 #include <fcntl.h>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 
 #include "io/mesh_parsers.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
 
 #include <algorithm>
 #include <array>

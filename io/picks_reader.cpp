@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/picks_reader.h"
 
+#include "bspline_curve/error.h"
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/report_writer.h"
 
+#include "bspline_curve/error.h"
 #include "io/repair_json.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
 
 #include <nlohmann/json.hpp>
 

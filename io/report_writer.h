@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/curve.h"
-#include "design/curve_designer.h"
+#include "bspline_curve/curve.h"
+#include "bspline_curve/designer.h"
 #include "surface/repair.h"
+#include "surface/surface.h"
 
 #include <cstdint>
 #include <filesystem>

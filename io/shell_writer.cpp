@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/shell_writer.h"
 
+#include "bspline_curve/error.h"
 #include "io/shell_cells.h"
 #include "io/text_parsing.h"
-#include "surface/input_error.h"
 
 namespace bspline_curve {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/mesh.h"
 #include "projection/fibre_projector.h"
-#include "surface/types.h"
 
 #include <variant>
 #include <vector>

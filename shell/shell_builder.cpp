@@ -9,6 +9,7 @@
 #include "surface/predicates.h"
 #include "surface/self_intersection.h"
 #include "surface/triangle_tree.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/progress.h"
+#include "bspline_curve/shell.h"
 #include "shell/extended_surface.h"
 #include "shell/shell.h"
-#include "shell/shell_options.h"
-#include "surface/progress.h"
 
 #include <utility>
 #include <vector>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/shell_options.h"
-
-#include "surface/input_error.h"
+#include "bspline_curve/error.h"
+#include "bspline_curve/shell.h"
 
 #include <string>
 

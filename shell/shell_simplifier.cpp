@@ -4,6 +4,7 @@
 #include "shell/simplify/export_shell.h"
 #include "shell/simplify/operations.h"
 #include "shell/simplify/tracked_surface.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

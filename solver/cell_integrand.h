@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/report.h"
 #include "shell/shell_cell.h"
 #include "solver/curve_problem.h"
 #include "solver/energy_derivatives.h"
 #include "solver/energy_weights.h"
 #include "solver/obstacles.h"
-#include "solver/solve_report.h"
 
 #include <algorithm>
 #include <cmath>

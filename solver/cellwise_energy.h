@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/report.h"
 #include "solver/internal_energy.h"
 #include "solver/quadrature.h"
-#include "solver/solve_report.h"
 
 #include <vector>
 

@@ -7,6 +7,7 @@
 #include "solver/knot_insertion.h"
 #include "solver/shell_reach.h"
 #include "solver/weights.h"
+#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/mesh.h"
+#include "bspline_curve/options.h"
+#include "bspline_curve/progress.h"
 #include "shell/extended_surface.h"
 #include "shell/shell.h"
 #include "solver/field_cost.h"
-#include "solver/options.h"
-#include "surface/progress.h"
-#include "surface/types.h"
 
 #include <span>
 #include <vector>

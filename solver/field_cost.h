@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/options.h"
+#include "bspline_curve/options.h"
 
 #include <algorithm>
 #include <cmath>

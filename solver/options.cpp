@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/options.h"
+#include "bspline_curve/options.h"
 
-#include "surface/input_error.h"
+#include "bspline_curve/error.h"
 
 #include <cmath>
 #include <sstream>

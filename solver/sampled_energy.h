@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/report.h"
 #include "projection/fibre_projector.h"
 #include "solver/energy_derivatives.h"
-#include "solver/solve_report.h"
 
 #include <span>
 #include <vector>

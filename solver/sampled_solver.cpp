@@ -6,6 +6,7 @@
 #include "solver/knot_insertion.h"
 #include "solver/obstacles.h"
 #include "solver/sampled_newton.h"
+#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 #include "utility/worker_thread.h"
 

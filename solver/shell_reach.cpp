@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/shell_reach.h"
 
+#include "bspline_curve/shell.h"
 #include "shell/shell_cell.h"
-#include "shell/shell_options.h"
 
 #include <algorithm>
 

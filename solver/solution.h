@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/report.h"
 #include "projection/curve_trace.h"
 #include "solver/initial_curve.h"
-#include "solver/solve_report.h"
 
 #include <optional>
 #include <vector>

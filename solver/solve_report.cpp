@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/solve_report.h"
+#include "bspline_curve/report.h"
 
 namespace bspline_curve {
 

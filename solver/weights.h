@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/options.h"
+#include "bspline_curve/report.h"
 #include "solver/energy_weights.h"
-#include "solver/options.h"
-#include "solver/solve_report.h"
 
 namespace bspline_curve {
 

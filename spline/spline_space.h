@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/mesh.h"
 #include "shell/polynomial_trace.h"
-#include "surface/types.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/face_adjacency.h"
 
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
 #include "utility/index_sets.h"
 #include "utility/large_array.h"
 #include "utility/worker_task.h"

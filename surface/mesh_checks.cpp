@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/mesh_checks.h"
 
-#include "surface/input_error.h"
+#include "bspline_curve/error.h"
+#include "surface/error_messages.h"
 
 #include <Eigen/Geometry>
 

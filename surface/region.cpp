@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/region.h"
 
-#include "surface/input_error.h"
+#include "bspline_curve/error.h"
+#include "surface/error_messages.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/repair.h"
 
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
 #include "surface/mesh_checks.h"
 #include "surface/repair_steps.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which faces belong to one sheet, which way it looks, and where sheets are parted.
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
 #include "surface/repair_steps.h"
 #include "utility/index_sets.h"
 

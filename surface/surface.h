@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/types.h"
+#include "bspline_curve/mesh.h"
 
 #include <vector>
 
@@ -19,6 +19,8 @@ public:
     /// NonManifoldEdge, InconsistentOrientation, NonManifoldVertex, checked in this order), naming
     /// the count, the first element ids, and what to do.
     explicit Surface(TriangleMesh mesh);
+
+    [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
 
     [[nodiscard]] const std::vector<Vec3>& vertices() const { return mesh_.vertices; }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/mesh.h"
 #include "surface/spatial_order.h"
-#include "surface/types.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/common/layer_arrays.h"
 
-#include "surface/input_error.h"
+#include "bspline_curve/error.h"
 
 #include <Eigen/LU>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/common/surface_choice.h"
 
+#include "bspline_curve/error.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/picked_points.h"
-#include "surface/input_error.h"
 
 #include <string>
 

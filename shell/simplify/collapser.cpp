@@ -2,6 +2,7 @@
 #include "shell/simplify/operations.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
+#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/progress.h"
 #include "shell/simplify/shell_editor.h"
-#include "surface/progress.h"
 
 #include <compare>
 #include <cstddef>

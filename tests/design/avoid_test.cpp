@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves go round the faces to avoid, wherever there is a way, and say so where there is none.
+#include "bspline_curve/error.h"
 #include "curve_checks.h"
+#include "design/designer_surface.h"
 #include "either_shell.h"
 #include "support/many_cases.h"
 #include "support/meshes.h"
 #include "support/random.h"
-#include "surface/input_error.h"
 #include "surface/region.h"
 #include "surface/surface_point.h"
 
@@ -44,7 +45,7 @@ Predicate ball(const Vec3& centre, double radius) {
 
 /// The vertices nearest to some points, as picks.
 std::vector<Vec3> verticesAt(const CurveDesigner& designer, const std::vector<Vec3>& points) {
-    const std::vector<Vec3>& vertices = designer.surface().vertices();
+    const std::vector<Vec3>& vertices = surfaceOf(designer).vertices();
     std::vector<Vec3> picks;
     for (const Vec3& p : points) {
         picks.push_back(*std::ranges::min_element(vertices, {}, [&](const Vec3& v) {
@@ -99,7 +100,7 @@ Curve curveRound(
 ) {
     Curve curve = designer.design(picks, options, {}, {.avoid = avoid});
     expectGoodCurve(designer, curve, picks);
-    expectOutside(designer.surface(), avoid, curve.polyline);
+    expectOutside(surfaceOf(designer), avoid, curve.polyline);
     for (const RoundReport& round : curve.report.rounds) {
         EXPECT_EQ(round.status, MinimiseStatus::Converged) << name(round.status);
     }
@@ -111,7 +112,7 @@ class Avoidance : public EitherShell {};
 TEST_P(Avoidance, CurvesGoSmoothlyRoundADisc) {
     const CurveDesigner designer = designerOn(jitteredPlate(40, 40, 0.2, 3));
     const std::vector<Vec3> picks = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
-    const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
+    const Region disc = facesWhere(surfaceOf(designer), ball({0.5, 0.5, 0}, 0.2));
     for (const int degree : {2, 3, 4}) {
         SCOPED_TRACE("degree " + std::to_string(degree));
         SolverOptions options;
@@ -125,7 +126,7 @@ TEST_P(Avoidance, CurvesGoSmoothlyRoundADisc) {
 TEST_P(Avoidance, TenseCurvesGoRoundADisc) {
     const CurveDesigner designer = designerOn(jitteredPlate(40, 40, 0.2, 3));
     const std::vector<Vec3> picks = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
-    const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
+    const Region disc = facesWhere(surfaceOf(designer), ball({0.5, 0.5, 0}, 0.2));
     SolverOptions options;
     options.tension = 0.9;
     const Curve curve = curveRound(designer, picks, disc, options);
@@ -136,7 +137,7 @@ TEST_P(Avoidance, ClosedCurvesGoRoundSeveralDiscs) {
     const CurveDesigner designer = designerOn(withNoise(icosphere(4), 0.004, 9));
     const std::vector<Vec3> picks =
         verticesAt(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}});
-    const Region discs = facesWhere(designer.surface(), [](const Vec3& p) {
+    const Region discs = facesWhere(surfaceOf(designer), [](const Vec3& p) {
         return ball({0.7, 0.7, 0.05}, 0.3)(p) || ball({-0.7, 0.7, -0.1}, 0.35)(p) ||
                ball({0.7, -0.7, 0}, 0.2)(p);
     });
@@ -146,7 +147,7 @@ TEST_P(Avoidance, ClosedCurvesGoRoundSeveralDiscs) {
 TEST_P(Avoidance, CurvesFindTheGapInAWall) {
     // A wall over the whole plate, with a gap of two cells between its halves.
     const CurveDesigner designer = designerOn(plate(30, 30));
-    const Region wall = facesWhere(designer.surface(), [](const Vec3& p) {
+    const Region wall = facesWhere(surfaceOf(designer), [](const Vec3& p) {
         return std::abs(p.x() - 0.5) < 0.1 && !(p.y() > 0.7 && p.y() < 0.7667);
     });
     const Curve curve = curveRound(designer, {{0.1, 0.3, 0}, {0.9, 0.2, 0}}, wall);
@@ -158,7 +159,7 @@ TEST_P(Avoidance, CurvesFindTheGapInAWall) {
 TEST_P(Avoidance, CurvesPassWhereTheWayIsOneFaceWide) {
     // All faces but those of a bent strip: every edge that the curve crosses has both ends on them.
     const CurveDesigner designer = designerOn(plate(12, 12));
-    const Surface& surface = designer.surface();
+    const Surface& surface = surfaceOf(designer);
     const auto isInRow = [](const Vec3& p) {
         return (p.y() > 6.0 / 12.0 && p.y() < 7.0 / 12.0 && p.x() < 7.0 / 12.0) ||
                (p.x() > 6.0 / 12.0 && p.x() < 7.0 / 12.0 && p.y() < 7.0 / 12.0);
@@ -175,7 +176,7 @@ TEST_P(Avoidance, CurvesPassWhereTheWayIsOneFaceWide) {
 TEST_P(Avoidance, CurvesTakeTheOtherWayRoundATorus) {
     const CurveDesigner designer = designerOn(torus(60, 24));
     // A band all round the tube, over the short way between the picks.
-    const Region band = facesWhere(designer.surface(), [](const Vec3& p) {
+    const Region band = facesWhere(surfaceOf(designer), [](const Vec3& p) {
         return p.x() > 0.0 && std::abs(p.y()) < 0.1;
     });
     const std::vector<Vec3> picks = verticesAt(designer, {{0.9, 0.6, 0.2}, {0.9, -0.6, 0.2}});
@@ -185,7 +186,7 @@ TEST_P(Avoidance, CurvesTakeTheOtherWayRoundATorus) {
     }));
     // A second band leaves no way.
     const Region both =
-        facesWhere(designer.surface(), [](const Vec3& p) { return std::abs(p.y()) < 0.1; });
+        facesWhere(surfaceOf(designer), [](const Vec3& p) { return std::abs(p.y()) < 0.1; });
     const auto error = refusal(designer, picks, both);
     ASSERT_TRUE(error.has_value());
     EXPECT_EQ(error->code(), InputErrorCode::NoPath) << error->what();
@@ -194,21 +195,21 @@ TEST_P(Avoidance, CurvesTakeTheOtherWayRoundATorus) {
 TEST_P(Avoidance, CurvesSayHowClearTheyAreAtEverySampling) {
     const CurveDesigner designer = designerOn(jitteredPlate(40, 40, 0.2, 3));
     const std::vector<Vec3> picks = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
-    const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
+    const Region disc = facesWhere(surfaceOf(designer), ball({0.5, 0.5, 0}, 0.2));
     const Curve curve = curveRound(designer, picks, disc);
     EXPECT_EQ(curve.report.avoidedFaces, static_cast<int>(disc.size()));
     double nearest = 1.0;
     for (const Vec3& p : curve.polyline.points) {
         for (const int f : disc) {
-            for (const int v : designer.surface().faces()[f]) {
-                nearest = std::min(nearest, (p - designer.surface().vertices()[v]).norm());
+            for (const int v : surfaceOf(designer).faces()[f]) {
+                nearest = std::min(nearest, (p - surfaceOf(designer).vertices()[v]).norm());
             }
         }
     }
     EXPECT_GT(curve.report.clearance, 0.0);
     EXPECT_LE(curve.report.clearance, nearest);
-    EXPECT_GT(curve.report.clearance, nearest - designer.surface().averageEdgeLength());
-    expectOutside(designer.surface(), disc, designer.resample(curve, {5000, 0.0}, disc));
+    EXPECT_GT(curve.report.clearance, nearest - surfaceOf(designer).averageEdgeLength());
+    expectOutside(surfaceOf(designer), disc, designer.resample(curve, {5000, 0.0}, disc));
     const Curve free = designer.design(picks);
     EXPECT_EQ(free.report.avoidedFaces, 0);
     EXPECT_TRUE(std::isinf(free.report.clearance));
@@ -216,13 +217,13 @@ TEST_P(Avoidance, CurvesSayHowClearTheyAreAtEverySampling) {
 
 TEST_P(Avoidance, PicksMayLieNextToWhatIsAvoided) {
     const CurveDesigner designer = designerOn(plate(40, 40));
-    const Region half = facesWhere(designer.surface(), [](const Vec3& p) { return p.y() < 0.5; });
+    const Region half = facesWhere(surfaceOf(designer), [](const Vec3& p) { return p.y() < 0.5; });
     for (const double gap : {0.02, 1e-3, 1e-5}) {
         SCOPED_TRACE("gap " + std::to_string(gap));
         const std::vector<Vec3> picks = {{0.2, 0.5 + gap, 0}, {0.51, 0.5 + gap, 0}, {0.8, 0.6, 0}};
         const Curve curve = designer.design(picks, {}, {}, {.avoid = half});
         expectGoodCurve(designer, curve, picks);
-        expectOutside(designer.surface(), half, curve.polyline);
+        expectOutside(surfaceOf(designer), half, curve.polyline);
         EXPECT_LT(length(curve.polyline), 0.75);
     }
 }
@@ -231,22 +232,22 @@ TEST_P(Avoidance, ReversedPicksGiveTheCurveReversed) {
     const CurveDesigner designer = designerOn(withNoise(icosphere(4), 0.004, 9));
     const std::vector<Vec3> picks = verticesAt(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
     const std::vector<Vec3> reversed(picks.rbegin(), picks.rend());
-    const Region discs = facesWhere(designer.surface(), [](const Vec3& p) {
+    const Region discs = facesWhere(surfaceOf(designer), [](const Vec3& p) {
         return ball({0.7, 0.7, 0.05}, 0.3)(p) || ball({-0.7, 0.7, -0.1}, 0.35)(p);
     });
     const Curve there = curveRound(designer, picks, discs);
     const Curve back = curveRound(designer, reversed, discs);
     EXPECT_LT(
-        largestGap(there.spline, back.spline, true), 0.1 * designer.surface().averageEdgeLength()
+        largestGap(there.spline, back.spline, true), 0.1 * surfaceOf(designer).averageEdgeLength()
     );
 }
 
 TEST_P(Avoidance, PicksThatLieInsideAreRefusedByName) {
     const CurveDesigner designer = designerOn(plate(20, 20));
-    const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
+    const Region disc = facesWhere(surfaceOf(designer), ball({0.5, 0.5, 0}, 0.2));
     for (const Vec3& inside :
          {Vec3(0.51, 0.52, 0),
-          designer.surface().vertices()[designer.surface().faces()[disc.front()][0]]}) {
+          surfaceOf(designer).vertices()[surfaceOf(designer).faces()[disc.front()][0]]}) {
         const auto error = refusal(designer, {{0.1, 0.1, 0}, {0.9, 0.1, 0}, inside}, disc);
         ASSERT_TRUE(error.has_value());
         EXPECT_EQ(error->code(), InputErrorCode::PickAvoided) << error->what();
@@ -257,7 +258,7 @@ TEST_P(Avoidance, PicksThatLieInsideAreRefusedByName) {
 
 TEST_P(Avoidance, PicksBehindARingAreRefusedByName) {
     const CurveDesigner designer = designerOn(plate(40, 40));
-    const Region ring = facesWhere(designer.surface(), [](const Vec3& p) {
+    const Region ring = facesWhere(surfaceOf(designer), [](const Vec3& p) {
         const double radius = (p - Vec3(0.5, 0.5, 0)).norm();
         return radius > 0.2 && radius < 0.3;
     });
@@ -272,7 +273,7 @@ TEST_P(Avoidance, PicksBehindARingAreRefusedByName) {
 TEST_P(Avoidance, FacesThatTouchInAVertexLeaveNoWay) {
     // The free faces on both sides of the wall share one vertex only.
     const CurveDesigner designer = designerOn(plate(2, 2));
-    const Surface& surface = designer.surface();
+    const Surface& surface = surfaceOf(designer);
     const Region others =
         facesWhere(surface, [](const Vec3& p) { return (p.x() < 0.5) != (p.y() < 0.5); });
     const auto error = refusal(designer, {{0.2, 0.25, 0}, {0.8, 0.7, 0}}, others);
@@ -385,7 +386,7 @@ TEST_P(Avoidance, RandomLayoutsAreDrawnOutsideOrRefused) {
         const CurveDesigner designer = designerOn(meshes[m]);
         for (std::uint64_t seed = 1; seed <= std::uint64_t{caseCount(20, 10)}; ++seed) {
             SCOPED_TRACE("mesh " + std::to_string(m) + ", seed " + std::to_string(seed));
-            const Layout layout = randomLayout(designer.surface(), seed);
+            const Layout layout = randomLayout(surfaceOf(designer), seed);
             SolverOptions options;
             options.closed = seed % 3 == 0;
             options.degree = 2 + static_cast<int>(seed % 3);
@@ -393,8 +394,8 @@ TEST_P(Avoidance, RandomLayoutsAreDrawnOutsideOrRefused) {
                 const Curve curve =
                     designer.design(layout.picks, options, {}, {.avoid = layout.avoid});
                 EXPECT_TRUE(layout.isPossible);
-                expectStrict(designer.surface(), curve.polyline);
-                expectOutside(designer.surface(), layout.avoid, curve.polyline);
+                expectStrict(surfaceOf(designer), curve.polyline);
+                expectOutside(surfaceOf(designer), layout.avoid, curve.polyline);
                 ++drawn;
             } catch (const InputError& error) {
                 EXPECT_FALSE(layout.isPossible) << error.what();
@@ -415,7 +416,7 @@ INSTANTIATE_TEST_SUITE_P(Shells, Avoidance, kEitherShell, nameOfShell);
 TEST(AvoidanceFarAway, ChangesNothing) {
     const CurveDesigner designer(withNoise(icosphere(4), 0.004, 9));
     const std::vector<Vec3> picks = verticesAt(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
-    const Region far = facesWhere(designer.surface(), ball({0, 0, -1}, 0.3));
+    const Region far = facesWhere(surfaceOf(designer), ball({0, 0, -1}, 0.3));
     const Curve with = designer.design(picks, {}, {}, {.avoid = far});
     const Curve without = designer.design(picks);
     EXPECT_EQ(largestGap(with.spline, without.spline), 0.0);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves that start from one through picks nearby, as while a pick is dragged.
+#include "bspline_curve/designer.h"
 #include "curve_checks.h"
-#include "design/curve_designer.h"
+#include "design/designer_surface.h"
 #include "either_shell.h"
 #include "support/meshes.h"
 #include "surface/triangle_tree.h"
@@ -20,7 +21,7 @@ class DraggedPick : public EitherShell {
 protected:
     // On the surface, with the second one somewhere else.
     [[nodiscard]] static std::vector<Vec3> picksOn(const CurveDesigner& designer, double by) {
-        const Surface& surface = designer.surface();
+        const Surface& surface = surfaceOf(designer);
         const TriangleTree tree(surface.vertices(), surface.faces());
         std::vector<Vec3> picks = {
             {1.0, 0.0, 0.0}, {0.5, 0.7, 0.3}, {-0.4, 0.8, 0.5}, {-1.0, 0.0, 0.2}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves under fields that are made from the surface: they find its features.
 #include "curve_checks.h"
+#include "design/designer_surface.h"
 #include "either_shell.h"
 #include "field/make_field.h"
 #include "field_checks.h"
@@ -30,7 +31,7 @@ Curve curveAlong(
     const FieldOptions& field,
     SolverOptions options = {}
 ) {
-    const std::vector<double> values = makeField(designer.surface(), field);
+    const std::vector<double> values = makeField(surfaceOf(designer), field);
     options.fieldCost = naturalCost(field.kind);
     Curve curve = designer.design(picks, options, {}, {.field = values});
     expectGoodCurve(designer, curve, picks);
@@ -246,8 +247,8 @@ protected:
 
     [[nodiscard]] std::vector<int> region() const {
         std::vector<int> faces;
-        for (int f = 0; f < designer_.surface().faceCount(); ++f) {
-            if (isInside(designer_.surface().position({f, Vec3::Constant(1.0 / 3.0)}), 0.0)) {
+        for (int f = 0; f < surfaceOf(designer_).faceCount(); ++f) {
+            if (isInside(surfaceOf(designer_).position({f, Vec3::Constant(1.0 / 3.0)}), 0.0)) {
                 faces.push_back(f);
             }
         }
@@ -269,7 +270,7 @@ protected:
 TEST_P(HillsBetweenPicks, TurnTheCurveAside) {
     const std::vector<int> faces = region();
     const std::vector<double> field =
-        makeField(designer_.surface(), {.kind = FieldKind::Obstacle}, {.region = faces});
+        makeField(surfaceOf(designer_), {.kind = FieldKind::Obstacle}, {.region = faces});
     const double straight = shareInside(designer_.design(picks_));
     const Curve aside = designer_.design(picks_, {}, {}, {.field = field});
     const Curve avoiding = designer_.design(picks_, {}, {}, {.avoid = faces});

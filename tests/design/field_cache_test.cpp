@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/field_cache.h"
 
+#include "bspline_curve/error.h"
 #include "support/meshes.h"
-#include "surface/input_error.h"
 
 #include <gtest/gtest.h>
 

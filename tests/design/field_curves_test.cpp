@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a field counts, and what does not.
+#include "bspline_curve/field.h"
 #include "curve_checks.h"
+#include "design/designer_surface.h"
 #include "either_shell.h"
-#include "field/field_options.h"
 #include "field_checks.h"
 #include "support/meshes.h"
 
@@ -31,7 +32,7 @@ protected:
     TriangleMesh mesh_ = withNoise(icosphere(3), 0.01, 23);
     CurveDesigner designer_ = designerOn(mesh_);
     std::vector<Vec3> picks_ = {mesh_.vertices[5], mesh_.vertices[100], mesh_.vertices[400]};
-    double epsilon_ = 0.1 * designer_.surface().averageEdgeLength();
+    double epsilon_ = 0.1 * surfaceOf(designer_).averageEdgeLength();
 };
 
 std::string figures(const Curve& curve, const Curve& reference) {
@@ -131,7 +132,7 @@ TEST_P(FieldOnASphere, TheReportedCostIsTheMeanAlongTheCurve) {
         options.fieldCost = kind;
         options.fieldWeight = 10.0;
         const Curve curve = designer_.design(picks_, options, {.samples = 4000}, {.field = field});
-        const double expected = meanCostOver(designer_.surface(), curve.polyline, field, cost);
+        const double expected = meanCostOver(surfaceOf(designer_), curve.polyline, field, cost);
         // The shell of the curve's last round, and the thinner one of its polyline, project
         // differently: by 1e-4 in a simplified shell.
         EXPECT_NEAR(curve.report.fieldCost, expected, 1e-3 * std::abs(expected));

@@ -2,6 +2,7 @@
 // What a curve must not depend on: where the mesh lies, how large it is, how it is numbered, how it
 // is triangulated, from which end the picks are given.
 #include "curve_checks.h"
+#include "design/designer_surface.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -95,10 +96,10 @@ protected:
         }
         SplineData expected = reference.spline;
         expected.controlPoints = moved(expected.controlPoints, motion, scale);
-        EXPECT_LT(largestGap(curve.spline, expected) / designer.surface().diagonal(), 1e-6);
+        EXPECT_LT(largestGap(curve.spline, expected) / surfaceOf(designer).diagonal(), 1e-6);
         SurfacePolyline line = reference.polyline;
         line.points = moved(line.points, motion, scale);
-        EXPECT_LT(largestDistance(curve.polyline, line) / designer.surface().diagonal(), 1e-6);
+        EXPECT_LT(largestDistance(curve.polyline, line) / surfaceOf(designer).diagonal(), 1e-6);
     }
 
     // Distance of the two curves in epsilon, the distance tolerance on the mesh of the scene.

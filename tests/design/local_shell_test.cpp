@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves in shells that are built near them alone.
 #include "curve_checks.h"
-#include "design/curve_designer.h"
+#include "bspline_curve/designer.h"
 #include "either_shell.h"
 #include "support/meshes.h"
 
@@ -32,9 +32,9 @@ TEST(LocalShell, GivesTheCurveOfTheWholeShell) {
     const Curve near = goodCurve(local, picks);
     const Curve whole = goodCurve(full, picks);
     EXPECT_EQ(near.spline.controlPoints, whole.spline.controlPoints);
-    const double tolerance = SolverOptions().distanceTolerance * full.surface().averageEdgeLength();
+    const double tolerance = SolverOptions().distanceTolerance * surfaceOf(full).averageEdgeLength();
     EXPECT_LT(largestDistance(near.polyline, whole.polyline), tolerance);
-    EXPECT_EQ(whole.prisms, full.surface().faceCount());
+    EXPECT_EQ(whole.prisms, surfaceOf(full).faceCount());
     EXPECT_EQ(whole.shell, ShellKind::FullResolution);
     EXPECT_EQ(near.shell, std::nullopt);
     EXPECT_EQ(near.prisms, 0);

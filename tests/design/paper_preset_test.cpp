@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The settings of the paper give a curve that can be used.
 #include "curve_checks.h"
+#include "design/designer_surface.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ TEST(PaperPreset, GivesAUsableCurveOnASphere) {
         const Curve curve = designer.design(picks, options);
         EXPECT_TRUE(curve.report.usable)
             << name(curve.report.status) << ", " << curve.report.maxDistance;
-        expectStrict(designer.surface(), curve.polyline);
+        expectStrict(surfaceOf(designer), curve.polyline);
     }
 }
 

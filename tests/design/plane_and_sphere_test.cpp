@@ -3,6 +3,7 @@
 // on a sphere.
 #include "cubic_interpolation.h"
 #include "curve_checks.h"
+#include "design/designer_surface.h"
 #include "either_shell.h"
 #include "support/meshes.h"
 #include "support/random.h"
@@ -150,7 +151,7 @@ TEST_P(Spheres, CurvesWithFullTensionAreGreatCircles) {
         options.tension = 1.0;
         const Curve curve = sphere.design(picks, options);
         EXPECT_TRUE(curve.report.usable);
-        expectStrict(sphere.surface(), curve.polyline);
+        expectStrict(surfaceOf(sphere), curve.polyline);
         double largest = 0.0;
         for (std::size_t i = 0; i + 1 < picks.size(); ++i) {
             const double distance = std::acos(picks[i].dot(picks[i + 1]));
@@ -176,9 +177,9 @@ TEST_P(Spheres, ClosedCurvesThroughAGreatCircleAreThatCircle) {
     }
     const Curve curve = sphere.design(picks, closedOptions());
     EXPECT_TRUE(curve.report.usable);
-    expectStrict(sphere.surface(), curve.polyline);
+    expectStrict(surfaceOf(sphere), curve.polyline);
     const Vec3 axis = turn * Vec3::UnitZ();
-    const double tolerance = 0.1 * sphere.surface().averageEdgeLength();
+    const double tolerance = 0.1 * surfaceOf(sphere).averageEdgeLength();
     for (const Vec3& p : curve.polyline.points) {
         EXPECT_LT(std::abs(p.dot(axis)), tolerance);
     }

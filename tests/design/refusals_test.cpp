@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bad input is refused by name; progress only rises and cancels at once.
+#include "bspline_curve/error.h"
 #include "curve_checks.h"
 #include "support/meshes.h"
-#include "surface/input_error.h"
 
 #include <gtest/gtest.h>
 

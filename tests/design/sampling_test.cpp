@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The strict polyline: as fine as asked, and the same curve at every sampling.
 #include "curve_checks.h"
+#include "design/designer_surface.h"
 #include "either_shell.h"
 #include "support/meshes.h"
 
@@ -61,7 +62,7 @@ TEST_P(Sampling, IsStrictAtEverySampling) {
                 std::to_string(samples) + " samples, segments up to " + std::to_string(longest)
             );
             const SurfacePolyline line = designer_.resample(curve_, {samples, longest});
-            expectStrict(designer_.surface(), line);
+            expectStrict(surfaceOf(designer_), line);
             if (longest > 0.0) {
                 EXPECT_LE(longestSegment(line), longest);
             }
@@ -105,7 +106,7 @@ TEST_P(Sampling, FinerPolylinesContainCoarserOnes) {
 // The polyline is the shadow of the spline: nearer than the largest distance that was measured.
 TEST_P(Sampling, PolylinesFollowTheSpline) {
     const SurfacePolyline& line = curve_.polyline;
-    const double edge = designer_.surface().averageEdgeLength();
+    const double edge = surfaceOf(designer_).averageEdgeLength();
     double largest = 0.0;
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         const Vec3 p = pointOfSpline(curve_.spline, line.parameters[i]);

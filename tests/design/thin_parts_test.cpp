@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves over the rim of a lens thinner than its faces: what slips through it does not find back.
+#include "bspline_curve/designer.h"
 #include "curve_checks.h"
-#include "design/curve_designer.h"
 #include "either_shell.h"
 #include "support/meshes.h"
 

@@ -2,8 +2,9 @@
 // Where a curve lies once its picks have been dragged, before it is relaxed.
 #include "design/warm_start.h"
 
+#include "bspline_curve/designer.h"
 #include "curve_checks.h"
-#include "design/curve_designer.h"
+#include "design/designer_surface.h"
 #include "shell/extended_surface.h"
 #include "support/meshes.h"
 #include "surface/picks.h"
@@ -26,14 +27,14 @@ protected:
         options.closed = GetParam();
         std::vector<Vec3> picks;
         for (const SurfacePoint& pick : picks_) {
-            picks.push_back(designer_.surface().position(pick));
+            picks.push_back(surfaceOf(designer_).position(pick));
         }
         return goodCurve(designer_, picks, options);
     }
 
     // The picks with one of them somewhere else.
     [[nodiscard]] std::vector<SurfacePoint> moved(std::size_t pick, const Vec3& by) const {
-        const Surface& surface = designer_.surface();
+        const Surface& surface = surfaceOf(designer_);
         const TriangleTree tree(surface.vertices(), surface.faces());
         std::vector<SurfacePoint> picks = picks_;
         picks[pick] = tree.closestPoint(surface.position(picks[pick]) + by).point;
@@ -106,9 +107,9 @@ protected:
     }
 
     CurveDesigner designer_{withNoise(icosphere(4), 0.002, 5)};
-    ExtendedSurface extended_ = extendSurface(designer_.surface(), 3);
+    ExtendedSurface extended_ = extendSurface(surfaceOf(designer_), 3);
     std::vector<SurfacePoint> picks_ = [this] {
-        const Surface& surface = designer_.surface();
+        const Surface& surface = surfaceOf(designer_);
         const TriangleTree tree(surface.vertices(), surface.faces());
         std::vector<SurfacePoint> picks;
         for (const Vec3& near :

@@ -2,10 +2,10 @@
 // Curvature fields against surfaces whose curvature is known.
 #include "field/curvature_field.h"
 
+#include "bspline_curve/error.h"
 #include "field/make_field.h"
 #include "support/meshes.h"
 #include "support/random.h"
-#include "surface/input_error.h"
 
 #include <gtest/gtest.h>
 

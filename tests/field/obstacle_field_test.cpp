@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/obstacle_field.h"
 
+#include "bspline_curve/error.h"
 #include "field/make_field.h"
 #include "support/meshes.h"
 #include "support/random.h"
-#include "surface/input_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values that are given, and what every kind of field can have done to its values.
+#include "bspline_curve/error.h"
 #include "field/make_field.h"
 #include "field/value_range.h"
 #include "support/meshes.h"
-#include "surface/input_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/designer_cache.h"
 
+#include "bspline_curve/error.h"
+#include "design/designer_surface.h"
 #include "support/meshes.h"
-#include "surface/input_error.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ TEST(DesignerCache, MissesWhereTheLastBitOfAVertexMoved) {
     x = std::nextafter(x, 2.0);
     const DesignerCache::Found moved = cache.find(mesh);
     EXPECT_FALSE(moved.isKept);
-    EXPECT_EQ(moved.designer->surface().vertices()[12], mesh.vertices[12]);
+    EXPECT_EQ(surfaceOf(*moved.designer).vertices()[12], mesh.vertices[12]);
 }
 
 TEST(DesignerCache, TellsTheSignsOfZerosApart) {
@@ -119,7 +120,7 @@ TEST(DesignerCache, WhatItGaveUpLivesOnForThoseWhoHoldIt) {
     CountedCache cache(1);
     const DesignerCache::Found first = cache.find(plate(3, 3));
     static_cast<void>(cache.find(plate(4, 4)));
-    EXPECT_EQ(first.designer->surface().faceCount(), 18);
+    EXPECT_EQ(surfaceOf(*first.designer).faceCount(), 18);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/filter_description.h"
 
+#include "bspline_curve/error.h"
 #include "filters/description_html.h"
 #include "filters/parameter_values.h"
-#include "surface/input_error.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

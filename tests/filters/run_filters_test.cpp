@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/run_filters.h"
 
+#include "bspline_curve/error.h"
 #include "io/curve_writer.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
-#include "surface/input_error.h"
+#include "surface/surface.h"
 
 #include <gtest/gtest.h>
 

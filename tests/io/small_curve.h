@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/curve.h"
+#include "bspline_curve/curve.h"
 
 namespace bspline_curve::io_tests {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/input_error.h"
+#include "bspline_curve/error.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_builder.h"
 
+#include "bspline_curve/error.h"
 #include "built_shell.h"
 #include "shell/pillar_directions.h"
 #include "shell/shell_boundary.h"
 #include "support/meshes.h"
-#include "surface/input_error.h"
 #include "surface/self_intersection.h"
 
 #include <gtest/gtest.h>

@@ -2,11 +2,12 @@
 // Curves relaxed by foot points against those integrated cell by cell, and which are which.
 #include "solver/sampled_solver.h"
 
+#include "bspline_curve/error.h"
 #include "design/curve_checks.h"
+#include "design/designer_surface.h"
 #include "problem_fixture.h"
 #include "projection/fibre_projector.h"
 #include "support/meshes.h"
-#include "surface/input_error.h"
 #include "surface/triangle_tree.h"
 #include "utility/worker_thread.h"
 
@@ -469,8 +470,8 @@ TEST(RelaxationOfCurves, RefusesWhatCellsRefuse) {
         SCOPED_TRACE("case " + std::to_string(i));
         const CurveDesigner designer(cases[i].mesh);
         Region avoid;
-        for (int f = 0; f < designer.surface().faceCount(); ++f) {
-            const double x = designer.surface().position({f, Vec3::Constant(1.0 / 3.0)}).x();
+        for (int f = 0; f < surfaceOf(designer).faceCount(); ++f) {
+            const double x = surfaceOf(designer).position({f, Vec3::Constant(1.0 / 3.0)}).x();
             if (std::abs(x - 0.5) < cases[i].wall) {
                 avoid.push_back(f);
             }

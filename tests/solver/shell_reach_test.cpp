@@ -2,8 +2,8 @@
 // How far shells reach, in shells of full resolution.
 #include "solver/shell_reach.h"
 
+#include "bspline_curve/shell.h"
 #include "problem_fixture.h"
-#include "shell/shell_options.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>

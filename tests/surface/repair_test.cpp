@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/repair.h"
 
+#include "bspline_curve/error.h"
 #include "support/meshes.h"
 #include "support/random.h"
-#include "surface/input_error.h"
 #include "surface/surface.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/error.h"
 #include "support/meshes.h"
-#include "surface/input_error.h"
 #include "surface/surface.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/input_error.h"
+#include "surface/error_messages.h"
+
+#include "bspline_curve/error.h"
 
 #include <gtest/gtest.h>
 

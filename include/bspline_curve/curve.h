@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shell/shell_options.h"
-#include "solver/solve_report.h"
-#include "surface/types.h"
+#include "bspline_curve/mesh.h"
+#include "bspline_curve/report.h"
+#include "bspline_curve/shell.h"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -33,16 +32,6 @@ struct SurfacePolyline {
     std::vector<int> picks;          ///< index of each pick's vertex
 };
 
-/// How finely the polyline follows the spline. The crossings of mesh edges and the picks are always
-/// vertices.
-struct SamplingOptions {
-    int samples = 256;  ///< at least this many evenly spaced parameters as well; 0: none asked
-    double maxSegmentLength = 0.0;  ///< no segment longer than this, user's unit; 0: not limited
-
-    /// Throws InputError (BadOption).
-    void validate() const;
-};
-
 struct Curve {
     SurfacePolyline polyline;
     SplineData spline;
@@ -51,18 +40,6 @@ struct Curve {
     std::optional<ShellKind> shell;
     int prisms = 0;       ///< of that shell, without blocked ones; 0 without a shell
     int facesPassed = 0;  ///< different faces that the curve passes, along fibres; else 0
-};
-
-/// What a curve is drawn by, besides its picks. All may be empty.
-struct CurveInputs {
-    std::span<const double> field{};  ///< one finite value per vertex
-    std::span<const int> avoid{};     ///< faces that the curve must not enter
-    /// A curve of the same designer through as many picks, each near the one of now, as while a
-    /// pick is dragged: the new curve is relaxed from that one, displaced with its picks (see
-    /// dragCurve), in six tenths of the time on average, and bends as much as one from scratch.
-    /// No start where degree or closedness differ, where it was not relaxed at foot points, or
-    /// where a piece between picks would double or halve its length.
-    const Curve* start = nullptr;
 };
 
 }  // namespace bspline_curve

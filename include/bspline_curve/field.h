@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/options.h"
+#include "bspline_curve/mesh.h"
+#include "bspline_curve/options.h"
+#include "bspline_curve/progress.h"
 
 #include <array>
+#include <span>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -63,5 +67,24 @@ struct FieldOptions {
     /// Throws InputError (BadOption) naming field, value and rule.
     void validate() const;
 };
+
+/// What some kinds are made from.
+struct FieldInputs {
+    std::span<const double> quality{};  ///< Quality: one value per vertex
+    std::span<const int> region{};      ///< Obstacle: faces, see Region
+};
+
+/// One value per vertex, as FieldKind says, then smoothed, normalised and inverted as the options
+/// ask. Every kind is the same in every unit and position of the mesh (quality: as given), and
+/// does not depend on the number of threads.
+/// Throws InputError: what is wrong with the mesh (see CurveDesigner); BadOption; BadField (no
+/// crease or no boundary to measure from; a quality of another size, or that is not finite, naming
+/// the vertices; a region that obstacleField refuses). Throws Cancelled.
+[[nodiscard]] std::vector<double> makeField(
+    const TriangleMesh& mesh,
+    const FieldOptions& options,
+    const FieldInputs& inputs = {},
+    const Progress& progress = {}
+);
 
 }  // namespace bspline_curve

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/mesh.h"
+
+#include <string>
+#include <vector>
+
 namespace bspline_curve {
 
 inline constexpr double kMaxShellThickness = 1000.0;
@@ -32,6 +37,19 @@ struct ShellOptions {
     void validate() const;
 
     friend bool operator==(const ShellOptions&, const ShellOptions&) = default;
+};
+
+/// The shell that curves are sought in.
+struct ShellSummary {
+    ShellKind kind = ShellKind::Local;
+    bool isFromStore = false;
+    std::vector<std::string> notes;  ///< about the store; empty where all is well
+};
+
+/// Top and bottom of a shell as meshes, both oriented as the surface is; in the user's unit. Where
+/// prisms are blocked they have holes, and beyond a boundary they go on as far as the shell does.
+struct ShellLayers {
+    TriangleMesh top, bottom;
 };
 
 }  // namespace bspline_curve

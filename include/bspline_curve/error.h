@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -51,25 +50,5 @@ private:
     InputErrorCode code_;
     std::vector<std::int64_t> elements_;
 };
-
-/// "3, 17, 20, 21, 25 and 12 more": the first ids of a list, for messages.
-[[nodiscard]] std::string describeElements(const std::vector<std::int64_t>& elements);
-
-/// "1 face", "17 faces": a count and its noun (or the start of its sentence), for messages.
-[[nodiscard]] std::string describeCount(
-    std::size_t count, const std::string& one, const std::string& many
-);
-
-/// Throws an InputError with the message "<what> (<noun> <first elements>): <remedy>".
-[[noreturn]] void refuseElements(
-    InputErrorCode code,
-    const std::string& what,
-    const std::string& noun,
-    std::vector<std::int64_t> elements,
-    const std::string& remedy
-);
-
-/// "12.4": a length with four significant digits, for messages; the same in every locale.
-[[nodiscard]] std::string describeNumber(double value);
 
 }  // namespace bspline_curve

@@ -1,40 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/curve.h"
-#include "shell/shell_layers.h"
-#include "shell/shell_options.h"
-#include "shell/shell_store.h"
-#include "solver/options.h"
-#include "surface/progress.h"
-#include "surface/surface.h"
+#include "bspline_curve/curve.h"
+#include "bspline_curve/mesh.h"
+#include "bspline_curve/options.h"
+#include "bspline_curve/progress.h"
+#include "bspline_curve/shell.h"
 
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace bspline_curve {
 
-struct StageSeconds {
-    double validate = 0.0, tree = 0.0, shell = 0.0;  ///< once per surface
+class ShellStore;
+class Surface;
+
+/// What a curve is drawn by, besides its picks. All may be empty.
+struct CurveInputs {
+    std::span<const double> field{};  ///< one finite value per vertex
+    std::span<const int> avoid{};     ///< faces that the curve must not enter
+    /// A curve of the same designer through as many picks, each near the one of now, as while a
+    /// pick is dragged: the new curve is relaxed from that one, displaced with its picks (see
+    /// dragCurve), in six tenths of the time on average, and bends as much as one from scratch.
+    /// No start where degree or closedness differ, where it was not relaxed at foot points, or
+    /// where a piece between picks would double or halve its length.
+    const Curve* start = nullptr;
 };
 
-/// The shell that curves are sought in.
-struct ShellSummary {
-    ShellKind kind = ShellKind::Local;
-    bool isFromStore = false;
-    std::vector<std::string> notes;  ///< about the store; empty where all is well
+struct StageSeconds {
+    double validate = 0.0, tree = 0.0, shell = 0.0;  ///< once per surface
 };
 
 /// Draws curves on one surface; keeps what can be used again for the next curve (tree, shell).
 /// Several threads may draw at once.
 class CurveDesigner {
 public:
-    /// Validates the mesh and builds the shell, or takes it from `store` where one is given (null:
-    /// none); a simplified shell that it has built is stored there. A local shell is built near
-    /// each curve, and the whole of it with the first curve that needs it. Throws InputError,
-    /// Cancelled. A local shell: O(n log n), about 0.6 us per face with two threads.
+    /// Validates the mesh (finite, oriented, two-manifold, every face with area) and builds the
+    /// shell, or takes it from `store` where one is given (null: none); a simplified shell that it
+    /// has built is stored there. A local shell is built near each curve, and the whole of it with
+    /// the first curve that needs it. Throws InputError, Cancelled. A local shell: O(n log n),
+    /// about 0.6 us per face with two threads.
     explicit CurveDesigner(
         TriangleMesh mesh,
         const ShellOptions& options = {},
@@ -61,7 +67,8 @@ public:
         const Curve& curve, const SamplingOptions& sampling, std::span<const int> avoid = {}
     ) const;
 
-    [[nodiscard]] const Surface& surface() const;
+    /// The mesh as it was given.
+    [[nodiscard]] const TriangleMesh& mesh() const;
     [[nodiscard]] StageSeconds seconds() const;
     [[nodiscard]] ShellSummary shell() const;
 
@@ -69,6 +76,8 @@ public:
     [[nodiscard]] ShellLayers shellLayers() const;
 
 private:
+    friend const Surface& surfaceOf(const CurveDesigner& designer);
+
     struct State;
     std::unique_ptr<State> state_;
 };

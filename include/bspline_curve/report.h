@@ -2,7 +2,6 @@
 #pragma once
 
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace bspline_curve {
@@ -66,7 +65,7 @@ struct SolveReport {
     /// surface.
     bool usable = false;
     int knotsFirst = 0, knotsLast = 0;  ///< length of the knot vector, end knots with multiplicity
-    bool isSampled = false;             ///< at foot points (solver/relaxation.h), not cell by cell
+    bool isSampled = false;             ///< at foot points, not cell by cell
     double maxDistance = 0.0;  ///< largest distance of spline and surface, in average edge lengths
     /// What that was to stay below, in average edge lengths: more than the option says where edges
     /// are very short (PreparedSurface::finestEdge). Set by CurveDesigner.

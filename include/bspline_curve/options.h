@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
 namespace bspline_curve {
 
 /// What to bend (4): the whole second derivative, as in the paper, or only the part that the
@@ -75,5 +73,15 @@ struct SolverOptions {
 /// The settings of the paper (2023), for comparison; degree, closed, tension and field stay at
 /// their defaults.
 [[nodiscard]] SolverOptions paperPreset();
+
+/// How finely the polyline follows the spline. The crossings of mesh edges and the picks are always
+/// vertices.
+struct SamplingOptions {
+    int samples = 256;  ///< at least this many evenly spaced parameters as well; 0: none asked
+    double maxSegmentLength = 0.0;  ///< no segment longer than this, user's unit; 0: not limited
+
+    /// Throws InputError (BadOption).
+    void validate() const;
+};
 
 }  // namespace bspline_curve

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/designer.h"
+#include "surface/surface.h"
+
+namespace bspline_curve {
+
+/// The validated surface that a designer draws on; as long as the designer.
+[[nodiscard]] const Surface& surfaceOf(const CurveDesigner& designer);
+
+}  // namespace bspline_curve
