@@ -2,6 +2,7 @@
 // bspline_curve batch JOBS.csv …: many curves, each in a process of its own, a copy of one that has
 // read and prepared the mesh. So a job that crashes ends alone, and its memory is the system's
 // again as soon as it ends.
+#include "bspline_curve/error.h"
 #include "cli/batch_options.h"
 #include "cli/child_process.h"
 #include "cli/command.h"
@@ -14,7 +15,6 @@
 #include "cli/verb.h"
 #include "io/job_results.h"
 #include "io/text_parsing.h"
-#include "bspline_curve/error.h"
 #include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 

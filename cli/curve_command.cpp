@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve MESH --picks FILE --output FILE …: one curve through picks on a mesh.
+#include "bspline_curve/designer.h"
+#include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "cli/command.h"
 #include "cli/curve_options.h"
 #include "cli/described_options.h"
@@ -12,7 +15,7 @@
 #include "cli/shell_cache_option.h"
 #include "cli/value_checks.h"
 #include "cli/verb.h"
-#include "bspline_curve/designer.h"
+#include "design/designer_surface.h"
 #include "field/make_field.h"
 #include "filters/requests.h"
 #include "io/atomic_file.h"
@@ -21,10 +24,7 @@
 #include "io/mesh_reader.h"
 #include "io/picks_reader.h"
 #include "io/report_writer.h"
-#include "bspline_curve/error.h"
-#include "bspline_curve/progress.h"
 #include "utility/stopwatch.h"
-#include "design/designer_surface.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,6 +2,7 @@
 #include "cli/curve_options.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/version.h"
 #include "cli/described_options.h"
 #include "cli/mesh_input.h"
 #include "cli/parse_with.h"

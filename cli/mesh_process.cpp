@@ -3,12 +3,12 @@
 // each curve on it. So a curve that crashes ends alone, and so does a mesh.
 #include "cli/mesh_process.h"
 
+#include "bspline_curve/progress.h"
 #include "cli/child_process.h"
 #include "cli/interrupt.h"
 #include "cli/packet_socket.h"
 #include "cli/prepared_mesh.h"
 #include "cli/verb.h"
-#include "bspline_curve/progress.h"
 
 #include <poll.h>
 #include <unistd.h>

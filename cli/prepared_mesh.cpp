@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/prepared_mesh.h"
 
+#include "bspline_curve/progress.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
 #include "cli/process_figures.h"
 #include "cli/shell_cache_option.h"
-#include "bspline_curve/progress.h"
 #include "utility/stopwatch.h"
 
 #include <utility>

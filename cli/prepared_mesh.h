@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/curve_options.h"
 #include "bspline_curve/designer.h"
+#include "cli/curve_options.h"
 #include "io/mesh_reader.h"
 #include "surface/repair.h"
 

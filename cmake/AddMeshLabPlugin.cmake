@@ -19,7 +19,7 @@ function(add_meshlab_plugin target interface)
   set_target_properties(${target} PROPERTIES AUTOMOC ON SKIP_BUILD_RPATH ON)
   # AUTOMOC's headers are not ours.
   set_property(TARGET ${target} PROPERTY AUTOGEN_USE_SYSTEM_INCLUDE ON)
-  target_link_libraries(${target} PRIVATE ${interface} project_warnings)
+  target_link_libraries(${target} PRIVATE ${interface} bspline_curve_build_options)
   # Without --no-as-needed the linker drops the empty library, and the host finds undefined symbols.
   target_link_libraries(${target} PRIVATE -Wl,--no-as-needed meshlab_common_stub -Wl,--as-needed)
 endfunction()

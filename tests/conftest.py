@@ -18,6 +18,11 @@ def no_cache():
 
 
 @pytest.fixture(scope="session")
+def build_folder():
+    return BUILD
+
+
+@pytest.fixture(scope="session")
 def plugin_path():
     return BUILD / "plugins" / "libfilter_bspline_curve.so"
 

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The library as a project outside sees it: installed and found, and as a subdirectory."""
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+HEADERS = sorted(path.name for path in (ROOT / "include" / "bspline_curve").glob("*.h"))
+CORE_ALONE = ["-DBSPLINE_CURVE_PROGRAM=OFF", "-DBSPLINE_CURVE_PLUGIN=OFF", "-DBSPLINE_CURVE_TESTS=OFF"]
+FOREIGN = ["MeshLabSource", "Qt5", "GTest", "CLI11", "nlohmann_json", "tinyxml2", "benchmark"]
+
+pytestmark = pytest.mark.slow
+
+# Draws README's curve on a square of 2 x 12 x 12 faces, through picks on a circle around its middle.
+PROGRAM = """
+{includes}
+#include <bspline_curve/version.h>
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+int main() {{
+    const int n = 12;
+    std::vector<bspline_curve::Vec3> vertices, picks;
+    std::vector<bspline_curve::Triangle> faces;
+    for (int j = 0; j <= n; ++j) {{
+        for (int i = 0; i <= n; ++i) {{
+            vertices.emplace_back(i, j, 0.0);
+            if (i < n && j < n) {{
+                const int v = j * (n + 1) + i;
+                faces.push_back({{v, v + 1, v + n + 2}});
+                faces.push_back({{v, v + n + 2, v + n + 1}});
+            }}
+        }}
+    }}
+    for (int k = 0; k < 5; ++k) {{
+        picks.emplace_back(6.0 + 4.0 * std::cos(1.2 * k), 6.0 + 4.0 * std::sin(1.2 * k), 0.0);
+    }}
+{example}
+    for (const bspline_curve::Vec3& point : curve.polyline.points) {{
+        const double radius = (point - bspline_curve::Vec3(6.0, 6.0, 0.0)).norm();
+        if (std::abs(radius - 4.0) > 0.2 || point.z() != 0.0) return 1;
+    }}
+    if (!curve.report.usable || !curve.polyline.closed) return 2;
+    if (curve.spline.knots.size() != curve.spline.controlPoints.size() + 4) return 3;
+    try {{
+        bspline_curve::CurveDesigner({{vertices, {{{{0, 0, 1}}}}}});
+        return 4;
+    }} catch (const bspline_curve::InputError& error) {{
+        if (error.code() != bspline_curve::InputErrorCode::DegenerateFace) return 5;
+    }}
+    std::printf("%s %zu\\n", BSPLINE_CURVE_VERSION, curve.polyline.points.size());
+}}
+"""
+
+PROJECT = """
+cmake_minimum_required(VERSION 3.25)
+project(consumer LANGUAGES CXX)
+{library}
+if(DEFINED CMAKE_CXX_STANDARD OR DEFINED CMAKE_RUNTIME_OUTPUT_DIRECTORY OR DEFINED CMAKE_CXX_VISIBILITY_PRESET)
+  message(FATAL_ERROR "the library sets what is the project's own to set")
+endif()
+add_executable(consumer main.cpp)
+target_link_libraries(consumer PRIVATE bspline_curve::bspline_curve)
+# Each public header by itself, twice.
+add_library(headers OBJECT {headers})
+target_link_libraries(headers PRIVATE bspline_curve::bspline_curve)
+file(GENERATE OUTPUT definitions.txt CONTENT
+  "$<TARGET_PROPERTY:consumer,INCLUDE_DIRECTORIES>|$<TARGET_PROPERTY:bspline_curve::bspline_curve,INTERFACE_COMPILE_OPTIONS>")
+"""
+
+
+def run(*command, **environment):
+    done = subprocess.run(
+        [str(part) for part in command], env={**os.environ, **environment}, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-3000:]
+    return done.stdout
+
+
+def configure(source, build, *options):
+    """Without the headers of MeshLab, which scripts/fetch_meshlab keeps in the cache."""
+    run("cmake", "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *options,
+        XDG_CACHE_HOME=str(build))
+
+
+def write_consumer(folder, library, names=(*(name for name in HEADERS if name != "field.h"), "version.h")):
+    example = re.search(r"^## C\+\+\n.*?```cpp\n(.*?)```", (ROOT / "README.md").read_text(), re.M | re.S).group(1)
+    lines = example.splitlines()
+    includes = [line for line in lines if line.startswith("#include")]
+    assert includes == ["#include <bspline_curve/designer.h>"]
+    code = [line for line in lines if line not in includes]
+    includes.append("#include <bspline_curve/error.h>")
+    folder.mkdir()
+    (folder / "main.cpp").write_text(PROGRAM.format(includes="\n".join(includes), example="\n".join(code)))
+    for name in names:
+        (folder / f"{name}.cpp").write_text(f"#include <bspline_curve/{name}>\n" * 2)
+    (folder / "CMakeLists.txt").write_text(
+        PROJECT.format(library=library, headers=" ".join(f"{name}.cpp" for name in names)))
+
+
+def build_and_run(source, build, *options):
+    """What the consumer prints, and the include paths and options that it was compiled with."""
+    configure(source, build, *options)
+    run("cmake", "--build", build)
+    includes, compile_options = (build / "definitions.txt").read_text().split("|")
+    version, points = run(build / "consumer").split()
+    assert version == re.search(r"project\(bspline_curve VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+    assert int(points) > 256
+    assert compile_options == ""
+    return includes.split(";")
+
+
+@pytest.fixture(scope="session")
+def prefix(tmp_path_factory):
+    """Where the core is installed; configured where nothing but Eigen and TetGen can be found."""
+    folder = tmp_path_factory.mktemp("install")
+    build = folder / "build"
+    configure(ROOT, build, *CORE_ALONE, *[f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in FOREIGN])
+    run("cmake", "--build", build)
+    run("cmake", "--install", build, "--prefix", folder / "prefix")
+    return folder / "prefix"
+
+
+def test_an_installed_library_is_found_and_runs_the_example_of_the_readme(prefix, tmp_path):
+    write_consumer(tmp_path / "consumer", "find_package(bspline_curve 0.1 REQUIRED COMPONENTS core)")
+    includes = build_and_run(tmp_path / "consumer", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+    assert str(ROOT) not in includes
+
+
+def test_an_installation_holds_the_library_and_public_headers_alone(prefix):
+    files = sorted(path.relative_to(prefix) for path in prefix.rglob("*") if path.is_file())
+    headers = [path.name for path in files if path.parts[:2] == ("include", "bspline_curve")]
+    assert headers == sorted([*(name for name in HEADERS if name != "field.h"), "version.h"])
+    assert [path.name for path in files if path.suffix == ".a"] == ["libbspline_curve_core.a"]
+    assert {path.suffix for path in files} == {".a", ".h", ".cmake"}
+    package = "".join((prefix / path).read_text() for path in files if path.suffix == ".cmake")
+    assert str(ROOT) not in package
+
+
+def test_a_component_that_was_not_built_is_refused(prefix, tmp_path):
+    write_consumer(tmp_path / "consumer", "find_package(bspline_curve REQUIRED COMPONENTS field)")
+    with pytest.raises(AssertionError, match="field"):
+        configure(tmp_path / "consumer", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+
+
+def test_as_a_subdirectory_it_builds_the_core_alone(tmp_path):
+    write_consumer(tmp_path / "consumer", f"add_subdirectory({ROOT} library)")
+    build = tmp_path / "build"
+    includes = build_and_run(
+        tmp_path / "consumer", build, *[f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in FOREIGN])
+    assert str(ROOT) not in includes
+    built = {path.name for path in build.rglob("*.a")} | {path.name for path in build.rglob("*.so")}
+    assert built == {"libbspline_curve_core.a"}
+    assert "bspline_curve-config.cmake" not in {path.name for path in build.rglob("*.cmake")}
+
+
+def test_fields_are_a_component_of_a_build_that_has_them(tmp_path, build_folder):
+    run("cmake", "--install", build_folder, "--prefix", tmp_path / "prefix", "--component", "library")
+    consumer = tmp_path / "consumer"
+    write_consumer(consumer, "find_package(bspline_curve REQUIRED COMPONENTS core field)", ["field.h"])
+    program = (consumer / "main.cpp").read_text()
+    (consumer / "main.cpp").write_text("#include <bspline_curve/field.h>\n" + program.replace("    std::printf", """
+    bspline_curve::FieldOptions kind;
+    kind.kind = bspline_curve::FieldKind::BoundaryDistance;
+    if (bspline_curve::makeField(designer.mesh(), kind).size() != vertices.size()) return 6;
+    std::printf"""))
+    with (consumer / "CMakeLists.txt").open("a") as lists:
+        lists.write("target_link_libraries(consumer PRIVATE bspline_curve::field)\n")
+    build_and_run(consumer, tmp_path / "build", f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}")
