@@ -5,48 +5,47 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace bspline_curve {
 namespace {
 
-// More are needed only where no walk over the surface leads from one end of a chord to the other.
+// Of a chord. More are needed only where no walk over the surface leads from one end to the other.
 constexpr int kMostHalvings = 8;
 
-struct Chord {
-    SurfacePoint begin;
-    bool isClose;
-};
+class ChordHalver {
+public:
+    ChordHalver(const ExtendedSurface& extended, const PatchLevels* patches, double distance)
+        : extended_(extended), finder_(extended, patches), distance_(distance) {}
 
-struct Foot {
-    Vec3 point;
-    FootPoint foot;
-    FootFrame frame;
-};
-
-// Of the midpoints of the chords that may not be close, in their order.
-std::vector<Foot> feetOfMidpoints(
-    const ExtendedSurface& extended,
-    const FibreProjector& finder,
-    const std::vector<Chord>& chords,
-    const SurfacePoint& end
-) {
-    std::vector<Foot> feet;
-    for (std::size_t i = 0; i < chords.size(); ++i) {
-        if (!chords[i].isClose) {
-            const SurfacePoint& from = chords[i].begin;
-            const SurfacePoint& to = i + 1 < chords.size() ? chords[i + 1].begin : end;
-            const Vec3 middle = 0.5 * (extended.position(from) + extended.position(to));
-            feet.push_back({middle, {from.face, from.barycentric[1], from.barycentric[2]}, {}});
+    // Adds the points of a chord but for its end; false where a foot lies beyond the boundary.
+    [[nodiscard]] bool add(const SurfacePoint& from, const SurfacePoint& to, int halvings = 0) {
+        if (halvings < kMostHalvings) {
+            FootPoint foot{from.face, from.barycentric[1], from.barycentric[2]};
+            FootFrame frame;
+            finder_.move(0.5 * (extended_.position(from) + extended_.position(to)), foot, frame);
+            if (std::abs(foot.height) > distance_) {
+                const Vec3 barycentric = foot.barycentric().cwiseMax(0.0);
+                const SurfacePoint middle{foot.face, barycentric / barycentric.sum()};
+                return foot.face < extended_.surfaceFaceCount && add(from, middle, halvings + 1) &&
+                       add(middle, to, halvings + 1);
+            }
         }
+        points_.push_back(from);
+        return true;
     }
-    std::vector<FibreProjector::Move> moves;
-    moves.reserve(feet.size());
-    for (Foot& foot : feet) {
-        moves.push_back({foot.point, &foot.foot, &foot.frame});
+
+    [[nodiscard]] std::vector<SurfacePoint> take(const SurfacePoint& end) {
+        points_.push_back(end);
+        return std::move(points_);
     }
-    finder.moveAll(moves);
-    return feet;
-}
+
+private:
+    const ExtendedSurface& extended_;
+    FibreProjector finder_;
+    double distance_;
+    std::vector<SurfacePoint> points_;
+};
 
 }  // namespace
 
@@ -56,44 +55,13 @@ std::optional<std::vector<SurfacePoint>> withCloseChords(
     std::span<const SurfacePoint> path,
     double distance
 ) {
-    const FibreProjector finder(extended, patches);
-    std::vector<Chord> chords;
-    for (const SurfacePoint& point : path.first(path.size() - 1)) {
-        chords.push_back({point, false});
-    }
-    for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
-        const std::vector<Foot> feet = feetOfMidpoints(extended, finder, chords, path.back());
-        auto foot = feet.begin();
-        std::vector<Chord> halved;
-        halved.reserve(chords.size() + feet.size());
-        for (const Chord& chord : chords) {
-            halved.push_back(chord);
-            if (chord.isClose) {
-                continue;
-            }
-            const auto& [middle, at, frame] = *foot++;
-            if (std::abs(at.height) <= distance) {
-                halved.back().isClose = true;
-                continue;
-            }
-            if (at.face >= extended.surfaceFaceCount) {
-                return std::nullopt;
-            }
-            const Vec3 barycentric = at.barycentric().cwiseMax(0.0);
-            halved.push_back({{at.face, barycentric / barycentric.sum()}, false});
-        }
-        chords.swap(halved);
-        if (feet.empty()) {
-            break;
+    ChordHalver halver(extended, patches, distance);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        if (!halver.add(path[i], path[i + 1])) {
+            return std::nullopt;
         }
     }
-    std::vector<SurfacePoint> points;
-    points.reserve(chords.size() + 1);
-    for (const Chord& chord : chords) {
-        points.push_back(chord.begin);
-    }
-    points.push_back(path.back());
-    return points;
+    return halver.take(path.back());
 }
 
 }  // namespace bspline_curve

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -33,21 +34,23 @@ namespace {
 
 // What the curve avoids is certain only where every iterate is checked as a whole.
 void requireExactAvoidance(const SolverOptions& options) {
-    const auto refuse = [](const std::string& option, const std::string& needed) {
-        throw InputError(
-            InputErrorCode::BadOption,
-            option + " cannot keep a curve out of the faces to avoid: use " + needed
-        );
+    const auto require = [](bool isExact, const std::string& option, const std::string& needed) {
+        if (!isExact) {
+            throw InputError(
+                InputErrorCode::BadOption,
+                option + " cannot keep a curve out of the faces to avoid: use " + needed
+            );
+        }
     };
-    if (options.quadrature == Quadrature::Samples) {
-        refuse("quadrature = samples", "cells");
-    }
-    if (options.initialCurve != InitialCurve::GeodesicFit) {
-        refuse("initial_curve = control-polygon", "geodesic-fit");
-    }
-    if (options.interpolation != Interpolation::Constraint) {
-        refuse("interpolation = penalty", "constraint");
-    }
+    require(options.quadrature != Quadrature::Samples, "quadrature = samples", "cells");
+    require(
+        options.initialCurve == InitialCurve::GeodesicFit,
+        "initial_curve = control-polygon",
+        "geodesic-fit"
+    );
+    require(
+        options.interpolation == Interpolation::Constraint, "interpolation = penalty", "constraint"
+    );
 }
 
 // The promise itself, on the result: no vertex and no segment in a face to avoid.
@@ -119,85 +122,14 @@ void describeShell(const CurveProblem& problem, const Solution& solution, Curve&
 // Share of the progress for what comes before the shell.
 constexpr double kPreparedShare = 0.1;
 
-// In the shell's frame.
-SplineCurve splineOf(const SplineData& data, const ShellFrame& frame) {
-    const auto degree = static_cast<std::ptrdiff_t>(data.degree);
-    SplineSpace space(
-        data.degree,
-        data.closed,
-        std::vector<double>(data.knots.begin() + degree, data.knots.end() - degree)
-    );
-    ControlPoints controls(space.controlCount(), 3);
-    for (int c = 0; c < space.controlCount(); ++c) {
-        controls.row(c) = frame.toUnit(data.controlPoints[c]).transpose();
-    }
-    return {std::move(space), std::move(controls)};
-}
-
-}  // namespace
-
-struct CurveDesigner::State : PreparedSurface {
-    using PreparedSurface::PreparedSurface;
-
-    mutable FieldCache fieldCache;
-
-    [[nodiscard]] StageSeconds stageSeconds() const;
-    [[nodiscard]] ShellSummary summary() const;
-
-    [[nodiscard]] Region regionOf(std::span<const int> faces) const;
-    [[nodiscard]] std::optional<Obstacles> obstaclesOf(
-        const Region& region, const SolverOptions& options
-    ) const;
-    void measureClearance(const Region& region, Curve& curve) const;
-    [[nodiscard]] SurfacePolyline polylineOf(
-        const CurveProblem& problem,
-        const SplineCurve& spline,
-        std::optional<CurveTrace> trace,
-        const SamplingOptions& sampling
-    ) const;
-    [[nodiscard]] SplineData exportSpline(
-        const SplineCurve& curve, const CurveProblem& problem
-    ) const;
-};
-
-StageSeconds CurveDesigner::State::stageSeconds() const {
-    const Seconds all = seconds();
-    return {all.validate, all.tree, all.extended + all.wholeShell};
-}
-
-ShellSummary CurveDesigner::State::summary() const {
-    ShellSummary summary;
-    summary.kind = options().kind;
-    if (const ObtainedShell* const whole = wholeShellIfBuilt()) {
-        summary.isFromStore = whole->isFromStore;
-        summary.notes = whole->notes;
-    }
-    return summary;
-}
-
-Region CurveDesigner::State::regionOf(std::span<const int> faces) const {
-    return makeRegion(surface(), std::vector<std::int64_t>(faces.begin(), faces.end()));
-}
-
-std::optional<Obstacles> CurveDesigner::State::obstaclesOf(
-    const Region& region, const SolverOptions& options
-) const {
-    if (region.empty()) {
-        return std::nullopt;
-    }
-    requireExactAvoidance(options);
-    return std::optional<Obstacles>(
-        std::in_place, surface(), *extended(), region, options.avoidMargin * surface().diagonal()
-    );
-}
-
-// `trace`: of this spline, in the problem's shell or along the fibres.
-SurfacePolyline CurveDesigner::State::polylineOf(
+// `trace`: of this spline, in the problem's shell or along the fibres; none: of the cells.
+SurfacePolyline polylineOf(
+    const Surface& surface,
     const CurveProblem& problem,
     const SplineCurve& spline,
     std::optional<CurveTrace> trace,
     const SamplingOptions& sampling
-) const {
+) {
     const auto& [space, controls] = spline;
     if (problem.shell != nullptr && !problem.shell->isFullResolution()) {
         // The fibres of a simplified shell are oblique to the surface, so a spline that is smooth
@@ -218,40 +150,44 @@ SurfacePolyline CurveDesigner::State::polylineOf(
         throw std::logic_error("the polyline was asked of a spline that leaves its shell");
     }
     const ProjectedCurve shadow(problem, space, controls, std::move(*trace));
-    return makeStrictPolyline(surface(), problem, shadow, sampling);
+    return makeStrictPolyline(surface, problem, shadow, sampling);
 }
 
-void CurveDesigner::State::measureClearance(const Region& region, Curve& curve) const {
+// Least distance of a vertex of the polyline to the faces of a region.
+double clearanceOf(const SurfacePolyline& line, const Surface& surface, const Region& region) {
     std::vector<Triangle> avoided;
     for (const int f : region) {
-        avoided.push_back(surface().faces()[f]);
+        avoided.push_back(surface.faces()[f]);
     }
-    const TriangleTree avoidedTree(surface().vertices(), avoided);
-    curve.report.avoidedFaces = static_cast<int>(region.size());
-    for (const Vec3& point : curve.polyline.points) {
-        curve.report.clearance = std::min(
-            curve.report.clearance, std::sqrt(avoidedTree.closestPoint(point).squaredDistance)
-        );
+    const TriangleTree tree(surface.vertices(), avoided);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3& point : line.points) {
+        least = std::min(least, std::sqrt(tree.closestPoint(point).squaredDistance));
     }
+    return least;
 }
 
-SplineData CurveDesigner::State::exportSpline(
-    const SplineCurve& curve, const CurveProblem& problem
-) const {
-    SplineData data;
-    data.degree = curve.space.degree();
-    data.closed = curve.space.closed();
-    data.knots = curve.space.knotVector();
+SplineData exported(const SplineCurve& curve, const CurveProblem& problem) {
+    const auto& [space, controls] = curve;
+    SplineData data{space.degree(), space.closed(), space.knotVector(), {}, {}};
     const int repeated = data.closed ? data.degree : 0;
-    for (int i = 0; i < curve.space.controlCount() + repeated; ++i) {
-        const int c = i % curve.space.controlCount();
-        data.controlPoints.push_back(extended()->frame.toUser(curve.controls.row(c).transpose()));
+    for (int i = 0; i < space.controlCount() + repeated; ++i) {
+        const int c = i % space.controlCount();
+        data.controlPoints.push_back(problem.extended->frame.toUser(controls.row(c).transpose()));
     }
     for (const PickConstraint& pick : problem.picks) {
         data.pickParameters.push_back(pick.parameter);
     }
     return data;
 }
+
+}  // namespace
+
+struct CurveDesigner::State : PreparedSurface {
+    using PreparedSurface::PreparedSurface;
+
+    mutable FieldCache fieldCache;
+};
 
 CurveDesigner::CurveDesigner(
     TriangleMesh mesh,
@@ -280,11 +216,15 @@ const Surface& surfaceOf(const CurveDesigner& designer) {
 }
 
 StageSeconds CurveDesigner::seconds() const {
-    return state_->stageSeconds();
+    const PreparedSurface::Seconds all = state_->seconds();
+    return {all.validate, all.tree, all.extended + all.wholeShell};
 }
 
 ShellSummary CurveDesigner::shell() const {
-    return state_->summary();
+    const ObtainedShell* const whole = state_->wholeShellIfBuilt();
+    return whole == nullptr
+               ? ShellSummary{state_->options().kind, false, {}}
+               : ShellSummary{state_->options().kind, whole->isFromStore, whole->notes};
 }
 
 ShellLayers CurveDesigner::shellLayers() const {
@@ -301,18 +241,24 @@ Curve CurveDesigner::design(
     options.validate();
     sampling.validate();
     const State& state = *state_;
+    const Surface& surface = state.surface();
     const std::shared_ptr<const ValidatedField> field =
-        state.fieldCache.find(state.surface(), *state.extended(), inputs.field, options.fieldCost);
+        state.fieldCache.find(surface, *state.extended(), inputs.field, options.fieldCost);
     const std::vector<SurfacePoint> located =
-        locatePicks(state.surface(), state.tree(), picks, options.closed);
-    const Region region = state.regionOf(inputs.avoid);
-    const std::optional<Obstacles> obstacles = state.obstaclesOf(region, options);
-    if (obstacles) {
-        refuseAvoidedPicks(state.surface(), *obstacles, located);
+        locatePicks(surface, state.tree(), picks, options.closed);
+    const Region region =
+        makeRegion(surface, std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end()));
+    std::optional<Obstacles> obstacles;
+    if (!region.empty()) {
+        requireExactAvoidance(options);
+        obstacles.emplace(
+            surface, *state.extended(), region, options.avoidMargin * surface.diagonal()
+        );
+        refuseAvoidedPicks(surface, *obstacles, located);
     }
     const DesignContext context{*field, obstacles ? &*obstacles : nullptr, inputs.start};
     std::optional<WorkerThread> side;
-    if (areWorthTwoThreads(state.surface().faces().size())) {
+    if (areWorthTwoThreads(surface.faces().size())) {
         side.emplace();
     }
     auto [problem, solution] =
@@ -324,52 +270,19 @@ Curve CurveDesigner::design(
     Stopwatch watch;
     Curve curve;
     describeShell(problem, solution, curve);
-    curve.polyline = state.polylineOf(problem, solution.curve, std::move(solution.trace), sampling);
-    curve.spline = state.exportSpline(solution.curve, problem);
+    curve.polyline =
+        polylineOf(surface, problem, solution.curve, std::move(solution.trace), sampling);
+    curve.spline = exported(solution.curve, problem);
     curve.report = solution.report;
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
     if (obstacles) {
-        requireClear(state.surface(), curve.polyline, *obstacles);
-        state.measureClearance(region, curve);
+        requireClear(surface, curve.polyline, *obstacles);
+        curve.report.avoidedFaces = static_cast<int>(region.size());
+        curve.report.clearance = clearanceOf(curve.polyline, surface, region);
     }
     curve.report.seconds.polyline = watch.lap();
     report(progress, 1.0, "done");
     return curve;
-}
-
-SurfacePolyline CurveDesigner::resample(
-    const Curve& curve, const SamplingOptions& sampling, std::span<const int> avoid
-) const {
-    sampling.validate();
-    const State& state = *state_;
-    const SplineData& data = curve.spline;
-    const SplineCurve spline = splineOf(data, state.extended()->frame);
-    std::vector<PickConstraint> picks;
-    for (std::size_t i = 0; i < data.pickParameters.size(); ++i) {
-        const SurfacePoint& point = curve.polyline.surfacePoints[curve.polyline.picks[i]];
-        picks.push_back({point, state.extended()->position(point), data.pickParameters[i]});
-    }
-    SolverOptions options;
-    options.degree = data.degree;
-    options.closed = data.closed;
-    CurveProblem problem = makeProblem(state, options, std::move(picks));
-    const std::optional<Obstacles> obstacles = state.obstaclesOf(state.regionOf(avoid), options);
-    problem.obstacles = obstacles ? &*obstacles : nullptr;
-    std::optional<CurveTrace> trace;
-    if (state.options().kind == ShellKind::Local) {
-        CurveDistance distance = measureAlongFibres(problem, spline.space, spline.controls);
-        if (std::isfinite(distance.largest)) {
-            trace = std::move(distance.trace);
-        }
-    }
-    if (!trace) {
-        problem.shell = &state.wholeShell().build.shell;
-    }
-    SurfacePolyline line = state.polylineOf(problem, spline, std::move(trace), sampling);
-    if (obstacles) {
-        requireClear(state.surface(), line, *obstacles);
-    }
-    return line;
 }
 
 }  // namespace bspline_curve

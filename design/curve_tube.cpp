@@ -113,53 +113,6 @@ void closeUp(
     }
 }
 
-/// Vertices and faces between rings of `sides` corners.
-class TubeBuilder {
-public:
-    explicit TubeBuilder(int sides) : sides_(sides) {}
-
-    void addRing(const Vec3& centre, const Vec3& normal, const Vec3& tangent, double radius) {
-        for (int j = 0; j < sides_; ++j) {
-            const double angle = 2.0 * std::numbers::pi * j / sides_;
-            mesh_.vertices.emplace_back(centre + radius * rotated(normal, tangent, angle));
-        }
-        ++rings_;
-    }
-
-    void joinRings(bool closed) {
-        for (int ring = 0; ring + 1 < rings_; ++ring) {
-            join(ring, ring + 1);
-        }
-        if (closed) {
-            join(rings_ - 1, 0);
-        }
-    }
-
-    void addLids(const Vec3& first, const Vec3& last) {
-        const int apex = static_cast<int>(mesh_.vertices.size());
-        mesh_.vertices.insert(mesh_.vertices.end(), {first, last});
-        for (int j = 0; j < sides_; ++j) {
-            mesh_.faces.push_back({apex, corner(0, j + 1), corner(0, j)});
-            mesh_.faces.push_back({apex + 1, corner(rings_ - 1, j), corner(rings_ - 1, j + 1)});
-        }
-    }
-
-    [[nodiscard]] TriangleMesh take() { return std::move(mesh_); }
-
-private:
-    [[nodiscard]] int corner(int ring, int j) const { return ring * sides_ + j % sides_; }
-
-    void join(int ring, int next) {
-        for (int j = 0; j < sides_; ++j) {
-            mesh_.faces.push_back({corner(ring, j), corner(ring, j + 1), corner(next, j)});
-            mesh_.faces.push_back({corner(ring, j + 1), corner(next, j + 1), corner(next, j)});
-        }
-    }
-
-    int sides_, rings_ = 0;
-    TriangleMesh mesh_;
-};
-
 }  // namespace
 
 TriangleMesh makeTube(std::span<const Vec3> points, bool closed, double radius, int sides) {
@@ -170,15 +123,34 @@ TriangleMesh makeTube(std::span<const Vec3> points, bool closed, double radius, 
     if (closed) {
         closeUp(normals, tangents, centres);
     }
-    TubeBuilder builder(sides);
+    TriangleMesh mesh;
     for (std::size_t i = 0; i < centres.size(); ++i) {
-        builder.addRing(centres[i], normals[i], tangents[i], radius);
+        for (int j = 0; j < sides; ++j) {
+            const double angle = 2.0 * std::numbers::pi * j / sides;
+            mesh.vertices.emplace_back(
+                centres[i] + radius * rotated(normals[i], tangents[i], angle)
+            );
+        }
     }
-    builder.joinRings(closed);
+    const int rings = static_cast<int>(centres.size());
+    const auto corner = [&](int ring, int j) { return ring % rings * sides + j % sides; };
+    for (int ring = 0; ring < (closed ? rings : rings - 1); ++ring) {
+        for (int j = 0; j < sides; ++j) {
+            const int next = corner(ring + 1, j);
+            mesh.faces.push_back({corner(ring, j), corner(ring, j + 1), next});
+            mesh.faces.push_back({corner(ring, j + 1), corner(ring + 1, j + 1), next});
+        }
+    }
     if (!closed) {
-        builder.addLids(centres.front(), centres.back());
+        // Lids.
+        const int apex = rings * sides;
+        mesh.vertices.insert(mesh.vertices.end(), {centres.front(), centres.back()});
+        for (int j = 0; j < sides; ++j) {
+            mesh.faces.push_back({apex, corner(0, j + 1), corner(0, j)});
+            mesh.faces.push_back({apex + 1, corner(rings - 1, j), corner(rings - 1, j + 1)});
+        }
     }
-    return builder.take();
+    return mesh;
 }
 
 }  // namespace bspline_curve

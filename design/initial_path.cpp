@@ -21,49 +21,46 @@ namespace {
 [[noreturn]] void throwNoPath(
     std::size_t from, std::size_t to, const PathConstraints& constraints
 ) {
-    const std::span<const int> blockedFaces = constraints.blockedFaces;
-    std::string message = "no way along the surface from pick " + std::to_string(from) +
-                          " to pick " + std::to_string(to);
+    const std::span<const int> blocked = constraints.blockedFaces;
+    const std::string what = "no way along the surface from pick " + std::to_string(from) +
+                             " to pick " + std::to_string(to);
+    const std::vector<std::int64_t> faces(blocked.begin(), blocked.end());
     if (constraints.obstacles != nullptr) {
         throw InputError(
             InputErrorCode::NoPath,
-            message + " that goes round the faces to avoid" +
-                (blockedFaces.empty() ? ""
-                                      : " and those where the surface crosses itself or folds") +
+            what + " that goes round the faces to avoid" +
+                (blocked.empty() ? "" : " and those where the surface crosses itself or folds") +
                 ": avoid fewer faces, or move a pick",
             {static_cast<std::int64_t>(from), static_cast<std::int64_t>(to)}
         );
     }
-    std::vector<std::int64_t> elements(blockedFaces.begin(), blockedFaces.end());
-    if (blockedFaces.empty()) {
-        throw InputError(InputErrorCode::NoPath, message + ": move a pick", std::move(elements));
+    if (blocked.empty()) {
+        throw InputError(InputErrorCode::NoPath, what + ": move a pick");
     }
-    message += " that avoids the " + std::to_string(blockedFaces.size()) +
-               " faces where the surface crosses itself or folds (faces " +
-               describeElements(elements) +
-               "): repair them (in MeshLab: Select Self Intersecting Faces, delete, Close Holes), "
-               "or move a pick";
-    throw InputError(InputErrorCode::SelfIntersection, message, std::move(elements));
+    throw InputError(
+        InputErrorCode::SelfIntersection,
+        what + " that avoids the " + std::to_string(blocked.size()) +
+            " faces where the surface crosses itself or folds (faces " + describeElements(faces) +
+            "): repair them (in MeshLab: Select Self Intersecting Faces, delete, Close Holes), or "
+            "move a pick",
+        faces
+    );
 }
 
 // What a unit of length costs in each face, all told. Refers to both.
 TravelCosts totalCosts(const Surface& surface, const PathConstraints& constraints) {
-    if (constraints.blockedFaces.empty() && constraints.obstacles == nullptr) {
-        if (constraints.field.empty()) {
-            return {};
-        }
-        return {[&surface, &constraints](int face) {
-            return constraints.field.costOf(surface.faces()[face]);
-        }};
+    if (constraints.blockedFaces.empty() && constraints.obstacles == nullptr &&
+        constraints.field.empty()) {
+        return {};
     }
     return {[&surface, &constraints](int face) {
         if (std::ranges::binary_search(constraints.blockedFaces, face)) {
             return std::numeric_limits<double>::infinity();
         }
-        const double cost =
-            constraints.field.empty() ? 1.0 : constraints.field.costOf(surface.faces()[face]);
-        return constraints.obstacles == nullptr ? cost
-                                                : cost * constraints.obstacles->pathCost(face);
+        const FieldTravel& field = constraints.field;
+        const double cost = field.empty() ? 1.0 : field.costOf(surface.faces()[face]);
+        const Obstacles* const obstacles = constraints.obstacles;
+        return obstacles == nullptr ? cost : cost * obstacles->pathCost(face);
     }};
 }
 
@@ -83,13 +80,14 @@ SurfacePoint keptClear(
     return point;
 }
 
-// Ways over more patches are pulled taut at points of them, instead of straightened vertex by
-// vertex in a strip of faces. Under a field, which the cost of each face is asked of, fewer pay.
-constexpr int kMostPatches = 16;
-constexpr int kMostFieldPatches = 11;
-// By which the way over the surface may be longer than a gap of the string: that over the edge of a
-// wedge of sixty degrees.
-constexpr double kMostDetour = 2.0;
+struct Constants {
+    int mostPatches = 16;       // that a way is over to be straightened in a strip of faces, vertex
+                                // by vertex; over more it is shortened at points of it
+    int mostFieldPatches = 11;  // likewise under a field, which the cost of each face is asked of
+    double mostDetour = 2.0;    // of the way over a gap to its chord, as over a wedge of 60 degrees
+};
+
+constexpr Constants kConstants;
 
 // Finds paths from pick to pick.
 class PathFinder {
@@ -106,7 +104,7 @@ public:
     ) {
         std::optional<GeodesicPath> path = finder_.find(start, goal, mostPatches());
         if (path && path->isOverPatches) {
-            if (std::optional<std::vector<SurfacePoint>> points = string(path->points)) {
+            if (std::optional<std::vector<SurfacePoint>> points = shortened(path->points)) {
                 return points;
             }
             path = finder_.find(start, goal);
@@ -115,21 +113,24 @@ public:
     }
 
 private:
-    // Strings do not see blocked faces, and leave the surface between their points.
+    // Shortened paths do not see blocked faces, and leave the surface between their points.
     [[nodiscard]] int mostPatches() const {
         if (!constraints_.blockedFaces.empty() || constraints_.kind == PathKind::OnSurface) {
             return std::numeric_limits<int>::max();
         }
-        return constraints_.field.empty() ? kMostPatches : kMostFieldPatches;
+        return constraints_.field.empty() ? kConstants.mostPatches : kConstants.mostFieldPatches;
     }
 
-    // Along a way over patches; nothing where none is of use.
-    [[nodiscard]] std::optional<std::vector<SurfacePoint>> string(
-        std::span<const SurfacePoint> path
+    // A way over patches, shortened; nothing where that is of no use.
+    [[nodiscard]] std::optional<std::vector<SurfacePoint>> shortened(
+        std::span<const SurfacePoint> way
     ) {
-        const std::optional<ShortenedPath> taut =
-            shortenPath(extended_, constraints_.patches, constraints_.field, path);
-        std::optional<std::vector<SurfacePoint>> points = taut ? laid(*taut) : std::nullopt;
+        const std::optional<ShortenedPath> path =
+            shortenPath(extended_, constraints_.patches, constraints_.field, way);
+        std::optional<std::vector<SurfacePoint>> points;
+        if (path && isClear(*path)) {
+            points = withGapsClosed(*path);
+        }
         return points && constraints_.kind == PathKind::Close
                    ? withCloseChords(
                          extended_, constraints_.patches, *points, constraints_.chordDistance
@@ -137,39 +138,34 @@ private:
                    : points;
     }
 
-    // Strings do not see obstacles either.
-    [[nodiscard]] bool isClear(const ShortenedPath& string) const {
-        return constraints_.obstacles == nullptr ||
-               std::ranges::all_of(string.points, [this](const SurfacePoint& point) {
-                   return constraints_.obstacles->isFar(point.face);
+    // Shortened paths do not see obstacles either.
+    [[nodiscard]] bool isClear(const ShortenedPath& path) const {
+        const Obstacles* const obstacles = constraints_.obstacles;
+        return obstacles == nullptr ||
+               std::ranges::all_of(path.points, [&](const SurfacePoint& point) {
+                   return obstacles->isFar(point.face);
                });
     }
 
-    // Its points, with paths over its gaps; nothing where one is much longer than its gap, so that
-    // the string passes through the surface, or near obstacles.
-    [[nodiscard]] std::optional<std::vector<SurfacePoint>> laid(const ShortenedPath& string) {
-        if (!isClear(string)) {
-            return std::nullopt;
-        }
+    // The points of a path, with ways over its gaps; nothing where one is much longer than its gap,
+    // so that the path passes through the surface.
+    [[nodiscard]] std::optional<std::vector<SurfacePoint>> withGapsClosed(
+        const ShortenedPath& path
+    ) {
         std::vector<SurfacePoint> points;
-        auto gap = string.gaps.begin();
-        for (std::size_t i = 0; i < string.points.size(); ++i) {
-            points.push_back(string.points[i]);
-            if (gap == string.gaps.end() || *gap != i) {
-                continue;
-            }
-            ++gap;
-            const std::optional<GeodesicPath> path =
-                finder_.find(string.points[i], string.points[i + 1]);
-            if (!path) {
+        auto begin = path.points.begin();
+        for (const std::size_t gap : path.gaps) {
+            const auto end = path.points.begin() + static_cast<std::ptrdiff_t>(gap) + 1;
+            points.insert(points.end(), begin, end);
+            begin = end;
+            const std::optional<GeodesicPath> way = finder_.find(*(end - 1), *end);
+            if (!way || way->length > kConstants.mostDetour *
+                                          (way->positions.back() - way->positions.front()).norm()) {
                 return std::nullopt;
             }
-            const double straight = (path->positions.back() - path->positions.front()).norm();
-            if (path->length > kMostDetour * straight) {
-                return std::nullopt;
-            }
-            points.insert(points.end(), path->points.begin() + 1, path->points.end() - 1);
+            points.insert(points.end(), way->points.begin() + 1, way->points.end() - 1);
         }
+        points.insert(points.end(), begin, path.points.end());
         return points;
     }
 
@@ -220,24 +216,21 @@ PickPath makePickPath(
         result.path.points.push_back({length, point, position});
     };
     for (std::size_t i = 0; i < legs.size(); ++i) {
-        const Leg& path = legs[i];
-        if (!path) {
+        if (!legs[i]) {
             throwNoPath(i, (i + 1) % picks.size(), constraints);
         }
-        for (std::size_t k = 0; k < path->size(); ++k) {
-            // A path starts where the one before ended, but perhaps in another of the faces that
+        const std::vector<SurfacePoint>& leg = *legs[i];
+        for (std::size_t k = 0; k < leg.size(); ++k) {
+            // A leg starts where the one before ended, but perhaps in another of the faces that
             // hold the pick.
-            const bool isPick = k == 0 || k + 1 == path->size();
+            const bool isPick = k == 0 || k + 1 == leg.size();
             add(constraints.obstacles == nullptr || isPick
-                    ? (*path)[k]
-                    : keptClear(surface, *constraints.obstacles, (*path)[k], (*path)[k + 1]));
-            if (k == 0) {
-                result.picks.push_back({path->front(), result.path.points.back().position, length});
+                    ? leg[k]
+                    : keptClear(surface, *constraints.obstacles, leg[k], leg[k + 1]));
+            if (k == 0 || (k + 1 == leg.size() && i + 1 == legs.size() && !closed)) {
+                const InitialPath::Point& pick = result.path.points.back();
+                result.picks.push_back({pick.point, pick.position, length});
             }
-        }
-        if (i + 1 == legs.size() && !closed) {
-            const InitialPath::Point& last = result.path.points.back();
-            result.picks.push_back({last.point, last.position, length});
         }
     }
     for (InitialPath::Point& point : result.path.points) {

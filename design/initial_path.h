@@ -22,7 +22,7 @@ struct PickPath {
 
 /// How a path lies on the surface.
 enum class PathKind {
-    Quick,      ///< long ways are strings of points, whose chords may leave the surface
+    Quick,      ///< long ways are points far apart, whose chords may leave the surface
     Close,      ///< the same with chords within a distance of the surface
     OnSurface,  ///< consecutive points share a face; takes a time that grows with the faces passed
 };

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 namespace bspline_curve {
 namespace {
@@ -16,70 +18,28 @@ using Matrix2 = Eigen::Matrix2d;
 using Vec2 = Eigen::Vector2d;
 using Tangents = Eigen::Matrix<double, 3, 2>;
 
-// Of a polyline. With 24 and 48 of them 72 random curves on three scans cost and bend as much
-// within 3 %; paths with 48 take up to 40 % more.
-constexpr int kSegments = 32;
-constexpr int kMaxSteps = 16;
-// Under a field more steps gain less than they take: the curve itself follows it better.
-constexpr int kMaxFieldSteps = 6;
-// The polyline is at rest where a step changes the energy by no more than this share of it, or on
-// rough surfaces, where steps do not get any better, by this after a few.
-constexpr double kRest = 1e-8;
-constexpr double kSettledShare = 1e-4;
-constexpr int kManySteps = 4;
-constexpr double kRiseShare = 1e-4;
-constexpr int kMaxAttempts = 6;
-// Under a field whole steps go too far nearly always, so the next one is tried by so many times the
-// length of the last at first.
-constexpr double kStretch = 1.5;
-constexpr double kLeastShortening = 0.1;
-constexpr double kMostShortening = 0.5;
+struct Constants {
+    int segments = 32;             // of the polyline; curves from 24 or 48 bend as much
+    int maxSteps = 16;             // of Newton's method
+    int maxFieldSteps = 6;         // likewise under a field, which the curve follows better itself
+    double restShare = 1e-8;       // of the energy: a step that changes less is the last one
+    double settledShare = 1e-4;    // likewise after `manySteps`: no step helps on rough surfaces
+    int manySteps = 4;             // steps
+    double riseShare = 1e-4;       // of the energy, by which it may rise without a field
+    int maxAttempts = 6;           // at one step, each shorter
+    double stretch = 1.5;          // of the last step under a field: whole ones go too far there
+    double leastShortening = 0.1;  // of a step that went too far, ...
+    double mostShortening = 0.5;   // ... as shares of it
+    double leastDeterminant = 1e-9;  // of a block, in squared norms: below it is singular
+    double sameShare = 0.3;          // of a segment: points nearer to each other are one
+    int shortSteps = 8;              // a segment is walked in, where one step does not lead over it
+    double longest = 1.001;          // times the path's length: nothing becomes longer than that
+};
+
+constexpr Constants kConstants;
+constexpr int kSegments = kConstants.segments;
 // Shares of the surface's bending that are tried in turn until the Hessian is positive.
 constexpr std::array<double, 3> kTurningShares = {1.0, 0.5, 0.0};
-// Points nearer than this share of their segment are one.
-constexpr double kSameShare = 0.3;
-constexpr int kShortSteps = 8;
-// No path becomes longer by more.
-constexpr double kLongest = 1.001;
-
-// Points of a path by their share of what it costs.
-struct MeasuredPath {
-    std::vector<Vec3> positions;
-    std::vector<double> costs;
-    double length = 0.0;
-
-    MeasuredPath(
-        const ExtendedSurface& extended,
-        const FieldTravel& field,
-        std::span<const SurfacePoint> path
-    ) {
-        for (const SurfacePoint& point : path) {
-            positions.push_back(extended.position(point));
-            if (costs.empty()) {
-                costs.push_back(0.0);
-                continue;
-            }
-            const double leg = (positions.back() - *(positions.end() - 2)).norm();
-            const double cost = field.empty() ? 1.0 : field.costOf(extended.faces[point.face]);
-            length += leg;
-            costs.push_back(costs.back() + leg * cost);
-        }
-    }
-
-    // The last point before a share of the cost, but for the last of all.
-    [[nodiscard]] std::size_t indexAt(double share) const {
-        const auto above = std::ranges::upper_bound(costs, share * costs.back());
-        const auto index = static_cast<std::size_t>(above - costs.begin());
-        return std::clamp<std::size_t>(index, 1, costs.size() - 1) - 1;
-    }
-
-    [[nodiscard]] Vec3 positionAt(double share) const {
-        const std::size_t i = indexAt(share);
-        const double gap = costs[i + 1] - costs[i];
-        const double s = gap > 0.0 ? (share * costs.back() - costs[i]) / gap : 0.0;
-        return (1.0 - s) * positions[i] + s * positions[i + 1];
-    }
-};
 
 // A polyline of points on the surface. Its energy is half the sum of the squared lengths of its
 // segments, each times the mean of the squared costs at its ends: least where the polyline runs
@@ -93,41 +53,33 @@ public:
         std::span<const SurfacePoint> path
     )
         : extended_(extended), field_(field), finder_(extended, patches) {
-        const MeasuredPath measured(extended, field, path);
-        pathLength_ = measured.length;
-        chord_ = (measured.positions.back() - measured.positions.front()).norm();
-        now_.assign(kSegments + 1, {});
-        std::array<FibreProjector::Move, kSegments + 1> moves;
-        for (int i = 0; i <= kSegments; ++i) {
-            const double share = static_cast<double>(i) / kSegments;
-            const SurfacePoint& near = i == kSegments ? path.back() : path[measured.indexAt(share)];
-            Node& node = now_[i];
-            node.foot = {near.face, near.barycentric[1], near.barycentric[2], 0.0};
-            moves[i] = {
-                i == kSegments ? measured.positions.back() : measured.positionAt(share),
-                &node.foot,
-                &node.frame
-            };
+        std::vector<Vec3> positions;
+        std::vector<double> costs = {0.0};
+        for (const SurfacePoint& point : path) {
+            positions.push_back(extended.position(point));
+            if (positions.size() > 1) {
+                const double leg = (positions.back() - *(positions.end() - 2)).norm();
+                pathLength_ += leg;
+                costs.push_back(costs.back() + leg * costOver(point.face));
+            }
         }
-        place(moves, now_);
-        now_.front().position = measured.positions.front();
-        now_.back().position = measured.positions.back();
+        chord_ = (positions.back() - positions.front()).norm();
+        placeEvenly(path, positions, costs);
+        now_.front().position = positions.front();
+        now_.back().position = positions.back();
         trial_ = now_;
     }
 
     [[nodiscard]] bool comesToRest() {
-        if (!(chord_ > 0.0)) {
-            return false;
-        }
-        for (int step = 0; step < (field_.empty() ? kMaxSteps : kMaxFieldSteps); ++step) {
-            if (!solve()) {
-                return false;
-            }
-            if (move(step)) {
+        const int steps = field_.empty() ? kConstants.maxSteps : kConstants.maxFieldSteps;
+        bool canGoOn = chord_ > 0.0;
+        for (int step = 0; canGoOn && step < steps; ++step) {
+            canGoOn = solve();
+            if (canGoOn && move(step)) {
                 break;
             }
         }
-        return true;
+        return canGoOn;
     }
 
     // Its ends are those of the path. Nothing where a point is beyond a boundary.
@@ -147,7 +99,7 @@ public:
             result.points.push_back({node.foot.face, barycentric / barycentric.sum()});
         }
         result.points.back() = path.back();
-        if (field_.empty() && length > kLongest * pathLength_) {
+        if (field_.empty() && length > kConstants.longest * pathLength_) {
             return std::nullopt;
         }
         return result;
@@ -161,6 +113,35 @@ private:
         double cost = 1.0;
     };
 
+    [[nodiscard]] double costOver(int face) const {
+        return field_.empty() ? 1.0 : field_.costOf(extended_.faces[face]);
+    }
+
+    // Puts the nodes at equal shares of the costs, each near the last point of the path before it.
+    void placeEvenly(
+        std::span<const SurfacePoint> path,
+        const std::vector<Vec3>& positions,
+        const std::vector<double>& costs
+    ) {
+        std::array<FibreProjector::Move, kSegments + 1> moves;
+        for (int i = 0; i <= kSegments; ++i) {
+            const double cost = static_cast<double>(i) / kSegments * costs.back();
+            const auto above = std::ranges::upper_bound(costs, cost) - costs.begin();
+            const auto k = std::clamp<std::ptrdiff_t>(above, 1, std::ssize(costs) - 1) - 1;
+            const double gap = costs[k + 1] - costs[k];
+            const double s = gap > 0.0 ? (cost - costs[k]) / gap : 0.0;
+            const bool isLast = i == kSegments;
+            const SurfacePoint& near = isLast ? path.back() : path[k];
+            now_[i].foot = {near.face, near.barycentric[1], near.barycentric[2], 0.0};
+            moves[i] = {
+                isLast ? positions.back() : (1.0 - s) * positions[k] + s * positions[k + 1],
+                &now_[i].foot,
+                &now_[i].frame
+            };
+        }
+        place(moves, now_);
+    }
+
     [[nodiscard]] double costAt(int vertex) const {
         return field_.costAt(extended_.surfaceVertex(vertex));
     }
@@ -168,36 +149,35 @@ private:
     // Puts nodes on the surface, at the feet of points.
     void place(std::span<const FibreProjector::Move> moves, std::span<Node> nodes) const {
         finder_.moveAll(moves);
-        std::ranges::for_each(nodes, [this](Node& node) { settle(node); });
+        for (Node& node : nodes) {
+            node.foot.height = 0.0;
+            node.position = positionOf(node);
+            if (!field_.empty()) {
+                const Triangle& face = extended_.faces[node.foot.face];
+                const Vec3 costs(costAt(face[0]), costAt(face[1]), costAt(face[2]));
+                node.cost = costs.dot(node.foot.barycentric());
+            }
+        }
     }
 
-    void settle(Node& node) const {
-        node.foot.height = 0.0;
-        node.position = extended_.position({node.foot.face, node.foot.barycentric()});
-        if (!field_.empty()) {
-            const Triangle& face = extended_.faces[node.foot.face];
-            const Vec3 costs(costAt(face[0]), costAt(face[1]), costAt(face[2]));
-            node.cost = costs.dot(node.foot.barycentric());
-        }
+    [[nodiscard]] Vec3 positionOf(const Node& node) const {
+        return extended_.position({node.foot.face, node.foot.barycentric()});
     }
 
     // Whether a walk over the surface leads from one node to the next, over sharp edges by short
     // steps. None leads over a right angle where fibres turn in less than a step; and a polyline
     // may have slipped off the rim of a thin plate, and then it passes through it.
     [[nodiscard]] bool isJoined(const Node& from, const Node& to) const {
-        return arrives(from, to, 1) || arrives(from, to, kShortSteps);
-    }
-
-    [[nodiscard]] bool arrives(const Node& from, const Node& to, int steps) const {
-        Node walker = from;
         const Vec3 way = to.position - from.position;
-        for (int i = 1; i <= steps; ++i) {
-            const double share = static_cast<double>(i) / steps;
-            finder_.move(from.position + share * way, walker.foot, walker.frame);
-        }
-        const Vec3 reached = extended_.position({walker.foot.face, walker.foot.barycentric()});
-        return (reached - to.position).norm() <= kSameShare * way.norm() &&
-               walker.frame.direction.dot(to.frame.direction) > 0.0;
+        return std::ranges::any_of(std::array{1, kConstants.shortSteps}, [&](int steps) {
+            Node walker = from;
+            for (int i = 1; i <= steps; ++i) {
+                const double share = static_cast<double>(i) / steps;
+                finder_.move(from.position + share * way, walker.foot, walker.frame);
+            }
+            return (positionOf(walker) - to.position).norm() <= kConstants.sameShare * way.norm() &&
+                   walker.frame.direction.dot(to.frame.direction) > 0.0;
+        });
     }
 
     [[nodiscard]] Vec3 costGradient(const Node& node) const {
@@ -247,14 +227,11 @@ private:
     }
 
     [[nodiscard]] bool eliminate(double turningShare) {
-        decrement_ = 0.0;
-        Tangents tangentsBefore = Tangents::Zero();
-        Matrix2 inverseBefore = Matrix2::Zero();
-        Vec2 solvedBefore = Vec2::Zero();
         for (int i = 1; i < kSegments; ++i) {
             const Node& node = now_[i];
             const Node& last = now_[i - 1];
             const Node& next = now_[i + 1];
+            const Row& rowBefore = rows_[i - 1];
             Row& row = rows_[i];
             row.tangents = tangentsAt(node.frame.direction);
             const double before = stiffness(last, node);
@@ -265,32 +242,23 @@ private:
             const Vec2 slope = row.tangents.transpose() * costGradient(node);
             const double share = 0.5 * (in.squaredNorm() + out.squaredNorm());
             row.force = row.tangents.transpose() * pull - node.cost * share * slope;
+            row.coupling = -before * rowBefore.tangents.transpose() * row.tangents;
             Matrix2 block =
                 (before + after) * Matrix2::Identity() + share * slope * slope.transpose() +
                 turningShare * pull.dot(node.frame.direction) * bendingAt(node.frame, row.tangents);
-            Vec2 right = row.force;
-            row.coupling = -before * tangentsBefore.transpose() * row.tangents;
-            if (i > 1) {
-                block -= row.coupling.transpose() * inverseBefore * row.coupling;
-                right -= row.coupling.transpose() * solvedBefore;
-            }
-            const double determinant = block.determinant();
-            if (block(0, 0) <= 0.0 || !(determinant > kLeastDeterminant * block.squaredNorm())) {
+            block -= row.coupling.transpose() * rowBefore.inverse * row.coupling;
+            const double least = kConstants.leastDeterminant * block.squaredNorm();
+            if (block(0, 0) <= 0.0 || !(block.determinant() > least)) {
                 return false;
             }
             row.inverse = block.inverse();
-            row.solved = row.inverse * right;
-            tangentsBefore = row.tangents;
-            inverseBefore = row.inverse;
-            solvedBefore = row.solved;
+            row.solved = row.inverse * (row.force - row.coupling.transpose() * rowBefore.solved);
         }
+        decrement_ = 0.0;
         for (int i = kSegments - 1; i > 0; --i) {
-            Row& row = rows_[i];
-            if (i + 1 < kSegments) {
-                const Row& next = rows_[i + 1];
-                row.solved -= row.inverse * (next.coupling * next.solved);
-            }
-            decrement_ += 0.5 * row.force.dot(row.solved);
+            const Row& next = rows_[i + 1];
+            rows_[i].solved -= rows_[i].inverse * (next.coupling * next.solved);
+            decrement_ += 0.5 * rows_[i].force.dot(rows_[i].solved);
         }
         return true;
     }
@@ -312,34 +280,35 @@ private:
     // directions has no kinks, so whole steps meet it to rounding, unlike the energy on flat faces.
     [[nodiscard]] bool move(int step) {
         const double before = energy(now_);
-        if (!field_.empty() && decrement_ <= kSettledShare * before) {
+        if (!field_.empty() && decrement_ <= kConstants.settledShare * before) {
             return true;
         }
-        const double highest = field_.empty() ? (1.0 + kRiseShare) * before : before;
+        const double highest = field_.empty() ? (1.0 + kConstants.riseShare) * before : before;
         double length = firstLength_;
-        for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+        for (int attempt = 0; attempt < kConstants.maxAttempts; ++attempt) {
             placeTrial(length);
             const double after = energy(trial_);
             if (after < highest) {
-                firstLength_ = field_.empty() ? 1.0 : std::min(1.0, kStretch * length);
+                firstLength_ = field_.empty() ? 1.0 : std::min(1.0, kConstants.stretch * length);
                 std::swap(now_, trial_);
                 const double change = std::abs(before - after) / before;
-                return change <= kRest || (step >= kManySteps && change <= kSettledShare);
+                return change <= kConstants.restShare ||
+                       (step >= kConstants.manySteps && change <= kConstants.settledShare);
             }
             // To the bottom of the parabola through both energies and the slope at first.
             const double fall = 2.0 * decrement_ * length;
             const double bottom = 0.5 * fall / (after - before + fall);
-            length *= std::clamp(bottom, kLeastShortening, kMostShortening);
+            length *= std::clamp(bottom, kConstants.leastShortening, kConstants.mostShortening);
         }
         return true;
     }
 
-    static constexpr double kLeastDeterminant = 1e-9;
-
+    // Of a node; the first and the last, which stay, have zeros.
     struct Row {
-        Tangents tangents;
-        Matrix2 coupling, inverse;  // coupling: with the node before
-        Vec2 force, solved;
+        Tangents tangents = Tangents::Zero();
+        Matrix2 coupling = Matrix2::Zero(),
+                inverse = Matrix2::Zero();  // coupling: with the node before
+        Vec2 force = Vec2::Zero(), solved = Vec2::Zero();
     };
 
     const ExtendedSurface& extended_;
@@ -349,8 +318,8 @@ private:
     double chord_ = 0.0;
     double decrement_ = 0.0;
     double firstLength_ = 1.0;  // of the next step, as a share of it
-    std::vector<Node> now_, trial_;
-    std::array<Row, kSegments> rows_;
+    std::vector<Node> now_ = std::vector<Node>(kSegments + 1), trial_;
+    std::array<Row, kSegments + 1> rows_;
 };
 
 }  // namespace
@@ -361,8 +330,8 @@ std::optional<ShortenedPath> shortenPath(
     const FieldTravel& field,
     std::span<const SurfacePoint> path
 ) {
-    GeodesicPolyline string(extended, patches, field, path);
-    return string.comesToRest() ? string.asFound(path) : std::nullopt;
+    GeodesicPolyline polyline(extended, patches, field, path);
+    return polyline.comesToRest() ? polyline.asFound(path) : std::nullopt;
 }
 
 }  // namespace bspline_curve

@@ -21,10 +21,10 @@ struct ShortenedPath {
     std::vector<std::size_t> gaps;
 };
 
-/// Pulls a path taut at a fixed number of points of it, which move over the surface: along a
-/// geodesic in the path's neighbourhood, to about a thousandth of its length, or where a field
-/// makes lengths cost more, to a path that is cheaper and about the cheapest there. The time
-/// hardly depends on how many faces lie between.
+/// Shortens a path by moving a fixed number of its points over the surface: to a geodesic in the
+/// path's neighbourhood, up to about a thousandth of its length, or where a field makes lengths
+/// cost more, to a path that is cheaper and about the cheapest there. The time hardly depends on
+/// how many faces lie between.
 ///
 /// `patches`: see FibreProjector. `path`: ascending along the way, two points at least; the first
 /// and the last stay. Nothing where the points do not come to rest, or leave the surface over its

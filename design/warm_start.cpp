@@ -10,6 +10,7 @@
 namespace bspline_curve {
 namespace {
 
+// Times the length of a piece, before or after.
 constexpr double kLargestStretch = 2.0;
 
 // The part of a curve between two picks.
@@ -17,24 +18,23 @@ struct Piece {
     double begin, end;         // parameters before
     std::size_t first, last;   // points of the polyline
     Vec3 firstMove, lastMove;  // of its picks, in the shell's frame
-    double length = 0.0, dragged = 0.0;
+    double length = 0.0, newLength = 0.0;
     double newBegin = 0.0, newEnd = 0.0;
 
-    [[nodiscard]] double share(double parameter) const {
-        return (parameter - begin) / (end - begin);
+    // Between two values at its ends.
+    template <class Value>
+    [[nodiscard]] Value between(double parameter, const Value& from, const Value& to) const {
+        const double s = (parameter - begin) / (end - begin);
+        return (1.0 - s) * from + s * to;
     }
 
     [[nodiscard]] Vec3 move(double parameter) const {
-        const double s = share(parameter);
-        return (1.0 - s) * firstMove + s * lastMove;
+        return between(parameter, firstMove, lastMove);
     }
 
     [[nodiscard]] double newParameter(double parameter) const {
-        const double s = share(parameter);
-        return (1.0 - s) * newBegin + s * newEnd;
+        return between(parameter, newBegin, newEnd);
     }
-
-    [[nodiscard]] double stretch() const { return dragged / length; }
 };
 
 class WarmStartMaker {
@@ -57,8 +57,8 @@ public:
 
     [[nodiscard]] bool isSmall() const {
         return std::ranges::all_of(pieces_, [](const Piece& piece) {
-            return piece.dragged < kLargestStretch * piece.length &&
-                   piece.length < kLargestStretch * piece.dragged;
+            return piece.newLength < kLargestStretch * piece.length &&
+                   piece.length < kLargestStretch * piece.newLength;
         });
     }
 
@@ -68,12 +68,6 @@ public:
     }
 
 private:
-    struct Point {
-        double parameter;
-        SurfacePoint point;
-        Vec3 position;  // in the shell's frame
-    };
-
     [[nodiscard]] Vec3 positionIn(const Piece& piece, std::size_t i) const {
         return points_[i].position + piece.move(points_[i].parameter);
     }
@@ -95,7 +89,7 @@ private:
             piece.lastMove = moveOf(next);
             for (std::size_t k = piece.first; k < piece.last; ++k) {
                 piece.length += (points_[k + 1].position - points_[k].position).norm();
-                piece.dragged += (positionIn(piece, k + 1) - positionIn(piece, k)).norm();
+                piece.newLength += (positionIn(piece, k + 1) - positionIn(piece, k)).norm();
             }
             pieces_.push_back(piece);
         }
@@ -105,7 +99,7 @@ private:
         double sum = 0.0;
         for (Piece& piece : pieces_) {
             piece.newBegin = sum;
-            sum += (piece.end - piece.begin) * piece.stretch();
+            sum += (piece.end - piece.begin) * (piece.newLength / piece.length);
             piece.newEnd = sum;
         }
         for (Piece& piece : pieces_) {
@@ -123,7 +117,7 @@ private:
         }
         for (const Piece& piece : pieces_) {
             for (std::size_t i = piece.first; i <= piece.last; ++i) {
-                const Point& point = points_[i];
+                const InitialPath::Point& point = points_[i];
                 path.path.points.push_back(
                     {piece.newParameter(point.parameter), point.point, positionIn(piece, i)}
                 );
@@ -173,7 +167,7 @@ private:
     const Curve& curve_;
     const ExtendedSurface& extended_;
     const std::vector<SurfacePoint>& picks_;
-    std::vector<Point> points_;  // of the polyline; closed: the first one once more
+    std::vector<InitialPath::Point> points_;  // of the polyline; closed: the first one once more
     std::vector<Piece> pieces_;
 };
 

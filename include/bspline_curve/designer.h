@@ -21,10 +21,10 @@ struct CurveInputs {
     std::span<const double> field{};  ///< one finite value per vertex
     std::span<const int> avoid{};     ///< faces that the curve must not enter
     /// A curve of the same designer through as many picks, each near the one of now, as while a
-    /// pick is dragged: the new curve is relaxed from that one, displaced with its picks (see
-    /// dragCurve), in six tenths of the time on average, and bends as much as one from scratch.
-    /// No start where degree or closedness differ, where it was not relaxed at foot points, or
-    /// where a piece between picks would double or halve its length.
+    /// user drags a pick. The solver then starts from that curve, displaced with its picks, which
+    /// takes six tenths of the time on average; the result bends as much as one from scratch. Has
+    /// no effect where degree or closedness differ, where `start` was not solved at foot points,
+    /// or where a piece between picks would double or halve its length.
     const Curve* start = nullptr;
 };
 
@@ -59,12 +59,6 @@ public:
         const SamplingOptions& sampling = {},
         const CurveInputs& inputs = {},
         const Progress& progress = {}
-    ) const;
-
-    /// The polyline of a curve of this designer at another sampling, without solving again.
-    /// `avoid`: what the curve was drawn to avoid.
-    [[nodiscard]] SurfacePolyline resample(
-        const Curve& curve, const SamplingOptions& sampling, std::span<const int> avoid = {}
     ) const;
 
     /// The mesh as it was given.

@@ -209,7 +209,8 @@ TEST_P(Avoidance, CurvesSayHowClearTheyAreAtEverySampling) {
     EXPECT_GT(curve.report.clearance, 0.0);
     EXPECT_LE(curve.report.clearance, nearest);
     EXPECT_GT(curve.report.clearance, nearest - surfaceOf(designer).averageEdgeLength());
-    expectOutside(surfaceOf(designer), disc, designer.resample(curve, {5000, 0.0}, disc));
+    const Curve fine = designer.design(picks, {}, {5000, 0.0}, {.avoid = disc});
+    expectOutside(surfaceOf(designer), disc, fine.polyline);
     const Curve free = designer.design(picks);
     EXPECT_EQ(free.report.avoidedFaces, 0);
     EXPECT_TRUE(std::isinf(free.report.clearance));

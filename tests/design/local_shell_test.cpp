@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves in shells that are built near them alone.
-#include "curve_checks.h"
 #include "bspline_curve/designer.h"
+#include "curve_checks.h"
+#include "design/designer_surface.h"
 #include "either_shell.h"
 #include "support/meshes.h"
 
@@ -32,7 +33,8 @@ TEST(LocalShell, GivesTheCurveOfTheWholeShell) {
     const Curve near = goodCurve(local, picks);
     const Curve whole = goodCurve(full, picks);
     EXPECT_EQ(near.spline.controlPoints, whole.spline.controlPoints);
-    const double tolerance = SolverOptions().distanceTolerance * surfaceOf(full).averageEdgeLength();
+    const double tolerance =
+        SolverOptions().distanceTolerance * surfaceOf(full).averageEdgeLength();
     EXPECT_LT(largestDistance(near.polyline, whole.polyline), tolerance);
     EXPECT_EQ(whole.prisms, surfaceOf(full).faceCount());
     EXPECT_EQ(whole.shell, ShellKind::FullResolution);
@@ -101,19 +103,6 @@ TEST(LocalShell, DrawsAlongBoundaries) {
     const Curve whole = goodCurve(full, picks);
     EXPECT_EQ(near.spline.controlPoints, whole.spline.controlPoints);
     EXPECT_LT(largestDistance(near.polyline, whole.polyline), 1e-9);
-}
-
-TEST(LocalShell, SamplesAnew) {
-    const TriangleMesh mesh = bumpySphere();
-    const CurveDesigner designer = designerIn(ShellKind::Local, mesh);
-    SamplingOptions dense;
-    dense.samples = 1000;
-    const Curve curve = goodCurve(designer, fewPicks(mesh));
-    const SurfacePolyline again = designer.resample(curve, dense);
-    EXPECT_GT(again.points.size(), curve.polyline.points.size());
-    const Curve drawn = designer.design(fewPicks(mesh), {}, dense);
-    EXPECT_LT(largestDistance(again, drawn.polyline), 1e-12);
-    EXPECT_EQ(again.points.size(), drawn.polyline.points.size());
 }
 
 }  // namespace

@@ -25,6 +25,10 @@ protected:
         return result;
     }
 
+    [[nodiscard]] SurfacePolyline drawn(const SamplingOptions& sampling) const {
+        return designer_.design(picks_, options(), sampling).polyline;
+    }
+
     [[nodiscard]] double longestSegment(const SurfacePolyline& line) const {
         double longest = 0.0;
         const std::size_t count = line.points.size() - (line.closed ? 0 : 1);
@@ -61,7 +65,7 @@ TEST_P(Sampling, IsStrictAtEverySampling) {
             SCOPED_TRACE(
                 std::to_string(samples) + " samples, segments up to " + std::to_string(longest)
             );
-            const SurfacePolyline line = designer_.resample(curve_, {samples, longest});
+            const SurfacePolyline line = drawn({samples, longest});
             expectStrict(surfaceOf(designer_), line);
             if (longest > 0.0) {
                 EXPECT_LE(longestSegment(line), longest);
@@ -72,7 +76,7 @@ TEST_P(Sampling, IsStrictAtEverySampling) {
 
 TEST_P(Sampling, HasTheParametersAskedFor) {
     const int samples = 100;
-    const SurfacePolyline line = designer_.resample(curve_, {samples, 0.0});
+    const SurfacePolyline line = drawn({samples, 0.0});
     for (int i = 0; i < samples; ++i) {
         const double t = static_cast<double>(i) / samples;
         const bool found =
@@ -83,8 +87,8 @@ TEST_P(Sampling, HasTheParametersAskedFor) {
     }
 }
 
-TEST_P(Sampling, ResamplingAsBeforeGivesTheSamePolyline) {
-    const SurfacePolyline line = designer_.resample(curve_, {});
+TEST_P(Sampling, DrawingAgainGivesTheSamePolyline) {
+    const SurfacePolyline line = drawn({});
     ASSERT_EQ(line.points.size(), curve_.polyline.points.size());
     EXPECT_EQ(line.picks, curve_.polyline.picks);
     EXPECT_EQ(line.closed, curve_.polyline.closed);
@@ -92,10 +96,10 @@ TEST_P(Sampling, ResamplingAsBeforeGivesTheSamePolyline) {
 }
 
 TEST_P(Sampling, FinerPolylinesContainCoarserOnes) {
-    const SurfacePolyline none = designer_.resample(curve_, {0, 0.0});
-    const SurfacePolyline some = designer_.resample(curve_, {64, 0.0});
-    const SurfacePolyline many = designer_.resample(curve_, {512, 0.0});
-    const SurfacePolyline shortOnes = designer_.resample(curve_, {64, 0.004});
+    const SurfacePolyline none = drawn({0, 0.0});
+    const SurfacePolyline some = drawn({64, 0.0});
+    const SurfacePolyline many = drawn({512, 0.0});
+    const SurfacePolyline shortOnes = drawn({64, 0.004});
     EXPECT_LT(none.points.size(), some.points.size());
     EXPECT_LT(some.points.size(), many.points.size());
     expectVerticesIn(none, some);
@@ -120,7 +124,7 @@ TEST_P(Sampling, PolylinesFollowTheSpline) {
 TEST_P(Sampling, PicksAreVerticesOfEverySampling) {
     for (const int samples : {0, 256}) {
         Curve curve = curve_;
-        curve.polyline = designer_.resample(curve_, {samples, 0.0});
+        curve.polyline = drawn({samples, 0.0});
         for (std::size_t i = 0; i < picks_.size(); ++i) {
             const auto index = static_cast<std::size_t>(curve.polyline.picks[i]);
             const auto before = static_cast<std::size_t>(curve_.polyline.picks[i]);
