@@ -4,7 +4,9 @@
 #include "bspline_curve/designer.h"
 #include "projection/fibre_tracer.h"
 #include "shell/shell_simplifier.h"
-#include "solver/sampled_newton.h"
+#include "solver/newton.h"
+#include "solver/sampled_energy.h"
+#include "solver/sampled_solver.h"
 #include "surface/patch_levels.h"
 #include "surface/self_intersection.h"
 #include "surface/surface.h"
@@ -94,8 +96,9 @@ void addCurvePaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
 // Feet walk from where the first curve has them to those of a curve moved by an edge along each
 // axis, and back.
 void addFootPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
-    const auto energy =
-        std::make_shared<const SampledEnergy>(scene.problem, scene.first.space, scene.heightUnit);
+    const auto energy = std::make_shared<const SampledIntegrals>(
+        scene.problem, scene.first.space, scene.heightUnit
+    );
     const int samples = energy->sampleCount();
     const Vec3 shift = Vec3::Constant(scene.problem.averageEdgeLength);
     std::vector<Vec3> here;
@@ -119,15 +122,27 @@ void addFootPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
 }
 
 void addNewtonPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
-    const auto newton = std::make_shared<SampledNewton>(
-        scene.problem, scene.first, scene.heightUnit, SampledEnergy::kUsualSegments
+    const auto energy = std::make_shared<SampledEnergy>(
+        scene.problem,
+        scene.first,
+        scene.path.path,
+        scene.heightUnit,
+        SampledIntegrals::kUsualSegments
     );
-    paths.push_back(
-        {"newton_step", "span", scene.first.space.spanCount(), [&scene, newton] {
-             newton->now() = scene.firstFooted;
-             static_cast<void>(newton->step(FibreProjector(*scene.prepared.extended()), kAlpha));
-         }}
-    );
+    paths.push_back({"newton_step", "span", scene.first.space.spanCount(), [&scene, energy] {
+                         energy->setFooted(scene.firstFooted);
+                         EnergyWeights weights;
+                         weights.alpha = kAlpha;
+                         NewtonGoal oneStep = sampledPolicy(scene.problem).round;
+                         oneStep.mostIterations = 1;
+                         static_cast<void>(minimise(
+                             *energy,
+                             weights,
+                             Interpolation::Constraint,
+                             sampledPolicy(scene.problem).newton,
+                             oneStep
+                         ));
+                     }});
 }
 
 // ---- Whole curves ----

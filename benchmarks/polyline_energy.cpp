@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/polyline_energy.h"
 
-#include "solver/sampled_energy.h"
+#include "solver/sampled_integrals.h"
 #include "solver/sampled_solver.h"
 #include "utility/worker_thread.h"
 

@@ -20,9 +20,9 @@ struct FootedPolyline {
     std::vector<FootFrame> frames;
 };
 
-/// The energy of SampledEnergy, without a field, of a polyline: derivatives by t become differences
-/// between neighbouring vertices, and the vertices are the samples of the distance. Vertices at
-/// picks stay where they are. For surfaces without boundary.
+/// The energy of SampledIntegrals, without a field, of a polyline: derivatives by t become
+/// differences between neighbouring vertices, and the vertices are the samples of the distance.
+/// Vertices at picks stay where they are. For surfaces without boundary.
 class PolylineEnergy {
 public:
     /// About `count` vertices, evenly by parameter between picks. Refers to the problem.
@@ -53,7 +53,7 @@ public:
     /// it (cyclic where the polyline is closed).
     using Blocks = std::array<SymmetricMatrix, 3>;
 
-    /// Gradient and Hessian, the polyline's own directions frozen. `turning`: see SampledEnergy.
+    /// Gradient and Hessian, the polyline's own directions frozen. `turning`: see SampledIntegrals.
     void differentiate(
         const FootedPolyline& line,
         double alpha,

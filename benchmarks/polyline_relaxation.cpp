@@ -40,17 +40,17 @@ public:
     RelaxedPolyline run() {
         RelaxedPolyline result;
         for (; result.rounds < kMaxRounds && alpha_ < kHighestAlpha; ++result.rounds) {
-            descend(kRoundDecrement, result);
+            descend(kSampled.roundDecrement, result);
             double ratio = heightRatio();
-            if (ratio < kAimedShare) {
-                descend(kRestDecrement, result);
+            if (ratio < kSampled.nearShare) {
+                descend(kSampled.restDecrement, result);
                 ratio = heightRatio();
                 if (ratio < 1.0) {
                     result.isWithinTolerance = true;
                     break;
                 }
             }
-            alpha_ *= alphaGrowth(ratio);
+            alpha_ *= sampledSchedule().growth(ratio);
         }
         result.largestHeight = heightRatio();
         result.internalEnergy = energy_.terms(now_, now_.frames).internal;

@@ -96,7 +96,7 @@ PickPath Scene::makePath() const {
 }
 
 FootedSpline Scene::footed(const SplineCurve& curve) const {
-    const SampledEnergy energy(problem, curve.space, heightUnit);
+    const SampledIntegrals energy(problem, curve.space, heightUnit);
     const TriangleTree tree(prepared.extended()->vertices, prepared.extended()->faces);
     FootedSpline result;
     result.controls = curve.controls;

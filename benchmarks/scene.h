@@ -6,7 +6,7 @@
 #include "design/prepared_surface.h"
 #include "solver/curve_problem.h"
 #include "solver/initial_curve.h"
-#include "solver/sampled_energy.h"
+#include "solver/sampled_integrals.h"
 #include "solver/solution.h"
 
 #include <vector>
@@ -30,9 +30,9 @@ struct Scene {
     std::vector<SurfacePoint> located;  ///< the picks
     PickPath path;
     CurveProblem problem;
-    double heightUnit;         ///< of SampledEnergy
+    double heightUnit;         ///< of SampledIntegrals
     SplineCurve first;         ///< along the path, as in solveSampled()
-    FootedSpline firstFooted;  ///< the same with the feet of SampledEnergy's samples
+    FootedSpline firstFooted;  ///< the same with the feet of SampledIntegrals's samples
     Solution solution;
 
     /// Paths from pick to pick, as at first.

@@ -38,14 +38,6 @@ AffineForm beyondForm(const CurveProblem& problem, const ShellCell& cell) {
 
 }  // namespace
 
-double fieldWeight(const CurveProblem& problem) {
-    return problem.fieldCosts.meanExcess > 0.0 ? problem.options.fieldWeight : 0.0;
-}
-
-double fieldStrength(const CurveProblem& problem) {
-    return fieldWeight(problem) * problem.fieldCosts.meanExcess / kUsualBending;
-}
-
 CellIntegrand::CellIntegrand(
     const CurveProblem& problem,
     const EnergyWeights& weights,

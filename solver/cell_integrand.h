@@ -64,11 +64,4 @@ private:
     ClosenessForm closeness_;
 };
 
-/// The weight of the field: mu of (7), or 0 without a field or where it costs the same everywhere.
-[[nodiscard]] double fieldWeight(const CurveProblem& problem);
-
-/// How strong the field is beside bending: mu times what the field costs on average over its least
-/// cost, relative to the bending of a usual curve. 0 where the field has no say.
-[[nodiscard]] double fieldStrength(const CurveProblem& problem);
-
 }  // namespace bspline_curve

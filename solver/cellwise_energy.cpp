@@ -1,79 +1,241 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/cellwise_energy.h"
 
-#include <cmath>
+#include "projection/curve_distance.h"
+#include "solver/knot_insertion.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
 
 namespace bspline_curve {
-CellwiseEnergy::CellwiseEnergy(
-    const CurveProblem& problem,
-    const SplineSpace& space,
-    const std::vector<InterpolationRow>& rows,
-    int segments
-)
-    : problem_(problem),
-      space_(space),
-      rows_(rows),
-      internal_(problem, space),
-      segments_(segments) {}
+namespace {
 
-EnergyValue CellwiseEnergy::evaluate(
-    const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
-) const {
-    EnergyValue value;
-    value.inside =
-        segments_ == 0
-            ? integrateCells(problem_, space_, controls, weights, value.terms, derivatives)
-            : integrateSamples(
-                  problem_, space_, controls, weights, segments_, value.terms, derivatives
-              );
-    if (!value.inside) {
-        return value;
+struct CellwiseEnergyConstants {
+    /// Rounds that only prepare the next one take E_dist at two samples on each of so many parts of
+    /// a span. Even, so that halved spans have the same samples.
+    int roughSegments = 2;
+    /// Not with more tension than this, which leaves little that holds the curve between samples.
+    double highestRoughTension = 0.5;
+    /// More knots no longer change the curve where they would lower the energy by less than this
+    /// share of it; and at samples, which see less of it.
+    double negligibleGain = 0.03;
+    double negligibleSampledGain = 0.02;
+    /// Or, under tension, where they move it by less than this share of the distance of two picks,
+    /// and less than the tolerance: a corner at a pick gains by the same share however fine they
+    /// are.
+    double moveShare = 5e-3;
+};
+
+constexpr CellwiseEnergyConstants kConstants;
+
+struct CellwiseNewtonConstants {
+    /// Shares of the negative part. Damping it only on the spans that make the Hessian indefinite
+    /// takes more iterations.
+    std::array<double, 5> negativeShares = {1.0, 0.5, 0.25, 0.125, 0.0};
+    /// Without that part the Hessian may still be indefinite: between faces to avoid, in ways that
+    /// are one face wide, the closeness bends downwards.
+    std::array<double, 3> ridges = {1e-2, 1.0, 1e2};
+    /// In whole steps: more than any curve asked for.
+    double longestStep = 64.0;
+};
+
+constexpr CellwiseNewtonConstants kNewton;
+
+int firstSegments(const CurveProblem& problem) {
+    if (problem.options.quadrature == Quadrature::Samples) {
+        return (problem.options.samplesPerSpan + 1) / 2;  // two samples each
     }
-    value.terms.internal = internal_.add(controls, derivatives);
-    value.terms.fit = addFit(controls, weights, derivatives);
-    const double field = fieldWeight(problem_) * value.terms.external;
-    const double others = value.terms.internal + weights.alpha * value.terms.distance +
-                          weights.beta * value.terms.fit +
-                          weights.avoidance * value.terms.avoidance;
-    value.total = others + field;
-    const double aboveLeast =
-        fieldWeight(problem_) * (value.terms.external - problem_.fieldCosts.least);
-    value.scale = others + kFieldShare * std::abs(aboveLeast);
-    return value;
+    // A field draws the samples into its valleys, and the curve between them over its ridges.
+    const bool isSmooth =
+        problem.options.tension <= kConstants.highestRoughTension && !hasPull(problem);
+    // Straight walks between samples cut the corners of what the curve avoids.
+    const bool isFree = problem.obstacles == nullptr;
+    return problem.shell->isFullResolution() || !isSmooth || !isFree ? 0 : kConstants.roughSegments;
 }
 
-double CellwiseEnergy::addFit(
-    const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
-) const {
-    const double scale =
-        1.0 / (static_cast<double>(rows_.size()) * problem_.chordLength * problem_.chordLength);
-    double energy = 0.0;
-    for (const InterpolationRow& row : rows_) {
-        Vec3 gap = -row.target;
-        for (int j = 0; j < space_.basisCount(); ++j) {
-            gap += row.values[j] * controls.row(space_.control(row.span, j)).transpose();
-        }
-        energy += scale * gap.squaredNorm();
-        if (derivatives != nullptr && weights.beta > 0.0) {
-            addGradient(
-                derivatives->gradient,
-                space_,
-                row.span,
-                row.values,
-                2.0 * scale * weights.beta * gap
-            );
-            for (int axis = 0; axis < 3; ++axis) {
-                addRankOne(
-                    derivatives->hessian[row.span],
-                    row.values,
-                    Vec3::Unit(axis),
-                    2.0 * scale * weights.beta,
-                    space_.basisCount()
-                );
-            }
+double shortestPickDistance(const CurveProblem& problem) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < problem.picks.size(); ++i) {
+        shortest =
+            std::min(shortest, (problem.picks[i].position - problem.picks[i - 1].position).norm());
+    }
+    return shortest;
+}
+
+}  // namespace
+
+NewtonPolicy cellwiseNewton() {
+    NewtonPolicy policy;
+    policy.negativeShares = kNewton.negativeShares;
+    policy.ridges = kNewton.ridges;
+    policy.longestStep = kNewton.longestStep;
+    return policy;
+}
+
+CellwiseEnergy::CellwiseEnergy(const CurveProblem& problem, SplineCurve curve, double tensionFloor)
+    : Energy(problem, std::move(curve.space)),
+      segments_(firstSegments(problem)),
+      tensionFloor_(tensionFloor),
+      restingMove_(
+          std::min(problem.distanceTolerance, kConstants.moveShare * shortestPickDistance(problem))
+      ),
+      integrals_(std::make_unique<CellwiseIntegrals>(problem, space(), picks().rows(), segments_)),
+      controls_(std::move(curve.controls)) {}
+
+void CellwiseEnergy::setWeights(const EnergyWeights& weights) {
+    Energy::setWeights(weights);
+    isDifferentiated_ = false;
+}
+
+EnergyValue CellwiseEnergy::differentiate() {
+    if (!isDifferentiated_) {
+        value_ = integrals_->evaluate(controls_, weights_, derivatives_);
+        isDifferentiated_ = true;
+    }
+    hessian_ = derivatives_.hessian;
+    negativeShare_ = 0.0;
+    return value_;
+}
+
+const std::vector<SpanBlocks>& CellwiseEnergy::hessian(double negativeShare) {
+    const double more = negativeShare - negativeShare_;
+    for (std::size_t span = 0; more != 0.0 && span < hessian_.size(); ++span) {
+        for (std::size_t block = 0; block < hessian_[span].size(); ++block) {
+            hessian_[span][block] += more * derivatives_.negativeKinks[span][block];
         }
     }
-    return energy;
+    negativeShare_ = negativeShare;
+    return hessian_;
+}
+
+// Mostly the whole step is taken, so its derivatives are computed with its value.
+EnergyValue CellwiseEnergy::tryStep(const Eigen::VectorXd& step, double length) {
+    trial_.resize(controls_.rows(), 3);
+    Eigen::Map<Eigen::VectorXd>(trial_.data(), trial_.size()) =
+        Eigen::Map<const Eigen::VectorXd>(controls_.data(), controls_.size()) + length * step;
+    isTrialDifferentiated_ = length >= 1.0;
+    trialValue_ = isTrialDifferentiated_ ? integrals_->evaluate(trial_, weights_, trialDerivatives_)
+                                         : integrals_->evaluate(trial_, weights_);
+    return trialValue_;
+}
+
+void CellwiseEnergy::acceptStep() {
+    controls_.swap(trial_);
+    std::swap(derivatives_, trialDerivatives_);
+    value_ = trialValue_;
+    isDifferentiated_ = isTrialDifferentiated_;
+}
+
+bool CellwiseEnergy::isRough() const {
+    return problem_.options.quadrature != Quadrature::Samples && segments_ > 0;
+}
+
+void CellwiseEnergy::setSegments(int segments) {
+    segments_ = segments;
+    integrals_->setSegments(segments);
+    isDifferentiated_ = false;
+}
+
+void CellwiseEnergy::makeExact() {
+    if (isRough()) {
+        setSegments(0);
+    }
+}
+
+void CellwiseEnergy::freezeDirections(double freshShare) {
+    if (problem_.options.bending == Bending::Ambient) {
+        return;
+    }
+    std::optional<BendingDirections> fresh =
+        bendingDirectionsAlong(problem_, space(), controls_, segments_);
+    if (!fresh && isRough()) {
+        makeExact();
+        fresh = bendingDirectionsAlong(problem_, space(), controls_, segments_);
+    }
+    if (!fresh) {
+        return;
+    }
+    if (!directions_.samples.empty() && freshShare < 1.0) {
+        for (BendingDirections::Sample& sample : fresh->samples) {
+            sample.direction = (freshShare * sample.direction +
+                                (1.0 - freshShare) * directions_.at(sample.parameter))
+                                   .normalized();
+        }
+    }
+    directions_ = std::move(*fresh);
+    integrals_->setDirections(directions_);
+    isDifferentiated_ = false;
+}
+
+CurveDistance CellwiseEnergy::trace() {
+    return measureDistance(traceStartOf(problem_), space(), controls_);
+}
+
+KnotDemand CellwiseEnergy::refinementGain() {
+    KnotDemand gain;
+    gain.perSpan.assign(space().spanCount(), 0.0);
+    SplineSpace halved(
+        space().degree(),
+        space().closed(),
+        halveSpans(space(), std::vector<char>(space().spanCount(), 1), 0.0)
+    );
+    ControlPoints refined = refine(space(), controls_, halved);
+    CellwiseEnergy fine(problem_, {std::move(halved), std::move(refined)}, tensionFloor_);
+    fine.setSegments(isRough() ? kConstants.roughSegments / 2 : segments_);
+    fine.setWeights(weights_);
+    const double negligible =
+        isRough() ? kConstants.negligibleSampledGain : kConstants.negligibleGain;
+    const double savable = value_.scale - tensionFloor_;
+    const auto withVerdict = [&](double largestMove) {
+        gain.isNegligible = gain.total < negligible * savable ||
+                            (tensionFloor_ > 0.0 && largestMove < restingMove_);
+        return gain;
+    };
+    if (problem_.options.bending == Bending::Geodesic) {
+        std::optional<BendingDirections> resampled =
+            bendingDirectionsAlong(problem_, fine.space(), fine.controls(), fine.segments_);
+        if (!resampled) {
+            return withVerdict(0.0);
+        }
+        for (BendingDirections::Sample& sample : resampled->samples) {
+            sample.direction = directions_.at(sample.parameter);
+        }
+        fine.integrals_->setDirections(*resampled);
+    }
+    if (!fine.differentiate().inside) {
+        return withVerdict(0.0);
+    }
+    // The negative part can make the finer Hessian nearly singular, and the promise without bound:
+    // leave it out.
+    static constexpr std::array<double, 1> kNoNegative = {0.0};
+    NewtonPolicy policy = cellwiseNewton();
+    policy.negativeShares = kNoNegative;
+    const std::optional<NewtonStep> step = newtonStep(fine, problem_.options.interpolation, policy);
+    if (!step) {
+        return withVerdict(0.0);
+    }
+    gain.total = -0.5 * fine.derivatives().gradient.dot(step->direction);
+    double largestMove = 0.0;
+    for (Eigen::Index c = 0; c < fine.space().controlCount(); ++c) {
+        largestMove = std::max(largestMove, step->direction.segment<3>(3 * c).norm());
+    }
+    // The fall is half the step's energy norm, which the spans share.
+    for (int span = 0; span < fine.space().spanCount(); ++span) {
+        const SpanVector local = unknownsOf(fine.space(), span, step->direction);
+        gain.perSpan[span / 2] +=
+            0.5 *
+            local.dot(dense(fine.derivatives().hessian[span], fine.space().basisCount()) * local);
+    }
+    return withVerdict(largestMove);
+}
+
+void CellwiseEnergy::insertKnots(SplineSpace finer) {
+    const auto coarse = std::exchange(basis_, std::make_unique<Basis>(problem_, std::move(finer)));
+    controls_ = refine(coarse->space, controls_, space());
+    integrals_ = std::make_unique<CellwiseIntegrals>(problem_, space(), picks().rows(), segments_);
+    isDifferentiated_ = false;
 }
 
 }  // namespace bspline_curve

@@ -1,67 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/report.h"
-#include "solver/internal_energy.h"
-#include "solver/quadrature.h"
+#include "solver/cellwise_integrals.h"
+#include "solver/energy.h"
+#include "solver/newton.h"
 
+#include <memory>
 #include <vector>
 
 namespace bspline_curve {
 
-struct EnergyValue {
-    bool inside = false;  ///< the curve may be used: below the barrier; else nothing else is set
-    double total = 0.0;
-    /// What changes of the energy are measured against: the terms that are never negative, and a
-    /// part of what the field costs over its least cost.
-    double scale = 0.0;
-    EnergyTerms terms;
-};
+/// For CellwiseEnergy.
+[[nodiscard]] NewtonPolicy cellwiseNewton();
 
-/// The energy (7) of a spline in a shell.
-/// `segments`: E_dist and E_ext at two samples on each of so many parts of a span; 0: cell by cell,
-/// exactly.
-class CellwiseEnergy {
+/// The energy (7) of a spline in a shell, cell by cell, or in rounds that only prepare the next one
+/// at a few samples. Bending directions stay frozen until freezeDirections().
+class CellwiseEnergy final : public Energy {
 public:
-    CellwiseEnergy(
-        const CurveProblem& problem,
-        const SplineSpace& space,
-        const std::vector<InterpolationRow>& rows,
-        int segments
-    );
+    /// `tensionFloor`: what no knot can save of E_int.
+    CellwiseEnergy(const CurveProblem& problem, SplineCurve curve, double tensionFloor);
 
-    /// See InternalEnergy::setDirections.
-    void setDirections(const BendingDirections& directions) { internal_.setDirections(directions); }
+    [[nodiscard]] const ControlPoints& controls() const override { return controls_; }
 
-    void setSegments(int segments) { segments_ = segments; }
-
-    [[nodiscard]] EnergyValue evaluate(
-        const ControlPoints& controls, const EnergyWeights& weights
-    ) const {
-        return evaluate(controls, weights, nullptr);
+    void setControls(const ControlPoints& controls) override {
+        controls_ = controls;
+        isDifferentiated_ = false;
     }
 
-    /// Sets the derivatives as well.
-    [[nodiscard]] EnergyValue evaluate(
-        const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives& derivatives
-    ) const {
-        derivatives.reset(space_);
-        return evaluate(controls, weights, &derivatives);
-    }
+    void setWeights(const EnergyWeights& weights) override;
+    EnergyValue differentiate() override;
+    [[nodiscard]] const std::vector<SpanBlocks>& hessian(double negativeShare) override;
+    EnergyValue tryStep(const Eigen::VectorXd& step, double length) override;
+    void acceptStep() override;
+
+    void freezeDirections(double freshShare) override;
+
+    [[nodiscard]] bool isRough() const override;
+    void makeExact() override;
+
+    [[nodiscard]] CurveDistance measure() override { return trace(); }
+
+    [[nodiscard]] CurveDistance trace() override;
+
+    /// By one Newton step in the space with all spans halved, shared among the spans by the step's
+    /// energy norm; the directions stay as they are.
+    [[nodiscard]] KnotDemand refinementGain() override;
+    void insertKnots(SplineSpace finer) override;
 
 private:
-    [[nodiscard]] EnergyValue evaluate(
-        const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
-    ) const;
-    double addFit(
-        const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
-    ) const;
+    void setSegments(int segments);
 
-    const CurveProblem& problem_;
-    const SplineSpace& space_;
-    const std::vector<InterpolationRow>& rows_;
-    InternalEnergy internal_;
-    int segments_;
+    int segments_;  // on each span, of two samples each; 0: integrals cell by cell
+    double tensionFloor_;
+    double restingMove_;  // more knots change nothing where they move the curve less than this
+    std::unique_ptr<CellwiseIntegrals> integrals_;
+    BendingDirections directions_;
+    ControlPoints controls_, trial_;
+    EnergyValue value_, trialValue_;
+    EnergyDerivatives trialDerivatives_;
+    bool isDifferentiated_ = false, isTrialDifferentiated_ = false;
+    std::vector<SpanBlocks> hessian_;  // with a share of the negative part
+    double negativeShare_ = 0.0;
 };
 
 }  // namespace bspline_curve

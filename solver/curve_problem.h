@@ -45,4 +45,22 @@ struct CurveProblem {
     Progress progress;
 };
 
+/// The weight of the field: mu of (7), or 0 without a field or where it costs the same everywhere.
+[[nodiscard]] inline double fieldWeight(const CurveProblem& problem) {
+    return problem.fieldCosts.meanExcess > 0.0 ? problem.options.fieldWeight : 0.0;
+}
+
+/// How strong the field is beside bending: mu times what the field costs on average over its least
+/// cost, relative to the bending of a usual curve. 0 where the field has no say.
+[[nodiscard]] inline double fieldStrength(const CurveProblem& problem) {
+    return fieldWeight(problem) * problem.fieldCosts.meanExcess / kUsualBending;
+}
+
+/// Whether it is strong enough to move a curve: weaker ones are less than the digits of E_int, at 5
+/// and more, that are asked for.
+[[nodiscard]] inline bool hasPull(const CurveProblem& problem) {
+    constexpr double kFaintField = 1e-6;
+    return fieldStrength(problem) > kFaintField;
+}
+
 }  // namespace bspline_curve

@@ -3,33 +3,9 @@
 
 namespace bspline_curve {
 void EnergyDerivatives::reset(const SplineSpace& space) {
-    const int size = 3 * space.basisCount();
     gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space.controlCount()));
-    hessian.assign(space.spanCount(), SpanMatrix::Zero(size, size));
-    negativeKinks.assign(space.spanCount(), SpanMatrix::Zero(size, size));
-}
-
-void addRankOne(
-    SpanMatrix& block,
-    const SplineSpace::BasisValues& basis,
-    const Vec3& direction,
-    double scale,
-    int basisCount
-) {
-    std::array<double, kMaxSpanUnknowns> v{};
-    const int size = 3 * basisCount;
-    for (int j = 0; j < basisCount; ++j) {
-        for (int axis = 0; axis < 3; ++axis) {
-            v[3 * j + axis] = basis[j] * direction[axis];
-        }
-    }
-    double* data = block.data();
-    for (int j = 0; j < size; ++j) {
-        const double factor = scale * v[j];
-        for (int i = 0; i < size; ++i) {
-            data[j * size + i] += factor * v[i];
-        }
-    }
+    hessian.assign(space.spanCount(), SpanBlocks{});
+    negativeKinks.assign(space.spanCount(), SpanBlocks{});
 }
 
 void DerivativeCollector::finish() {
@@ -42,18 +18,6 @@ void DerivativeCollector::finish() {
     negativeKinks_.addMatricesTo(derivatives_.negativeKinks[span_], basis, space_.basisCount());
     points_.clear();
     negativeKinks_.clear();
-}
-
-void addGradient(
-    Eigen::VectorXd& gradient,
-    const SplineSpace& space,
-    int span,
-    const SplineSpace::BasisValues& basis,
-    const Vec3& force
-) {
-    for (int j = 0; j < space.basisCount(); ++j) {
-        gradient.segment<3>(3 * space.control(span, j)) += basis[j] * force;
-    }
 }
 
 }  // namespace bspline_curve

@@ -12,8 +12,8 @@ namespace bspline_curve {
 /// kept apart, so that it can be damped.
 struct EnergyDerivatives {
     Eigen::VectorXd gradient;
-    std::vector<SpanMatrix> hessian;
-    std::vector<SpanMatrix> negativeKinks;
+    std::vector<SpanBlocks> hessian;
+    std::vector<SpanBlocks> negativeKinks;
 
     void reset(const SplineSpace& space);
 };
@@ -88,24 +88,5 @@ private:
     SpanMoments points_, negativeKinks_;
     int span_ = -1;
 };
-
-/// block += scale v v^T with v = basis (x) direction: the second derivative of scale / 2 (direction
-/// . P)^2.
-void addRankOne(
-    SpanMatrix& block,
-    const SplineSpace::BasisValues& basis,
-    const Vec3& direction,
-    double scale,
-    int basisCount
-);
-
-/// gradient += basis (x) force on the control points of a span.
-void addGradient(
-    Eigen::VectorXd& gradient,
-    const SplineSpace& space,
-    int span,
-    const SplineSpace::BasisValues& basis,
-    const Vec3& force
-);
 
 }  // namespace bspline_curve

@@ -2,6 +2,7 @@
 #include "solver/initial_curve.h"
 
 #include "solver/obstacles.h"
+#include "solver/paper/control_polygon.h"
 #include "solver/shell_reach.h"
 #include "solver/spline_fit.h"
 

@@ -152,7 +152,9 @@ void InternalEnergy::setDirections(const BendingDirections& directions) {
                          (1.0 - problem_.options.tension) *
                          (1.0 - problem_.options.normalBendingWeight);
     const auto addTo = [&](int span, SpanMoments& moments) {
-        moments.addMatricesTo(internal_[span], space_.bernsteinBasis(span, 2), space_.basisCount());
+        SpanBlocks blocks{};
+        moments.addMatricesTo(blocks, space_.bernsteinBasis(span, 2), space_.basisCount());
+        internal_[span] += dense(blocks, space_.basisCount());
         moments.clear();
     };
     int span = 0;
@@ -184,7 +186,17 @@ double InternalEnergy::add(const ControlPoints& controls, EnergyDerivatives* der
                 derivatives->gradient.segment<3>(3 * space_.control(span, j)) +=
                     hx.segment<3>(3 * j);
             }
-            derivatives->hessian[span] += internal_[span];
+            for (int j = 0; j < n; ++j) {
+                for (int k = 0; k <= j; ++k) {
+                    // Of the lower triangle of the whole Hessian, where a closed spline wraps
+                    // round.
+                    const bool wraps = space_.control(span, j) < space_.control(span, k);
+                    const auto m =
+                        internal_[span].block<3, 3>(3 * (wraps ? k : j), 3 * (wraps ? j : k));
+                    derivatives->hessian[span][blockIndex(j, k)] +=
+                        SymmetricMatrix{m(0, 0), m(1, 0), m(2, 0), m(1, 1), m(2, 1), m(2, 2)};
+                }
+            }
         }
     }
     return energy;

@@ -1,171 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/report.h"
-#include "projection/fibre_projector.h"
-#include "solver/energy_derivatives.h"
+#include "solver/energy.h"
+#include "solver/sampled_integrals.h"
 
-#include <span>
+#include <memory>
 #include <vector>
 
 namespace bspline_curve {
 
-/// A spline, the feet of its samples, and its positions and second derivatives by t there, which
-/// SampledEnergy::follow sets.
-struct FootedSpline {
-    ControlPoints controls;
-    std::vector<FootPoint> feet;
-    std::vector<FootFrame> frames;
-    std::vector<Vec3> positions, seconds;
-};
+struct FootOfSpan;
 
-/// First and second derivative of stiffness / 2 height^2 by the position of a sample. `turning`:
-/// share of what the height's own second derivative adds, the change of n along the surface.
-[[nodiscard]] inline PointDerivatives heightDerivatives(
-    const FootPoint& foot, const FootFrame& frame, double stiffness, double turning
-) {
-    const double force = stiffness * foot.height;
-    PointDerivatives point;
-    point.force = force * frame.height;
-    point.addRankOne(frame.height, stiffness);
-    point.addProduct(frame.turnU, frame.u, 0.5 * turning * force);
-    point.addProduct(frame.turnV, frame.v, 0.5 * turning * force);
-    return point;
-}
-
-/// The energy (7) of a spline at samples, by their foot points: E_int (4) without the normal
-/// bending that the surface forces, E_ext (5), and in place of (8) the mean of (height / unit)^2,
-/// which has no pole. It takes no cells, so what it costs does not depend on the resolution of the
-/// surface.
-///
-/// The gradient is exact at samples whose feet lie inside faces. The second derivatives hold how
-/// the surface bends beneath a sample as the turning of the pillar directions over its face, in
-/// place of the kinks at edges, which samples do not see.
-class SampledEnergy {
+/// The energy (7) at samples of a spline, by their foot points. Bending directions are frozen anew
+/// at each differentiate(), so they are those of where a step starts.
+class SampledEnergy final : public Energy {
 public:
-    /// Two Gauss points on each of so many parts of a span. With one curves bend by a fifth more;
-    /// with three they cost a tenth more than with two for the same bending, but more of those that
-    /// pass folds come to lie in the shell.
-    static constexpr int kUsualSegments = 2;
-    static constexpr int kMostSegments = 3;
-
-    /// `heightUnit`: in the shell's frame; `segments`: up to kMostSegments.
+    /// `heightUnit`, `segments`: see SampledIntegrals. The feet are sought from the initial path.
     SampledEnergy(
         const CurveProblem& problem,
-        const SplineSpace& space,
+        SplineCurve curve,
+        const InitialPath& initialPath,
         double heightUnit,
-        int segments = kUsualSegments
+        int segments
     );
 
-    [[nodiscard]] bool hasField() const { return fieldWeight_ > 0.0; }
+    [[nodiscard]] const ControlPoints& controls() const override { return now_.controls; }
 
-    [[nodiscard]] int samplesPerSpan() const { return 2 * segments_; }
+    [[nodiscard]] const FootedSpline& footed() const { return now_; }
 
-    [[nodiscard]] int sampleCount() const { return space_.spanCount() * samplesPerSpan(); }
+    void setFooted(const FootedSpline& spline) { now_ = spline; }
 
-    [[nodiscard]] double parameter(int sample) const { return samples_[sample].parameter; }
+    void setControls(const ControlPoints& controls) override;
 
-    /// Finds the feet of all samples anew, each from where it is, or where it has been followed
-    /// before, from where that predicts it to be; and their positions and second derivatives.
-    void follow(const FibreProjector& finder, FootedSpline& spline) const;
+    EnergyValue differentiate() override;
+    [[nodiscard]] const std::vector<SpanBlocks>& hessian(double negativeShare) override;
+    EnergyValue tryStep(const Eigen::VectorXd& step, double length) override;
 
-    /// The same for a spline that is another one refined, whose feet have been found: they are
-    /// those of its samples on spans that stayed whole, and lie near them on the others.
-    void followRefined(
-        const FibreProjector& finder,
-        const SampledEnergy& before,
-        const FootedSpline& coarse,
-        FootedSpline& spline
-    ) const;
+    void acceptStep() override { std::swap(now_, trial_); }
 
-    /// The terms at a spline; bending along the directions of `frozen` (one frame per sample) does
-    /// not count.
-    [[nodiscard]] EnergyTerms terms(
-        const FootedSpline& spline, const std::vector<FootFrame>& frozen
-    ) const;
+    /// Damps spans so that the model has the energy of the trial there. What was not foreseen grows
+    /// with the square of the way, as where samples pass kinks of the surface heights grow with it.
+    [[nodiscard]] bool dampModelErrors() override;
 
-    /// The weighted sum of the terms; and what changes of it are measured against, which leaves
-    /// most of the field's least cost out.
-    [[nodiscard]] double total(const EnergyTerms& terms, double alpha) const;
-    [[nodiscard]] double scale(const EnergyTerms& terms, double alpha) const;
-
-    /// Gradient and Hessian with the spline's own directions frozen; returns the terms there.
-    /// `turning`: share of the surface's bending in the Hessian, which can make it indefinite.
-    EnergyTerms differentiate(
-        const FootedSpline& spline,
-        double alpha,
-        double turning,
-        Eigen::VectorXd& gradient,
-        std::vector<SpanBlocks>& hessian
-    ) const;
-
-    /// Of one span: how much more energy it has after a step than Newton's model of it says, and
-    /// the integral over t of the squared way of its points.
-    struct ModelError {
-        double energy = 0.0;
-        double squaredWay = 0.0;
-    };
-
-    /// By span and without a field, where `spline` has moved from `before`, at which the model was
-    /// made.
-    [[nodiscard]] std::vector<ModelError> modelErrors(
-        const FootedSpline& before, const FootedSpline& spline, double alpha
-    ) const;
-
-    /// Adds the Hessian of damping[span] times the integral over t of the squared way of the span's
-    /// points.
-    void addDamping(const std::vector<double>& damping, std::vector<SpanBlocks>& hessian) const;
-
-    /// How much the energy would fall if a span could bulge by itself: one Newton step for the
-    /// bubble tau^2 (1 - tau)^2 times a vector, which no cubic spline of the space has and some of
-    /// a finer one nearly have. Its second derivative is orthogonal to those of cubics; quadratic
-    /// splines gain more by halving than it promises.
-    [[nodiscard]] double refinementGain(const FootedSpline& spline, double alpha, int span) const;
-
-    [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
+    /// The largest height of a sample alone.
+    [[nodiscard]] CurveDistance measure() override;
+    /// In the problem's shell, or along the fibres where it has none.
+    [[nodiscard]] CurveDistance trace() override;
+    [[nodiscard]] KnotDemand refinementGain() override;
+    void insertKnots(SplineSpace finer) override;
 
 private:
-    void followSpans(
-        const FibreProjector& finder, bool isKnown, std::span<const int> spans, FootedSpline& spline
-    ) const;
-    void placeSpan(bool isKnown, int span, FootedSpline& spline) const;
-    [[nodiscard]] double distanceTerm(const FootPoint& foot, double weight) const;
+    [[nodiscard]] EnergyValue valueOf(const EnergyTerms& terms) const;
+    void differentiateWith(double negativeShare);
+    [[nodiscard]] FootOfSpan footAtMiddle() const;
 
-    // Of one span: its terms, and the gradient by its control points.
-    struct SpanForces {
-        EnergyTerms terms;
-        std::array<Vec3, kMaxBasis> forces;
-    };
-
-    [[nodiscard]] SpanForces differentiateSpan(
-        const FootedSpline& spline, double alpha, double turning, int span, SpanBlocks& blocks
-    ) const;
-    // What E_dist and E_ext say at a sample, by the position; adds to these terms.
-    [[nodiscard]] PointDerivatives pointDerivatives(
-        const FootedSpline& spline, double alpha, double turning, int sample, EnergyTerms& terms
-    ) const;
-    [[nodiscard]] double fieldAt(const FootPoint& foot) const;
-    [[nodiscard]] Vec3 fieldGradient(const FootPoint& foot, const FootFrame& frame) const;
-    [[nodiscard]] double beyond(const FootPoint& foot) const;
-    [[nodiscard]] Vec3 beyondGradient(const FootPoint& foot, const FootFrame& frame) const;
-
-    static constexpr int kMostSamples = 2 * kMostSegments;  // of a span
-
-    struct Sample {
-        double parameter;      // t
-        double weight;         // of the quadrature over [0, 1]
-        double normalBending;  // of (n . P'')^2 in E_int: negative
-        SplineSpace::BasisValues basis, second;
-    };
-
-    const CurveProblem& problem_;
-    const SplineSpace& space_;
+    FibreProjector projector_;
     double heightUnit_;
     int segments_;
-    double fieldWeight_;
-    std::vector<Sample> samples_;
-    std::vector<SplineSpace::BasisMatrix>
-        ambient_;  // E_int with all bending = x^T A x / 2, by span
+    std::unique_ptr<SampledIntegrals> integrals_;
+    FootedSpline now_, trial_;
+    EnergyTerms terms_;            // at the last differentiate()
+    double negativeShare_ = 1.0;   // in the Hessian
+    std::vector<double> damping_;  // by span, see SampledIntegrals::addDamping()
 };
 
 }  // namespace bspline_curve

@@ -14,10 +14,7 @@ namespace {
 // the fourth.
 constexpr double kRegularisation = 1e-5;
 // Of the squared distance from the picks; multipliers do the rest.
-constexpr double kConstraintWeight = 1e4;
-// The multipliers have converged when the picks are met to rounding.
-constexpr double kConstraintAccuracy = 1e-12;
-constexpr int kMaxMultiplierSteps = 12;
+constexpr double kFitConstraintWeight = 1e4;
 
 using BasisMatrix = SplineSpace::BasisMatrix;
 
@@ -50,93 +47,19 @@ BasisMatrix fitProducts(const SplineSpace& space, int span) {
     return products;
 }
 
-// The quadratic problem of a fit under the interpolation constraints, for all axes at once.
-class Fit {
-public:
-    Fit(const SplineSpace& space, std::vector<InterpolationRow> rows)
-        : space_(space),
-          rows_(std::move(rows)),
-          factor_(bandCholeskyOf<1>(space)),
-          right_(ControlPoints::Zero(space.controlCount(), 3)) {}
-
-    void addTarget(int span, const SpanTarget& target) {
-        addToMatrix(span, fitProducts(space_, span));
-        for (int j = 0; j < space_.basisCount(); ++j) {
-            Vec3 mean = Vec3::Zero();
-            for (int m = 0; m < space_.basisCount(); ++m) {
-                mean += space_.basis(span)(j, m) * target.moments[m];
-            }
-            right_.row(space_.control(span, j)) += space_.spanLength(span) * mean.transpose();
-        }
-    }
-
-    // By the method of multipliers; zero where the matrix is not positive definite.
-    [[nodiscard]] ControlPoints solve() {
-        for (const InterpolationRow& row : rows_) {
-            BasisMatrix products = BasisMatrix::Zero();
-            for (int j = 0; j < space_.basisCount(); ++j) {
-                for (int k = 0; k < space_.basisCount(); ++k) {
-                    products(j, k) = kConstraintWeight * row.values[j] * row.values[k];
-                }
-            }
-            addToMatrix(row.span, products);
-        }
-        ControlPoints controls = ControlPoints::Zero(space_.controlCount(), 3);
-        if (!factor_.factorise()) {
-            return controls;
-        }
-        // What pulls at each pick.
-        std::vector<Vec3> pulls;
-        for (const InterpolationRow& row : rows_) {
-            pulls.emplace_back(kConstraintWeight * row.target);
-        }
-        for (int step = 0; step < kMaxMultiplierSteps; ++step) {
-            controls = pulledBy(pulls);
-            double largest = 0.0;
-            for (std::size_t r = 0; r < rows_.size(); ++r) {
-                const Vec3 gap = rows_[r].target - valueAt(rows_[r], controls);
-                pulls[r] += kConstraintWeight * gap;
-                largest = std::max(largest, gap.lpNorm<Eigen::Infinity>());
-            }
-            if (largest <= kConstraintAccuracy) {
-                break;
+void addToMatrix(
+    BandCholesky<1>& factor, const SplineSpace& space, int span, const BasisMatrix& products
+) {
+    for (int j = 0; j < space.basisCount(); ++j) {
+        for (int i = 0; i < space.basisCount(); ++i) {
+            const int row = space.control(span, i);
+            const int column = space.control(span, j);
+            if (row >= column) {
+                factor.add(row, column, &products(i, j), 1);
             }
         }
-        return controls;
     }
-
-private:
-    void addToMatrix(int span, const BasisMatrix& products) {
-        addSpan(factor_, space_, span, products.data(), products.outerStride());
-    }
-
-    [[nodiscard]] ControlPoints pulledBy(const std::vector<Vec3>& pulls) const {
-        ControlPoints right = right_;
-        for (std::size_t r = 0; r < rows_.size(); ++r) {
-            for (int j = 0; j < space_.basisCount(); ++j) {
-                right.row(space_.control(rows_[r].span, j)) +=
-                    rows_[r].values[j] * pulls[r].transpose();
-            }
-        }
-        for (int axis = 0; axis < 3; ++axis) {
-            right.col(axis) = factor_.solve(right.col(axis));
-        }
-        return right;
-    }
-
-    [[nodiscard]] Vec3 valueAt(const InterpolationRow& row, const ControlPoints& controls) const {
-        Vec3 value = Vec3::Zero();
-        for (int j = 0; j < space_.basisCount(); ++j) {
-            value += row.values[j] * controls.row(space_.control(row.span, j)).transpose();
-        }
-        return value;
-    }
-
-    const SplineSpace& space_;
-    std::vector<InterpolationRow> rows_;
-    BandCholesky<1> factor_;
-    ControlPoints right_;
-};
+}
 
 }  // namespace
 
@@ -156,14 +79,46 @@ SpanTarget::SpanTarget(const InitialPath& initialPath, double begin, double end)
 ControlPoints fitSpline(
     const CurveProblem& problem, const SplineSpace& space, const std::vector<SpanTarget>& targets
 ) {
-    const std::vector<InterpolationRow> rows = interpolationRows(space, problem.picks);
-    Fit fit(space, rows);
+    const PickConstraints picks(space, interpolationRows(space, problem.picks));
+    BandCholesky<1> factor = bandCholeskyOf<1>(space);
+    ControlPoints right = ControlPoints::Zero(space.controlCount(), 3);
     for (int span = 0; span < space.spanCount(); ++span) {
-        fit.addTarget(span, targets[span]);
+        addToMatrix(factor, space, span, fitProducts(space, span));
+        for (int j = 0; j < space.basisCount(); ++j) {
+            Vec3 mean = Vec3::Zero();
+            for (int m = 0; m < space.basisCount(); ++m) {
+                mean += space.basis(span)(j, m) * targets[span].moments[m];
+            }
+            right.row(space.control(span, j)) += space.spanLength(span) * mean.transpose();
+        }
     }
-    ControlPoints controls = fit.solve();
+    for (const InterpolationRow& row : picks.rows()) {
+        BasisMatrix products = BasisMatrix::Zero();
+        for (int j = 0; j < space.basisCount(); ++j) {
+            for (int k = 0; k < space.basisCount(); ++k) {
+                products(j, k) = kFitConstraintWeight * row.values[j] * row.values[k];
+            }
+        }
+        addToMatrix(factor, space, row.span, products);
+    }
+    ControlPoints controls = ControlPoints::Zero(space.controlCount(), 3);
+    if (factor.factorise()) {
+        const Eigen::VectorXd flat = picks.minimiser(
+            Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()),
+            picks.residual(controls),
+            kFitConstraintWeight,
+            [&](Eigen::VectorXd&& pulled) {
+                Eigen::Map<ControlPoints> axes(pulled.data(), space.controlCount(), 3);
+                for (int axis = 0; axis < 3; ++axis) {
+                    axes.col(axis) = factor.solve(axes.col(axis));
+                }
+                return std::move(pulled);
+            }
+        );
+        controls = Eigen::Map<const ControlPoints>(flat.data(), space.controlCount(), 3);
+    }
     // To rounding, before it is asked whether the curve stays inside.
-    SplineSystem(space, rows).meetConstraints(controls);
+    picks.meet(controls);
     return controls;
 }
 

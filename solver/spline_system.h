@@ -3,35 +3,12 @@
 
 #include "solver/curve_problem.h"
 #include "spline/band_cholesky.h"
-#include "spline/spline_space.h"
-#include "spline/symmetric_matrix.h"
-
-#include <Eigen/Core>
+#include "spline/span_blocks.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace bspline_curve {
-
-inline constexpr int kMaxSpanUnknowns = 3 * kMaxBasis;
-
-/// A dense symmetric block of one span: unknown 3 j + axis is that axis of the j-th control point
-/// of the span.
-using SpanMatrix = Eigen::Matrix<
-    double,
-    Eigen::Dynamic,
-    Eigen::Dynamic,
-    Eigen::ColMajor,
-    kMaxSpanUnknowns,
-    kMaxSpanUnknowns>;
-/// The same where all 3 x 3 blocks are symmetric: those of the lower triangle, block (j, k) of two
-/// control points of the span, k <= j, at j (j + 1) / 2 + k.
-using SpanBlocks = std::array<SymmetricMatrix, kMaxBasis*(kMaxBasis + 1) / 2>;
-
-using SpanVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSpanUnknowns, 1>;
 
 /// One row of the interpolation constraints: sum_j values[j] * control(span, j) = target.
 struct InterpolationRow {
@@ -44,6 +21,57 @@ struct InterpolationRow {
     const SplineSpace& space, const std::vector<PickConstraint>& picks
 );
 
+/// The interpolation constraints A x = target on the control points x of a spline.
+class PickConstraints {
+public:
+    PickConstraints(const SplineSpace& space, std::vector<InterpolationRow> rows)
+        : space_(space), rows_(std::move(rows)) {}
+
+    [[nodiscard]] const std::vector<InterpolationRow>& rows() const { return rows_; }
+
+    /// A x.
+    [[nodiscard]] Eigen::VectorXd apply(const Eigen::VectorXd& x) const;
+    /// out += A^T pulls.
+    void addTransposed(const Eigen::VectorXd& pulls, Eigen::VectorXd& out) const;
+    /// A x - target.
+    [[nodiscard]] Eigen::VectorXd residual(const ControlPoints& controls) const;
+
+    /// Moves the control points as little as possible so that the constraints hold to rounding.
+    void meet(ControlPoints& controls) const;
+
+    /// The x that minimises x^T H x / 2 - right^T x under A x = -residual, by the method of
+    /// multipliers: two or three solves. `solve`: of a system with H + weight A^T A.
+    template <class Solve>
+    [[nodiscard]] Eigen::VectorXd minimiser(
+        const Eigen::VectorXd& right,
+        const Eigen::VectorXd& residual,
+        double weight,
+        const Solve& solve
+    ) const {
+        Eigen::VectorXd pulls = -weight * residual;
+        Eigen::VectorXd x;
+        for (int i = 0; i < kMaxSolves; ++i) {
+            Eigen::VectorXd pulled = right;
+            addTransposed(pulls, pulled);
+            x = solve(std::move(pulled));
+            const Eigen::VectorXd violation = apply(x) + residual;
+            if (violation.lpNorm<Eigen::Infinity>() <=
+                kAccuracy * std::max(1.0, x.lpNorm<Eigen::Infinity>())) {
+                break;
+            }
+            pulls -= weight * violation;
+        }
+        return x;
+    }
+
+private:
+    static constexpr double kAccuracy = 1e-12;  // of A x, relative to x or to 1: rounding
+    static constexpr int kMaxSolves = 12;       // where rounding keeps A x from being that accurate
+
+    const SplineSpace& space_;
+    std::vector<InterpolationRow> rows_;
+};
+
 /// A factor for matrices over the control points of a spline: banded, and cyclic when closed, so
 /// that the last control points border on all.
 template <int kUnknowns>
@@ -52,36 +80,17 @@ template <int kUnknowns>
     return {controls, space.degree(), space.closed() ? std::min(space.degree(), controls) : 0};
 }
 
-/// Adds a dense symmetric matrix over the control points of one span, whose columns are stored
-/// `stride` apart.
-template <int kUnknowns>
-void addSpan(
-    BandCholesky<kUnknowns>& factor,
-    const SplineSpace& space,
-    int span,
-    const double* values,
-    std::ptrdiff_t stride
-) {
-    for (int j = 0; j < space.basisCount(); ++j) {
-        const int column = space.control(span, j);
-        for (int i = 0; i < space.basisCount(); ++i) {
-            const int row = space.control(span, i);
-            if (row >= column) {
-                factor.add(row, column, values + kUnknowns * (i + j * stride), stride);
-            }
-        }
-    }
-}
-
 /// The Newton system of a spline: a matrix over its control points, and the interpolation
 /// constraints.
 class SplineSystem {
 public:
-    SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows);
+    SplineSystem(const SplineSpace& space, std::vector<InterpolationRow> rows)
+        : space_(space), constraints_(space, std::move(rows)), factor_(bandCholeskyOf<3>(space)) {}
 
-    /// Sums span blocks into the matrix and factorises it, after adding `fitWeight` A^T A (A: the
-    /// interpolation rows). False where the result is not positive definite.
-    [[nodiscard]] bool factorise(const std::vector<SpanMatrix>& blocks, double fitWeight);
+    [[nodiscard]] const PickConstraints& constraints() const { return constraints_; }
+
+    /// Sums span blocks into the matrix and factorises it, after adding `fitWeight` A^T A. False
+    /// where the result is not positive definite.
     [[nodiscard]] bool factorise(const std::vector<SpanBlocks>& blocks, double fitWeight);
 
     /// Solution of the factorised system.
@@ -89,28 +98,21 @@ public:
         return factor_.solve(std::move(right));
     }
 
-    /// The step d that minimises d^T H d / 2 + gradient^T d under A d = -residual, by the method of
-    /// multipliers with the factorised H + fitWeight A^T A: two or three solves.
+    /// The step d that minimises d^T H d / 2 + gradient^T d under A d = -residual, with the
+    /// factorised H + fitWeight A^T A.
     [[nodiscard]] Eigen::VectorXd constrainedStep(
         const Eigen::VectorXd& gradient, const Eigen::VectorXd& residual, double fitWeight
-    ) const;
-
-    /// Moves the control points as little as possible so that the constraints hold to rounding.
-    void meetConstraints(ControlPoints& controls) const;
-
-    /// A x - target.
-    [[nodiscard]] Eigen::VectorXd residual(const ControlPoints& controls) const;
-    [[nodiscard]] Eigen::VectorXd applyConstraints(const Eigen::VectorXd& x) const;
-    void addTransposed(const Eigen::VectorXd& multipliers, Eigen::VectorXd& out) const;
-
-    [[nodiscard]] const std::vector<InterpolationRow>& rows() const { return rows_; }
+    ) const {
+        return constraints_.minimiser(-gradient, residual, fitWeight, [&](Eigen::VectorXd&& right) {
+            return factor_.solve(std::move(right));
+        });
+    }
 
 private:
     void addBlocks(int span, const SpanBlocks& blocks);
-    [[nodiscard]] bool factoriseWithRows(double fitWeight);
 
     const SplineSpace& space_;
-    std::vector<InterpolationRow> rows_;
+    PickConstraints constraints_;
     BandCholesky<3> factor_;
 };
 

@@ -13,4 +13,12 @@ inline constexpr std::array<double, 3> kGaussNodes = {
 };
 inline constexpr std::array<double, 3> kGaussWeights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
 
+/// Two Gauss points on each of the M even segments of a span (14)-(16).
+inline constexpr std::array<double, 2> kPairNodes = {0.21132486540518712, 0.78867513459481288};
+
+/// tau of sample i of the 2 M on a span.
+[[nodiscard]] inline double sampleParameter(int i, int segments) {
+    return (i / 2 + kPairNodes[i % 2]) / segments;
+}
+
 }  // namespace bspline_curve

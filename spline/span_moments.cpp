@@ -2,24 +2,6 @@
 #include "spline/span_moments.h"
 
 namespace bspline_curve {
-namespace {
-
-void addSymmetric(SpanMatrix& block, int i, int j, const SymmetricMatrix& m) {
-    double* corner = block.data() + 3 * (block.rows() * j + i);
-    const Eigen::Index stride = block.rows();
-    corner[0] += m[0];
-    corner[1] += m[1];
-    corner[2] += m[2];
-    corner[stride] += m[1];
-    corner[stride + 1] += m[3];
-    corner[stride + 2] += m[4];
-    corner[2 * stride] += m[2];
-    corner[2 * stride + 1] += m[4];
-    corner[2 * stride + 2] += m[5];
-}
-
-}  // namespace
-
 void SpanMoments::addForcesTo(
     Eigen::VectorXd& gradient,
     const SplineSpace& space,
@@ -39,7 +21,7 @@ void SpanMoments::addForcesTo(
 }
 
 void SpanMoments::addMatricesTo(
-    SpanMatrix& block, const SplineSpace::BasisMatrix& basis, int basisCount
+    SpanBlocks& blocks, const SplineSpace::BasisMatrix& basis, int basisCount
 ) const {
     if (!hasMatrices_) {
         return;
@@ -64,10 +46,7 @@ void SpanMoments::addMatricesTo(
             for (std::size_t k = 0; k <= p; ++k) {
                 addScaled(m, basis(i, static_cast<int>(k)), withJ[k]);
             }
-            addSymmetric(block, i, j, m);
-            if (i != j) {
-                addSymmetric(block, j, i, m);
-            }
+            blocks[blockIndex(j, i)] += m;
         }
     }
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/spline_system.h"
-#include "spline/spline_space.h"
-#include "spline/symmetric_matrix.h"
+#include "spline/span_blocks.h"
 
 #include <array>
 
@@ -33,9 +31,9 @@ public:
         int span,
         const SplineSpace::BasisMatrix& basis
     ) const;
-    /// block += sum of basis(tau) basis(tau)^T (x) matrix.
+    /// blocks += sum of basis(tau) basis(tau)^T (x) matrix.
     void addMatricesTo(
-        SpanMatrix& block, const SplineSpace::BasisMatrix& basis, int basisCount
+        SpanBlocks& blocks, const SplineSpace::BasisMatrix& basis, int basisCount
     ) const;
 
 private:

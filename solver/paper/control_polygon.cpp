@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/paper/control_polygon.h"
+
 #include "projection/curve_distance.h"
-#include "solver/initial_curve.h"
 
 #include <algorithm>
 #include <cmath>

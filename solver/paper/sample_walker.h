@@ -4,20 +4,12 @@
 #include "shell/polynomial_trace.h"
 #include "shell/shell_boundary.h"
 #include "solver/curve_problem.h"
+#include "spline/gauss_rule.h"
 #include "spline/spline_space.h"
 
-#include <array>
 #include <optional>
 
 namespace bspline_curve {
-
-/// Two Gauss points on each of the M even segments of a span (14)-(16).
-inline constexpr std::array<double, 2> kPairNodes = {0.21132486540518712, 0.78867513459481288};
-
-/// tau of sample i of the 2 M on a span.
-[[nodiscard]] inline double sampleParameter(int i, int segments) {
-    return (i / 2 + kPairNodes[i % 2]) / segments;
-}
 
 /// Follows samples of a curve through the shell, from each to the next by a straight walk, and back
 /// in through the nearest point of the boundary where the curve was outside. Without

@@ -2,6 +2,7 @@
 #include "solver/knot_insertion.h"
 
 #include "problem_fixture.h"
+#include "solver/paper/feature_knots.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>

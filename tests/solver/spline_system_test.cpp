@@ -43,49 +43,57 @@ protected:
         return {space_, interpolationRows(space_, picks_)};
     }
 
-    [[nodiscard]] int blockSize() const { return 3 * space_.basisCount(); }
+    // Sums of products v v^T (x) m, with m a positive semidefinite matrix of the axes.
+    void addProduct(
+        SpanBlocks& blocks, const SplineSpace::BasisValues& v, const SymmetricMatrix& m
+    ) {
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            for (int k = 0; k <= j; ++k) {
+                blocks[blockIndex(j, k)] += (v[j] * v[k]) * m;
+            }
+        }
+    }
 
     // Positive semidefinite blocks whose sum is positive definite.
-    [[nodiscard]] std::vector<SpanMatrix> randomBlocks() {
-        std::vector<SpanMatrix> blocks;
-        for (int span = 0; span < kSpans; ++span) {
-            SpanMatrix root(blockSize(), blockSize());
-            for (Eigen::Index i = 0; i < root.size(); ++i) {
-                root.data()[i] = random_.uniform(-1.0, 1.0);
+    [[nodiscard]] std::vector<SpanBlocks> randomBlocks() {
+        std::vector<SpanBlocks> blocks(kSpans);
+        for (SpanBlocks& span : blocks) {
+            for (int i = 0; i < 3 * space_.basisCount(); ++i) {
+                SplineSpace::BasisValues values{};
+                for (double& value : values) {
+                    value = random_.uniform(-1.0, 1.0);
+                }
+                addProduct(span, values, rankOne(random_.point(-1.0, 1.0), 1.0));
             }
-            blocks.emplace_back(root * root.transpose());
         }
         return blocks;
     }
 
     // Those of the integral of |P''|^2: without the constraints singular.
-    [[nodiscard]] std::vector<SpanMatrix> bendingBlocks() const {
-        std::vector<SpanMatrix> blocks;
+    [[nodiscard]] std::vector<SpanBlocks> bendingBlocks() {
+        std::vector<SpanBlocks> blocks(kSpans);
         for (int span = 0; span < kSpans; ++span) {
-            SpanMatrix block = SpanMatrix::Zero(blockSize(), blockSize());
+            const double weight = 0.25 * space_.spanLength(span);
             for (const double tau : {0.1, 0.35, 0.65, 0.9}) {
-                const SplineSpace::BasisValues second =
-                    test_support::basisDerivative(space_, span, tau, 2);
-                for (int i = 0; i < blockSize(); ++i) {
-                    for (int j = i % 3; j < blockSize(); j += 3) {
-                        block(i, j) +=
-                            0.25 * space_.spanLength(span) * second[i / 3] * second[j / 3];
-                    }
-                }
+                addProduct(
+                    blocks[span],
+                    test_support::basisDerivative(space_, span, tau, 2),
+                    {weight, 0.0, 0.0, weight, 0.0, weight}
+                );
             }
-            blocks.push_back(block);
         }
         return blocks;
     }
 
-    [[nodiscard]] Eigen::MatrixXd dense(const std::vector<SpanMatrix>& blocks) const {
+    [[nodiscard]] Eigen::MatrixXd denseSum(const std::vector<SpanBlocks>& blocks) const {
         const int n = 3 * space_.controlCount();
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
         for (int span = 0; span < kSpans; ++span) {
-            const auto unknown = [&](int i) { return 3 * space_.control(span, i / 3) + i % 3; };
-            for (int i = 0; i < blockSize(); ++i) {
-                for (int j = 0; j < blockSize(); ++j) {
-                    matrix(unknown(i), unknown(j)) += blocks[span](i, j);
+            const SpanMatrix block = dense(blocks[span], space_.basisCount());
+            for (int i = 0; i < space_.basisCount(); ++i) {
+                for (int j = 0; j < space_.basisCount(); ++j) {
+                    matrix.block<3, 3>(3 * space_.control(span, i), 3 * space_.control(span, j)) +=
+                        block.block<3, 3>(3 * i, 3 * j);
                 }
             }
         }
@@ -93,10 +101,10 @@ protected:
     }
 
     [[nodiscard]] Eigen::MatrixXd denseConstraints(const SplineSystem& system) const {
-        const auto rows = 3 * static_cast<Eigen::Index>(system.rows().size());
+        const auto rows = 3 * static_cast<Eigen::Index>(system.constraints().rows().size());
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows, 3 * space_.controlCount());
-        for (std::size_t r = 0; r < system.rows().size(); ++r) {
-            const InterpolationRow& row = system.rows()[r];
+        for (std::size_t r = 0; r < system.constraints().rows().size(); ++r) {
+            const InterpolationRow& row = system.constraints().rows()[r];
             for (int j = 0; j < space_.basisCount(); ++j) {
                 for (int axis = 0; axis < 3; ++axis) {
                     matrix(
@@ -117,7 +125,7 @@ protected:
         return vector;
     }
 
-    void expectConstrainedStep(const std::vector<SpanMatrix>& blocks);
+    void expectConstrainedStep(const std::vector<SpanBlocks>& blocks);
 
     Random random_{kSeed};
     SplineSpace space_ = makeSpace();
@@ -125,9 +133,9 @@ protected:
     testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(kSeed)};
 };
 
-void SplineSystems::expectConstrainedStep(const std::vector<SpanMatrix>& blocks) {
+void SplineSystems::expectConstrainedStep(const std::vector<SpanBlocks>& blocks) {
     SplineSystem system = makeSystem();
-    const Eigen::MatrixXd H = dense(blocks);
+    const Eigen::MatrixXd H = denseSum(blocks);
     const Eigen::MatrixXd A = denseConstraints(system);
     const double weight = 1e3 * H.diagonal().maxCoeff();
     ASSERT_TRUE(system.factorise(blocks, weight));
@@ -155,19 +163,21 @@ TEST_P(SplineSystems, ConstrainedStepsSolveItForBendingToo) {
 
 TEST_P(SplineSystems, SolvesWithTheConstraintsAsAPenalty) {
     SplineSystem system = makeSystem();
-    const std::vector<SpanMatrix> blocks = randomBlocks();
+    const std::vector<SpanBlocks> blocks = randomBlocks();
     const Eigen::MatrixXd A = denseConstraints(system);
     ASSERT_TRUE(system.factorise(blocks, 7.0));
-    const Eigen::MatrixXd H = dense(blocks) + 7.0 * A.transpose() * A;
+    const Eigen::MatrixXd H = denseSum(blocks) + 7.0 * A.transpose() * A;
     const Eigen::VectorXd right = randomVector(H.rows());
     EXPECT_LT((H * system.solve(right) - right).norm(), 1e-9 * right.norm());
 }
 
 TEST_P(SplineSystems, RefusesIndefiniteMatrices) {
     SplineSystem system = makeSystem();
-    std::vector<SpanMatrix> blocks = randomBlocks();
+    std::vector<SpanBlocks> blocks = randomBlocks();
     EXPECT_TRUE(system.factorise(blocks, 0.0));
-    blocks[3] -= 1e3 * SpanMatrix::Identity(blockSize(), blockSize());
+    for (int j = 0; j < space_.basisCount(); ++j) {
+        blocks[3][blockIndex(j, j)] += {-1e3, 0.0, 0.0, -1e3, 0.0, -1e3};
+    }
     EXPECT_FALSE(system.factorise(blocks, 0.0));
     EXPECT_FALSE(system.factorise(blocks, 1.0));
     // And is none the worse for it.
@@ -180,7 +190,7 @@ TEST_P(SplineSystems, ResidualsAreTheGapsAtThePicks) {
     for (int i = 0; i < space_.controlCount(); ++i) {
         controls.row(i) = random_.point(-1.0, 1.0).transpose();
     }
-    const Eigen::VectorXd residual = system.residual(controls);
+    const Eigen::VectorXd residual = system.constraints().residual(controls);
     ASSERT_EQ(residual.size(), 3 * static_cast<Eigen::Index>(picks_.size()));
     for (std::size_t i = 0; i < picks_.size(); ++i) {
         const Vec3 gap = space_.evaluate(controls, picks_[i].parameter) - picks_[i].position;
@@ -193,10 +203,10 @@ TEST_P(SplineSystems, TheTransposeIsTheTranspose) {
     const Eigen::MatrixXd A = denseConstraints(system);
     const Eigen::VectorXd multipliers = randomVector(A.rows());
     Eigen::VectorXd out = Eigen::VectorXd::Zero(A.cols());
-    system.addTransposed(multipliers, out);
+    system.constraints().addTransposed(multipliers, out);
     EXPECT_LT((out - A.transpose() * multipliers).norm(), 1e-13);
     const Eigen::VectorXd x = randomVector(A.cols());
-    EXPECT_LT((system.applyConstraints(x) - A * x).norm(), 1e-13);
+    EXPECT_LT((system.constraints().apply(x) - A * x).norm(), 1e-13);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/cellwise_energy.h"
+#include "solver/cellwise_integrals.h"
 
 #include "problem_fixture.h"
 #include "support/meshes.h"
@@ -100,27 +100,24 @@ Eigen::VectorXd hessianTimes(
     const EnergyDerivatives& derivatives, const SplineSpace& space, const Eigen::VectorXd& x
 ) {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(x.size());
-    const int size = 3 * space.basisCount();
+    const int n = space.basisCount();
     for (int span = 0; span < space.spanCount(); ++span) {
-        const auto s = static_cast<std::size_t>(span);
-        const auto unknown = [&](int i) { return 3 * space.control(span, i / 3) + i % 3; };
-        for (int i = 0; i < size; ++i) {
-            for (int j = 0; j < size; ++j) {
-                result[unknown(i)] +=
-                    (derivatives.hessian[s](i, j) + derivatives.negativeKinks[s](i, j)) *
-                    x[unknown(j)];
-            }
+        const SpanVector product =
+            (dense(derivatives.hessian[span], n) + dense(derivatives.negativeKinks[span], n)) *
+            unknownsOf(space, span, x);
+        for (int j = 0; j < n; ++j) {
+            result.segment<3>(3 * space.control(span, j)) += product.segment<3>(3 * j);
         }
     }
     return result;
 }
 
-class CurveEnergyDerivatives : public testing::TestWithParam<Case> {};
+class CellwiseDerivatives : public testing::TestWithParam<Case> {};
 
 // Central differences of the energy along random directions of the control points against the
 // gradient, and of the gradient against the Hessian. On a noisy sphere the curve crosses hundreds
 // of walls.
-TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
+TEST_P(CellwiseDerivatives, AgreeWithDifferences) {
     const Case& c = GetParam();
     SolverOptions options;
     options.degree = c.degree;
@@ -138,7 +135,7 @@ TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
     const SplineCurve curve = fitInitialPath(fixture.problem(), fixture.initialPath()).value();
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
-    CellwiseEnergy energy(fixture.problem(), curve.space, rows, 0);
+    CellwiseIntegrals energy(fixture.problem(), curve.space, rows, 0);
     const std::optional<BendingDirections> directions =
         bendingDirectionsAlong(fixture.problem(), curve.space, curve.controls, 0);
     ASSERT_TRUE(directions.has_value());
@@ -180,7 +177,7 @@ TEST_P(CurveEnergyDerivatives, AgreeWithDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(
     AllKinds,
-    CurveEnergyDerivatives,
+    CellwiseDerivatives,
     testing::Values(
         Case{"OpenQuadratic", 2, false, FieldCost::Identity},
         Case{"OpenCubic", 3, false, FieldCost::Square},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/sampled_energy.h"
+#include "solver/sampled_integrals.h"
 
 #include "problem_fixture.h"
 #include "support/meshes.h"
@@ -76,7 +76,7 @@ public:
         problem_.fieldCosts = summaryOf(vertexCostsOf(problem_.field, problem_.options.fieldCost));
     }
 
-    [[nodiscard]] SampledEnergy energy() const { return {problem_, space_, edge_}; }
+    [[nodiscard]] SampledIntegrals energy() const { return {problem_, space_, edge_}; }
 
     [[nodiscard]] const SplineSpace& space() const { return space_; }
 
@@ -89,7 +89,9 @@ public:
     [[nodiscard]] double edge() const { return edge_; }
 
     // A spline with feet that are sought from the nearest points of the surface.
-    [[nodiscard]] FootedSpline footed(const SampledEnergy& energy, ControlPoints controls) const {
+    [[nodiscard]] FootedSpline footed(
+        const SampledIntegrals& energy, ControlPoints controls
+    ) const {
         FootedSpline spline{
             std::move(controls),
             std::vector<FootPoint>(energy.sampleCount()),
@@ -108,7 +110,7 @@ public:
 
     // The spline moved, with its feet sought from where they are.
     [[nodiscard]] FootedSpline moved(
-        const SampledEnergy& energy, const FootedSpline& from, const ControlPoints& change
+        const SampledIntegrals& energy, const FootedSpline& from, const ControlPoints& change
     ) const {
         FootedSpline spline = from;
         spline.controls += change;
@@ -195,7 +197,9 @@ struct Derivatives {
     std::vector<SpanBlocks> hessian;
 };
 
-Derivatives derivativesOf(const SampledEnergy& energy, const FootedSpline& spline, double turning) {
+Derivatives derivativesOf(
+    const SampledIntegrals& energy, const FootedSpline& spline, double turning
+) {
     Derivatives derivatives;
     derivatives.terms =
         energy.differentiate(spline, kAlpha, turning, derivatives.gradient, derivatives.hessian);
@@ -204,7 +208,7 @@ Derivatives derivativesOf(const SampledEnergy& energy, const FootedSpline& splin
 
 // The gradient with the bending directions of another spline.
 Eigen::VectorXd frozenGradient(
-    const SampledEnergy& energy, FootedSpline spline, const FootedSpline& frozen
+    const SampledIntegrals& energy, FootedSpline spline, const FootedSpline& frozen
 ) {
     for (std::size_t i = 0; i < spline.frames.size(); ++i) {
         spline.frames[i].direction = frozen.frames[i].direction;
@@ -250,7 +254,7 @@ TEST(FootEnergyTerms, AreIntegralsOverAPlate) {
             options.fieldWeight = 2.0;
             Scene scene(jitteredPlate(12, 12, 0.2, 3), options, waveOverThePlate(), 20);
             scene.setField([](const Vec3& p) { return p.x() - 2.0 * p.y(); });
-            const SampledEnergy energy = scene.energy();
+            const SampledIntegrals energy = scene.energy();
             const FootedSpline spline = scene.footed(energy, scene.controls());
             const EnergyTerms terms = energy.terms(spline, spline.frames);
             const double share = bending == Bending::Geodesic ? options.normalBendingWeight : 1.0;
@@ -288,7 +292,7 @@ TEST(FootEnergyTerms, DoNotDependOnTheDirectionOfTheCurve) {
         options.fieldWeight = 50.0;
         Scene scene(noisySphere(), options, roundTheSphere(1.03, closed), 14);
         scene.setField([](const Vec3& p) { return std::sin(3.0 * p.x()) + p.y() * p.z(); });
-        const SampledEnergy energy = scene.energy();
+        const SampledIntegrals energy = scene.energy();
         const FootedSpline spline = scene.footed(energy, scene.controls());
 
         std::vector<double> breaks;
@@ -302,7 +306,7 @@ TEST(FootEnergyTerms, DoNotDependOnTheDirectionOfTheCurve) {
             const int same = count - 1 - j + (closed ? options.degree : 0);
             backControls.row(j) = scene.controls().row(same % count);
         }
-        const SampledEnergy backEnergy(scene.problem(), backSpace, scene.edge());
+        const SampledIntegrals backEnergy(scene.problem(), backSpace, scene.edge());
         const FootedSpline back = scene.footed(backEnergy, backControls);
 
         const EnergyTerms there = energy.terms(spline, spline.frames);
@@ -330,7 +334,7 @@ TEST(FootEnergySurprises, AreTheEnergyBeyondNewtonsModel) {
         SolverOptions options;
         options.closed = closed;
         const Scene scene(noisySphere(), options, roundTheSphere(1.03, closed), 14);
-        const SampledEnergy energy = scene.energy();
+        const SampledIntegrals energy = scene.energy();
         const FootedSpline before = scene.footed(energy, scene.controls());
         const Derivatives model = derivativesOf(energy, before, 0.0);
         const double start = energy.total(model.terms, kAlpha);
@@ -343,7 +347,7 @@ TEST(FootEnergySurprises, AreTheEnergyBeyondNewtonsModel) {
                 0.5 * flat(change).dot(product(model.hessian, scene.space(), flat(change)));
             const double total = energy.total(energy.terms(there, before.frames), kAlpha);
             double modelError = 0.0;
-            for (const SampledEnergy::ModelError& span :
+            for (const SampledIntegrals::ModelError& span :
                  energy.modelErrors(before, there, kAlpha)) {
                 modelError += span.energy;
             }
@@ -354,10 +358,10 @@ TEST(FootEnergySurprises, AreTheEnergyBeyondNewtonsModel) {
 
 TEST(FootEnergyDamping, HoldsTheSquaredWaysOfSpans) {
     const Scene scene(noisySphere(), {}, roundTheSphere(1.03, false), 14);
-    const SampledEnergy energy = scene.energy();
+    const SampledIntegrals energy = scene.energy();
     const FootedSpline before = scene.footed(energy, scene.controls());
     const ControlPoints change = 0.01 * randomChange(scene.space(), 5);
-    const std::vector<SampledEnergy::ModelError> modelErrors =
+    const std::vector<SampledIntegrals::ModelError> modelErrors =
         energy.modelErrors(before, scene.moved(energy, before, change), kAlpha);
     std::vector<double> damping(modelErrors.size(), 0.0);
     double damped = 0.0;
@@ -392,7 +396,7 @@ struct Case {
     bool overBoundary = false;
 };
 
-class FootEnergyDerivatives : public testing::TestWithParam<Case> {
+class SampledDerivatives : public testing::TestWithParam<Case> {
 protected:
     static std::unique_ptr<Scene> makeScene(const Case& c) {
         SolverOptions options;
@@ -419,11 +423,11 @@ protected:
     }
 };
 
-TEST_P(FootEnergyDerivatives, AgreeWithDifferencesForFrozenDirections) {
+TEST_P(SampledDerivatives, AgreeWithDifferencesForFrozenDirections) {
     const Case& c = GetParam();
     const std::unique_ptr<Scene> owner = makeScene(c);
     const Scene& scene = *owner;
-    const SampledEnergy energy = scene.energy();
+    const SampledIntegrals energy = scene.energy();
     const FootedSpline spline = scene.footed(energy, scene.controls());
     const auto isBeyond = [&](const FootPoint& foot) {
         return foot.face >= scene.extended().surfaceFaceCount;
@@ -448,10 +452,10 @@ TEST_P(FootEnergyDerivatives, AgreeWithDifferencesForFrozenDirections) {
     }
 }
 
-TEST_P(FootEnergyDerivatives, AreOfTheSameFeetWhetherTheseArePredictedOrNot) {
+TEST_P(SampledDerivatives, AreOfTheSameFeetWhetherTheseArePredictedOrNot) {
     const std::unique_ptr<Scene> owner = makeScene(GetParam());
     const Scene& scene = *owner;
-    const SampledEnergy energy = scene.energy();
+    const SampledIntegrals energy = scene.energy();
     const FootedSpline spline = scene.footed(energy, scene.controls());
     FootedSpline unknown = spline;
     unknown.positions.clear();
@@ -470,10 +474,10 @@ TEST_P(FootEnergyDerivatives, AreOfTheSameFeetWhetherTheseArePredictedOrNot) {
     }
 }
 
-TEST_P(FootEnergyDerivatives, HaveAPositiveHessianWithoutTurning) {
+TEST_P(SampledDerivatives, HaveAPositiveHessianWithoutTurning) {
     const std::unique_ptr<Scene> owner = makeScene(GetParam());
     const Scene& scene = *owner;
-    const SampledEnergy energy = scene.energy();
+    const SampledIntegrals energy = scene.energy();
     const FootedSpline spline = scene.footed(energy, scene.controls());
     const Derivatives derivatives = derivativesOf(energy, spline, 0.0);
     for (const SpanBlocks& blocks : derivatives.hessian) {
@@ -488,7 +492,7 @@ TEST_P(FootEnergyDerivatives, HaveAPositiveHessianWithoutTurning) {
 
 INSTANTIATE_TEST_SUITE_P(
     AllKinds,
-    FootEnergyDerivatives,
+    SampledDerivatives,
     testing::Values(
         Case{"OpenQuadratic", 2, false, 0.0, FieldCost::Identity},
         Case{"OpenCubic", 3, false, 0.0, FieldCost::Square},
@@ -507,7 +511,7 @@ INSTANTIATE_TEST_SUITE_P(
 class FootEnergyOverASphere : public testing::TestWithParam<double> {
 protected:
     Scene scene_{icosphere(6), SolverOptions(), roundTheSphere(GetParam(), false), 10};
-    SampledEnergy energy_ = scene_.energy();
+    SampledIntegrals energy_ = scene_.energy();
     FootedSpline spline_ = scene_.footed(energy_, scene_.controls());
 };
 
@@ -565,7 +569,7 @@ TEST(GainOfBulge, IsNothingOnAPlane) {
             [](double t) { return Vec3(0.1 + 0.8 * t, 0.5 + 0.3 * std::sin(5.0 * t), 0.0); },
             9
         );
-        const SampledEnergy energy = scene.energy();
+        const SampledIntegrals energy = scene.energy();
         const FootedSpline spline = scene.footed(energy, scene.controls());
         const double total = energy.total(energy.terms(spline, spline.frames), kAlpha);
         for (int span = 0; span < scene.space().spanCount(); ++span) {
@@ -585,7 +589,7 @@ Relaxed relaxed(
 ) {
     const CurveProblem& problem = fixture.problem();
     const FibreProjector finder(*problem.extended);
-    const SampledEnergy energy(problem, space, problem.averageEdgeLength);
+    const SampledIntegrals energy(problem, space, problem.averageEdgeLength);
     const TriangleTree tree(problem.extended->vertices, problem.extended->faces);
     SplineSystem system(space, interpolationRows(space, problem.picks));
     FootedSpline spline{
@@ -631,7 +635,7 @@ TEST(FeetOfARefinedSpline, AreThoseOfItsPositions) {
         SolverOptions options;
         options.closed = closed;
         const Scene scene(noisySphere(), options, roundTheSphere(1.02, closed), 14);
-        const SampledEnergy before = scene.energy();
+        const SampledIntegrals before = scene.energy();
         const FootedSpline coarse = scene.footed(before, scene.controls());
         std::vector<double> breaks = scene.space().breaks();
         for (const int span : {0, 3, scene.space().spanCount() - 1}) {
@@ -639,7 +643,7 @@ TEST(FeetOfARefinedSpline, AreThoseOfItsPositions) {
         }
         std::ranges::sort(breaks);
         const SplineSpace finer(3, closed, breaks);
-        const SampledEnergy energy(scene.problem(), finer, scene.edge());
+        const SampledIntegrals energy(scene.problem(), finer, scene.edge());
         FootedSpline spline{
             refine(scene.space(), scene.controls(), finer),
             std::vector<FootPoint>(energy.sampleCount()),

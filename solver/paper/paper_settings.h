@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/energy.h"
+#include "solver/newton.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// What the paper's own settings change in solve(): adaptive weights (18), a tight barrier (12),
+/// the penalty (9) and the feature function (19)-(23). The default options change nothing.
+class PaperSettings {
+public:
+    explicit PaperSettings(const CurveProblem& problem) : problem_(problem) {}
+
+    /// `largestHeight`: of the first curve, 1 where it leaves the shell.
+    void adjustFirst(double largestHeight, EnergyWeights& first) const;
+
+    /// From the weights and terms of the round before.
+    void adjustNext(
+        const EnergyWeights& before,
+        const EnergyTerms& terms,
+        double largestHeight,
+        EnergyWeights& next
+    ) const;
+
+    /// Breaks by the feature function; `scale`: of the energy.
+    [[nodiscard]] std::vector<double> chooseBreaks(
+        const Energy& energy, const EnergyWeights& weights, double scale, bool isNear
+    );
+
+    /// A penalty leaves gaps at the picks: one constrained step closes them. False where there is
+    /// none to take.
+    [[nodiscard]] bool meetPicks(Energy& energy, const NewtonPolicy& policy) const;
+
+private:
+    void setBarrier(double largestHeight, EnergyWeights& weights) const;
+
+    const CurveProblem& problem_;
+    double feature_ = 0.0;  // (19) of the round before
+};
+
+}  // namespace bspline_curve

@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/sampled_integrals.h"
+
+#include "solver/field_cost.h"
+#include "solver/internal_energy.h"
+#include "spline/gauss_rule.h"
+#include "utility/worker_thread.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace bspline_curve {
+namespace {
+
+// Energies below this are rounding: a curve that strays from a straight one by 1e-7 of its length
+// has more (E_int is dimensionless).
+constexpr double kRoundingEnergy = 1e-12;
+// So many spans at once are followed by one of two threads: for some microseconds.
+constexpr std::size_t kSpansAtOnce = 8;
+
+// At the samples of a span, one column each: derivatives of the powers of tau.
+using SampleMatrix = Eigen::Matrix<
+    double,
+    kMaxBasis,
+    Eigen::Dynamic,
+    Eigen::ColMajor,
+    kMaxBasis,
+    2 * SampledIntegrals::kMostSegments>;
+
+SampleMatrix powersAtSamples(int order, int segments) {
+    SampleMatrix powers = SampleMatrix::Zero(kMaxBasis, 2 * segments);
+    for (int i = 0; i < 2 * segments; ++i) {
+        const double tau = sampleParameter(i, segments);
+        double power = 1.0;
+        for (int m = order; m < kMaxBasis; ++m, power *= tau) {
+            powers(m, i) = power;
+            for (int factor = m; factor > m - order; --factor) {
+                powers(m, i) *= factor;
+            }
+        }
+    }
+    return powers;
+}
+
+// The same as a vector, to be computed with in registers.
+using PackedMatrix = Eigen::Array<double, 6, 1>;
+
+PackedMatrix packed(const SymmetricMatrix& m) {
+    return Eigen::Map<const PackedMatrix>(m.data());
+}
+
+using SpanControls = std::array<Vec3, kMaxBasis>;
+
+SpanControls controlsOf(const SplineSpace& space, const ControlPoints& controls, int span) {
+    SpanControls result;
+    for (int j = 0; j < space.basisCount(); ++j) {
+        const double* const row = controls.data() + 3 * std::ptrdiff_t{space.control(span, j)};
+        result[j] = {row[0], row[1], row[2]};
+    }
+    return result;
+}
+
+// Of E_int with all bending, on the j-th control point of a span.
+inline Vec3 ambientForce(
+    const SplineSpace::BasisMatrix& ambient, const SpanControls& controls, int count, int j
+) {
+    Vec3 force = ambient(0, j) * controls[0];
+    for (int k = 1; k < count; ++k) {
+        force += ambient(k, j) * controls[k];
+    }
+    return force;
+}
+
+}  // namespace
+
+SampledIntegrals::SampledIntegrals(
+    const CurveProblem& problem, const SplineSpace& space, double heightUnit, int segments
+)
+    : problem_(problem),
+      space_(space),
+      heightUnit_(heightUnit),
+      segments_(segments),
+      fieldWeight_(bspline_curve::fieldWeight(problem)) {
+    const double normalShare = problem.options.bending == Bending::Geodesic
+                                   ? 1.0 - problem.options.normalBendingWeight
+                                   : 0.0;
+    const double bending =
+        2.0 / (problem.chordLength * problem.chordLength) * (1.0 - problem.options.tension);
+    const SampleMatrix powers = powersAtSamples(0, segments);
+    const SampleMatrix secondPowers = powersAtSamples(2, segments);
+    samples_.resize(sampleCount());
+    ambient_.resize(space.spanCount());
+    forEach(problem.side, space.spanCount(), kSpansAtOnce, [&](int span) {
+        const double length = space.spanLength(span);
+        const double weight = length / samplesPerSpan();
+        const SampleMatrix values = space.basis(span) * powers;
+        const SampleMatrix seconds = space.basis(span) * secondPowers / (length * length);
+        for (int i = 0; i < samplesPerSpan(); ++i) {
+            const double t = space.breaks()[span] + sampleParameter(i, segments) * length;
+            Sample& sample = samples_[span * samplesPerSpan() + i];
+            sample = {t, weight, -bending * normalShare * weight, {}, {}};
+            std::ranges::copy(values.col(i), sample.basis.begin());
+            std::ranges::copy(seconds.col(i), sample.second.begin());
+        }
+        ambient_[span] = ambientProducts(problem, space, span);
+    });
+}
+
+void SampledIntegrals::follow(const FibreProjector& finder, FootedSpline& spline) const {
+    const bool isKnown = !spline.positions.empty();
+    spline.positions.resize(sampleCount());
+    spline.seconds.resize(sampleCount());
+    std::vector<int> spans(space_.spanCount());
+    std::iota(spans.begin(), spans.end(), 0);
+    followSpans(finder, isKnown, spans, spline);
+}
+
+void SampledIntegrals::followRefined(
+    const FibreProjector& finder,
+    const SampledIntegrals& before,
+    const FootedSpline& coarse,
+    FootedSpline& spline
+) const {
+    spline.positions.resize(sampleCount());
+    spline.seconds.resize(sampleCount());
+    const int perSpan = samplesPerSpan();
+    const std::vector<double>& breaks = space_.breaks();
+    const std::vector<double>& coarseBreaks = before.space_.breaks();
+    std::vector<int> cut;
+    int from = 0;  // the span before that this one is or lies in
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        while (coarseBreaks[from + 1] <= breaks[span]) {
+            ++from;
+        }
+        const bool isWhole =
+            coarseBreaks[from + 1] == breaks[span + 1] && coarseBreaks[from] == breaks[span];
+        int near = from * perSpan;
+        const int last = near + perSpan - 1;
+        for (int sample = span * perSpan; sample < (span + 1) * perSpan; ++sample) {
+            const auto gapTo = [&](int other) {
+                return std::abs(before.parameter(other) - parameter(sample));
+            };
+            while (near < last && gapTo(near + 1) < gapTo(near)) {
+                ++near;
+            }
+            spline.feet[sample] = coarse.feet[near];
+            spline.frames[sample] = coarse.frames[near];
+            spline.positions[sample] = coarse.positions[near];
+            spline.seconds[sample] = coarse.seconds[near];
+        }
+        if (!isWhole) {
+            cut.push_back(span);
+        }
+    }
+    followSpans(finder, true, cut, spline);
+}
+
+// `isKnown`: the feet are those of the positions.
+void SampledIntegrals::followSpans(
+    const FibreProjector& finder, bool isKnown, std::span<const int> spans, FootedSpline& spline
+) const {
+    const auto groups = static_cast<int>((spans.size() + kSpansAtOnce - 1) / kSpansAtOnce);
+    forEach(problem_.side, groups, 1, [&](int group) {
+        const std::size_t first = group * kSpansAtOnce;
+        const std::size_t count = std::min(kSpansAtOnce, spans.size() - first);
+        std::array<FibreProjector::Move, kSpansAtOnce * kMostSamples> moves;
+        std::size_t end = 0;
+        for (const int span : spans.subspan(first, count)) {
+            placeSpan(isKnown, span, spline);
+            const std::size_t begin = (span * samplesPerSpan());
+            for (std::size_t sample = begin; sample < begin + samplesPerSpan(); ++sample) {
+                moves[end++] = {
+                    spline.positions[sample], &spline.feet[sample], &spline.frames[sample]
+                };
+            }
+        }
+        finder.moveAll({moves.data(), end});
+    });
+}
+
+// Its samples' positions and second derivatives, with the feet that these predict.
+void SampledIntegrals::placeSpan(bool isKnown, int span, FootedSpline& spline) const {
+    const int count = space_.basisCount();
+    const int perSpan = samplesPerSpan();
+    const SpanControls controls = controlsOf(space_, spline.controls, span);
+    for (int sample = span * perSpan; sample < (span + 1) * perSpan; ++sample) {
+        const Sample& table = samples_[sample];
+        Vec3 position = table.basis[0] * controls[0];
+        Vec3 second = table.second[0] * controls[0];
+        for (int j = 1; j < count; ++j) {
+            position += table.basis[j] * controls[j];
+            second += table.second[j] * controls[j];
+        }
+        if (isKnown) {
+            FibreProjector::predict(
+                position - spline.positions[sample], spline.frames[sample], spline.feet[sample]
+            );
+        }
+        spline.positions[sample] = position;
+        spline.seconds[sample] = second;
+    }
+}
+
+double SampledIntegrals::fieldAt(const FootPoint& foot) const {
+    const Triangle& face = problem_.extended->faces[foot.face];
+    const Vec3 barycentric = foot.barycentric();
+    return barycentric[0] * problem_.field[face[0]] + barycentric[1] * problem_.field[face[1]] +
+           barycentric[2] * problem_.field[face[2]];
+}
+
+Vec3 SampledIntegrals::fieldGradient(const FootPoint& foot, const FootFrame& frame) const {
+    const Triangle& face = problem_.extended->faces[foot.face];
+    const double corner = problem_.field[face[0]];
+    return (problem_.field[face[1]] - corner) * frame.u +
+           (problem_.field[face[2]] - corner) * frame.v;
+}
+
+// How far a foot lies beyond the boundary in a ghost face: 0 at the boundary, 1 at the outer rim.
+double SampledIntegrals::beyond(const FootPoint& foot) const {
+    const Triangle& face = problem_.extended->faces[foot.face];
+    const Vec3 barycentric = foot.barycentric();
+    double sum = 0.0;
+    for (int corner = 0; corner < 3; ++corner) {
+        if (face[corner] >= problem_.extended->surfaceVertexCount) {
+            sum += barycentric[corner];
+        }
+    }
+    return sum;
+}
+
+Vec3 SampledIntegrals::beyondGradient(const FootPoint& foot, const FootFrame& frame) const {
+    const Triangle& face = problem_.extended->faces[foot.face];
+    const auto isGhost = [&](std::size_t corner) {
+        return face[corner] >= problem_.extended->surfaceVertexCount ? 1.0 : 0.0;
+    };
+    return (isGhost(1) - isGhost(0)) * frame.u + (isGhost(2) - isGhost(0)) * frame.v;
+}
+
+EnergyTerms SampledIntegrals::terms(
+    const FootedSpline& spline, const std::vector<FootFrame>& frozen
+) const {
+    // In the order of differentiate(), so that both agree to the last digit.
+    std::vector<EnergyTerms> shares(space_.spanCount());
+    const int n = space_.basisCount();
+    forEach(problem_.side, space_.spanCount(), kSpansAtOnce, [&](int span) {
+        EnergyTerms& sum = shares[span];
+        for (int sample = span * samplesPerSpan(); sample < (span + 1) * samplesPerSpan();
+             ++sample) {
+            const Sample& table = samples_[sample];
+            const FootPoint& foot = spline.feet[sample];
+            sum.distance += distanceTerm(foot, table.weight);
+            if (hasField()) {
+                sum.external +=
+                    table.weight * fieldCost(problem_.options.fieldCost, fieldAt(foot)).value;
+            }
+            const double along = frozen[sample].direction.dot(spline.seconds[sample]);
+            sum.internal += 0.5 * table.normalBending * along * along;
+        }
+        const SpanControls controls = controlsOf(space_, spline.controls, span);
+        for (int j = 0; j < n; ++j) {
+            sum.internal += 0.5 * controls[j].dot(ambientForce(ambient_[span], controls, n, j));
+        }
+    });
+    return std::accumulate(shares.begin(), shares.end(), EnergyTerms());
+}
+
+double SampledIntegrals::distanceTerm(const FootPoint& foot, double weight) const {
+    double term = weight / (heightUnit_ * heightUnit_) * foot.height * foot.height;
+    if (foot.face >= problem_.extended->surfaceFaceCount) {
+        const double outside = beyond(foot);
+        term += weight * outside * outside;
+    }
+    return term;
+}
+
+double SampledIntegrals::total(const EnergyTerms& terms, double alpha) const {
+    return terms.internal + alpha * terms.distance + fieldWeight_ * terms.external;
+}
+
+double SampledIntegrals::scale(const EnergyTerms& terms, double alpha) const {
+    const double aboveLeast = fieldWeight_ * (terms.external - problem_.fieldCosts.least);
+    return kRoundingEnergy + terms.internal + alpha * terms.distance +
+           (hasField() ? kFieldShare * std::abs(aboveLeast) : 0.0);
+}
+
+PointDerivatives SampledIntegrals::pointDerivatives(
+    const FootedSpline& spline, double alpha, double turning, int sample, EnergyTerms& terms
+) const {
+    const FootPoint& foot = spline.feet[sample];
+    const FootFrame& frame = spline.frames[sample];
+    const double weight = samples_[sample].weight;
+    const double stiffness = 2.0 * alpha * weight / (heightUnit_ * heightUnit_);
+    PointDerivatives point = heightDerivatives(foot, frame, stiffness, turning);
+    terms.distance += distanceTerm(foot, weight);
+    if (foot.face >= problem_.extended->surfaceFaceCount) {
+        const Vec3 gradient = beyondGradient(foot, frame);
+        const double twice = 2.0 * alpha * weight;
+        point.force += twice * beyond(foot) * gradient;
+        point.addRankOne(gradient, twice);
+    }
+    if (hasField()) {
+        const FieldCostValue cost = fieldCost(problem_.options.fieldCost, fieldAt(foot));
+        const Vec3 gradient = fieldGradient(foot, frame);
+        const double pull = fieldWeight_ * weight;
+        point.force += pull * cost.slope * gradient;
+        point.addRankOne(gradient, pull * std::max(0.0, cost.curvature));
+        terms.external += weight * cost.value;
+    }
+    return point;
+}
+
+EnergyTerms SampledIntegrals::differentiate(
+    const FootedSpline& spline,
+    double alpha,
+    double turning,
+    Eigen::VectorXd& gradient,
+    std::vector<SpanBlocks>& hessian
+) const {
+    hessian.resize(space_.spanCount());
+    std::vector<SpanForces> shares(space_.spanCount());
+    forEach(problem_.side, space_.spanCount(), kSpansAtOnce, [&](int span) {
+        shares[span] = differentiateSpan(spline, alpha, turning, span, hessian[span]);
+    });
+    gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space_.controlCount()));
+    EnergyTerms terms;
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        const SpanForces& share = shares[span];
+        terms = terms + share.terms;
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            gradient.segment<3>(3 * static_cast<Eigen::Index>(space_.control(span, j))) +=
+                share.forces[j];
+        }
+    }
+    return terms;
+}
+
+SampledIntegrals::SpanForces SampledIntegrals::differentiateSpan(
+    const FootedSpline& spline, double alpha, double turning, int span, SpanBlocks& blocks
+) const {
+    const int n = space_.basisCount();
+    const int perSpan = samplesPerSpan();
+    SpanForces result;
+    EnergyTerms& terms = result.terms;
+    std::array<Vec3, kMostSamples> forces;
+    std::array<Vec3, kMostSamples> bendForces;
+    std::array<PackedMatrix, kMostSamples> seconds;
+    std::array<PackedMatrix, kMostSamples> bends;
+    const Sample* const tables = &samples_[span * perSpan];
+    for (int i = 0; i < perSpan; ++i) {
+        const int sample = span * perSpan + i;
+        const Vec3& direction = spline.frames[sample].direction;
+        const PointDerivatives point = pointDerivatives(spline, alpha, turning, sample, terms);
+        forces[i] = point.force;
+        seconds[i] = packed(point.second);
+        bends[i] = packed(rankOne(direction, tables[i].normalBending));
+        const double along = direction.dot(spline.seconds[sample]);
+        bendForces[i] = tables[i].normalBending * along * direction;
+        terms.internal += 0.5 * tables[i].normalBending * along * along;
+    }
+    const SplineSpace::BasisMatrix& ambient = ambient_[span];
+    const SpanControls controls = controlsOf(space_, spline.controls, span);
+    SymmetricMatrix* block = blocks.data();
+    for (int j = 0; j < n; ++j) {
+        Vec3& force = result.forces[j];
+        force = ambientForce(ambient, controls, n, j);
+        terms.internal += 0.5 * controls[j].dot(force);
+        for (int i = 0; i < perSpan; ++i) {
+            force += tables[i].basis[j] * forces[i] + tables[i].second[j] * bendForces[i];
+        }
+        for (int k = 0; k <= j; ++k, ++block) {
+            PackedMatrix sum = packed({ambient(k, j), 0.0, 0.0, ambient(k, j), 0.0, ambient(k, j)});
+            for (int i = 0; i < perSpan; ++i) {
+                sum += (tables[i].basis[j] * tables[i].basis[k]) * seconds[i] +
+                       (tables[i].second[j] * tables[i].second[k]) * bends[i];
+            }
+            Eigen::Map<PackedMatrix>(block->data()) = sum;
+        }
+    }
+    return result;
+}
+
+std::vector<SampledIntegrals::ModelError> SampledIntegrals::modelErrors(
+    const FootedSpline& before, const FootedSpline& spline, double alpha
+) const {
+    // All but the distance is quadratic, and of that the model leaves out how directions turn.
+    std::vector<ModelError> result(space_.spanCount());
+    for (int sample = 0; sample < sampleCount(); ++sample) {
+        const double weight = samples_[sample].weight;
+        const Vec3 moved = spline.positions[sample] - before.positions[sample];
+        FootPoint foreseen = before.feet[sample];
+        FibreProjector::predict(moved, before.frames[sample], foreseen);
+        ModelError& span = result[sample / samplesPerSpan()];
+        span.energy +=
+            alpha * (distanceTerm(spline.feet[sample], weight) - distanceTerm(foreseen, weight));
+        span.squaredWay += weight * moved.squaredNorm();
+    }
+    return result;
+}
+
+void SampledIntegrals::addDamping(
+    const std::vector<double>& damping, std::vector<SpanBlocks>& hessian
+) const {
+    const int perSpan = samplesPerSpan();
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        if (damping[span] == 0.0) {
+            continue;
+        }
+        SymmetricMatrix* block = hessian[span].data();
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            for (int k = 0; k <= j; ++k, ++block) {
+                double product = 0.0;
+                for (int sample = span * perSpan; sample < (span + 1) * perSpan; ++sample) {
+                    const Sample& table = samples_[sample];
+                    product += table.weight * table.basis[j] * table.basis[k];
+                }
+                const double sum = 2.0 * damping[span] * product;
+                *block += {sum, 0.0, 0.0, sum, 0.0, sum};
+            }
+        }
+    }
+}
+
+double SampledIntegrals::refinementGain(const FootedSpline& spline, double alpha, int span) const {
+    const double length = space_.spanLength(span);
+    const int perSpan = samplesPerSpan();
+    // b = tau^2 (1 - tau)^2: the integrals of b''^2 and b'^2 over tau.
+    constexpr double kBend = 0.8;
+    constexpr double kStretch = 2.0 / 105.0;
+    const double tension = problem_.options.tension;
+    const double scale = 2.0 / (problem_.chordLength * problem_.chordLength);
+    const double own = scale * ((1.0 - tension) * kBend / (length * length * length) +
+                                tension * kStretch / length);
+    EnergyTerms unused;
+    SymmetricMatrix stiffness{own, 0.0, 0.0, own, 0.0, own};
+    Vec3 force = Vec3::Zero();
+    for (int i = 0; i < perSpan; ++i) {
+        const int sample = span * perSpan + i;
+        const Sample& table = samples_[sample];
+        const double tau = sampleParameter(i, segments_);
+        const double rest = 1.0 - tau;
+        const double value = tau * tau * rest * rest;
+        const double second = (2.0 - 12.0 * tau * rest) / (length * length);
+        const PointDerivatives point = pointDerivatives(spline, alpha, 0.0, sample, unused);
+        const Vec3& direction = spline.frames[sample].direction;
+        const Vec3& bending = spline.seconds[sample];
+        force += value * point.force +
+                 second * table.normalBending * direction.dot(bending) * direction +
+                 (second * scale * (1.0 - tension) * table.weight) * bending;
+        stiffness += (value * value) * point.second;
+        stiffness += rankOne(direction, second * second * table.normalBending);
+    }
+    if (tension > 0.0) {
+        const PolynomialCurve curve = space_.polynomial(spline.controls, span);
+        for (int i = 0; i < perSpan; ++i) {
+            const double tau = sampleParameter(i, segments_);
+            const double slope = 2.0 * tau * (1.0 - tau) * (1.0 - 2.0 * tau) / length;
+            force += slope * scale * tension / perSpan * curve.derivativeAt(tau);
+        }
+    }
+    const Vec3 bulge = dense(stiffness).llt().solve(force);
+    return std::max(0.0, 0.5 * force.dot(bulge));
+}
+
+double SampledIntegrals::largestHeight(const FootedSpline& spline) const {
+    double largest = 0.0;
+    for (const FootPoint& foot : spline.feet) {
+        largest = std::max(largest, std::abs(foot.height));
+    }
+    return largest;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/stop_rule.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace bspline_curve {
+namespace {
+
+struct StopConstants {
+    /// A curve is stuck that is farther away than this, in tolerances,
+    double farRatio = 3.0;
+    /// which so many rounds have not brought nearer
+    int stuckRounds = 2;
+    /// than to this share of its distance,
+    double stuckShare = 0.8;
+    /// after its weight of the distance has become so many times as large: on fine meshes a usual
+    /// curve may stay far away for long.
+    double stuckGrowth = 9e3;
+    /// Knots multiply in vain where they become so many times as many on a curve that is near, some
+    /// on spans shorter than the tolerance; usual curves come to rest with up to twice as many.
+    double mostKnotGrowth = 2.25;
+};
+
+constexpr StopConstants kStop;
+
+// On the wrong side of a thin part a curve does not find back, however large its weight becomes.
+bool isStuck(const CurveProblem& problem, const SolveReport& report) {
+    const std::vector<RoundReport>& rounds = report.rounds;
+    const RoundReport& last = rounds.back();
+    const double tolerance = problem.distanceTolerance / problem.averageEdgeLength;
+    return last.maxDistance > kStop.farRatio * tolerance && rounds.size() > kStop.stuckRounds &&
+           last.alpha > kStop.stuckGrowth * rounds.front().alpha &&
+           last.maxDistance >
+               kStop.stuckShare * (rounds.end() - 1 - kStop.stuckRounds)->maxDistance;
+}
+
+double shortestSpan(const Energy& energy) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int span = 0; span < energy.space().spanCount(); ++span) {
+        const PolynomialCurve curve = energy.space().polynomial(energy.controls(), span);
+        shortest = std::min(shortest, (curve.at(1.0) - curve.at(0.0)).norm());
+    }
+    return shortest;
+}
+
+}  // namespace
+
+bool StopRule::isInVain(
+    const CurveProblem& problem, const Energy& energy, const SolveReport& report, bool isNear
+) {
+    if (policy_ == StopPolicy::Long) {
+        return false;
+    }
+    if (!isNear) {
+        knotsNearby_ = 0;
+        return isStuck(problem, report);
+    }
+    const int knots = report.rounds.back().knots;
+    knotsNearby_ = knotsNearby_ > 0 ? knotsNearby_ : knots;
+    return knots > kStop.mostKnotGrowth * knotsNearby_ &&
+           shortestSpan(energy) < problem.distanceTolerance;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/energy.h"
+
+namespace bspline_curve {
+
+/// When solve() gives up a curve: mostly it passes through a fold or a thin part of the surface.
+enum class StopPolicy {
+    Short,  ///< where it stays far from the surface, or is near and still asks for more knots
+    Long,   ///< after SolverOptions::maxRounds
+};
+
+/// Tells after each round whether the next ones would be in vain.
+class StopRule {
+public:
+    explicit StopRule(StopPolicy policy) : policy_(policy) {}
+
+    /// `isNear`: the curve is near enough at all samples.
+    [[nodiscard]] bool isInVain(
+        const CurveProblem& problem, const Energy& energy, const SolveReport& report, bool isNear
+    );
+
+private:
+    StopPolicy policy_;
+    int knotsNearby_ = 0;  // since when the curve has been near, or 0
+};
+
+}  // namespace bspline_curve
