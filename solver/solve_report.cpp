@@ -13,8 +13,6 @@ const char* name(SolveStatus status) {
             return "knot limit";
         case SolveStatus::RoundLimit:
             return "round limit";
-        case SolveStatus::Cancelled:
-            return "cancelled";
     }
     return "unknown";
 }
@@ -23,8 +21,6 @@ const char* name(MinimiseStatus status) {
     switch (status) {
         case MinimiseStatus::Converged:
             return "converged";
-        case MinimiseStatus::EarlyStop:
-            return "early stop";
         case MinimiseStatus::LineSearchStalled:
             return "line search stalled";
         case MinimiseStatus::IterationLimit:

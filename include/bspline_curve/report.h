@@ -12,12 +12,10 @@ enum class SolveStatus {
     DistanceReached,  ///< max distance below tolerance, but the last minimisation did not converge
     KnotLimit,        ///< no knot may be inserted any more (23), distance still above tolerance
     RoundLimit,       ///< rounds used up, distance still above tolerance
-    Cancelled,        ///< the progress callback asked to stop
 };
 
 enum class MinimiseStatus {
     Converged,
-    EarlyStop,
     LineSearchStalled,
     IterationLimit,
     NotPositive,

@@ -172,7 +172,7 @@ void expectFinite(const Found& found) {
 // hold it. Returns whether the first is so.
 bool expectFootOrNearest(const ExtendedSurface& extended, const Vec3& p, const Found& found) {
     expectFinite(found);
-    EXPECT_GE(found.foot.face, 0);
+    EXPECT_LT(found.foot.face, static_cast<int>(extended.faces.size()));
     EXPECT_GE(found.foot.barycentric().minCoeff(), -1e-3);
     EXPECT_NEAR(found.frame.direction.norm(), 1.0, 1e-12);
     if ((pointOver(extended, found.foot) - p).norm() < 1e-9) {

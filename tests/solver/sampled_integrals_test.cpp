@@ -2,6 +2,7 @@
 #include "solver/sampled_integrals.h"
 
 #include "problem_fixture.h"
+#include "solver/spline_system.h"
 #include "support/meshes.h"
 #include "surface/triangle_tree.h"
 
@@ -612,8 +613,9 @@ Relaxed relaxed(
         energy.follow(finder, spline);
         energy.differentiate(spline, alpha, 1.0, gradient, hessian);
         EXPECT_TRUE(system.factorise(hessian, kPickWeight));
-        const Eigen::VectorXd move =
-            system.constrainedStep(gradient, system.residual(spline.controls), kPickWeight);
+        const Eigen::VectorXd move = system.constrainedStep(
+            gradient, system.constraints().residual(spline.controls), kPickWeight
+        );
         decrement = -0.5 * gradient.dot(move);
         Eigen::Map<Eigen::VectorXd>(spline.controls.data(), spline.controls.size()) += move;
     }
