@@ -60,13 +60,23 @@ install_python_packages() {
     echo "installed"
 }
 
-# Configures and builds a preset; further arguments go to the configuration.
-build_preset() {
+# Objects are kept over builds and build directories of this checkout, also those made with precompiled headers.
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+
+# Configures a preset; further arguments go to CMake.
+configure_preset() {
     local preset=$1
     shift
     if command -v ccache >/dev/null; then
         export CMAKE_CXX_COMPILER_LAUNCHER=ccache
     fi
     cmake --preset "$preset" --log-level=WARNING "$@"
-    cmake --build --preset "$preset" --parallel "$(nproc)"
+}
+
+# Builds a configured preset, or only some of its targets.
+build_preset() {
+    local preset=$1
+    shift
+    cmake --build --preset "$preset" --parallel "$(nproc)" ${1:+--target "$@"}
 }
