@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/extended_surface.h"
 
+#include "shell/face_geometry.h"
 #include "shell/patch_directions.h"
 #include "shell/pillar_directions.h"
+#include "surface/surface_point.h"
 #include "utility/index_sets.h"
 #include "utility/large_array.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +17,22 @@
 namespace bspline_curve {
 namespace {
 
-// A weighted average is kept as direction where it sees every face at least this well.
-constexpr double kGoodAverageCosine = 0.3;
-// How often, and how far towards its ring's mean, a singular vertex moves.
-constexpr int kMaxMoves = 60;
-constexpr double kMoveFraction = 0.25;
-// Width of the ghost strip in local mean edge lengths, and how often it is halved where it folds.
-constexpr double kGhostWidth = 0.5;
+struct ExtensionConstants {
+    /// Least cosine between an average of normals and each of them, for it to be the direction.
+    double goodAverageCosine = 0.3;
+    /// Smoothing may turn a direction as long as it keeps this cosine with the normals around.
+    double smoothCosine = 0.8;
+    /// Steps of singular vertices: most of them end after a few.
+    int maxMoves = 60;
+    /// Length of such a step, as a share of the way to the mean of the ring.
+    double moveFraction = 0.25;
+    /// Width of the ghost strip, in mean lengths of the edges around a vertex.
+    double ghostWidth = 0.5;
+};
 
-// Of the referenced vertices.
+constexpr ExtensionConstants kExtension;
+
+// The box of the vertices that faces refer to.
 Eigen::AlignedBox3d boxOf(const Surface& surface) {
     Eigen::AlignedBox3d box;
     for (int v = 0; v < surface.vertexCount(); ++v) {
@@ -81,11 +88,12 @@ public:
         extended_.directions = makeLarge<Vec3>(extended_.vertices.size(), Vec3::Zero());
         // Face by face, so that nothing of a face is computed or fetched for each of its corners.
         reserveLarge(normals_, extended_.faces.size());
-        for (const Triangle& face : extended_.faces) {
-            const Vec3 cross = crossOf(face);
+        for (int f = 0; f < surface_.faceCount(); ++f) {
+            const Vec3 cross = areaNormal(extended_, f);
             const double doubleArea = cross.norm();
             normals_.push_back(cross.normalized());
-            for (std::size_t k = 0; k < 3; ++k) {
+            const Triangle& face = extended_.faces[f];
+            for (int k = 0; k < 3; ++k) {
                 extended_.directions[face[k]] += cornerAngle(face, k, doubleArea) * normals_.back();
             }
         }
@@ -98,7 +106,7 @@ public:
             }
         }
         std::vector<char> moved(extended_.vertices.size(), 0);
-        for (int round = 0; round < kMaxMoves && !unseen.empty(); ++round) {
+        for (int round = 0; round < kExtension.maxMoves && !unseen.empty(); ++round) {
             unseen = moveVertices(unseen, moved);
         }
         for (int v = 0; v < surface_.vertexCount(); ++v) {
@@ -142,9 +150,6 @@ public:
     }
 
 private:
-    // Smoothing may cost a pillar some of its view as long as it keeps this much.
-    static constexpr double kSmoothEnoughCosine = 0.8;
-
     // Towards a sum of directions, where the pillar may.
     void turn(int v, const Vec3& sum) {
         const double length = sum.norm();
@@ -158,31 +163,16 @@ private:
             surface_.facesAround(v), [&](int f) -> const Vec3& { return normals_[f]; }
         );
         const double after = leastCosine(direction, normals);
-        return after >= kSmoothEnoughCosine ||
+        return after >= kExtension.smoothCosine ||
                after >= leastCosine(extended_.directions[v], normals);
-    }
-
-    // The normal of a face, as long as twice its area.
-    [[nodiscard]] Vec3 crossOf(const Triangle& face) const {
-        const Vec3& corner = extended_.vertices[face[0]];
-        return (extended_.vertices[face[1]] - corner).cross(extended_.vertices[face[2]] - corner);
-    }
-
-    [[nodiscard]] Vec3 normalOf(int f) const { return crossOf(extended_.faces[f]).normalized(); }
-
-    void gatherNormals(int v) {
-        star_.clear();
-        for (const int f : surface_.facesAround(v)) {
-            star_.push_back(normals_[f]);
-        }
     }
 
     bool findDirection(int v) {
         Vec3 sum = Vec3::Zero();
         for (const int f : surface_.facesAround(v)) {
             const Triangle& face = extended_.faces[f];
-            const std::size_t k = face[0] == v ? 0 : (face[1] == v ? 1 : 2);
-            sum += cornerAngle(face, k, crossOf(face).norm()) * normals_[f];
+            const double doubleArea = areaNormal(extended_, f).norm();
+            sum += cornerAngle(face, cornerOf(face, v), doubleArea) * normals_[f];
         }
         return chooseDirection(v, sum);
     }
@@ -190,10 +180,13 @@ private:
     // The average of the normals around a vertex, of which the sum is given, where it sees all
     // faces well, else the one that sees them best. Returns whether it sees all.
     bool chooseDirection(int v, const Vec3& sum) {
-        gatherNormals(v);
+        star_.clear();
+        for (const int f : surface_.facesAround(v)) {
+            star_.push_back(normals_[f]);
+        }
         const double length = sum.norm();
         const Vec3 average = sum / length;
-        if (length > 0.0 && leastCosine(average, star_) >= kGoodAverageCosine) {
+        if (length > 0.0 && leastCosine(average, star_) >= kExtension.goodAverageCosine) {
             extended_.directions[v] = average;
             return true;
         }
@@ -201,7 +194,7 @@ private:
         return leastCosine(extended_.directions[v], star_) >= kLeastPillarCosine;
     }
 
-    [[nodiscard]] double cornerAngle(const Triangle& face, std::size_t k, double doubleArea) const {
+    [[nodiscard]] double cornerAngle(const Triangle& face, int k, double doubleArea) const {
         const Vec3& corner = extended_.vertices[face[k]];
         const Vec3 a = extended_.vertices[face[(k + 1) % 3]] - corner;
         const Vec3 b = extended_.vertices[face[(k + 2) % 3]] - corner;
@@ -228,12 +221,12 @@ private:
         }
         for (std::size_t i = 0; i < unseen.size(); ++i) {
             Vec3& p = extended_.vertices[unseen[i]];
-            p += kMoveFraction * (targets[i] - p);
+            p += kExtension.moveFraction * (targets[i] - p);
             moved[unseen[i]] = 1;
         }
         for (const int v : unseen) {
             for (const int f : surface_.facesAround(v)) {
-                normals_[f] = normalOf(f);
+                normals_[f] = areaNormal(extended_, f).normalized();
             }
         }
         sortUnique(touched);
@@ -252,41 +245,41 @@ private:
     std::vector<Vec3> star_;  // those around a vertex
 };
 
+// A boundary edge of a face, in the face's own order.
+struct BoundaryEdge {
+    int face, from, to;
+};
+
 // Grows the ghost strip: each boundary edge gets a quad, each boundary vertex one ghost.
 class GhostBuilder {
 public:
     GhostBuilder(const Surface& surface, ExtendedSurface& extended)
-        : surface_(surface), extended_(extended) {}
-
-    void build() {
-        collectBoundary();
-        placeGhosts();
-        addFaces();
-    }
-
-private:
-    struct BoundaryEdge {
-        int face, from, to;  // in the face's own order
-    };
-
-    void collectBoundary() {
-        nextEdge_.assign(extended_.vertices.size(), -1);
-        previousEdge_.assign(extended_.vertices.size(), -1);
-        for (int f = 0; f < surface_.faceCount(); ++f) {
+        : extended_(extended),
+          nextEdge_(extended.vertices.size(), -1),
+          previousEdge_(nextEdge_),
+          ghostOf_(nextEdge_) {
+        for (int f = 0; f < surface.faceCount(); ++f) {
+            const Triangle& face = surface.faces()[f];
             for (std::size_t k = 0; k < 3; ++k) {
-                if (surface_.faceNeighbours()[f][k] >= 0) {
-                    continue;
+                if (surface.faceNeighbours()[f][k] < 0) {
+                    const BoundaryEdge edge{f, face[(k + 1) % 3], face[(k + 2) % 3]};
+                    nextEdge_[edge.from] = previousEdge_[edge.to] = static_cast<int>(edges_.size());
+                    edges_.push_back(edge);
                 }
-                const Triangle& face = surface_.faces()[f];
-                const int from = face[(k + 1) % 3];
-                const int to = face[(k + 2) % 3];
-                nextEdge_[from] = static_cast<int>(edges_.size());
-                previousEdge_[to] = static_cast<int>(edges_.size());
-                edges_.push_back({f, from, to});
             }
         }
     }
 
+    void build() {
+        for (const BoundaryEdge& edge : edges_) {
+            if (previousEdge_[edge.from] >= 0) {
+                placeGhost(edge, edges_[previousEdge_[edge.from]]);
+            }
+        }
+        addFaces();
+    }
+
+private:
     [[nodiscard]] Vec3 outward(const BoundaryEdge& edge) const {
         const Vec3 normal = extended_.directions[edge.from] + extended_.directions[edge.to];
         return (extended_.vertices[edge.to] - extended_.vertices[edge.from])
@@ -294,51 +287,41 @@ private:
             .normalized();
     }
 
-    void placeGhosts() {
-        ghostOf_.assign(extended_.vertices.size(), -1);
-        for (const BoundaryEdge& edge : edges_) {
-            const int v = edge.from;
-            if (previousEdge_[v] < 0) {
-                continue;
-            }
-            const Vec3 sum = outward(edge) + outward(edges_[previousEdge_[v]]);
-            const double length = sum.norm();
-            const Vec3 direction = length > 0.0 ? Vec3(sum / length) : outward(edge);
-            ghostOf_[v] = static_cast<int>(extended_.vertices.size());
-            extended_.ghostOrigin.push_back(v);
-            extended_.vertices.emplace_back(
-                extended_.vertices[v] + kGhostWidth * extended_.edgeLengths[v] * direction
-            );
-            extended_.directions.push_back(extended_.directions[v]);
-            extended_.edgeLengths.push_back(extended_.edgeLengths[v]);
-        }
+    // The ghost of the vertex from which an edge starts and to which the one before it leads.
+    void placeGhost(const BoundaryEdge& edge, const BoundaryEdge& before) {
+        const int v = edge.from;
+        const Vec3 sum = outward(edge) + outward(before);
+        const double length = sum.norm();
+        const Vec3 direction = length > 0.0 ? Vec3(sum / length) : outward(edge);
+        ghostOf_[v] = static_cast<int>(extended_.vertices.size());
+        extended_.ghostOrigin.push_back(v);
+        extended_.vertices.emplace_back(
+            extended_.vertices[v] + kExtension.ghostWidth * extended_.edgeLengths[v] * direction
+        );
+        extended_.directions.push_back(extended_.directions[v]);
+        extended_.edgeLengths.push_back(extended_.edgeLengths[v]);
     }
 
     // The quad beyond edge from->to is (to, from, from') and (to, from', to'). It is left out, and
-    // the shell ends at that edge, where it would stand on its head (narrow notches).
+    // the shell ends at that edge, where it would face backwards (narrow notches).
     void addFaces() {
         std::vector<int> firstFace(edges_.size(), -1);
         for (std::size_t e = 0; e < edges_.size(); ++e) {
-            const BoundaryEdge& edge = edges_[e];
-            const int fromGhost = ghostOf_[edge.from];
-            const int toGhost = ghostOf_[edge.to];
-            const Triangle inner = {edge.to, edge.from, fromGhost};
-            const Triangle outer = {edge.to, fromGhost, toGhost};
-            if (fromGhost < 0 || toGhost < 0 || !isUpright(inner) || !isUpright(outer)) {
+            const auto& [face, from, to] = edges_[e];
+            const Triangle inner = {to, from, ghostOf_[from]};
+            const Triangle outer = {to, ghostOf_[from], ghostOf_[to]};
+            if (ghostOf_[from] < 0 || ghostOf_[to] < 0 || !isUpright(inner) || !isUpright(outer)) {
                 continue;
             }
             const int f = static_cast<int>(extended_.faces.size());
             firstFace[e] = f;
-            extended_.faces.push_back(inner);
-            extended_.faces.push_back(outer);
-            extended_.faceNeighbours.push_back({-1, f + 1, edge.face});
-            extended_.faceNeighbours.push_back({-1, -1, f});
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Triangle& face = extended_.faces[edge.face];
-                if (face[(k + 1) % 3] == edge.from && face[(k + 2) % 3] == edge.to) {
-                    extended_.faceNeighbours[edge.face][k] = f;
-                }
-            }
+            extended_.faces.insert(extended_.faces.end(), {inner, outer});
+            extended_.faceNeighbours.insert(
+                extended_.faceNeighbours.end(), {{-1, f + 1, face}, {-1, -1, f}}
+            );
+            // The edge is opposite to the corner that is neither of its ends.
+            const Triangle& corners = extended_.faces[face];
+            extended_.faceNeighbours[face][3 - cornerOf(corners, from) - cornerOf(corners, to)] = f;
         }
         // Neighbouring quads share the edge from a boundary vertex to its ghost.
         for (std::size_t e = 0; e < edges_.size(); ++e) {
@@ -351,21 +334,18 @@ private:
     }
 
     [[nodiscard]] bool isUpright(const Triangle& face) const {
-        if (face[2] < 0) {
-            return false;
-        }
-        const Vec3 normal = (extended_.vertices[face[1]] - extended_.vertices[face[0]])
-                                .cross(extended_.vertices[face[2]] - extended_.vertices[face[0]]);
+        const Vec3& corner = extended_.vertices[face[0]];
+        const Vec3 normal =
+            (extended_.vertices[face[1]] - corner).cross(extended_.vertices[face[2]] - corner);
         const double length = normal.norm();
-        return std::all_of(face.begin(), face.end(), [&](int v) {
+        return std::ranges::all_of(face, [&](int v) {
             return normal.dot(extended_.directions[v]) > kLeastPillarCosine * length;
         });
     }
 
-    const Surface& surface_;
     ExtendedSurface& extended_;
     std::vector<BoundaryEdge> edges_;
-    std::vector<int> nextEdge_, previousEdge_, ghostOf_;
+    std::vector<int> nextEdge_, previousEdge_, ghostOf_;  // by vertex, -1 for none
 };
 
 }  // namespace

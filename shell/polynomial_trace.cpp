@@ -12,6 +12,16 @@ double evaluate(const double* c, int degree, double s) {
     return value;
 }
 
+using Coefficients = std::array<double, kMaxPolynomialDegree + 1>;
+
+Coefficients derivativeOf(const double* c, int degree) {
+    Coefficients d{};
+    for (int j = 1; j <= degree; ++j) {
+        d[j - 1] = j * c[j];
+    }
+    return d;
+}
+
 // Bound of |c_2 s^2 + ... | and of its derivative on [0, s].
 struct HigherTerms {
     double value = 0.0, derivative = 0.0;
@@ -28,27 +38,26 @@ HigherTerms boundHigherTerms(const double* c, int degree, double s) {
     return bound;
 }
 
-// Root of a function that falls from >= 0 at a to < 0 at b and is monotone between: Newton kept
-// inside the bracket.
-double bracketedRoot(const double* c, int degree, double a, double b) {
-    std::array<double, kMaxPolynomialDegree + 1> d{};
-    for (int j = 1; j <= degree; ++j) {
-        d[j - 1] = j * c[j];
-    }
+// Root of a polynomial that is monotone in [a, b]; times `sign` it falls from >= 0 at a to < 0 at
+// b. Newton kept inside the bracket.
+double bracketedRoot(const double* c, int degree, double a, double b, double sign) {
+    constexpr int kMaxIterations = 60;   // more than bisection takes
+    constexpr double kRounding = 1e-15;  // of a root, relative to b
+    const Coefficients d = derivativeOf(c, degree);
     double s = 0.5 * (a + b);
-    for (int iteration = 0; iteration < 60; ++iteration) {
-        const double value = evaluate(c, degree, s);
+    for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+        const double value = sign * evaluate(c, degree, s);
         if (value >= 0.0) {
             a = s;
         } else {
             b = s;
         }
-        const double slope = evaluate(d.data(), degree - 1, s);
+        const double slope = sign * evaluate(d.data(), degree - 1, s);
         double next = slope < 0.0 ? s - value / slope : a - 1.0;
         if (next <= a || next >= b) {
             next = 0.5 * (a + b);
         }
-        if (std::abs(next - s) <= 1e-15 * b || b - a <= 1e-15 * b) {
+        if (std::abs(next - s) <= kRounding * b || b - a <= kRounding * b) {
             return next;
         }
         s = next;
@@ -63,17 +72,10 @@ int signChanges(const double* c, int degree, double end, double* roots) {
         if (c[1] == 0.0) {
             return 0;
         }
-        const double root = -c[0] / c[1];
-        if (root > 0.0 && root < end) {
-            roots[0] = root;
-            return 1;
-        }
-        return 0;
+        roots[0] = -c[0] / c[1];
+        return roots[0] > 0.0 && roots[0] < end ? 1 : 0;
     }
-    std::array<double, kMaxPolynomialDegree + 1> d{};
-    for (int j = 1; j <= degree; ++j) {
-        d[j - 1] = j * c[j];
-    }
+    const Coefficients d = derivativeOf(c, degree);
     std::array<double, kMaxPolynomialDegree + 2> breaks{};
     int count = signChanges(d.data(), degree - 1, end, breaks.data() + 1);
     breaks[0] = 0.0;
@@ -82,27 +84,20 @@ int signChanges(const double* c, int degree, double end, double* roots) {
     for (int i = 0; i < count; ++i) {
         const double a = breaks[i];
         const double b = breaks[i + 1];
-        const double fa = evaluate(c, degree, a);
-        const double fb = evaluate(c, degree, b);
-        if (fa >= 0.0 && fb < 0.0) {
-            roots[found++] = bracketedRoot(c, degree, a, b);
-        } else if (fa < 0.0 && fb >= 0.0) {
-            std::array<double, kMaxPolynomialDegree + 1> negative{};
-            for (int j = 0; j <= degree; ++j) {
-                negative[j] = -c[j];
-            }
-            roots[found++] = bracketedRoot(negative.data(), degree, a, b);
+        const bool isPositive = evaluate(c, degree, a) >= 0.0;
+        if (isPositive != (evaluate(c, degree, b) >= 0.0)) {
+            roots[found++] = bracketedRoot(c, degree, a, b, isPositive ? 1.0 : -1.0);
         }
     }
     return found;
 }
 
-// Root of a polynomial that falls all the way from c[0] >= 0 to a negative value at `reach`:
+// Root of a polynomial that falls all the way from c[0] >= 0 to a negative value at `limit`:
 // Newton, a handful of steps from the root of the tangent.
-double rootOfFalling(const double* c, int degree, double reach) {
+double rootOfFalling(const double* c, int degree, double limit) {
     constexpr int kMaxSteps = 8;
     constexpr double kLastStep = 1e-9;
-    double s = std::min(reach, c[0] / -c[1]);
+    double s = std::min(limit, c[0] / -c[1]);
     for (int step = 0; step < kMaxSteps; ++step) {
         double value = c[degree];
         double slope = 0.0;
@@ -110,19 +105,19 @@ double rootOfFalling(const double* c, int degree, double reach) {
             slope = slope * s + value;
             value = value * s + c[j];
         }
-        const double next = std::clamp(s - value / slope, 0.0, reach);
+        const double next = std::clamp(s - value / slope, 0.0, limit);
         // The step after one this small would be its square.
-        if (std::abs(next - s) <= kLastStep * reach) {
+        if (std::abs(next - s) <= kLastStep * limit) {
             return next;
         }
         s = next;
     }
-    return bracketedRoot(c, degree, 0.0, reach);  // nearly a double root
+    return bracketedRoot(c, degree, 0.0, limit, 1.0);  // nearly a double root
 }
 
-// Slow but sure: the first sign change after which the polynomial is negative.
+// The general case: the first sign change after which the polynomial is negative.
 double firstExitByIsolation(const double* c, int degree, double end) {
-    std::array<double, kMaxPolynomialDegree + 1> roots{};
+    Coefficients roots{};
     const int count = signChanges(c, degree, end, roots.data());
     for (int i = 0; i < count; ++i) {
         const double a = roots[i];
@@ -157,17 +152,17 @@ CellExit firstExitOfDegree(
     // The curve by axes and the walls along it, coefficients side by side in an even number, so
     // that two are computed at once.
     constexpr int kCount = (Degree + 2) / 2 * 2;
-    using Coefficients = Eigen::Matrix<double, kCount, 1>;
+    using WallCoefficients = Eigen::Matrix<double, kCount, 1>;
     Eigen::Matrix<double, kCount, 3> axes = Eigen::Matrix<double, kCount, 3>::Zero();
     for (int j = 0; j <= Degree; ++j) {
         axes.row(j) = curve.coefficients[j].transpose();
     }
-    std::array<Coefficients, ShellCell::kMaxWalls> walls;
+    std::array<WallCoefficients, ShellCell::kMaxWalls> walls;
     int nearest = 0;
     double nearestExit = std::numeric_limits<double>::infinity();
     for (int k = 0; k < cell.wallCount; ++k) {
         const AffineForm& form = cell.walls[k];
-        Coefficients& wall = walls[k];
+        WallCoefficients& wall = walls[k];
         wall.noalias() = form.gradient.x() * axes.col(0) + form.gradient.y() * axes.col(1) +
                          form.gradient.z() * axes.col(2);
         wall[0] += form.offset;
@@ -181,7 +176,7 @@ CellExit firstExitOfDegree(
     CellExit exit{end, -1};
     for (int i = 0; i < cell.wallCount; ++i) {
         const int k = nearest + i < cell.wallCount ? nearest + i : nearest + i - cell.wallCount;
-        const Coefficients& wall = walls[k];
+        const WallCoefficients& wall = walls[k];
         if ((ignoredWalls >> static_cast<unsigned>(k) & 1U) != 0 ||
             staysInside<Degree>(wall.data(), exit.s, tolerance)) {
             continue;
@@ -228,15 +223,16 @@ PolynomialCurve PolynomialCurve::shifted(double origin) const {
 }
 
 double TraceState::tolerance() const {
-    constexpr int kPatience = 16;
+    constexpr int kCrossingsPerGrowth = 16;  // without progress, until the tolerance grows tenfold
     constexpr double kMaxGrowth = 1e4;
-    return stalled < kPatience
+    return stalled < kCrossingsPerGrowth
                ? kCellTolerance
-               : kCellTolerance * std::min(std::pow(10.0, stalled / kPatience), kMaxGrowth);
+               : kCellTolerance *
+                     std::min(std::pow(10.0, stalled / kCrossingsPerGrowth), kMaxGrowth);
 }
 
 double firstExit(const double* coefficients, int degree, double end, double tolerance) {
-    std::array<double, kMaxPolynomialDegree + 1> c{};
+    Coefficients c{};
     std::copy(coefficients, coefficients + degree + 1, c.begin());
     c[0] += tolerance;
     const HigherTerms whole = boundHigherTerms(c.data(), degree, end);
@@ -253,12 +249,12 @@ double firstExit(const double* coefficients, int degree, double end, double tole
     }
     // The common case, an almost straight piece: monotone up to its root.
     if (c[1] < 0.0) {
-        const double reach = std::min(end, 2.0 * c[0] / -c[1]);
-        const bool falls = c[1] + boundHigherTerms(c.data(), degree, reach).derivative < 0.0;
-        if (falls && evaluate(c.data(), degree, reach) < 0.0) {
-            return rootOfFalling(c.data(), degree, reach);
+        const double limit = std::min(end, 2.0 * c[0] / -c[1]);
+        const bool falls = c[1] + boundHigherTerms(c.data(), degree, limit).derivative < 0.0;
+        if (falls && evaluate(c.data(), degree, limit) < 0.0) {
+            return rootOfFalling(c.data(), degree, limit);
         }
-        if (falls && reach == end) {
+        if (falls && limit == end) {
             return end;
         }
     }

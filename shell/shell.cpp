@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell.h"
 
+#include "shell/face_geometry.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -13,40 +15,38 @@ namespace bspline_curve {
 namespace {
 
 // What lies across the face opposite to vertex k of tetrahedron i of a slab.
-enum class Across : signed char { Tetrahedron, OtherSlab, WallLower, WallUpper, Outside };
+enum class Across : signed char { Tetrahedron, OtherSlab, Wall, Outside };
 
 struct Adjacency {
     Across kind;
     signed char target;  // Tetrahedron: its index in the slab; walls: the wall's slot
 };
 
-// The tables follow kSlabSplit; a wall between slots p < q has its diagonal from Mp to Uq, hence a
-// lower and an upper half.
+constexpr Adjacency toWall(signed char slot) {
+    return {Across::Wall, slot};
+}
+
+constexpr Adjacency toTetrahedron(signed char i) {
+    return {Across::Tetrahedron, i};
+}
+
+// The tables follow kSlabSplit.
 constexpr std::array<std::array<Adjacency, 4>, 3> kAdjacency = {
-    {{{{Across::WallLower, 0},
-       {Across::WallLower, 1},
-       {Across::Tetrahedron, 1},
-       {Across::OtherSlab, 0}}},
-     {{{Across::WallUpper, 0},
-       {Across::Tetrahedron, 2},
-       {Across::WallLower, 2},
-       {Across::Tetrahedron, 0}}},
-     {{{Across::Outside, 0},
-       {Across::Tetrahedron, 1},
-       {Across::WallUpper, 1},
-       {Across::WallUpper, 2}}}}
+    {{{toWall(0), toWall(1), toTetrahedron(1), {Across::OtherSlab, 0}}},
+     {{toWall(0), toTetrahedron(2), toWall(2), toTetrahedron(0)}},
+     {{{Across::Outside, 0}, toTetrahedron(1), toWall(1), toWall(2)}}}
 };
 
-// The tetrahedron of a slab that holds the lower and the upper half of the wall opposite to a slot.
-constexpr std::array<int, 3> kBehindLowerWall = {0, 0, 1};
-constexpr std::array<int, 3> kBehindUpperWall = {1, 2, 2};
-
-// Which half of the wall opposite to a slot a tetrahedron of a slab touches. Tetrahedra 0, 1 and 2
+// A wall between slots p < q has its diagonal from Mp to Uq, hence a lower and an upper half: which
+// of them a tetrahedron of a slab touches, by the slot opposite to the wall. Tetrahedra 0, 1 and 2
 // meet the walls opposite to slots 2, 1 and 0 in the diagonal or in the outer edge alone, where
 // they are as good as their neighbour.
 constexpr std::array<std::array<bool, 3>, 3> kTouchesUpperHalf = {
     {{false, false, false}, {true, false, false}, {true, true, true}}
 };
+
+// The tetrahedron of a slab that holds the lower or the upper half of the wall opposite to a slot.
+constexpr std::array<std::array<int, 3>, 2> kHolderOfHalf = {{{0, 0, 1}, {1, 2, 2}}};
 
 // A tetrahedron holds points whose barycentric coordinates are above minus this: rounding.
 constexpr double kHoldingDepth = 1e-12;
@@ -112,47 +112,33 @@ std::vector<int> Shell::blockedFaces() const {
 }
 
 int Shell::neighbour(int tet, int k) const {
-    const int prism = tet / kTetrahedraPerPrism;
-    const int inPrism = tet % kTetrahedraPerPrism;
-    const int slab = inPrism / 3;
-    const Adjacency adjacency = kAdjacency[inPrism % 3][k];
+    const Adjacency adjacency = kAdjacency[tet % 3][k];
+    const int first = tet - tet % 3;  // of the slab
     switch (adjacency.kind) {
         case Across::Outside:
             return -1;
         case Across::Tetrahedron:
-            return prism * kTetrahedraPerPrism + slab * 3 + adjacency.target;
+            return first + adjacency.target;
         case Across::OtherSlab:
-            return prism * kTetrahedraPerPrism + (1 - slab) * 3;
-        case Across::WallLower:
-        case Across::WallUpper:
+            return below(first);
+        case Across::Wall:
             break;
     }
-    const auto wall = static_cast<std::size_t>(adjacency.target);
-    const Prism& here = prisms_[prism];
-    const int there = here.neighbours[wall];
-    if (there < 0) {
-        return -1;
-    }
-    const auto wallThere = static_cast<std::size_t>(here.neighbourWalls[wall]);
-    const int inSlab = adjacency.kind == Across::WallLower ? kBehindLowerWall[wallThere]
-                                                           : kBehindUpperWall[wallThere];
-    return there * kTetrahedraPerPrism + slab * 3 + inSlab;
+    const Prism& here = prisms_[tet / kTetrahedraPerPrism];
+    return here.neighbours[adjacency.target] < 0 ? -1 : neighbourBehind(tet, adjacency.target);
 }
 
 int Shell::wallOf(int tet, int k) {
     const Adjacency adjacency = kAdjacency[tet % 3][k];
-    return adjacency.kind == Across::WallLower || adjacency.kind == Across::WallUpper
-               ? adjacency.target
-               : -1;
+    return adjacency.kind == Across::Wall ? adjacency.target : -1;
 }
 
 int Shell::neighbourBehind(int tet, int wall) const {
     const Prism& here = prisms_[tet / kTetrahedraPerPrism];
-    const auto wallThere = static_cast<std::size_t>(here.neighbourWalls[wall]);
+    const std::size_t half = kTouchesUpperHalf[tet % 3][wall] ? 1 : 0;
     const int slab = tet % kTetrahedraPerPrism / 3;
-    const int inSlab = kTouchesUpperHalf[tet % 3][wall] ? kBehindUpperWall[wallThere]
-                                                        : kBehindLowerWall[wallThere];
-    return here.neighbours[wall] * kTetrahedraPerPrism + slab * 3 + inSlab;
+    return here.neighbours[wall] * kTetrahedraPerPrism + slab * 3 +
+           kHolderOfHalf[half][here.neighbourWalls[wall]];
 }
 
 int Shell::locate(const SurfacePoint& point) const {
@@ -163,11 +149,7 @@ int Shell::locate(const SurfacePoint& point) const {
         return point.face * kTetrahedraPerPrism;
     }
     const Vec3 p = extended_->position(point);
-    const Triangle& face = extended_->faces[point.face];
-    const Vec3& corner = extended_->vertices[face[0]];
-    const Vec3 normal = (extended_->vertices[face[1]] - corner)
-                            .cross(extended_->vertices[face[2]] - corner)
-                            .normalized();
+    const Vec3 normal = areaNormal(*extended_, point.face).normalized();
     int best = -1;
     double highest = -std::numeric_limits<double>::infinity();
     std::array<AffineForm, 4> lambda;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_builder.h"
 
-#include "shell/everted_layers.h"
-#include "shell/full_prisms.h"
-#include "shell/nested_components.h"
-#include "shell/pillar_reach.h"
-#include "shell/slab.h"
-#include "surface/predicates.h"
+#include "shell/overlapping_components.h"
+#include "shell/pillar_lengths.h"
 #include "surface/self_intersection.h"
 #include "surface/triangle_tree.h"
 #include "utility/report_progress.h"
@@ -17,140 +13,122 @@
 namespace bspline_curve {
 namespace {
 
-constexpr double kInvertedShrink = 0.6;
-constexpr double kIntersectingShrink = 0.5;
-// Pillars shorter than this share of the wanted length shrink no more: where that does not help,
-// faces are blocked.
-constexpr double kLeastShare = 1e-9;
-// Ghosts that still intersect something after this many rounds are given up, or they would make
-// needles of the pillars on the boundary of the surface.
-constexpr int kGhostRounds = 6;
+struct BuilderConstants {
+    /// Factor on the half pillars of a prism with a tetrahedron that is not positive.
+    double invertedShrink = 0.6;
+    /// Factor on half pillars whose tips belong to triangles that intersect.
+    double intersectingShrink = 0.5;
+    /// Half pillars below this share of the wanted length are not shortened; faces are blocked.
+    double leastShare = 1e-9;
+    /// Rounds after which ghosts that intersect something are blocked: needles otherwise.
+    int ghostRounds = 6;
+};
 
-// Layers of points: tips above and below, middles.
-constexpr int kTop = 0;
-constexpr int kBottom = 1;
-constexpr int kMiddle = 2;
+constexpr BuilderConstants kBuilder;
 
-// Which pillars are meant, above and below.
-using PillarMarks = std::array<std::vector<char>, 2>;
-
-// The triangles of the shell's boundary.
+// The triangles of the shell's boundary, and the face over which the prism of each lies.
 struct Boundary {
-    std::vector<int> faces;           // of the extended surface, whose prism each belongs to
-    std::vector<Triangle> triangles;  // of the layers' points
+    std::vector<int> faces;
+    std::vector<Triangle> triangles;
 };
 
 class Builder {
 public:
     Builder(const ExtendedSurface& extended, const ShellOptions& options) : extended_(extended) {
         const std::size_t n = extended.vertices.size();
-        for (const int side : {kTop, kBottom}) {
-            for (std::size_t v = 0; v < n; ++v) {
-                lengths_[side].push_back(options.thickness * extended.edgeLengths[v]);
-            }
+        for (const double edgeLength : extended.edgeLengths) {
+            wantedLengths_.push_back(options.thickness * edgeLength);
         }
-        wantedLengths_ = lengths_[0];
-        keepPillarsApart(extended, lengths_);
-        layers_.pillarCount = n;
-        layers_.points.reserve(3 * n);
-        for (int layer = 0; layer < 3; ++layer) {
-            layers_.points.insert(
-                layers_.points.end(), extended.vertices.begin(), extended.vertices.end()
-            );
-        }
+        lengths_ = {wantedLengths_, wantedLengths_};
+        limitPillarLengths(extended, lengths_);
+        points_.points.resize(PillarPoints::kLevels * n);
         for (std::size_t v = 0; v < n; ++v) {
-            placeTips(v);
+            placePillar(v);
         }
         prisms_.reserve(extended.faces.size());
         for (const Triangle& face : extended.faces) {
             prisms_.push_back(prismOver(face));
         }
-        blocked_.assign(extended.faces.size(), 0);
+        connectPrisms(prisms_, extended.faceNeighbours);
+        marks_ = {std::vector<char>(n, 0), std::vector<char>(n, 0)};
         changed_.assign(n, 1);
+        touched_.assign(n, 1);
         std::vector<char> unseen(n, 0);
         for (const int v : extended.unseenVertices) {
             unseen[v] = 1;
         }
-        for (std::size_t f = 0; f < extended.faces.size(); ++f) {
-            for (const int v : extended.faces[f]) {
-                blocked_[f] = static_cast<char>(blocked_[f] | unseen[v]);
+        for (Prism& prism : prisms_) {
+            if (std::ranges::any_of(prism.pillars, [&](int v) { return unseen[v] != 0; })) {
+                prism.orientation = 0;
             }
         }
     }
 
-    // Shrinks pillars until every tetrahedron is positive. Only prisms with a pillar that changed
+    // Shortens pillars until every tetrahedron is positive. Only prisms with a pillar that changed
     // are tested again.
-    void uprightAll() {
-        std::vector<char> everChanged = changed_;
+    void makePositive() {
+        changed_ = touched_;
         for (int round = 0;; ++round) {
-            PillarMarks marks = noPillars();
-            bool any = false;
-            for (std::size_t f = 0; f < prisms_.size(); ++f) {
-                const Prism& prism = prisms_[f];
-                const bool isDirty =
-                    std::any_of(prism.pillars.begin(), prism.pillars.end(), [&](int v) {
-                        return changed_[v] != 0;
-                    });
-                for (const int slab : {kTop, kBottom}) {
-                    if (isDirty && blocked_[f] == 0 && !slabIsUpright(prism, slab)) {
-                        any = true;
-                        if (!markForShrinking(marks, slab, prism.pillars)) {
-                            block(static_cast<int>(f), everChanged);
-                        }
+            bool isDone = true;
+            for (int f = 0; f < static_cast<int>(prisms_.size()); ++f) {
+                const bool hasChanged = std::ranges::any_of(prisms_[f].pillars, [&](int v) {
+                    return changed_[v] != 0;
+                });
+                for (int slab = 0; hasChanged && slab < 2; ++slab) {
+                    const Prism& prism = prisms_[f];
+                    if (!isBlocked(f) &&
+                        !Slab{points_, prism.pillars, prism.orientation, slab}.isPositive()) {
+                        isDone = false;
+                        shortenOrBlock({f, slab});
                     }
                 }
             }
             report_.orientationRounds = std::max(report_.orientationRounds, round);
-            if (!any) {
-                break;
+            if (isDone) {
+                return;
             }
-            shrink(marks, kInvertedShrink);
-            for (std::size_t v = 0; v < changed_.size(); ++v) {
-                everChanged[v] = static_cast<char>(everChanged[v] | changed_[v]);
-            }
+            shorten(kBuilder.invertedShrink);
         }
-        changed_ = std::move(everChanged);
     }
 
-    // Shrinks pillars until the boundary of the shell intersects itself nowhere, no component lies
+    // Shortens pillars until the boundary of the shell intersects itself nowhere, no component lies
     // inside of another one, and no layer is inside out.
-    void separateAll(const Progress& progress) {
+    void separate(const Progress& progress) {
         for (int round = 0;; ++round) {
             // Most builds need a handful of rounds, each with less to do than the one before.
             bspline_curve::report(progress, 1.0 - 0.7 / (round + 1.0), "separating top and bottom");
-            PillarMarks marks = noPillars();
-            std::vector<char> freed(extended_.vertices.size(), 0);
             report_.intersectionRounds = round;
-            if (!markIntersecting(marks, freed) && !markNested(marks, freed) &&
-                !markEverted(marks, freed)) {
+            const Boundary boundary = findBoundary();
+            const std::vector<std::pair<int, int>> pairs = intersectingPairs(boundary.triangles);
+            touched_.assign(touched_.size(), 0);
+            if (!pairs.empty()) {
+                markIntersecting(boundary, pairs);
+            } else if (!markOverlappingComponents()) {
                 return;
             }
-            shrink(marks, kIntersectingShrink);
-            // Where a face is blocked, its neighbours have new walls.
-            for (std::size_t v = 0; v < freed.size(); ++v) {
-                changed_[v] = static_cast<char>(changed_[v] | freed[v]);
-            }
-            uprightAll();
+            shorten(kBuilder.intersectingShrink);
+            makePositive();
         }
     }
 
     ShellBuild finish() {
         std::vector<Pillar> pillars(extended_.vertices.size());
         for (std::size_t v = 0; v < pillars.size(); ++v) {
-            pillars[v] = {
-                layers_.point(kBottom, v), layers_.point(kMiddle, v), layers_.point(kTop, v)
-            };
+            pillars[v] = points_.pillar(static_cast<int>(v));
         }
-        for (std::size_t f = 0; f < blocked_.size(); ++f) {
-            if (blocked_[f] == 0) {
-                continue;
-            }
-            prisms_[f].orientation = 0;
-            if (!isGhost(static_cast<int>(f))) {
-                report_.blockedFaces.push_back(static_cast<int>(f));
+        for (int f = 0; f < extended_.surfaceFaceCount; ++f) {
+            if (isBlocked(f)) {
+                report_.blockedFaces.push_back(f);
             }
         }
-        connectPrisms(prisms_, extended_.faceNeighbours);
+        for (Prism& prism : prisms_) {
+            for (std::size_t slot = 0; slot < 3; ++slot) {
+                if (prism.orientation == 0 || isBlocked(prism.neighbours[slot])) {
+                    prism.neighbours[slot] = -1;
+                    prism.neighbourWalls[slot] = 0;
+                }
+            }
+        }
         return {
             Shell(std::move(pillars), std::move(prisms_), extended_.surfaceFaceCount),
             std::move(report_)
@@ -160,198 +138,167 @@ public:
 private:
     [[nodiscard]] bool isGhost(int face) const { return face >= extended_.surfaceFaceCount; }
 
-    void placeTips(std::size_t v) {
-        layers_.points[layers_.indexOf(kTop, v)] =
-            extended_.vertices[v] + lengths_[kTop][v] * extended_.directions[v];
-        layers_.points[layers_.indexOf(kBottom, v)] =
-            extended_.vertices[v] - lengths_[kBottom][v] * extended_.directions[v];
+    /// Whether there is no prism: also for face -1, beyond the end of the extended surface.
+    [[nodiscard]] bool isBlocked(int face) const {
+        return face < 0 || prisms_[face].orientation == 0;
     }
 
-    [[nodiscard]] bool slabIsUpright(const Prism& prism, int slab) const {
-        const int wanted = slab == kTop ? prism.orientation : -prism.orientation;
-        return bspline_curve::slabIsUpright(wanted, [&](int slot, bool outer) -> const Vec3& {
-            return layers_.point(outer ? slab : kMiddle, prism.pillars[slot]);
-        });
+    void placePillar(std::size_t v) {
+        const Vec3& middle = extended_.vertices[v];
+        const Vec3& direction = extended_.directions[v];
+        points_.set(
+            static_cast<int>(v),
+            {middle - lengths_[1][v] * direction, middle, middle + lengths_[0][v] * direction}
+        );
     }
 
-    // ---- Shrinking ----
+    // ---- Shortening ----
 
-    [[nodiscard]] PillarMarks noPillars() const {
-        return {
-            std::vector<char>(extended_.vertices.size(), 0),
-            std::vector<char>(extended_.vertices.size(), 0)
-        };
-    }
-
-    [[nodiscard]] bool canShrink(int v, int side) const {
-        return lengths_[side][v] > kLeastShare * wantedLengths_[v];
-    }
-
-    // Whether any of the half pillars could be marked.
-    bool markForShrinking(PillarMarks& marks, int side, const std::array<int, 3>& vertices) const {
-        bool any = false;
-        for (const int v : vertices) {
-            if (canShrink(v, side)) {
-                marks[side][v] = 1;
-                any = true;
-            }
+    // Marks a half pillar to be shortened; false where it is too short already.
+    bool mark(int pillar, int slab) {
+        const bool canShrink =
+            lengths_[slab][pillar] > kBuilder.leastShare * wantedLengths_[pillar];
+        if (canShrink) {
+            marks_[slab][pillar] = 1;
         }
-        return any;
+        return canShrink;
     }
 
-    // The same of those with a tip in a triangle of the boundary.
-    bool markTipsForShrinking(PillarMarks& marks, const Triangle& triangle) const {
+    // Marks the half pillars of a slab; where none can be shortened its face is blocked.
+    void shortenOrBlock(const PrismSlab& found) {
+        bool any = false;
+        for (const int v : prisms_[found.prism].pillars) {
+            any = mark(v, found.slab) || any;
+        }
+        if (!any) {
+            block(found.prism);
+        }
+    }
+
+    // Marks the half pillars with a tip in a triangle of the boundary; false where none could be.
+    bool markTips(const Triangle& triangle) {
         bool any = false;
         for (const int point : triangle) {
-            const int side = layerOf(point);
-            if (side != kMiddle && canShrink(pillarOf(point), side)) {
-                marks[side][pillarOf(point)] = 1;
-                any = true;
+            for (const int slab : {0, 1}) {
+                if (point % PillarPoints::kLevels == static_cast<int>(kOuterLevels[slab])) {
+                    any = mark(point / PillarPoints::kLevels, slab) || any;
+                }
             }
         }
         return any;
     }
 
-    [[nodiscard]] int layerOf(int point) const {
-        return point / static_cast<int>(layers_.pillarCount);
-    }
-
-    [[nodiscard]] int pillarOf(int point) const {
-        return point % static_cast<int>(layers_.pillarCount);
-    }
-
-    void shrink(const PillarMarks& marks, double factor) {
+    // Shortens the half pillars that are marked.
+    void shorten(double factor) {
         for (std::size_t v = 0; v < changed_.size(); ++v) {
-            changed_[v] = static_cast<char>(marks[kTop][v] | marks[kBottom][v]);
-            for (const int side : {kTop, kBottom}) {
-                if (marks[side][v] != 0) {
-                    lengths_[side][v] *= factor;
+            changed_[v] = static_cast<char>(marks_[0][v] | marks_[1][v]);
+            for (const int slab : {0, 1}) {
+                if (std::exchange(marks_[slab][v], 0) != 0) {
+                    lengths_[slab][v] *= factor;
                 }
             }
             if (changed_[v] != 0) {
-                placeTips(v);
+                touched_[v] = 1;
+                placePillar(v);
             }
         }
     }
 
     // ---- Separation ----
 
-    // The boundary: top and bottom, and the walls where the shell ends, split like their prism.
-    [[nodiscard]] Boundary boundary() const {
+    // Top and bottom, and the walls where the shell ends.
+    [[nodiscard]] Boundary findBoundary() const {
         Boundary boundary;
         boundary.faces.reserve(2 * prisms_.size());
         boundary.triangles.reserve(2 * prisms_.size());
-        const auto add = [&](std::size_t f,
-                             const std::array<int, 3>& pillars,
-                             const std::array<int, 3>& layers) {
-            boundary.faces.push_back(static_cast<int>(f));
-            Triangle& triangle = boundary.triangles.emplace_back();
-            for (std::size_t k = 0; k < 3; ++k) {
-                triangle[k] = static_cast<int>(layers_.indexOf(layers[k], pillars[k]));
-            }
+        const auto add = [&](int f, const Triangle& triangle) {
+            boundary.faces.push_back(f);
+            boundary.triangles.push_back(triangle);
         };
-        for (std::size_t f = 0; f < prisms_.size(); ++f) {
-            if (blocked_[f] != 0) {
+        for (int f = 0; f < static_cast<int>(prisms_.size()); ++f) {
+            if (isBlocked(f)) {
                 continue;
             }
             const Prism& prism = prisms_[f];
-            for (const int side : {kTop, kBottom}) {
-                add(f, prism.pillars, {side, side, side});
+            for (const Level level : kOuterLevels) {
+                add(f, layerTriangle(prism.pillars, level));
             }
             for (std::size_t slot = 0; slot < 3; ++slot) {
-                const int there = extended_.faceNeighbours[f][prism.faceCorner[slot]];
-                if (there >= 0 && blocked_[there] == 0) {
-                    continue;
-                }
-                const auto [low, high] =
-                    std::minmax(prism.pillars[(slot + 1) % 3], prism.pillars[(slot + 2) % 3]);
-                for (const int side : {kTop, kBottom}) {
-                    add(f, {low, high, high}, {kMiddle, kMiddle, side});
-                    add(f, {low, high, low}, {kMiddle, side, side});
+                if (isBlocked(prism.neighbours[slot])) {
+                    for (const Triangle& triangle : wallTriangles(prism.pillars, slot)) {
+                        add(f, triangle);
+                    }
                 }
             }
         }
         return boundary;
     }
 
-    [[nodiscard]] bool isDirty(const Triangle& triangle) const {
-        return std::any_of(triangle.begin(), triangle.end(), [&](int point) {
-            return changed_[pillarOf(point)] != 0;
+    [[nodiscard]] bool isTouched(const Triangle& triangle) const {
+        return std::ranges::any_of(triangle, [&](int point) {
+            return touched_[point / PillarPoints::kLevels] != 0;
         });
     }
 
-    // Intersecting pairs of boundary triangles of which at least one has a changed pillar.
+    // Pairs of triangles that intersect and of which at least one changed.
     [[nodiscard]] std::vector<std::pair<int, int>> intersectingPairs(
         const std::vector<Triangle>& triangles
     ) const {
         std::vector<std::pair<int, int>> pairs;
-        const TriangleTree tree(layers_.points, triangles);
+        const TriangleTree tree(points_.points, triangles);
         tree.forEachOverlappingPair([&](int i, int j) {
-            const Triangle& first = triangles[i];
-            const Triangle& second = triangles[j];
-            if ((isDirty(first) || isDirty(second)) &&
-                trianglesIntersect(layers_.points, first, second)) {
+            if ((isTouched(triangles[i]) || isTouched(triangles[j])) &&
+                trianglesIntersect(points_.points, triangles[i], triangles[j])) {
                 pairs.emplace_back(i, j);
             }
         });
-        std::sort(pairs.begin(), pairs.end());
+        std::ranges::sort(pairs);
         return pairs;
     }
 
-    // Marks pillars where the boundary intersects itself, blocks faces where shrinking cannot help.
-    bool markIntersecting(PillarMarks& marks, std::vector<char>& freed) {
-        const auto [faces, triangles] = boundary();
-        const std::vector<std::pair<int, int>> pairs = intersectingPairs(triangles);
-        for (const auto& [i, j] : pairs) {
-            const int f = faces[i];
-            const int g = faces[j];
+    // Marks the pillars of triangles that intersect; blocks faces where shorter ones do not help.
+    void markIntersecting(
+        const Boundary& boundary, const std::vector<std::pair<int, int>>& intersecting
+    ) {
+        for (const auto& [i, j] : intersecting) {
+            const int f = boundary.faces[i];
+            const int g = boundary.faces[j];
             if (f != g &&
                 trianglesIntersect(extended_.vertices, extended_.faces[f], extended_.faces[g])) {
-                blockCrossingFaces(freed);
-                continue;
-            }
-            if (report_.intersectionRounds >= kGhostRounds && (isGhost(f) || isGhost(g))) {
-                blockPair(f, g, freed);
-                continue;
-            }
-            const bool canShrinkFirst = markTipsForShrinking(marks, triangles[i]);
-            const bool canShrinkSecond = markTipsForShrinking(marks, triangles[j]);
-            if (!canShrinkFirst && !canShrinkSecond) {
-                blockPair(f, g, freed);
+                blockCrossingFaces();
+            } else if (report_.intersectionRounds >= kBuilder.ghostRounds &&
+                       (isGhost(f) || isGhost(g))) {
+                blockPair(f, g);
+            } else {
+                const bool anyOfFirst = markTips(boundary.triangles[i]);
+                const bool anyOfSecond = markTips(boundary.triangles[j]);
+                if (!anyOfFirst && !anyOfSecond) {
+                    blockPair(f, g);
+                }
             }
         }
-        return !pairs.empty();
     }
 
-    bool markNested(PillarMarks& marks, std::vector<char>& freed) {
-        const std::vector<NestedVertex> nested =
-            findNestedComponents(layers_, prisms_, extended_.faceNeighbours, blocked_);
-        for (const NestedVertex& found : nested) {
-            if (!markForShrinking(marks, found.slab, prisms_[found.prism].pillars)) {
-                block(found.prism, freed);
-            }
+    // Whether there are any.
+    bool markOverlappingComponents() {
+        const PrismComponents components = findComponents(prisms_);
+        std::vector<PrismSlab> found = findNestedSlabs(points_, prisms_, components);
+        if (found.empty()) {
+            found = findInvertedSlabs(points_, prisms_, components);
         }
-        return !nested.empty();
-    }
-
-    bool markEverted(PillarMarks& marks, std::vector<char>& freed) {
-        const std::vector<EvertedPrism> everted =
-            findEvertedLayers(layers_, prisms_, extended_.faceNeighbours, blocked_);
-        for (const auto& [prism, slab] : everted) {
-            if (!markForShrinking(marks, slab, prisms_[prism].pillars)) {
-                block(prism, freed);
-            }
+        for (const PrismSlab& slab : found) {
+            shortenOrBlock(slab);
         }
-        return !everted.empty();
+        return !found.empty();
     }
 
     // All of them, once: not only those whose prisms are thin enough to show it.
-    void blockCrossingFaces(std::vector<char>& freed) {
+    void blockCrossingFaces() {
         if (std::exchange(crossingsAreBlocked_, true)) {
             return;
         }
         for (const auto& [f, g] : findSelfIntersections(extended_.vertices, extended_.faces)) {
-            blockPair(f, g, freed);
+            blockPair(f, g);
             if (!isGhost(f) && !isGhost(g)) {
                 report_.selfIntersections.emplace_back(f, g);
             }
@@ -359,29 +306,31 @@ private:
     }
 
     // A ghost gives way to the surface.
-    void blockPair(int f, int g, std::vector<char>& freed) {
+    void blockPair(int f, int g) {
         const bool onlyGhosts = isGhost(f) != isGhost(g);
         for (const int face : {f, g}) {
             if (!onlyGhosts || isGhost(face)) {
-                block(face, freed);
+                block(face);
             }
         }
     }
 
-    void block(int face, std::vector<char>& freed) {
-        blocked_[face] = 1;
+    // The neighbours of a blocked face have new walls, which are to be tested.
+    void block(int face) {
+        prisms_[face].orientation = 0;
         for (const int v : extended_.faces[face]) {
-            freed[v] = 1;
+            touched_[v] = 1;
         }
     }
 
     const ExtendedSurface& extended_;
     std::array<std::vector<double>, 2> lengths_;  // of half pillars, above and below
     std::vector<double> wantedLengths_;
-    PillarLayers layers_;
-    std::vector<Prism> prisms_;
-    std::vector<char> blocked_;
-    std::vector<char> changed_;  // pillars that are not tested yet
+    PillarPoints points_;
+    std::vector<Prism> prisms_;               // orientation 0 where blocked
+    std::array<std::vector<char>, 2> marks_;  // half pillars to shorten
+    std::vector<char> changed_;               // pillars whose prisms are to be tested
+    std::vector<char> touched_;               // pillars whose boundary triangles are to be tested
     bool crossingsAreBlocked_ = false;
     ShellBuildReport report_;
 };
@@ -393,8 +342,8 @@ ShellBuild buildShell(
 ) {
     options.validate();
     Builder builder(extended, options);
-    builder.uprightAll();
-    builder.separateAll(progress);
+    builder.makePositive();
+    builder.separate(progress);
     return builder.finish();
 }
 

@@ -7,40 +7,23 @@
 
 namespace bspline_curve {
 
-namespace {
-
-/// Numbers the pillars that prisms stand on, in order of first use.
-class PillarNumbers {
-public:
-    explicit PillarNumbers(std::size_t pillarCount) : numbers_(pillarCount, -1) {}
-
-    int numberOf(int pillar) {
-        int& number = numbers_[pillar];
-        if (number < 0) {
-            number = static_cast<int>(used_.size());
-            used_.push_back(pillar);
-        }
-        return number;
-    }
-
-    [[nodiscard]] const std::vector<int>& used() const { return used_; }
-
-private:
-    std::vector<int> numbers_, used_;
-};
-
-}  // namespace
-
 ShellLayers makeShellLayers(const Shell& shell, const ShellFrame& frame) {
     ShellLayers layers;
-    PillarNumbers numbers(shell.pillars().size());
+    // The pillars that prisms stand on, numbered in order of first use.
+    std::vector<int> numbers(shell.pillars().size(), -1);
+    std::vector<int> used;
     for (const Prism& prism : shell.prisms()) {
         if (prism.orientation == 0) {
             continue;
         }
         Triangle face{};
         for (std::size_t slot = 0; slot < face.size(); ++slot) {
-            face[slot] = numbers.numberOf(prism.pillars[slot]);
+            int& number = numbers[prism.pillars[slot]];
+            if (number < 0) {
+                number = static_cast<int>(used.size());
+                used.push_back(prism.pillars[slot]);
+            }
+            face[slot] = number;
         }
         if (prism.orientation < 0) {
             std::swap(face[1], face[2]);
@@ -48,7 +31,7 @@ ShellLayers makeShellLayers(const Shell& shell, const ShellFrame& frame) {
         layers.top.faces.push_back(face);
     }
     layers.bottom.faces = layers.top.faces;
-    for (const int pillar : numbers.used()) {
+    for (const int pillar : used) {
         const Pillar& points = shell.pillars()[pillar];
         layers.top.vertices.push_back(frame.toUser(points.top));
         layers.bottom.vertices.push_back(frame.toUser(points.bottom));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_simplifier.h"
 
-#include "shell/simplify/export_shell.h"
+#include "shell/prism_graph.h"
 #include "shell/simplify/operations.h"
-#include "shell/simplify/tracked_surface.h"
 #include "utility/report_progress.h"
 
 #include <algorithm>
@@ -11,19 +10,6 @@
 
 namespace bspline_curve {
 namespace {
-
-// The shell that the simplifier starts from, in mean edge lengths at each vertex.
-constexpr double kStartThickness = 0.5;
-// Target edge lengths of the stages: the first in mean edges, then each by this factor.
-constexpr double kFirstStage = 1.6;
-constexpr double kStageFactor = 1.5;
-// Half pillars are at most this share of the target edge length of a stage.
-constexpr double kThicknessShare = 0.5;
-// The stages end where one removes less than this share of the prisms.
-constexpr double kLeastProgress = 0.01;
-constexpr int kMaxStages = 60;
-// Size of the grid's cells in target edge lengths: prisms then lie in about two cells per axis.
-constexpr double kCellSize = 2.0;
 
 // Mean length of the middle edges of all prisms.
 double meanEdgeOf(const ShellEditor& editor) {
@@ -38,7 +24,7 @@ double meanEdgeOf(const ShellEditor& editor) {
 
 void simplify(
     ShellEditor& editor,
-    std::vector<std::pair<int, int>> creaseEdges,
+    Edges creaseEdges,
     double longestSide,
     const ShellOptions& options,
     const Progress& progress
@@ -46,33 +32,72 @@ void simplify(
     Creases creases(std::move(creaseEdges), editor.pillarCount());
     Thickener thickener(editor);
     Collapser collapser(editor, creases);
-    SampledSolver relaxer(editor, creases);
-    const double reach = 0.5 * options.targetThickness * longestSide;
+    PillarSmoother smoother(editor, creases);
+    const double thickest = 0.5 * options.targetThickness * longestSide;
     const double longest = options.targetEdgeLength * longestSide;
-    double length = kFirstStage * meanEdgeOf(editor);
+    double length = kSimplifier.firstStage * meanEdgeOf(editor);
     double done = 0.0;
-    for (int stage = 0; stage < kMaxStages && editor.complex().prismCount() > 0; ++stage) {
+    for (int stage = 0; stage < kSimplifier.maxStages && editor.complex().prismCount() > 0;
+         ++stage) {
         // A stage removes about half of what is left, and costs as much as the one before.
         const double after = done + 0.3 * (1.0 - done);
         const Progress part = partOf(progress, done, after);
         report(part, 0.0, "simplifying the shell");
         done = after;
         const int before = editor.complex().prismCount();
-        editor.rebuildGrid(kCellSize * length);
+        editor.rebuildGrid(kSimplifier.cellSize * length);
         if (stage > 0) {
-            thickener.run(std::min(reach, kThicknessShare * length));
+            thickener.run(std::min(thickest, kSimplifier.thicknessShare * length));
         }
         collapser.run(std::min(length, longest), part);
         flipEdges(editor, creases);
-        relaxer.run();
+        smoother.run();
         const int removed = before - editor.complex().prismCount();
-        if (kThicknessShare * length >= reach && removed < kLeastProgress * before) {
+        if (kSimplifier.thicknessShare * length >= thickest &&
+            removed < kSimplifier.leastProgress * before) {
             break;
         }
-        length *= kStageFactor;
+        length *= kSimplifier.stageFactor;
     }
-    thickener.run(reach);
+    thickener.run(thickest);
     report(progress, 1.0, "simplifying the shell");
+}
+
+// The shell that an editor has arrived at, for curves: pillars numbered in the order of the split,
+// faces numbered as in `extended`.
+Shell exportShell(
+    const ShellEditor& editor, const std::shared_ptr<const ExtendedSurface>& extended
+) {
+    const PrismComplex& complex = editor.complex();
+    std::vector<int> numbers(editor.pillarCount(), -1);
+    std::vector<Pillar> pillars;
+    for (int v = 0; v < editor.pillarCount(); ++v) {
+        if (complex.hasPrisms(v)) {
+            numbers[v] = static_cast<int>(pillars.size());
+            pillars.push_back(editor.pillarAt(v));
+        }
+    }
+    std::vector<Prism> prisms;
+    SurfaceTracks tracks{.offsets = {0}, .faces = {}};
+    for (int id = 0; id < complex.prismIdCount(); ++id) {
+        if (!complex.isAlive(id)) {
+            continue;
+        }
+        const Triangle slots = slotsOf(complex.pillarsOf(id));
+        prisms.push_back(
+            {.pillars = {numbers[slots[0]], numbers[slots[1]], numbers[slots[2]]},
+             .neighbours = {-1, -1, -1},
+             .orientation = static_cast<signed char>(orientationOf(complex.pillarsOf(id)))}
+        );
+        const int start = tracks.offsets.back();
+        for (const int face : complex.facesOf(id)) {
+            tracks.faces.push_back(editor.surface().originalFaces[face]);
+        }
+        std::sort(tracks.faces.begin() + start, tracks.faces.end());
+        tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));
+    }
+    connectPrisms(prisms);
+    return {std::move(pillars), std::move(prisms), std::move(tracks), extended};
 }
 
 }  // namespace
@@ -95,7 +120,7 @@ ShellBuild buildSimplifiedShell(
     constexpr double kStartShare = 0.1;  // of the whole time
     TrackedSurface surface(*extended);
     ShellOptions thin = options;
-    thin.thickness = kStartThickness;
+    thin.thickness = kSimplifier.startThickness;
     const Progress startPart = partOf(progress, 0.0, kStartShare);
     ShellBuild build = buildShell(surface.extended, thin, startPart);
     const Progress restPart = partOf(progress, kStartShare, 1.0);

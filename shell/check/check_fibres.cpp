@@ -17,34 +17,27 @@ using Fibre = std::array<Vec3, 7>;
 // How often a fibre through an edge or a vertex of the surface is replaced by another one.
 constexpr int kMaxTries = 16;
 
-// Uniform numbers in (0, 1); the distributions of <random> differ between libraries.
-class Uniform {
-public:
-    explicit Uniform(std::uint64_t seed) : engine_(seed) {}
-
-    double next() { return (static_cast<double>(engine_() >> 12U) + 0.5) * 0x1p-52; }
-
-private:
-    std::mt19937_64 engine_;
-};
+// A uniform number in (0, 1); the distributions of <random> differ between libraries.
+double uniform(std::mt19937_64& engine) {
+    return (static_cast<double>(engine() >> 12U) + 0.5) * 0x1p-52;
+}
 
 Fibre fibreOf(const CheckedShell& shell, int prism, const std::array<double, 3>& beta) {
-    const auto pillarPoint = [&](std::size_t slot, CheckedShell::Level level) {
-        return shell.point(CheckedShell::kLevels * shell.prism(prism).pillars[slot] + level);
+    const auto pillar = [&](std::size_t slot) {
+        return shell.points.pillar(shell.prism(prism).pillars[slot]);
     };
     Fibre fibre;
     fibre[3].setZero();
     for (std::size_t slot = 0; slot < 3; ++slot) {
-        fibre[3] += beta[slot] * pillarPoint(slot, CheckedShell::Middle);
+        fibre[3] += beta[slot] * pillar(slot).middle;
     }
     // In each tetrahedron the fibre runs along the half pillar there, whose slot is unlike in the
     // three of a slab; it passes them in their order.
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t slot = 2 - i;
-        const Vec3 middle = pillarPoint(slot, CheckedShell::Middle);
-        fibre[4 + i] = fibre[3 + i] + beta[slot] * (pillarPoint(slot, CheckedShell::Top) - middle);
-        fibre[2 - i] =
-            fibre[3 - i] + beta[slot] * (pillarPoint(slot, CheckedShell::Bottom) - middle);
+        const Pillar p = pillar(slot);
+        fibre[4 + i] = fibre[3 + i] + beta[slot] * (p.top - p.middle);
+        fibre[2 - i] = fibre[3 - i] + beta[slot] * (p.bottom - p.middle);
     }
     return fibre;
 }
@@ -70,14 +63,16 @@ std::optional<bool> passes(const Vec3& p, const Vec3& q, const std::array<Vec3, 
 }
 
 // How often a fibre meets the surface; nothing where it meets an edge.
-std::optional<int> countCrossings(const CheckedSurface& surface, const Fibre& fibre) {
+std::optional<int> countCrossings(
+    const CheckedShell& shell, const CheckedSurface& surface, const Fibre& fibre
+) {
     int count = 0;
     bool isDegenerate = false;
     for (std::size_t i = 0; i + 1 < fibre.size(); ++i) {
-        const std::array<Vec3, 2> segment = {fibre[i], fibre[i + 1]};
+        const auto segment = std::span(fibre).subspan(i, 2);
         surface.forEachNear(boxOf(segment), [&](int face) {
             const std::optional<bool> isCrossed =
-                passes(segment[0], segment[1], surface.corners(face));
+                passes(segment[0], segment[1], cornersOf(shell.extended, face));
             isDegenerate = isDegenerate || !isCrossed.has_value();
             count += isCrossed.value_or(false) ? 1 : 0;
         });
@@ -91,13 +86,13 @@ bool fibreHolds(
     const CheckedSurface& surface,
     int prism,
     bool mayMiss,
-    Uniform& random
+    std::mt19937_64& engine
 ) {
     for (int i = 0; i < kMaxTries; ++i) {
-        const double root = std::sqrt(random.next());
-        const double share = random.next();
+        const double root = std::sqrt(uniform(engine));
+        const double share = uniform(engine);
         const std::array<double, 3> beta = {1.0 - root, root * (1.0 - share), root * share};
-        const std::optional<int> count = countCrossings(surface, fibreOf(shell, prism, beta));
+        const auto count = countCrossings(shell, surface, fibreOf(shell, prism, beta));
         if (count.has_value()) {
             return *count == 1 || (*count == 0 && mayMiss);
         }
@@ -111,15 +106,13 @@ void checkFibres(
     const CheckedShell& shell,
     const CheckedSurface& surface,
     const std::vector<char>& hasBorder,
-    const ShellCheckOptions& options,
     Violations violations
 ) {
-    Uniform random(options.seed);
+    std::mt19937_64 engine(shell.options.seed);
     for (int prism = 0; prism < shell.prismCount(); ++prism) {
-        const bool mayMiss = hasBorder[prism] != 0;
         bool holds = true;
-        for (int i = 0; i < options.fibresPerPrism && holds; ++i) {
-            holds = fibreHolds(shell, surface, prism, mayMiss, random);
+        for (int i = 0; i < shell.options.fibresPerPrism && holds; ++i) {
+            holds = fibreHolds(shell, surface, prism, hasBorder[prism] != 0, engine);
         }
         if (!holds) {
             violations.add({prism});

@@ -2,49 +2,26 @@
 // The shell itself: tetrahedra, its boundary, its components, and the links between its prisms.
 #include "shell/check/checked_shell.h"
 #include "surface/self_intersection.h"
+#include "utility/disjoint_sets.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
 namespace bspline_curve {
 namespace {
 
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t count) : parents_(count) {
-        std::iota(parents_.begin(), parents_.end(), 0);
-    }
-
-    int find(int i) {
-        while (parents_[i] != i) {
-            parents_[i] = parents_[parents_[i]];
-            i = parents_[i];
-        }
-        return i;
-    }
-
-    // The smallest element stands for its set.
-    void unite(int i, int j) {
-        const auto [low, high] = std::minmax({find(i), find(j)});
-        parents_[high] = low;
-    }
-
-private:
-    std::vector<int> parents_;
-};
-
 // Range of a prism along the x axis.
 std::pair<double, double> extentOf(const CheckedShell& shell, int prism) {
-    const double first = shell.point(CheckedShell::kLevels * shell.prism(prism).pillars[0]).x();
-    std::pair<double, double> extent(first, first);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    std::pair<double, double> extent(kInfinity, -kInfinity);
     for (const int pillar : shell.prism(prism).pillars) {
-        for (int level = 0; level < CheckedShell::kLevels; ++level) {
-            const double x = shell.point(CheckedShell::kLevels * pillar + level).x();
+        for (const Level level : {Level::Bottom, Level::Middle, Level::Top}) {
+            const double x = shell.points.at(pillar, level).x();
             extent = {std::min(extent.first, x), std::max(extent.second, x)};
         }
     }
@@ -55,7 +32,7 @@ bool prismHolds(const CheckedShell& shell, int prism, int point) {
     for (int inPrism = 0; inPrism < kTetrahedraPerPrism; ++inPrism) {
         const int tet = kTetrahedraPerPrism * prism + inPrism;
         const std::array<int, 4> points = shell.tetPoints(tet);
-        if (std::find(points.begin(), points.end(), point) != points.end()) {
+        if (std::ranges::find(points, point) != points.end()) {
             continue;  // components may touch in a pillar
         }
         bool inside = true;
@@ -100,12 +77,9 @@ bool prismAgrees(const CheckedShell& shell, int i) {
 
 DisjointSets componentsOf(const CheckedShell& shell) {
     DisjointSets sets(shell.prismCount());
-    shell.forEachFace([&](std::size_t first, std::size_t count) {
-        for (std::size_t i = 1; i < count; ++i) {
-            sets.unite(
-                shell.faces()[first].tet / kTetrahedraPerPrism,
-                shell.faces()[first + i].tet / kTetrahedraPerPrism
-            );
+    shell.forEachFace([&](std::span<const TetFace> equal) {
+        for (const TetFace& face : equal.subspan(1)) {
+            sets.unite(equal.front().prism(), face.prism());
         }
     });
     return sets;
@@ -127,7 +101,7 @@ struct BoundaryPart {
 std::map<int, BoundaryPart> boundaryParts(
     const CheckedShell& shell, const std::vector<TetFace>& boundary
 ) {
-    DisjointSets sets(shell.points().size());
+    DisjointSets sets(shell.points.points.size());
     for (const TetFace& face : boundary) {
         sets.unite(face.points[0], face.points[1]);
         sets.unite(face.points[0], face.points[2]);
@@ -145,7 +119,7 @@ std::map<int, BoundaryPart> boundaryParts(
         part.volume -= side * a.dot(b.cross(c));
         part.magnitude += a.norm() * b.norm() * c.norm();
         ++part.terms;
-        part.prism = face.tet / kTetrahedraPerPrism;
+        part.prism = face.prism();
     }
     return parts;
 }
@@ -171,7 +145,7 @@ void checkOrientation(
 }  // namespace
 
 void checkTetrahedra(const CheckedShell& shell, Violations violations) {
-    for (int tet = 0; tet < shell.shell().tetrahedronCount(); ++tet) {
+    for (int tet = 0; tet < shell.shell.tetrahedronCount(); ++tet) {
         if (shell.isPresent(tet / kTetrahedraPerPrism) &&
             shell.volumeSign(shell.tetPoints(tet)) * shell.handedness(tet) <= 0) {
             violations.add({tet});
@@ -185,9 +159,9 @@ void checkLayers(const CheckedShell& shell, Violations violations) {
     const std::vector<TetFace> boundary = shell.boundary();
     for (const TetFace& face : boundary) {
         triangles.push_back(face.points);
-        prisms.push_back(face.tet / kTetrahedraPerPrism);
+        prisms.push_back(face.prism());
     }
-    for (const auto& [i, j] : findSelfIntersections(shell.points(), triangles)) {
+    for (const auto& [i, j] : findSelfIntersections(shell.points.points, triangles)) {
         violations.add({prisms[i], prisms[j]});
     }
     checkOrientation(shell, boundary, violations);
@@ -206,62 +180,51 @@ void checkComponents(const CheckedShell& shell, Violations violations) {
     std::vector<Query> queries;
     for (int i = 0; i < shell.prismCount(); ++i) {
         if (shell.isPresent(i) && sets.find(i) == i) {
-            for (const int level :
-                 {CheckedShell::Bottom, CheckedShell::Middle, CheckedShell::Top}) {
-                const int point = CheckedShell::kLevels * shell.prism(i).pillars[0] + level;
+            for (const Level level : {Level::Bottom, Level::Middle, Level::Top}) {
+                const int point = PillarPoints::indexOf(shell.prism(i).pillars[0], level);
                 queries.push_back({shell.point(point).x(), point, i});
             }
         }
     }
-    if (queries.size() <= CheckedShell::kLevels) {
+    if (queries.size() <= PillarPoints::kLevels) {
         return;
     }
     std::set<std::pair<int, int>> found;
-    std::sort(queries.begin(), queries.end(), [](const Query& a, const Query& b) {
-        return std::pair(a.x, a.point) < std::pair(b.x, b.point);
-    });
+    std::ranges::sort(queries, {}, [](const Query& q) { return std::pair(q.x, q.point); });
     for (int i = 0; i < shell.prismCount(); ++i) {
         if (!shell.isPresent(i)) {
             continue;
         }
         const auto [low, high] = extentOf(shell, i);
-        auto query = std::lower_bound(
-            queries.begin(), queries.end(), low, [](const Query& q, double x) { return q.x < x; }
-        );
+        auto query = std::ranges::lower_bound(queries, low, {}, &Query::x);
         for (; query != queries.end() && query->x <= high; ++query) {
             if (query->component != sets.find(i) && prismHolds(shell, i, query->point) &&
                 found.emplace(query->component, sets.find(i)).second) {
-                violations.add({query->point / CheckedShell::kLevels, i});
+                violations.add({query->point / PillarPoints::kLevels, i});
             }
         }
     }
 }
 
 void checkNeighbours(const CheckedShell& shell, Violations violations) {
-    std::vector<char> agrees(shell.prismCount(), 1);
+    std::vector<char> disagrees(shell.prismCount(), 0);
     for (int i = 0; i < shell.prismCount(); ++i) {
-        agrees[i] = static_cast<char>(!shell.isPresent(i) || prismAgrees(shell, i));
+        disagrees[i] = static_cast<char>(shell.isPresent(i) && !prismAgrees(shell, i));
     }
-    // Equal faces of tetrahedra are across from each other, and no others are.
-    std::vector<char> meets = agrees;
-    shell.forEachFace([&](std::size_t first, std::size_t count) {
-        for (std::size_t i = first; i < first + count; ++i) {
-            const TetFace& face = shell.faces()[i];
-            const int owner = face.tet / kTetrahedraPerPrism;
-            if (agrees[owner] == 0) {
-                continue;  // its walls cannot be crossed
-            }
-            const int expected = count == 2 ? shell.faces()[first + (i == first ? 1 : 0)].tet : -1;
-            if (count > 2 || shell.shell().neighbour(face.tet, face.k) != expected) {
-                meets[owner] = 0;
+    // Equal faces of tetrahedra are across from each other, and no others are. The walls of prisms
+    // that disagree cannot be crossed.
+    std::vector<char> violates = disagrees;
+    shell.forEachFace([&](std::span<const TetFace> equal) {
+        for (std::size_t i = 0; i < equal.size(); ++i) {
+            const TetFace& face = equal[i];
+            const int expected = equal.size() == 2 ? equal[1 - i].tet : -1;
+            if (disagrees[face.prism()] == 0 &&
+                (equal.size() > 2 || shell.shell.neighbour(face.tet, face.k) != expected)) {
+                violates[face.prism()] = 1;
             }
         }
     });
-    for (int i = 0; i < shell.prismCount(); ++i) {
-        if (meets[i] == 0) {
-            violations.add({i});
-        }
-    }
+    violations.addAll(violates);
 }
 
 }  // namespace bspline_curve

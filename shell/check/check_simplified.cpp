@@ -13,115 +13,98 @@
 namespace bspline_curve {
 namespace {
 
-// The surface in a prism: meets every tetrahedron with every face near by.
-class PrismMeeting {
+// How a face meets a prism.
+struct Meeting {
+    bool meets = false;
+    bool isTransversal = true;
+    /// An edge beyond which there is no surface runs through the prism.
+    bool hasBorder = false;
+};
+
+// The tetrahedra of a prism, which faces near by are tried with.
+class PrismTetrahedra {
 public:
-    PrismMeeting(const CheckedShell& shell, const CheckedSurface& surface, int prism)
-        : surface_(surface) {
+    PrismTetrahedra(const CheckedShell& shell, int prism) {
         for (int i = 0; i < kTetrahedraPerPrism; ++i) {
             const int tet = kTetrahedraPerPrism * prism + i;
-            tets_[i] = shell.tetCorners(tet);
-            boxes_[i] = boxOf(tets_[i]);
-            box_.extend(boxes_[i]);
-            const std::array<int, 2> pillar = shell.halfPillar(tet);
-            from_[i] = shell.point(pillar[0]);
-            to_[i] = shell.point(pillar[1]);
+            const std::array<int, 4> points = shell.tetPoints(tet);
+            const std::array<int, 2> half = shell.halfPillar(tet);
+            for (std::size_t k = 0; k < 4; ++k) {
+                tets_[i].corners[k] = shell.point(points[k]);
+            }
+            tets_[i].halfPillar = {shell.point(half[0]), shell.point(half[1])};
+            tets_[i].box = boxOf(tets_[i].corners);
+            box.extend(tets_[i].box);
         }
     }
 
-    struct FaceMeeting {
-        bool meets = false;
-        bool isTransversal = true;
-        bool hasBorder =
-            false;  ///< an edge beyond which there is no surface runs through the prism
-    };
-
-    [[nodiscard]] FaceMeeting meet(int face) const {
-        FaceMeeting result;
-        const std::array<Vec3, 3> corners = surface_.corners(face);
-        const BoxTree::Box box = boxOf(corners);
-        for (std::size_t i = 0; i < tets_.size(); ++i) {
-            if (!boxes_[i].intersects(box) || !overlaps(tets_[i], corners)) {
+    [[nodiscard]] Meeting meet(
+        const CheckedShell& shell, const CheckedSurface& surface, int face
+    ) const {
+        Meeting result;
+        const std::array<Vec3, 3> corners = cornersOf(shell.extended, face);
+        const Eigen::AlignedBox3d faceBox = boxOf(corners);
+        for (const Tetrahedron& tet : tets_) {
+            if (!tet.box.intersects(faceBox) || !overlaps(tet.corners, corners)) {
                 continue;
             }
+            const auto& [from, to] = tet.halfPillar;
             result.meets = true;
-            result.isTransversal =
-                result.isTransversal && normalDotSign(corners, from_[i], to_[i]) > 0;
+            result.isTransversal = result.isTransversal && normalDotSign(corners, from, to) > 0;
             for (std::size_t k = 0; k < 3 && !result.hasBorder; ++k) {
                 const Vec3& start = corners[(k + 1) % 3];
                 const Vec3& end = corners[(k + 2) % 3];
                 result.hasBorder =
-                    surface_.isBorder(face, k) && overlaps(tets_[i], {start, end, end});
+                    surface.isBorder(face, k) && overlaps(tet.corners, {start, end, end});
             }
         }
         return result;
     }
 
-    [[nodiscard]] const BoxTree::Box& box() const { return box_; }
+    Eigen::AlignedBox3d box;
 
 private:
-    const CheckedSurface& surface_;
-    std::array<std::array<Vec3, 4>, kTetrahedraPerPrism> tets_;
-    std::array<BoxTree::Box, kTetrahedraPerPrism> boxes_;
-    std::array<Vec3, kTetrahedraPerPrism> from_, to_;
-    BoxTree::Box box_;
+    struct Tetrahedron {
+        std::array<Vec3, 4> corners;
+        std::array<Vec3, 2> halfPillar;
+        Eigen::AlignedBox3d box;
+    };
+
+    std::array<Tetrahedron, kTetrahedraPerPrism> tets_;
 };
 
 // What all meetings taken together say.
 struct Meetings {
-    std::vector<char> isInSomePrism, isTransversal, isTracked;  // by face
-    std::vector<char> hasBorder;                                // by prism
+    std::vector<char> isInSomePrism, isOblique, isUntracked;  // by face
+    std::vector<char> hasBorder;                              // by prism
 };
 
 Meetings meetAll(const CheckedShell& shell, const CheckedSurface& surface) {
-    const std::size_t faceCount = surface.faceCount();
-    Meetings all{
-        std::vector<char>(faceCount, 0),
-        std::vector<char>(faceCount, 1),
-        std::vector<char>(faceCount, 1),
-        std::vector<char>(shell.prismCount(), 0)
-    };
+    const std::vector<char> none(surface.faceCount(), 0);
+    Meetings all{none, none, none, std::vector<char>(shell.prismCount(), 0)};
     for (int prism = 0; prism < shell.prismCount(); ++prism) {
-        const PrismMeeting meeting(shell, surface, prism);
-        const std::span<const int> tracked = shell.shell().facesOf(prism);
-        surface.forEachNear(meeting.box(), [&](int face) {
-            const PrismMeeting::FaceMeeting found = meeting.meet(face);
-            if (!found.meets) {
-                return;
-            }
-            all.isInSomePrism[face] = 1;
-            if (!found.isTransversal) {
-                all.isTransversal[face] = 0;
-            }
-            if (!std::binary_search(tracked.begin(), tracked.end(), face)) {
-                all.isTracked[face] = 0;
-            }
-            if (found.hasBorder) {
-                all.hasBorder[prism] = 1;
+        const PrismTetrahedra tetrahedra(shell, prism);
+        surface.forEachNear(tetrahedra.box, [&](int face) {
+            const Meeting found = tetrahedra.meet(shell, surface, face);
+            if (found.meets) {
+                all.isInSomePrism[face] = 1;
+                all.isOblique[face] |= static_cast<char>(!found.isTransversal);
+                all.isUntracked[face] |= static_cast<char>(
+                    !std::ranges::binary_search(shell.shell.facesOf(prism), face)
+                );
+                all.hasBorder[prism] |= static_cast<char>(found.hasBorder);
             }
         });
     }
     return all;
 }
 
-// Whether a face of the extended surface is that of the surface.
-bool isOfSurface(const Surface& surface, const ExtendedSurface& extended, int f) {
-    const Triangle& face = extended.faces[f];
-    return (f >= surface.faceCount() || face == surface.faces()[f]) &&
-           std::all_of(face.begin(), face.end(), [&](int v) {
-               return isWhereItSays(surface, extended, v);
-           });
-}
-
 void checkTransversality(
-    const CheckedSurface& checked,
-    const Surface& surface,
-    const std::vector<char>& isTransversal,
-    Violations violations
+    const CheckedShell& shell, const std::vector<char>& isOblique, Violations violations
 ) {
-    for (int f = 0; f < std::max(surface.faceCount(), checked.faceCount()); ++f) {
-        if (f >= checked.faceCount() || !isOfSurface(surface, checked.extended(), f) ||
-            isTransversal[f] == 0) {
+    const int faceCount = static_cast<int>(shell.extended.faces.size());
+    for (int f = 0; f < std::max(shell.surface.faceCount(), faceCount); ++f) {
+        if (f >= faceCount || !isOfSurface(shell, f) || isOblique[f] != 0) {
             violations.add({f});
         }
     }
@@ -130,26 +113,24 @@ void checkTransversality(
 void checkTracks(
     const CheckedShell& shell,
     const CheckedSurface& surface,
-    std::span<const int> blockedFaces,
-    const std::vector<char>& isTracked,
+    const std::vector<char>& isUntracked,
     Violations violations
 ) {
     int previous = -1;
-    for (const int f : blockedFaces) {
-        if (f <= previous || f >= surface.extended().surfaceFaceCount ||
-            !shell.shell().prismsOf(f).empty()) {
+    for (const int f : shell.blockedFaces) {
+        if (f <= previous || surface.isGhost(f) || !shell.shell.prismsOf(f).empty()) {
             violations.add({f});
         }
         previous = std::max(previous, f);
     }
     for (int f = 0; f < surface.faceCount(); ++f) {
-        const bool isLost = surface.holds(f) && shell.shell().prismsOf(f).empty();
-        if (isLost || isTracked[f] == 0) {
+        const bool isLost = surface.holds(f) && shell.shell.prismsOf(f).empty();
+        if (isLost || isUntracked[f] != 0) {
             violations.add({f});
         }
     }
     for (int prism = 0; prism < shell.prismCount(); ++prism) {
-        const std::span<const int> tracked = shell.shell().facesOf(prism);
+        const std::span<const int> tracked = shell.shell.facesOf(prism);
         for (std::size_t i = 1; i < tracked.size(); ++i) {
             if (tracked[i] <= tracked[i - 1]) {
                 violations.add({tracked[i]});
@@ -158,77 +139,60 @@ void checkTracks(
     }
 }
 
-}  // namespace
-
+// No face of the surface meets top, bottom or the walls where the shell ends; tracked ghosts meet
+// neither top nor bottom. A face may share corners with a wall: vertices that are the middles of
+// its pillars.
 void checkContainment(
     const CheckedShell& shell, const CheckedSurface& surface, Violations violations
 ) {
     // Vertices of the extended surface that are middles of pillars get the number of these.
     const auto key = [](const Vec3& p) { return std::tuple(p[0], p[1], p[2]); };
-    std::vector<Vec3> points = shell.points();
+    std::vector<Vec3> points = shell.points.points;
     std::map<std::tuple<double, double, double>, int> middles;
-    for (int i = CheckedShell::Middle; i < static_cast<int>(points.size());
-         i += CheckedShell::kLevels) {
-        middles.emplace(key(points[i]), i);
+    for (int i = 0; i < static_cast<int>(shell.shell.pillars().size()); ++i) {
+        const int middle = PillarPoints::indexOf(i, Level::Middle);
+        middles.emplace(key(points[middle]), middle);
     }
     std::vector<int> numbers;
-    for (const Vec3& vertex : surface.extended().vertices) {
+    for (const Vec3& vertex : shell.extended.vertices) {
         const auto middle = middles.find(key(vertex));
-        numbers.push_back(
-            middle == middles.end() ? static_cast<int>(points.size()) : middle->second
-        );
+        const int ownNumber = static_cast<int>(points.size());
+        numbers.push_back(middle == middles.end() ? ownNumber : middle->second);
         points.push_back(vertex);
     }
 
     std::vector<char> isCut(surface.faceCount(), 0);
     for (const TetFace& boundary : shell.boundary()) {
-        const bool isLayer = CheckedShell::isLayer(boundary);
-        const std::array<Vec3, 3> corners = {
-            shell.point(boundary.points[0]),
-            shell.point(boundary.points[1]),
-            shell.point(boundary.points[2])
-        };
+        const auto& [a, b, c] = boundary.points;
+        const std::array<Vec3, 3> corners = {points[a], points[b], points[c]};
         surface.forEachNear(boxOf(corners), [&](int f) {
-            const Triangle& face = surface.extended().faces[f];
+            const Triangle& face = shell.extended.faces[f];
             const Triangle numbered = {numbers[face[0]], numbers[face[1]], numbers[face[2]]};
-            if ((isLayer || !surface.isGhost(f)) && isCut[f] == 0 &&
+            if ((boundary.isLayer() || !surface.isGhost(f)) && isCut[f] == 0 &&
                 trianglesIntersect(points, boundary.points, numbered)) {
                 isCut[f] = 1;
             }
         });
     }
-    for (int f = 0; f < surface.faceCount(); ++f) {
-        if (isCut[f] != 0) {
-            violations.add({f});
-        }
-    }
+    violations.addAll(isCut);
 }
 
-void checkSimplifiedShell(
-    const CheckedShell& shell,
-    const Surface& surface,
-    const ExtendedSurface& extended,
-    std::span<const int> blockedFaces,
-    const ShellCheckOptions& options,
-    ShellCheck& result
-) {
-    const CheckedSurface checked(shell.shell(), extended, blockedFaces);
-    const Meetings meetings = meetAll(shell, checked);
-    checkTransversality(
-        checked, surface, meetings.isTransversal, {result.transversalSurface, options}
-    );
-    checkTracks(
-        shell, checked, blockedFaces, meetings.isTracked, {result.completeTracking, options}
-    );
-    Violations notContained(result.containedSurface, options);
-    checkContainment(shell, checked, notContained);
+}  // namespace
+
+void checkSimplifiedShell(const CheckedShell& shell, ShellCheck& result) {
+    const CheckedSurface surface(shell);
+    const Meetings meetings = meetAll(shell, surface);
+    checkTransversality(shell, meetings.isOblique, {result.transversalSurface, shell.options});
+    checkTracks(shell, surface, meetings.isUntracked, {result.completeTracking, shell.options});
+    Violations notContained(result.containedSurface, shell.options);
+    checkContainment(shell, surface, notContained);
     // What meets a tetrahedron and does not cross the boundary lies inside.
-    for (int f = 0; f < extended.surfaceFaceCount; ++f) {
-        if (checked.holds(f) && meetings.isInSomePrism[f] == 0) {
+    for (int f = 0; f < shell.extended.surfaceFaceCount; ++f) {
+        if (surface.holds(f) && meetings.isInSomePrism[f] == 0) {
             notContained.add({f});
         }
     }
-    checkFibres(shell, checked, meetings.hasBorder, options, {result.singleCrossings, options});
+    checkFibres(shell, surface, meetings.hasBorder, {result.singleCrossings, shell.options});
 }
 
 }  // namespace bspline_curve

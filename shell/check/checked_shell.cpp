@@ -6,68 +6,59 @@
 #include <algorithm>
 
 namespace bspline_curve {
-CheckedShell::CheckedShell(const Shell& shell) : shell_(shell) {
-    points_.reserve(kLevels * shell.pillars().size());
-    for (const Pillar& pillar : shell.pillars()) {
-        points_.insert(points_.end(), {pillar.bottom, pillar.middle, pillar.top});
-    }
+
+CheckedShell::CheckedShell(
+    const Shell& checked,
+    const Surface& ofSurface,
+    const ExtendedSurface& ofExtended,
+    std::span<const int> blocked,
+    const ShellCheckOptions& how
+)
+    : shell(checked),
+      surface(ofSurface),
+      extended(ofExtended),
+      blockedFaces(blocked),
+      options(how),
+      points(checked.pillars()) {
     for (int tet = 0; tet < shell.tetrahedronCount(); ++tet) {
-        if (isPresent(tet / kTetrahedraPerPrism)) {
-            for (int k = 0; k < 4; ++k) {
-                faces_.push_back(faceOpposite(tet, k));
-            }
+        for (int k = 0; k < 4 && isPresent(tet / kTetrahedraPerPrism); ++k) {
+            std::array<int, 4> corners = tetPoints(tet);
+            std::swap(corners[k], corners[3]);
+            std::sort(corners.begin(), corners.begin() + 3);
+            faces.push_back({{corners[0], corners[1], corners[2]}, tet, k});
         }
     }
-    std::sort(faces_.begin(), faces_.end());
+    std::ranges::sort(faces);
 }
 
 int CheckedShell::slotParity(int i) const {
     const Prism& p = prism(i);
-    if (!shell_.isFullResolution()) {
+    if (!shell.isFullResolution()) {
         return p.orientation;
     }
-    const int first = p.faceCorner[0];
-    const int second = p.faceCorner[1];
-    const int third = p.faceCorner[2];
-    if (std::min({first, second, third}) < 0 || first + second + third != 3 || first == second ||
-        second == third || first == third) {
+    std::array<signed char, 3> sorted = p.faceCorner;
+    std::ranges::sort(sorted);
+    if (sorted != std::array<signed char, 3>{0, 1, 2}) {
         return 0;
     }
-    return second == (first + 1) % 3 ? 1 : -1;
-}
-
-std::array<int, 4> CheckedShell::tetPoints(int tet) const {
-    const Prism& p = prism(tet / kTetrahedraPerPrism);
-    const int inPrism = tet % kTetrahedraPerPrism;
-    const Level outer = inPrism < 3 ? Top : Bottom;
-    std::array<int, 4> points{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const SplitVertex vertex = kSlabSplit[inPrism % 3][k];
-        points[k] = kLevels * p.pillars[vertex.slot] + (vertex.outer ? outer : Level::Middle);
-    }
-    return points;
-}
-
-std::array<Vec3, 4> CheckedShell::tetCorners(int tet) const {
-    const std::array<int, 4> points = tetPoints(tet);
-    return {point(points[0]), point(points[1]), point(points[2]), point(points[3])};
+    return p.faceCorner[1] == (p.faceCorner[0] + 1) % 3 ? 1 : -1;
 }
 
 std::array<int, 2> CheckedShell::halfPillar(int tet) const {
     // Only one pillar has two of the four points.
-    const std::array<int, 4> points = tetPoints(tet);
-    for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = i + 1; j < 4; ++j) {
-            if (points[i] / kLevels == points[j] / kLevels) {
-                return {std::min(points[i], points[j]), std::max(points[i], points[j])};
-            }
+    std::array<int, 4> corners = tetPoints(tet);
+    std::ranges::sort(corners);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (corners[i] / PillarPoints::kLevels == corners[i + 1] / PillarPoints::kLevels) {
+            return {corners[i], corners[i + 1]};
         }
     }
-    return {points[0], points[0]};
+    return {corners[0], corners[0]};
 }
 
-int CheckedShell::volumeSign(const std::array<int, 4>& points) const {
-    return orientationSign(point(points[0]), point(points[1]), point(points[2]), point(points[3]));
+int CheckedShell::volumeSign(const std::array<int, 4>& corners) const {
+    const auto& [a, b, c, d] = corners;
+    return orientationSign(point(a), point(b), point(c), point(d));
 }
 
 int CheckedShell::handedness(int tet) const {
@@ -77,27 +68,44 @@ int CheckedShell::handedness(int tet) const {
     return side * slotParity(tet / kTetrahedraPerPrism);
 }
 
-TetFace CheckedShell::faceOpposite(int tet, int k) const {
-    const std::array<int, 4> points = tetPoints(tet);
-    TetFace face{{}, tet, k};
-    std::size_t count = 0;
-    for (int j = 0; j < 4; ++j) {
-        if (j != k) {
-            face.points[count++] = points[j];
-        }
-    }
-    std::sort(face.points.begin(), face.points.end());
-    return face;
-}
-
 std::vector<TetFace> CheckedShell::boundary() const {
     std::vector<TetFace> boundary;
-    forEachFace([&](std::size_t first, std::size_t count) {
-        if (count == 1) {
-            boundary.push_back(faces_[first]);
+    forEachFace([&](std::span<const TetFace> equal) {
+        if (equal.size() == 1) {
+            boundary.push_back(equal.front());
         }
     });
     return boundary;
+}
+
+// ---- The whole check ----
+
+bool ShellCheck::passed() const {
+    return std::ranges::all_of(invariants(), [](const InvariantCheck* invariant) {
+        return invariant->holds;
+    });
+}
+
+ShellCheck checkShell(
+    const Surface& surface,
+    const ExtendedSurface& extended,
+    const Shell& shell,
+    std::span<const int> blockedFaces,
+    const ShellCheckOptions& options
+) {
+    const CheckedShell checked(shell, surface, extended, blockedFaces, options);
+    ShellCheck result;
+    checkTetrahedra(checked, {result.positiveTetrahedra, options});
+    checkLayers(checked, {result.separateLayers, options});
+    checkComponents(checked, {result.separateComponents, options});
+    checkNeighbours(checked, {result.consistentNeighbours, options});
+    if (shell.isFullResolution()) {
+        checkMiddleSurface(checked, {result.transversalSurface, options});
+        checkPrismPerFace(checked, {result.completeTracking, options});
+    } else {
+        checkSimplifiedShell(checked, result);
+    }
+    return result;
 }
 
 }  // namespace bspline_curve

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "shell/check_shell.h"
+#include "shell/pillar_points.h"
 
-#include <algorithm>
 #include <compare>
 #include <initializer_list>
 
@@ -16,101 +16,109 @@ struct TetFace {
     int tet, k;
 
     auto operator<=>(const TetFace&) const = default;
+
+    [[nodiscard]] int prism() const { return tet / kTetrahedraPerPrism; }
+
+    /// Whether it belongs to top or bottom.
+    [[nodiscard]] bool isLayer() const { return k == 0 && tet % 3 == 2; }
 };
 
-/// The plain data of a shell (pillars, prisms, kSlabSplit) as points and tetrahedra, which is all
-/// that the checks rely on. Points are numbered 3 * pillar + level.
-class CheckedShell {
-public:
-    enum Level : signed char { Bottom, Middle, Top };
+/// The plain data of a shell as points and tetrahedra, which is all that the checks rely on, and
+/// what it is checked against.
+struct CheckedShell {
+    CheckedShell(
+        const Shell& shell,
+        const Surface& surface,
+        const ExtendedSurface& extended,
+        std::span<const int> blockedFaces,
+        const ShellCheckOptions& options
+    );
 
-    static constexpr int kLevels = 3;
+    const Shell& shell;
+    const Surface& surface;
+    const ExtendedSurface& extended;
+    std::span<const int> blockedFaces;
+    const ShellCheckOptions& options;
+    PillarPoints points;
+    /// All faces of all tetrahedra, so that equal ones follow each other.
+    std::vector<TetFace> faces;
 
-    explicit CheckedShell(const Shell& shell);
+    [[nodiscard]] const Vec3& point(int i) const { return points.points[i]; }
 
-    [[nodiscard]] const Shell& shell() const { return shell_; }
+    [[nodiscard]] int prismCount() const { return static_cast<int>(shell.prisms().size()); }
 
-    [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
-
-    [[nodiscard]] const Vec3& point(int i) const { return points_[i]; }
-
-    [[nodiscard]] int prismCount() const { return static_cast<int>(shell_.prisms().size()); }
-
-    [[nodiscard]] const Prism& prism(int i) const { return shell_.prisms()[i]; }
+    [[nodiscard]] const Prism& prism(int i) const { return shell.prisms()[i]; }
 
     /// False for a blocked face, which keeps its place among the prisms of full resolution.
     [[nodiscard]] bool isPresent(int i) const {
-        return prism(i).orientation != 0 || !shell_.isFullResolution();
+        return prism(i).orientation != 0 || !shell.isFullResolution();
     }
 
     /// The orientation of a prism's slots: from where they stand in the face in a shell of full
     /// resolution (0 where that makes no sense), else as the prism says.
     [[nodiscard]] int slotParity(int i) const;
 
-    [[nodiscard]] std::array<int, 4> tetPoints(int tet) const;
-    [[nodiscard]] std::array<Vec3, 4> tetCorners(int tet) const;
+    [[nodiscard]] std::array<int, 4> tetPoints(int tet) const {
+        return tetrahedronPoints(
+            prism(tet / kTetrahedraPerPrism).pillars, tet % kTetrahedraPerPrism
+        );
+    }
 
     /// The two points of the half pillar that a tetrahedron holds, lower one first: its fibres are
     /// parallel to that.
     [[nodiscard]] std::array<int, 2> halfPillar(int tet) const;
 
     /// Exact sign of the volume of four points.
-    [[nodiscard]] int volumeSign(const std::array<int, 4>& points) const;
+    [[nodiscard]] int volumeSign(const std::array<int, 4>& corners) const;
 
     /// What volumeSign must be for the points of a tetrahedron.
     [[nodiscard]] int handedness(int tet) const;
 
-    /// All faces of all tetrahedra, so that equal ones follow each other.
-    [[nodiscard]] const std::vector<TetFace>& faces() const { return faces_; }
-
-    /// Calls visit(first, count) for each set of equal faces.
+    /// Calls visit(equal) for each set of equal faces.
     template <class Visitor>
     void forEachFace(const Visitor& visit) const {
-        for (std::size_t first = 0; first < faces_.size();) {
+        for (std::size_t first = 0; first < faces.size();) {
             std::size_t last = first + 1;
-            while (last < faces_.size() && faces_[last].points == faces_[first].points) {
+            while (last < faces.size() && faces[last].points == faces[first].points) {
                 ++last;
             }
-            visit(first, last - first);
+            visit(std::span(faces).subspan(first, last - first));
             first = last;
         }
     }
 
     /// The faces that only one tetrahedron has: top, bottom, and the walls where the shell ends.
     [[nodiscard]] std::vector<TetFace> boundary() const;
-
-    /// Whether a face of a tetrahedron belongs to top or bottom.
-    [[nodiscard]] static bool isLayer(const TetFace& face) {
-        return face.k == 0 && face.tet % 3 == 2;
-    }
-
-private:
-    [[nodiscard]] TetFace faceOpposite(int tet, int k) const;
-
-    const Shell& shell_;
-    std::vector<Vec3> points_;
-    std::vector<TetFace> faces_;
 };
 
 /// Where a check writes what it finds.
 class Violations {
 public:
     Violations(InvariantCheck& check, const ShellCheckOptions& options)
-        : check_(check), maxIds_(static_cast<std::size_t>(std::max(0, options.maxReportedIds))) {}
+        : check_(check), maxIds_(options.maxReportedIds) {}
 
     void add(std::initializer_list<int> ids) {
         check_.holds = false;
         ++check_.violations;
         for (const int id : ids) {
-            if (check_.firstIds.size() < maxIds_) {
+            if (static_cast<int>(check_.firstIds.size()) < maxIds_) {
                 check_.firstIds.push_back(id);
+            }
+        }
+    }
+
+    /// Adds the index of every flag that is set.
+    void addAll(const std::vector<char>& flags) {
+        for (int i = 0; i < static_cast<int>(flags.size()); ++i) {
+            if (flags[i] != 0) {
+                add({i});
             }
         }
     }
 
 private:
     InvariantCheck& check_;
-    std::size_t maxIds_;
+    int maxIds_;
 };
 
 // ---- Invariants of both forms ----
@@ -120,37 +128,18 @@ void checkLayers(const CheckedShell& shell, Violations violations);
 void checkComponents(const CheckedShell& shell, Violations violations);
 void checkNeighbours(const CheckedShell& shell, Violations violations);
 
-/// Whether a vertex of the extended surface is that of the surface, or is listed as moved, or grew
-/// from its boundary.
-[[nodiscard]] bool isWhereItSays(
-    const Surface& surface, const ExtendedSurface& extended, int vertex
-);
+/// Whether a face of the extended surface is that of the surface, and its vertices are those of the
+/// surface, or listed as moved, or grown from its boundary.
+[[nodiscard]] bool isOfSurface(const CheckedShell& shell, int face);
 
 // ---- Full resolution ----
 
-void checkMiddleSurface(
-    const CheckedShell& shell,
-    const Surface& surface,
-    const ExtendedSurface& extended,
-    Violations violations
-);
-void checkPrismPerFace(
-    const CheckedShell& shell,
-    const Surface& surface,
-    std::span<const int> blockedFaces,
-    Violations violations
-);
+void checkMiddleSurface(const CheckedShell& shell, Violations violations);
+void checkPrismPerFace(const CheckedShell& shell, Violations violations);
 
 // ---- Simplified shells ----
 
 /// Checks transversality, containment, fibres and tracking.
-void checkSimplifiedShell(
-    const CheckedShell& shell,
-    const Surface& surface,
-    const ExtendedSurface& extended,
-    std::span<const int> blockedFaces,
-    const ShellCheckOptions& options,
-    ShellCheck& result
-);
+void checkSimplifiedShell(const CheckedShell& shell, ShellCheck& result);
 
 }  // namespace bspline_curve

@@ -13,9 +13,6 @@
 namespace bspline_curve {
 namespace {
 
-constexpr std::size_t kMaxValence = 12;
-// Middle triangles are not made worse than this.
-constexpr double kLeastQuality = 0.1;
 // The queue may be a quarter longer than needed, and this much.
 constexpr std::size_t kSpareEdges = 4096;
 // How often the progress callback is asked, in edges.
@@ -32,7 +29,7 @@ void Collapser::run(double length, const Progress& progress) {
             // New edges come as well, so the share of the first ones is what surely never falls.
             report(progress, std::min(1.0, count / all), "simplifying the shell");
         }
-        if (!exists(edge)) {
+        if (!editor_.complex().hasEdge(edge.a, edge.b)) {
             continue;
         }
         const std::uint64_t key =
@@ -47,11 +44,16 @@ void Collapser::run(double length, const Progress& progress) {
     }
 }
 
-void Collapser::push(const Edge& edge) {
+// Pushes the edge between two pillars if it is shorter than a length.
+void Collapser::push(int a, int b, double length) {
+    const double edgeLength = editor_.middleLength(a, b);
+    if (edgeLength >= length) {
+        return;
+    }
     if (queue_.size() >= queueLimit_) {
         dropStale();
     }
-    queue_.push_back(edge);
+    queue_.push_back({edgeLength, std::min(a, b), std::max(a, b)});
     std::ranges::push_heap(queue_, std::greater<>());
 }
 
@@ -65,7 +67,9 @@ Collapser::Edge Collapser::pop() {
 // Drops edges that are no more (one that comes back is pushed again) or listed twice.
 void Collapser::dropStale() {
     sortUnique(queue_);
-    std::erase_if(queue_, [&](const Edge& edge) { return !exists(edge); });
+    std::erase_if(queue_, [&](const Edge& edge) {
+        return !editor_.complex().hasEdge(edge.a, edge.b);
+    });
     queueLimit_ = queue_.size() + queue_.size() / 4 + kSpareEdges;
     queue_.reserve(queueLimit_);
 }
@@ -76,10 +80,9 @@ void Collapser::pushAll(double length) {
         for (std::size_t k = 0; complex.isAlive(prism) && k < 3; ++k) {
             const int a = complex.pillarsOf(prism)[k];
             const int b = complex.pillarsOf(prism)[(k + 1) % 3];
-            const double edgeLength = editor_.middleLength(a, b);
             // Each edge from one side, at the rim from the only one; frozen edges stay anyway.
-            if (a < b && edgeLength < length) {
-                push({edgeLength, a, b});
+            if (a < b) {
+                push(a, b, length);
             }
         }
     }
@@ -91,24 +94,10 @@ void Collapser::pushAround(int pillar, double length) {
     editor_.complex().appendPrismsAround(pillar, around_);
     for (const int prism : around_) {
         const Triangle& pillars = editor_.complex().pillarsOf(prism);
-        const auto k = (cornerOf(pillars, pillar));
-        for (const auto& [i, j] :
-             {std::pair(k, (k + 1) % 3), std::pair((k + 1) % 3, (k + 2) % 3)}) {
-            const auto [low, high] = std::minmax({pillars[i], pillars[j]});
-            const double edgeLength = editor_.middleLength(low, high);
-            if (edgeLength < length) {
-                push({edgeLength, low, high});
-            }
-        }
+        const int k = cornerOf(pillars, pillar);
+        push(pillar, pillars[(k + 1) % 3], length);
+        push(pillars[(k + 1) % 3], pillars[(k + 2) % 3], length);
     }
-}
-
-bool Collapser::exists(const Edge& edge) {
-    near_.clear();
-    editor_.complex().appendPrismsAround(edge.a, near_);
-    return std::ranges::any_of(near_, [&](int prism) {
-        return cornerOf(editor_.complex().pillarsOf(prism), edge.b) >= 0;
-    });
 }
 
 bool Collapser::collapseEither(const Edge& edge, double length) {
@@ -157,7 +146,7 @@ bool Collapser::propose(int removed, int kept) {
         pillars[cornerOf(pillars, removed)] = kept;
         return holdsEdge;
     });
-    return editor_.leastQuality() >= std::min(now, kLeastQuality);
+    return editor_.leastQuality() >= std::min(now, kSimplifier.leastQuality);
 }
 
 // Link condition: the pillars next to both ends are those of the edge's two prisms, and those two
@@ -167,7 +156,7 @@ bool Collapser::keepsTopology(int removed, int kept) {
     const std::vector<int>& star = editor_.old;
     around_.clear();
     complex.appendPrismsAround(kept, around_);
-    if (star.size() + around_.size() > kMaxValence + 4) {
+    if (star.size() + around_.size() > kSimplifier.maxValence + 4) {
         return false;
     }
     const auto neighbours = [&](const std::vector<int>& prisms, int pillar, std::vector<int>& to) {

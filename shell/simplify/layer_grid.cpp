@@ -12,23 +12,19 @@
 namespace bspline_curve {
 namespace {
 
-// All prisms are entered anew where there are this many times the entries that this makes, and
-// some.
+// All prisms are entered anew where there are this many times the entries that this makes, and so
+// many more: most entries are then of prisms that are gone.
 constexpr double kEntryGrowth = 1.5;
 constexpr std::size_t kSpareEntries = 4096;
-// The frame's coordinates are above this.
+// Coordinates in the shell's frame are above this.
 constexpr double kLowest = -4.0;
-
-Triangle layerOf(const Triangle& pillars, Level level) {
-    return {pointOf(pillars[0], level), pointOf(pillars[1], level), pointOf(pillars[2], level)};
-}
 
 }  // namespace
 
-LayerGrid::Box LayerGrid::boxOf(const Triangle& points) const {
-    const Vec3& a = complex_.points[points[0]];
-    const Vec3& b = complex_.points[points[1]];
-    const Vec3& c = complex_.points[points[2]];
+LayerGrid::Box LayerGrid::boxOf(const Triangle& triangle) const {
+    const Vec3& a = points_[triangle[0]];
+    const Vec3& b = points_[triangle[1]];
+    const Vec3& c = points_[triangle[2]];
     Box box;
     for (int k = 0; k < 3; ++k) {
         box.low[k] = static_cast<float>(std::min({a[k], b[k], c[k]})) - kFloatMargin;
@@ -38,7 +34,9 @@ LayerGrid::Box LayerGrid::boxOf(const Triangle& points) const {
 }
 
 LayerGrid::LayerBoxes LayerGrid::layerBoxesOf(const Triangle& pillars) const {
-    return {boxOf(layerOf(pillars, Level::Top)), boxOf(layerOf(pillars, Level::Bottom))};
+    return {
+        boxOf(layerTriangle(pillars, Level::Top)), boxOf(layerTriangle(pillars, Level::Bottom))
+    };
 }
 
 LayerGrid::CellRange LayerGrid::cellsOf(const Box& box) const {
@@ -67,22 +65,14 @@ void LayerGrid::enter(int item, const CellRange& cells, const CellRange* known) 
     for (int x = cells.low[0]; x <= cells.high[0]; ++x) {
         for (int y = cells.low[1]; y <= cells.high[1]; ++y) {
             for (int z = cells.low[2]; z <= cells.high[2]; ++z) {
-                if (known != nullptr && x >= known->low[0] && x <= known->high[0] &&
-                    y >= known->low[1] && y <= known->high[1] && z >= known->low[2] &&
-                    z <= known->high[2]) {
-                    continue;
+                if (known == nullptr || !known->holds(x, y, z)) {
+                    int& head = heads_[slotOf(x, y, z)];
+                    entries_.push_back({item, head});
+                    head = static_cast<int>(entries_.size()) - 1;
                 }
-                int& head = heads_[slotOf(x, y, z)];
-                entries_.push_back({item, head});
-                head = static_cast<int>(entries_.size()) - 1;
             }
         }
     }
-}
-
-void LayerGrid::rebuild(double cellSize) {
-    inverseCellSize_ = 1.0 / cellSize;
-    enterAll();
 }
 
 void LayerGrid::enterAll() {
@@ -117,21 +107,16 @@ void LayerGrid::insert(int prism) {
 }
 
 void LayerGrid::enterPrism(int prism) {
-    const std::size_t i = prism;
-    boxes_[i] = whole(layerBoxesOf(complex_.pillarsOf(prism)));
-    CellRange cells = cellsOf(boxes_[i]);
-    if (isEntered_[i] != 0) {
-        const CellRange known = cells_[i];
-        for (std::size_t k = 0; k < 3; ++k) {
-            cells.low[k] = std::min(cells.low[k], known.low[k]);
-            cells.high[k] = std::max(cells.high[k], known.high[k]);
-        }
-        enter(prism, cells, &known);
-    } else {
-        enter(prism, cells, nullptr);
-        isEntered_[i] = 1;
+    boxes_[prism] = whole(layerBoxesOf(complex_.pillarsOf(prism)));
+    CellRange cells = cellsOf(boxes_[prism]);
+    const CellRange known = cells_[prism];
+    const bool isEntered = std::exchange(isEntered_[prism], 1) != 0;
+    for (std::size_t k = 0; isEntered && k < 3; ++k) {
+        cells.low[k] = std::min(cells.low[k], known.low[k]);
+        cells.high[k] = std::max(cells.high[k], known.high[k]);
     }
-    cells_[i] = cells;
+    enter(prism, cells, isEntered ? &known : nullptr);
+    cells_[prism] = cells;
 }
 
 bool LayerGrid::meetsPrism(
@@ -140,13 +125,13 @@ bool LayerGrid::meetsPrism(
     const Triangle& other,
     const LayerBoxes& otherBoxes
 ) const {
-    constexpr std::array<Level, 2> kLayers = {Level::Top, Level::Bottom};
     for (std::size_t i = 0; i < 2; ++i) {
         for (std::size_t j = 0; j < 2; ++j) {
-            if (boxes[i].overlaps(otherBoxes[j]) &&
-                trianglesIntersect(
-                    complex_.points, layerOf(pillars, kLayers[i]), layerOf(other, kLayers[j])
-                )) {
+            if (boxes[i].overlaps(otherBoxes[j]) && trianglesIntersect(
+                                                        points_,
+                                                        layerTriangle(pillars, kOuterLevels[i]),
+                                                        layerTriangle(other, kOuterLevels[j])
+                                                    )) {
                 return true;
             }
         }
@@ -155,12 +140,13 @@ bool LayerGrid::meetsPrism(
 }
 
 bool LayerGrid::meetsWall(const Triangle& pillars, const LayerBoxes& boxes, int wall) const {
-    const Wall& corners = endWalls_[wall];
-    const Box& box = wallBoxes_[wall];
-    return (boxes[0].overlaps(box) &&
-            trianglesIntersect(complex_.points, layerOf(pillars, Level::Top), corners)) ||
-           (boxes[1].overlaps(box) &&
-            trianglesIntersect(complex_.points, layerOf(pillars, Level::Bottom), corners));
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (boxes[i].overlaps(wallBoxes_[wall]) &&
+            trianglesIntersect(points_, layerTriangle(pillars, kOuterLevels[i]), endWalls_[wall])) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // Whether a prism meets an entered item that was not met in this query yet.

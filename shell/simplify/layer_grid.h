@@ -16,14 +16,16 @@ namespace bspline_curve {
 /// shell ends: a hashed grid over the boxes of the prisms.
 class LayerGrid {
 public:
-    /// A wall where the shell ends: points of the complex. These walls stay as they are.
-    using Wall = Triangle;
-
-    LayerGrid(const PrismComplex& complex, std::vector<Wall> endWalls)
-        : complex_(complex), endWalls_(std::move(endWalls)) {}
+    /// `endWalls`: triangles between points of the complex where the shell ends, which stay as they
+    /// are.
+    LayerGrid(const PrismComplex& complex, std::vector<Triangle> endWalls)
+        : complex_(complex), points_(complex.points.points), endWalls_(std::move(endWalls)) {}
 
     /// Enters all prisms anew, in cells of the given size.
-    void rebuild(double cellSize);
+    void rebuild(double cellSize) {
+        inverseCellSize_ = 1.0 / cellSize;
+        enterAll();
+    }
 
     /// Enters a prism; an id may be entered again with other pillars.
     void insert(int prism);
@@ -54,6 +56,11 @@ private:
     // Cells from low to high along each axis.
     struct CellRange {
         std::array<std::int16_t, 3> low{}, high{};
+
+        [[nodiscard]] bool holds(int x, int y, int z) const {
+            return x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1] && z >= low[2] &&
+                   z <= high[2];
+        }
     };
 
     struct Entry {
@@ -66,7 +73,7 @@ private:
 
     [[nodiscard]] static Box whole(const LayerBoxes& boxes) { return boxes[0].joined(boxes[1]); }
 
-    [[nodiscard]] Box boxOf(const Triangle& points) const;
+    [[nodiscard]] Box boxOf(const Triangle& triangle) const;
     [[nodiscard]] LayerBoxes layerBoxesOf(const Triangle& pillars) const;
     [[nodiscard]] CellRange cellsOf(const Box& box) const;
     [[nodiscard]] std::size_t slotOf(int x, int y, int z) const;
@@ -86,7 +93,8 @@ private:
     [[nodiscard]] bool meetsWall(const Triangle& pillars, const LayerBoxes& boxes, int wall) const;
 
     const PrismComplex& complex_;
-    std::vector<Wall> endWalls_;
+    const std::vector<Vec3>& points_;  // of the complex
+    std::vector<Triangle> endWalls_;
     std::vector<Box> boxes_;  // of top and bottom together of each prism, as entered
     std::vector<Box> wallBoxes_;
     std::vector<CellRange> cells_;  // that each prism was ever entered in

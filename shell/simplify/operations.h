@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/progress.h"
+#include "shell/simplify/creases.h"
 #include "shell/simplify/shell_editor.h"
 
 #include <compare>
@@ -13,35 +14,38 @@
 
 namespace bspline_curve {
 
-/// The crease edges of the middle surface while it is being simplified: collapses move them.
-class Creases {
-public:
-    /// Edges, low pillar first, ascending.
-    Creases(std::vector<std::pair<int, int>> edges, int pillarCount);
-
-    [[nodiscard]] bool holdEdge(int a, int b) const;
-
-    /// Number of crease edges at a pillar.
-    [[nodiscard]] int degree(int pillar) const { return degrees_[pillar]; }
-
-    /// Pillar `removed`, which has two crease edges, goes into `kept` along one of them.
-    void collapse(int removed, int kept);
-
-private:
-    std::vector<std::pair<int, int>> edges_;
-    std::vector<int> degrees_;
+struct SimplifierConstants {
+    // ---- Stages ----
+    double startThickness = 0.5;  ///< half pillars of the first shell, in mean edges: all fit
+    double firstStage = 1.6;      ///< target edge length of the first stage, in mean edges
+    double stageFactor = 1.5;     ///< from stage to stage: each removes about half of the prisms
+    double thicknessShare = 0.5;  ///< half pillars by the target edge length: prisms not too tall
+    double leastProgress = 0.01;  ///< share of the prisms that a stage removes, or it is the last
+    int maxStages = 60;           ///< 1.5^60 mean edges are longer than any surface
+    double cellSize = 2.0;        ///< of the grid, in target edges: few cells for each prism
+    // ---- Operations ----
+    double lengthGain = 1.1;      ///< factor by which pillars have to grow
+    double shorterStep = 0.4;     ///< share of a step in length that is tried where it fails
+    double flipGain = 1.1;        ///< factor by which a flip has to make the worse triangle better
+    double goodQuality = 0.9;     ///< stars whose worst triangle is this good stay
+    double moveGain = 1.02;       ///< factor by which a move has to make the worst triangle better
+    double leastQuality = 0.1;    ///< below, collapses do not make triangles worse
+    std::size_t maxValence = 12;  ///< of a pillar after a collapse: larger stars hardly ever change
 };
 
-/// Makes pillars longer, up to `reach` on either side of the middle, turning them where that helps.
+inline constexpr SimplifierConstants kSimplifier;
+
+/// Makes pillars longer, up to a length on either side of the middle, turning them where that
+/// helps.
 class Thickener {
 public:
     explicit Thickener(ShellEditor& editor) : editor_(editor), failed_(editor.pillarCount(), -1) {}
 
-    void run(double reach);
+    void run(double length);
 
 private:
-    void thicken(int pillar, double reach);
-    void lengthen(int pillar, Level level, double reach);
+    void thicken(int pillar, double length);
+    void lengthen(int pillar, Vec3 Pillar::* tip, double length);
     [[nodiscard]] Vec3 directionAround(int pillar) const;
 
     ShellEditor& editor_;
@@ -65,12 +69,11 @@ private:
         auto operator<=>(const Edge&) const = default;
     };
 
-    void push(const Edge& edge);
+    void push(int a, int b, double length);
     [[nodiscard]] Edge pop();
     void dropStale();
     void pushAll(double length);
     void pushAround(int pillar, double length);
-    [[nodiscard]] bool exists(const Edge& edge);
     bool collapseEither(const Edge& edge, double length);
     bool collapse(int removed, int kept);
     [[nodiscard]] bool propose(int removed, int kept);
@@ -89,15 +92,15 @@ private:
 void flipEdges(ShellEditor& editor, const Creases& creases);
 
 /// Moves pillars along the surface to where the prisms around them are better shaped.
-class SampledSolver {
+class PillarSmoother {
 public:
-    SampledSolver(ShellEditor& editor, const Creases& creases)
+    PillarSmoother(ShellEditor& editor, const Creases& creases)
         : editor_(editor), creases_(creases), failed_(editor.pillarCount(), -1) {}
 
     void run();
 
 private:
-    void solveSampled(int pillar);
+    void move(int pillar);
 
     ShellEditor& editor_;
     const Creases& creases_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/patch_test.h"
 
-#include "shell/slab.h"
 #include "surface/predicates.h"
 #include "surface/self_intersection.h"
 
@@ -13,7 +12,7 @@
 namespace bspline_curve {
 namespace {
 
-// Faces keep below this share of the way from the middle to top and bottom.
+// Share of the way from the middle to top and bottom that faces may reach: heights stay below 1.
 constexpr double kSurfaceMargin = 0.85;
 
 // Least cosine between the half pillars of a tetrahedron and the normals of the faces that meet it.
@@ -25,6 +24,11 @@ float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
 
 std::array<float, 3> toFloat(const Vec3& v) {
     return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+FloatPlane planeOf(const Vec3& normal, double offset, float margin) {
+    const std::array<float, 3> n = toFloat(normal);
+    return {n[0], n[1], n[2], static_cast<float>(offset) + margin};
 }
 
 using TetCorners = std::array<const Vec3*, 4>;
@@ -124,63 +128,53 @@ bool areApart(const TetCorners& tet, const FaceCorners& face) {
 
 }  // namespace
 
-bool PatchTest::isUpright(const Triangle& pillars) const {
+bool PatchTest::isPositive(const Triangle& pillars) const {
     const Triangle slots = slotsOf(pillars);
     const int orientation = orientationOf(pillars);
-    for (const Level outer : {Level::Top, Level::Bottom}) {
-        const int wanted = outer == Level::Top ? orientation : -orientation;
-        const auto pointOf = [&](int slot, bool isOuter) -> const Vec3& {
-            return complex_.point(slots[slot], isOuter ? outer : Level::Middle);
-        };
-        if (!slabIsUpright(wanted, pointOf)) {
-            return false;
-        }
-    }
-    return true;
+    return Slab{complex_.points, slots, orientation, 0}.isPositive() &&
+           Slab{complex_.points, slots, orientation, 1}.isPositive();
 }
 
 PatchTest::Sides PatchTest::sidesOf(const Triangle& slots, const Triangle& pillars) const {
     Sides sides;
-    std::array<Vec3, 9> points;
-    for (int k = 0; k < 3; ++k) {
-        for (int level = 0; level < 3; ++level) {
-            points[3 * k + level] = complex_.points[3 * pillars[k] + level];
-        }
-    }
-    const auto middle = [&](std::size_t k) -> const Vec3& { return points[3 * (k % 3) + 1]; };
-    const auto whole = [&](std::size_t k) -> Vec3 {
-        return points[3 * (k % 3) + 2] - points[3 * (k % 3)];
-    };
+    std::array<Pillar, 3> p;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 normal = (middle(k + 1) - middle(k)).cross(whole(k) + whole(k + 1)).normalized();
-        double reach = -std::numeric_limits<double>::infinity();
-        for (const Vec3& p : points) {
-            reach = std::max(reach, normal.dot(p));
-        }
-        const std::array<float, 3> n = toFloat(normal);
-        sides.walls[k] = {n[0], n[1], n[2], static_cast<float>(reach) + kFloatMargin};
-    }
-    for (const int side : {2, 0}) {
-        std::array<Vec3, 3> corners;
-        for (std::size_t k = 0; k < 3; ++k) {
-            corners[k] = middle(k) + kSurfaceMargin * (points[3 * k + side] - middle(k));
-        }
-        const Vec3 normal = (side == 2 ? 1.0 : -1.0) *
-                            (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-        const std::array<float, 3> n = toFloat(normal);
-        (side == 2 ? sides.top : sides.bottom) = {
-            n[0], n[1], n[2], static_cast<float>(normal.dot(corners[0])) - kFloatMargin
-        };
+        p[k] = complex_.points.pillar(pillars[k]);
     }
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3& m = complex_.point(slots[k], Level::Middle);
-        sides.halves[k] = toFloat((complex_.point(slots[k], Level::Top) - m).normalized());
-        sides.halves[3 + k] = toFloat((m - complex_.point(slots[k], Level::Bottom)).normalized());
+        const Pillar& a = p[k];
+        const Pillar& b = p[(k + 1) % 3];
+        const Vec3 normal =
+            (b.middle - a.middle).cross((a.top - a.bottom) + (b.top - b.bottom)).normalized();
+        double farthest = -std::numeric_limits<double>::infinity();
+        for (const Pillar& pillar : p) {
+            farthest = std::max(
+                {farthest,
+                 normal.dot(pillar.bottom),
+                 normal.dot(pillar.middle),
+                 normal.dot(pillar.top)}
+            );
+        }
+        sides.walls[k] = planeOf(normal, farthest, kFloatMargin);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        sides.layers[0][k] = p[k].middle + kSurfaceMargin * (p[k].top - p[k].middle);
+        sides.layers[1][k] = p[k].middle + kSurfaceMargin * (p[k].bottom - p[k].middle);
+    }
+    for (const int slab : {0, 1}) {
+        const auto& [a, b, c] = sides.layers[slab];
+        const Vec3 normal = (slab == 0 ? 1.0 : -1.0) * (b - a).cross(c - a).normalized();
+        sides.layerPlanes[slab] = planeOf(normal, normal.dot(a), -kFloatMargin);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Pillar pillar = complex_.points.pillar(slots[k]);
+        sides.halves[k] = toFloat((pillar.top - pillar.middle).normalized());
+        sides.halves[3 + k] = toFloat((pillar.middle - pillar.bottom).normalized());
     }
     return sides;
 }
 
-bool PatchTest::isBeyond(int face, const Plane& wall) const {
+bool PatchTest::isBeyond(int face, const FloatPlane& wall) const {
     for (std::size_t k = 0; k < 3; ++k) {
         if (wall.at(toFloat(surface_.corner(face, k))) <= 0.0F) {
             return false;
@@ -190,18 +184,13 @@ bool PatchTest::isBeyond(int face, const Plane& wall) const {
 }
 
 bool PatchTest::meetsTetrahedron(int face, const Triangle& slots, int slab, int tet) const {
-    std::array<const Vec3*, 4> corners{};
-    const Level outer = slab == 0 ? Level::Top : Level::Bottom;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const SplitVertex vertex = kSlabSplit[tet][k];
-        corners[k] = &complex_.point(slots[vertex.slot], vertex.outer ? outer : Level::Middle);
-    }
     return !areApart(
-        corners, {&surface_.corner(face, 0), &surface_.corner(face, 1), &surface_.corner(face, 2)}
+        Slab{complex_.points, slots, 1, slab}.corners(tet),
+        {&surface_.corner(face, 0), &surface_.corner(face, 1), &surface_.corner(face, 2)}
     );
 }
 
-bool PatchTest::isSeen(int face, const Triangle& slots, const Sides& sides) const {
+bool PatchTest::isTransversal(int face, const Triangle& slots, const Sides& sides) const {
     const std::array<float, 3>& normal = surface_.bounds[face].normal;
     for (int half = 0; half < 6; ++half) {
         // The fibres of a tetrahedron run along the half pillar that it holds.
@@ -213,10 +202,13 @@ bool PatchTest::isSeen(int face, const Triangle& slots, const Sides& sides) cons
     return true;
 }
 
-bool PatchTest::meetsLayer(int face, const Triangle& slots, Level level) {
+bool PatchTest::reaches(int face, const Sides& sides, int slab) {
+    const FaceBound& bound = surface_.bounds[face];
+    if (sides.layerPlanes[slab].at(bound.centre) <= -bound.radius) {
+        return false;
+    }
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3& middle = complex_.point(slots[k], Level::Middle);
-        scratch_[k] = middle + kSurfaceMargin * (complex_.point(slots[k], level) - middle);
+        scratch_[k] = sides.layers[slab][k];
         scratch_[3 + k] = surface_.corner(face, k);
     }
     return trianglesIntersect(scratch_, {0, 1, 2}, {3, 4, 5});
@@ -240,11 +232,8 @@ bool PatchTest::accepts(std::span<const Triangle> prisms, std::span<const int> f
                                               (d2 > 0.0F && isBeyond(face, sides.walls[2]))))) {
                 continue;
             }
-            if (!isSeen(face, slots, sides) ||
-                (sides.top.at(bound.centre) > -bound.radius &&
-                 meetsLayer(face, slots, Level::Top)) ||
-                (sides.bottom.at(bound.centre) > -bound.radius &&
-                 meetsLayer(face, slots, Level::Bottom))) {
+            if (!isTransversal(face, slots, sides) || reaches(face, sides, 0) ||
+                reaches(face, sides, 1)) {
                 return false;
             }
             tracked_.push_back(face);

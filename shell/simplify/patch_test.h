@@ -10,6 +10,15 @@
 
 namespace bspline_curve {
 
+/// A plane in single precision: positive beyond it.
+struct FloatPlane {
+    float x = 0.0F, y = 0.0F, z = 0.0F, offset = 0.0F;
+
+    [[nodiscard]] float at(const std::array<float, 3>& p) const {
+        return x * p[0] + y * p[1] + z * p[2] - offset;
+    }
+};
+
 /// Decides whether prisms may take the place of others that fill the same patch of the surface:
 /// every tetrahedron positive (exact), every face of the surface that meets a prism transversal to
 /// its pillars with a margin and well below top and above bottom. Finds for each new prism the
@@ -20,7 +29,7 @@ public:
         : surface_(surface), complex_(complex) {}
 
     /// Whether all tetrahedra of a prism are positive (exact).
-    [[nodiscard]] bool isUpright(const Triangle& pillars) const;
+    [[nodiscard]] bool isPositive(const Triangle& pillars) const;
 
     /// Tests prisms against the faces that meet their patch.
     [[nodiscard]] bool accepts(std::span<const Triangle> prisms, std::span<const int> faces);
@@ -33,26 +42,19 @@ public:
     }
 
 private:
-    struct Plane {
-        float x = 0.0F, y = 0.0F, z = 0.0F, offset = 0.0F;
-
-        [[nodiscard]] float at(const std::array<float, 3>& p) const {
-            return x * p[0] + y * p[1] + z * p[2] - offset;
-        }
-    };
-
-    // What the faces are compared with, in single precision.
+    // What the faces are compared with.
     struct Sides {
-        std::array<Plane, 3> walls;  // beyond a wall: disjoint
-        Plane top, bottom;           // inside of both: well below top and above bottom
+        std::array<FloatPlane, 3> walls;             // beyond a wall: disjoint
+        std::array<FloatPlane, 2> layerPlanes;       // of the layers: positive outside
+        std::array<std::array<Vec3, 3>, 2> layers;   // how far faces may reach up and down
         std::array<std::array<float, 3>, 6> halves;  // unit half pillars: 3 upper, 3 lower, by slot
     };
 
     [[nodiscard]] Sides sidesOf(const Triangle& slots, const Triangle& pillars) const;
-    [[nodiscard]] bool isBeyond(int face, const Plane& wall) const;
-    [[nodiscard]] bool isSeen(int face, const Triangle& slots, const Sides& sides) const;
+    [[nodiscard]] bool isBeyond(int face, const FloatPlane& wall) const;
+    [[nodiscard]] bool isTransversal(int face, const Triangle& slots, const Sides& sides) const;
     [[nodiscard]] bool meetsTetrahedron(int face, const Triangle& slots, int slab, int tet) const;
-    [[nodiscard]] bool meetsLayer(int face, const Triangle& slots, Level level);
+    [[nodiscard]] bool reaches(int face, const Sides& sides, int slab);
 
     const TrackedSurface& surface_;
     const PrismComplex& complex_;

@@ -34,10 +34,14 @@ int PrismComplex::addPrism(const Triangle& pillars, std::span<const int> faces) 
 
 void PrismComplex::removePrism(int prism) {
     for (int k = 0; k < 3; ++k) {
-        unlink(pillarsOf_[prism][k], 3 * prism + k);
+        int* link = &firstCorners_[pillarsOf_[prism][k]];
+        while (*link != 3 * prism + k) {
+            link = &nextCorners_[*link];
+        }
+        *link = nextCorners_[3 * prism + k];
     }
     pillarsOf_[prism] = {-1, -1, -1};
-    usedPool_ -= (tracks_[prism].count);
+    usedPool_ -= tracks_[prism].count;
     tracks_[prism] = {};
     freeIds_.push_back(prism);
     --prismCount_;
@@ -57,14 +61,6 @@ void PrismComplex::setFaces(int prism, std::span<const int> faces) {
         std::ranges::copy(faces, trackPool_.begin() + track.first);
     }
     track.count = static_cast<int>(faces.size());
-}
-
-void PrismComplex::unlink(int pillar, int corner) {
-    int* link = &firstCorners_[pillar];
-    while (*link != corner) {
-        link = &nextCorners_[*link];
-    }
-    *link = nextCorners_[corner];
 }
 
 void PrismComplex::compactPool() {

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/mesh.h"
+#include "shell/pillar_points.h"
+#include "surface/surface_point.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
 namespace bspline_curve {
-
-/// Where a point stands on its pillar.
-enum class Level : signed char { Bottom = 0, Middle = 1, Top = 2 };
-
-/// Index of a pillar's point in PrismComplex::points.
-[[nodiscard]] inline int pointOf(int pillar, Level level) {
-    return 3 * pillar + static_cast<int>(level);
-}
 
 /// The pillars of a prism in the order of the split.
 [[nodiscard]] inline Triangle slotsOf(Triangle pillars) {
@@ -24,24 +16,23 @@ enum class Level : signed char { Bottom = 0, Middle = 1, Top = 2 };
     return pillars;
 }
 
-/// +1 where the slots of a prism run counter-clockwise seen from the top, as its pillars do, else
-/// -1.
+/// The orientation of a prism whose pillars run counter-clockwise seen from the top.
 [[nodiscard]] inline int orientationOf(const Triangle& pillars) {
     const Triangle slots = slotsOf(pillars);
-    const std::size_t first = slots[0] == pillars[0] ? 0 : (slots[0] == pillars[1] ? 1 : 2);
-    return pillars[(first + 1) % 3] == slots[1] ? 1 : -1;
+    return pillars[(cornerOf(pillars, slots[0]) + 1) % 3] == slots[1] ? 1 : -1;
 }
 
 /// The prisms of a shell while it is being simplified: plain arrays, prisms that come and go, for
 /// each pillar the prisms around it, for each prism the faces of the surface that meet it.
 class PrismComplex {
 public:
-    explicit PrismComplex(int pillarCount) : firstCorners_(pillarCount, -1) {}
+    explicit PrismComplex(const std::vector<Pillar>& pillars)
+        : points(pillars), firstCorners_(pillars.size(), -1) {}
 
-    std::vector<Vec3> points;  ///< see pointOf
+    PillarPoints points;
 
     [[nodiscard]] const Vec3& point(int pillar, Level level) const {
-        return points[pointOf(pillar, level)];
+        return points.at(pillar, level);
     }
 
     /// Ids run from 0 to here; some are free.
@@ -72,6 +63,20 @@ public:
         }
     }
 
+    /// The prism that runs from one pillar to another counter-clockwise, or -1.
+    [[nodiscard]] int prismAlong(int from, int to) const {
+        for (int c = firstCorners_[from]; c >= 0; c = nextCorners_[c]) {
+            if (pillarsOf_[c / 3][(c % 3 + 1) % 3] == to) {
+                return c / 3;
+            }
+        }
+        return -1;
+    }
+
+    [[nodiscard]] bool hasEdge(int a, int b) const {
+        return prismAlong(a, b) >= 0 || prismAlong(b, a) >= 0;
+    }
+
     [[nodiscard]] bool hasPrisms(int pillar) const { return firstCorners_[pillar] >= 0; }
 
 private:
@@ -79,13 +84,11 @@ private:
         int first = 0, count = 0;
     };
 
-    void unlink(int pillar, int corner);
     void compactPool();
 
     std::vector<Triangle> pillarsOf_;
-    std::vector<int>
-        firstCorners_;              // of each pillar: a corner (3 * prism + k) of a prism around it
-    std::vector<int> nextCorners_;  // of each corner: the next one at the same pillar
+    std::vector<int> firstCorners_;  // of each pillar: a corner, 3 * prism + k, at it
+    std::vector<int> nextCorners_;   // of each corner: the next one at the same pillar
     std::vector<Track> tracks_;
     std::vector<int> trackPool_;
     std::vector<int> freeIds_;

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "shell/shell.h"
-#include "shell/simplify/component_witnesses.h"
+#include "shell/simplify/component_test.h"
 #include "shell/simplify/layer_grid.h"
-#include "shell/simplify/layer_volumes.h"
 #include "shell/simplify/patch_test.h"
 #include "shell/simplify/prism_complex.h"
 #include "shell/simplify/tracked_surface.h"
@@ -23,7 +22,7 @@ namespace bspline_curve {
 /// new prism.
 class ShellEditor {
 public:
-    /// `start` has prism i over face i of the surface's base.
+    /// `start` has prism i over face i of the surface.
     ShellEditor(const TrackedSurface& surface, const Shell& start);
 
     ShellEditor(const ShellEditor&) = delete;
@@ -54,8 +53,9 @@ public:
     /// old: the prisms around a pillar; fresh: the same.
     void proposeStar(int pillar);
 
-    [[nodiscard]] Pillar pillarAt(int pillar) const;
-    void setPillar(int pillar, const Pillar& value);
+    [[nodiscard]] Pillar pillarAt(int pillar) const { return complex_.points.pillar(pillar); }
+
+    void setPillar(int pillar, const Pillar& value) { complex_.points.set(pillar, value); }
 
     /// Puts `fresh` in the place of `old` if all invariants hold; else changes nothing (what
     /// setPillar() did is the caller's to undo).
@@ -97,8 +97,7 @@ private:
     PrismComplex complex_;
     PatchTest test_;
     LayerGrid grid_;
-    ComponentWitnesses witnesses_;
-    LayerVolumes volumes_;
+    ComponentTest components_;
     std::vector<char> isFrozen_;
     std::vector<int> faces_;       // that meet `old`, after gatherFaces()
     std::vector<int> faceStamps_;  // of the last gatherFaces() that met a face

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/tracked_surface.h"
 
-#include "shell/simplify/crease_edges.h"
 #include "surface/spatial_order.h"
 
 #include <Eigen/Geometry>

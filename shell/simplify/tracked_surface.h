@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shell/extended_surface.h"
+#include "shell/simplify/creases.h"
 
 #include <array>
 #include <vector>
 
 namespace bspline_curve {
 
-/// What the tests of the simplifier ask of a face most often, in one half of a cache line.
+/// Bounds of a face in single precision, in one half of a cache line.
 struct FaceBound {
     std::array<float, 3> centre{};
     float radius = 0.0F;  ///< of a ball about the centre that holds the face, rounding included
-    /// Unit normal; zero where rounding leaves no direction (needles), so that no pillar sees it.
+    /// Unit normal; zero where rounding leaves no direction (needles): never transversal.
     std::array<float, 3> normal{};
     float padding = 0.0F;
 };
@@ -21,9 +21,9 @@ struct FaceBound {
 /// frame (coordinates up to 1/2 in size).
 inline constexpr float kFloatMargin = 1e-6F;
 
-/// A base renumbered along a space-filling curve, so that what is near in space is near in memory.
-/// Vertices on creases come last: the split of prisms into tetrahedra follows the vertex numbers,
-/// and its cells next to the middle run along the pillar that comes last.
+/// An extended surface renumbered along a space-filling curve, so that what is near in space is
+/// near in memory. Vertices on creases come last: the split of prisms into tetrahedra follows the
+/// vertex numbers, and its cells next to the middle run along the pillar that comes last.
 class TrackedSurface {
 public:
     /// Without bounds.
@@ -40,9 +40,9 @@ public:
     /// Renumbered; ghost faces last. Without what only surface points need (ghost origins, moved
     /// vertices).
     ExtendedSurface extended;
-    std::vector<int> originalFaces;            ///< face of the original base for each face
-    std::vector<std::pair<int, int>> creases;  ///< edges, low vertex first, ascending
-    std::vector<FaceBound> bounds;             ///< of each face
+    std::vector<int> originalFaces;  ///< the face of the original surface for each
+    Edges creases;
+    std::vector<FaceBound> bounds;  ///< of each face
 };
 
 }  // namespace bspline_curve

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // First splines by least squares.
 #include "problem_fixture.h"
-#include "shell/full_prisms.h"
+#include "shell/prism_graph.h"
 #include "solver/initial_curve.h"
 #include "support/meshes.h"
 

@@ -12,6 +12,8 @@ namespace bspline_curve {
 /// of the way there, so that the shells of two close sheets start apart. `lengths` are those above
 /// (0) and below (1) each vertex. Faces between the pillars of a coarser sheet are not seen; what
 /// overlaps there is for the tests of the builder to find. O(n log n).
-void keepPillarsApart(const ExtendedSurface& extended, std::array<std::vector<double>, 2>& lengths);
+void limitPillarLengths(
+    const ExtendedSurface& extended, std::array<std::vector<double>, 2>& lengths
+);
 
 }  // namespace bspline_curve
