@@ -3,10 +3,9 @@
 import numpy as np
 import pymeshlab
 import pytest
-from curves import FILTER, CurveLayer, as_text, draw
+from curves import CurveLayer, as_text, assert_refuses, draw
 from meshes import wavy_plate
 
-KEPT = []  # see test_errors.py
 WALL = "(x > 0.4) && (x < 0.6) && (y < 0.7)"
 WALL_OF_FACES = " && ".join(f"(x{k} > 0.39) && (x{k} < 0.61) && (y{k} < 0.71)" for k in range(3))
 
@@ -74,14 +73,10 @@ def test_nothing_is_avoided_by_default(walled):
 ])
 def test_what_cannot_be_is_refused(walled, parameters, message):
     document, vertices, _ = walled
-    KEPT.append(document)
-    with pytest.raises(pymeshlab.PyMeshLabException, match=message):
-        document.apply_filter(FILTER, picks=as_text(picks_on(vertices)), **parameters)
+    assert_refuses(document, message, picks=as_text(picks_on(vertices)), **parameters)
 
 
 def test_a_wall_without_a_gap_is_refused_by_its_picks(walled):
     document, vertices, _ = walled
     document.compute_selection_by_condition_per_vertex(condselect="(x > 0.4) && (x < 0.6)")
-    KEPT.append(document)
-    with pytest.raises(pymeshlab.PyMeshLabException, match="from pick 0 to pick 1"):
-        document.apply_filter(FILTER, picks=as_text(picks_on(vertices)), avoid="selected-vertices")
+    assert_refuses(document, "from pick 0 to pick 1", picks=as_text(picks_on(vertices)), avoid="selected-vertices")

@@ -5,20 +5,7 @@ from pathlib import Path
 import numpy as np
 import pymeshlab
 import pytest
-from curves import FILTER, as_text
-
-
-# After an error pymeshlab 2025.7 keeps a pointer to the document's log and uses it when it loads the next mesh (its
-# issue 399), so a document that refused something must live on.
-KEPT = []
-
-
-def assert_refuses(document, message, **parameters):
-    KEPT.append(document)
-    layers = document.mesh_number()
-    with pytest.raises(pymeshlab.PyMeshLabException, match=message):
-        document.apply_filter(FILTER, **parameters)
-    assert document.mesh_number() == layers
+from curves import as_text, assert_refuses
 
 
 # ---- picks ----

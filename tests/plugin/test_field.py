@@ -7,19 +7,12 @@ import sys
 import numpy as np
 import pymeshlab
 import pytest
-from curves import FILTER, CurveLayer, as_text, draw
+from curves import FILTER, KEPT, CurveLayer, as_text, assert_refuses, draw
 from meshes import wavy_plate
 
 FIELD = "compute_scalar_field_for_curves_per_vertex"
 KINDS = ["normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance", "quality",
          "obstacle"]
-KEPT = []  # see test_errors.py
-
-
-def assert_refuses(document, message, name=FIELD, **parameters):
-    KEPT.append(document)
-    with pytest.raises(pymeshlab.PyMeshLabException, match=message):
-        document.apply_filter(name, **parameters)
 
 
 def computed(document, kind, **parameters):
@@ -110,7 +103,7 @@ def test_deleted_elements_are_left_out():
     expected, _ = computed(other, "crease-distance", reach=0.5)
     assert len(expected) == len(ids) < len(vertices)
     np.testing.assert_allclose(values if len(values) == len(ids) else values[ids], expected, atol=1e-12)
-    assert_refuses(document, "than the crease angle", kind="crease-distance", crease_angle=95)
+    assert_refuses(document, "than the crease angle", FIELD, kind="crease-distance", crease_angle=95)
 
 
 def test_obstacles_from_selected_vertices_are_the_faces_between_them():
@@ -128,15 +121,15 @@ def test_obstacles_from_selected_vertices_are_the_faces_between_them():
 
 def test_what_is_not_there_is_said(bunny_path):
     document, *_ = roof()
-    assert_refuses(document, "region has no faces", kind="obstacle")
-    assert_refuses(document, "region has no faces", kind="obstacle", region="selected-vertices")
-    assert_refuses(document, "than the crease angle, 95", kind="crease-distance", crease_angle=95)
+    assert_refuses(document, "region has no faces", FIELD, kind="obstacle")
+    assert_refuses(document, "region has no faces", FIELD, kind="obstacle", region="selected-vertices")
+    assert_refuses(document, "than the crease angle, 95", FIELD, kind="crease-distance", crease_angle=95)
     sphere = pymeshlab.MeshSet()
     sphere.create_sphere()
-    assert_refuses(sphere, "closed", kind="boundary-distance")
+    assert_refuses(sphere, "closed", FIELD, kind="boundary-distance")
     bunny = pymeshlab.MeshSet()
     bunny.load_new_mesh(str(bunny_path))
-    assert_refuses(bunny, "no per-vertex quality", kind="quality")
+    assert_refuses(bunny, "no per-vertex quality", FIELD, kind="quality")
 
 
 def test_a_document_or_layer_that_is_empty():
@@ -146,7 +139,7 @@ def test_a_document_or_layer_that_is_empty():
         empty.apply_filter(FIELD)
     points = pymeshlab.MeshSet()
     points.add_mesh(pymeshlab.Mesh(np.eye(3)), "points")
-    assert_refuses(points, '"points" has no faces')
+    assert_refuses(points, '"points" has no faces', FIELD)
 
 
 @pytest.mark.parametrize(
@@ -155,7 +148,7 @@ def test_a_document_or_layer_that_is_empty():
      ("obstacle_slope", 0.0), ("smoothing", 2.0)],
 )
 def test_a_value_out_of_its_range_is_refused_with_the_value(plate, plate_picks, name, value):
-    assert_refuses(plate, f"{value:g}", **{name: value})
+    assert_refuses(plate, f"{value:g}", FIELD, **{name: value})
     assert_refuses(plate, f"{value:g}", FILTER, picks=as_text(plate_picks), field="ridge", **{"field_" + name: value})
 
 

@@ -28,8 +28,19 @@ def test_text_may_have_commas_line_ends_and_a_last_separator(same, plate_picks):
     same(picks="\n".join(", ".join(map(repr, p)) + ";" for p in plate_picks.tolist()))
 
 
-def test_a_pp_file(same, plate_picks, tmp_path):
-    same(picks_file=str(write_pp(tmp_path / "picks.pp", plate_picks)))
+def lines(points, separator):
+    return "".join(separator.join(map(repr, p)) + "\n" for p in points.tolist())
+
+
+@pytest.mark.parametrize("name, write", [
+    ("picks.pp", write_pp),
+    ("picks.json", lambda path, points: path.write_text(json.dumps({"picks": points.tolist()}))),
+    ("picks.xyz", lambda path, points: path.write_text(lines(points, " "))),
+    ("picks.csv", lambda path, points: path.write_text("x,y,z\n" + lines(points, ","))),
+])
+def test_a_file_of_every_format(same, plate_picks, tmp_path, name, write):
+    write(tmp_path / name, plate_picks)
+    same(picks_file=str(tmp_path / name))
 
 
 def test_points_of_a_pp_file_that_are_not_active_are_left_out(same, plate_picks, tmp_path):
@@ -37,30 +48,11 @@ def test_points_of_a_pp_file_that_are_not_active_are_left_out(same, plate_picks,
     same(picks_file=str(write_pp(tmp_path / "picks.pp", points, inactive=[2])))
 
 
-def test_a_json_file(same, plate_picks, tmp_path):
-    (tmp_path / "picks.json").write_text(json.dumps({"picks": plate_picks.tolist()}))
-    same(picks_file=str(tmp_path / "picks.json"))
-
-
-def test_an_xyz_file(same, plate_picks, tmp_path):
-    (tmp_path / "picks.xyz").write_text("".join(" ".join(map(repr, p)) + "\n" for p in plate_picks.tolist()))
-    same(picks_file=str(tmp_path / "picks.xyz"))
-
-
-def test_a_csv_file(same, plate_picks, tmp_path):
-    rows = "".join(",".join(map(repr, p)) + "\n" for p in plate_picks.tolist())
-    (tmp_path / "picks.csv").write_text("x,y,z\n" + rows)
-    same(picks_file=str(tmp_path / "picks.csv"))
-
-
-def test_a_layer_of_points(same, plate, plate_picks):
+@pytest.mark.parametrize("is_current", [False, True])
+def test_a_layer_of_points(same, plate, plate_picks, is_current):
     plate.add_mesh(pymeshlab.Mesh(plate_picks), "picks")
-    plate.set_current_mesh(0)
-    same(picks_layer=plate.mesh_number() - 1)
-
-
-def test_a_layer_of_points_that_is_the_current_one(same, plate, plate_picks):
-    plate.add_mesh(pymeshlab.Mesh(plate_picks), "picks")
+    if not is_current:
+        plate.set_current_mesh(0)
     same(picks_layer=plate.mesh_number() - 1)
 
 

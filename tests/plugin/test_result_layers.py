@@ -5,10 +5,8 @@ import json
 import numpy as np
 import pymeshlab
 import pytest
-from curves import FILTER, CurveLayer, as_text, draw
+from curves import CurveLayer, as_text, assert_refuses, draw
 from meshes import wavy_plate
-
-KEPT = []  # see test_errors.py
 
 
 def layers(document):
@@ -120,7 +118,5 @@ def test_the_saved_curve_is_read_by_meshlabs_importer(plate, plate_picks, tmp_pa
 ])
 def test_what_cannot_be_is_refused_and_leaves_nothing(plate, plate_picks, parameters, message, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    KEPT.append(plate)
-    with pytest.raises(pymeshlab.PyMeshLabException, match=message):
-        plate.apply_filter(FILTER, picks=as_text(plate_picks), **parameters)
+    assert_refuses(plate, message, picks=as_text(plate_picks), **parameters)
     assert plate.mesh_number() == 1 and list(tmp_path.iterdir()) == []
