@@ -26,8 +26,8 @@ def wall(tmp_path):
 DRAW = ("plate.ply", "--picks", "picks.json", "--output", "curve.json", "--report", "report.json")
 
 
-def draw(run, *words):
-    return run(*DRAW, *words)
+def draw(run, *words, mesh=DRAW[0]):
+    return run(mesh, *DRAW[1:], *words)
 
 
 def result(folder):
