@@ -84,7 +84,7 @@ def kept(document, picks, **parameters):
     document.set_current_mesh(0)
     _, figures = draw(document, picks, **parameters)
     assert figures["usable"]
-    assert (figures["seconds_shell"] == 0) == figures["surface_kept"]
+    assert (figures["seconds_surface"] == 0) == figures["surface_kept"]
     return figures["surface_kept"]
 
 
