@@ -1,58 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves go round the faces to avoid, wherever there is a way, and say so where there is none.
-#include "bspline_curve/error.h"
 #include "curve_checks.h"
-#include "design/designer_surface.h"
-#include "either_shell.h"
 #include "support/many_cases.h"
-#include "support/meshes.h"
-#include "support/random.h"
-#include "surface/region.h"
+#include "support/refusal.h"
 #include "surface/surface_point.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <functional>
-#include <numbers>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace bspline_curve {
 namespace {
 
 using namespace test_support;
 
-using Predicate = std::function<bool(const Vec3&)>;
-
-/// The faces whose middle is in a set.
-Region facesWhere(const Surface& surface, const Predicate& isIn) {
-    Region region;
-    for (int f = 0; f < surface.faceCount(); ++f) {
-        if (isIn(surface.position({f, Vec3::Constant(1.0 / 3.0)}))) {
-            region.push_back(f);
-        }
-    }
-    return region;
-}
-
-Predicate ball(const Vec3& centre, double radius) {
-    return [centre, radius](const Vec3& p) { return (p - centre).norm() < radius; };
-}
-
 /// The vertices nearest to some points, as picks.
-std::vector<Vec3> verticesAt(const CurveDesigner& designer, const std::vector<Vec3>& points) {
-    const std::vector<Vec3>& vertices = surfaceOf(designer).vertices();
-    std::vector<Vec3> picks;
-    for (const Vec3& p : points) {
-        picks.push_back(*std::ranges::min_element(vertices, {}, [&](const Vec3& v) {
-            return (v - p).squaredNorm();
-        }));
-    }
-    return picks;
+std::vector<Vec3> picksNear(const CurveDesigner& designer, std::vector<Vec3> points) {
+    return verticesNear(surfaceOf(designer).vertices(), std::move(points));
 }
 
 /// Expects that no vertex and no segment of a polyline needs a face of the region.
@@ -76,18 +40,19 @@ void expectOutside(const Surface& surface, const Region& region, const SurfacePo
     }
 }
 
-std::optional<InputError> refusal(
+/// Expects that a curve that avoids a region is refused with a code, in a message that says `said`.
+void expectNoCurve(
     const CurveDesigner& designer,
     const std::vector<Vec3>& picks,
     const Region& avoid,
+    InputErrorCode code,
+    const std::string& said = "",
+    const std::optional<std::vector<std::int64_t>>& elements = std::nullopt,
     const SolverOptions& options = {}
 ) {
-    try {
-        static_cast<void>(designer.design(picks, options, {}, {.avoid = avoid}));
-    } catch (const InputError& error) {
-        return error;
-    }
-    return std::nullopt;
+    expectRefused(
+        [&] { return designer.design(picks, options, {}, {.avoid = avoid}); }, code, said, elements
+    );
 }
 
 /// Designs a curve that avoids a region, and expects that it is good, minimised without a stall and
@@ -98,8 +63,7 @@ Curve curveRound(
     const Region& avoid,
     const SolverOptions& options = {}
 ) {
-    Curve curve = designer.design(picks, options, {}, {.avoid = avoid});
-    expectGoodCurve(designer, curve, picks);
+    Curve curve = goodCurve(designer, picks, options, {.avoid = avoid});
     expectOutside(surfaceOf(designer), avoid, curve.polyline);
     for (const RoundReport& round : curve.report.rounds) {
         EXPECT_EQ(round.status, MinimiseStatus::Converged) << name(round.status);
@@ -107,41 +71,47 @@ Curve curveRound(
     return curve;
 }
 
-class Avoidance : public EitherShell {};
-
-TEST_P(Avoidance, CurvesGoSmoothlyRoundADisc) {
-    const CurveDesigner designer = designerOn(jitteredPlate(40, 40, 0.2, 3));
-    const std::vector<Vec3> picks = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
-    const Region disc = facesWhere(surfaceOf(designer), ball({0.5, 0.5, 0}, 0.2));
-    for (const int degree : {2, 3, 4}) {
-        SCOPED_TRACE("degree " + std::to_string(degree));
-        SolverOptions options;
-        options.degree = degree;
-        const Curve curve = curveRound(designer, picks, disc, options);
-        // The shortest way is 0.91 long.
-        EXPECT_LT(length(curve.polyline), 1.2);
-    }
+bool hasPoint(const Curve& curve, const Predicate& isIn) {
+    return std::ranges::any_of(curve.polyline.points, isIn);
 }
 
-TEST_P(Avoidance, TenseCurvesGoRoundADisc) {
-    const CurveDesigner designer = designerOn(jitteredPlate(40, 40, 0.2, 3));
-    const std::vector<Vec3> picks = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
-    const Region disc = facesWhere(surfaceOf(designer), ball({0.5, 0.5, 0}, 0.2));
-    SolverOptions options;
-    options.tension = 0.9;
-    const Curve curve = curveRound(designer, picks, disc, options);
-    EXPECT_LT(length(curve.polyline), 1.0);
+class Avoidance : public EitherShell {};
+
+/// A disc in the way of two picks on a plate.
+class AvoidedDisc : public EitherShell {
+protected:
+    CurveDesigner designer_ = designerOn(jitteredPlate(40, 40, 0.2, 3));
+    Region disc_ = facesWhere(surfaceOf(designer_), ball({0.5, 0.5, 0}, 0.2));
+    std::vector<Vec3> picks_ = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
+};
+
+TEST_P(AvoidedDisc, IsPassedSmoothly) {
+    // The shortest way is 0.91 long.
+    struct Case {
+        SolverOptions options;
+        double longest;
+    };
+
+    for (const auto& [options, longest] : {
+             Case{{.degree = 2}, 1.2},
+             Case{{.degree = 3}, 1.2},
+             Case{{.degree = 4}, 1.2},
+             Case{{.tension = 0.9}, 1.0},
+         }) {
+        SCOPED_TRACE("degree " + std::to_string(options.degree));
+        EXPECT_LT(length(curveRound(designer_, picks_, disc_, options).polyline), longest);
+    }
 }
 
 TEST_P(Avoidance, ClosedCurvesGoRoundSeveralDiscs) {
     const CurveDesigner designer = designerOn(withNoise(icosphere(4), 0.004, 9));
     const std::vector<Vec3> picks =
-        verticesAt(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}});
+        picksNear(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}});
     const Region discs = facesWhere(surfaceOf(designer), [](const Vec3& p) {
         return ball({0.7, 0.7, 0.05}, 0.3)(p) || ball({-0.7, 0.7, -0.1}, 0.35)(p) ||
                ball({0.7, -0.7, 0}, 0.2)(p);
     });
-    static_cast<void>(curveRound(designer, picks, discs, closedOptions()));
+    curveRound(designer, picks, discs, {.closed = true});
 }
 
 TEST_P(Avoidance, CurvesFindTheGapInAWall) {
@@ -151,9 +121,7 @@ TEST_P(Avoidance, CurvesFindTheGapInAWall) {
         return std::abs(p.x() - 0.5) < 0.1 && !(p.y() > 0.7 && p.y() < 0.7667);
     });
     const Curve curve = curveRound(designer, {{0.1, 0.3, 0}, {0.9, 0.2, 0}}, wall);
-    EXPECT_TRUE(std::ranges::any_of(curve.polyline.points, [](const Vec3& p) {
-        return p.y() > 0.7;
-    }));
+    EXPECT_TRUE(hasPoint(curve, [](const Vec3& p) { return p.y() > 0.7; }));
 }
 
 TEST_P(Avoidance, CurvesPassWhereTheWayIsOneFaceWide) {
@@ -179,39 +147,33 @@ TEST_P(Avoidance, CurvesTakeTheOtherWayRoundATorus) {
     const Region band = facesWhere(surfaceOf(designer), [](const Vec3& p) {
         return p.x() > 0.0 && std::abs(p.y()) < 0.1;
     });
-    const std::vector<Vec3> picks = verticesAt(designer, {{0.9, 0.6, 0.2}, {0.9, -0.6, 0.2}});
+    const std::vector<Vec3> picks = picksNear(designer, {{0.9, 0.6, 0.2}, {0.9, -0.6, 0.2}});
     const Curve curve = curveRound(designer, picks, band);
-    EXPECT_TRUE(std::ranges::any_of(curve.polyline.points, [](const Vec3& p) {
-        return p.x() < -0.5;
-    }));
+    EXPECT_TRUE(hasPoint(curve, [](const Vec3& p) { return p.x() < -0.5; }));
     // A second band leaves no way.
     const Region both =
         facesWhere(surfaceOf(designer), [](const Vec3& p) { return std::abs(p.y()) < 0.1; });
-    const auto error = refusal(designer, picks, both);
-    ASSERT_TRUE(error.has_value());
-    EXPECT_EQ(error->code(), InputErrorCode::NoPath) << error->what();
+    expectNoCurve(designer, picks, both, InputErrorCode::NoPath);
 }
 
-TEST_P(Avoidance, CurvesSayHowClearTheyAreAtEverySampling) {
-    const CurveDesigner designer = designerOn(jitteredPlate(40, 40, 0.2, 3));
-    const std::vector<Vec3> picks = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
-    const Region disc = facesWhere(surfaceOf(designer), ball({0.5, 0.5, 0}, 0.2));
-    const Curve curve = curveRound(designer, picks, disc);
-    EXPECT_EQ(curve.report.avoidedFaces, static_cast<int>(disc.size()));
+TEST_P(AvoidedDisc, IsAsFarAsTheCurveSaysAtEverySampling) {
+    const Curve curve = curveRound(designer_, picks_, disc_);
+    EXPECT_EQ(curve.report.avoidedFaces, static_cast<int>(disc_.size()));
+    const Surface& surface = surfaceOf(designer_);
     double nearest = 1.0;
     for (const Vec3& p : curve.polyline.points) {
-        for (const int f : disc) {
-            for (const int v : surfaceOf(designer).faces()[f]) {
-                nearest = std::min(nearest, (p - surfaceOf(designer).vertices()[v]).norm());
+        for (const int f : disc_) {
+            for (const int v : surface.faces()[f]) {
+                nearest = std::min(nearest, (p - surface.vertices()[v]).norm());
             }
         }
     }
     EXPECT_GT(curve.report.clearance, 0.0);
     EXPECT_LE(curve.report.clearance, nearest);
-    EXPECT_GT(curve.report.clearance, nearest - surfaceOf(designer).averageEdgeLength());
-    const Curve fine = designer.design(picks, {}, {5000, 0.0}, {.avoid = disc});
-    expectOutside(surfaceOf(designer), disc, fine.polyline);
-    const Curve free = designer.design(picks);
+    EXPECT_GT(curve.report.clearance, nearest - surface.averageEdgeLength());
+    const Curve fine = designer_.design(picks_, {}, {5000, 0.0}, {.avoid = disc_});
+    expectOutside(surface, disc_, fine.polyline);
+    const Curve free = designer_.design(picks_);
     EXPECT_EQ(free.report.avoidedFaces, 0);
     EXPECT_TRUE(std::isinf(free.report.clearance));
 }
@@ -222,8 +184,7 @@ TEST_P(Avoidance, PicksMayLieNextToWhatIsAvoided) {
     for (const double gap : {0.02, 1e-3, 1e-5}) {
         SCOPED_TRACE("gap " + std::to_string(gap));
         const std::vector<Vec3> picks = {{0.2, 0.5 + gap, 0}, {0.51, 0.5 + gap, 0}, {0.8, 0.6, 0}};
-        const Curve curve = designer.design(picks, {}, {}, {.avoid = half});
-        expectGoodCurve(designer, curve, picks);
+        const Curve curve = goodCurve(designer, picks, {}, {.avoid = half});
         expectOutside(surfaceOf(designer), half, curve.polyline);
         EXPECT_LT(length(curve.polyline), 0.75);
     }
@@ -231,7 +192,7 @@ TEST_P(Avoidance, PicksMayLieNextToWhatIsAvoided) {
 
 TEST_P(Avoidance, ReversedPicksGiveTheCurveReversed) {
     const CurveDesigner designer = designerOn(withNoise(icosphere(4), 0.004, 9));
-    const std::vector<Vec3> picks = verticesAt(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
+    const std::vector<Vec3> picks = picksNear(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
     const std::vector<Vec3> reversed(picks.rbegin(), picks.rend());
     const Region discs = facesWhere(surfaceOf(designer), [](const Vec3& p) {
         return ball({0.7, 0.7, 0.05}, 0.3)(p) || ball({-0.7, 0.7, -0.1}, 0.35)(p);
@@ -249,11 +210,14 @@ TEST_P(Avoidance, PicksThatLieInsideAreRefusedByName) {
     for (const Vec3& inside :
          {Vec3(0.51, 0.52, 0),
           surfaceOf(designer).vertices()[surfaceOf(designer).faces()[disc.front()][0]]}) {
-        const auto error = refusal(designer, {{0.1, 0.1, 0}, {0.9, 0.1, 0}, inside}, disc);
-        ASSERT_TRUE(error.has_value());
-        EXPECT_EQ(error->code(), InputErrorCode::PickAvoided) << error->what();
-        EXPECT_EQ(error->elements(), (std::vector<std::int64_t>{2}));
-        EXPECT_NE(std::string(error->what()).find("pick 2 lies in face"), std::string::npos);
+        expectNoCurve(
+            designer,
+            {{0.1, 0.1, 0}, {0.9, 0.1, 0}, inside},
+            disc,
+            InputErrorCode::PickAvoided,
+            "pick 2 lies in face",
+            {{2}}
+        );
     }
 }
 
@@ -263,45 +227,38 @@ TEST_P(Avoidance, PicksBehindARingAreRefusedByName) {
         const double radius = (p - Vec3(0.5, 0.5, 0)).norm();
         return radius > 0.2 && radius < 0.3;
     });
-    const auto error = refusal(designer, {{0.1, 0.1, 0}, {0.9, 0.1, 0}, {0.5, 0.5, 0}}, ring);
-    ASSERT_TRUE(error.has_value());
-    EXPECT_EQ(error->code(), InputErrorCode::NoPath);
-    EXPECT_EQ(error->elements(), (std::vector<std::int64_t>{1, 2}));
-    EXPECT_NE(std::string(error->what()).find("from pick 1 to pick 2"), std::string::npos)
-        << error->what();
+    expectNoCurve(
+        designer,
+        {{0.1, 0.1, 0}, {0.9, 0.1, 0}, {0.5, 0.5, 0}},
+        ring,
+        InputErrorCode::NoPath,
+        "from pick 1 to pick 2",
+        {{1, 2}}
+    );
 }
 
 TEST_P(Avoidance, FacesThatTouchInAVertexLeaveNoWay) {
     // The free faces on both sides of the wall share one vertex only.
     const CurveDesigner designer = designerOn(plate(2, 2));
-    const Surface& surface = surfaceOf(designer);
-    const Region others =
-        facesWhere(surface, [](const Vec3& p) { return (p.x() < 0.5) != (p.y() < 0.5); });
-    const auto error = refusal(designer, {{0.2, 0.25, 0}, {0.8, 0.7, 0}}, others);
-    ASSERT_TRUE(error.has_value());
-    EXPECT_EQ(error->code(), InputErrorCode::NoPath) << error->what();
+    const Region others = facesWhere(surfaceOf(designer), [](const Vec3& p) {
+        return (p.x() < 0.5) != (p.y() < 0.5);
+    });
+    expectNoCurve(designer, {{0.2, 0.25, 0}, {0.8, 0.7, 0}}, others, InputErrorCode::NoPath);
 }
 
 TEST_P(Avoidance, SettingsThatCannotKeepThePromiseAreRefused) {
     const CurveDesigner designer = designerOn(plate(10, 10));
     const std::vector<Vec3> picks = {{0.1, 0.1, 0}, {0.9, 0.1, 0}};
-    SolverOptions samples;
-    samples.quadrature = Quadrature::Samples;
-    SolverOptions polygon;
-    polygon.initialCurve = InitialCurve::ControlPolygon;
-    SolverOptions penalty;
-    penalty.interpolation = Interpolation::Penalty;
-    SolverOptions margin;
-    margin.avoidMargin = 0.0;
-    for (const SolverOptions& options : {samples, polygon, penalty, margin}) {
-        const auto error = refusal(designer, picks, {150}, options);
-        ASSERT_TRUE(error.has_value());
-        EXPECT_EQ(error->code(), InputErrorCode::BadOption) << error->what();
+    for (const SolverOptions& options :
+         {SolverOptions{.quadrature = Quadrature::Samples},
+          SolverOptions{.initialCurve = InitialCurve::ControlPolygon},
+          SolverOptions{.interpolation = Interpolation::Penalty},
+          SolverOptions{.avoidMargin = 0.0}}) {
+        expectNoCurve(designer, picks, {150}, InputErrorCode::BadOption, "", {}, options);
     }
-    const auto error = refusal(designer, picks, {150, 200, -3});
-    ASSERT_TRUE(error.has_value());
-    EXPECT_EQ(error->code(), InputErrorCode::IndexOutOfRange);
-    EXPECT_EQ(error->elements(), (std::vector<std::int64_t>{-3, 200}));
+    expectNoCurve(
+        designer, picks, {150, 200, -3}, InputErrorCode::IndexOutOfRange, "", {{-3, 200}}
+    );
 }
 
 // ---- Random layouts ----
@@ -378,19 +335,19 @@ Layout randomLayout(const Surface& surface, std::uint64_t seed) {
 }
 
 TEST_P(Avoidance, RandomLayoutsAreDrawnOutsideOrRefused) {
-    const std::vector<TriangleMesh> meshes = {
-        withNoise(icosphere(3), 0.01, 7), torus(48, 20), jitteredPlate(30, 30, 0.2, 5)
-    };
     int drawn = 0;
     int refused = 0;
-    for (std::size_t m = 0; m < meshes.size(); ++m) {
-        const CurveDesigner designer = designerOn(meshes[m]);
+    for (const TriangleMesh& mesh :
+         {withNoise(icosphere(3), 0.01, 7), torus(48, 20), jitteredPlate(30, 30, 0.2, 5)}) {
+        const CurveDesigner designer = designerOn(mesh);
         for (std::uint64_t seed = 1; seed <= std::uint64_t{caseCount(20, 10)}; ++seed) {
-            SCOPED_TRACE("mesh " + std::to_string(m) + ", seed " + std::to_string(seed));
+            SCOPED_TRACE(
+                std::to_string(mesh.faces.size()) + " faces, seed " + std::to_string(seed)
+            );
             const Layout layout = randomLayout(surfaceOf(designer), seed);
-            SolverOptions options;
-            options.closed = seed % 3 == 0;
-            options.degree = 2 + static_cast<int>(seed % 3);
+            const SolverOptions options{
+                .degree = 2 + static_cast<int>(seed % 3), .closed = seed % 3 == 0
+            };
             try {
                 const Curve curve =
                     designer.design(layout.picks, options, {}, {.avoid = layout.avoid});
@@ -413,10 +370,11 @@ TEST_P(Avoidance, RandomLayoutsAreDrawnOutsideOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shells, Avoidance, kEitherShell, nameOfShell);
+INSTANTIATE_TEST_SUITE_P(Shells, AvoidedDisc, kEitherShell, nameOfShell);
 
 TEST(AvoidanceFarAway, ChangesNothing) {
     const CurveDesigner designer(withNoise(icosphere(4), 0.004, 9));
-    const std::vector<Vec3> picks = verticesAt(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
+    const std::vector<Vec3> picks = picksNear(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
     const Region far = facesWhere(surfaceOf(designer), ball({0, 0, -1}, 0.3));
     const Curve with = designer.design(picks, {}, {}, {.avoid = far});
     const Curve without = designer.design(picks);

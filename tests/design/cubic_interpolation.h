@@ -11,10 +11,9 @@ namespace bspline_curve::test_support {
 /// B-splines, no energies.
 class CubicInterpolation {
 public:
-    /// Second derivatives vanish at both ends.
-    static CubicInterpolation natural(std::vector<double> knots, std::vector<Vec3> points);
-    /// Period 1: the last interval leads from the last point back to the first.
-    static CubicInterpolation periodic(std::vector<double> knots, std::vector<Vec3> points);
+    /// Natural (second derivatives vanish at both ends), or periodic with period 1: the last
+    /// interval leads from the last point back to the first.
+    CubicInterpolation(std::vector<double> knots, std::vector<Vec3> points, bool isPeriodic);
 
     [[nodiscard]] Vec3 at(double t) const;
 

@@ -4,12 +4,11 @@
 #include "design/designer_surface.h"
 #include "surface/surface_point.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace bspline_curve::test_support {
 namespace {
@@ -28,7 +27,46 @@ double distanceToPolyline(const Vec3& p, const SurfacePolyline& line) {
     return least;
 }
 
+/// By the trapezoidal rule; `isCounted` and `value` take the index of a vertex.
+template <class IsCounted, class Value>
+double meanOver(const SurfacePolyline& line, const IsCounted& isCounted, const Value& value) {
+    double sum = 0.0;
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+        if (isCounted(i) && isCounted(i + 1)) {
+            const double step = (line.points[i + 1] - line.points[i]).norm();
+            sum += 0.5 * (value(i) + value(i + 1)) * step;
+            length += step;
+        }
+    }
+    return sum / length;
+}
+
 }  // namespace
+
+CurveDesigner designerIn(ShellKind kind, TriangleMesh mesh) {
+    return CurveDesigner(std::move(mesh), {.kind = kind});
+}
+
+CurveDesigner EitherShell::designerOn(TriangleMesh mesh) {
+    return designerIn(GetParam(), std::move(mesh));
+}
+
+std::string nameOf(ShellKind kind) {
+    switch (kind) {
+        case ShellKind::Simplified:
+            return "Simplified";
+        case ShellKind::FullResolution:
+            return "FullResolution";
+        case ShellKind::Local:
+            return "Local";
+    }
+    return "";
+}
+
+std::string nameOfShell(const testing::TestParamInfo<ShellKind>& instance) {
+    return nameOf(instance.param);
+}
 
 Vec3 pointOfSpline(const SplineData& spline, double t) {
     const int degree = spline.degree;
@@ -80,12 +118,17 @@ double largestDistance(const SurfacePolyline& a, const SurfacePolyline& b) {
     return largest;
 }
 
-double length(const SurfacePolyline& line) {
+double length(const std::vector<Vec3>& points) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < segmentCount(line); ++i) {
-        sum += (line.points[(i + 1) % line.points.size()] - line.points[i]).norm();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        sum += (points[i] - points[i - 1]).norm();
     }
     return sum;
+}
+
+double length(const SurfacePolyline& line) {
+    const double closing = line.closed ? (line.points.front() - line.points.back()).norm() : 0.0;
+    return length(line.points) + closing;
 }
 
 double turnsAboutZ(const SurfacePolyline& line, const Vec3& centre) {
@@ -164,17 +207,63 @@ Curve goodCurve(
     const CurveDesigner& designer,
     const std::vector<Vec3>& picks,
     const SolverOptions& options,
-    const SamplingOptions& sampling
+    const CurveInputs& inputs
 ) {
-    Curve curve = designer.design(picks, options, sampling);
+    Curve curve = designer.design(picks, options, {}, inputs);
     expectGoodCurve(designer, curve, picks);
     return curve;
 }
 
-SolverOptions closedOptions() {
-    SolverOptions options;
-    options.closed = true;
-    return options;
+void expectSameBits(const Curve& curve, const Curve& reference) {
+    EXPECT_EQ(curve.spline.knots, reference.spline.knots);
+    EXPECT_TRUE(curve.spline.controlPoints == reference.spline.controlPoints)
+        << "gap " << largestGap(curve.spline, reference.spline);
+    EXPECT_TRUE(curve.polyline.points == reference.polyline.points);
+    EXPECT_EQ(curve.polyline.parameters, reference.polyline.parameters);
+    EXPECT_EQ(curve.polyline.picks, reference.polyline.picks);
+}
+
+std::vector<double> sampled(
+    const TriangleMesh& mesh, const std::function<double(const Vec3&)>& function
+) {
+    std::vector<double> values;
+    for (const Vec3& v : mesh.vertices) {
+        values.push_back(function(v));
+    }
+    return values;
+}
+
+double valueAt(
+    const Surface& surface, const SurfacePoint& point, const std::vector<double>& field
+) {
+    const Triangle& face = surface.faces()[point.face];
+    double value = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        value += point.barycentric[static_cast<Eigen::Index>(k)] * field[face[k]];
+    }
+    return value;
+}
+
+double meanAlong(
+    const Surface& surface, const SurfacePolyline& line, const std::vector<double>& field
+) {
+    return meanOver(
+        line,
+        [](std::size_t) { return true; },
+        [&](std::size_t i) { return valueAt(surface, line.surfacePoints[i], field); }
+    );
+}
+
+double meanWhere(
+    const SurfacePolyline& line,
+    const std::function<double(const Vec3&)>& function,
+    const std::function<bool(const Vec3&)>& isCounted
+) {
+    return meanOver(
+        line,
+        [&](std::size_t i) { return isCounted(line.points[i]); },
+        [&](std::size_t i) { return function(line.points[i]); }
+    );
 }
 
 }  // namespace bspline_curve::test_support

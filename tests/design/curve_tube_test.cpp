@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/curve_tube.h"
 
+#include "support/orientation.h"
 #include "support/random.h"
 #include "surface/surface.h"
 
@@ -18,6 +19,8 @@
 
 namespace bspline_curve {
 namespace {
+
+using namespace test_support;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kSides = 12;
@@ -63,15 +66,6 @@ void expectWatertight(const TriangleMesh& tube) {
     }
 }
 
-double volumeOf(const TriangleMesh& mesh) {
-    double volume = 0.0;
-    for (const Triangle& face : mesh.faces) {
-        const auto corner = [&](std::size_t k) -> const Vec3& { return mesh.vertices[face[k]]; };
-        volume += corner(0).dot(corner(1).cross(corner(2))) / 6.0;
-    }
-    return volume;
-}
-
 TEST(CurveTube, AroundASegmentIsAPrismWithLids) {
     const std::vector<Vec3> points = {{1.0, 2.0, 3.0}, {1.0, 2.0, 8.0}};
     const TriangleMesh tube = makeTube(points, false, 0.5);
@@ -109,19 +103,16 @@ TEST(CurveTube, OfAClosedCurveHasNoSeam) {
     EXPECT_NO_THROW(Surface{tube});
     // A seam would turn one ring against the next by more than the others.
     const std::size_t rings = tube.vertices.size() / kSides;
+    const auto spoke = [&](std::size_t ring) {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t j = 0; j < kSides; ++j) {
+            sum += tube.vertices[ring * kSides + j];
+        }
+        return Vec3(tube.vertices[ring * kSides] - sum / kSides);
+    };
     std::vector<double> turns;
     for (std::size_t i = 0; i < rings; ++i) {
-        const std::size_t next = (i + 1) % rings;
-        const auto ringCentre = [&](std::size_t ring) {
-            Vec3 sum = Vec3::Zero();
-            for (std::size_t j = 0; j < kSides; ++j) {
-                sum += tube.vertices[ring * kSides + j];
-            }
-            return Vec3(sum / kSides);
-        };
-        const Vec3 a = tube.vertices[i * kSides] - ringCentre(i);
-        const Vec3 b = tube.vertices[next * kSides] - ringCentre(next);
-        turns.push_back((a - b).norm());
+        turns.push_back((spoke(i) - spoke((i + 1) % rings)).norm());
     }
     std::vector<double> sorted = turns;
     std::ranges::sort(sorted);
@@ -143,7 +134,7 @@ TEST(CurveTube, IsWholeAtSharpKinks) {
 TEST(CurveTube, IsWholeAroundRandomPolylines) {
     constexpr std::uint64_t kSeed = 20260101;
     SCOPED_TRACE("seed " + std::to_string(kSeed));
-    test_support::Random random(kSeed);
+    Random random(kSeed);
     for (int round = 0; round < 200; ++round) {
         std::vector<Vec3> points;
         for (int i = 0; i < 3 + round % 17; ++i) {
@@ -176,10 +167,7 @@ TEST(CurveTube, KeepsBothEndsOfAShortCurve) {
 
 TEST(CurveTube, ScalesWithTheCurve) {
     const std::vector<Vec3> points = sampled(100, knot);
-    std::vector<Vec3> larger = points;
-    for (Vec3& point : larger) {
-        point *= 1024.0;
-    }
+    const std::vector<Vec3> larger = sampled(100, [](double t) { return Vec3(1024.0 * knot(t)); });
     const TriangleMesh tube = makeTube(points, true, 0.05);
     const TriangleMesh large = makeTube(larger, true, 0.05 * 1024.0);
     ASSERT_EQ(tube.faces, large.faces);

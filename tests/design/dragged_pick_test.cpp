@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves that start from one through picks nearby, as while a pick is dragged.
-#include "bspline_curve/designer.h"
 #include "curve_checks.h"
-#include "design/designer_surface.h"
-#include "either_shell.h"
-#include "support/meshes.h"
-#include "surface/triangle_tree.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
 
 namespace bspline_curve {
 namespace {
@@ -20,20 +10,19 @@ using namespace test_support;
 class DraggedPick : public EitherShell {
 protected:
     // On the surface, with the second one somewhere else.
-    [[nodiscard]] static std::vector<Vec3> picksOn(const CurveDesigner& designer, double by) {
-        const Surface& surface = surfaceOf(designer);
-        const TriangleTree tree(surface.vertices(), surface.faces());
-        std::vector<Vec3> picks = {
-            {1.0, 0.0, 0.0}, {0.5, 0.7, 0.3}, {-0.4, 0.8, 0.5}, {-1.0, 0.0, 0.2}
-        };
-        picks[1] += by * Vec3(0.3, 0.1, -0.2);
-        for (Vec3& pick : picks) {
-            pick = tree.closestPoint(pick).position;
-        }
-        return picks;
+    [[nodiscard]] std::vector<Vec3> picksDragged(double by) const {
+        return onSurface(
+            mesh_,
+            {{1.0, 0.0, 0.0},
+             Vec3(0.5, 0.7, 0.3) + by * Vec3(0.3, 0.1, -0.2),
+             {-0.4, 0.8, 0.5},
+             {-1.0, 0.0, 0.2}}
+        );
     }
 
-    [[nodiscard]] static TriangleMesh bumpy() { return withNoise(icosphere(4), 0.002, 5); }
+    TriangleMesh mesh_ = withNoise(icosphere(4), 0.002, 5);
+    CurveDesigner designer_ = designerOn(mesh_);
+    std::vector<Vec3> picks_ = picksDragged(0.0);
 };
 
 double bendingOf(const Curve& curve) {
@@ -41,16 +30,13 @@ double bendingOf(const Curve& curve) {
 }
 
 TEST_P(DraggedPick, PassesThePicksWithFewSteps) {
-    const CurveDesigner designer = designerOn(bumpy());
-    const std::vector<Vec3> picks = picksOn(designer, 0.0);
-    Curve curve = goodCurve(designer, picks);
+    Curve curve = goodCurve(designer_, picks_);
     const int stepsFromScratch = curve.report.newtonIterations;
     ASSERT_TRUE(curve.report.isSampled);
     for (int step = 1; step <= 5; ++step) {
-        const std::vector<Vec3> others = picksOn(designer, 0.05 * step);
-        const Curve next = designer.design(others, {}, {}, {.start = &curve});
-        const Curve fresh = goodCurve(designer, others);
-        expectGoodCurve(designer, next, others);
+        const std::vector<Vec3> others = picksDragged(0.05 * step);
+        const Curve next = goodCurve(designer_, others, {}, {.start = &curve});
+        const Curve fresh = goodCurve(designer_, others);
         EXPECT_LE(next.report.newtonIterations, stepsFromScratch) << step;
         EXPECT_LT(bendingOf(next), 1.1 * bendingOf(fresh)) << step;
         curve = next;
@@ -58,38 +44,27 @@ TEST_P(DraggedPick, PassesThePicksWithFewSteps) {
 }
 
 TEST_P(DraggedPick, StaysWhereNothingMoved) {
-    const CurveDesigner designer = designerOn(bumpy());
-    const std::vector<Vec3> picks = picksOn(designer, 0.0);
-    const Curve curve = goodCurve(designer, picks);
-    const Curve again = designer.design(picks, {}, {}, {.start = &curve});
+    const Curve curve = goodCurve(designer_, picks_);
+    const Curve again = designer_.design(picks_, {}, {}, {.start = &curve});
     EXPECT_TRUE(again.report.usable);
     EXPECT_LT(bendingOf(again), 1.02 * bendingOf(curve));
 }
 
 TEST_P(DraggedPick, StartsFromScratchWhereTheCurveDoesNotFit) {
-    const CurveDesigner designer = designerOn(icosphere(4));
-    const std::vector<Vec3> picks = picksOn(designer, 0.0);
-    const Curve curve = goodCurve(designer, picks);
-    SolverOptions quartic;
-    quartic.degree = 4;
-    const Curve fresh = designer.design(picks, quartic);
-    const Curve started = designer.design(picks, quartic, {}, {.start = &curve});
-    EXPECT_EQ(fresh.polyline.points, started.polyline.points);
-    const std::vector<Vec3> fewer(picks.begin(), picks.end() - 1);
-    EXPECT_EQ(
-        designer.design(fewer).polyline.points,
-        designer.design(fewer, {}, {}, {.start = &curve}).polyline.points
-    );
+    const Curve curve = goodCurve(designer_, picks_);
+    const auto expectFresh = [&](const std::vector<Vec3>& picks, const SolverOptions& options) {
+        const Curve fresh = designer_.design(picks, options);
+        const Curve started = designer_.design(picks, options, {}, {.start = &curve});
+        EXPECT_EQ(fresh.polyline.points, started.polyline.points);
+    };
+    expectFresh(picks_, {.degree = 4});
+    expectFresh({picks_.begin(), picks_.end() - 1}, {});
 }
 
 TEST_P(DraggedPick, ClosedCurvesToo) {
-    const CurveDesigner designer = designerOn(bumpy());
-    const std::vector<Vec3> picks = picksOn(designer, 0.0);
-    const SolverOptions closed = closedOptions();
-    const Curve curve = goodCurve(designer, picks, closed);
-    const std::vector<Vec3> others = picksOn(designer, 0.1);
-    const Curve next = designer.design(others, closed, {}, {.start = &curve});
-    expectGoodCurve(designer, next, others);
+    const SolverOptions closed{.closed = true};
+    const Curve curve = goodCurve(designer_, picks_, closed);
+    const Curve next = goodCurve(designer_, picksDragged(0.1), closed, {.start = &curve});
     EXPECT_TRUE(next.polyline.closed);
     EXPECT_LE(next.report.newtonIterations, curve.report.newtonIterations);
 }

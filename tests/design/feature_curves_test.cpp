@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves under fields that are made from the surface: they find its features.
 #include "curve_checks.h"
-#include "design/designer_surface.h"
-#include "either_shell.h"
 #include "field/make_field.h"
-#include "field_checks.h"
-#include "support/meshes.h"
-
-#include <gtest/gtest.h>
+#include "support/orientation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace bspline_curve {
 namespace {
@@ -33,21 +24,12 @@ Curve curveAlong(
 ) {
     const std::vector<double> values = makeField(surfaceOf(designer), field);
     options.fieldCost = naturalCost(field.kind);
-    Curve curve = designer.design(picks, options, {}, {.field = values});
-    expectGoodCurve(designer, curve, picks);
-    return curve;
+    return goodCurve(designer, picks, options, {.field = values});
 }
 
 // ---- Torus ----
 
 constexpr double kTube = 0.6;  // of a torus about a circle of radius 1
-
-TriangleMesh insideOut(TriangleMesh mesh) {
-    for (Triangle& face : mesh.faces) {
-        std::swap(face[1], face[2]);
-    }
-    return mesh;
-}
 
 Vec3 onTorus(double around, double tube) {
     const double radius = 1.0 + kTube * std::cos(tube);
@@ -112,9 +94,7 @@ TEST_P(TorusField, MaximalCurvatureOfTheInsideTellsTheCirclesApart) {
     EXPECT_GT(meanFromOuter(along(designer, inner)), kPi - 0.15);
     // The way round the outside is longer by half, so it takes more weight.
     EXPECT_LT(meanFromOuter(along(designer, outer)), 0.6);
-    SolverOptions strong;
-    strong.fieldWeight = 1e4;
-    EXPECT_LT(meanFromOuter(along(designer, outer, strong)), 0.25);
+    EXPECT_LT(meanFromOuter(along(designer, outer, {.fieldWeight = 1e4})), 0.25);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shells, TorusField, kEitherShell, nameOfShell);
@@ -154,15 +134,12 @@ struct Helix {
     [[nodiscard]] std::vector<Vec3> picks(
         const TriangleMesh& mesh, const std::vector<double>& turns
     ) const {
-        std::vector<Vec3> found;
+        std::vector<Vec3> points;
         for (const double turn : turns) {
             const double angle = 2.0 * kPi * turn;
-            const Vec3 p(std::cos(angle), std::sin(angle), kStart + pitch * turn);
-            found.push_back(*std::ranges::min_element(mesh.vertices, {}, [&](const Vec3& v) {
-                return (v - p).squaredNorm();
-            }));
+            points.emplace_back(std::cos(angle), std::sin(angle), kStart + pitch * turn);
         }
-        return found;
+        return verticesNear(mesh.vertices, points);
     }
 
     [[nodiscard]] double meanDistance(const Curve& curve) const {
@@ -178,13 +155,11 @@ TEST(HelixField, CurvesFollowTheGrooveByTheirFirstPath) {
     const Helix helix;
     const TriangleMesh mesh = helix.engraved();
     const CurveDesigner designer(mesh);
-    SolverOptions unguided;
-    unguided.fieldGuidesPath = false;
     for (const double turns : {1.0, 1.5}) {
         SCOPED_TRACE(std::to_string(turns) + " turns");
         const std::vector<Vec3> picks = helix.picks(mesh, {0.0, turns});
         const Curve along = curveAlong(designer, picks, kValley);
-        const Curve unaided = curveAlong(designer, picks, kValley, unguided);
+        const Curve unaided = curveAlong(designer, picks, kValley, {.fieldGuidesPath = false});
         EXPECT_LT(helix.meanDistance(along), 0.1 * kWidth);
         EXPECT_GT(helix.meanDistance(designer.design(picks)), 3.0 * kWidth);
         EXPECT_GT(helix.meanDistance(unaided), kWidth);
@@ -245,16 +220,6 @@ protected:
         });
     }
 
-    [[nodiscard]] std::vector<int> region() const {
-        std::vector<int> faces;
-        for (int f = 0; f < surfaceOf(designer_).faceCount(); ++f) {
-            if (isInside(surfaceOf(designer_).position({f, Vec3::Constant(1.0 / 3.0)}), 0.0)) {
-                faces.push_back(f);
-            }
-        }
-        return faces;
-    }
-
     // Share of the length; an edge inside, since the region is ragged.
     static double shareInside(const Curve& curve) {
         return meanWhere(curve.polyline, [](const Vec3& p) {
@@ -268,15 +233,13 @@ protected:
 };
 
 TEST_P(HillsBetweenPicks, TurnTheCurveAside) {
-    const std::vector<int> faces = region();
+    const Region faces =
+        facesWhere(surfaceOf(designer_), [](const Vec3& p) { return isInside(p, 0.0); });
     const std::vector<double> field =
         makeField(surfaceOf(designer_), {.kind = FieldKind::Obstacle}, {.region = faces});
     const double straight = shareInside(designer_.design(picks_));
-    const Curve aside = designer_.design(picks_, {}, {}, {.field = field});
-    const Curve avoiding = designer_.design(picks_, {}, {}, {.avoid = faces});
-    for (const Curve* curve : {&aside, &avoiding}) {
-        expectGoodCurve(designer_, *curve, picks_);
-    }
+    const Curve aside = goodCurve(designer_, picks_, {}, {.field = field});
+    const Curve avoiding = goodCurve(designer_, picks_, {}, {.avoid = faces});
     EXPECT_GT(straight, 0.1);
     EXPECT_LT(shareInside(aside), 0.25 * straight);
     EXPECT_LT(aside.report.fieldCost, 1e-3);  // of hills of 1.1

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a field counts, and what does not.
+// What of a field counts and what does not; the stronger a field, the nearer its valley.
 #include "bspline_curve/field.h"
 #include "curve_checks.h"
-#include "design/designer_surface.h"
-#include "either_shell.h"
-#include "field_checks.h"
-#include "support/meshes.h"
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
+#include <limits>
+#include <numbers>
 
 namespace bspline_curve {
 namespace {
@@ -31,20 +23,17 @@ protected:
 
     TriangleMesh mesh_ = withNoise(icosphere(3), 0.01, 23);
     CurveDesigner designer_ = designerOn(mesh_);
-    std::vector<Vec3> picks_ = {mesh_.vertices[5], mesh_.vertices[100], mesh_.vertices[400]};
+    std::vector<Vec3> picks_ = verticesOf(mesh_, {5, 100, 400});
     double epsilon_ = 0.1 * surfaceOf(designer_).averageEdgeLength();
 };
+
+double heightOf(const Vec3& v) {
+    return v.z();
+}
 
 std::string figures(const Curve& curve, const Curve& reference) {
     return std::to_string(curve.report.knotsLast) + " instead of " +
            std::to_string(reference.report.knotsLast) + " knots, " + name(curve.report.status);
-}
-
-void expectSameBits(const Curve& curve, const Curve& reference) {
-    EXPECT_EQ(curve.spline.knots, reference.spline.knots);
-    EXPECT_TRUE(curve.spline.controlPoints == reference.spline.controlPoints)
-        << "gap " << largestGap(curve.spline, reference.spline);
-    EXPECT_TRUE(curve.polyline.points == reference.polyline.points);
 }
 
 using Cost = std::pair<FieldCost, std::function<double(double)>>;
@@ -60,9 +49,8 @@ TEST_P(FieldOnASphere, ConstantFieldsChangeNothing) {
     for (const auto& [kind, cost] : kCosts) {
         for (const double constant : {0.0, 0.1, 1.0, 1000.0, -5.0}) {
             SCOPED_TRACE(std::string(name(kind)) + ", constant " + std::to_string(constant));
-            SolverOptions options;
-            options.fieldCost = kind;
-            const Curve curve = curveWith([&](const Vec3&) { return constant; }, options);
+            const Curve curve =
+                curveWith([&](const Vec3&) { return constant; }, {.fieldCost = kind});
             expectSameBits(curve, reference);
             EXPECT_EQ(curve.report.fieldCost, cost(constant));
             EXPECT_TRUE(curve.report.fieldAtRest);
@@ -71,9 +59,7 @@ TEST_P(FieldOnASphere, ConstantFieldsChangeNothing) {
 }
 
 TEST_P(FieldOnASphere, FieldsWithoutWeightChangeNothing) {
-    SolverOptions options;
-    options.fieldWeight = 0.0;
-    const Curve with = curveWith([](const Vec3& v) { return v.z(); }, options);
+    const Curve with = curveWith(heightOf, {.fieldWeight = 0.0});
     const Curve without = designer_.design(picks_);
     expectSameBits(with, without);
     EXPECT_EQ(with.report.fieldCost, 0.0);
@@ -87,19 +73,16 @@ TEST_P(FieldOnASphere, FieldsOfHardlyAnyWeightChangeHardlyAnything) {
         SCOPED_TRACE("scale " + std::to_string(std::log10(scale)));
         const Curve low = curveWith([&](const Vec3& v) { return scale * v.z(); });
         EXPECT_LT(largestGap(low.spline, reference.spline), 1e-9) << figures(low, reference);
-        SolverOptions options;
-        options.fieldWeight = scale;
-        const Curve light = curveWith([](const Vec3& v) { return v.z(); }, options);
+        const Curve light = curveWith(heightOf, {.fieldWeight = scale});
         EXPECT_LT(largestGap(light.spline, reference.spline), 1e-9) << figures(light, reference);
     }
 }
 
 // Only differences of a field matter where c(x) = x; also below zero.
 TEST_P(FieldOnASphere, ConstantsAddedToTheFieldChangeNothing) {
-    const auto height = [](const Vec3& v) { return v.z(); };
-    const Curve reference = curveWith(height);
+    const Curve reference = curveWith(heightOf);
     for (const double constant : {1.0, 1000.0, -1000.0}) {
-        const Curve curve = curveWith([&](const Vec3& v) { return height(v) + constant; });
+        const Curve curve = curveWith([&](const Vec3& v) { return heightOf(v) + constant; });
         EXPECT_TRUE(curve.report.usable);
         // 1e-10 measured: 1000 costs three digits of sums that stop at 1e-4.
         EXPECT_LT(largestGap(curve.spline, reference.spline), 1e-3 * epsilon_)
@@ -128,9 +111,7 @@ TEST_P(FieldOnASphere, TheReportedCostIsTheMeanAlongTheCurve) {
         sampled(mesh_, [](const Vec3& v) { return v.z() + 0.5 * v.x(); });
     for (const auto& [kind, cost] : kCosts) {
         SCOPED_TRACE(name(kind));
-        SolverOptions options;
-        options.fieldCost = kind;
-        options.fieldWeight = 10.0;
+        const SolverOptions options{.fieldWeight = 10.0, .fieldCost = kind};
         const Curve curve = designer_.design(picks_, options, {.samples = 4000}, {.field = field});
         const double expected = meanCostOver(surfaceOf(designer_), curve.polyline, field, cost);
         // The shell of the curve's last round, and the thinner one of its polyline, project
@@ -141,6 +122,95 @@ TEST_P(FieldOnASphere, TheReportedCostIsTheMeanAlongTheCurve) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shells, FieldOnASphere, kEitherShell, nameOfShell);
+
+// ---- A plate with a sinusoidal valley in the field: the stronger, the nearer ----
+
+double heightOfValley(double x) {
+    return std::sin(x);
+}
+
+double distanceToValley(const Vec3& p) {
+    constexpr int kPieces = 400;
+    double least = std::numeric_limits<double>::infinity();
+    const auto on = [](int i) {
+        const double x = 2.0 * std::numbers::pi * i / kPieces;
+        return Vec3(x, heightOfValley(x), 0.0);
+    };
+    for (int i = 0; i < kPieces; ++i) {
+        least = std::min(least, distanceToSegment(p, on(i), on(i + 1)));
+    }
+    return least;
+}
+
+// A plate [0, 2 pi] x [-2, 2] with a valley along y = sin x; all picks have y = 0, and so lie off
+// the valley by up to 0.18.
+class Valley : public EitherShell {
+protected:
+    static constexpr double kEdge = 0.1;  // of a cell
+
+    [[nodiscard]] Curve curveAt(double weight, int degree, const std::vector<double>& field) const {
+        return goodCurve(
+            designer_, picks_, {.degree = degree, .fieldWeight = weight}, {.field = field}
+        );
+    }
+
+    // Farther from the picks than the way into the valley is long.
+    [[nodiscard]] double meanDistance(const Curve& curve) const {
+        return meanWhere(curve.polyline, distanceToValley, [this](const Vec3& p) {
+            return std::ranges::all_of(picks_, [&](const Vec3& pick) {
+                return (p - pick).norm() > 0.5;
+            });
+        });
+    }
+
+    TriangleMesh mesh_ = transformed(
+        plate(63, 40, 2.0 * std::numbers::pi, 4.0),
+        Eigen::Isometry3d(Eigen::Translation3d(0, -2, 0))
+    );
+    CurveDesigner designer_ = designerOn(mesh_);
+    std::vector<double> field_ =
+        sampled(mesh_, [](const Vec3& v) { return std::pow(v.y() - heightOfValley(v.x()), 2.0); });
+    std::vector<Vec3> picks_ = {{0.15, 0, 0}, {std::numbers::pi, 0, 0}, {6.1, 0, 0}};
+};
+
+// The field is linear between the vertices, so its own valley lies off the sine by a few hundredths
+// of an edge; what is left at 1e5 is that.
+TEST_P(Valley, StrongerFieldsPullTheCurveIn) {
+    for (const int degree : {2, 3, 4}) {
+        SCOPED_TRACE("degree " + std::to_string(degree));
+        double before = std::numeric_limits<double>::infinity();
+        for (const double weight : {0.0, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4}) {
+            SCOPED_TRACE("mu = " + std::to_string(weight));
+            const double mean = meanDistance(curveAt(weight, degree, field_));
+            EXPECT_LT(mean, before);
+            before = mean;
+        }
+        EXPECT_LT(before, 0.1 * kEdge);
+        EXPECT_LT(meanDistance(curveAt(1e5, degree, field_)), 0.1 * kEdge);
+    }
+}
+
+TEST_P(Valley, PullsAtTheDefaultWeight) {
+    const double free = meanDistance(curveAt(0.0, 3, field_));
+    EXPECT_GT(free, 7.0 * kEdge);
+    EXPECT_LT(meanDistance(curveAt(SolverOptions().fieldWeight, 3, field_)), 0.3 * kEdge);
+}
+
+// The field rises by as much as the noise over three edges.
+TEST_P(Valley, NoiseOnTheFieldMovesTheCurveByAnEdge) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        std::vector<double> noisy = field_;
+        for (double& value : noisy) {
+            value += random.uniform(-0.1, 0.1);
+        }
+        const Curve curve = curveAt(SolverOptions().fieldWeight, 3, noisy);
+        EXPECT_LT(meanDistance(curve), 1.5 * kEdge) << curve.report.knotsLast << " knots";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shells, Valley, kEitherShell, nameOfShell);
 
 }  // namespace
 }  // namespace bspline_curve

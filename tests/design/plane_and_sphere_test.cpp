@@ -3,20 +3,12 @@
 // on a sphere.
 #include "cubic_interpolation.h"
 #include "curve_checks.h"
-#include "design/designer_surface.h"
-#include "either_shell.h"
-#include "support/meshes.h"
-#include "support/random.h"
 
 #include <Eigen/Geometry>
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <tuple>
 
 namespace bspline_curve {
 namespace {
@@ -30,94 +22,75 @@ const std::vector<Vec3> kClosedPicks = {
     {0.3, 0.25, 0}, {0.71, 0.32, 0}, {0.8, 0.66, 0}, {0.52, 0.6, 0}, {0.2, 0.7, 0}
 };
 
-double largestDifference(const SplineData& spline, const CubicInterpolation& expected) {
-    double largest = 0.0;
+void expectNear(const Curve& curve, const std::function<Vec3(double)>& expected) {
     for (int i = 0; i <= 200; ++i) {
         const double t = i / 200.0;
-        largest = std::max(largest, (pointOfSpline(spline, t) - expected.at(t)).norm());
+        EXPECT_LT((pointOfSpline(curve.spline, t) - expected(t)).norm(), 1e-6) << "t = " << t;
     }
-    return largest;
 }
 
 class Plates : public testing::TestWithParam<std::tuple<ShellKind, std::string>> {
 protected:
-    [[nodiscard]] static CurveDesigner designer() {
-        const auto& [kind, mesh] = GetParam();
-        if (mesh == "Coarse") {
-            return designerIn(kind, plate(5, 7));
-        }
-        if (mesh == "Fine") {
-            return designerIn(kind, plate(40, 40));
-        }
-        return designerIn(kind, jitteredPlate(20, 20, 0.25, 5));
+    [[nodiscard]] static TriangleMesh mesh() {
+        const std::string& name = std::get<1>(GetParam());
+        return name == "Coarse" ? plate(5, 7)
+               : name == "Fine" ? plate(40, 40)
+                                : jitteredPlate(20, 20, 0.25, 5);
     }
+
+    /// Expects the cubic spline that interpolates the picks.
+    void expectCubic(const std::vector<Vec3>& picks, bool closed) const {
+        const Curve curve = goodCurve(designer_, picks, {.closed = closed});
+        const CubicInterpolation expected(curve.spline.pickParameters, picks, closed);
+        expectNear(curve, [&](double t) { return expected.at(t); });
+    }
+
+    /// Expects that a tense curve strays from the segments between picks by 1 % of their distance
+    /// at most.
+    void expectSegments(const std::vector<Vec3>& picks, bool closed) const;
+
+    CurveDesigner designer_ = designerIn(std::get<0>(GetParam()), mesh());
 };
 
 TEST_P(Plates, OpenCurvesWithoutTensionAreNaturalCubicSplines) {
-    const CurveDesigner plates = designer();
-    const Curve curve = goodCurve(plates, kOpenPicks);
-    const auto expected = CubicInterpolation::natural(curve.spline.pickParameters, kOpenPicks);
-    EXPECT_LT(largestDifference(curve.spline, expected), 1e-6);
+    expectCubic(kOpenPicks, false);
 }
 
 TEST_P(Plates, ClosedCurvesWithoutTensionArePeriodicCubicSplines) {
-    const CurveDesigner plates = designer();
-    const Curve curve = goodCurve(plates, kClosedPicks, closedOptions());
-    const auto expected = CubicInterpolation::periodic(curve.spline.pickParameters, kClosedPicks);
-    EXPECT_LT(largestDifference(curve.spline, expected), 1e-6);
+    expectCubic(kClosedPicks, true);
 }
 
 TEST_P(Plates, ThreePicksAreEnoughForAPeriodicCubicSpline) {
-    const CurveDesigner plates = designer();
-    const std::vector<Vec3> picks = {{0.3, 0.3, 0}, {0.75, 0.4, 0}, {0.45, 0.72, 0}};
-    const Curve curve = goodCurve(plates, picks, closedOptions());
-    const auto expected = CubicInterpolation::periodic(curve.spline.pickParameters, picks);
-    EXPECT_LT(largestDifference(curve.spline, expected), 1e-6);
+    expectCubic({{0.3, 0.3, 0}, {0.75, 0.4, 0}, {0.45, 0.72, 0}}, true);
 }
 
 TEST_P(Plates, TwoPicksGiveTheirSegmentWithoutMoreKnots) {
-    const CurveDesigner plates = designer();
-    const Curve curve = goodCurve(plates, {{0.1, 0.25, 0}, {0.9, 0.61, 0}});
-    for (int i = 0; i <= 200; ++i) {
-        const double t = i / 200.0;
-        const Vec3 expected = Vec3(0.1, 0.25, 0) + t * Vec3(0.8, 0.36, 0);
-        EXPECT_LT((pointOfSpline(curve.spline, t) - expected).norm(), 1e-6) << "t = " << t;
-    }
+    const Curve curve = goodCurve(designer_, {{0.1, 0.25, 0}, {0.9, 0.61, 0}});
+    expectNear(curve, [](double t) { return Vec3(0.1 + 0.8 * t, 0.25 + 0.36 * t, 0); });
     EXPECT_LE(curve.report.knotsLast, 16);
 }
 
-// Share of the pick distance by which a polyline strays from the segments between its picks.
-double straying(const Curve& curve, const std::vector<Vec3>& picks) {
+void Plates::expectSegments(const std::vector<Vec3>& picks, bool closed) const {
+    const Curve curve = goodCurve(designer_, picks, {.closed = closed, .tension = 1.0});
     const SurfacePolyline& line = curve.polyline;
-    double largest = 0.0;
-    const std::size_t intervals = picks.size() - (line.closed ? 0 : 1);
-    for (std::size_t i = 0; i < intervals; ++i) {
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < picks.size(); ++i) {
         const Vec3& a = picks[i];
         const Vec3& b = picks[(i + 1) % picks.size()];
         const int end =
             i + 1 < picks.size() ? line.picks[i + 1] : static_cast<int>(line.points.size());
         for (int j = line.picks[i]; j < end; ++j) {
-            const Vec3& p = line.points[j];
-            largest = std::max(largest, distanceToSegment(p, a, b) / (b - a).norm());
+            EXPECT_LT(distanceToSegment(line.points[j], a, b), 0.01 * (b - a).norm())
+                << curve.report.knotsLast << " knots";
         }
     }
-    return largest;
 }
 
 TEST_P(Plates, OpenCurvesWithFullTensionAreSegments) {
-    const CurveDesigner plates = designer();
-    SolverOptions options;
-    options.tension = 1.0;
-    const Curve curve = goodCurve(plates, kOpenPicks, options);
-    EXPECT_LT(straying(curve, kOpenPicks), 0.01) << curve.report.knotsLast << " knots";
+    expectSegments(kOpenPicks, false);
 }
 
 TEST_P(Plates, ClosedCurvesWithFullTensionAreSegments) {
-    const CurveDesigner plates = designer();
-    SolverOptions options = closedOptions();
-    options.tension = 1.0;
-    const Curve curve = goodCurve(plates, kClosedPicks, options);
-    EXPECT_LT(straying(curve, kClosedPicks), 0.01) << curve.report.knotsLast << " knots";
+    expectSegments(kClosedPicks, true);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -146,23 +119,19 @@ TEST_P(Spheres, CurvesWithFullTensionAreGreatCircles) {
         Vec3(-0.4, -1, 0.6).normalized()
     };
     for (const int subdivisions : {4, 5}) {
+        SCOPED_TRACE(std::to_string(subdivisions) + " subdivisions");
         const CurveDesigner sphere = designerOn(icosphere(subdivisions));
-        SolverOptions options;
-        options.tension = 1.0;
-        const Curve curve = sphere.design(picks, options);
+        const Curve curve = sphere.design(picks, {.tension = 1.0});
         EXPECT_TRUE(curve.report.usable);
         expectStrict(surfaceOf(sphere), curve.polyline);
-        double largest = 0.0;
         for (std::size_t i = 0; i + 1 < picks.size(); ++i) {
             const double distance = std::acos(picks[i].dot(picks[i + 1]));
             for (int j = curve.polyline.picks[i]; j < curve.polyline.picks[i + 1]; ++j) {
                 const Vec3& p = curve.polyline.points[j];
-                largest =
-                    std::max(largest, angleToGreatCircle(p, picks[i], picks[i + 1]) / distance);
+                EXPECT_LT(angleToGreatCircle(p, picks[i], picks[i + 1]), 0.01 * distance)
+                    << curve.report.knotsLast << " knots";
             }
         }
-        EXPECT_LT(largest, 0.01) << subdivisions << " subdivisions, " << curve.report.knotsLast
-                                 << " knots";
     }
 }
 
@@ -175,7 +144,7 @@ TEST_P(Spheres, ClosedCurvesThroughAGreatCircleAreThatCircle) {
     for (const double angle : {0.1, 1.3, 2.9, 4.0, 5.2}) {
         picks.emplace_back(turn * Vec3(std::cos(angle), std::sin(angle), 0.0));
     }
-    const Curve curve = sphere.design(picks, closedOptions());
+    const Curve curve = sphere.design(picks, {.closed = true});
     EXPECT_TRUE(curve.report.usable);
     expectStrict(surfaceOf(sphere), curve.polyline);
     const Vec3 axis = turn * Vec3::UnitZ();

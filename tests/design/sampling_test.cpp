@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The strict polyline: as fine as asked, and the same curve at every sampling.
 #include "curve_checks.h"
-#include "design/designer_surface.h"
-#include "either_shell.h"
-#include "support/meshes.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <tuple>
 
 namespace bspline_curve {
 namespace {
@@ -19,32 +12,25 @@ using namespace test_support;
 
 class Sampling : public testing::TestWithParam<std::tuple<ShellKind, bool>> {
 protected:
-    static SolverOptions options() {
-        SolverOptions result;
-        result.closed = std::get<1>(GetParam());
-        return result;
-    }
-
     [[nodiscard]] SurfacePolyline drawn(const SamplingOptions& sampling) const {
-        return designer_.design(picks_, options(), sampling).polyline;
-    }
-
-    [[nodiscard]] double longestSegment(const SurfacePolyline& line) const {
-        double longest = 0.0;
-        const std::size_t count = line.points.size() - (line.closed ? 0 : 1);
-        for (std::size_t i = 0; i < count; ++i) {
-            longest = std::max(
-                longest, (line.points[(i + 1) % line.points.size()] - line.points[i]).norm()
-            );
-        }
-        return longest;
+        return designer_.design(picks_, options_, sampling).polyline;
     }
 
     TriangleMesh mesh_ = withNoise(icosphere(3), 0.01, 29);
     CurveDesigner designer_ = designerIn(std::get<0>(GetParam()), mesh_);
-    std::vector<Vec3> picks_ = {mesh_.vertices[5], mesh_.vertices[100], mesh_.vertices[400]};
-    Curve curve_ = designer_.design(picks_, options());
+    std::vector<Vec3> picks_ = verticesOf(mesh_, {5, 100, 400});
+    SolverOptions options_{.closed = std::get<1>(GetParam())};
+    Curve curve_ = designer_.design(picks_, options_);
 };
+
+double longestSegment(const SurfacePolyline& line) {
+    double longest = 0.0;
+    for (std::size_t i = line.closed ? 0 : 1; i < line.points.size(); ++i) {
+        const Vec3& before = i > 0 ? line.points[i - 1] : line.points.back();
+        longest = std::max(longest, (line.points[i] - before).norm());
+    }
+    return longest;
+}
 
 // Every vertex of `coarse` is one of `fine`.
 void expectVerticesIn(const SurfacePolyline& coarse, const SurfacePolyline& fine) {
@@ -79,11 +65,12 @@ TEST_P(Sampling, HasTheParametersAskedFor) {
     const SurfacePolyline line = drawn({samples, 0.0});
     for (int i = 0; i < samples; ++i) {
         const double t = static_cast<double>(i) / samples;
-        const bool found =
-            std::any_of(line.parameters.begin(), line.parameters.end(), [&](double value) {
-                return std::abs(value - t) < 1e-9;
-            });
-        EXPECT_TRUE(found) << "t = " << t;
+        EXPECT_TRUE(
+            std::ranges::any_of(
+                line.parameters, [&](double value) { return std::abs(value - t) < 1e-9; }
+            )
+        ) << "t = "
+          << t;
     }
 }
 
@@ -123,13 +110,11 @@ TEST_P(Sampling, PolylinesFollowTheSpline) {
 
 TEST_P(Sampling, PicksAreVerticesOfEverySampling) {
     for (const int samples : {0, 256}) {
-        Curve curve = curve_;
-        curve.polyline = drawn({samples, 0.0});
+        const SurfacePolyline line = drawn({samples, 0.0});
         for (std::size_t i = 0; i < picks_.size(); ++i) {
-            const auto index = static_cast<std::size_t>(curve.polyline.picks[i]);
-            const auto before = static_cast<std::size_t>(curve_.polyline.picks[i]);
-            EXPECT_EQ(curve.polyline.parameters[index], curve.spline.pickParameters[i]);
-            EXPECT_EQ(curve.polyline.points[index], curve_.polyline.points[before]);
+            const int index = line.picks[i];
+            EXPECT_EQ(line.parameters[index], curve_.spline.pickParameters[i]);
+            EXPECT_EQ(line.points[index], curve_.polyline.points[curve_.polyline.picks[i]]);
         }
     }
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/feature_distance.h"
 
-#include "bspline_curve/error.h"
 #include "field/make_field.h"
 #include "support/meshes.h"
-#include "support/random.h"
+#include "support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -22,12 +21,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double distanceToBoundary(const Vec3& p) {
     return std::min({p.x(), p.y(), 1.0 - p.x(), 1.0 - p.y()});
-}
-
-std::vector<double> fieldOf(const Surface& surface, FieldKind kind) {
-    FieldOptions options;
-    options.kind = kind;
-    return makeField(surface, options);
 }
 
 // Straight fronts are exact, whatever the faces; where two meet, at the diagonals, faces see both.
@@ -96,7 +89,7 @@ TEST(FeatureDistance, AsAFieldIsRelativeToTheReach) {
     for (const double unit : {1e-3, 1.0, 1e3}) {
         const TriangleMesh mesh = box(40);
         const Surface surface(transformed(mesh, Eigen::Isometry3d::Identity(), unit));
-        const auto field = fieldOf(surface, FieldKind::CreaseDistance);
+        const auto field = makeField(surface, {.kind = FieldKind::CreaseDistance});
         for (std::size_t i = 0; i < field.size(); ++i) {
             // On a side of the cube one coordinate is 0 or 1; the other two say how far its edges
             // are.
@@ -114,33 +107,30 @@ TEST(FeatureDistance, AsAFieldIsRelativeToTheReach) {
 TEST(FeatureDistance, LeavesComponentsWithoutFeaturesAtOne) {
     TriangleMesh mesh = joined(plate(4, 4), icosphere(3));
     mesh.vertices.emplace_back(3, 3, 3);
-    const auto field = fieldOf(Surface(mesh), FieldKind::BoundaryDistance);
+    const auto field = makeField(Surface(mesh), {.kind = FieldKind::BoundaryDistance});
     EXPECT_EQ(field[0], 0.0);
     for (std::size_t i = 25; i < field.size(); ++i) {
         EXPECT_EQ(field[i], 1.0);
     }
 }
 
-void expectRefused(const TriangleMesh& mesh, const FieldOptions& options, const std::string& said) {
-    try {
-        static_cast<void>(makeField(Surface(mesh), options));
-        ADD_FAILURE() << said << " was not refused";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << error.what();
-    }
-}
-
 TEST(FeatureDistance, RefusesMeshesWithoutFeatures) {
-    FieldOptions options;
-    options.kind = FieldKind::CreaseDistance;
-    expectRefused(icosphere(3), options, "no edge of the mesh turns by more than the crease angle");
-    options.kind = FieldKind::BoundaryDistance;
-    expectRefused(icosphere(3), options, "closed");
-    options.reach = 0.0;
-    expectRefused(plate(2, 2), options, "reach of the field is 0");
-    options = {};
-    options.creaseAngle = 181.0;
-    expectRefused(plate(2, 2), options, "crease angle is 181");
+    const auto expectNone = [](const TriangleMesh& mesh,
+                               const FieldOptions& options,
+                               InputErrorCode code,
+                               const std::string& said) {
+        expectRefused([&] { return makeField(Surface(mesh), options); }, code, said);
+    };
+    const TriangleMesh sphere = icosphere(3);
+    const FieldOptions crease{.kind = FieldKind::CreaseDistance};
+    const FieldOptions boundary{.kind = FieldKind::BoundaryDistance};
+    const FieldOptions noReach{.kind = FieldKind::BoundaryDistance, .reach = 0.0};
+    const InputErrorCode bad = InputErrorCode::BadField;
+    const InputErrorCode option = InputErrorCode::BadOption;
+    expectNone(sphere, crease, bad, "no edge of the mesh turns by more than the crease angle");
+    expectNone(sphere, boundary, bad, "closed");
+    expectNone(plate(2, 2), noReach, option, "reach of the field is 0");
+    expectNone(plate(2, 2), {.creaseAngle = 181.0}, option, "crease angle is 181");
 }
 
 }  // namespace

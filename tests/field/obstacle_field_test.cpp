@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/obstacle_field.h"
 
-#include "bspline_curve/error.h"
 #include "field/make_field.h"
 #include "support/meshes.h"
+#include "support/places.h"
 #include "support/random.h"
+#include "support/refusal.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
 
@@ -51,20 +51,10 @@ TriangleMesh disc(int rings, double radius) {
     return mesh;
 }
 
-std::vector<int> facesWhere(
-    const TriangleMesh& mesh, const std::function<bool(const Vec3&)>& holdsAtCentre
+std::vector<double> obstacleWhere(
+    const Surface& surface, const Predicate& isIn, double value, double slope
 ) {
-    std::vector<int> region;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        Vec3 centre = Vec3::Zero();
-        for (const int corner : mesh.faces[f]) {
-            centre += mesh.vertices[corner] / 3.0;
-        }
-        if (holdsAtCentre(centre)) {
-            region.push_back(static_cast<int>(f));
-        }
-    }
-    return region;
+    return obstacleField(surface, facesWhere(surface, isIn), value, slope);
 }
 
 // s + slope (r^2 - rho^2) / (2 r) solves (26) on a disc; halving the edges quarters the error.
@@ -77,8 +67,7 @@ TEST(ObstacleField, OnADiscConvergesToTheExactSolution) {
         const TriangleMesh mesh = disc(rings, 1.0);
         const Surface surface(mesh);
         const double inUnits = kSlope / surface.diagonal();
-        const auto inside = [](const Vec3& p) { return p.norm() < kRadius; };
-        const auto field = obstacleField(surface, facesWhere(mesh, inside), kValue, kSlope);
+        const auto field = obstacleWhere(surface, ball(Vec3::Zero(), kRadius), kValue, kSlope);
         double worst = 0.0;
         for (std::size_t i = 0; i < field.size(); ++i) {
             const double rho = mesh.vertices[i].norm();
@@ -97,21 +86,18 @@ TEST(ObstacleField, OnADiscConvergesToTheExactSolution) {
 }
 
 TEST(ObstacleField, OfATenthOfTheDiagonalReachesOne) {
-    const TriangleMesh mesh = disc(60, 1.0);
-    const Surface surface(mesh);
+    const Surface surface(disc(60, 1.0));
     const double radius = 0.05 * surface.diagonal();
-    FieldOptions options;
-    options.kind = FieldKind::Obstacle;
-    const auto region = facesWhere(mesh, [&](const Vec3& p) { return p.norm() < radius; });
-    const auto field = makeField(surface, options, {.region = region});
+    const auto region = facesWhere(surface, ball(Vec3::Zero(), radius));
+    const auto field = makeField(surface, {.kind = FieldKind::Obstacle}, {.region = region});
     EXPECT_NEAR(*std::ranges::max_element(field), 1.0, 0.1);
     EXPECT_EQ(naturalCost(FieldKind::Obstacle), FieldCost::Identity);
 }
 
 TEST(ObstacleField, IsTheSameInEveryUnitAndPosition) {
     const TriangleMesh mesh = withNoise(icosphere(4), 0.01, 1);
-    const auto region = facesWhere(mesh, [](const Vec3& p) { return p.z() > 0.3; });
     const Surface surface(mesh);
+    const auto region = facesWhere(surface, [](const Vec3& p) { return p.z() > 0.3; });
     const auto field = obstacleField(surface, region, 0.5, 1.0 * surface.diagonal());
     EXPECT_GT(*std::ranges::max_element(field), 0.7);
     for (const double unit : {1e-6, 1.0, 1e6}) {
@@ -133,11 +119,10 @@ TEST(ObstacleField, TreatsPiecesAlikeAndKeepsHolesFree) {
         return fromCentre(p, 0.5) < 0.4 && fromCentre(p, 0.5) > 0.15;
     };
     const auto isDisc = [&](const Vec3& p) { return fromCentre(p, 1.5) < 0.4; };
-    const auto both = obstacleField(
-        surface, facesWhere(mesh, [&](const Vec3& p) { return isRing(p) || isDisc(p); }), 0, 1
-    );
-    const auto ring = obstacleField(surface, facesWhere(mesh, isRing), 0, 1);
-    const auto round = obstacleField(surface, facesWhere(mesh, isDisc), 0, 1);
+    const auto isEither = [&](const Vec3& p) { return isRing(p) || isDisc(p); };
+    const auto both = obstacleWhere(surface, isEither, 0, 1);
+    const auto ring = obstacleWhere(surface, isRing, 0, 1);
+    const auto round = obstacleWhere(surface, isDisc, 0, 1);
     for (std::size_t i = 0; i < both.size(); ++i) {
         EXPECT_NEAR(both[i], ring[i] + round[i], 1e-9);
         const Vec3& p = mesh.vertices[i];
@@ -151,15 +136,11 @@ TEST(ObstacleField, TreatsPiecesAlikeAndKeepsHolesFree) {
 
 // Half a disc at the boundary of the mesh is like the half of a whole one.
 TEST(ObstacleField, GoesOnAsInAMirrorWhereTheMeshEnds) {
-    const TriangleMesh whole = plate(40, 40);
-    TriangleMesh half = plate(40, 20, 1.0, 0.5);
-    const auto inside = [](const Vec3& p) { return (p - Vec3(0.5, 0.5, 0)).norm() < 0.3; };
-    const Surface wholeSurface(whole);
-    const Surface halfSurface(half);
-    const auto field =
-        obstacleField(wholeSurface, facesWhere(whole, inside), 0.0, wholeSurface.diagonal());
-    const auto mirrored =
-        obstacleField(halfSurface, facesWhere(half, inside), 0.0, halfSurface.diagonal());
+    const Surface whole(plate(40, 40));
+    const Surface half(plate(40, 20, 1.0, 0.5));
+    const Predicate inside = ball({0.5, 0.5, 0}, 0.3);
+    const auto field = obstacleWhere(whole, inside, 0.0, whole.diagonal());
+    const auto mirrored = obstacleWhere(half, inside, 0.0, half.diagonal());
     EXPECT_GT(mirrored[20 * 41 + 20], 0.1);
     for (std::size_t i = 0; i < mirrored.size(); ++i) {
         EXPECT_NEAR(mirrored[i], field[i], 1e-9) << i;
@@ -175,12 +156,7 @@ TEST(ObstacleField, SurvivesSlivers) {
             p.x() = (column - 1.0 + 1e-12) / 30.0;
         }
     }
-    const auto field = obstacleField(
-        Surface(mesh),
-        facesWhere(mesh, [](const Vec3& p) { return (p - Vec3(0.5, 0.5, 0)).norm() < 0.3; }),
-        0.0,
-        std::sqrt(2.0)
-    );
+    const auto field = obstacleWhere(Surface(mesh), ball({0.5, 0.5, 0}, 0.3), 0.0, std::sqrt(2.0));
     EXPECT_GT(*std::ranges::max_element(field), 0.1);
     EXPECT_LT(*std::ranges::max_element(field), 0.3);
     EXPECT_GT(*std::ranges::min_element(field), -0.05);
@@ -207,11 +183,9 @@ TEST(ObstacleField, SurvivesTinyFaces) {
         mesh.faces.push_back({face[k], face[next], first + next});
         mesh.faces.push_back({face[k], first + next, first + k});
     }
-    const auto inside = [](const Vec3& p) { return (p - Vec3(0.5, 0.5, 0)).norm() < 0.3; };
-    const TriangleMesh even = plate(30, 30);
-    const auto expected =
-        obstacleField(Surface(even), facesWhere(even, inside), 0.0, std::sqrt(2.0));
-    const auto field = obstacleField(Surface(mesh), facesWhere(mesh, inside), 0.0, std::sqrt(2.0));
+    const Predicate inside = ball({0.5, 0.5, 0}, 0.3);
+    const auto expected = obstacleWhere(Surface(plate(30, 30)), inside, 0.0, std::sqrt(2.0));
+    const auto field = obstacleWhere(Surface(mesh), inside, 0.0, std::sqrt(2.0));
     for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_NEAR(field[i], expected[i], 0.01) << i;
     }
@@ -223,40 +197,25 @@ TEST(ObstacleField, IsTheBoundaryValueWhereNoVertexIsInside) {
     EXPECT_EQ(std::ranges::count(field, 0.0), 22);
 }
 
-void expectRefused(
-    const TriangleMesh& mesh, const std::vector<int>& region, const std::string& said
-) {
-    FieldOptions options;
-    options.kind = FieldKind::Obstacle;
-    try {
-        static_cast<void>(makeField(Surface(mesh), options, {.region = region}));
-        ADD_FAILURE() << said << " was not refused";
-    } catch (const InputError& error) {
-        EXPECT_EQ(error.code(), InputErrorCode::BadField);
-        EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << error.what();
-    }
-}
-
 TEST(ObstacleField, RefusesRegionsThatMakeNone) {
-    const TriangleMesh mesh = joined(plate(2, 2), plate(6, 6));
-    expectRefused(mesh, {}, "the region has no faces");
-    expectRefused(mesh, {80}, "the mesh has no face 80");
-    expectRefused(mesh, {-1}, "the mesh has no face -1");
-    expectRefused(mesh, {20}, "no vertex lies inside");
-    std::vector<int> first;
-    for (int f = 0; f < 8; ++f) {
-        first.push_back(f);
-    }
-    expectRefused(mesh, first, "covers all of 1 component of the mesh (with faces 0)");
+    const Surface surface(joined(plate(2, 2), plate(6, 6)));
+    const auto expectNone = [&](const std::vector<int>& region, const std::string& said) {
+        expectRefused(
+            [&] { return makeField(surface, {.kind = FieldKind::Obstacle}, {.region = region}); },
+            InputErrorCode::BadField,
+            said
+        );
+    };
+    expectNone({}, "the region has no faces");
+    expectNone({80}, "the mesh has no face 80");
+    expectNone({-1}, "the mesh has no face -1");
+    expectNone({20}, "no vertex lies inside");
+    expectNone({0, 1, 2, 3, 4, 5, 6, 7}, "covers all of 1 component of the mesh (with faces 0)");
 }
 
 TEST(ObstacleField, RefusesOptionsThatMakeNone) {
-    FieldOptions options;
-    options.obstacleSlope = 0.0;
-    EXPECT_THROW(options.validate(), InputError);
-    options = {};
-    options.obstacleValue = std::nan("");
-    EXPECT_THROW(options.validate(), InputError);
+    EXPECT_THROW(FieldOptions{.obstacleSlope = 0.0}.validate(), InputError);
+    EXPECT_THROW(FieldOptions{.obstacleValue = std::nan("")}.validate(), InputError);
 }
 
 }  // namespace

@@ -34,6 +34,15 @@ VertexValues<1> spikeIn(const Surface& surface, int vertex) {
     return values;
 }
 
+/// Nine columns of one value per vertex.
+VertexValues<9> wavesOn(const Surface& surface) {
+    return VertexValues<9>::NullaryExpr(
+        surface.vertexCount(), 9, [](Eigen::Index v, Eigen::Index k) {
+            return std::sin(static_cast<double>(v * (k + 1)));
+        }
+    );
+}
+
 TEST(SurfaceDiffusion, KeepsConstantsAndIntegrals) {
     const Surface surface(withNoise(icosphere(3), 0.02, 1));
     const SurfaceDiffusion diffusion(surface);
@@ -77,12 +86,7 @@ TEST(SurfaceDiffusion, IsTheSameEveryTimeOnTwoThreads) {
     const Surface surface(withNoise(icosphere(6), 0.001, 4));
     ASSERT_GT(surface.vertexCount(), 40000);
     const SurfaceDiffusion diffusion(surface);
-    VertexValues<9> values(surface.vertexCount(), 9);
-    for (int v = 0; v < surface.vertexCount(); ++v) {
-        for (int k = 0; k < 9; ++k) {
-            values(v, k) = std::sin(v * (k + 1));
-        }
-    }
+    const VertexValues<9> values = wavesOn(surface);
     const VertexValues<9> first = diffusion.smoothed<9>(values, 0.1);
     for (int run = 0; run < 5; ++run) {
         ASSERT_EQ(diffusion.smoothed<9>(values, 0.1), first) << run;
@@ -122,12 +126,7 @@ TEST(SurfaceDiffusion, TreatsColumnsAlikeAndLeavesWhatHasNoFaces) {
     mesh.vertices.emplace_back(9, 9, 9);
     const Surface surface(mesh);
     const SurfaceDiffusion diffusion(surface);
-    VertexValues<9> values(surface.vertexCount(), 9);
-    for (int v = 0; v < surface.vertexCount(); ++v) {
-        for (int k = 0; k < 9; ++k) {
-            values(v, k) = std::sin(v * (k + 1));
-        }
-    }
+    const VertexValues<9> values = wavesOn(surface);
     const VertexValues<9> smooth = diffusion.smoothed<9>(values, 0.2);
     for (int k = 0; k < 9; ++k) {
         const VertexValues<1> alone = diffusion.smoothed<1>(values.col(k), 0.2);

@@ -8,6 +8,7 @@
 #include "problem_fixture.h"
 #include "projection/fibre_projector.h"
 #include "support/meshes.h"
+#include "support/places.h"
 #include "surface/triangle_tree.h"
 #include "utility/worker_thread.h"
 
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,49 +26,20 @@ namespace {
 
 using namespace test_support;
 
-struct Scene {
-    std::string name;
-    TriangleMesh mesh;
-    std::vector<Vec3> picks;
-    bool closed = false;
-    int degree = 3;
-};
-
-std::ostream& operator<<(std::ostream& stream, const Scene& scene) {
-    return stream << scene.name;
+CurveCase sphere(bool closed = false) {
+    return {closed ? "ClosedOnASphere" : "Sphere", icosphere(4), kSpherePicks, {.closed = closed}};
 }
 
-const std::vector<Vec3> kSpherePicks = {
-    {1, 0.1, 0.2}, {0.2, 1, 0.1}, {-0.7, 0.3, 0.7}, {-0.3, -0.9, 0.2}
-};
-const std::vector<Vec3> kTorusPicks = {
-    {1.3, 0.1, 0.1}, {0.1, 1.0, 0.3}, {-0.9, 0.5, -0.25}, {-0.8, -0.8, 0.2}
-};
-
-// Of points near the surface the nearest ones on it.
-std::vector<Vec3> onSurface(const TriangleMesh& mesh, std::vector<Vec3> points) {
-    const TriangleTree tree(mesh.vertices, mesh.faces);
-    for (Vec3& p : points) {
-        p = tree.closestPoint(p).position;
-    }
-    return points;
-}
-
-Scene sphere(bool closed = false) {
-    return {closed ? "ClosedOnASphere" : "Sphere", icosphere(4), kSpherePicks, closed};
-}
-
-Scene noisySphere(bool closed = false, int degree = 3) {
+CurveCase noisySphere(bool closed = false, int degree = 3) {
     return {
         "NoisySphere" + std::string(closed ? "Closed" : "") + std::to_string(degree),
         withNoise(icosphere(4), 0.005, 17),
         kSpherePicks,
-        closed,
-        degree
+        {.degree = degree, .closed = closed}
     };
 }
 
-Scene plateWithBoundary() {
+CurveCase plateWithBoundary() {
     return {
         "Plate",
         jitteredPlate(20, 20, 0.25, 5),
@@ -76,13 +47,13 @@ Scene plateWithBoundary() {
     };
 }
 
-ProblemFixture makeFixture(const Scene& scene, SolverOptions options = {}) {
-    options.closed = scene.closed;
-    options.degree = scene.degree;
+ProblemFixture makeFixture(const CurveCase& scene, SolverOptions options = {}) {
+    options.closed = scene.options.closed;
+    options.degree = scene.options.degree;
     return {scene.mesh, onSurface(scene.mesh, scene.picks), options};
 }
 
-ProblemFixture byCells(const Scene& scene, SolverOptions options = {}) {
+ProblemFixture byCells(const CurveCase& scene, SolverOptions options = {}) {
     options.quadrature = Quadrature::Cells;
     return makeFixture(scene, options);
 }
@@ -142,7 +113,7 @@ Measures measured(const ProblemFixture& fixture, const SplineCurve& curve) {
 
 // ---- Curves that are relaxed ----
 
-class Relaxation : public testing::TestWithParam<Scene> {};
+class Relaxation : public testing::TestWithParam<CurveCase> {};
 
 TEST_P(Relaxation, GivesTheCurvesOfTheCells) {
     const ProblemFixture fixture = makeFixture(GetParam());
@@ -174,9 +145,9 @@ INSTANTIATE_TEST_SUITE_P(
         noisySphere(true),
         noisySphere(false, 4),
         noisySphere(true, 4),
-        Scene{"Torus", torus(64, 24), kTorusPicks},
+        CurveCase{"Torus", torus(64, 24), kTorusPicks},
         plateWithBoundary(),
-        Scene{
+        CurveCase{
             "Box",
             box(10, {1.0, 0.8, 0.6}),
             {{0.9, 0.1, 0.6}, {0.5, 0.5, 0.6}, {0.2, 0.8, 0.4}, {0.7, 0.8, 0.2}}
@@ -244,7 +215,9 @@ TEST(RelaxationSteps, AreSeldomShortened) {
     int shortened = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         for (const bool closed : {false, true}) {
-            const Scene bumpy{"Bumpy", withNoise(icosphere(4), 0.03, seed), kSpherePicks, closed};
+            const CurveCase bumpy{
+                "Bumpy", withNoise(icosphere(4), 0.03, seed), kSpherePicks, {.closed = closed}
+            };
             const std::optional<Solution> solution = relaxed(makeFixture(bumpy));
             ASSERT_TRUE(solution.has_value()) << "seed " << seed;
             shortened += static_cast<int>(
@@ -261,7 +234,7 @@ TEST(RelaxationSteps, AreSeldomShortened) {
 TEST(RelaxationSteps, AreAsManyOnASubdividedMesh) {
     int onCoarse = 0;
     int onFine = 0;
-    for (Scene scene : {sphere(), noisySphere(), plateWithBoundary()}) {
+    for (CurveCase scene : {sphere(), noisySphere(), plateWithBoundary()}) {
         SCOPED_TRACE(scene.name);
         const std::optional<Solution> coarse = relaxed(makeFixture(scene));
         // The picks of the first mesh: the surface is the same.
@@ -282,7 +255,7 @@ TEST(RelaxationSteps, AreAsManyOnASubdividedMesh) {
 // seven rounds until that is the largest.
 TEST(RelaxationSteps, EndSoonWhereTheCurveStaysFarAway) {
     constexpr double kThickness = 0.05;
-    Scene lens{
+    CurveCase lens{
         "Lens",
         icosphere(4),
         {{0.5, 0.0, kThickness}, {0.6, 0.1, -kThickness}, {-0.5, 0.3, kThickness}}
@@ -353,7 +326,7 @@ TEST(RelaxationIsNotFor, StrongFields) {
 }
 
 TEST(RelaxationIsNotFor, ThePapersSettings) {
-    const Scene scene{"SmallSphere", icosphere(3), kSpherePicks};
+    const CurveCase scene{"SmallSphere", icosphere(3), kSpherePicks};
     SolverOptions options;
     options.interpolation = Interpolation::Penalty;
     expectByCells(makeFixture(scene, options));
@@ -376,29 +349,20 @@ TEST(RelaxationIsNotFor, ThePapersSettings) {
     }
 }
 
-// All faces whose middle lies within a ball.
-Region ball(const Surface& surface, const Vec3& centre, double radius) {
-    Region region;
-    for (int f = 0; f < surface.faceCount(); ++f) {
-        if ((surface.position({f, Vec3::Constant(1.0 / 3.0)}) - centre).norm() < radius) {
-            region.push_back(f);
-        }
-    }
-    return region;
-}
-
 TEST(RelaxationIsNotFor, CurvesThatWhatTheyAvoidPushes) {
-    const Scene scene{"Plate", jitteredPlate(20, 20, 0.25, 5), {{0.1, 0.48, 0}, {0.9, 0.48, 0}}};
+    const CurveCase scene{
+        "Plate", jitteredPlate(20, 20, 0.25, 5), {{0.1, 0.48, 0}, {0.9, 0.48, 0}}
+    };
     for (const double centre : {0.5, 0.65}) {  // in the way, and beside it
         ProblemFixture fixture = makeFixture(scene);
-        fixture.avoid(ball(fixture.surface(), {0.5, centre, 0}, 0.1), 0.1);
+        fixture.avoid(facesWhere(fixture.surface(), ball({0.5, centre, 0}, 0.1)), 0.1);
         expectByCells(std::move(fixture));
     }
 }
 
 TEST(RelaxationOfCurves, IsTheSameOnTwoThreads) {
     WorkerThread side;
-    for (const Scene& scene : {noisySphere(true), plateWithBoundary(), noisySphere(false, 4)}) {
+    for (const CurveCase& scene : {noisySphere(true), plateWithBoundary(), noisySphere(false, 4)}) {
         ProblemFixture fixture = makeFixture(scene);
         fixture.problem().shell = nullptr;
         const std::optional<Solution> alone = relaxed(fixture);
@@ -410,10 +374,12 @@ TEST(RelaxationOfCurves, IsTheSameOnTwoThreads) {
 }
 
 TEST(RelaxationOfCurves, IsTheSameBesideWhatIsFarAway) {
-    const Scene scene{"Plate", jitteredPlate(20, 20, 0.25, 5), {{0.1, 0.48, 0}, {0.9, 0.48, 0}}};
+    const CurveCase scene{
+        "Plate", jitteredPlate(20, 20, 0.25, 5), {{0.1, 0.48, 0}, {0.9, 0.48, 0}}
+    };
     ProblemFixture fixture = makeFixture(scene);
     const std::optional<Solution> without = relaxed(fixture);
-    fixture.avoid(ball(fixture.surface(), {0.5, 0.9, 0}, 0.08), 0.1);
+    fixture.avoid(facesWhere(fixture.surface(), ball({0.5, 0.9, 0}, 0.08)), 0.1);
     const std::optional<Solution> with = relaxed(fixture);
     ASSERT_TRUE(without && with);
     expectSame(*without, *with);
@@ -421,7 +387,7 @@ TEST(RelaxationOfCurves, IsTheSameBesideWhatIsFarAway) {
 
 TEST(RelaxationIsNotFor, CurvesWhoseProgressFalls) {
     ProblemFixture fixture = makeFixture(noisySphere(true));
-    fixture.avoid(ball(fixture.surface(), {0.3, 0.8, 0.5}, 0.3), 0.2);
+    fixture.avoid(facesWhere(fixture.surface(), ball({0.3, 0.8, 0.5}, 0.3)), 0.2);
     EXPECT_FALSE(relaxed(fixture).has_value());
     double last = 0.0;
     fixture.problem().progress = [&](double fraction, const char*) {
@@ -468,13 +434,9 @@ TEST(RelaxationOfCurves, RefusesWhatCellsRefuse) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         SCOPED_TRACE("case " + std::to_string(i));
         const CurveDesigner designer(cases[i].mesh);
-        Region avoid;
-        for (int f = 0; f < surfaceOf(designer).faceCount(); ++f) {
-            const double x = surfaceOf(designer).position({f, Vec3::Constant(1.0 / 3.0)}).x();
-            if (std::abs(x - 0.5) < cases[i].wall) {
-                avoid.push_back(f);
-            }
-        }
+        const Region avoid = facesWhere(surfaceOf(designer), [&](const Vec3& p) {
+            return std::abs(p.x() - 0.5) < cases[i].wall;
+        });
         const std::vector<Vec3>& picks = cases[i].picks;
         const auto one = refusal(designer, picks, Quadrature::FootPoints, avoid);
         const auto other = refusal(designer, picks, Quadrature::Cells, avoid);

@@ -16,12 +16,14 @@ namespace bspline_curve::test_support {
 
 namespace {
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
+double fraction(int i, int n) {
+    return static_cast<double>(i) / n;
 }
 
-double fraction(int i, int n) {
-    return static_cast<double>(i) / static_cast<double>(n);
+/// At an angle, in turns, about the z axis.
+Vec3 aroundAxis(double turns, double radius, double z) {
+    const double angle = 2.0 * std::numbers::pi * turns;
+    return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
 /// Adds the two faces of a quad a b c d (counter-clockwise), split along a c or b d.
@@ -54,7 +56,7 @@ template <class T>
 void shuffle(std::vector<T>& values, Random& random) {
     for (std::size_t i = values.size(); i > 1; --i) {
         const int other = random.integer(0, static_cast<int>(i) - 1);
-        std::swap(values[i - 1], values[index(other)]);
+        std::swap(values[i - 1], values[other]);
     }
 }
 
@@ -100,7 +102,7 @@ TriangleMesh jitteredPlate(int columns, int rows, double amount, std::uint64_t s
     for (int j = 1; j < rows; ++j) {
         for (int i = 1; i < columns; ++i) {
             const Vec3 offset = amount * random.point(-1.0, 1.0);
-            mesh.vertices[index(j * (columns + 1) + i)] +=
+            mesh.vertices[j * (columns + 1) + i] +=
                 Vec3(offset[0] / columns, offset[1] / rows, 0.0);
         }
     }
@@ -111,9 +113,8 @@ TriangleMesh openCylinder(int segments, int rings, double radius, double height)
     TriangleMesh mesh;
     for (int j = 0; j <= rings; ++j) {
         for (int i = 0; i < segments; ++i) {
-            const double angle = 2.0 * std::numbers::pi * fraction(i, segments);
-            mesh.vertices.emplace_back(
-                radius * std::cos(angle), radius * std::sin(angle), height * fraction(j, rings)
+            mesh.vertices.push_back(
+                aroundAxis(fraction(i, segments), radius, height * fraction(j, rings))
             );
         }
     }
@@ -139,12 +140,12 @@ TriangleMesh torus(int majorSegments, int minorSegments, double majorRadius, dou
     TriangleMesh mesh;
     for (int j = 0; j < minorSegments; ++j) {
         for (int i = 0; i < majorSegments; ++i) {
-            const double around = 2.0 * std::numbers::pi * fraction(i, majorSegments);
             const double tube = 2.0 * std::numbers::pi * fraction(j, minorSegments);
-            const double radius = majorRadius + minorRadius * std::cos(tube);
-            mesh.vertices.emplace_back(
-                radius * std::cos(around), radius * std::sin(around), minorRadius * std::sin(tube)
-            );
+            mesh.vertices.push_back(aroundAxis(
+                fraction(i, majorSegments),
+                majorRadius + minorRadius * std::cos(tube),
+                minorRadius * std::sin(tube)
+            ));
         }
     }
     addGrid(mesh, majorSegments, minorSegments, [&](int i, int j) {
@@ -206,9 +207,7 @@ TriangleMesh midpointSubdivide(const TriangleMesh& mesh) {
         const auto [entry, isNew] =
             midpoints.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
         if (isNew) {
-            fine.vertices.emplace_back(
-                0.5 * mesh.vertices[index(a)] + 0.5 * mesh.vertices[index(b)]
-            );
+            fine.vertices.emplace_back(0.5 * mesh.vertices[a] + 0.5 * mesh.vertices[b]);
         }
         return entry->second;
     };
@@ -249,11 +248,11 @@ TriangleMesh renumbered(const TriangleMesh& mesh, std::uint64_t seed) {
     TriangleMesh result;
     std::vector<int> newVertices(mesh.vertices.size());
     for (const int old : oldVertices) {
-        newVertices[index(old)] = static_cast<int>(result.vertices.size());
-        result.vertices.push_back(mesh.vertices[index(old)]);
+        newVertices[old] = static_cast<int>(result.vertices.size());
+        result.vertices.push_back(mesh.vertices[old]);
     }
     for (const auto& [a, b, c] : mesh.faces) {
-        Triangle face{newVertices[index(a)], newVertices[index(b)], newVertices[index(c)]};
+        Triangle face{newVertices[a], newVertices[b], newVertices[c]};
         std::ranges::rotate(face, face.begin() + random.integer(0, 2));
         result.faces.push_back(face);
     }
@@ -272,7 +271,7 @@ TriangleMesh joined(const TriangleMesh& first, const TriangleMesh& second) {
 }
 
 TriangleMesh withFaceReversed(TriangleMesh mesh, int face) {
-    Triangle& corners = mesh.faces.at(index(face));
+    Triangle& corners = mesh.faces.at(face);
     std::swap(corners[1], corners[2]);
     return mesh;
 }
@@ -294,12 +293,11 @@ TriangleMesh bowTie() {
 TriangleMesh moebiusStrip(int segments) {
     TriangleMesh mesh;
     for (int i = 0; i < segments; ++i) {
-        const double around = 2.0 * std::numbers::pi * fraction(i, segments);
+        const double half = std::numbers::pi * fraction(i, segments);
         for (const double side : {-0.3, 0.3}) {
-            const double radius = 1.0 + side * std::cos(0.5 * around);
-            mesh.vertices.emplace_back(
-                radius * std::cos(around), radius * std::sin(around), side * std::sin(0.5 * around)
-            );
+            mesh.vertices.push_back(aroundAxis(
+                fraction(i, segments), 1.0 + side * std::cos(half), side * std::sin(half)
+            ));
         }
     }
     // After one round the two sides are swapped.

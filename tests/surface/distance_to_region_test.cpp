@@ -2,6 +2,7 @@
 #include "surface/distance_to_region.h"
 
 #include "support/meshes.h"
+#include "support/places.h"
 
 #include <gtest/gtest.h>
 
@@ -28,12 +29,7 @@ Region facesWithin(const Surface& surface, const Vec3& centre, double radius) {
 
 TEST(DistanceToRegion, IsExactBeforeAStraightEdge) {
     const Surface even(plate(20, 20));
-    Region column;
-    for (int f = 0; f < even.faceCount(); ++f) {
-        if (even.position({f, Vec3::Constant(1.0 / 3.0)}).x() < 0.05) {
-            column.push_back(f);
-        }
-    }
+    const Region column = facesWhere(even, [](const Vec3& p) { return p.x() < 0.05; });
     const std::vector<double> distances = distancesToRegion(even, column, 0.5);
     for (std::size_t v = 0; v < distances.size(); ++v) {
         const double expected = std::clamp(even.vertices()[v].x() - 0.05, 0.0, 0.5);
@@ -63,13 +59,9 @@ TEST(DistanceToRegion, IsWithinASeventhOutsideADisc) {
 TEST(DistanceToRegion, FollowsTheSurface) {
     // Round a thin box: the far side is near in space and far along the surface.
     const Surface surface(box(10, Vec3(1, 1, 0.02)));
-    Region top;
-    for (int f = 0; f < surface.faceCount(); ++f) {
-        const Vec3 middle = surface.position({f, Vec3::Constant(1.0 / 3.0)});
-        if (middle.z() > 0.0199 && (middle - Vec3(0.5, 0.5, 0.02)).norm() < 0.2) {
-            top.push_back(f);
-        }
-    }
+    const Region top = facesWhere(surface, [](const Vec3& p) {
+        return p.z() > 0.0199 && (p - Vec3(0.5, 0.5, 0.02)).norm() < 0.2;
+    });
     ASSERT_FALSE(top.empty());
     const std::vector<double> distances = distancesToRegion(surface, top, 0.25);
     for (std::size_t v = 0; v < distances.size(); ++v) {

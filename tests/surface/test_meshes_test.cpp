@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The meshes that all tests rely on are what they say.
 #include "support/meshes.h"
+#include "support/orientation.h"
 #include "support/random.h"
 #include "surface/surface.h"
 
@@ -41,18 +42,6 @@ double area(const TriangleMesh& mesh) {
     return 0.5 * twice;
 }
 
-/// Positive for closed meshes that are oriented outwards.
-double volume(const TriangleMesh& mesh) {
-    double sixfold = 0.0;
-    for (const auto& [a, b, c] : mesh.faces) {
-        const Vec3& first = mesh.vertices[a];
-        const Vec3& second = mesh.vertices[b];
-        const Vec3& third = mesh.vertices[c];
-        sixfold += first.dot(second.cross(third));
-    }
-    return sixfold / 6.0;
-}
-
 TEST(TestMeshes, HaveTheTopologyThatTheirNamesSay) {
     EXPECT_EQ(eulerCharacteristic(plate(5, 3)), 1);
     EXPECT_EQ(eulerCharacteristic(openCylinder(7, 3)), 0);
@@ -64,9 +53,9 @@ TEST(TestMeshes, HaveTheTopologyThatTheirNamesSay) {
 }
 
 TEST(TestMeshes, AreOrientedOutwards) {
-    EXPECT_NEAR(volume(icosphere(4, 2.0)), 32.0 / 3.0 * std::numbers::pi, 0.15);
-    EXPECT_NEAR(volume(torus(80, 40)), 2.0 * std::pow(std::numbers::pi * 0.3, 2), 0.02);
-    EXPECT_NEAR(volume(box(3, {1, 2, 3})), 6.0, 1e-12);
+    EXPECT_NEAR(volumeOf(icosphere(4, 2.0)), 32.0 / 3.0 * std::numbers::pi, 0.15);
+    EXPECT_NEAR(volumeOf(torus(80, 40)), 2.0 * std::pow(std::numbers::pi * 0.3, 2), 0.02);
+    EXPECT_NEAR(volumeOf(box(3, {1, 2, 3})), 6.0, 1e-12);
     EXPECT_EQ(Surface(plate(2, 2)).faceNormal(0), Vec3::UnitZ());
     EXPECT_NEAR(Surface(openCylinder(40, 2)).faceNormal(0)[0], 1.0, 0.01);
 }
@@ -101,7 +90,7 @@ TEST(TestMeshes, RenumberingKeepsAreaAndOrientation) {
     const TriangleMesh other = renumbered(mesh, 3);
     EXPECT_NE(other.faces, mesh.faces);
     EXPECT_NEAR(area(other), area(mesh), 1e-12);
-    EXPECT_NEAR(volume(other), volume(mesh), 1e-12);
+    EXPECT_NEAR(volumeOf(other), volumeOf(mesh), 1e-12);
 }
 
 TEST(TestMeshes, RandomMotionsAreRigid) {
