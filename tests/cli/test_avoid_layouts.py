@@ -7,7 +7,9 @@ from pathlib import Path
 
 import made_meshes as meshes
 import numpy as np
+import pytest
 
+pytestmark = pytest.mark.slow
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 
 

@@ -11,6 +11,7 @@ import pymeshlab
 import pytest
 from dask.distributed import Client, LocalCluster, get_task_stream
 
+pytestmark = pytest.mark.slow
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 MEASURED = ("seconds", "peak_memory_bytes")
 

@@ -14,6 +14,7 @@ import numpy as np
 import pymeshlab
 import pytest
 
+pytestmark = pytest.mark.slow
 SAMPLES = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
 
 
