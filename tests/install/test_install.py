@@ -82,9 +82,9 @@ def run(*command, **environment):
 
 
 def configure(source, build, *options):
-    """Without the headers of MeshLab, which scripts/fetch_meshlab keeps in the cache."""
-    run("cmake", "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *options,
-        XDG_CACHE_HOME=str(build))
+    """Where nothing but Eigen and TetGen can be found; scripts/fetch_meshlab keeps MeshLab's headers in the cache."""
+    foreign = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in FOREIGN]
+    run("cmake", "-S", source, "-B", build, "-G", "Ninja", *foreign, *options, XDG_CACHE_HOME=str(build))
 
 
 def write_consumer(folder, library, names=(*(name for name in HEADERS if name != "field.h"), "version.h")):
@@ -103,32 +103,53 @@ def write_consumer(folder, library, names=(*(name for name in HEADERS if name !=
 
 
 def build_and_run(source, build, *options):
-    """What the consumer prints, and the include paths and options that it was compiled with."""
+    """The example gives its curve, and was compiled with none of the library's own paths and options."""
     configure(source, build, *options)
     run("cmake", "--build", build)
-    includes, compile_options = (build / "definitions.txt").read_text().split("|")
     version, points = run(build / "consumer").split()
     assert version == re.search(r"project\(bspline_curve VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
     assert int(points) > 256
+    includes, compile_options = (build / "definitions.txt").read_text().split("|")
+    assert str(ROOT) not in includes.split(";")
     assert compile_options == ""
-    return includes.split(";")
 
 
 @pytest.fixture(scope="session")
-def prefix(tmp_path_factory):
-    """Where the core is installed; configured where nothing but Eigen and TetGen can be found."""
-    folder = tmp_path_factory.mktemp("install")
-    build = folder / "build"
-    configure(ROOT, build, *CORE_ALONE, *[f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in FOREIGN])
-    run("cmake", "--build", build)
-    run("cmake", "--install", build, "--prefix", folder / "prefix")
-    return folder / "prefix"
+def subdirectory(tmp_path_factory):
+    """The build of a project that has the library as a subdirectory; quick to compile, not optimised."""
+    folder = tmp_path_factory.mktemp("subdirectory")
+    write_consumer(folder / "consumer", f"add_subdirectory({ROOT} library)")
+    build_and_run(folder / "consumer", folder / "build", "-DBSPLINE_CURVE_INSTALL=ON")
+    return folder / "build"
 
 
-def test_an_installed_library_is_found_and_runs_the_example_of_the_readme(prefix, tmp_path):
+@pytest.fixture(scope="session")
+def prefix(subdirectory, tmp_path_factory):
+    """Where the core is installed, without fields."""
+    prefix = tmp_path_factory.mktemp("install") / "prefix"
+    run("cmake", "--install", subdirectory, "--prefix", prefix)
+    return prefix
+
+
+def test_as_a_subdirectory_it_builds_the_core_alone(subdirectory):
+    built = {path.name for path in subdirectory.rglob("*.a")} | {path.name for path in subdirectory.rglob("*.so")}
+    assert built == {"libbspline_curve_core.a"}
+
+
+def test_as_a_subdirectory_it_installs_nothing_unasked(tmp_path):
+    write_consumer(tmp_path / "consumer", f"add_subdirectory({ROOT} library)")
+    configure(tmp_path / "consumer", tmp_path / "build")
+    assert not (tmp_path / "build" / "library" / "bspline_curve-config.cmake").exists()
+
+
+def test_the_core_is_configured_with_eigen_and_tetgen_alone(tmp_path):
+    configure(ROOT, tmp_path / "build", *CORE_ALONE)
+    assert (tmp_path / "build" / "bspline_curve-config.cmake").exists()
+
+
+def test_an_installed_core_is_found_and_runs_the_example_of_the_readme(prefix, tmp_path):
     write_consumer(tmp_path / "consumer", "find_package(bspline_curve 0.1 REQUIRED COMPONENTS core)")
-    includes = build_and_run(tmp_path / "consumer", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
-    assert str(ROOT) not in includes
+    build_and_run(tmp_path / "consumer", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
 
 
 def test_an_installation_holds_the_library_and_public_headers_alone(prefix):
@@ -142,20 +163,9 @@ def test_an_installation_holds_the_library_and_public_headers_alone(prefix):
 
 
 def test_a_component_that_was_not_built_is_refused(prefix, tmp_path):
-    write_consumer(tmp_path / "consumer", "find_package(bspline_curve REQUIRED COMPONENTS field)")
-    with pytest.raises(AssertionError, match="field"):
+    write_consumer(tmp_path / "consumer", "find_package(bspline_curve REQUIRED COMPONENTS core field)")
+    with pytest.raises(AssertionError, match="without the component field"):
         configure(tmp_path / "consumer", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
-
-
-def test_as_a_subdirectory_it_builds_the_core_alone(tmp_path):
-    write_consumer(tmp_path / "consumer", f"add_subdirectory({ROOT} library)")
-    build = tmp_path / "build"
-    includes = build_and_run(
-        tmp_path / "consumer", build, *[f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in FOREIGN])
-    assert str(ROOT) not in includes
-    built = {path.name for path in build.rglob("*.a")} | {path.name for path in build.rglob("*.so")}
-    assert built == {"libbspline_curve_core.a"}
-    assert "bspline_curve-config.cmake" not in {path.name for path in build.rglob("*.cmake")}
 
 
 def test_fields_are_a_component_of_a_build_that_has_them(tmp_path, build_folder):
