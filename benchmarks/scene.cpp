@@ -22,16 +22,6 @@ constexpr double kNoise = 0.05;     // of an edge, along each axis
 constexpr double kEdge = 1.1;       // of an icosahedron in the unit sphere; halves with each split
 constexpr std::uint64_t kSeed = 7;
 
-// Near these the picks lie, in this order.
-const std::vector<Vec3> kPickDirections = {
-    {1.0, 0.0, 0.3},
-    {0.5, 0.9, -0.2},
-    {-0.5, 0.9, 0.4},
-    {-1.0, 0.0, -0.3},
-    {-0.5, -0.9, 0.2},
-    {0.5, -0.9, -0.4}
-};
-
 Vec3 vertexTowards(const TriangleMesh& mesh, const Vec3& direction) {
     return *std::ranges::max_element(mesh.vertices, {}, [&](const Vec3& v) {
         return v.normalized().dot(direction);
@@ -39,9 +29,16 @@ Vec3 vertexTowards(const TriangleMesh& mesh, const Vec3& direction) {
 }
 
 std::vector<Vec3> picksOn(const TriangleMesh& mesh) {
-    std::vector<Vec3> picks;
-    for (const Vec3& direction : kPickDirections) {
-        picks.push_back(vertexTowards(mesh, direction));
+    std::vector<Vec3> picks = {
+        {1.0, 0.0, 0.3},
+        {0.5, 0.9, -0.2},
+        {-0.5, 0.9, 0.4},
+        {-1.0, 0.0, -0.3},
+        {-0.5, -0.9, 0.2},
+        {0.5, -0.9, -0.4}
+    };
+    for (Vec3& pick : picks) {
+        pick = vertexTowards(mesh, pick);
     }
     return picks;
 }

@@ -76,7 +76,7 @@ inline void SpanMoments::addForce(double tau, const Vec3& force) {
 }
 
 inline void SpanMoments::addMatrix(double tau, const SymmetricMatrix& matrix) {
-    const auto n = static_cast<std::size_t>(2 * degree_);
+    const std::size_t n = 2 * degree_;
     const Powers power = powers(tau, n);
     for (std::size_t k = 0; k <= n; ++k) {
         for (std::size_t e = 0; e < matrix.size(); ++e) {
