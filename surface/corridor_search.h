@@ -12,8 +12,8 @@
 
 namespace bspline_curve {
 
-/// In a corridor the rest of a way is taken to be longer by this, as it is over midpoints and
-/// centres: far fewer of them are looked at, and the path is straightened in the end anyway.
+/// In a corridor the rest of a way is taken to be longer by this factor, as it is over midpoints
+/// and centres: far fewer of them are looked at, and the path is straightened in the end anyway.
 inline constexpr double kCorridorEstimate = 1.25;
 
 /// Finds corridors: the patches around a cheap way between two points. The way is sought among the
@@ -56,16 +56,6 @@ private:
         int before;  // the patch before, or -1
     };
 
-    struct Offer {
-        double estimate;  // of the whole way
-        double cost;
-        int patch;
-
-        bool operator>(const Offer& other) const {
-            return estimate != other.estimate ? estimate > other.estimate : patch > other.patch;
-        }
-    };
-
     // Where a way begins or ends, and the patches that hold it, one of each level.
     struct End {
         Vec3 position;
@@ -87,7 +77,7 @@ private:
     std::vector<int> way_;                  // and those that its way leads over, from the goal on
     std::size_t levelOfWay_ = 0;            // where it is a long one
     SparseMap<Arrival> arrivals_;
-    std::vector<Offer> queue_;  // a heap
+    OfferQueue queue_;
     std::size_t explored_ = 0;
 };
 

@@ -36,74 +36,54 @@ double behindEdge(const Reached& a, const Reached& b, const Vec3& c) {
                : std::numeric_limits<double>::infinity();
 }
 
-class Marcher {
-public:
-    Marcher(const Surface& surface, double reach)
-        : surface_(surface),
-          distances_(surface.vertices().size(), reach),
-          isFinal_(surface.vertices().size(), 0) {}
-
-    std::vector<double> marchFrom(const Region& region) {
-        for (const int f : region) {
-            for (const int v : surface_.faces()[f]) {
-                offer(v, 0.0);
-            }
-        }
-        while (!queue_.empty()) {
-            const int v = queue_.top().second;
-            queue_.pop();
-            if (isFinal_[v] != 0) {
-                continue;
-            }
-            isFinal_[v] = 1;
-            for (const int f : surface_.facesAround(v)) {
-                pass(surface_.faces()[f], v);
-            }
-        }
-        return std::move(distances_);
-    }
-
-private:
-    using Entry = std::pair<double, int>;
-
-    [[nodiscard]] Reached reached(int v) const { return {surface_.vertices()[v], distances_[v]}; }
-
-    void offer(int v, double distance) {
-        if (distance < distances_[v]) {
-            distances_[v] = distance;
-            queue_.emplace(distance, v);
-        }
-    }
-
-    // From a vertex along the edges of a face, and through the face where another is known.
-    void pass(const Triangle& face, int v) {
-        const std::size_t k = (cornerOf(face, v));
-        const std::array<int, 2> others = {face[(k + 1) % 3], face[(k + 2) % 3]};
-        for (std::size_t i = 0; i < 2; ++i) {
-            const int target = others[i];
-            const int known = others[1 - i];
-            if (isFinal_[target] != 0) {
-                continue;
-            }
-            const Vec3& position = surface_.vertices()[target];
-            const Reached here = reached(v);
-            offer(target, here.distance + (position - here.position).norm());
-            if (isFinal_[known] != 0) {
-                offer(target, behindEdge(here, reached(known), position));
-            }
-        }
-    }
-
-    const Surface& surface_;
-    std::vector<double> distances_;
-    std::vector<char> isFinal_;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-};
-
 }  // namespace
 
 std::vector<double> distancesToRegion(const Surface& surface, const Region& region, double reach) {
-    return Marcher(surface, reach).marchFrom(region);
+    std::vector<double> distances(surface.vertices().size(), reach);
+    std::vector<char> isFinal(surface.vertices().size(), 0);
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    const auto offer = [&](int v, double distance) {
+        if (distance < distances[v]) {
+            distances[v] = distance;
+            queue.emplace(distance, v);
+        }
+    };
+    const auto reached = [&](int v) { return Reached{surface.vertices()[v], distances[v]}; };
+    // From a vertex along an edge, and through the face behind it where its other vertex is known.
+    const auto pass = [&](int from, int target, int other) {
+        if (isFinal[target] != 0) {
+            return;
+        }
+        const Vec3& position = surface.vertices()[target];
+        const Reached here = reached(from);
+        offer(target, here.distance + (position - here.position).norm());
+        if (isFinal[other] != 0) {
+            offer(target, behindEdge(here, reached(other), position));
+        }
+    };
+
+    for (const int f : region) {
+        for (const int v : surface.faces()[f]) {
+            offer(v, 0.0);
+        }
+    }
+    while (!queue.empty()) {
+        const int v = queue.top().second;
+        queue.pop();
+        if (std::exchange(isFinal[v], 1) != 0) {
+            continue;
+        }
+        for (const int f : surface.facesAround(v)) {
+            const Triangle& face = surface.faces()[f];
+            const int k = cornerOf(face, v);
+            const int a = face[(k + 1) % 3];
+            const int b = face[(k + 2) % 3];
+            pass(v, a, b);
+            pass(v, b, a);
+        }
+    }
+    return distances;
 }
 
 }  // namespace bspline_curve

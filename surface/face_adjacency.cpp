@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/face_adjacency.h"
 
+#include "bspline_curve/error.h"
 #include "surface/error_messages.h"
+#include "surface/half_edges.h"
+#include "utility/disjoint_sets.h"
 #include "utility/index_sets.h"
 #include "utility/large_array.h"
 #include "utility/worker_task.h"
 
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace bspline_curve {
 
-// Notation: half-edge h = 3 f + k is the edge of face f opposite to its vertex k, directed from
-// vertex k + 1 to vertex k + 2 (cyclic). The low and the high vertex of an edge are the smaller and
-// the larger index.
+// The low and the high vertex of an edge are the smaller and the larger index.
 
 namespace {
 
@@ -32,10 +34,6 @@ constexpr int previous(int k) {
     return k == 0 ? 2 : k - 1;
 }
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// A face at a vertex, seen from there.
 struct Corner {
     int next;      ///< the face's vertex after this one
@@ -45,13 +43,13 @@ struct Corner {
 };
 
 Corner cornerAt(const TriangleMesh& mesh, int face, int vertex) {
-    const Triangle& corners = mesh.faces[index(face)];
+    const Triangle& corners = mesh.faces[face];
     // Without a branch, since which corner of a face a vertex is is past predicting.
     const int k =
         static_cast<int>(corners[1] == vertex) + 2 * static_cast<int>(corners[2] == vertex);
     return {
-        .next = corners[index(next(k))],
-        .previous = corners[index(previous(k))],
+        .next = corners[next(k)],
+        .previous = corners[previous(k)],
         .face = face,
         .edge = next(k),
     };
@@ -104,54 +102,40 @@ private:
 
     /// Puts any fan in order, in O(n log n).
     Fan search(std::span<Corner> corners) {
-        if (!findSuccessors(corners)) {
-            return Fan::None;
+        byNext_.assign(corners.begin(), corners.end());
+        std::ranges::sort(byNext_, {}, &Corner::next);
+        if (std::ranges::adjacent_find(byNext_, {}, &Corner::next) != byNext_.end()) {
+            return Fan::None;  // two leave the vertex by the same edge
         }
-        const auto unfollowing = std::ranges::find(hasPredecessor_, 0);
-        const bool isOpen = unfollowing != hasPredecessor_.end();
-        const int first = isOpen ? static_cast<int>(unfollowing - hasPredecessor_.begin()) : 0;
-        ordered_.clear();
-        int corner = first;
-        do {
-            ordered_.push_back(corners[index(corner)]);
-            corner = successors_[index(corner)];
-        } while (corner >= 0 && corner != first && ordered_.size() < corners.size());
-        if (ordered_.size() < corners.size() || corner != (isOpen ? -1 : first)) {
-            return Fan::None;
+        previous_.clear();
+        for (const Corner& corner : corners) {
+            previous_.push_back(corner.previous);
         }
-        std::ranges::copy(ordered_, corners.begin());
-        return isOpen ? Fan::Open : closed(corners);
-    }
-
-    /// Finds the corner that leaves the vertex by the edge by which another comes, or -1; false
-    /// where two leave by the same edge.
-    bool findSuccessors(std::span<const Corner> corners) {
-        using Leaving = std::pair<int, int>;
-        leaving_.clear();
-        for (std::size_t j = 0; j < corners.size(); ++j) {
-            leaving_.emplace_back(corners[j].next, static_cast<int>(j));
-        }
-        std::ranges::sort(leaving_);
-        if (std::ranges::adjacent_find(leaving_, {}, &Leaving::first) != leaving_.end()) {
-            return false;
-        }
-        successors_.assign(corners.size(), -1);
-        hasPredecessor_.assign(corners.size(), 0);
+        std::ranges::sort(previous_);
+        const auto first = std::ranges::find_if(corners, [this](const Corner& corner) {
+            return !std::ranges::binary_search(previous_, corner.next);
+        });
+        const bool isOpen = first != corners.end();
+        Corner corner = isOpen ? *first : corners.front();
+        const int begin = corner.next;
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            const int vertex = corners[i].previous;
-            const auto found = std::ranges::lower_bound(leaving_, vertex, {}, &Leaving::first);
-            if (found != leaving_.end() && found->first == vertex) {
-                successors_[i] = found->second;
-                hasPredecessor_[index(found->second)] = 1;
+            corners[i] = corner;
+            const auto successor =
+                std::ranges::lower_bound(byNext_, corner.previous, {}, &Corner::next);
+            const bool isLast = i + 1 == corners.size();
+            if (successor == byNext_.end() || successor->next != corner.previous) {
+                return isOpen && isLast ? Fan::Open : Fan::None;
+            }
+            corner = *successor;
+            if (corner.next == begin && !isLast) {
+                return Fan::None;
             }
         }
-        return true;
+        return isOpen ? Fan::None : closed(corners);
     }
 
-    std::vector<std::pair<int, int>> leaving_;  // vertex after the corner, corner
-    std::vector<int> successors_;
-    std::vector<char> hasPredecessor_;
-    std::vector<Corner> ordered_;
+    std::vector<Corner> byNext_;
+    std::vector<int> previous_;
 };
 
 /// What joining finds at a range of vertices, beside what it writes.
@@ -172,7 +156,7 @@ public:
         // An open fan has one edge more than faces. What is not used of the room is never touched.
         reserveLarge(
             findings_.edgeLengths,
-            index(offset(lastVertex) - offset(firstVertex) + lastVertex - firstVertex)
+            offset(lastVertex) - offset(firstVertex) + lastVertex - firstVertex
         );
         // Block by block: loops that do little per vertex wait for several vertices' memory at
         // once, and the corners of a block stay in the cache.
@@ -185,7 +169,7 @@ public:
                 joinAt(
                     v,
                     std::span(corners_).subspan(
-                        index(offset(v) - offset(first)), index(offset(v + 1) - offset(v))
+                        offset(v) - offset(first), offset(v + 1) - offset(v)
                     )
                 );
             }
@@ -200,18 +184,16 @@ private:
         int high;
     };
 
-    [[nodiscard]] int offset(int vertex) const {
-        return adjacency_.facesAround.offsets[index(vertex)];
-    }
+    [[nodiscard]] int offset(int vertex) const { return adjacency_.facesAround.offsets[vertex]; }
 
     void gatherCorners(int first, int last) {
-        corners_.resize(index(offset(last) - offset(first)));
+        corners_.resize(offset(last) - offset(first));
         // An edge per corner, and one more at an open fan.
-        edges_.resize(corners_.size() + index(last - first));
+        edges_.resize(corners_.size() + last - first);
         const int* face = adjacency_.facesAround.faces.data() + offset(first);
         std::size_t filled = 0;
         for (int v = first; v < last; ++v) {
-            for (const int end = offset(v + 1) - offset(first); filled < index(end); ++filled) {
+            for (const std::size_t end = offset(v + 1) - offset(first); filled < end; ++filled) {
                 corners_[filled] = cornerAt(mesh_, *face++, v);
             }
         }
@@ -227,7 +209,7 @@ private:
             return;
         }
         const bool isOpen = fan == FanOrder::Fan::Open;
-        adjacency_.isBoundary[index(vertex)] = static_cast<char>(isOpen);
+        adjacency_.isBoundary[vertex] = static_cast<char>(isOpen);
         int* around = adjacency_.facesAround.faces.data() + offset(vertex);
         for (std::size_t i = 0; i < corners.size(); ++i) {
             around[i] = corners[i].face;
@@ -240,7 +222,7 @@ private:
     }
 
     [[nodiscard]] int& neighbourAt(const Corner& corner) {
-        return adjacency_.neighbours[index(corner.face)][index(corner.edge)];
+        return adjacency_.neighbours[corner.face][corner.edge];
     }
 
     /// Lists the edges that have their low vertex here, by their high vertex.
@@ -263,7 +245,7 @@ private:
     void measureEdges() {
         for (const Edge& edge : std::span(edges_).first(edgeCount_)) {
             findings_.edgeLengths.push_back(
-                (mesh_.vertices[index(edge.low)] - mesh_.vertices[index(edge.high)]).norm()
+                (mesh_.vertices[edge.low] - mesh_.vertices[edge.high]).norm()
             );
         }
     }
@@ -277,118 +259,57 @@ private:
     std::size_t edgeCount_ = 0;
 };
 
-struct EdgeEntry {
-    int highVertex;
-    int halfEdge;
-    auto operator<=>(const EdgeEntry&) const = default;
-};
-
-/// Calls visit(entries) once per undirected edge that has its low vertex here, with all its
-/// half-edges, ascending.
-template <class Visitor>
-void forEachEdgeAt(
-    const TriangleMesh& mesh, int vertex, std::span<const int> faces, const Visitor& visit
-) {
-    std::vector<EdgeEntry> entries;
-    for (const int face : faces) {
-        const Corner corner = cornerAt(mesh, face, vertex);
-        if (corner.previous > vertex) {
-            entries.push_back({.highVertex = corner.previous, .halfEdge = 3 * face + corner.edge});
-        }
-        if (corner.next > vertex) {
-            const int edge = next(corner.edge);
-            entries.push_back({.highVertex = corner.next, .halfEdge = 3 * face + edge});
-        }
-    }
-    std::ranges::sort(entries);
-    for (std::size_t first = 0; first < entries.size();) {
-        std::size_t last = first + 1;
-        while (last < entries.size() && entries[last].highVertex == entries[first].highVertex) {
-            ++last;
-        }
-        visit(std::span<const EdgeEntry>(entries).subspan(first, last - first));
-        first = last;
-    }
-}
-
 /// The edges with one kind of defect, and their faces.
 struct BadEdges {
     std::size_t count = 0;
     Elements faces;
 
-    void add(std::span<const EdgeEntry> edge) {
+    void add(std::span<const HalfEdge> edge) {
         ++count;
-        for (const EdgeEntry& entry : edge) {
-            faces.push_back(entry.halfEdge / 3);
+        for (const HalfEdge& halfEdge : edge) {
+            faces.push_back(halfEdge.face);
         }
     }
 
-    [[nodiscard]] Elements sortedFaces() const {
-        Elements sorted = faces;
-        sortUnique(sorted);
-        return sorted;
+    void refuse(InputErrorCode code, const std::string& what, const std::string& remedy) {
+        if (count > 0) {
+            sortUnique(faces);
+            refuseElements(
+                code,
+                describeCount(count, "edge joins ", "edges join ") + what,
+                "faces",
+                std::move(faces),
+                remedy
+            );
+        }
     }
 };
 
-int tailOf(const TriangleMesh& mesh, int halfEdge) {
-    return mesh.faces[index(halfEdge / 3)][index(next(halfEdge % 3))];
-}
-
-int oppositeOf(const TriangleMesh& mesh, int halfEdge) {
-    return mesh.faces[index(halfEdge / 3)][index(halfEdge % 3)];
-}
-
-/// Throws what is wrong with a mesh that has suspects: bad edges, which have both their vertices
-/// among them, or, where no edge is bad, the vertices themselves.
-[[noreturn]] void refuseSuspects(
-    const TriangleMesh& mesh, const VertexFaces& facesAt, std::span<const int> suspects
-) {
+/// Throws what is wrong with a mesh that has suspects: bad edges, or, where no edge is bad, the
+/// vertices themselves.
+[[noreturn]] void refuseSuspects(const TriangleMesh& mesh, const std::vector<int>& suspects) {
     BadEdges crowded;
     BadEdges opposed;
-    const auto classify = [&](std::span<const EdgeEntry> edge) {
-        if (edge.size() == 1) {
-            return;
-        }
-        const int g = edge[0].halfEdge;
-        const int h = edge[1].halfEdge;
-        if (edge.size() > 2 || oppositeOf(mesh, g) == oppositeOf(mesh, h)) {
+    forEachEdge(sortedHalfEdges(mesh.faces), [&](std::span<const HalfEdge> edge) {
+        const auto apex = [&](std::size_t i) { return mesh.faces[edge[i].face][edge[i].k]; };
+        if (edge.size() > 2 || (edge.size() == 2 && apex(0) == apex(1))) {
             crowded.add(edge);
-        } else if (tailOf(mesh, g) == tailOf(mesh, h)) {
+        } else if (edge.size() == 2 && areParallel(mesh.faces, edge[0], edge[1])) {
             opposed.add(edge);
         }
-    };
-    for (const int vertex : suspects) {
-        const int first = facesAt.offsets[index(vertex)];
-        const int last = facesAt.offsets[index(vertex) + 1];
-        forEachEdgeAt(
-            mesh,
-            vertex,
-            std::span(facesAt.faces).subspan(index(first), index(last - first)),
-            classify
-        );
-    }
-    if (crowded.count > 0) {
-        refuseElements(
-            InputErrorCode::NonManifoldEdge,
-            describeCount(crowded.count, "edge joins", "edges join") +
-                " more than two faces, or two copies of one face",
-            "faces",
-            crowded.sortedFaces(),
-            "remove some with MeshLab's filters 'Remove Duplicate Faces' and 'Repair non Manifold "
-            "Edges'"
-        );
-    }
-    if (opposed.count > 0) {
-        refuseElements(
-            InputErrorCode::InconsistentOrientation,
-            describeCount(opposed.count, "edge joins", "edges join") +
-                " faces that are turned opposite ways",
-            "faces",
-            opposed.sortedFaces(),
-            "turn them with MeshLab's filter 'Re-Orient all faces coherently'; if that does not "
-            "help, the mesh is one-sided like a Moebius strip, so cut it open first"
-        );
-    }
+    });
+    crowded.refuse(
+        InputErrorCode::NonManifoldEdge,
+        "more than two faces, or two copies of one face",
+        "remove some with MeshLab's filters 'Remove Duplicate Faces' and 'Repair non Manifold "
+        "Edges'"
+    );
+    opposed.refuse(
+        InputErrorCode::InconsistentOrientation,
+        "faces that are turned opposite ways",
+        "turn them with MeshLab's filter 'Re-Orient all faces coherently'; if that does not help, "
+        "the mesh is one-sided like a Moebius strip, so cut it open first"
+    );
     refuseElements(
         InputErrorCode::NonManifoldVertex,
         describeCount(suspects.size(), "vertex joins", "vertices join") +
@@ -399,16 +320,6 @@ int oppositeOf(const TriangleMesh& mesh, int halfEdge) {
     );
 }
 
-/// First of the faces that a chain of smaller and smaller ones leads to; halves the chain.
-int firstOf(std::vector<int>& smaller, int face) {
-    while (smaller[index(face)] != face) {
-        int& parent = smaller[index(face)];
-        parent = smaller[index(parent)];
-        face = parent;
-    }
-    return face;
-}
-
 }  // namespace
 
 VertexFaces listFacesAtVertices(const TriangleMesh& mesh) {
@@ -417,18 +328,14 @@ VertexFaces listFacesAtVertices(const TriangleMesh& mesh) {
     listed.offsets = makeLarge(mesh.vertices.size() + 1, 0);
     for (const Triangle& face : mesh.faces) {
         for (const int vertex : face) {
-            ++listed.offsets[index(vertex)];
+            ++listed.offsets[vertex];
         }
     }
-    int end = 0;
-    for (int& offset : listed.offsets) {
-        end += offset;
-        offset = end;
-    }
+    std::partial_sum(listed.offsets.begin(), listed.offsets.end(), listed.offsets.begin());
     listed.faces = makeLarge(3 * mesh.faces.size(), 0);
     for (std::size_t f = mesh.faces.size(); f-- > 0;) {
         for (const int vertex : mesh.faces[f]) {
-            listed.faces[index(--listed.offsets[index(vertex)])] = static_cast<int>(f);
+            listed.faces[--listed.offsets[vertex]] = static_cast<int>(f);
         }
     }
     return listed;
@@ -464,38 +371,23 @@ FaceAdjacency joinFaces(const TriangleMesh& mesh, VertexFaces listed) {
         edgeCount += found.edgeLengths.size();
     }
     if (!suspects.empty()) {
-        refuseSuspects(mesh, adjacency.facesAround, suspects);
+        refuseSuspects(mesh, suspects);
     }
     adjacency.averageEdgeLength = lengthSum / static_cast<double>(edgeCount);
     return adjacency;
 }
 
-FaceComponents labelComponents(const std::vector<Triangle>& neighbours) {
-    FaceComponents components;
-    std::vector<int>& componentOf = components.componentOf;
-    componentOf = makeLarge(neighbours.size(), 0);
-
-    // Step 1: unite, in order of the faces; each leads to itself or to a smaller one of its
-    // component, at last to the first.
+std::pair<std::vector<int>, int> labelComponents(const std::vector<Triangle>& neighbours) {
+    DisjointSets sets(neighbours.size());
     for (int face = 0; face < static_cast<int>(neighbours.size()); ++face) {
-        int first = face;
-        componentOf[index(face)] = face;
-        for (const int neighbour : neighbours[index(face)]) {
-            if (neighbour < 0 || neighbour > face) {
-                continue;
+        int lowest = face;
+        for (const int neighbour : neighbours[face]) {
+            if (neighbour >= 0 && neighbour < face) {
+                lowest = sets.unite(lowest, neighbour);
             }
-            const int other = firstOf(componentOf, neighbour);
-            componentOf[index(std::max(first, other))] = std::min(first, other);
-            first = std::min(first, other);
         }
     }
-
-    // Step 2: number; the face that another leads to has its number already.
-    for (int face = 0; face < static_cast<int>(neighbours.size()); ++face) {
-        int& component = componentOf[index(face)];
-        component = component == face ? components.count++ : componentOf[index(component)];
-    }
-    return components;
+    return std::move(sets).numbered();
 }
 
 }  // namespace bspline_curve

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/mesh.h"
 
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -36,13 +37,11 @@ struct FaceAdjacency {
 /// checkFacesHaveArea accepts.
 [[nodiscard]] FaceAdjacency joinFaces(const TriangleMesh& mesh, VertexFaces listed);
 
-struct FaceComponents {
-    std::vector<int> componentOf;  ///< #F, numbered from 0 in order of their first faces
-    int count = 0;
-};
-
-/// Connected components of the faces across edges. O(n log n) at worst, O(n) where faces that are
-/// near in space are near in number.
-[[nodiscard]] FaceComponents labelComponents(const std::vector<Triangle>& neighbours);
+/// Connected components of the faces across edges: the component of each face, numbered from 0 in
+/// order of their first faces, and how many there are. O(n log n) at worst, O(n) where faces that
+/// are near in space are near in number.
+[[nodiscard]] std::pair<std::vector<int>, int> labelComponents(
+    const std::vector<Triangle>& neighbours
+);
 
 }  // namespace bspline_curve

@@ -1,12 +1,372 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/geodesic_path.h"
 
-#include "surface/strip_route.h"
+#include "surface/strip_unfolding.h"
 #include "surface/surface_point.h"
+#include "utility/index_sets.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <span>
 #include <utility>
 
 namespace bspline_curve {
+namespace {
+
+// A new path must be shorter by this share to count as shorter.
+constexpr double kShorter = 1e-12;
+// A path that bends less than this at a vertex counts as straight (radians).
+constexpr double kStraight = 1e-9;
+
+using Strip = std::vector<int>;
+
+std::ptrdiff_t step(std::size_t index) {
+    return static_cast<std::ptrdiff_t>(index);
+}
+
+// The angle that the surface has at a vertex: 2 pi in the plane.
+double totalAngle(const Surface& surface, int vertex) {
+    double sum = 0.0;
+    const Vec3& p = surface.vertices()[vertex];
+    for (const int f : surface.facesAround(vertex)) {
+        const Triangle& face = surface.faces()[f];
+        const int k = cornerOf(face, vertex);
+        const Vec3 a = surface.vertices()[face[(k + 1) % 3]] - p;
+        const Vec3 b = surface.vertices()[face[(k + 2) % 3]] - p;
+        sum += std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+    return sum;
+}
+
+// Removes detours: a face that follows itself, and spikes f g f.
+void removeSpikes(Strip& strip) {
+    Strip clean;
+    clean.reserve(strip.size());
+    for (const int face : strip) {
+        if (clean.size() >= 2 && clean[clean.size() - 2] == face) {
+            clean.pop_back();
+        } else if (clean.empty() || clean.back() != face) {
+            clean.push_back(face);
+        }
+    }
+    strip.swap(clean);
+}
+
+// Pulls the way in a strip tight: wherever the path bends round a vertex whose other side is
+// cheaper, the strip is moved to that side, until none is left. The strip leads from one of the
+// faces that hold the start to one that holds the goal.
+class Straightener {
+public:
+    Straightener(
+        const Surface& surface,
+        KnownCosts& costs,
+        Strip strip,
+        const SurfacePoint& start,
+        const SurfacePoint& goal
+    )
+        : surface_(surface),
+          costs_(costs),
+          start_{-1, start, costs.openFacesHolding(surface, start)},
+          goal_{-1, goal, costs.openFacesHolding(surface, goal)},
+          strip_(std::move(strip)) {
+        pullTight();
+    }
+
+    // A corner of the path is judged between the corners before and after it, and all that are to
+    // move and do not touch each other move at once, so that a try costs as much as the way between
+    // three corners is long. Each accepted move makes the path cheaper, and each refused one
+    // settles a corner, so this ends.
+    std::vector<SurfacePoint> run() {
+        while (true) {
+            std::vector<Move> moves = cheaperSides();
+            if (moves.empty()) {
+                return points();
+            }
+            if (!apply(moves)) {
+                // Corners change when others move. The sharpest one alone is cheaper unless it was
+                // not the way between its neighbours that was the shortest.
+                moves.resize(1);
+                if (!apply(moves)) {
+                    settled_.push_back(moves.front().corner);
+                }
+            }
+        }
+    }
+
+private:
+    // Where the way between two corners begins or ends.
+    struct End {
+        int vertex;  // of a corner, or -1
+        SurfacePoint point;
+        std::vector<int> faces;  // open ones that hold the point, unless it is a corner
+    };
+
+    // A corner, by its vertex and those of its neighbours.
+    struct Corner {
+        int before, vertex, after;
+
+        friend bool operator==(const Corner&, const Corner&) = default;
+    };
+
+    // The part of the way from the corner before a corner to the one after it.
+    struct Window {
+        std::size_t first, last;  // faces, in the strip
+        std::size_t portal;       // of the corner, in the strip
+        End before, after;
+        Corner corner;
+    };
+
+    // What a part of the strip is to become.
+    struct Move {
+        Corner corner;
+        std::size_t first, last;
+        Strip faces;
+    };
+
+    // The start, a point on each edge that the path crosses, and the goal.
+    [[nodiscard]] std::vector<SurfacePoint> points() const {
+        std::vector<SurfacePoint> points{inFace(surface_, start_.point, strip_.front())};
+        for (std::size_t i = 0; i + 1 < strip_.size(); ++i) {
+            const Triangle& corners = surface_.faces()[strip_[i]];
+            SurfacePoint point{strip_[i], Vec3::Zero()};
+            point.barycentric[cornerOf(corners, path_.lefts[i])] = 1.0 - path_.crossings[i];
+            point.barycentric[cornerOf(corners, path_.rights[i])] = path_.crossings[i];
+            points.push_back(point);
+        }
+        points.push_back(inFace(surface_, goal_.point, strip_.back()));
+        return points;
+    }
+
+    void pullTight() {
+        trim(strip_, start_, goal_);
+        path_ = pathIn(strip_, start_, goal_);
+        cost_ = costOf(strip_, path_, 0, start_, goal_);
+    }
+
+    [[nodiscard]] StripPath pathIn(const Strip& strip, const End& from, const End& to) const {
+        return shortestPathInStrip(
+            surface_,
+            strip,
+            inFace(surface_, from.point, strip.front()),
+            inFace(surface_, to.point, strip.back())
+        );
+    }
+
+    // Of the part of a path in some faces, of which the first is followed by a portal.
+    [[nodiscard]] double costOf(
+        std::span<const int> faces,
+        const StripPath& path,
+        std::size_t portal,
+        const End& from,
+        const End& to
+    ) {
+        double cost = 0.0;
+        Vec3 here = surface_.position(from.point);
+        for (std::size_t i = 0; i < faces.size(); ++i, ++portal) {
+            const bool isLast = i + 1 == faces.size();
+            const Vec3 next = isLast ? surface_.position(to.point) : crossing(path, portal);
+            cost += costs_.of(faces[i]) * (next - here).norm();
+            here = next;
+        }
+        return cost;
+    }
+
+    [[nodiscard]] Vec3 crossing(const StripPath& path, std::size_t portal) const {
+        const double s = path.crossings[portal];
+        return (1.0 - s) * surface_.vertices()[path.lefts[portal]] +
+               s * surface_.vertices()[path.rights[portal]];
+    }
+
+    [[nodiscard]] std::vector<std::size_t> sharpestFirst() const {
+        std::vector<std::size_t> order;
+        for (std::size_t c = 0; c < path_.corners.size(); ++c) {
+            if (path_.corners[c].bend > kStraight) {
+                order.push_back(c);
+            }
+        }
+        std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t c) {
+            return path_.corners[c].bend;
+        });
+        return order;
+    }
+
+    [[nodiscard]] End endAt(int vertex) const {
+        const int face = *surface_.facesAround(vertex).begin();
+        return {vertex, {face, Vec3::Unit(cornerOf(surface_.faces()[face], vertex))}, {}};
+    }
+
+    [[nodiscard]] Window windowAt(std::size_t c) const {
+        const std::vector<StripPath::Corner>& corners = path_.corners;
+        const bool isFirst = c == 0;
+        const bool isLast = c + 1 == corners.size();
+        Window window{
+            .first = isFirst ? 0 : corners[c - 1].portal + 1,
+            .last = isLast ? strip_.size() - 1 : corners[c + 1].portal,
+            .portal = corners[c].portal,
+            .before = isFirst ? start_ : endAt(corners[c - 1].vertex),
+            .after = isLast ? goal_ : endAt(corners[c + 1].vertex),
+            .corner = {},
+        };
+        window.corner = {window.before.vertex, corners[c].vertex, window.after.vertex};
+        return window;
+    }
+
+    // Moves round corners that are no neighbours, the sharpest first.
+    std::vector<Move> cheaperSides() {
+        std::vector<Move> moves;
+        // Of corner c at c + 1.
+        std::vector<char> isMoved(path_.corners.size() + 2, 0);
+        for (const std::size_t c : sharpestFirst()) {
+            if (isMoved[c] != 0 || isMoved[c + 2] != 0) {
+                continue;
+            }
+            const Window window = windowAt(c);
+            if (contains(settled_, window.corner)) {
+                continue;
+            }
+            if (std::optional<Move> move = cheaperSide(window, path_.corners[c].bend)) {
+                moves.push_back(std::move(*move));
+                isMoved[c + 1] = 1;
+            } else {
+                settled_.push_back(window.corner);
+            }
+        }
+        return moves;
+    }
+
+    // The move to the other side of a corner, if the way between its neighbours is cheaper there.
+    std::optional<Move> cheaperSide(const Window& window, double bend) {
+        // The path has the angle pi + bend on the strip's side; less than pi on the other makes
+        // that side shorter.
+        const int vertex = window.corner.vertex;
+        if (totalAngle(surface_, vertex) - std::numbers::pi - bend >= std::numbers::pi) {
+            return std::nullopt;
+        }
+        const std::span<const int> now =
+            std::span(strip_).subspan(window.first, window.last - window.first + 1);
+        Strip faces(now.begin(), now.end());
+        if (!rerouteAround(vertex, window.portal - window.first, faces)) {
+            return std::nullopt;
+        }
+        removeSpikes(faces);
+        Strip between = faces;
+        trim(between, window.before, window.after);
+        const StripPath path = pathIn(between, window.before, window.after);
+        const double cost = costOf(between, path, 0, window.before, window.after);
+        const double costNow = costOf(now, path_, window.first, window.before, window.after);
+        if (cost >= costNow * (1.0 - kShorter)) {
+            return std::nullopt;
+        }
+        return Move{window.corner, window.first, window.last, std::move(faces)};
+    }
+
+    // Moves the strip, if the path in it is cheaper then.
+    bool apply(const std::vector<Move>& moves) {
+        std::vector<const Move*> inOrder;
+        for (const Move& move : moves) {
+            inOrder.push_back(&move);
+        }
+        std::ranges::sort(inOrder, {}, &Move::first);
+        Strip moved;
+        auto next = strip_.cbegin();
+        for (const Move* move : inOrder) {
+            moved.insert(moved.end(), next, strip_.cbegin() + step(move->first));
+            moved.insert(moved.end(), move->faces.begin(), move->faces.end());
+            next = strip_.cbegin() + step(move->last) + 1;
+        }
+        moved.insert(moved.end(), next, strip_.cend());
+        removeSpikes(moved);
+        strip_.swap(moved);
+        StripPath pathBefore = std::move(path_);
+        const double costBefore = cost_;
+        pullTight();
+        if (cost_ < costBefore * (1.0 - kShorter)) {
+            return true;
+        }
+        strip_.swap(moved);
+        path_ = std::move(pathBefore);
+        cost_ = costBefore;
+        return false;
+    }
+
+    // Moves the strip to the other side of a vertex that the path bends around, where that is
+    // possible. `portal` is the edge between strip[portal] and strip[portal + 1] where the path
+    // meets it.
+    bool rerouteAround(int vertex, std::size_t portal, Strip& strip) {
+        const auto isAtVertex = [&](std::size_t i) {
+            return cornerOf(surface_.faces()[strip[i]], vertex) >= 0;
+        };
+        std::size_t first = portal;
+        while (first > 0 && isAtVertex(first - 1)) {
+            --first;
+        }
+        std::size_t last = portal + 1;
+        while (last + 1 < strip.size() && isAtVertex(last + 1)) {
+            ++last;
+        }
+        // The way round: from strip[first] away from strip[first + 1], always over an edge at the
+        // vertex.
+        Strip moved(strip.begin(), strip.begin() + step(first));
+        int previous = strip[first + 1];
+        for (int face = strip[first]; face != strip[last];) {
+            moved.push_back(face);
+            const Triangle& corners = surface_.faces()[face];
+            int next = -1;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int neighbour = surface_.faceNeighbours()[face][k];
+                if (corners[k] != vertex && neighbour != previous) {
+                    next = neighbour;
+                }
+            }
+            if (next < 0 || !costs_.isOpen(next)) {
+                return false;
+            }
+            previous = std::exchange(face, next);
+        }
+        moved.insert(moved.end(), strip.begin() + step(last), strip.end());
+        strip.swap(moved);
+        return true;
+    }
+
+    [[nodiscard]] bool holds(int face, const End& end) const {
+        return end.vertex >= 0 ? cornerOf(surface_.faces()[face], end.vertex) >= 0
+                               : contains(end.faces, face);
+    }
+
+    // Keeps the part of a strip from the last face that holds its start to the first after it that
+    // holds its goal.
+    void trim(Strip& strip, const End& from, const End& to) const {
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < strip.size(); ++i) {
+            if (holds(strip[i], from)) {
+                first = i;
+            }
+        }
+        std::size_t last = first;
+        while (last + 1 < strip.size() && !holds(strip[last], to)) {
+            ++last;
+        }
+        strip.erase(strip.begin() + step(last) + 1, strip.end());
+        strip.erase(strip.begin(), strip.begin() + step(first));
+    }
+
+    const Surface& surface_;
+    KnownCosts& costs_;
+    End start_, goal_;
+    Strip strip_;
+    StripPath path_;
+    double cost_ = 0.0;
+    std::vector<Corner> settled_;  // whose other sides are not cheaper
+};
+
+}  // namespace
+
 std::optional<GeodesicPath> GeodesicPathFinder::find(
     const SurfacePoint& start, const SurfacePoint& goal, int mostPatches
 ) {
@@ -21,7 +381,8 @@ std::optional<GeodesicPath> GeodesicPathFinder::find(
         result.points.insert(result.points.begin(), start);
         result.points.push_back(goal);
     } else {
-        result.points = straightened(std::move(way->strip), start, goal);
+        result.points =
+            Straightener(surface_, search_.costs(), std::move(way->strip), start, goal).run();
     }
     for (const SurfacePoint& point : result.points) {
         result.positions.push_back(surface_.position(point));
@@ -30,24 +391,6 @@ std::optional<GeodesicPath> GeodesicPathFinder::find(
         }
     }
     return result;
-}
-
-std::vector<SurfacePoint> GeodesicPathFinder::straightened(
-    std::vector<int> strip, const SurfacePoint& start, const SurfacePoint& goal
-) {
-    StripRoute route(surface_, search_.costs(), std::move(strip), start, goal);
-    route.straighten();
-    const StripPath& path = route.path();
-    std::vector<SurfacePoint> points{inFace(surface_, start, route.strip().front())};
-    for (std::size_t i = 0; i + 1 < route.strip().size(); ++i) {
-        const Triangle& face = surface_.faces()[route.strip()[i]];
-        SurfacePoint point{route.strip()[i], Vec3::Zero()};
-        point.barycentric[cornerOf(face, path.lefts[i])] = 1.0 - path.crossings[i];
-        point.barycentric[cornerOf(face, path.rights[i])] = path.crossings[i];
-        points.push_back(point);
-    }
-    points.push_back(inFace(surface_, goal, route.strip().back()));
-    return points;
 }
 
 }  // namespace bspline_curve

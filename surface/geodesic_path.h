@@ -25,7 +25,7 @@ struct GeodesicPath {
 /// A search over the midpoints of edges gives a strip of faces (StripSearch); the shortest path in
 /// the strip is straightened by unfolding it into the plane (funnel algorithm); wherever the path
 /// bends round a vertex whose other side is cheaper, the strip is moved to that side, until none is
-/// left (StripRoute). Where all faces cost the same the result is a geodesic: it turns only at
+/// left. Where all faces cost the same the result is a geodesic: it turns only at
 /// vertices with more than 2 pi of angle, at boundaries and at faces that may not be entered. Not
 /// always the globally shortest one.
 class GeodesicPathFinder {
@@ -49,10 +49,6 @@ public:
     [[nodiscard]] std::size_t explored() const { return search_.explored(); }
 
 private:
-    [[nodiscard]] std::vector<SurfacePoint> straightened(
-        std::vector<int> strip, const SurfacePoint& start, const SurfacePoint& goal
-    );
-
     const Surface& surface_;
     StripSearch search_;
 };

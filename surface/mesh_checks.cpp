@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "surface/error_messages.h"
+#include "utility/index_sets.h"
 
 #include <Eigen/Geometry>
 
@@ -15,18 +16,6 @@ namespace bspline_curve {
 namespace {
 
 using Elements = std::vector<std::int64_t>;
-
-/// Indices in [0, count) for which isBad holds.
-template <class Predicate>
-Elements collect(std::size_t count, const Predicate& isBad) {
-    Elements bad;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (isBad(i)) {
-            bad.push_back(static_cast<std::int64_t>(i));
-        }
-    }
-    return bad;
-}
 
 bool isUsable(const Vec3& point) {
     // A NaN compares false.
@@ -75,8 +64,9 @@ void checkArrays(const TriangleMesh& mesh) {
         );
     }
 
-    Elements bad =
-        collect(mesh.vertices.size(), [&](std::size_t v) { return !isUsable(mesh.vertices[v]); });
+    Elements bad = indicesWhere<std::int64_t>(mesh.vertices.size(), [&](std::size_t v) {
+        return !isUsable(mesh.vertices[v]);
+    });
     if (!bad.empty()) {
         refuseElements(
             InputErrorCode::NonFiniteCoordinate,
@@ -89,7 +79,7 @@ void checkArrays(const TriangleMesh& mesh) {
     }
 
     const auto vertexCount = static_cast<int>(mesh.vertices.size());
-    bad = collect(mesh.faces.size(), [&](std::size_t f) {
+    bad = indicesWhere<std::int64_t>(mesh.faces.size(), [&](std::size_t f) {
         const Triangle& face = mesh.faces[f];
         return std::ranges::any_of(face, [&](int vertex) {
             return vertex < 0 || vertex >= vertexCount;
@@ -113,7 +103,7 @@ double checkFacesHaveArea(const TriangleMesh& mesh) {
     };
     // Equal corners have no area either, so one test finds repeated vertices as well.
     double twice = 0.0;
-    const Elements bad = collect(mesh.faces.size(), [&](std::size_t f) {
+    const Elements bad = indicesWhere<std::int64_t>(mesh.faces.size(), [&](std::size_t f) {
         const FaceArea area = measure(corner(f, 0), corner(f, 1), corner(f, 2));
         twice += area.twice;
         return !area.isEnough;

@@ -5,7 +5,6 @@
 #include "surface/error_messages.h"
 #include "utility/index_sets.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,121 +15,30 @@ namespace bspline_curve {
 
 namespace {
 
-using Elements = std::vector<std::int64_t>;
-
-std::string pickName(std::size_t pick) {
+std::string pickName(std::int64_t pick) {
     return "pick " + std::to_string(pick);
 }
 
-/// " (all picks concerned: 3, 7)" where there are more than the ones that the message has named.
-std::string alsoConcerned(const Elements& picks, std::size_t named) {
-    if (picks.size() <= named) {
-        return "";
+// Refuses the picks for which isBad holds, unless there are none. The message names the first one;
+// what(first) goes on.
+template <class Condition, class What>
+void refuseWhere(
+    InputErrorCode code,
+    std::size_t count,
+    const Condition& isBad,
+    const What& what,
+    const std::string& remedy = "pick a point on the mesh",
+    std::size_t named = 1
+) {
+    auto bad = indicesWhere<std::int64_t>(count, isBad);
+    if (bad.empty()) {
+        return;
     }
-    return " (all picks concerned: " + describeElements(picks) + ")";
-}
-
-void requireEnoughPicks(const std::vector<Vec3>& picks, bool closed) {
-    const std::size_t needed = closed ? 3 : 2;
-    if (picks.size() < needed) {
-        throw InputError(
-            InputErrorCode::TooFewPicks,
-            std::string(closed ? "a closed" : "an open") + " curve needs at least " +
-                std::to_string(needed) + " picks, not " + std::to_string(picks.size()) +
-                ": pick more points on the mesh"
-        );
+    std::string message = pickName(bad.front()) + what(bad.front());
+    if (bad.size() > named) {
+        message += " (all picks concerned: " + describeElements(bad) + ")";
     }
-}
-
-void requireFinitePicks(const std::vector<Vec3>& picks) {
-    Elements bad;
-    for (std::size_t i = 0; i < picks.size(); ++i) {
-        if (!picks[i].allFinite()) {
-            bad.push_back(static_cast<std::int64_t>(i));
-        }
-    }
-    if (!bad.empty()) {
-        const auto first = static_cast<std::size_t>(bad.front());
-        throw InputError(
-            InputErrorCode::NonFiniteCoordinate,
-            pickName(first) + " has a coordinate that is not a finite number" +
-                alsoConcerned(bad, 1) + ": pick a point on the mesh",
-            bad
-        );
-    }
-}
-
-using Projections = std::vector<TriangleTree::Closest>;
-
-void requireNearSurface(const Projections& projections, double diagonal) {
-    const double reach = kPickReachRelative * diagonal;
-    Elements bad;
-    for (std::size_t i = 0; i < projections.size(); ++i) {
-        if (!(std::sqrt(projections[i].squaredDistance) <= reach)) {
-            bad.push_back(static_cast<std::int64_t>(i));
-        }
-    }
-    if (!bad.empty()) {
-        const auto first = static_cast<std::size_t>(bad.front());
-        throw InputError(
-            InputErrorCode::PickTooFar,
-            pickName(first) + " lies " +
-                describeNumber(std::sqrt(projections[first].squaredDistance)) +
-                " from the surface, more than " + describeNumber(100.0 * kPickReachRelative) +
-                " % of the diagonal (" + describeNumber(reach) + ")" + alsoConcerned(bad, 1) +
-                ": pick a point on the mesh",
-            bad
-        );
-    }
-}
-
-void requireSeparatePicks(const Projections& projections, bool closed, double diagonal) {
-    Elements bad;
-    std::pair<std::size_t, std::size_t> firstPair;
-    for (std::size_t i = closed ? 0 : 1; i < projections.size(); ++i) {
-        const std::size_t before = i == 0 ? projections.size() - 1 : i - 1;
-        const double distance = (projections[i].position - projections[before].position).norm();
-        if (distance < kPickSeparationRelative * diagonal) {
-            if (bad.empty()) {
-                firstPair = {before, i};
-            }
-            bad.push_back(static_cast<std::int64_t>(before));
-            bad.push_back(static_cast<std::int64_t>(i));
-        }
-    }
-    if (!bad.empty()) {
-        sortUnique(bad);
-        throw InputError(
-            InputErrorCode::CoincidentPicks,
-            pickName(firstPair.first) + " and " + pickName(firstPair.second) +
-                " follow each other at the same point of the surface" + alsoConcerned(bad, 2) +
-                ": remove one of them",
-            bad
-        );
-    }
-}
-
-void requireOneComponent(const Projections& projections, const std::vector<int>& faceComponents) {
-    const auto componentOf = [&](const TriangleTree::Closest& closest) {
-        return faceComponents[closest.point.face];
-    };
-    Elements bad;
-    for (std::size_t i = 1; i < projections.size(); ++i) {
-        if (componentOf(projections[i]) != componentOf(projections[0])) {
-            bad.push_back(static_cast<std::int64_t>(i));
-        }
-    }
-    if (!bad.empty()) {
-        const auto first = static_cast<std::size_t>(bad.front());
-        throw InputError(
-            InputErrorCode::PicksOnDifferentComponents,
-            pickName(first) + " lies on another connected component of the surface than " +
-                pickName(0) + alsoConcerned(bad, 1) +
-                ": pick points on one component, or join them with MeshLab's filter 'Merge Close "
-                "Vertices' if they only look joined",
-            bad
-        );
-    }
+    throw InputError(code, message + ": " + remedy, std::move(bad));
 }
 
 }  // namespace
@@ -138,20 +46,76 @@ void requireOneComponent(const Projections& projections, const std::vector<int>&
 std::vector<SurfacePoint> locatePicks(
     const Surface& surface, const TriangleTree& tree, const std::vector<Vec3>& picks, bool closed
 ) {
-    requireEnoughPicks(picks, closed);
-    requireFinitePicks(picks);
+    const std::size_t count = picks.size();
+    const std::size_t needed = closed ? 3 : 2;
+    if (count < needed) {
+        throw InputError(
+            InputErrorCode::TooFewPicks,
+            std::string(closed ? "a closed" : "an open") + " curve needs at least " +
+                std::to_string(needed) + " picks, not " + std::to_string(count) +
+                ": pick more points on the mesh"
+        );
+    }
+    refuseWhere(
+        InputErrorCode::NonFiniteCoordinate,
+        count,
+        [&](std::size_t i) { return !picks[i].allFinite(); },
+        [](std::size_t) { return " has a coordinate that is not a finite number"; }
+    );
 
-    Projections projections;
-    projections.reserve(picks.size());
+    std::vector<TriangleTree::Closest> projections;
+    projections.reserve(count);
     for (const Vec3& pick : picks) {
         projections.push_back(tree.closestPoint(pick));
     }
-    requireNearSurface(projections, surface.diagonal());
-    requireSeparatePicks(projections, closed, surface.diagonal());
-    requireOneComponent(projections, surface.faceComponents());
+    const auto distance = [&](std::size_t i) { return std::sqrt(projections[i].squaredDistance); };
+    const double reach = kPickReachRelative * surface.diagonal();
+    refuseWhere(
+        InputErrorCode::PickTooFar,
+        count,
+        [&](std::size_t i) { return !(distance(i) <= reach); },
+        [&](std::size_t first) {
+            return " lies " + describeNumber(distance(first)) + " from the surface, more than " +
+                   describeNumber(100.0 * kPickReachRelative) + " % of the diagonal (" +
+                   describeNumber(reach) + ")";
+        }
+    );
+
+    // Whether a pick and the one after it coincide.
+    const auto meetsNext = [&](std::size_t i) {
+        const std::size_t next = i + 1 < count ? i + 1 : 0;
+        return (closed || next > 0) &&
+               (projections[next].position - projections[i].position).norm() <
+                   kPickSeparationRelative * surface.diagonal();
+    };
+    refuseWhere(
+        InputErrorCode::CoincidentPicks,
+        count,
+        [&](std::size_t i) { return meetsNext(i) || meetsNext(i > 0 ? i - 1 : count - 1); },
+        [&](std::size_t first) {
+            const auto next = static_cast<std::int64_t>(meetsNext(first) ? first + 1 : count - 1);
+            return " and " + pickName(next) + " follow each other at the same point of the surface";
+        },
+        "remove one of them",
+        2
+    );
+
+    const auto componentOf = [&](std::size_t i) {
+        return surface.faceComponents()[projections[i].point.face];
+    };
+    refuseWhere(
+        InputErrorCode::PicksOnDifferentComponents,
+        count,
+        [&](std::size_t i) { return componentOf(i) != componentOf(0); },
+        [](std::size_t) {
+            return " lies on another connected component of the surface than " + pickName(0);
+        },
+        "pick points on one component, or join them with MeshLab's filter 'Merge Close Vertices' "
+        "if they only look joined"
+    );
 
     std::vector<SurfacePoint> points;
-    points.reserve(picks.size());
+    points.reserve(count);
     for (const TriangleTree::Closest& projection : projections) {
         points.push_back(projection.point);
     }

@@ -13,17 +13,6 @@
 namespace bspline_curve {
 namespace {
 
-template <class Predicate>
-Region facesWhere(const Surface& surface, const Predicate& isIn) {
-    Region region;
-    for (int f = 0; f < surface.faceCount(); ++f) {
-        if (isIn(surface.faces()[f])) {
-            region.push_back(f);
-        }
-    }
-    return region;
-}
-
 // The faces whose mean value, less the threshold, has the sign of `side`.
 Region facesBeside(
     const Surface& surface, std::span<const double> field, double threshold, double side
@@ -41,7 +30,8 @@ Region facesBeside(
             "the threshold of the region to avoid is not a number: give one"
         );
     }
-    return facesWhere(surface, [&](const Triangle& face) {
+    return indicesWhere<int>(surface.faces().size(), [&](std::size_t f) {
+        const Triangle& face = surface.faces()[f];
         const double mean = (field[face[0]] + field[face[1]] + field[face[2]]) / 3.0;
         return side * mean > side * threshold;
     });
@@ -84,8 +74,8 @@ Region facesOfVertices(const Surface& surface, std::span<const char> selected) {
                 std::to_string(surface.vertexCount()) + " vertices: give one flag per vertex"
         );
     }
-    return facesWhere(surface, [&](const Triangle& face) {
-        return std::ranges::all_of(face, [&](int v) { return selected[v] != 0; });
+    return indicesWhere<int>(surface.faces().size(), [&](std::size_t f) {
+        return std::ranges::all_of(surface.faces()[f], [&](int v) { return selected[v] != 0; });
     });
 }
 

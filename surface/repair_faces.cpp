@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces without area and faces that are there twice.
+#include "surface/half_edges.h"
 #include "surface/mesh_checks.h"
 #include "surface/repair_steps.h"
+#include "utility/disjoint_sets.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
-#include <numeric>
+#include <map>
 #include <set>
+#include <span>
+#include <utility>
 
 namespace bspline_curve::repair_steps {
 
@@ -45,7 +49,7 @@ public:
         isErased_.assign(mesh_.faces.size(), 0);
         isTouched_.assign(mesh_.faces.size(), 0);
         for (int f = 0; f < static_cast<int>(mesh_.faces.size()); ++f) {
-            if (!hasArea(f)) {
+            if (!hasArea(mesh_.faces[f])) {
                 flat_.push_back(f);
             }
         }
@@ -71,8 +75,10 @@ private:
         return (corner(face, k + 1) - corner(face, k + 2)).norm();
     }
 
-    [[nodiscard]] bool hasArea(int f) const {
-        return bspline_curve::hasArea(corner(f, 0), corner(f, 1), corner(f, 2));
+    [[nodiscard]] bool hasArea(const Triangle& face) const {
+        return bspline_curve::hasArea(
+            mesh_.vertices[face[0]], mesh_.vertices[face[1]], mesh_.vertices[face[2]]
+        );
     }
 
     void erase(int face) {
@@ -84,14 +90,7 @@ private:
     /// Merges the ends of edges that are no longer than rounding; every face on them goes. Returns
     /// whether there was any such face.
     bool mergeShortEdges() {
-        std::vector<int> target(mesh_.vertices.size());
-        std::iota(target.begin(), target.end(), 0);
-        const auto find = [&](int v) {
-            while (target[v] != v) {
-                v = target[v] = target[target[v]];
-            }
-            return v;
-        };
+        DisjointSets merged(mesh_.vertices.size());
         for (const int f : flat_) {
             for (int k = 0; k < 3; ++k) {
                 const double size = std::max(
@@ -99,25 +98,23 @@ private:
                     corner(f, k + 2).lpNorm<Eigen::Infinity>()
                 );
                 if (sideLength(f, k) <= 2.0 * kRelativeArea * size) {
-                    const int a = find(mesh_.faces[f][(k + 1) % 3]);
-                    const int b = find(mesh_.faces[f][(k + 2) % 3]);
-                    target[std::max(a, b)] = std::min(a, b);
+                    merged.unite(mesh_.faces[f][(k + 1) % 3], mesh_.faces[f][(k + 2) % 3]);
                 }
             }
         }
         bool hasMerged = false;
         for (int f = 0; f < static_cast<int>(mesh_.faces.size()); ++f) {
             for (int& v : mesh_.faces[f]) {
-                v = find(v);
+                v = merged.find(v);
             }
             if (repeatsVertex(mesh_.faces[f])) {
                 erase(f);
                 hasMerged = true;
             }
         }
-        for (int v = 0; v < static_cast<int>(target.size()); ++v) {
-            if (find(v) != v) {
-                repair_.report.mergedVertices.emplace_back(v, find(v));
+        for (int v = 0; v < static_cast<int>(mesh_.vertices.size()); ++v) {
+            if (merged.find(v) != v) {
+                repair_.report.mergedVertices.emplace_back(v, merged.find(v));
             }
         }
         return hasMerged;
@@ -125,7 +122,7 @@ private:
 
     /// Every face that is left has its vertex `top` on its longest side.
     void splitAcrossLongEdges(bool last) {
-        sides_ = sortedSides(mesh_.faces);
+        halfEdges_ = sortedHalfEdges(mesh_.faces);
         for (const int f : flat_) {
             if (isTouched_[f] != 0) {
                 continue;
@@ -134,8 +131,8 @@ private:
             for (int k = 1; k < 3; ++k) {
                 top = sideLength(f, k) > sideLength(f, top) ? k : top;
             }
-            const std::span<const Side> edge =
-                sidesBetween(mesh_.faces[f][(top + 1) % 3], mesh_.faces[f][(top + 2) % 3]);
+            const std::span<const HalfEdge> edge =
+                halfEdgesBetween(mesh_.faces[f][(top + 1) % 3], mesh_.faces[f][(top + 2) % 3]);
             const bool isAtBoundary = edge.size() == 1;
             const bool isSplit = edge.size() == 2 && split(f, top, edge[edge[0].face == f ? 1 : 0]);
             if (!isSplit && (isAtBoundary || last)) {
@@ -145,38 +142,27 @@ private:
         }
     }
 
-    [[nodiscard]] std::span<const Side> sidesBetween(int a, int b) const {
+    [[nodiscard]] std::span<const HalfEdge> halfEdgesBetween(int a, int b) const {
         const std::pair<int, int> edge = std::minmax(a, b);
-        const auto first = std::ranges::lower_bound(sides_, edge, {}, [](const Side& side) {
-            return std::pair(side.low, side.high);
-        });
-        auto last = first;
-        while (last != sides_.end() && std::pair(last->low, last->high) == edge) {
-            ++last;
-        }
-        return {first, last};
+        const auto ends = [](const HalfEdge& h) { return std::pair(h.low, h.high); };
+        return std::ranges::equal_range(halfEdges_, edge, {}, ends);
     }
 
     /// Splits the face across the long side of a flat one at the vertex on that side; one half
     /// takes the place of the flat face. Returns whether that is possible now.
-    bool split(int flat, int top, const Side& across) {
+    bool split(int flat, int top, const HalfEdge& across) {
         const int other = across.face;
         const Triangle whole = mesh_.faces[other];
         const int c = mesh_.faces[flat][top];
         const int s = whole[(across.k + 1) % 3];
         const int t = whole[(across.k + 2) % 3];
         const int d = whole[across.k];
-        const auto has = [&](const Triangle& face) {
-            return bspline_curve::hasArea(
-                mesh_.vertices[face[0]], mesh_.vertices[face[1]], mesh_.vertices[face[2]]
-            );
-        };
         const Triangle first = {s, c, d};
         const Triangle second = {c, t, d};
         const std::pair<int, int> newEdge = std::minmax(c, d);
         const bool isFree = isTouched_[other] == 0 && c != d && !newEdges_.contains(newEdge) &&
-                            sidesBetween(c, d).empty();
-        if (!isFree || !has(first) || !has(second)) {
+                            halfEdgesBetween(c, d).empty();
+        if (!isFree || !hasArea(first) || !hasArea(second)) {
             return false;
         }
         newEdges_.insert(newEdge);
@@ -185,10 +171,8 @@ private:
         repair_.report.removedDegenerateFaces.push_back(repair_.faceOrigins[flat]);
         repair_.report.splitFaces.push_back(repair_.faceOrigins[other]);
         // Where the corners of both halves lie in the origin of the whole.
-        const auto found = repair_.changedCorners.find(other);
-        const Eigen::Matrix3d corners = found == repair_.changedCorners.end()
-                                            ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
-                                            : found->second;
+        const Eigen::Matrix3d corners =
+            repair_.changedCorners.try_emplace(other, Eigen::Matrix3d::Identity()).first->second;
         const Vec3 inS = corners.col((across.k + 1) % 3);
         const Vec3 inT = corners.col((across.k + 2) % 3);
         const Vec3 along = mesh_.vertices[t] - mesh_.vertices[s];
@@ -208,26 +192,12 @@ private:
     TriangleMesh& mesh_;
     std::vector<int> flat_;
     std::vector<char> isErased_, isTouched_;
-    std::vector<Side> sides_;
+    std::vector<HalfEdge> halfEdges_;
     std::set<std::pair<int, int>> newEdges_;
     bool hasChanged_ = false;
 };
 
 }  // namespace
-
-std::vector<Side> sortedSides(const std::vector<Triangle>& faces) {
-    std::vector<Side> sides;
-    sides.reserve(3 * faces.size());
-    for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            const int a = faces[f][(k + 1) % 3];
-            const int b = faces[f][(k + 2) % 3];
-            sides.push_back({std::min(a, b), std::max(a, b), f, k});
-        }
-    }
-    std::ranges::sort(sides);
-    return sides;
-}
 
 void removeDegenerateFaces(MeshRepair& repair) {
     for (bool last = false;;) {

@@ -1,76 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which faces belong to one sheet, which way it looks, and where sheets are parted.
+#include "bspline_curve/error.h"
 #include "surface/error_messages.h"
+#include "surface/half_edges.h"
 #include "surface/repair_steps.h"
+#include "surface/surface_point.h"
+#include "utility/disjoint_sets.h"
 #include "utility/index_sets.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 #include <utility>
 
 namespace bspline_curve::repair_steps {
 
 namespace {
 
-/// Sets of faces that are joined, with the side that each looks to.
+/// Faces that are joined into patches, with the side that each looks to.
 class Patches {
 public:
-    explicit Patches(std::size_t faces) : parents_(faces), isTurned_(faces, 0) {
-        std::iota(parents_.begin(), parents_.end(), 0);
-    }
+    explicit Patches(std::size_t faces) : sets_(2 * faces) {}
 
     struct Place {
-        int root;
+        int root;       ///< the lowest face of the patch
         bool isTurned;  ///< against the root
     };
 
     [[nodiscard]] Place find(int face) {
-        // Once to the root, and once more to make the way short.
-        bool isTurned = false;
-        int root = face;
-        while (parents_[root] != root) {
-            isTurned = isTurned != (isTurned_[root] != 0);
-            root = parents_[root];
-        }
-        bool rest = isTurned;
-        while (parents_[face] != root && face != root) {
-            const int next = parents_[face];
-            const bool nextRest = rest != (isTurned_[face] != 0);
-            parents_[face] = root;
-            isTurned_[face] = static_cast<char>(rest);
-            face = next;
-            rest = nextRest;
-        }
-        return {root, isTurned};
+        const int lowest = sets_.find(2 * face);
+        return {lowest / 2, lowest % 2 != 0};
     }
 
     /// Joins two faces, `areOpposed`: only one of them must be turned. Returns whether the faces
-    /// joined so far allow it. The lowest face is the root of its set.
+    /// joined so far allow it.
     bool join(int a, int b, bool areOpposed) {
-        const Place placeA = find(a);
-        const Place placeB = find(b);
-        const bool isTurned = (placeA.isTurned != placeB.isTurned) != areOpposed;
-        if (placeA.root == placeB.root) {
-            return !isTurned;
+        const int same = 2 * b + static_cast<int>(areOpposed);
+        const int other = 2 * b + static_cast<int>(!areOpposed);
+        if (sets_.find(2 * a) == sets_.find(other)) {
+            return false;
         }
-        const auto [low, high] = std::minmax(placeA.root, placeB.root);
-        parents_[high] = low;
-        isTurned_[high] = static_cast<char>(isTurned);
+        sets_.unite(2 * a, same);
+        sets_.unite(2 * a + 1, other);
         return true;
     }
 
 private:
-    std::vector<int> parents_;
-    std::vector<char> isTurned_;
+    DisjointSets sets_;  // of 2 f, face f as it is, and 2 f + 1, the face turned over
 };
 
 /// Two faces that could go on into each other at an edge.
 struct Pairing {
     bool areOpposed;
     double bend;  ///< 1 - cosine between the normals; 0 where flat
-    Side a, b;
+    HalfEdge a, b;
     auto operator<=>(const Pairing&) const = default;
 };
 
@@ -81,11 +65,11 @@ public:
           faces_(repair.mesh.faces),
           patches_(faces_.size()),
           joints_(faces_.size(), Triangle{-1, -1, -1}),
-          sides_(sortedSides(faces_)) {}
+          halfEdges_(sortedHalfEdges(faces_)) {}
 
     Joints run() {
         joinPlainEdges();
-        forEachEdge(sides_, [&](std::span<const Side> edge) {
+        forEachEdge(halfEdges_, [&](std::span<const HalfEdge> edge) {
             if (edge.size() > 2) {
                 joinCrowdedEdge(edge);
             }
@@ -95,17 +79,17 @@ public:
     }
 
 private:
-    void link(const Side& a, const Side& b) {
+    void link(const HalfEdge& a, const HalfEdge& b) {
         joints_[a.face][a.k] = b.face;
         joints_[b.face][b.k] = a.face;
     }
 
     void joinPlainEdges() {
         std::vector<std::int64_t> conflicting;
-        forEachEdge(sides_, [&](std::span<const Side> edge) {
+        forEachEdge(halfEdges_, [&](std::span<const HalfEdge> edge) {
             if (edge.size() == 2) {
                 link(edge[0], edge[1]);
-                const bool areOpposed = leadsUp(faces_, edge[0]) == leadsUp(faces_, edge[1]);
+                const bool areOpposed = areParallel(faces_, edge[0], edge[1]);
                 if (!patches_.join(edge[0].face, edge[1].face, areOpposed)) {
                     conflicting.push_back(repair_.faceOrigins[edge[0].face]);
                     conflicting.push_back(repair_.faceOrigins[edge[1].face]);
@@ -134,7 +118,7 @@ private:
 
     /// Lets the pairs of faces that bend least go on into each other, those first that look to the
     /// same side already.
-    void joinCrowdedEdge(std::span<const Side> edge) {
+    void joinCrowdedEdge(std::span<const HalfEdge> edge) {
         // Beyond 120 degrees a sheet turns back on itself; which faces belong together is a guess.
         constexpr double kLargestBend = 1.5;
         // With so many faces every pair is a guess; keeps the work linear.
@@ -146,7 +130,7 @@ private:
         std::vector<Pairing> pairings;
         for (std::size_t i = 0; i < edge.size(); ++i) {
             for (std::size_t j = i + 1; j < edge.size(); ++j) {
-                const bool areOpposed = leadsUp(faces_, edge[i]) == leadsUp(faces_, edge[j]);
+                const bool areOpposed = areParallel(faces_, edge[i], edge[j]);
                 const double cosine = normal(edge[i].face).dot(normal(edge[j].face));
                 const double bend = 1.0 - (areOpposed ? -cosine : cosine);
                 if (bend <= kLargestBend) {
@@ -195,7 +179,7 @@ private:
     std::vector<Triangle>& faces_;
     Patches patches_;
     Joints joints_;
-    std::vector<Side> sides_;
+    std::vector<HalfEdge> halfEdges_;
 };
 
 /// Gives the fans around each vertex vertices of their own.
@@ -215,73 +199,50 @@ public:
     }
 
 private:
-    [[nodiscard]] int cornerOf(int face, int vertex) const {
-        const Triangle& corners = faces_[face];
-        return 3 * face + (corners[0] == vertex ? 0 : (corners[1] == vertex ? 1 : 2));
-    }
-
-    int findSet(int corner) {
-        while (sets_[corner] != corner) {
-            corner = sets_[corner] = sets_[sets_[corner]];
-        }
-        return corner;
-    }
+    [[nodiscard]] int vertexAt(int corner) const { return faces_[corner / 3][corner % 3]; }
 
     /// The faces with vertices so numbered that each fan has one of its own.
     std::vector<Triangle> splitFaces() {
-        const int faceCount = static_cast<int>(faces_.size());
-        sets_.resize(3 * faces_.size());
-        std::iota(sets_.begin(), sets_.end(), 0);
-        for (int f = 0; f < faceCount; ++f) {
-            for (int k = 0; k < 3; ++k) {
-                const int neighbour = joints_[f][k];
-                for (int end = 1; neighbour >= 0 && end < 3; ++end) {
-                    const int here = 3 * f + (k + end) % 3;
-                    const int there = cornerOf(neighbour, faces_[f][(k + end) % 3]);
-                    const auto [low, high] = std::minmax({findSet(here), findSet(there)});
-                    sets_[high] = low;
+        DisjointSets fans(3 * faces_.size());  // of corners, 3 * face + k
+        const int cornerCount = static_cast<int>(3 * faces_.size());
+        for (int corner = 0; corner < cornerCount; ++corner) {
+            // The edges at a corner lie opposite to the two others.
+            for (int end = 1; end < 3; ++end) {
+                const int neighbour = joints_[corner / 3][(corner + end) % 3];
+                if (neighbour >= 0) {
+                    const int there = cornerOf(faces_[neighbour], vertexAt(corner));
+                    fans.unite(corner, 3 * neighbour + there);
                 }
             }
         }
         // The largest fan at each vertex keeps it, of equal ones the first.
-        std::vector<int> sizes(sets_.size(), 0);
-        for (int corner = 0; corner < 3 * faceCount; ++corner) {
-            ++sizes[findSet(corner)];
+        std::vector<int> sizes(cornerCount, 0);
+        for (int corner = 0; corner < cornerCount; ++corner) {
+            ++sizes[fans.find(corner)];
         }
         std::vector<int> keeper(repair_.mesh.vertices.size(), -1);
-        std::vector<int> fans;
-        for (int corner = 0; corner < 3 * faceCount; ++corner) {
-            if (findSet(corner) == corner) {
+        std::vector<std::pair<int, int>> firstCorners;  // of the fans, by vertex
+        for (int corner = 0; corner < cornerCount; ++corner) {
+            if (sizes[corner] > 0) {
                 int& kept = keeper[vertexAt(corner)];
                 kept = kept < 0 || sizes[corner] > sizes[kept] ? corner : kept;
-                fans.push_back(corner);
+                firstCorners.emplace_back(vertexAt(corner), corner);
             }
         }
-        return numberFans(fans, keeper);
-    }
-
-    [[nodiscard]] int vertexAt(int corner) const { return faces_[corner / 3][corner % 3]; }
-
-    std::vector<Triangle> numberFans(std::vector<int> fans, const std::vector<int>& keeper) {
-        std::ranges::sort(fans, {}, [&](int corner) {
-            return std::pair(vertexAt(corner), corner);
-        });
-        std::vector<int> ids(sets_.size(), -1);
+        std::ranges::sort(firstCorners);
+        std::vector<int> ids(cornerCount, -1);
         copies_.clear();
-        for (const int fan : fans) {
-            const int vertex = vertexAt(fan);
-            if (keeper[vertex] == fan) {
-                ids[fan] = vertex;
+        for (const auto& [vertex, corner] : firstCorners) {
+            if (keeper[vertex] == corner) {
+                ids[corner] = vertex;
             } else {
-                ids[fan] = static_cast<int>(repair_.mesh.vertices.size() + copies_.size());
+                ids[corner] = static_cast<int>(repair_.mesh.vertices.size() + copies_.size());
                 copies_.push_back(vertex);
             }
         }
         std::vector<Triangle> split = faces_;
-        for (std::size_t f = 0; f < split.size(); ++f) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                split[f][k] = ids[findSet(static_cast<int>(3 * f + k))];
-            }
+        for (int corner = 0; corner < cornerCount; ++corner) {
+            split[corner / 3][corner % 3] = ids[fans.find(corner)];
         }
         return split;
     }
@@ -289,32 +250,29 @@ private:
     /// Returns whether there were any.
     bool cutCrowdedEdges(const std::vector<Triangle>& split) {
         bool hasCut = false;
-        forEachEdge(sortedSides(split), [&](std::span<const Side> edge) {
-            const bool isFine =
-                edge.size() == 1 ||
-                (edge.size() == 2 && leadsUp(split, edge[0]) != leadsUp(split, edge[1]));
-            if (isFine) {
+        forEachEdge(sortedHalfEdges(split), [&](std::span<const HalfEdge> edge) {
+            if (edge.size() == 1 || (edge.size() == 2 && !areParallel(split, edge[0], edge[1]))) {
                 return;
             }
             hasCut = true;
             const int keptPartner = joints_[edge[0].face][edge[0].k];
-            for (const Side& side : edge.subspan(1)) {
-                if (side.face != keptPartner) {
-                    cutOut(side);
+            for (const HalfEdge& halfEdge : edge.subspan(1)) {
+                if (halfEdge.face != keptPartner) {
+                    cutOut(halfEdge);
                 }
             }
         });
         return hasCut;
     }
 
-    /// Parts a face from all others but the one that it is joined to at a side.
-    void cutOut(const Side& side) {
+    /// Parts a face from all others but the one that it is joined to at a half-edge.
+    void cutOut(const HalfEdge& kept) {
+        const Triangle& face = faces_[kept.face];
         for (int k = 0; k < 3; ++k) {
-            int& neighbour = joints_[side.face][k];
-            if (k != side.k && neighbour >= 0) {
-                std::ranges::replace(joints_[neighbour], side.face, -1);
+            int& neighbour = joints_[kept.face][k];
+            if (k != kept.k && neighbour >= 0) {
+                std::ranges::replace(joints_[neighbour], kept.face, -1);
                 neighbour = -1;
-                const Triangle& face = faces_[side.face];
                 const auto [low, high] = std::minmax(face[(k + 1) % 3], face[(k + 2) % 3]);
                 repair_.report.cutEdges.push_back({low, high});
             }
@@ -338,7 +296,6 @@ private:
     MeshRepair& repair_;
     std::vector<Triangle>& faces_;
     Joints joints_;
-    std::vector<int> sets_;    // of corners, 3 * face + k
     std::vector<int> copies_;  // the vertex behind each new one
 };
 

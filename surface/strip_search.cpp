@@ -2,9 +2,9 @@
 #include "surface/strip_search.h"
 
 #include "surface/surface_point.h"
+#include "utility/index_sets.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -12,10 +12,6 @@ namespace bspline_curve {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
-bool contains(const std::vector<int>& list, int value) {
-    return std::ranges::find(list, value) != list.end();
-}
 
 }  // namespace
 
@@ -26,16 +22,15 @@ StripSearch::StripSearch(const Surface& surface, TravelCosts costs, const PatchL
     }
 }
 
-std::vector<int> StripSearch::openFacesHolding(const SurfacePoint& point) {
-    std::vector<int> faces = facesHolding(surface_, point);
-    std::erase_if(faces, [this](int f) { return !costs_.isOpen(f); });
-    return faces;
-}
-
 std::optional<StripSearch::Way> StripSearch::find(
     const SurfacePoint& start, const SurfacePoint& goal, int mostPatches
 ) {
-    const Ends ends{start, goal, openFacesHolding(start), openFacesHolding(goal)};
+    const Ends ends{
+        start,
+        goal,
+        costs_.openFacesHolding(surface_, start),
+        costs_.openFacesHolding(surface_, goal)
+    };
     for (const int f : ends.startFaces) {
         if (contains(ends.goalFaces, f)) {
             return Way{{f}, {}};
@@ -60,30 +55,31 @@ std::optional<StripSearch::Way> StripSearch::find(
 }
 
 std::optional<StripSearch::Way> StripSearch::search(const Ends& ends, Extent extent) {
-    clear();
+    explored_ += arrivals_.size();
+    arrivals_.clear();
+    queue_.clear();
     extent_ = extent;
     goal_ = surface_.position(ends.goal);
     for (const int f : ends.startFaces) {
         leave(f, surface_.position(ends.start), 0.0, -1);
     }
     while (!queue_.empty()) {
-        std::ranges::pop_heap(queue_, std::greater<>());
-        const Offer best = queue_.back();
-        queue_.pop_back();
-        if (best.cost > arrivals_.find(edgeOf(best.crossing))->cost) {
+        const Offer best = queue_.top();
+        queue_.pop();
+        if (best.cost > arrivals_.find(edgeOf(best.place))->cost) {
             continue;  // found cheaper since
         }
         if (best.isWhole) {
-            return Way{stripTo(best.crossing), {}};
+            return Way{stripTo(best.place), {}};
         }
-        const int face = faceBehind(best.crossing);
-        const Vec3 from = middle(best.crossing);
+        const int face = faceBehind(best.place);
+        const Vec3 from = middle(best.place);
         if (contains(ends.goalFaces, face)) {
             // The last leg may cost much, and a way into another of these faces less.
             const double whole = best.cost + costs_.of(face) * (goal_ - from).norm();
-            push({whole, best.cost, best.crossing, true});
+            queue_.push({whole, best.cost, best.place, true});
         }
-        leave(face, from, best.cost, best.crossing);
+        leave(face, from, best.cost, best.place);
     }
     return std::nullopt;
 }
@@ -114,11 +110,6 @@ int StripSearch::edgeOf(int crossing) const {
     return 3 * behind + (cornerOf(surface_.faces()[behind], end) + 1) % 3;
 }
 
-void StripSearch::push(const Offer& entry) {
-    queue_.push_back(entry);
-    std::ranges::push_heap(queue_, std::greater<>());
-}
-
 // Offers the ways out of a face, from a point of it.
 void StripSearch::leave(int face, const Vec3& from, double cost, int before) {
     const double costHere = costs_.of(face);
@@ -135,15 +126,9 @@ void StripSearch::leave(int face, const Vec3& from, double cost, int before) {
         Arrival& arrival = arrivals_.at(edgeOf(crossing), {kFar, -1, -1});
         if (costThere < arrival.cost && mayEnter(next)) {
             arrival = {costThere, crossing, before};
-            push({costThere + estimate * (goal_ - there).norm(), costThere, crossing});
+            queue_.push({costThere + estimate * (goal_ - there).norm(), costThere, crossing});
         }
     }
-}
-
-void StripSearch::clear() {
-    explored_ += arrivals_.size();
-    arrivals_.clear();
-    queue_.clear();
 }
 
 std::vector<int> StripSearch::stripTo(int crossing) const {

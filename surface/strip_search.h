@@ -27,9 +27,6 @@ public:
     StripSearch(const Surface& surface, TravelCosts costs, const PatchLevels* patches = nullptr);
     StripSearch(const StripSearch&) = delete;
     StripSearch& operator=(const StripSearch&) = delete;
-    StripSearch(StripSearch&&) = delete;
-    StripSearch& operator=(StripSearch&&) = delete;
-    ~StripSearch() = default;
 
     /// Exactly one of them has elements.
     struct Way {
@@ -54,23 +51,12 @@ public:
     }
 
 private:
-    // A crossing 3 f + k leaves face f over the edge opposite to its corner k.
+    // A crossing 3 f + k leaves face f over the edge opposite to its corner k; the places of offers
+    // are crossings.
     struct Arrival {
         double cost;
         int crossing;  // by which the way arrives
         int before;    // the crossing before that, or -1
-    };
-
-    struct Offer {
-        double estimate;  // of the whole way
-        double cost;
-        int crossing;
-        bool isWhole = false;  // the goal lies behind the crossing, and the estimate is exact
-
-        bool operator>(const Offer& other) const {
-            return estimate != other.estimate ? estimate > other.estimate
-                                              : crossing > other.crossing;
-        }
     };
 
     // The points of one query, and the open faces that hold them.
@@ -84,14 +70,11 @@ private:
     enum class Extent : char { Corridor, Everywhere };
 
     [[nodiscard]] std::optional<Way> search(const Ends& ends, Extent extent);
-    [[nodiscard]] std::vector<int> openFacesHolding(const SurfacePoint& point);
     [[nodiscard]] bool mayEnter(int face);
     [[nodiscard]] Vec3 middle(int crossing) const;
     [[nodiscard]] int faceBehind(int crossing) const;
     [[nodiscard]] int edgeOf(int crossing) const;
-    void push(const Offer& entry);
     void leave(int face, const Vec3& from, double cost, int before);
-    void clear();
     [[nodiscard]] std::vector<int> stripTo(int crossing) const;
 
     const Surface& surface_;
@@ -99,8 +82,8 @@ private:
     std::optional<CorridorSearch> corridor_;
     Extent extent_ = Extent::Everywhere;
     SparseMap<Arrival> arrivals_;  // at an edge
-    std::vector<Offer> queue_;     // a heap
     std::size_t explored_ = 0;
+    OfferQueue queue_;
     Vec3 goal_ = Vec3::Zero();
 };
 

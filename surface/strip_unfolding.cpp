@@ -18,12 +18,6 @@ double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// Portals of the strip in the plane, and the two end points.
-struct Unfolding {
-    std::vector<Vec2> left, right;
-    Vec2 start, goal;
-};
-
 // The apex of a triangle over the base from a to b (2D), on its left, from the 3D triangle.
 Vec2 unfoldApex(const Vec2& a, const Vec2& b, const Vec3& a3, const Vec3& b3, const Vec3& c3) {
     const Vec3 base = b3 - a3;
@@ -38,66 +32,58 @@ Vec2 place(const Vec3& barycentric, const std::array<Vec2, 3>& corners) {
     return barycentric[0] * corners[0] + barycentric[1] * corners[1] + barycentric[2] * corners[2];
 }
 
-class Unfolder {
-public:
-    Unfolder(const Surface& surface, const std::vector<int>& strip, StripPath& path)
-        : surface_(surface), strip_(strip), path_(path) {}
+// Portals of the strip in the plane, and the two end points.
+struct Unfolding {
+    std::vector<Vec2> left, right;
+    Vec2 start, goal;
+};
 
-    Unfolding run(const SurfacePoint& start, const SurfacePoint& goal) {
-        Unfolding result;
-        // The first face lies in the plane with corner 0 at the origin and corner 1 on the x axis.
-        const Triangle& first = face(0);
-        corners_[0] = Vec2::Zero();
-        corners_[1] = Vec2((position(first[1]) - position(first[0])).norm(), 0.0);
-        corners_[2] = unfoldApex(
-            corners_[0], corners_[1], position(first[0]), position(first[1]), position(first[2])
-        );
-        result.start = place(start.barycentric, corners_);
-        for (std::size_t i = 0; i + 1 < strip_.size(); ++i) {
-            step(i, result);
-        }
-        result.goal = place(goal.barycentric, corners_);
-        return result;
-    }
-
-private:
-    [[nodiscard]] const Triangle& face(std::size_t i) const { return surface_.faces()[strip_[i]]; }
-
-    [[nodiscard]] const Vec3& position(int vertex) const { return surface_.vertices()[vertex]; }
-
-    // Crosses from face i to face i + 1: records the portal, places the new corner.
-    void step(std::size_t i, Unfolding& result) {
-        const Triangle& here = face(i);
-        const Triangle& there = face(i + 1);
+// Unfolds a strip, and lists the vertices of its portals in the path.
+Unfolding unfold(
+    const Surface& surface,
+    const std::vector<int>& strip,
+    const SurfacePoint& start,
+    const SurfacePoint& goal,
+    StripPath& path
+) {
+    const auto position = [&](int vertex) -> const Vec3& { return surface.vertices()[vertex]; };
+    Unfolding result;
+    // The first face lies in the plane with corner 0 at the origin and corner 1 on the x axis.
+    const auto& [a, b, c] = surface.faces()[strip.front()];
+    std::array<Vec2, 3> corners;
+    corners[0] = Vec2::Zero();
+    corners[1] = Vec2((position(b) - position(a)).norm(), 0.0);
+    corners[2] = unfoldApex(corners[0], corners[1], position(a), position(b), position(c));
+    result.start = place(start.barycentric, corners);
+    for (std::size_t i = 0; i + 1 < strip.size(); ++i) {
+        const Triangle& here = surface.faces()[strip[i]];
+        const Triangle& there = surface.faces()[strip[i + 1]];
         std::size_t k = 0;
-        while (surface_.faceNeighbours()[strip_[i]][k] != strip_[i + 1]) {
+        while (surface.faceNeighbours()[strip[i]][k] != strip[i + 1]) {
             ++k;
         }
         // Leaving a counter-clockwise face over the edge from corner k+1 to k+2, that edge runs
         // from right to left.
         const std::size_t r = (k + 1) % 3;
         const std::size_t l = (k + 2) % 3;
-        result.left.push_back(corners_[l]);
-        result.right.push_back(corners_[r]);
-        path_.lefts.push_back(here[l]);
-        path_.rights.push_back(here[r]);
+        result.left.push_back(corners[l]);
+        result.right.push_back(corners[r]);
+        path.lefts.push_back(here[l]);
+        path.rights.push_back(here[r]);
         std::array<Vec2, 3> next;
         const int cl = cornerOf(there, here[l]);
         const int cr = cornerOf(there, here[r]);
         const int apex = 3 - cl - cr;
-        next[cl] = corners_[l];
-        next[cr] = corners_[r];
+        next[cl] = corners[l];
+        next[cr] = corners[r];
         next[apex] = unfoldApex(
-            corners_[l], corners_[r], position(here[l]), position(here[r]), position(there[apex])
+            corners[l], corners[r], position(here[l]), position(here[r]), position(there[apex])
         );
-        corners_ = next;
+        corners = next;
     }
-
-    const Surface& surface_;
-    const std::vector<int>& strip_;
-    StripPath& path_;
-    std::array<Vec2, 3> corners_;
-};
+    result.goal = place(goal.barycentric, corners);
+    return result;
+}
 
 struct FunnelCorner {
     Vec2 position;
@@ -196,7 +182,7 @@ StripPath shortestPathInStrip(
     const SurfacePoint& goal
 ) {
     StripPath path;
-    const Unfolding u = Unfolder(surface, strip, path).run(start, goal);
+    const Unfolding u = unfold(surface, strip, start, goal, path);
     const std::vector<FunnelCorner> corners = Funnel(u).pullTight();
 
     const std::size_t count = u.left.size();
@@ -218,11 +204,8 @@ StripPath shortestPathInStrip(
         path.crossings[portal++] = corners[c].onLeft ? 0.0 : 1.0;
         const Vec2 next = c + 1 < corners.size() ? corners[c + 1].position : u.goal;
         const double turn = std::atan2(cross(to - from, next - to), (to - from).dot(next - to));
-        path.corners.push_back(
-            {corners[c].portal,
-             corners[c].onLeft ? path.lefts[corners[c].portal] : path.rights[corners[c].portal],
-             std::abs(turn)}
-        );
+        const std::vector<int>& side = corners[c].onLeft ? path.lefts : path.rights;
+        path.corners.push_back({corners[c].portal, side[corners[c].portal], std::abs(turn)});
         from = to;
         last = to;
     }

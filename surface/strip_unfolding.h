@@ -10,8 +10,8 @@ namespace bspline_curve {
 /// The shortest path inside a strip of faces, from a point of its first face to one of its last.
 struct StripPath {
     struct Corner {
-        std::size_t
-            portal;  ///< the path bends at an end of the edge between faces portal and portal + 1
+        /// The path bends at an end of the edge between faces portal and portal + 1.
+        std::size_t portal;
         int vertex;
         double bend;  ///< turning angle there, radians, > 0
     };

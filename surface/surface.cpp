@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 namespace bspline_curve {
@@ -42,9 +43,7 @@ Surface::Surface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
     auto labelled =
         startBeside(mesh_.faces.size(), [this] { return labelComponents(faceNeighbours_); });
     diagonal_ = diagonalOfReferencedVertices(mesh_, vertexFaceOffsets_);
-    FaceComponents components = labelled.get();
-    faceComponents_ = std::move(components.componentOf);
-    componentCount_ = components.count;
+    std::tie(faceComponents_, componentCount_) = labelled.get();
 }
 
 Vec3 Surface::position(const SurfacePoint& point) const {

@@ -4,30 +4,25 @@
 #include <algorithm>
 
 namespace bspline_curve {
+
 std::vector<int> facesHolding(const Surface& surface, const SurfacePoint& point) {
-    const Triangle& face = surface.faces()[point.face];
-    std::vector<int> faces;
+    std::vector<int> faces{point.face};
     int zeros = 0;
     int zeroCorner = 0;
     int liveCorner = 0;
     for (int k = 0; k < 3; ++k) {
-        if (point.barycentric[k] <= kOnEdgeBarycentric) {
-            ++zeros;
-            zeroCorner = k;
-        } else {
-            liveCorner = k;
-        }
+        const bool isZero = point.barycentric[k] <= kOnEdgeBarycentric;
+        zeros += static_cast<int>(isZero);
+        (isZero ? zeroCorner : liveCorner) = k;
     }
     if (zeros == 2) {
-        const Surface::FaceRange around = surface.facesAround(face[liveCorner]);
-        faces.assign(around.begin(), around.end());
-    } else {
-        faces.push_back(point.face);
-        if (zeros == 1 && surface.faceNeighbours()[point.face][zeroCorner] >= 0) {
-            faces.push_back(surface.faceNeighbours()[point.face][zeroCorner]);
-        }
+        const Surface::FaceRange star =
+            surface.facesAround(surface.faces()[point.face][liveCorner]);
+        faces.assign(star.begin(), star.end());
+    } else if (zeros == 1 && surface.faceNeighbours()[point.face][zeroCorner] >= 0) {
+        faces.push_back(surface.faceNeighbours()[point.face][zeroCorner]);
     }
-    std::sort(faces.begin(), faces.end());
+    std::ranges::sort(faces);
     return faces;
 }
 
@@ -49,8 +44,7 @@ SurfacePoint inFace(const Surface& surface, const SurfacePoint& point, int face)
 int commonFace(const Surface& surface, const SurfacePoint& a, const SurfacePoint& b) {
     const std::vector<int> facesA = facesHolding(surface, a);
     const std::vector<int> facesB = facesHolding(surface, b);
-    const auto found =
-        std::find_first_of(facesA.begin(), facesA.end(), facesB.begin(), facesB.end());
+    const auto found = std::ranges::find_first_of(facesA, facesB);
     return found == facesA.end() ? -1 : *found;
 }
 

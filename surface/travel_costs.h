@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "surface/surface_point.h"
 #include "utility/sparse_map.h"
 
 #include <cmath>
 #include <functional>
+#include <queue>
 #include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -16,6 +19,24 @@ struct TravelCosts {
     std::function<double(int face)> ofFace{};
     /// No face costs less, > 0. The nearer to what the cheapest costs, the less is searched.
     double least = 1.0;
+};
+
+/// A way from the start of a search to a place, to be gone on from (A*).
+struct Offer {
+    double estimate;  ///< what the whole way costs at least, or nearly
+    double cost;      ///< as far as the place
+    int place;
+    bool isWhole = false;  ///< the goal lies at the place, and the estimate is exact
+
+    /// Ties are broken by place, for the same result on every platform.
+    bool operator>(const Offer& other) const {
+        return estimate != other.estimate ? estimate > other.estimate : place > other.place;
+    }
+};
+
+/// Offers, the one with the least estimate first; keeps its memory when it is cleared.
+struct OfferQueue : std::priority_queue<Offer, std::vector<Offer>, std::greater<>> {
+    void clear() { c.clear(); }
 };
 
 /// Travel costs that are asked once of each face that is looked at.
@@ -34,6 +55,14 @@ public:
     }
 
     [[nodiscard]] bool isOpen(int face) { return std::isfinite(of(face)); }
+
+    [[nodiscard]] std::vector<int> openFacesHolding(
+        const Surface& surface, const SurfacePoint& point
+    ) {
+        std::vector<int> faces = facesHolding(surface, point);
+        std::erase_if(faces, [this](int f) { return !isOpen(f); });
+        return faces;
+    }
 
     [[nodiscard]] const TravelCosts& costs() const { return costs_; }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -23,9 +24,24 @@ public:
         return i;
     }
 
-    void unite(int i, int j) {
-        const auto [low, high] = std::minmax({find(i), find(j)});
-        parents_[high] = low;
+    /// Unites two sets; returns the smallest element of the union.
+    int unite(int i, int j) {
+        const int a = find(i);
+        const int b = find(j);
+        const int low = std::min(a, b);
+        parents_[std::max(a, b)] = low;
+        return low;
+    }
+
+    /// The number of each element's set, from 0 in order of the smallest elements, and how many
+    /// sets there are.
+    [[nodiscard]] std::pair<std::vector<int>, int> numbered() && {
+        int count = 0;
+        // Parents are smaller than their children, so they have their numbers already.
+        for (int i = 0; i < static_cast<int>(parents_.size()); ++i) {
+            parents_[i] = parents_[i] == i ? count++ : parents_[parents_[i]];
+        }
+        return {std::move(parents_), count};
     }
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace bspline_curve {
@@ -12,6 +13,24 @@ void sortUnique(std::vector<T>& values) {
     std::ranges::sort(values);
     const auto repeated = std::ranges::unique(values);
     values.erase(repeated.begin(), repeated.end());
+}
+
+/// Whether a value is in a list. O(n).
+template <class T>
+[[nodiscard]] bool contains(const std::vector<T>& list, const T& value) {
+    return std::ranges::find(list, value) != list.end();
+}
+
+/// The numbers in [0, count) for which a condition holds, ascending.
+template <class Index, class Condition>
+[[nodiscard]] std::vector<Index> indicesWhere(std::size_t count, const Condition& condition) {
+    std::vector<Index> indices;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (condition(i)) {
+            indices.push_back(static_cast<Index>(i));
+        }
+    }
+    return indices;
 }
 
 /// Place of a value in an ascending list without repetitions; -1 where it is not there. O(log n).

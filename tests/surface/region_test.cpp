@@ -3,11 +3,11 @@
 
 #include "bspline_curve/error.h"
 #include "support/meshes.h"
+#include "support/refusal.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <string>
 
 namespace bspline_curve {
 namespace {
@@ -37,27 +37,14 @@ struct RegionTest : public ::testing::Test {
     }
 };
 
-template <class Make>
-InputError refusal(const Make& make) {
-    try {
-        static_cast<void>(make());
-    } catch (const InputError& error) {
-        return error;
-    }
-    ADD_FAILURE() << "accepted";
-    return {InputErrorCode::UnreadableFile, ""};
-}
-
 TEST_F(RegionTest, IsSortedWithoutRepetitions) {
     EXPECT_EQ(makeRegion(surface, Ids{7, 31, 0, 7, 3}), (Region{0, 3, 7, 31}));
     EXPECT_TRUE(makeRegion(surface, Ids{}).empty());
 }
 
 TEST_F(RegionTest, NamesTheIdsThatAreNoFaces) {
-    const InputError error = refusal([&] { return makeRegion(surface, Ids{3, 32, -1, 32}); });
-    EXPECT_EQ(error.code(), InputErrorCode::IndexOutOfRange);
-    EXPECT_EQ(error.elements(), (Ids{-1, 32}));
-    EXPECT_NE(std::string(error.what()).find("from 0 to 31"), std::string::npos) << error.what();
+    const auto make = [&] { return makeRegion(surface, Ids{3, 32, -1, 32}); };
+    expectRefused(make, InputErrorCode::IndexOutOfRange, "from 0 to 31", Ids{-1, 32});
 }
 
 TEST_F(RegionTest, OfVerticesHoldsTheFacesAllOfWhoseCornersAreSelected) {
@@ -67,10 +54,8 @@ TEST_F(RegionTest, OfVerticesHoldsTheFacesAllOfWhoseCornersAreSelected) {
     }
     EXPECT_EQ(facesOfVertices(surface, selected).size(), 2U);
     selected.pop_back();
-    EXPECT_EQ(
-        refusal([&] { return facesOfVertices(surface, selected); }).code(),
-        InputErrorCode::IndexOutOfRange
-    );
+    const auto make = [&] { return facesOfVertices(surface, selected); };
+    expectRefused(make, InputErrorCode::IndexOutOfRange);
 }
 
 TEST_F(RegionTest, OfAThresholdTakesTheMeanOverTheCorners) {
@@ -91,15 +76,11 @@ TEST_F(RegionTest, OfAThresholdTakesTheMeanOverTheCorners) {
 }
 
 TEST_F(RegionTest, OfAThresholdRefusesOtherFieldsAndNoNumber) {
-    EXPECT_EQ(
-        refusal([&] { return facesUnder(surface, std::vector<double>(24), 0.0); }).code(),
-        InputErrorCode::BadField
-    );
+    const auto under = [&] { return facesUnder(surface, std::vector<double>(24), 0.0); };
+    expectRefused(under, InputErrorCode::BadField);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(
-        refusal([&] { return facesOver(surface, xOfVertices(), nan); }).code(),
-        InputErrorCode::BadOption
-    );
+    const auto over = [&] { return facesOver(surface, xOfVertices(), nan); };
+    expectRefused(over, InputErrorCode::BadOption);
 }
 
 TEST_F(RegionTest, HasAFlagPerFace) {

@@ -4,6 +4,7 @@
 #include "exact_oracle.h"
 #include "support/meshes.h"
 #include "support/random.h"
+#include "surface/face_crossings.h"
 
 #include <Eigen/Geometry>
 
@@ -12,54 +13,50 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <string>
 
 namespace bspline_curve {
 namespace {
 
 using exact_oracle::Point;
-using test_support::Random;
+using namespace test_support;
 using PairList = std::vector<std::pair<int, int>>;
 
-/// Two triangles with vertices 0-2 and 3-5.
-bool meet(const std::vector<Vec3>& vertices) {
-    const bool result = trianglesIntersect(vertices, {0, 1, 2}, {3, 4, 5});
-    EXPECT_EQ(result, trianglesIntersect(vertices, {3, 4, 5}, {0, 1, 2})) << "not symmetric";
-    return result;
-}
+TEST(TrianglesIntersect, SeesWhetherTrianglesWithoutSharedCornersMeet) {
+    struct Case {
+        std::string name;
+        bool meet;
+        std::vector<Vec3> first, second;
+    };
 
-TEST(TrianglesIntersect, SeesATriangleThatPiercesAnother) {
-    EXPECT_TRUE(meet({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {2, 1, 1}}));
-}
-
-TEST(TrianglesIntersect, TellsParallelTrianglesApart) {
     const double tiny = 0x1p-50;
-    EXPECT_FALSE(meet({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, tiny}, {4, 0, tiny}, {0, 4, tiny}}));
-}
-
-TEST(TrianglesIntersect, SeesACoplanarTriangleInsideOfAnother) {
-    EXPECT_TRUE(meet({{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {1, 1, 0}, {2, 1, 0}, {1, 2, 0}}));
-}
-
-TEST(TrianglesIntersect, SeesACoplanarOverlapWithoutACornerInside) {
-    EXPECT_TRUE(meet({{0, 0, 0}, {6, 0, 0}, {3, 5, 0}, {0, 3, 0}, {3, -2, 0}, {6, 3, 0}}));
-}
-
-TEST(TrianglesIntersect, TellsCoplanarNeighboursApart) {
-    EXPECT_FALSE(meet({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 1, 0}, {4, 4, 0}, {1, 4, 0}}));
-}
-
-TEST(TrianglesIntersect, CountsTouchingAtAPointAsMeeting) {
-    // Corner on corner, corner on edge, corner inside, edge on edge.
-    EXPECT_TRUE(meet({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 0, 0}, {5, 0, 1}, {5, 1, 1}}));
-    EXPECT_TRUE(meet({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 2, 0}, {3, 3, 1}, {3, 4, 1}}));
-    EXPECT_TRUE(meet({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {3, 3, 1}, {3, 4, 1}}));
-    EXPECT_TRUE(meet({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, -1, -1}, {2, 1, 1}, {2, -3, 3}}));
-}
-
-TEST(TrianglesIntersect, CountsEqualPositionsWithDifferentIndicesAsMeeting) {
-    // Two neighbours of a flat grid, unwelded.
-    EXPECT_TRUE(meet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+    const std::vector<Vec3> base = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    const Case cases[] = {
+        {"piercing", true, base, {{1, 1, -1}, {1, 1, 1}, {2, 1, 1}}},
+        {"parallel", false, base, {{0, 0, tiny}, {4, 0, tiny}, {0, 4, tiny}}},
+        {"inside", true, {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}},
+        {"coplanar overlap without a corner inside",
+         true,
+         {{0, 0, 0}, {6, 0, 0}, {3, 5, 0}},
+         {{0, 3, 0}, {3, -2, 0}, {6, 3, 0}}},
+        {"coplanar and apart", false, base, {{4, 1, 0}, {4, 4, 0}, {1, 4, 0}}},
+        {"corner on corner", true, base, {{4, 0, 0}, {5, 0, 1}, {5, 1, 1}}},
+        {"corner on edge", true, base, {{2, 2, 0}, {3, 3, 1}, {3, 4, 1}}},
+        {"corner inside", true, base, {{1, 1, 0}, {3, 3, 1}, {3, 4, 1}}},
+        {"edge on edge", true, base, {{2, -1, -1}, {2, 1, 1}, {2, -3, 3}}},
+        {"neighbours of a flat grid, unwelded",
+         true,
+         {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+         {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
+    };
+    for (const auto& [name, meet, first, second] : cases) {
+        SCOPED_TRACE(name);
+        std::vector<Vec3> vertices = first;
+        vertices.insert(vertices.end(), second.begin(), second.end());
+        EXPECT_EQ(trianglesIntersect(vertices, {0, 1, 2}, {3, 4, 5}), meet);
+        EXPECT_EQ(trianglesIntersect(vertices, {3, 4, 5}, {0, 1, 2}), meet);
+    }
 }
 
 TEST(TrianglesIntersect, LetsTrianglesShareACorner) {
@@ -207,7 +204,6 @@ PairList bruteForce(const TriangleMesh& mesh) {
 }
 
 TEST(FindSelfIntersections, FindsNothingInCleanMeshes) {
-    using namespace test_support;
     for (const TriangleMesh& mesh :
          {plate(9, 7),
           jitteredPlate(12, 12, 0.25, 1),
@@ -221,15 +217,14 @@ TEST(FindSelfIntersections, FindsNothingInCleanMeshes) {
 }
 
 TEST(FindSelfIntersections, FindsTheSamePairsAsBruteForce) {
-    const TriangleMesh crossing = test_support::crossingPlates();
+    const TriangleMesh crossing = crossingPlates();
     const PairList expected = bruteForce(crossing);
     EXPECT_FALSE(expected.empty());
     EXPECT_EQ(findSelfIntersections(crossing.vertices, crossing.faces), expected);
 
     for (const std::uint64_t seed : {4U, 5U, 6U}) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        const TriangleMesh crumpled =
-            test_support::withNoise(test_support::icosphere(2), 0.2, seed);
+        const TriangleMesh crumpled = withNoise(icosphere(2), 0.2, seed);
         const PairList pairs = bruteForce(crumpled);
         EXPECT_FALSE(pairs.empty());
         EXPECT_EQ(findSelfIntersections(crumpled.vertices, crumpled.faces), pairs);
@@ -238,15 +233,46 @@ TEST(FindSelfIntersections, FindsTheSamePairsAsBruteForce) {
 
 TEST(FindSelfIntersections, HandlesEmptyAndTinySets) {
     EXPECT_TRUE(findSelfIntersections({}, {}).empty());
-    const TriangleMesh one = test_support::plate(1, 1);
+    const TriangleMesh one = plate(1, 1);
     EXPECT_TRUE(findSelfIntersections(one.vertices, {one.faces[0]}).empty());
     EXPECT_TRUE(findSelfIntersections(one.vertices, one.faces).empty());
 }
 
 TEST(FindSelfIntersections, FindsDuplicatesOfOneFaceEvenWhenAllCentresCoincide) {
-    const TriangleMesh one = test_support::plate(1, 1);
+    const TriangleMesh one = plate(1, 1);
     const std::vector<Triangle> copies(9, one.faces[0]);
     EXPECT_EQ(findSelfIntersections(one.vertices, copies).size(), 9U * 8U / 2U);
+}
+
+// Where a surface crosses itself, face by face: the same as all at once.
+void expectSameAsAllAtOnce(TriangleMesh mesh, bool hasAny) {
+    const Surface surface(std::move(mesh));
+    const TriangleTree tree(surface.vertices(), surface.faces());
+    const FaceCrossings crossings(surface, tree);
+    std::set<int> expected;
+    for (const auto& [f, g] : findSelfIntersections(surface.vertices(), surface.faces())) {
+        expected.insert({f, g});
+    }
+    EXPECT_EQ(!expected.empty(), hasAny);
+    for (int again = 0; again < 2; ++again) {
+        for (int f = 0; f < surface.faceCount(); ++f) {
+            EXPECT_EQ(crossings.hasCrossing(f), expected.contains(f)) << "face " << f;
+        }
+    }
+}
+
+TEST(FaceCrossings, AreNoneOnASphere) {
+    expectSameAsAllAtOnce(icosphere(3), false);
+}
+
+// So noisy that neighbours fold onto each other and through their next ones.
+TEST(FaceCrossings, AreThoseOfACrumpledSphere) {
+    expectSameAsAllAtOnce(withNoise(icosphere(3), 0.12, 7), true);
+}
+
+TEST(FaceCrossings, AreThoseBetweenComponents) {
+    const Eigen::Isometry3d aside(Eigen::Translation3d(0.7, 0.2, 0.1));
+    expectSameAsAllAtOnce(joined(icosphere(2), transformed(icosphere(2), aside)), true);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,15 +21,12 @@ using namespace test_support;
 /// Vertices - edges + faces; without unreferenced vertices.
 int eulerCharacteristic(const TriangleMesh& mesh) {
     const Surface surface(mesh);
-    int halfEdges = 0;
     int boundaryEdges = 0;
     for (const Triangle& neighbours : surface.faceNeighbours()) {
-        for (const int neighbour : neighbours) {
-            ++halfEdges;
-            boundaryEdges += neighbour < 0 ? 1 : 0;
-        }
+        boundaryEdges += static_cast<int>(std::ranges::count(neighbours, -1));
     }
-    return surface.vertexCount() - (halfEdges + boundaryEdges) / 2 + surface.faceCount();
+    const int edges = (3 * surface.faceCount() + boundaryEdges) / 2;
+    return surface.vertexCount() - edges + surface.faceCount();
 }
 
 double area(const TriangleMesh& mesh) {
