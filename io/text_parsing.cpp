@@ -104,7 +104,11 @@ std::optional<double> parseNumber(std::string_view token) {
 }
 
 std::optional<float> parseFloat(std::string_view token) {
-    return parseWhole<float>(token);
+    if (const auto number = parseWhole<float>(token)) {
+        return number;
+    }
+    const auto wide = parseNumber(token);  // beyond the range of floats: 0 or infinite
+    return wide ? std::optional(static_cast<float>(*wide)) : std::nullopt;
 }
 
 std::optional<long long> parseInteger(std::string_view token) {
