@@ -72,6 +72,7 @@ Built buildStages(
     figures.faces = static_cast<int>(mesh.faces.size());
     bar.show(0.0, "validating");
     if (const auto repair = repairIfAsked(mesh, arguments.repair)) {
+        sayRepaired(repair);
         figures.repair = repair->report;
     }
     figures.seconds.repair = watch.lap();
