@@ -23,15 +23,15 @@ struct InvariantCheck {
 
 struct ShellCheckOptions {
     int maxReportedIds = 8;  ///< per invariant, >= 0
-    int fibresPerPrism =
-        20;                  ///< of a simplified shell, that are followed through the surface, >= 0
+    /// Fibres of each prism of a simplified shell that are followed through the surface, >= 0.
+    int fibresPerPrism = 20;
     std::uint64_t seed = 1;  ///< of the choice of the fibres
 };
 
 /// What was found about each invariant. In a simplified shell "the surface" are the faces of the
-/// base that are not blocked, and the ghosts that some prism lists. A face "meets" a tetrahedron
-/// where it passes through its inside, or has an area in common with one of its sides; touching in
-/// a point or a line does not count.
+/// extended surface that are not blocked, and the ghosts that some prism lists. A face "meets" a
+/// tetrahedron where it passes through its inside, or has an area in common with one of its sides;
+/// touching in a point or a line does not count.
 struct ShellCheck {
     /// Every tetrahedron of the split has positive volume. Ids: tetrahedra.
     InvariantCheck positiveTetrahedra{.name = "positive tetrahedra", .firstIds = {}};
@@ -85,10 +85,11 @@ struct ShellCheck {
 };
 
 /// Checks the invariants of a shell of either form with exact predicates, from its plain data
-/// (pillars, prisms, tracks, kSlabSplit) and the extended surface alone; shares no code with those
-/// who build, simplify or query shells. `blockedFaces` lists the faces of the surface that are said
-/// to have no prism, ascending (ShellBuildReport). Indices must be valid. O(n log n) for full
-/// resolution; simplified shells in addition O(pairs of faces and prisms whose boxes overlap).
+/// (pillars, prisms, tracks, kSlabSplit) and the extended surface alone. Shares no test with those
+/// who build, simplify or query shells: only predicates and the numbers of points. `blockedFaces`
+/// lists the faces of the surface that are said to have no prism, ascending (ShellBuildReport).
+/// Indices must be valid. O(n log n) for full resolution; simplified shells in addition O(pairs of
+/// faces and prisms whose boxes overlap).
 [[nodiscard]] ShellCheck checkShell(
     const Surface& surface,
     const ExtendedSurface& extended,

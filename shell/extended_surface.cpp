@@ -2,7 +2,6 @@
 #include "shell/extended_surface.h"
 
 #include "shell/face_geometry.h"
-#include "shell/patch_directions.h"
 #include "shell/pillar_directions.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"

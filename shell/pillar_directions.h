@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/mesh.h"
+#include "surface/patch_levels.h"
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -23,5 +24,15 @@ template <class Normals = std::span<const Vec3>>
 /// (a singular vertex) the result's leastCosine is <= 0. Exact up to rounding for any number of
 /// normals that real valences reach; O(m^4) worst, O(m^2) typical.
 [[nodiscard]] Vec3 directionOfLeastAngle(std::span<const Vec3> normals);
+
+/// The largest patches of a surface that are still many enough to smooth directions over: no wider
+/// than 0.005 times the root of its area. Null where its faces are hardly smaller than that.
+[[nodiscard]] const PatchLevels::Level* patchesToSmoothOver(const PatchLevels& patches);
+
+/// Unit directions of the finest patches, as smooth as averages over patchesToSmoothOver(), which
+/// must be there, and their neighbours' neighbours. `faceNormals`: unit. O(#F).
+[[nodiscard]] std::vector<Vec3> smoothPatchDirections(
+    const PatchLevels& patches, const std::vector<Vec3>& faceNormals
+);
 
 }  // namespace bspline_curve

@@ -3,49 +3,26 @@
 
 #include "support/meshes.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
+#include <set>
 #include <utility>
 
 namespace bspline_curve::test_support {
 
 BuiltShell::BuiltShell(TriangleMesh mesh, const ShellOptions& options)
     : surface(std::move(mesh)),
-      extended(extendSurface(surface, options.smoothingPasses)),
-      build(buildShell(extended, options)) {}
-
-ShellCheck BuiltShell::check() const {
-    return check(build.shell);
-}
-
-ShellCheck BuiltShell::check(const Shell& other) const {
-    return checkShell(surface, extended, other, blockedFaces());
-}
-
-SimplifiedShell::SimplifiedShell(TriangleMesh mesh, const ShellOptions& options)
-    : surface(std::move(mesh)),
-      extended(
+      sharedExtended(
           std::make_shared<const ExtendedSurface>(extendSurface(surface, options.smoothingPasses))
       ),
-      build(buildSimplifiedShell(extended, options)) {}
+      extended(*sharedExtended),
+      build(makeShell(sharedExtended, options)) {}
 
-ShellCheck SimplifiedShell::check() const {
-    return checkShell(surface, *extended, shell(), build.report.blockedFaces);
-}
-
-double SimplifiedShell::meanThickness() const {
-    double total = 0.0;
-    for (const Pillar& pillar : shell().pillars()) {
-        total += (pillar.top - pillar.bottom).norm();
-    }
-    return total / static_cast<double>(shell().pillars().size()) / longestSideOf(*extended);
-}
-
-std::ostream& operator<<(std::ostream& stream, const NamedMesh& named) {
-    return stream << named.name;
-}
+SimplifiedShell::SimplifiedShell(TriangleMesh mesh, ShellOptions options)
+    : BuiltShell(std::move(mesh), (options.kind = ShellKind::Simplified, options)) {}
 
 std::vector<NamedMesh> shellMeshes() {
     Eigen::Isometry3d far(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
@@ -174,51 +151,69 @@ TriangleMesh sphereInSphere() {
 TriangleMesh withHoles(const TriangleMesh& mesh, int count, Random& random) {
     TriangleMesh result = mesh;
     // Vertices less than three faces from a hole keep all their faces.
-    std::vector<char> isNearHole(mesh.vertices.size(), 0);
+    std::set<int> nearHoles;
     for (int hole = 0; hole < count; ++hole) {
         const int centre = random.integer(0, static_cast<int>(mesh.vertices.size()) - 1);
-        std::vector<char> isNear(mesh.vertices.size(), 0);
-        isNear[centre] = 1;
+        std::set<int> near = {centre};
         for (int ring = 0; ring < 3; ++ring) {
-            std::vector<char> next = isNear;
+            const std::set<int> inner = near;
             for (const Triangle& face : mesh.faces) {
-                if (std::ranges::any_of(face, [&](int v) { return isNear[v] != 0; })) {
-                    for (const int v : face) {
-                        next[v] = 1;
-                    }
+                if (std::ranges::any_of(face, [&](int v) { return inner.contains(v); })) {
+                    near.insert(face.begin(), face.end());
                 }
             }
-            isNear.swap(next);
         }
-        bool isFree = true;
-        for (std::size_t v = 0; v < isNear.size(); ++v) {
-            isFree = isFree && (isNear[v] == 0 || isNearHole[v] == 0);
+        if (std::ranges::none_of(near, [&](int v) { return nearHoles.contains(v); })) {
+            nearHoles.merge(near);
+            std::erase_if(result.faces, [&](const Triangle& face) {
+                return std::ranges::find(face, centre) != face.end();
+            });
         }
-        if (!isFree) {
-            continue;
-        }
-        for (std::size_t v = 0; v < isNear.size(); ++v) {
-            isNearHole[v] = static_cast<char>(isNearHole[v] | isNear[v]);
-        }
-        std::erase_if(result.faces, [&](const Triangle& face) {
-            return std::ranges::find(face, centre) != face.end();
-        });
     }
     return result;
 }
 
-std::string describe(const ShellCheck& check) {
-    std::ostringstream text;
+bool areSame(const Shell& a, const Shell& b) {
+    return std::ranges::equal(
+               a.pillars(),
+               b.pillars(),
+               [](const Pillar& p, const Pillar& q) {
+                   return p.bottom == q.bottom && p.middle == q.middle && p.top == q.top;
+               }
+           ) &&
+           std::ranges::equal(
+               a.prisms(),
+               b.prisms(),
+               [](const Prism& p, const Prism& q) {
+                   return p.pillars == q.pillars && p.neighbours == q.neighbours &&
+                          p.neighbourWalls == q.neighbourWalls && p.orientation == q.orientation;
+               }
+           ) &&
+           a.tracks().offsets == b.tracks().offsets && a.tracks().faces == b.tracks().faces;
+}
+
+Names brokenInvariants(const ShellCheck& check) {
+    Names names;
     for (const InvariantCheck* invariant : check.invariants()) {
         if (!invariant->holds) {
-            text << invariant->name << ": " << invariant->violations << " violations, first at";
-            for (const int id : invariant->firstIds) {
-                text << ' ' << id;
-            }
-            text << '\n';
+            names.emplace_back(invariant->name);
         }
     }
-    return text.str();
+    return names;
+}
+
+void expectValid(const ShellCheck& check) {
+    EXPECT_TRUE(check.passed());
+    for (const InvariantCheck* invariant : check.invariants()) {
+        EXPECT_TRUE(invariant->holds)
+            << invariant->name << ": " << invariant->violations << " violations, first at "
+            << testing::PrintToString(invariant->firstIds);
+    }
+}
+
+void expectWhole(const BuiltShell& built) {
+    expectValid(built.check());
+    EXPECT_EQ(built.blockedFaces(), std::vector<int>{});
 }
 
 }  // namespace bspline_curve::test_support

@@ -13,7 +13,8 @@
 
 namespace bspline_curve::test_support {
 
-/// A surface and its shell, built the way CurveDesigner does.
+/// A surface and its shell, built the way CurveDesigner does: of full resolution, unless the
+/// options ask for a simplified one.
 struct BuiltShell {
     explicit BuiltShell(TriangleMesh mesh, const ShellOptions& options = {});
 
@@ -21,30 +22,27 @@ struct BuiltShell {
 
     [[nodiscard]] const std::vector<int>& blockedFaces() const { return build.report.blockedFaces; }
 
-    [[nodiscard]] ShellCheck check() const;
+    [[nodiscard]] ShellCheck check() const { return check(build.shell); }
+
     /// The same check of another shell in place of the built one.
-    [[nodiscard]] ShellCheck check(const Shell& other) const;
+    [[nodiscard]] ShellCheck check(const Shell& other) const {
+        return checkShell(surface, extended, other, blockedFaces());
+    }
+
+    /// The same check of the shell with other pillars.
+    [[nodiscard]] ShellCheck checkWith(const std::vector<Pillar>& pillars) const {
+        return check(Shell(pillars, shell().prisms(), surface.faceCount()));
+    }
 
     Surface surface;
-    ExtendedSurface extended;
+    std::shared_ptr<const ExtendedSurface> sharedExtended;
+    const ExtendedSurface& extended;
     ShellBuild build;
 };
 
 /// A surface and its simplified shell.
-struct SimplifiedShell {
-    explicit SimplifiedShell(TriangleMesh mesh, const ShellOptions& options = {});
-
-    [[nodiscard]] const Shell& shell() const { return build.shell; }
-
-    [[nodiscard]] ShellCheck check() const;
-
-    /// Mean length of its pillars, bottom to top, relative to the longest side of the surface's
-    /// box.
-    [[nodiscard]] double meanThickness() const;
-
-    Surface surface;
-    std::shared_ptr<const ExtendedSurface> extended;
-    ShellBuild build;
+struct SimplifiedShell : BuiltShell {
+    explicit SimplifiedShell(TriangleMesh mesh, ShellOptions options = {});
 };
 
 struct NamedMesh {
@@ -52,8 +50,9 @@ struct NamedMesh {
     TriangleMesh mesh;
 };
 
-/// For names of parameterised tests.
-std::ostream& operator<<(std::ostream& stream, const NamedMesh& named);
+inline std::ostream& operator<<(std::ostream& stream, const NamedMesh& named) {
+    return stream << named.name;
+}
 
 /// Meshes on which every face must get a prism, one for each property that a shell may trip over.
 [[nodiscard]] std::vector<NamedMesh> shellMeshes();
@@ -87,7 +86,20 @@ std::ostream& operator<<(std::ostream& stream, const NamedMesh& named);
 /// close: holes.
 [[nodiscard]] TriangleMesh withHoles(const TriangleMesh& mesh, int count, Random& random);
 
-/// What violates an invariant, as text for a failing test.
-[[nodiscard]] std::string describe(const ShellCheck& check);
+// ---- Expectations ----
+
+/// Whether pillars, prisms and tracks are the same to the last bit.
+[[nodiscard]] bool areSame(const Shell& a, const Shell& b);
+
+using Names = std::vector<std::string>;
+
+/// The names of the invariants that do not hold.
+[[nodiscard]] Names brokenInvariants(const ShellCheck& check);
+
+/// Expects that every invariant holds, and says which do not.
+void expectValid(const ShellCheck& check);
+
+/// Expects a valid shell without blocked faces.
+void expectWhole(const BuiltShell& built);
 
 }  // namespace bspline_curve::test_support

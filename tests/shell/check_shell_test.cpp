@@ -4,7 +4,7 @@
 #include "built_shell.h"
 #include "support/coarse_shell.h"
 #include "support/meshes.h"
-#include "support/random.h"
+#include "support/seeds.h"
 
 #include <gtest/gtest.h>
 
@@ -23,20 +23,14 @@ class CheckShellOnMesh : public testing::TestWithParam<NamedMesh> {};
 
 TEST_P(CheckShellOnMesh, PassesAtEveryThickness) {
     for (const double thickness : {0.1, 0.75, 2.0, 4.0}) {
+        SCOPED_TRACE("thickness " + std::to_string(thickness));
         const BuiltShell built(GetParam().mesh, {.thickness = thickness});
-        EXPECT_TRUE(built.check().passed()) << "thickness " << thickness << "\n"
-                                            << describe(built.check());
-        EXPECT_TRUE(built.blockedFaces().empty())
-            << "thickness " << thickness << ": " << built.blockedFaces().size() << " blocked";
+        expectWhole(built);
         EXPECT_TRUE(built.extended.unseenVertices.empty());
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Meshes, CheckShellOnMesh, testing::ValuesIn(shellMeshes()), [](const auto& instance) {
-        return instance.param.name;
-    }
-);
+INSTANTIATE_TEST_SUITE_P(Meshes, CheckShellOnMesh, testing::ValuesIn(shellMeshes()), nameOfParam);
 
 // Heavy noise makes folds, singular vertices and surfaces that cross themselves: faces are blocked,
 // and what remains is valid.
@@ -56,7 +50,7 @@ TEST(CheckShell, PassesWhateverTheNoise) {
         const double amplitude = std::pow(10.0, random.uniform(-3.0, -0.4));
         const double thickness = std::pow(10.0, random.uniform(-1.0, 0.7));
         const BuiltShell built(withNoise(mesh, amplitude, seed), {.thickness = thickness});
-        EXPECT_TRUE(built.check().passed()) << describe(built.check());
+        expectValid(built.check());
         blocked += static_cast<int>(built.blockedFaces().size());
     }
     EXPECT_GT(blocked, 0);
@@ -75,14 +69,15 @@ protected:
 };
 
 TEST_F(CheckShellOnDamage, PassesWithoutDamage) {
-    EXPECT_TRUE(check().passed()) << describe(check());
+    expectValid(check());
 }
 
 TEST_F(CheckShellOnDamage, FindsAPillarUpsideDown) {
     std::swap(pillars_[5].top, pillars_[5].bottom);
-    EXPECT_FALSE(check().positiveTetrahedra.holds);
-    EXPECT_FALSE(check().transversalSurface.holds);
-    EXPECT_TRUE(check().consistentNeighbours.holds);
+    const ShellCheck result = check();
+    EXPECT_FALSE(result.positiveTetrahedra.holds);
+    EXPECT_FALSE(result.transversalSurface.holds);
+    EXPECT_TRUE(result.consistentNeighbours.holds);
 }
 
 TEST_F(CheckShellOnDamage, FindsAPillarWithoutLength) {
@@ -157,13 +152,8 @@ TEST_F(CheckShellOnDamage, ReportsAsManyIdsAsAskedFor) {
     }
     const Shell upsideDown(pillars_, prisms_, built_.surface.faceCount());
     for (const int count : {0, 5}) {
-        const ShellCheck result = checkShell(
-            built_.surface,
-            built_.extended,
-            upsideDown,
-            built_.blockedFaces(),
-            {.maxReportedIds = count}
-        );
+        const ShellCheck result =
+            checkShell(built_.surface, built_.extended, upsideDown, {}, {.maxReportedIds = count});
         EXPECT_EQ(static_cast<int>(result.positiveTetrahedra.firstIds.size()), count);
         EXPECT_EQ(result.positiveTetrahedra.violations, upsideDown.tetrahedronCount());
     }
@@ -176,8 +166,7 @@ TEST(CheckShell, FindsATipThroughTheOppositeSheet) {
     const std::size_t vertex = 2 * 41 + 10;
     const Vec3 up = (pillars[vertex].top - pillars[vertex].middle).normalized();
     pillars[vertex].top = pillars[vertex].middle + 0.03 / built.surface.diagonal() * up;
-    const ShellCheck result =
-        built.check(Shell(pillars, built.shell().prisms(), built.surface.faceCount()));
+    const ShellCheck result = built.checkWith(pillars);
     EXPECT_FALSE(result.separateLayers.holds);
     EXPECT_TRUE(result.positiveTetrahedra.holds);
     EXPECT_TRUE(result.transversalSurface.holds);
@@ -198,22 +187,10 @@ TEST(CheckShell, FindsABottomThatTurnedInsideOut) {
     };
     TriangleMesh middle{
         .vertices = {},
-        .faces = {
-            {0, 2, 3},
-            {1, 3, 8},
-            {0, 5, 2},
-            {4, 8, 6},
-            {2, 6, 3},
-            {0, 3, 1},
-            {4, 6, 5},
-            {0, 1, 7},
-            {0, 7, 4},
-            {0, 4, 5},
-            {4, 7, 8},
-            {2, 5, 6},
-            {1, 8, 7},
-            {3, 6, 8}
-        }
+        // clang-format off
+        .faces = {{0, 2, 3}, {1, 3, 8}, {0, 5, 2}, {4, 8, 6}, {2, 6, 3}, {0, 3, 1}, {4, 6, 5},
+                  {0, 1, 7}, {0, 7, 4}, {0, 4, 5}, {4, 7, 8}, {2, 5, 6}, {1, 8, 7}, {3, 6, 8}}
+        // clang-format on
     };
     for (const Pillar& pillar : pillars) {
         middle.vertices.push_back(pillar.middle);
@@ -235,8 +212,7 @@ TEST(CheckShell, FindsAComponentInsideOfAnother) {
     for (std::size_t v = 0; v < 12; ++v) {
         pillars[v].top = pillars[v].middle + 2.0 * (pillars[v].middle - pillars[v].bottom);
     }
-    const ShellCheck result =
-        built.check(Shell(pillars, built.shell().prisms(), built.surface.faceCount()));
+    const ShellCheck result = built.checkWith(pillars);
     EXPECT_FALSE(result.separateComponents.holds);
     EXPECT_TRUE(result.separateLayers.holds);
     EXPECT_TRUE(result.positiveTetrahedra.holds);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/check/exact_overlap.h"
 
-#include "support/random.h"
+#include "support/seeds.h"
 
 #include <Eigen/Geometry>
 
@@ -15,6 +15,7 @@
 namespace bspline_curve {
 namespace {
 
+using test_support::forEachSeed;
 using test_support::Random;
 
 // ---- An oracle in integers: the triangle clipped by the four planes of the tetrahedron ----
@@ -84,46 +85,33 @@ bool oracle(const std::array<Vec3, 4>& tet, const std::array<Vec3, 3>& triangle)
     return false;
 }
 
-struct Counts {
-    int overlapping = 0, flat = 0;
-};
-
 // Small coordinates make most configurations degenerate in some way.
-Counts compareWithOracle(std::uint64_t seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const int size = random.integer(1, 5);
-    const auto point = [&]() -> Vec3 {
-        const int x = random.integer(0, size);
-        const int y = random.integer(0, size);
-        const int z = random.integer(0, size);
-        return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-    };
-    Counts counts;
-    for (int i = 0; i < 2000; ++i) {
-        const std::array<Vec3, 4> tet = {point(), point(), point(), point()};
-        const std::array<Vec3, 3> triangle = {point(), point(), point()};
-        if ((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).isZero(0.0)) {
-            continue;
-        }
-        const bool isFlat = volume(tet[0], tet[1], tet[2], tet[3]) == 0;
-        const bool expected = !isFlat && oracle(tet, triangle);
-        EXPECT_EQ(overlaps(tet, triangle), expected);
-        counts.overlapping += expected ? 1 : 0;
-        counts.flat += isFlat ? 1 : 0;
-    }
-    return counts;
-}
-
 TEST(ExactOverlap, AgreesWithClippingInIntegers) {
-    Counts all;
-    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-        const Counts counts = compareWithOracle(seed);
-        all.overlapping += counts.overlapping;
-        all.flat += counts.flat;
-    }
-    EXPECT_GT(all.overlapping, 10000);
-    EXPECT_GT(all.flat, 1000);
+    int overlapping = 0;
+    int flat = 0;
+    forEachSeed(100, [&](Random& random) {
+        const int size = random.integer(1, 5);
+        const auto point = [&]() -> Vec3 {
+            const int x = random.integer(0, size);
+            const int y = random.integer(0, size);
+            const int z = random.integer(0, size);
+            return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+        };
+        for (int i = 0; i < 2000; ++i) {
+            const std::array<Vec3, 4> tet = {point(), point(), point(), point()};
+            const std::array<Vec3, 3> triangle = {point(), point(), point()};
+            if ((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).isZero(0.0)) {
+                continue;
+            }
+            const bool isFlat = volume(tet[0], tet[1], tet[2], tet[3]) == 0;
+            const bool expected = !isFlat && oracle(tet, triangle);
+            EXPECT_EQ(overlaps(tet, triangle), expected);
+            overlapping += expected ? 1 : 0;
+            flat += isFlat ? 1 : 0;
+        }
+    });
+    EXPECT_GT(overlapping, 10000);
+    EXPECT_GT(flat, 1000);
 }
 
 TEST(ExactOverlap, TakesTrianglesWithoutAreaForSegments) {
@@ -156,9 +144,7 @@ TEST(ExactOverlap, FindsTheSignOfADotProductThatRoundsToZero) {
 }
 
 TEST(ExactOverlap, FindsTheSignOfDotProductsOfIntegers) {
-    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
+    forEachSeed(2000, [&](Random& random) {
         const auto vector = [&]() -> Vec3 { return random.point(-1e5, 1e5).array().round(); };
         const Vec3 a = vector();
         const Vec3 u = vector();
@@ -179,7 +165,7 @@ TEST(ExactOverlap, FindsTheSignOfDotProductsOfIntegers) {
             normalDotSign({a, a + u, a + v}, from, from + w),
             (expected > 0 ? 1 : 0) - (expected < 0 ? 1 : 0)
         );
-    }
+    });
 }
 
 }  // namespace

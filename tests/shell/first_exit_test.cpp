@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/polynomial_trace.h"
-#include "support/random.h"
+#include "support/seeds.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@
 namespace bspline_curve {
 namespace {
 
+using test_support::forEachSeed;
 using test_support::Random;
 
 double evaluate(const std::vector<double>& c, double s) {
@@ -72,9 +73,7 @@ void expectFirstExit(const std::vector<double>& c, double end) {
 }
 
 TEST(FirstExit, IsThatOfADenseScan) {
-    for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
+    forEachSeed(4000, [&](Random& random) {
         const int degree = random.integer(1, 4);
         std::vector<double> c;
         for (int j = 0; j <= degree; ++j) {
@@ -82,13 +81,11 @@ TEST(FirstExit, IsThatOfADenseScan) {
         }
         c[0] = std::abs(c[0]);
         expectFirstExit(c, random.uniform(0.01, 3.0));
-    }
+    });
 }
 
 TEST(FirstExit, FindsKnownRoots) {
-    for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
+    forEachSeed(4000, [&](Random& random) {
         std::vector<double> roots;
         double first = std::numeric_limits<double>::infinity();
         for (int j = random.integer(1, 4); j > 0; --j) {
@@ -111,14 +108,12 @@ TEST(FirstExit, FindsKnownRoots) {
             c[0] -= kCellTolerance;
             EXPECT_NEAR(exitOf(c, 1.0), std::min(first, 1.0), 1e-9);
         }
-    }
+    });
 }
 
 // Curves that touch a wall from inside stay inside, up to rounding, and leave where they cross.
 TEST(FirstExit, PassesDoubleRootsThatOnlyTouch) {
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
+    forEachSeed(1000, [&](Random& random) {
         const double touch = random.uniform(0.1, 0.4);
         const double exit = random.uniform(0.6, 0.9);
         for (std::vector<double> c :
@@ -134,7 +129,7 @@ TEST(FirstExit, PassesDoubleRootsThatOnlyTouch) {
         std::vector<double> c = fromRoots(1.0, {touch, touch});
         c[0] -= 1e-6;
         EXPECT_NEAR(exitOf(c, 1.0), touch - std::sqrt(1e-6 - kCellTolerance), 1e-9);
-    }
+    });
 }
 
 TEST(FirstExit, IsWhereATripleRootCrosses) {

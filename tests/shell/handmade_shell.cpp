@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "handmade_shell.h"
 
+#include "shell/face_geometry.h"
+#include "support/coarse_shell.h"
 #include "support/meshes.h"
 
 #include <Eigen/Geometry>
@@ -8,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace bspline_curve::test_support {
@@ -28,37 +29,6 @@ std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
         normal.normalize();
     }
     return normals;
-}
-
-std::vector<Prism> prismsOver(const std::vector<Triangle>& faces) {
-    std::vector<Prism> prisms;
-    std::map<std::pair<int, int>, std::pair<int, int>> wallOf;  // by pillars: prism, wall
-    for (const Triangle& face : faces) {
-        Prism prism;
-        prism.pillars = face;
-        std::sort(prism.pillars.begin(), prism.pillars.end());
-        prism.neighbours.fill(-1);
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (face[k] == prism.pillars[0]) {
-                prism.orientation = face[(k + 1) % 3] == prism.pillars[1] ? 1 : -1;
-            }
-        }
-        const int index = static_cast<int>(prisms.size());
-        prisms.push_back(prism);
-        for (int wall = 0; wall < 3; ++wall) {
-            const auto edge =
-                std::minmax(prism.pillars[(wall + 1) % 3], prism.pillars[(wall + 2) % 3]);
-            const auto [entry, isNew] = wallOf.try_emplace(edge, index, wall);
-            if (!isNew) {
-                const auto [there, wallThere] = entry->second;
-                prisms[index].neighbours[wall] = there;
-                prisms[index].neighbourWalls[wall] = static_cast<signed char>(wallThere);
-                prisms[there].neighbours[wallThere] = index;
-                prisms[there].neighbourWalls[wallThere] = static_cast<signed char>(wall);
-            }
-        }
-    }
-    return prisms;
 }
 
 Vec3 bump(const Vec3& p, double amplitude) {
@@ -81,7 +51,7 @@ TriangleMesh shifted(TriangleMesh mesh, const Vec3& by) {
 HandmadeShell::HandmadeShell(const TriangleMesh& middle, TriangleMesh fine, double halfThickness)
     : surface(std::make_shared<const Surface>(std::move(fine))),
       extended(std::make_shared<const ExtendedSurface>(extendSurface(*surface, 3))),
-      prisms(prismsOver(middle.faces)) {
+      prisms(prismsOver(Surface(middle))) {
     const std::vector<Vec3> normals = vertexNormals(middle);
     for (std::size_t v = 0; v < middle.vertices.size(); ++v) {
         const Vec3 reach = halfThickness * normals[v];
@@ -103,24 +73,18 @@ ShellCheck HandmadeShell::check(const ShellCheckOptions& options) const {
 }
 
 void HandmadeShell::track() {
-    std::vector<Eigen::AlignedBox3d> faceBoxes(extended->faces.size());
-    for (std::size_t f = 0; f < faceBoxes.size(); ++f) {
-        for (const int v : extended->faces[f]) {
-            faceBoxes[f].extend(extended->vertices[v]);
-        }
-    }
     tracks = {.offsets = {0}, .faces = {}};
     for (const Prism& prism : prisms) {
         Eigen::AlignedBox3d box;
         for (const int pillar : prism.pillars) {
-            for (const Vec3& p :
-                 {pillars[pillar].bottom, pillars[pillar].middle, pillars[pillar].top}) {
-                box.extend(p);
-            }
+            box.extend(pillars[pillar].bottom);
+            box.extend(pillars[pillar].middle);
+            box.extend(pillars[pillar].top);
         }
-        for (int f = 0; f < static_cast<int>(faceBoxes.size()); ++f) {
-            if (faceBoxes[f].intersects(box) &&
-                !std::binary_search(blockedFaces.begin(), blockedFaces.end(), f)) {
+        for (int f = 0; f < static_cast<int>(extended->faces.size()); ++f) {
+            const auto [a, b, c] = cornersOf(*extended, f);
+            if (Eigen::AlignedBox3d(a).extend(b).extend(c).intersects(box) &&
+                !std::ranges::binary_search(blockedFaces, f)) {
                 tracks.faces.push_back(f);
             }
         }
@@ -199,10 +163,6 @@ HandmadeShell coarseBox() {
         return (q[0] * q[1] + q[1] * q[2] + q[2] * q[0]) * bump(p, 0.5);
     };
     return {middle, displaced(middle, 3, displacement), 0.1};
-}
-
-std::ostream& operator<<(std::ostream& stream, const NamedHandmadeShell& named) {
-    return stream << named.name;
 }
 
 std::vector<NamedHandmadeShell> handmadeShells() {

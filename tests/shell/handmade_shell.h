@@ -67,7 +67,9 @@ struct NamedHandmadeShell {
     std::function<HandmadeShell()> make;
 };
 
-std::ostream& operator<<(std::ostream& stream, const NamedHandmadeShell& named);
+inline std::ostream& operator<<(std::ostream& stream, const NamedHandmadeShell& named) {
+    return stream << named.name;
+}
 
 [[nodiscard]] std::vector<NamedHandmadeShell> handmadeShells();
 

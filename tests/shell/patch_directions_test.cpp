@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Directions of fine surfaces, smooth at a scale that faces do not have.
-#include "shell/patch_directions.h"
-
 #include "shell/extended_surface.h"
 #include "shell/pillar_directions.h"
 #include "support/meshes.h"

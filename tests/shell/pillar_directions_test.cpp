@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/pillar_directions.h"
 
-#include "support/random.h"
+#include "support/seeds.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 namespace bspline_curve {
 namespace {
 
+using test_support::forEachSeed;
 using test_support::Random;
 
 Vec3 randomDirection(Random& random) {
@@ -61,9 +62,7 @@ std::vector<Vec3> randomNormals(int count, double angle, Random& random) {
 }
 
 TEST(DirectionOfLeastAngle, IsAsGoodAsAnySearchFinds) {
-    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
+    forEachSeed(150, [&](Random& random) {
         const std::vector<Vec3> normals =
             randomNormals(random.integer(1, 12), random.uniform(0.3, 3.0), random);
         const Vec3 direction = directionOfLeastAngle(normals);
@@ -74,7 +73,7 @@ TEST(DirectionOfLeastAngle, IsAsGoodAsAnySearchFinds) {
         } else {
             EXPECT_LE(leastCosine(direction, normals), 1e-6);
         }
-    }
+    });
 }
 
 TEST(DirectionOfLeastAngle, IsTheOnlyNormal) {
@@ -84,43 +83,31 @@ TEST(DirectionOfLeastAngle, IsTheOnlyNormal) {
     EXPECT_NEAR(leastCosine(directionOfLeastAngle(thrice), thrice), 1.0, 1e-15);
 }
 
-TEST(DirectionOfLeastAngle, IsTheBisectorOfTwo) {
-    const std::vector<Vec3> normals = {Vec3::UnitX(), Vec3::UnitY()};
-    EXPECT_LT((directionOfLeastAngle(normals) - Vec3(1, 1, 0).normalized()).norm(), 1e-15);
-}
-
-TEST(DirectionOfLeastAngle, IsTheDiagonalOfACorner) {
-    const std::vector<Vec3> normals = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-    EXPECT_LT((directionOfLeastAngle(normals) - Vec3(1, 1, 1).normalized()).norm(), 1e-15);
-}
-
-TEST(DirectionOfLeastAngle, SeesASteepConeFromItsAxis) {
+TEST(DirectionOfLeastAngle, IsTheBisectorTheDiagonalOrTheAxis) {
+    const auto expectDirection = [](const std::vector<Vec3>& normals, const Vec3& expected) {
+        EXPECT_LT((directionOfLeastAngle(normals) - expected).norm(), 1e-12);
+    };
+    expectDirection({Vec3::UnitX(), Vec3::UnitY()}, Vec3(1, 1, 0).normalized());
+    expectDirection({Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, Vec3(1, 1, 1).normalized());
     for (const int count : {3, 4, 7, 40}) {
-        std::vector<Vec3> normals;
+        std::vector<Vec3> steepCone;
         for (int i = 0; i < count; ++i) {
             const double angle = 2.0 * M_PI * i / count;
-            normals.push_back(Vec3(std::cos(angle), std::sin(angle), 0.1).normalized());
+            steepCone.push_back(Vec3(std::cos(angle), std::sin(angle), 0.1).normalized());
         }
-        EXPECT_LT((directionOfLeastAngle(normals) - Vec3::UnitZ()).norm(), 1e-12);
+        expectDirection(steepCone, Vec3::UnitZ());
     }
 }
 
 TEST(DirectionOfLeastAngle, IsAUnitVectorThatSeesNothingWhereNoneDoes) {
+    const Vec3 x = Vec3::UnitX();
+    const Vec3 y = Vec3::UnitY();
+    const Vec3 z = Vec3::UnitZ();
     const std::vector<std::vector<Vec3>> cases = {
-        {Vec3::UnitX(), -Vec3::UnitX()},
-        {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY()},
-        {Vec3::UnitX(),
-         -Vec3::UnitX(),
-         Vec3::UnitY(),
-         -Vec3::UnitY(),
-         Vec3::UnitZ(),
-         -Vec3::UnitZ()},
-        {Vec3(1, 1, 1).normalized(),
-         Vec3(1, -1, -1).normalized(),
-         Vec3(-1, 1, -1).normalized(),
-         Vec3(-1, -1, 1).normalized()}
+        {x, -x}, {x, -x, y}, {x, -x, y, -y, z, -z}, {x + y + z, x - y - z, y - x - z, z - x - y}
     };
-    for (const std::vector<Vec3>& normals : cases) {
+    for (std::vector<Vec3> normals : cases) {
+        std::ranges::for_each(normals, [](Vec3& normal) { normal.normalize(); });
         const Vec3 direction = directionOfLeastAngle(normals);
         EXPECT_NEAR(direction.norm(), 1.0, 1e-12);
         EXPECT_LE(leastCosine(direction, normals), 1e-15);
@@ -128,14 +115,12 @@ TEST(DirectionOfLeastAngle, IsAUnitVectorThatSeesNothingWhereNoneDoes) {
 }
 
 TEST(DirectionOfLeastAngle, DoesNotDependOnTheOrderOfTheNormals) {
-    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
+    forEachSeed(50, [&](Random& random) {
         std::vector<Vec3> normals = randomNormals(6, 1.2, random);
         const Vec3 direction = directionOfLeastAngle(normals);
         std::rotate(normals.begin(), normals.begin() + random.integer(0, 5), normals.end());
         EXPECT_LT((directionOfLeastAngle(normals) - direction).norm(), 1e-9);
-    }
+    });
 }
 
 TEST(LeastCosine, IsTheSmallest) {

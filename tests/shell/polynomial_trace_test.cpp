@@ -3,7 +3,8 @@
 
 #include "built_shell.h"
 #include "support/meshes.h"
-#include "support/random.h"
+#include "support/seeds.h"
+#include "traces.h"
 
 #include <gtest/gtest.h>
 
@@ -35,71 +36,25 @@ TEST(PolynomialCurve, ShiftsWithoutMoving) {
             EXPECT_LT(
                 (shifted.secondDerivativeAt(s) - curve.secondDerivativeAt(s + 0.7)).norm(), 1e-13
             );
-            EXPECT_LT(
-                ((curve.at(s + h) - curve.at(s - h)) / (2.0 * h) - curve.derivativeAt(s)).norm(),
-                1e-8
-            );
-            EXPECT_LT(
-                ((curve.derivativeAt(s + h) - curve.derivativeAt(s - h)) / (2.0 * h) -
-                 curve.secondDerivativeAt(s))
-                    .norm(),
-                1e-8
-            );
+            const Vec3 slope = (curve.at(s + h) - curve.at(s - h)) / (2.0 * h);
+            EXPECT_LT((slope - curve.derivativeAt(s)).norm(), 1e-8);
+            const Vec3 bend = (curve.derivativeAt(s + h) - curve.derivativeAt(s - h)) / (2.0 * h);
+            EXPECT_LT((bend - curve.secondDerivativeAt(s)).norm(), 1e-8);
         }
     }
 }
 
 // ---- Traces ----
 
-struct Piece {
-    ShellCell cell;
-    double from, to;
-};
-
-struct Trace {
-    bool inside = false;
-    std::vector<Piece> pieces;
-    ShellCell last;
-};
-
-// Traces a curve and checks what holds for each: pieces follow each other without gaps, are cut at
-// the faces between their cells, and lie in them.
 Trace traced(const Shell& shell, const PolynomialCurve& curve, double end, int firstTet) {
-    Trace trace;
-    TraceState state{ShellCell(shell, firstTet)};
-    double now = 0.0;
-    trace.inside = tracePolynomial(
-        shell,
-        curve,
-        end,
-        state,
-        [&](const ShellCell& cell, double from, double to) {
-            EXPECT_EQ(from, now);
-            EXPECT_LT(from, to);
-            now = to;
-            trace.pieces.push_back({cell, from, to});
-        },
-        [&](const ShellCell& from, const ShellCell& to, double s, int k) {
-            EXPECT_EQ(s, now);
-            EXPECT_EQ(shell.neighbour(from.tet, k), to.tet);
-            if (s > 0.0) {
-                // On the face, if the walk did not just turn about an edge.
-                EXPECT_LT(from.walls[k].at(curve.at(s)), 1e-9);
-            }
+    const auto onCrossing = [&](const ShellCell& from, const ShellCell& to, double s, int k) {
+        EXPECT_EQ(shell.neighbour(from.tet, k), to.tet);
+        if (s > 0.0) {
+            // On the face, if the walk did not just turn about an edge.
+            EXPECT_LT(from.walls[k].at(curve.at(s)), 1e-9);
         }
-    );
-    trace.last = state.cell;
-    if (trace.inside) {
-        EXPECT_EQ(now, end);
-        EXPECT_GE(trace.last.insideness(curve.at(end)), -1e-9);
-    }
-    for (const Piece& piece : trace.pieces) {
-        for (int i = 0; i <= 16; ++i) {
-            const double s = piece.from + (piece.to - piece.from) * i / 16.0;
-            EXPECT_GE(piece.cell.insideness(curve.at(s)), -1e-9);
-        }
-    }
-    return trace;
+    };
+    return test_support::traced(shell, curve, end, ShellCell(shell, firstTet), onCrossing);
 }
 
 // Largest insideness of any tetrahedron of the shell: >= 0 inside, < 0 outside.
@@ -148,9 +103,7 @@ TEST_P(TracePolynomial, AgreesWithBruteForce) {
     const std::vector<ShellCell> cells = allCells(shell);
     int inside = 0;
     int outside = 0;
-    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
+    forEachSeed(150, [&](Random& random) {
         const SurfacePoint point{
             random.integer(0, built.surface.faceCount() - 1), Vec3(0.2, 0.5, 0.3)
         };
@@ -166,7 +119,7 @@ TEST_P(TracePolynomial, AgreesWithBruteForce) {
         ASSERT_FALSE(trace.pieces.empty());
         if (trace.inside) {
             ++inside;
-            continue;
+            return;
         }
         // Just after the end of the last piece no tetrahedron holds the curve.
         ++outside;
@@ -174,7 +127,7 @@ TEST_P(TracePolynomial, AgreesWithBruteForce) {
         EXPECT_LT(insidenessOfShell(cells, curve.at(exit)), 1e-12);
         const double step = 1e-7 / std::max(1e-3, curve.derivativeAt(exit).norm());
         EXPECT_LT(insidenessOfShell(cells, curve.at(exit + step)), 0.0);
-    }
+    });
     EXPECT_GT(inside, 10);
     EXPECT_GT(outside, 10);
 }
@@ -225,15 +178,11 @@ protected:
                 const Trace trace = traced(built_.shell(), line, 1.0, tet);
                 EXPECT_TRUE(trace.inside) << "from tetrahedron " << tet << ", degree " << degree;
                 const Vec3 end = to + lift;
-                EXPECT_NEAR(
-                    (built_.extended.position({trace.last.face, trace.last.shadow(end)}) - to)
-                        .norm(),
-                    0.0,
-                    1e-9
+                const ShellCell& last = trace.last;
+                EXPECT_LT(
+                    (built_.extended.position({last.face, last.shadow(end)}) - to).norm(), 1e-9
                 );
-                EXPECT_NEAR(
-                    trace.last.height.at(end), trace.last.height.gradient.z() * height, 1e-9
-                );
+                EXPECT_NEAR(last.height.at(end), last.height.gradient.z() * height, 1e-9);
             }
             EXPECT_GT(starts, 0);
         }
@@ -277,13 +226,8 @@ TEST_F(TraceOnPlate, ReachesTheBoundaryAndTheGhostsBeyond) {
     const PolynomialCurve beyond{
         .degree = 1, .coefficients = {grid(3, 3), grid(5, 0) - grid(0, 0)}
     };
-    const Trace trace = traced(
-        built_.shell(),
-        beyond,
-        1.0,
-        0 + built_.shell().locate({2 * (3 * kCells + 3), Vec3(1, 0, 0)})
-    );
-    EXPECT_FALSE(trace.inside);
+    const int tet = built_.shell().locate({2 * (3 * kCells + 3), Vec3(1, 0, 0)});
+    EXPECT_FALSE(traced(built_.shell(), beyond, 1.0, tet).inside);
 }
 
 TEST_F(TraceOnPlate, GrazesWallsAndTheMiddleSurface) {
@@ -307,38 +251,32 @@ TEST_F(TraceOnPlate, GrazesWallsAndTheMiddleSurface) {
     }
 }
 
+// From a point of the surface along the line to its lift at height w, to `end` times as far.
+Trace tracedUp(const Shell& shell, const SurfacePoint& point, double w, double end) {
+    const Vec3 start = shell.lift(point, 0.0);
+    const PolynomialCurve up{.degree = 1, .coefficients = {start, shell.lift(point, w) - start}};
+    Trace trace = traced(shell, up, end, shell.locate(point));
+    if (trace.inside) {
+        EXPECT_NEAR(trace.last.height.at(up.at(end)), w, 1e-9);
+    }
+    return trace;
+}
+
 TEST(TraceFromTheMiddle, StartsOnTheSurfaceToEitherSide) {
     const BuiltShell built(withNoise(icosphere(2), 0.05, 22));
-    const Shell& shell = built.shell();
-    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
-        const SurfacePoint point{
-            random.integer(0, built.surface.faceCount() - 1), Vec3(0.3, 0.3, 0.4)
-        };
+    forEachSeed(300, [&](Random& random) {
+        const int face = random.integer(0, built.surface.faceCount() - 1);
         for (const double w : {0.4, -0.4, 1.0, -1.0}) {
-            const Vec3 start = shell.lift(point, 0.0);
-            const PolynomialCurve up{
-                .degree = 1, .coefficients = {start, shell.lift(point, w) - start}
-            };
-            const Trace trace = traced(shell, up, 1.0, shell.locate(point));
-            EXPECT_TRUE(trace.inside);
-            EXPECT_NEAR(trace.last.height.at(up.at(1.0)), w, 1e-9);
+            EXPECT_TRUE(tracedUp(built.shell(), {face, Vec3(0.3, 0.3, 0.4)}, w, 1.0).inside);
         }
-    }
+    });
 }
 
 TEST(TraceFromTheMiddle, EndsAtTopAndBottom) {
     const BuiltShell built(icosphere(2));
-    const Shell& shell = built.shell();
     for (int f = 0; f < built.surface.faceCount(); ++f) {
-        const SurfacePoint point{f, Vec3(0.3, 0.3, 0.4)};
         for (const double w : {1.0, -1.0}) {
-            const Vec3 start = shell.lift(point, 0.0);
-            const PolynomialCurve out{
-                .degree = 1, .coefficients = {start, shell.lift(point, w) - start}
-            };
-            const Trace trace = traced(shell, out, 1.5, shell.locate(point));
+            const Trace trace = tracedUp(built.shell(), {f, Vec3(0.3, 0.3, 0.4)}, w, 1.5);
             EXPECT_FALSE(trace.inside);
             ASSERT_FALSE(trace.pieces.empty());
             EXPECT_NEAR(trace.pieces.back().to, 1.0, 1e-8);

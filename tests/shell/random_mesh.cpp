@@ -93,37 +93,34 @@ TriangleMesh severalPieces(Random& random) {
 
 TriangleMesh plainMesh(RandomKind kind, Random& random) {
     const auto seed = static_cast<std::uint64_t>(random.integer(0, 1000000));
+    const auto noisy = [&](const TriangleMesh& mesh, double most) {
+        return withNoise(mesh, logarithmic(random, 1e-4, most), seed);
+    };
     switch (kind) {
         case RandomKind::NoisySphere:
-            return withNoise(
-                icosphere(random.integer(2, 3)), logarithmic(random, 1e-4, 0.04), seed
-            );
-        case RandomKind::NoisyTorus:
-            return withNoise(
-                torus(random.integer(16, 60), random.integer(8, 24), 1.0, random.uniform(0.1, 0.6)),
-                logarithmic(random, 1e-4, 0.02),
-                seed
-            );
+            return noisy(icosphere(random.integer(2, 3)), 0.04);
+        case RandomKind::NoisyTorus: {
+            const int segments = random.integer(16, 60);
+            const int minorSegments = random.integer(8, 24);
+            return noisy(torus(segments, minorSegments, 1.0, random.uniform(0.1, 0.6)), 0.02);
+        }
         case RandomKind::BumpyPlate:
             return bumpyPlate(random);
         case RandomKind::Block:
             return block(random);
         case RandomKind::Scan:
             return scan(random);
-        case RandomKind::Tube:
+        case RandomKind::Tube: {
+            const int segments = random.integer(8, 40);
+            const int rings = random.integer(6, 30);
+            return noisy(openCylinder(segments, rings, 1.0, random.uniform(0.5, 4.0)), 0.02);
+        }
+        case RandomKind::Folds: {
+            const bool isSphere = random.integer(0, 1) == 0;
             return withNoise(
-                openCylinder(
-                    random.integer(8, 40), random.integer(6, 30), 1.0, random.uniform(0.5, 4.0)
-                ),
-                logarithmic(random, 1e-4, 0.02),
-                seed
+                isSphere ? icosphere(2) : plate(12, 12), random.uniform(0.04, 0.15), seed
             );
-        case RandomKind::Folds:
-            return withNoise(
-                random.integer(0, 1) == 0 ? icosphere(2) : plate(12, 12),
-                random.uniform(0.04, 0.15),
-                seed
-            );
+        }
         case RandomKind::SeveralPieces:
             return severalPieces(random);
     }

@@ -13,6 +13,16 @@ namespace {
 
 using namespace test_support;
 
+// Expects a sphere about the origin between the layers.
+void expectAround(const ShellLayers& layers, double radius) {
+    for (const Vec3& vertex : layers.top.vertices) {
+        EXPECT_GT(vertex.norm(), radius);
+    }
+    for (const Vec3& vertex : layers.bottom.vertices) {
+        EXPECT_LT(vertex.norm(), radius);
+    }
+}
+
 TEST(ShellLayers, EncloseAClosedSurface) {
     const BuiltShell built(icosphere(3, 5.0));
     const ShellLayers layers = makeShellLayers(built.shell(), built.extended.frame);
@@ -21,12 +31,7 @@ TEST(ShellLayers, EncloseAClosedSurface) {
         EXPECT_EQ(surface.faceCount(), built.surface.faceCount());
         EXPECT_GT(surface.faceNormal(0).dot(layer->vertices[0]), 0.0) << "outwards";
     }
-    for (const Vec3& vertex : layers.top.vertices) {
-        EXPECT_GT(vertex.norm(), 5.0);
-    }
-    for (const Vec3& vertex : layers.bottom.vertices) {
-        EXPECT_LT(vertex.norm(), 5.0);
-    }
+    expectAround(layers, 5.0);
 }
 
 TEST(ShellLayers, LieOnTheirSidesOfAPlateAndReachBeyondItsBoundary) {
@@ -48,23 +53,16 @@ TEST(ShellLayers, HaveHolesWherePrismsAreBlocked) {
     const BuiltShell built(crossingPlates());
     ASSERT_FALSE(built.blockedFaces().empty());
     const ShellLayers layers = makeShellLayers(built.shell(), built.extended.frame);
-    std::size_t prisms = 0;
-    for (const Prism& prism : built.shell().prisms()) {
-        prisms += prism.orientation == 0 ? 0U : 1U;
-    }
-    EXPECT_EQ(layers.top.faces.size(), prisms);
+    const auto prismCount =
+        std::ranges::count_if(built.shell().prisms(), [](auto& p) { return p.orientation != 0; });
+    EXPECT_EQ(std::ssize(layers.top.faces), prismCount);
 }
 
 TEST(ShellLayers, OfASimplifiedShellAreFewerFacesAroundTheSurface) {
     const SimplifiedShell built(icosphere(3));
-    const ShellLayers layers = makeShellLayers(built.shell(), built.extended->frame);
+    const ShellLayers layers = makeShellLayers(built.shell(), built.extended.frame);
     EXPECT_LT(layers.top.faces.size(), built.surface.faces().size());
-    for (const Vec3& vertex : layers.top.vertices) {
-        EXPECT_GT(vertex.norm(), 1.0);
-    }
-    for (const Vec3& vertex : layers.bottom.vertices) {
-        EXPECT_LT(vertex.norm(), 1.0);
-    }
+    expectAround(layers, 1.0);
 }
 
 }  // namespace

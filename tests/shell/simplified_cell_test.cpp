@@ -2,11 +2,11 @@
 // Cells and traces where prisms hold many faces, against a projection that intersects whole fibres
 // with all faces.
 #include "built_shell.h"
-#include "lifted_walk.h"
 #include "shell/polynomial_trace.h"
 #include "support/coarse_shell.h"
 #include "support/meshes.h"
-#include "support/random.h"
+#include "support/seeds.h"
+#include "traces.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -153,16 +153,16 @@ protected:
           shell_(coarse_.shell),
           extended_(*coarse_.extended) {}
 
+    [[nodiscard]] Vec3 shadowOf(const ShellCell& cell, const Vec3& p) const {
+        return extended_.position({cell.face, cell.shadow(p)});
+    }
+
     CoarseShell coarse_;
     const Shell& shell_;
     const ExtendedSurface& extended_;
 };
 
-INSTANTIATE_TEST_SUITE_P(
-    Meshes, CoarseShells, testing::ValuesIn(coarseShellCases()), [](const auto& instance) {
-        return instance.param.name;
-    }
-);
+INSTANTIATE_TEST_SUITE_P(Meshes, CoarseShells, testing::ValuesIn(coarseShellCases()), nameOfParam);
 
 TEST_P(CoarseShells, LocatePointsOfTheSurface) {
     Random random(41);
@@ -179,46 +179,6 @@ TEST_P(CoarseShells, LocatePointsOfTheSurface) {
         EXPECT_NEAR(cell.height.at(p), cell.surfaceHeight.at(p), 1e-12);
         EXPECT_NEAR(cell.relativeHeight(p), 0.0, 1e-12);
         EXPECT_LT((shell_.lift(point, cell.height.at(p)) - p).norm(), 1e-14);
-    }
-}
-
-TEST_P(CoarseShells, ProjectWhatTheyLift) {
-    Random random(42);
-    double worst = 0.0;
-    double worstHeight = 0.0;
-    for (int i = 0; i < 20000; ++i) {
-        SCOPED_TRACE("point " + std::to_string(i));
-        const SurfacePoint point{
-            random.integer(0, coarse_.surface.faceCount() - 1), random.awkwardBarycentric()
-        };
-        const double w = random.uniform(-1.0, 1.0);
-        TraceState state;
-        ASSERT_TRUE(walkUp(shell_, extended_, point, w, state));
-        const Vec3 lifted = shell_.lift(point, w);
-        EXPECT_GE(state.cell.insideness(lifted), -2.0 * kCellTolerance);
-        const Vec3 shadow = extended_.position({state.cell.face, state.cell.shadow(lifted)});
-        worst = std::max(worst, (shadow - extended_.position(point)).norm());
-        worstHeight = std::max(worstHeight, std::abs(state.cell.height.at(lifted) - w));
-    }
-    // Over creases the maps of the cell before the wall say something else within its tolerance.
-    const double tolerance = GetParam().name == "Box" ? kCellTolerance : 3e-12;
-    EXPECT_LT(worst, tolerance);
-    EXPECT_LT(worstHeight, tolerance);
-}
-
-TEST_P(CoarseShells, FindTheFaceUnderAPoint) {
-    Random random(43);
-    for (int i = 0; i < 60; ++i) {
-        SCOPED_TRACE("point " + std::to_string(i));
-        const SurfacePoint point{
-            random.integer(0, coarse_.surface.faceCount() - 1), random.awkwardBarycentric()
-        };
-        const Vec3 p = shell_.lift(point, random.uniform(-0.99, 0.99));
-        const std::optional<ShellCell> cell = ShellCell::find(shell_, deepestTet(shell_, p), p);
-        ASSERT_TRUE(cell.has_value());
-        EXPECT_GE(cell->insideness(p), -1e-10);
-        const Vec3 shadow = extended_.position({cell->face, cell->shadow(p)});
-        EXPECT_LT((shadow - extended_.position(point)).norm(), 1e-12);
     }
 }
 
@@ -257,17 +217,10 @@ TEST(FacesBeyondTheTop, HaveNoPartInAPrism) {
     }
 }
 
-struct Piece {
-    ShellCell cell;
-    double from, to;
-};
-
 TEST_P(CoarseShells, AreTracedExactly) {
     int crossings = 0;
     int inside = 0;
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
+    forEachSeed(60, [&](Random& random) {
         const SurfacePoint point{
             random.integer(0, coarse_.surface.faceCount() - 1), random.barycentric()
         };
@@ -278,56 +231,38 @@ TEST_P(CoarseShells, AreTracedExactly) {
             c = 0.1 * random.point(-1.0, 1.0);
             c -= random.uniform(0.7, 1.0) * c.dot(normal) * normal;
         }
-        TraceState state{ShellCell(shell_, point)};
-        std::vector<Piece> pieces;
-        double now = 0.0;
-        const bool stays = tracePolynomial(
+        const Trace trace = traced(
             shell_,
             curve,
             1.0,
-            state,
-            [&](const ShellCell& cell, double from, double to) {
-                EXPECT_EQ(from, now);
-                EXPECT_LT(from, to);
-                now = to;
-                pieces.push_back({cell, from, to});
-            },
+            ShellCell(shell_, point),
             [&](const ShellCell& from, const ShellCell& to, double s, int wall) {
                 // Every map is continuous across every wall.
                 ++crossings;
-                EXPECT_EQ(s, now);
                 const Vec3 p = curve.at(s);
                 EXPECT_NEAR(from.walls[wall].at(p), 0.0, 2e-9);
                 EXPECT_NEAR(from.height.at(p), to.height.at(p), 1e-9);
                 EXPECT_NEAR(from.surfaceHeight.at(p), to.surfaceHeight.at(p), 1e-8);
-                EXPECT_LT(
-                    (extended_.position({from.face, from.shadow(p)}) -
-                     extended_.position({to.face, to.shadow(p)}))
-                        .norm(),
-                    1e-9
-                );
+                EXPECT_LT((shadowOf(from, p) - shadowOf(to, p)).norm(), 1e-9);
             }
         );
-        ASSERT_FALSE(pieces.empty());
-        for (const Piece& piece : pieces) {
+        ASSERT_FALSE(trace.pieces.empty());
+        for (const Piece& piece : trace.pieces) {
             expectExact(coarse_, piece.cell, curve.at(0.5 * (piece.from + piece.to)));
-            EXPECT_GE(piece.cell.insideness(curve.at(piece.from)), -1e-9);
-            EXPECT_GE(piece.cell.insideness(curve.at(piece.to)), -1e-9);
         }
-        if (stays) {
+        if (trace.inside) {
             ++inside;
-            EXPECT_EQ(now, 1.0);
-            continue;
+            return;
         }
         // Just behind the end no fibre meets the surface.
-        const Vec3 beyond = curve.at(now + 1e-6);
+        const Vec3 beyond = curve.at(trace.pieces.back().to + 1e-6);
         const int tet = deepestTet(shell_, beyond);
         if (barycentricsIn(shell_, tet, beyond).minCoeff() > 0.0) {
             EXPECT_FALSE(
                 footByBruteForce(shell_, extended_, inPrism(shell_, tet, beyond)).has_value()
             );
         }
-    }
+    });
     EXPECT_GT(inside, 20);
     EXPECT_GT(crossings, 300);
 }
@@ -375,37 +310,32 @@ TEST(BothForms, AgreeOnTheSameShell) {
     for (const NamedMesh& mesh : shellMeshes()) {
         SCOPED_TRACE(mesh.name);
         const BuiltShell built(mesh.mesh);
-        const auto extended = std::make_shared<ExtendedSurface>(built.extended);
+        const ExtendedSurface& extended = built.extended;
         const Shell& thin = built.shell();
-        const Shell other = asSimplified(thin, extended);
+        const Shell other = asSimplified(thin, built.sharedExtended);
         Random random(44);
         for (int i = 0; i < 300; ++i) {
             const SurfacePoint point{
                 random.integer(0, built.surface.faceCount() - 1), random.barycentric()
             };
-            const Vec3 from = extended->position(point);
+            const Vec3 from = extended.position(point);
             const Vec3 reach = 0.1 * random.point(-1.0, 1.0);
-            TraceState a{ShellCell(thin, point)};
-            TraceState b{ShellCell(other, point)};
-            double endA = 0.0;
-            double endB = 0.0;
             const PolynomialCurve line{.degree = 1, .coefficients = {from, reach}};
             const auto ignore = [](const auto&...) {};
-            const bool insideA = tracePolynomial(
-                thin, line, 1.0, a, [&](const ShellCell&, double, double to) { endA = to; }, ignore
-            );
-            const bool insideB = tracePolynomial(
-                other, line, 1.0, b, [&](const ShellCell&, double, double to) { endB = to; }, ignore
-            );
-            ASSERT_EQ(insideA, insideB) << "line " << i;
-            ASSERT_NEAR(endA, endB, 1e-6) << "line " << i;
-            const Vec3 end = line.at(endA);
-            EXPECT_NEAR(a.cell.height.at(end), b.cell.height.at(end), 1e-7);
-            EXPECT_NEAR(b.cell.surfaceHeight.at(end), 0.0, 1e-7);
-            EXPECT_NEAR(a.cell.relativeHeight(end), b.cell.relativeHeight(end), 1e-7);
+            const Trace inThin = traced(thin, line, 1.0, ShellCell(thin, point), ignore);
+            const Trace inOther = traced(other, line, 1.0, ShellCell(other, point), ignore);
+            ASSERT_EQ(inThin.inside, inOther.inside) << "line " << i;
+            ASSERT_FALSE(inThin.pieces.empty() || inOther.pieces.empty());
+            ASSERT_NEAR(inThin.pieces.back().to, inOther.pieces.back().to, 1e-6) << "line " << i;
+            const ShellCell& a = inThin.last;
+            const ShellCell& b = inOther.last;
+            const Vec3 end = line.at(inThin.pieces.back().to);
+            EXPECT_NEAR(a.height.at(end), b.height.at(end), 1e-7);
+            EXPECT_NEAR(b.surfaceHeight.at(end), 0.0, 1e-7);
+            EXPECT_NEAR(a.relativeHeight(end), b.relativeHeight(end), 1e-7);
             EXPECT_LT(
-                (extended->position({a.cell.face, a.cell.shadow(end)}) -
-                 extended->position({b.cell.face, b.cell.shadow(end)}))
+                (extended.position({a.face, a.shadow(end)}) -
+                 extended.position({b.face, b.shadow(end)}))
                     .norm(),
                 1e-8
             );

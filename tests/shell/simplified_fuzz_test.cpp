@@ -35,13 +35,12 @@ Proof expectValidShell(RandomKind kind, std::uint64_t seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const SimplifiedShell simplified(randomMesh(kind, seed), randomOptions(random));
-    const ShellCheck check = simplified.check();
-    EXPECT_TRUE(check.passed()) << describe(check);
+    expectValid(simplified.check());
     const std::vector<int>& blocked = simplified.build.report.blockedFaces;
-    if (shortestTetgenEdge(simplified.shell(), *simplified.extended, blocked) < kLeastTetgenEdge) {
+    if (shortestTetgenEdge(simplified.shell(), simplified.extended, blocked) < kLeastTetgenEdge) {
         return Proof::TooHardForTetgen;
     }
-    const TetgenProof proof = proveWithTetgen(simplified.shell(), *simplified.extended, blocked);
+    const TetgenProof proof = proveWithTetgen(simplified.shell(), simplified.extended, blocked);
     EXPECT_TRUE(proof.holds()) << proof;
     return Proof::Given;
 }

@@ -4,6 +4,7 @@
 #include "built_shell.h"
 #include "handmade_shell.h"
 #include "support/meshes.h"
+#include "support/seeds.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +25,7 @@ TEST_P(ProvenHandmadeShell, HasLayersThatDoNotMeet) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Shells, ProvenHandmadeShell, testing::ValuesIn(handmadeShells()), [](const auto& instance) {
-        return instance.param.name;
-    }
+    Shells, ProvenHandmadeShell, testing::ValuesIn(handmadeShells()), nameOfParam
 );
 
 class ProvenShell : public testing::TestWithParam<NamedMesh> {};
@@ -37,11 +36,7 @@ TEST_P(ProvenShell, HasLayersThatDoNotMeet) {
     EXPECT_TRUE(proof.holds()) << proof;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Meshes, ProvenShell, testing::ValuesIn(shellMeshes()), [](const auto& instance) {
-        return instance.param.name;
-    }
-);
+INSTANTIATE_TEST_SUITE_P(Meshes, ProvenShell, testing::ValuesIn(shellMeshes()), nameOfParam);
 
 TEST(TetgenProof, HoldsForFifteenThousandFaces) {
     const TriangleMesh middle = torus(30, 16);
@@ -65,14 +60,7 @@ TEST(TetgenProof, FailsWhereTheSurfacePassesTheTop) {
 }
 
 TEST(TetgenProof, FailsWhereOnePillarPassesTheOtherSheet) {
-    const auto sheet = [](double z, int cells) {
-        Eigen::Isometry3d up = Eigen::Isometry3d::Identity();
-        up.translation() = Vec3(0.0, 0.0, z);
-        return transformed(plate(cells, cells), up);
-    };
-    HandmadeShell coarse(
-        joined(sheet(0, 3), sheet(0.3, 3)), joined(sheet(0, 3), sheet(0.3, 3)), 0.1
-    );
+    HandmadeShell coarse(parallelPlates(3, 0.3), parallelPlates(3, 0.3), 0.1);
     EXPECT_TRUE(prove(coarse).holds()) << prove(coarse);
     Pillar& pillar = coarse.pillars[5];
     pillar.top = pillar.middle + 2.5 * (pillar.top - pillar.middle);
