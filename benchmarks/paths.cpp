@@ -5,6 +5,7 @@
 #include "projection/fibre_tracer.h"
 #include "shell/shell_simplifier.h"
 #include "solver/newton.h"
+#include "solver/problem_traces.h"
 #include "solver/sampled_energy.h"
 #include "solver/sampled_solver.h"
 #include "surface/patch_levels.h"
@@ -83,12 +84,12 @@ void addCurvePaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
     paths.push_back({"first_path", "pick", countOf(scene.picks.size()), [&scene] {
                          static_cast<void>(scene.makePath());
                      }});
-    paths.push_back(
-        {"trace", "face passed", countOf(facesPassed(scene.solution).size()), [&scene] {
-             const SplineCurve& curve = scene.solution.curve;
-             static_cast<void>(measureAlongFibres(scene.problem, curve.space, curve.controls));
-         }}
-    );
+    paths.push_back({"trace", "face passed", countOf(facesPassed(scene.solution).size()), [&scene] {
+                         const SplineCurve& curve = scene.solution.curve;
+                         static_cast<void>(measureAlongFibres(
+                             fibreStartOf(scene.problem), curve.space, curve.controls
+                         ));
+                     }});
 }
 
 // ---- In every Newton step ----

@@ -11,6 +11,7 @@
 #include "shell/shell_layers.h"
 #include "shell/shell_store.h"
 #include "solver/obstacles.h"
+#include "solver/problem_traces.h"
 #include "surface/picks.h"
 #include "surface/region.h"
 #include "surface/surface_point.h"
@@ -134,7 +135,7 @@ SurfacePolyline polylineOf(
     if (problem.shell != nullptr && !problem.shell->isFullResolution()) {
         // The fibres of a simplified shell are oblique to the surface, so a spline that is smooth
         // and within its tolerance has a shadow along them that is less smooth.
-        CurveDistance fine = measureAlongFibres(problem, space, controls);
+        CurveDistance fine = measureAlongFibres(fibreStartOf(problem), space, controls);
         // Other fibres may lead into what the curve avoids.
         const auto isAvoided = [&](int f) { return problem.obstacles->isAvoided(f); };
         if (std::isfinite(fine.largest) &&
@@ -149,7 +150,9 @@ SurfacePolyline polylineOf(
     if (!progressOf(*trace).isWhole) {
         throw std::logic_error("the polyline was asked of a spline that leaves its shell");
     }
-    const ProjectedCurve shadow(problem, space, controls, std::move(*trace));
+    const ProjectedCurve shadow(
+        *problem.extended, problem.shell, space, controls, std::move(*trace)
+    );
     return makeStrictPolyline(surface, problem, shadow, sampling);
 }
 

@@ -4,6 +4,7 @@
 #include "bspline_curve/curve.h"
 #include "bspline_curve/options.h"
 #include "projection/projected_curve.h"
+#include "solver/curve_problem.h"
 #include "surface/surface.h"
 
 namespace bspline_curve {

@@ -187,16 +187,16 @@ private:
 }  // namespace
 
 CurveDistance measureAlongFibres(
-    const CurveProblem& problem,
+    const FibreTraceStart& traced,
     const SplineSpace& space,
     const ControlPoints& controls,
     const std::optional<FootOfSpan>& middle
 ) {
-    const ExtendedSurface& extended = *problem.extended;
+    const ExtendedSurface& extended = traced.extended;
     const int spans = space.spanCount();
     CurveDistance distance;
     distance.perSpan.assign(spans, kInfinity);
-    const SurfacePoint& pick = problem.picks.front().point;
+    const SurfacePoint& pick = traced.picks.front().point;
     FibreTracer walk(
         extended,
         space,
@@ -208,7 +208,7 @@ CurveDistance measureAlongFibres(
     if (middle) {
         // Both halves at once.
         FibreTracer rest(extended, space, controls, middle->span, middle->foot, distance.perSpan);
-        forEach(problem.side, 2, 1, [&](int half) {
+        forEach(traced.side, 2, 1, [&](int half) {
             half == 0 ? walk.passUntil(middle->span) : rest.passUntil(spans);
         });
         if (walk.isWhereBegan(rest)) {
@@ -220,10 +220,10 @@ CurveDistance measureAlongFibres(
     walk.passUntil(spans);
     FibreTrace trace = std::move(walk).trace();
     distance.largest = std::ranges::max(distance.perSpan);
-    for (const PickConstraint& constraint : problem.picks) {
+    for (const PickConstraint& constraint : traced.picks) {
         if (trace.isWhole &&
             std::abs(footAt(extended, trace, space, controls, constraint.parameter).height) >
-                kAtPick * problem.distanceTolerance) {
+                kAtPick * traced.tolerance) {
             distance.perSpan[space.spanAt(constraint.parameter)] = kInfinity;
             distance.largest = kInfinity;
         }

@@ -2,11 +2,24 @@
 #pragma once
 
 #include "projection/curve_distance.h"
-#include "solver/curve_problem.h"
+#include "shell/extended_surface.h"
+#include "spline/pick_constraint.h"
 
 #include <optional>
+#include <span>
 
 namespace bspline_curve {
+
+class WorkerThread;
+
+/// What a spline is followed over: it starts at the first pick, and passes all of them. Refers to
+/// what it is made from.
+struct FibreTraceStart {
+    const ExtendedSurface& extended;
+    std::span<const PickConstraint> picks;
+    double tolerance;              ///< of the distance, in the shell's frame
+    WorkerThread* side = nullptr;  ///< to share work with; null: none
+};
 
 /// The foot of a spline where one of its spans starts.
 struct FootOfSpan {
@@ -23,7 +36,7 @@ struct FootOfSpan {
 /// from which the rest is followed at the same time; of no use where the way from the first pick
 /// leads elsewhere.
 [[nodiscard]] CurveDistance measureAlongFibres(
-    const CurveProblem& problem,
+    const FibreTraceStart& traced,
     const SplineSpace& space,
     const ControlPoints& controls,
     const std::optional<FootOfSpan>& middle = {}

@@ -36,13 +36,14 @@ CellTrace traceCells(
 }
 
 ProjectedCurve::ProjectedCurve(
-    const CurveProblem& problem,
+    const ExtendedSurface& extended,
+    const Shell* shell,
     const SplineSpace& space,
     const ControlPoints& controls,
     CurveTrace trace
 )
-    : extended_(*problem.extended),
-      shell_(problem.shell),
+    : extended_(extended),
+      shell_(shell),
       space_(space),
       controls_(controls),
       trace_(std::move(trace)) {}

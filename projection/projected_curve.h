@@ -3,7 +3,6 @@
 
 #include "projection/cell_tracer.h"
 #include "projection/curve_trace.h"
-#include "solver/curve_problem.h"
 #include "spline/spline_space.h"
 
 #include <vector>
@@ -67,10 +66,11 @@ template <class OnPiece>
 /// each piece carried to its face, through the cells of a shell or along the fibres.
 class ProjectedCurve {
 public:
-    /// `space` and `controls` must outlive this, and so must what `problem` refers to. `trace`:
-    /// whole, of this spline, in the problem's shell or over its base.
+    /// Refers to all but the trace. `shell`: null for a trace along the fibres. `trace`: whole, of
+    /// this spline, in that shell or over the extended surface.
     ProjectedCurve(
-        const CurveProblem& problem,
+        const ExtendedSurface& extended,
+        const Shell* shell,
         const SplineSpace& space,
         const ControlPoints& controls,
         CurveTrace trace

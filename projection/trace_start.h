@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/curve_problem.h"
+#include "shell/extended_surface.h"
+#include "shell/shell.h"
 
 namespace bspline_curve {
 
@@ -13,11 +14,5 @@ struct TraceStart {
     SurfacePoint start;
     Vec3 startPosition;
 };
-
-/// The shell of a problem, which it must have.
-[[nodiscard]] inline TraceStart traceStartOf(const CurveProblem& problem) {
-    const PickConstraint& first = problem.picks.front();
-    return {*problem.shell, *problem.extended, first.point, first.position};
-}
 
 }  // namespace bspline_curve

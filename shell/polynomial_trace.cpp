@@ -212,16 +212,6 @@ CellExit firstExitOfLine(
 
 }  // namespace
 
-PolynomialCurve PolynomialCurve::shifted(double origin) const {
-    PolynomialCurve result = *this;
-    for (int i = 0; i < degree; ++i) {
-        for (int j = degree; j-- > i;) {
-            result.coefficients[j] += origin * result.coefficients[j + 1];
-        }
-    }
-    return result;
-}
-
 double TraceState::tolerance() const {
     constexpr int kCrossingsPerGrowth = 16;  // without progress, until the tolerance grows tenfold
     constexpr double kMaxGrowth = 1e4;

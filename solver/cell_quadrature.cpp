@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "projection/cell_tracer.h"
+#include "solver/problem_traces.h"
 #include "solver/quadrature.h"
 #include "spline/gauss_rule.h"
 

@@ -3,6 +3,7 @@
 
 #include "projection/curve_distance.h"
 #include "solver/knot_insertion.h"
+#include "solver/problem_traces.h"
 
 #include <algorithm>
 #include <array>

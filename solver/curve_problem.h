@@ -5,8 +5,8 @@
 #include "bspline_curve/options.h"
 #include "bspline_curve/progress.h"
 #include "shell/extended_surface.h"
-#include "shell/shell.h"
 #include "solver/field_cost.h"
+#include "spline/pick_constraint.h"
 
 #include <span>
 #include <vector>
@@ -15,15 +15,9 @@ namespace bspline_curve {
 
 class Obstacles;
 class PatchLevels;
+class Shell;
 class ShellBoundary;
 class WorkerThread;
-
-/// A pick in the shell's frame, with the parameter at which the curve passes it.
-struct PickConstraint {
-    SurfacePoint point;
-    Vec3 position;
-    double parameter = 0.0;  ///< t_ki; 0 for the first
-};
 
 /// One curve to solve for: the shell, the picks, the field; all in the shell's frame. Refers to the
 /// shell, the extended surface, the obstacles, the field and the thread.

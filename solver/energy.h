@@ -6,7 +6,7 @@
 #include "solver/energy_derivatives.h"
 #include "solver/energy_weights.h"
 #include "solver/initial_curve.h"
-#include "solver/spline_system.h"
+#include "spline/spline_system.h"
 
 #include <memory>
 #include <vector>

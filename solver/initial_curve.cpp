@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/initial_curve.h"
 
+#include "shell/polynomial_trace.h"
 #include "solver/obstacles.h"
 #include "solver/paper/control_polygon.h"
 #include "solver/shell_reach.h"

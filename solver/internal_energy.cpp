@@ -3,6 +3,7 @@
 
 #include "projection/cell_tracer.h"
 #include "solver/paper/sample_walker.h"
+#include "solver/problem_traces.h"
 #include "spline/gauss_rule.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "solver/sampled_energy.h"
 
 #include "projection/fibre_tracer.h"
+#include "solver/problem_traces.h"
 #include "utility/worker_thread.h"
 
 #include <algorithm>
@@ -140,7 +141,7 @@ CurveDistance SampledEnergy::trace() {
     picks().meet(now_.controls);  // rounding of many steps
     return problem_.shell != nullptr
                ? measureDistance(traceStartOf(problem_), space(), controls())
-               : measureAlongFibres(problem_, space(), controls(), footAtMiddle());
+               : measureAlongFibres(fibreStartOf(problem_), space(), controls(), footAtMiddle());
 }
 
 // The start of the middle span, from its first sample.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/spline_fit.h"
 
-#include "solver/spline_system.h"
+#include "spline/spline_system.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
-#include "shell/polynomial_trace.h"
+#include "spline/polynomial_curve.h"
 
 #include <Eigen/Core>
 

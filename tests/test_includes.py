@@ -6,12 +6,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
-ROOMS = ["utility", "surface", "shell", "spline", "projection", "solver", "design", "field", "io", "filters"]
+ROOMS = ["utility", "surface", "spline", "shell", "projection", "solver", "design", "field", "io", "filters"]
 HOSTS = ["cli", "filter_bspline_curve", "filter_bspline_curve_legacy"]
-# What a room may include although it comes later, and why.
-EXCEPTIONS = {
-    ("projection", "solver/curve_problem.h"): "data alone: the shell, picks and options that a projection is asked for",
-}
 
 
 def included_by(room):
@@ -30,14 +26,9 @@ def test_rooms_include_rooms_before_them(room):
     wrong = [
         f"{path} includes {header}"
         for path, header in includes
-        if "/" in header and header.split("/")[0] not in known and (room, header) not in EXCEPTIONS
+        if "/" in header and header.split("/")[0] not in known
     ]
     assert wrong == []
-
-
-def test_every_exception_is_needed():
-    used = {(room, header) for room in ROOMS for _, header in included_by(room)}
-    assert set(EXCEPTIONS) <= used
 
 
 def test_public_headers_include_public_headers_alone():

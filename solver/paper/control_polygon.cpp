@@ -2,6 +2,8 @@
 #include "solver/paper/control_polygon.h"
 
 #include "projection/curve_distance.h"
+#include "shell/polynomial_trace.h"
+#include "solver/problem_traces.h"
 
 #include <algorithm>
 #include <cmath>

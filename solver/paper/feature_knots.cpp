@@ -3,6 +3,7 @@
 
 #include "projection/cell_tracer.h"
 #include "solver/barrier.h"
+#include "solver/problem_traces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/energy_derivatives.h"
-#include "solver/spline_system.h"
+#include "spline/spline_system.h"
 
 #include <vector>
 

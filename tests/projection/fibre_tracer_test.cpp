@@ -2,6 +2,7 @@
 // Splines followed over the extended surface along the fibres.
 #include "projection/fibre_tracer.h"
 
+#include "solver/problem_traces.h"
 #include "support/meshes.h"
 #include "support/random.h"
 #include "surface/surface_point.h"
@@ -66,11 +67,11 @@ struct Followed {
     }
 
     [[nodiscard]] CurveDistance measured() const {
-        return measureAlongFibres(problem, space, controls);
+        return measureAlongFibres(fibreStartOf(problem), space, controls);
     }
 
     [[nodiscard]] CurveDistance measuredInHalves(const FootOfSpan& middle) const {
-        return measureAlongFibres(problem, space, controls, middle);
+        return measureAlongFibres(fibreStartOf(problem), space, controls, middle);
     }
 
     // How far q + height n(q) is from P, at best.

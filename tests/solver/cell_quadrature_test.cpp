@@ -2,6 +2,7 @@
 #include "problem_fixture.h"
 #include "projection/cell_tracer.h"
 #include "solver/barrier.h"
+#include "solver/problem_traces.h"
 #include "solver/quadrature.h"
 #include "support/meshes.h"
 

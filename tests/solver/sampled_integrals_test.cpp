@@ -2,7 +2,7 @@
 #include "solver/sampled_integrals.h"
 
 #include "problem_fixture.h"
-#include "solver/spline_system.h"
+#include "spline/spline_system.h"
 #include "support/meshes.h"
 #include "surface/triangle_tree.h"
 

@@ -8,6 +8,7 @@
 #include "shell/shell_boundary.h"
 #include "solver/cell_integrand.h"
 #include "solver/cellwise_solver.h"
+#include "solver/problem_traces.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -136,7 +137,8 @@ Drawn draw(const ProblemFixture& fixture, const std::vector<Vec3>& picks) {
     Solution solution = solved(fixture);
     const auto& [space, controls] = solution.curve;
     const ProjectedCurve shadow(
-        fixture.problem(),
+        *fixture.problem().extended,
+        fixture.problem().shell,
         space,
         controls,
         traceCells(traceStartOf(fixture.problem()), space, controls)

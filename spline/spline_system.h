@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/curve_problem.h"
 #include "spline/band_cholesky.h"
+#include "spline/pick_constraint.h"
 #include "spline/span_blocks.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/spline_system.h"
+#include "spline/spline_system.h"
 
 #include <Eigen/Cholesky>
 
