@@ -49,6 +49,20 @@ using SpanVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMa
     return result;
 }
 
+/// The control points of one span.
+using SpanControls = std::array<Vec3, kMaxBasis>;
+
+[[nodiscard]] inline SpanControls controlsOf(
+    const SplineSpace& space, const ControlPoints& controls, int span
+) {
+    SpanControls result;
+    for (int j = 0; j < space.basisCount(); ++j) {
+        const double* const row = controls.data() + 3 * std::ptrdiff_t{space.control(span, j)};
+        result[j] = {row[0], row[1], row[2]};
+    }
+    return result;
+}
+
 /// The unknowns of one span, of a vector over all control points.
 [[nodiscard]] inline SpanVector unknownsOf(
     const SplineSpace& space, int span, const Eigen::VectorXd& all
