@@ -17,27 +17,23 @@
 namespace bspline_curve {
 namespace {
 
-// Shares of the progress: for an attempt to start from another curve; of what is left, for relaxing
-// without a shell of the whole surface, for building that, and for relaxing in it.
-constexpr double kStartShare = 0.2;
-constexpr double kNearbyShare = 0.5;
-constexpr double kBuiltShare = 0.75;
-constexpr double kRelaxedShare = 0.85;
-// Of relaxing, for the first attempt, and up to the end of those from tight fits.
-constexpr double kLooseShare = 0.5;
-constexpr double kTightShare = 0.9;
+struct StrategyConstants {
+    /// Shares of the progress: for an attempt from another curve; of what is left, up to the end of
+    /// attempts without a shell, of building one, and of attempts at samples in it.
+    double startShare = 0.2, nearbyShare = 0.5, builtShare = 0.75, sampledShare = 0.85;
+    /// Of attempts at samples: up to the end of the loose one, and of those from tight fits.
+    double looseShare = 0.5, tightShare = 0.9;
+    /// First weights for tight fits, as stiffnesses of stiffStart(): each is tried in turn.
+    std::array<double, 3> stiffnesses = {5e7, 5e9, 5e11};
+    /// Chords of paths for tight fits lie within so many tolerances of the surface. With more,
+    /// curves bend more, and fewer of them are solved at samples.
+    double chordTolerances = 0.1;
+    /// Shares of the field by which paths follow it, cell by cell: less where no spline along them
+    /// stays in the shell.
+    std::array<double, 3> guideShares = {1.0, 0.25, 0.0};
+};
 
-// A curve that was relaxed from a loose fit may slip through a thin part of the surface, or into a
-// fold, and does not find back, however large its weight of the distance becomes. Such a curve is
-// relaxed again from tight fits, with first weights so much larger, until one stays.
-constexpr std::array<double, 3> kStiffnesses = {5e7, 5e9, 5e11};
-
-// The chords of paths for tight fits lie within so many tolerances of the surface. With a half
-// curves come to bend 2 % more, with 5 fewer of them are relaxed.
-constexpr double kChordTolerances = 0.1;
-
-// Shares of the field by which paths follow it: less where no spline along them stays in the shell.
-constexpr std::array<double, 3> kGuideShares = {1.0, 0.25, 0.0};
+constexpr StrategyConstants kStrategy;
 
 // In the shell's frame.
 double distanceToleranceOf(const PreparedSurface& prepared, const SolverOptions& options) {
@@ -81,28 +77,36 @@ Solved CurveSolver::solve(const Progress& progress) const {
     return solved;
 }
 
+// The cheapest way first:
+// 1. at samples, from a curve through picks nearby, where one is given: a few steps;
+// 2. at samples along the fibres, without a shell, in three attempts (see relaxOver);
+// 3. the same in the shell of the whole surface, where that is asked for, or knows faces to avoid;
+// 4. cell by cell in that shell: slow, but each iterate lies inside.
 Solved CurveSolver::solveInTurn(const Progress& progress) const {
-    const Progress begin = partOf(progress, 0.0, kStartShare);
+    const Progress begin = partOf(progress, 0.0, kStrategy.startShare);
     if (std::optional<Solved> solved = solveFromStart(begin)) {
         return std::move(*solved);
     }
-    const Progress rest = partOf(progress, context_.start != nullptr ? kStartShare : 0.0, 1.0);
+    const Progress rest =
+        partOf(progress, context_.start != nullptr ? kStrategy.startShare : 0.0, 1.0);
     if (isLocal()) {
-        if (std::optional<Solved> solved = relaxOver(nullptr, partOf(rest, 0.0, kNearbyShare))) {
+        if (std::optional<Solved> solved =
+                relaxOver(nullptr, partOf(rest, 0.0, kStrategy.nearbyShare))) {
             return std::move(*solved);
         }
     }
-    const ObtainedShell& whole = prepared_.wholeShell(partOf(rest, kNearbyShare, kBuiltShare));
+    const ObtainedShell& whole =
+        prepared_.wholeShell(partOf(rest, kStrategy.nearbyShare, kStrategy.builtShare));
     const std::vector<int>& blockedFaces = whole.build.report.blockedFaces;
     refuseBlockedPicks(blockedFaces);
     // Another attempt would end as the first one did, unless paths are now others.
     if (!isLocal() || !blockedFaces.empty()) {
         if (std::optional<Solved> solved =
-                relaxOver(&whole, partOf(rest, kBuiltShare, kRelaxedShare))) {
+                relaxOver(&whole, partOf(rest, kStrategy.builtShare, kStrategy.sampledShare))) {
             return std::move(*solved);
         }
     }
-    return solveInCells(whole, partOf(rest, kRelaxedShare, 1.0));
+    return solveInCells(whole, partOf(rest, kStrategy.sampledShare, 1.0));
 }
 
 PickPath CurveSolver::pathRound(
@@ -118,7 +122,7 @@ PickPath CurveSolver::pathRound(
          context_.obstacles,
          &prepared_.patches(),
          kind,
-         kChordTolerances * distanceToleranceOf(prepared_, options_),
+         kStrategy.chordTolerances * distanceToleranceOf(prepared_, options_),
          side_}
     );
 }
@@ -157,7 +161,11 @@ std::optional<Solved> CurveSolver::solveFromStart(const Progress& progress) cons
     return relaxed(std::move(problem), dragged->path.path, std::move(begin), StopPolicy::Short);
 }
 
-// In the shell given, or one of its own. Nothing where no attempt leads to a curve.
+// At samples, in the shell given or along the fibres. Nothing where no attempt leads to a curve:
+// 1. from a loose fit to the initial path, which bends least, with a short patience;
+// 2. from tight fits: a loose one may slip through a thin part of the surface, or into a fold, and
+//    does not find back, however large its weight of the distance becomes;
+// 3. from the loose fit again, until rounds run out.
 std::optional<Solved> CurveSolver::relaxOver(
     const ObtainedShell* whole, const Progress& progress
 ) const {
@@ -170,7 +178,7 @@ std::optional<Solved> CurveSolver::relaxOver(
         shell = &whole->build.shell;
     }
     const PickPath quick = pathRound(blocked, travel, PathKind::Quick);
-    const Progress begin = partOf(progress, 0.0, kLooseShare);
+    const Progress begin = partOf(progress, 0.0, kStrategy.looseShare);
     CurveProblem loose = problemOn(quick, shell, begin);
     if (!isForSamples(loose)) {
         return std::nullopt;
@@ -182,10 +190,12 @@ std::optional<Solved> CurveSolver::relaxOver(
         lap.lap();
         const PickPath close = pathRound(blocked, travel, PathKind::Close);
         pathSeconds += lap.lap();
-        solved = relaxTightly(close, shell, partOf(progress, kLooseShare, kTightShare));
+        solved = relaxTightly(
+            close, shell, partOf(progress, kStrategy.looseShare, kStrategy.tightShare)
+        );
     }
     if (!solved) {
-        const Progress last = partOf(progress, kTightShare, 1.0);
+        const Progress last = partOf(progress, kStrategy.tightShare, 1.0);
         loose.progress = last;
         solved = relaxed(std::move(loose), quick.path, {}, StopPolicy::Long);
     }
@@ -198,9 +208,9 @@ std::optional<Solved> CurveSolver::relaxOver(
 std::optional<Solved> CurveSolver::relaxTightly(
     const PickPath& path, const Shell* shell, const Progress& progress
 ) const {
-    const double share = 1.0 / static_cast<double>(kStiffnesses.size());
+    const double share = 1.0 / static_cast<double>(kStrategy.stiffnesses.size());
     double done = 0.0;
-    for (const double stiffness : kStiffnesses) {
+    for (const double stiffness : kStrategy.stiffnesses) {
         const Progress part = partOf(progress, done, done + share);
         CurveProblem problem = problemOn(path, shell, part);
         SampledStart start = stiffStart(problem, path.path, stiffness);
@@ -242,7 +252,7 @@ Solved CurveSolver::solveInCells(const ObtainedShell& whole, const Progress& pro
         boundary.emplace(whole.build.shell);
     }
     Stopwatch lap;
-    for (const double share : kGuideShares) {
+    for (const double share : kStrategy.guideShares) {
         const FieldTravel travel = context_.field.travel(options_, share);
         if (share > 0.0 && travel.empty()) {
             continue;
