@@ -14,13 +14,7 @@ enum class SolveStatus {
     RoundLimit,       ///< rounds used up, distance still above tolerance
 };
 
-enum class MinimiseStatus {
-    Converged,
-    LineSearchStalled,
-    IterationLimit,
-    NotPositive,
-    Outside
-};
+enum class MinimiseStatus { Converged, LineSearchStalled, IterationLimit, NotPositive, Outside };
 
 [[nodiscard]] const char* name(SolveStatus status);
 [[nodiscard]] const char* name(MinimiseStatus status);
