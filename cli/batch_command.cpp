@@ -135,7 +135,7 @@ struct MeshProcess {
     MeshProcess& operator=(const MeshProcess&) = delete;
 
     /// Waits for its end.
-    ChildProcess::End wait() const {
+    [[nodiscard]] ChildProcess::End wait() const {
         while (process->read()) {
         }
         return process->wait();

@@ -68,7 +68,7 @@ bool isSame(const TriangleMesh& mesh, const Surface& surface) {
 std::shared_ptr<const CurveDesigner> DesignerCache::find(
     std::uint64_t hash, const TriangleMesh& mesh, const ShellOptions& options
 ) {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
         return entry.hash == hash && entry.options == options &&
                isSame(mesh, surfaceOf(*entry.designer));
@@ -90,7 +90,7 @@ DesignerCache::Found DesignerCache::findOrMake(
         return {.designer = std::move(designer), .isKept = true};
     }
     auto designer = std::make_shared<const CurveDesigner>(make());
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     entries_.push_front({.hash = hash, .options = options, .designer = designer});
     while (entries_.size() > capacity_) {
         entries_.pop_back();

@@ -170,8 +170,9 @@ private:
 
     double* targetOf(const PlyProperty& property) {
         constexpr std::string_view kAxes = "xyz";
-        const std::size_t axis = property.name.size() == 1 ? kAxes.find(property.name) : kAxes.npos;
-        if (axis != kAxes.npos) {
+        const std::size_t axis =
+            property.name.size() == 1 ? kAxes.find(property.name) : std::string_view::npos;
+        if (axis != std::string_view::npos) {
             return &point_[static_cast<int>(axis)];
         }
         return property.name == "quality" && isFloating(property.type) ? &quality_ : &ignored_;

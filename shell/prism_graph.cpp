@@ -17,9 +17,9 @@ struct Wall {
     auto operator<=>(const Wall&) const = default;
 };
 
-void setNeighbour(std::vector<Prism>& prisms, const Wall& here, const Wall& there) {
-    prisms[here.prism].neighbours[here.slot] = there.prism;
-    prisms[here.prism].neighbourWalls[here.slot] = static_cast<signed char>(there.slot);
+void setNeighbour(std::vector<Prism>& prisms, const Wall& wall, const Wall& opposite) {
+    prisms[wall.prism].neighbours[wall.slot] = opposite.prism;
+    prisms[wall.prism].neighbourWalls[wall.slot] = static_cast<signed char>(opposite.slot);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ inline constexpr std::array<double, 2> kPairNodes = {0.21132486540518712, 0.7886
 
 /// tau of sample i of the 2 M on a span.
 [[nodiscard]] inline double sampleParameter(int i, int segments) {
-    return (i / 2 + kPairNodes[i % 2]) / segments;
+    const int segment = i / 2;
+    return (segment + kPairNodes[i % 2]) / segments;
 }
 
 }  // namespace bspline_curve

@@ -17,7 +17,7 @@ namespace bspline_curve {
 using SpanBlocks = std::array<SymmetricMatrix, kMaxBasis*(kMaxBasis + 1) / 2>;
 
 [[nodiscard]] constexpr std::size_t blockIndex(int j, int k) {
-    return static_cast<std::size_t>(j * (j + 1) / 2 + k);
+    return j * (j + 1) / 2 + k;
 }
 
 inline constexpr int kMaxSpanUnknowns = 3 * kMaxBasis;

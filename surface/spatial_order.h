@@ -36,7 +36,7 @@ template <class CentreOf>
     Vec3 low = centreOf(0);
     Vec3 high = low;
     for (std::size_t i = 1; i < count; ++i) {
-        const Vec3 centre = centreOf(i);
+        const auto& centre = centreOf(i);
         low = low.cwiseMin(centre);
         high = high.cwiseMax(centre);
     }

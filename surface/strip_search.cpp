@@ -85,7 +85,8 @@ std::optional<StripSearch::Way> StripSearch::search(const Ends& ends, Extent ext
 }
 
 bool StripSearch::mayEnter(int face) {
-    return (extent_ == Extent::Everywhere || corridor_->holds(face)) && costs_.isOpen(face);
+    const bool isInside = extent_ == Extent::Everywhere || (corridor_ && corridor_->holds(face));
+    return isInside && costs_.isOpen(face);
 }
 
 Vec3 StripSearch::middle(int crossing) const {

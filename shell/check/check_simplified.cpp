@@ -79,6 +79,12 @@ struct Meetings {
     std::vector<char> hasBorder;                              // by prism
 };
 
+void setIf(bool holds, char& flag) {
+    if (holds) {
+        flag = 1;
+    }
+}
+
 Meetings meetAll(const CheckedShell& shell, const CheckedSurface& surface) {
     const std::vector<char> none(surface.faceCount(), 0);
     Meetings all{none, none, none, std::vector<char>(shell.prismCount(), 0)};
@@ -88,11 +94,10 @@ Meetings meetAll(const CheckedShell& shell, const CheckedSurface& surface) {
             const Meeting found = tetrahedra.meet(shell, surface, face);
             if (found.meets) {
                 all.isInSomePrism[face] = 1;
-                all.isOblique[face] |= static_cast<char>(!found.isTransversal);
-                all.isUntracked[face] |= static_cast<char>(
-                    !std::ranges::binary_search(shell.shell.facesOf(prism), face)
-                );
-                all.hasBorder[prism] |= static_cast<char>(found.hasBorder);
+                const bool isTracked = std::ranges::binary_search(shell.shell.facesOf(prism), face);
+                setIf(!found.isTransversal, all.isOblique[face]);
+                setIf(!isTracked, all.isUntracked[face]);
+                setIf(found.hasBorder, all.hasBorder[prism]);
             }
         });
     }

@@ -27,11 +27,11 @@ struct TetFace {
 /// what it is checked against.
 struct CheckedShell {
     CheckedShell(
-        const Shell& shell,
-        const Surface& surface,
-        const ExtendedSurface& extended,
-        std::span<const int> blockedFaces,
-        const ShellCheckOptions& options
+        const Shell& checked,
+        const Surface& ofSurface,
+        const ExtendedSurface& ofExtended,
+        std::span<const int> blocked,
+        const ShellCheckOptions& how
     );
 
     const Shell& shell;
