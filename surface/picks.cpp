@@ -41,11 +41,8 @@ void refuseWhere(
     throw InputError(code, message + ": " + remedy, std::move(bad));
 }
 
-}  // namespace
-
-std::vector<SurfacePoint> locatePicks(
-    const Surface& surface, const TriangleTree& tree, const std::vector<Vec3>& picks, bool closed
-) {
+// As many picks as the curve needs, of finite coordinates.
+void requireUsable(const std::vector<Vec3>& picks, bool closed) {
     const std::size_t count = picks.size();
     const std::size_t needed = closed ? 3 : 2;
     if (count < needed) {
@@ -62,7 +59,15 @@ std::vector<SurfacePoint> locatePicks(
         [&](std::size_t i) { return !picks[i].allFinite(); },
         [](std::size_t) { return " has a coordinate that is not a finite number"; }
     );
+}
 
+}  // namespace
+
+std::vector<SurfacePoint> locatePicks(
+    const Surface& surface, const TriangleTree& tree, const std::vector<Vec3>& picks, bool closed
+) {
+    requireUsable(picks, closed);
+    const std::size_t count = picks.size();
     std::vector<TriangleTree::Closest> projections;
     projections.reserve(count);
     for (const Vec3& pick : picks) {
