@@ -72,7 +72,8 @@ Solved CurveSolver::solve(const Progress& progress) const {
     Solved solved = solveInTurn(progress);
     auto& seconds = solved.solution.report.seconds;
     seconds.shell = prepared_.seconds().wholeShell - shellBefore;
-    const double own = seconds.path + seconds.initial + seconds.minimise + seconds.knots;
+    const double own = seconds.path + seconds.initial + seconds.minimise + seconds.knots +
+                       seconds.crossings;
     seconds.failedAttempts = std::max(0.0, watch.lap() - seconds.shell - own);
     return solved;
 }
@@ -237,11 +238,13 @@ std::optional<Solved> CurveSolver::relaxed(
         return std::nullopt;
     }
     if (problem.shell == nullptr) {
+        Stopwatch watch;
         for (const int face : facesPassed(*solution)) {
             if (face < prepared_.surface().faceCount() && prepared_.crossings().hasCrossing(face)) {
                 return std::nullopt;
             }
         }
+        solution->report.seconds.crossings = watch.lap();
     }
     return Solved{std::move(problem), std::move(*solution)};
 }

@@ -18,7 +18,7 @@ double lengthOf(const SurfacePolyline& polyline) {
 double secondsOf(const SolveReport& report) {
     const auto& part = report.seconds;
     return part.path + part.initial + part.minimise + part.knots + part.polyline +
-           part.failedAttempts;
+           part.crossings + part.failedAttempts;
 }
 
 /// x, y, z of each point in turn: hosts keep vectors, but no matrix of n rows.

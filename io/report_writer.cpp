@@ -40,6 +40,7 @@ Json secondsOf(const SolveReport& report, const RunFigures& figures) {
         {"minimise", solve.minimise},
         {"knots", solve.knots},
         {"polyline", solve.polyline},
+        {"crossings", solve.crossings},
         {"failed_attempts", solve.failedAttempts},
     };
 }
