@@ -41,7 +41,7 @@ void addMeshPaths(const Scene& scene, std::vector<MeasuredPath>& paths) {
                          const TriangleTree made(surface.vertices(), surface.faces());
                      }});
     paths.push_back({"patches", "face", faces, [&surface] { const PatchLevels made(surface); }});
-    paths.push_back({"shell_base", "face", faces, [&scene, &surface] {
+    paths.push_back({"extended_surface", "face", faces, [&scene, &surface] {
                          static_cast<void>(extendSurface(
                              surface,
                              makeRoughBase(surface),
