@@ -77,8 +77,9 @@ struct SolveReport {
 
     struct Seconds {
         double path = 0.0, initial = 0.0, minimise = 0.0, knots = 0.0, polyline = 0.0;
-        /// Set by CurveSolver: the search for faces that cross those passed; attempts that led to no curve, before the one that did, and the
-        /// shell of the whole surface where this curve was the first to need it.
+        /// Set by CurveSolver: the search for faces that cross those passed; attempts that led to
+        /// no curve, before the one that did, and the shell of the whole surface where this curve
+        /// was the first to need it.
         double crossings = 0.0, failedAttempts = 0.0, shell = 0.0;
     } seconds;
 };
