@@ -72,8 +72,8 @@ Solved CurveSolver::solve(const Progress& progress) const {
     Solved solved = solveInTurn(progress);
     auto& seconds = solved.solution.report.seconds;
     seconds.shell = prepared_.seconds().wholeShell - shellBefore;
-    const double own = seconds.path + seconds.initial + seconds.minimise + seconds.knots +
-                       seconds.crossings;
+    const double own =
+        seconds.path + seconds.initial + seconds.minimise + seconds.knots + seconds.crossings;
     seconds.failedAttempts = std::max(0.0, watch.lap() - seconds.shell - own);
     return solved;
 }

@@ -17,8 +17,8 @@ double lengthOf(const SurfacePolyline& polyline) {
 /// Of one curve on a surface that is ready.
 double secondsOf(const SolveReport& report) {
     const auto& part = report.seconds;
-    return part.path + part.initial + part.minimise + part.knots + part.polyline +
-           part.crossings + part.failedAttempts;
+    return part.path + part.initial + part.minimise + part.knots + part.polyline + part.crossings +
+           part.failedAttempts;
 }
 
 /// x, y, z of each point in turn: hosts keep vectors, but no matrix of n rows.
