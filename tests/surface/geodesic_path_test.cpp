@@ -3,6 +3,7 @@
 
 #include "support/meshes.h"
 #include "support/random.h"
+#include "surface/closest_point.h"
 #include "surface/strip_unfolding.h"
 #include "surface/surface_point.h"
 
@@ -51,28 +52,18 @@ Vec3 randomInRectangle(Random& random, double x0, double x1, double y0, double y
     return {x, y, 0.0};
 }
 
-// The point of a face of a surface that holds a position exactly up to rounding.
+// The point of a surface nearest to a position.
 SurfacePoint locate(const Surface& surface, const Vec3& p) {
     SurfacePoint best;
-    double bestScore = -1e300;
+    double least = std::numeric_limits<double>::infinity();
     for (int f = 0; f < surface.faceCount(); ++f) {
-        const Triangle& face = surface.faces()[f];
-        const Vec3& a = surface.vertices()[face[0]];
-        const Vec3 ab = surface.vertices()[face[1]] - a;
-        const Vec3 ac = surface.vertices()[face[2]] - a;
-        const Vec3 n = ab.cross(ac);
-        const double v = (p - a).cross(ac).dot(n) / n.squaredNorm();
-        const double w = ab.cross(p - a).dot(n) / n.squaredNorm();
-        const Vec3 barycentric(1.0 - v - w, v, w);
-        const double off = std::abs((p - a).dot(n.normalized()));
-        const double score = std::min(0.0, barycentric.minCoeff()) - 1e3 * off;
-        if (score > bestScore) {
-            bestScore = score;
-            best = {f, barycentric};
+        const ClosestPointOnTriangle closest =
+            closestPointOnTriangle(surface.vertices(), surface.faces()[f], p);
+        if (closest.squaredDistance < least) {
+            least = closest.squaredDistance;
+            best = {f, closest.barycentric};
         }
     }
-    best.barycentric = best.barycentric.cwiseMax(0.0);
-    best.barycentric /= best.barycentric.sum();
     return best;
 }
 
@@ -452,34 +443,6 @@ TEST(StripUnfolding, TurnsAtTheCornersOfTheStrip) {
         EXPECT_GE(crossing, 0.0);
         EXPECT_LE(crossing, 1.0);
     }
-}
-
-TEST(SurfacePoints, AreHeldByTheirFaceTheNeighbourOrTheStar) {
-    const Surface surface(icosphere(2));
-    for (int f = 0; f < surface.faceCount(); f += 7) {
-        const Triangle& face = surface.faces()[f];
-        EXPECT_EQ(facesHolding(surface, {f, {0.2, 0.3, 0.5}}), std::vector<int>{f});
-        std::vector<int> pair{f, surface.faceNeighbours()[f][1]};
-        std::ranges::sort(pair);
-        EXPECT_EQ(facesHolding(surface, {f, {0.4, 0.0, 0.6}}), pair);
-        const Surface::FaceRange around = surface.facesAround(face[2]);
-        std::vector<int> star(around.begin(), around.end());
-        std::ranges::sort(star);
-        EXPECT_EQ(facesHolding(surface, {f, Vec3::UnitZ()}), star);
-        for (const int g : star) {
-            const Vec3 same = surface.position(inFace(surface, {f, Vec3::UnitZ()}, g));
-            EXPECT_LT((same - surface.vertices()[face[2]]).norm(), 1e-15);
-        }
-    }
-}
-
-TEST(SurfacePoints, SnapToTheEdgeOrVertexTheyAreNear) {
-    const SurfacePoint edge = snapped({0, {1e-10, 0.4, 0.6 - 1e-10}}, 1e-9);
-    EXPECT_EQ(edge.barycentric[0], 0.0);
-    EXPECT_NEAR(edge.barycentric.sum(), 1.0, 1e-15);
-    EXPECT_EQ(snapped({0, {1e-10, 1.0 - 2e-10, 1e-10}}, 1e-9).barycentric, Vec3::UnitY());
-    const Vec3 inner(0.2, 0.3, 0.5);
-    EXPECT_EQ(snapped({0, inner}, 1e-9).barycentric, inner);
 }
 
 }  // namespace
