@@ -113,9 +113,9 @@ Measures measured(const ProblemFixture& fixture, const SplineCurve& curve) {
 
 // ---- Curves that are relaxed ----
 
-class Relaxation : public testing::TestWithParam<CurveCase> {};
+class SampledCurves : public testing::TestWithParam<CurveCase> {};
 
-TEST_P(Relaxation, GivesTheCurvesOfTheCells) {
+TEST_P(SampledCurves, GivesTheCurvesOfTheCells) {
     const ProblemFixture fixture = makeFixture(GetParam());
     const std::optional<Solution> quick = relaxed(fixture);
     ASSERT_TRUE(quick.has_value());
@@ -137,7 +137,7 @@ TEST_P(Relaxation, GivesTheCurvesOfTheCells) {
 
 INSTANTIATE_TEST_SUITE_P(
     All,
-    Relaxation,
+    SampledCurves,
     testing::Values(
         sphere(),
         sphere(true),
@@ -164,7 +164,7 @@ void setWaves(ProblemFixture& fixture) {
     fixture.setField(field);
 }
 
-TEST(RelaxationUnderAField, CostsNoMoreThanByCells) {
+TEST(SampledCurvesUnderAField, CostsNoMoreThanByCells) {
     SolverOptions options;
     options.fieldWeight = 200.0;
     ProblemFixture fixture = makeFixture(noisySphere(), options);
@@ -185,7 +185,7 @@ TEST(RelaxationUnderAField, CostsNoMoreThanByCells) {
 }
 
 // On a plate no direction changes, so that a step is judged by the energy that is reported.
-TEST(RelaxationSteps, NeverRaiseTheEnergy) {
+TEST(SampledSteps, NeverRaiseTheEnergy) {
     for (const bool withField : {false, true}) {
         SolverOptions options;
         options.fieldWeight = 50.0;
@@ -211,7 +211,7 @@ TEST(RelaxationSteps, NeverRaiseTheEnergy) {
 
 // Where a step fails at some bumps the rest of the curve goes all its way. Steps that are only
 // shortened are so 10 times here.
-TEST(RelaxationSteps, AreSeldomShortened) {
+TEST(SampledSteps, AreSeldomShortened) {
     int shortened = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         for (const bool closed : {false, true}) {
@@ -231,7 +231,7 @@ TEST(RelaxationSteps, AreSeldomShortened) {
 }
 
 // Single curves take three steps or eight; what counts is that no resolution takes more of them.
-TEST(RelaxationSteps, AreAsManyOnASubdividedMesh) {
+TEST(SampledSteps, AreAsManyOnASubdividedMesh) {
     int onCoarse = 0;
     int onFine = 0;
     for (CurveCase scene : {sphere(), noisySphere(), plateWithBoundary()}) {
@@ -253,7 +253,7 @@ TEST(RelaxationSteps, AreAsManyOnASubdividedMesh) {
 
 // The curve stays in the middle of a lens, however large its weight of the distance becomes: for
 // seven rounds until that is the largest.
-TEST(RelaxationSteps, EndSoonWhereTheCurveStaysFarAway) {
+TEST(SampledSteps, EndSoonWhereTheCurveStaysFarAway) {
     constexpr double kThickness = 0.05;
     CurveCase lens{
         "Lens",
@@ -273,7 +273,7 @@ TEST(RelaxationSteps, EndSoonWhereTheCurveStaysFarAway) {
     EXPECT_LE(rounds, 5);
 }
 
-TEST(RelaxationSteps, StopWhereTheCallbackSaysSo) {
+TEST(SampledSteps, StopWhereTheCallbackSaysSo) {
     SolverOptions options;
     options.distanceTolerance *= 0.1;  // so that it takes some rounds
     ProblemFixture fixture = makeFixture(noisySphere(true), options);
@@ -306,18 +306,18 @@ void expectByCells(ProblemFixture fixture) {
     expectSame(one, solved(fixture));
 }
 
-TEST(RelaxationIsNotFor, TightCurves) {
+TEST(SamplesAreNotFor, TightCurves) {
     SolverOptions options;
     options.tension = 0.8;
     expectByCells(makeFixture(sphere(), options));
 }
 
-TEST(RelaxationIsNotFor, QuadraticSplines) {
+TEST(SamplesAreNotFor, QuadraticSplines) {
     expectByCells(makeFixture(noisySphere(false, 2)));
     expectByCells(makeFixture(noisySphere(true, 2)));
 }
 
-TEST(RelaxationIsNotFor, StrongFields) {
+TEST(SamplesAreNotFor, StrongFields) {
     SolverOptions options;
     options.fieldWeight = 1e5;
     ProblemFixture fixture = makeFixture(noisySphere(), options);
@@ -325,31 +325,22 @@ TEST(RelaxationIsNotFor, StrongFields) {
     expectByCells(std::move(fixture));
 }
 
-TEST(RelaxationIsNotFor, ThePapersSettings) {
+TEST(SamplesAreNotFor, ThePapersSettings) {
     const CurveCase scene{"SmallSphere", icosphere(3), kSpherePicks};
-    SolverOptions options;
-    options.interpolation = Interpolation::Penalty;
-    expectByCells(makeFixture(scene, options));
-    options = {};
-    options.initialCurve = InitialCurve::ControlPolygon;
-    expectByCells(makeFixture(scene, options));
-    options = {};
-    options.barrierWidth = BarrierWidth::Tight;
-    expectByCells(makeFixture(scene, options));
-    options = {};
-    options.distanceWeight = DistanceWeight::Adaptive;
-    expectByCells(makeFixture(scene, options));
-    options = {};
-    options.knotRule = KnotRule::FeatureFunction;
-    expectByCells(makeFixture(scene, options));
+    for (const SolverOptions& options :
+         {SolverOptions{.interpolation = Interpolation::Penalty},
+          SolverOptions{.initialCurve = InitialCurve::ControlPolygon},
+          SolverOptions{.barrierWidth = BarrierWidth::Tight},
+          SolverOptions{.distanceWeight = DistanceWeight::Adaptive},
+          SolverOptions{.knotRule = KnotRule::FeatureFunction}}) {
+        expectByCells(makeFixture(scene, options));
+    }
     for (const Quadrature quadrature : {Quadrature::Cells, Quadrature::Samples}) {
-        options = {};
-        options.quadrature = quadrature;
-        EXPECT_FALSE(relaxed(makeFixture(scene, options)).has_value());
+        EXPECT_FALSE(relaxed(makeFixture(scene, {.quadrature = quadrature})).has_value());
     }
 }
 
-TEST(RelaxationIsNotFor, CurvesThatWhatTheyAvoidPushes) {
+TEST(SamplesAreNotFor, CurvesThatWhatTheyAvoidPushes) {
     const CurveCase scene{
         "Plate", jitteredPlate(20, 20, 0.25, 5), {{0.1, 0.48, 0}, {0.9, 0.48, 0}}
     };
@@ -360,7 +351,7 @@ TEST(RelaxationIsNotFor, CurvesThatWhatTheyAvoidPushes) {
     }
 }
 
-TEST(RelaxationOfCurves, IsTheSameOnTwoThreads) {
+TEST(SamplingOfCurves, IsTheSameOnTwoThreads) {
     WorkerThread side;
     for (const CurveCase& scene : {noisySphere(true), plateWithBoundary(), noisySphere(false, 4)}) {
         ProblemFixture fixture = makeFixture(scene);
@@ -373,7 +364,7 @@ TEST(RelaxationOfCurves, IsTheSameOnTwoThreads) {
     }
 }
 
-TEST(RelaxationOfCurves, IsTheSameBesideWhatIsFarAway) {
+TEST(SamplingOfCurves, IsTheSameBesideWhatIsFarAway) {
     const CurveCase scene{
         "Plate", jitteredPlate(20, 20, 0.25, 5), {{0.1, 0.48, 0}, {0.9, 0.48, 0}}
     };
@@ -385,7 +376,7 @@ TEST(RelaxationOfCurves, IsTheSameBesideWhatIsFarAway) {
     expectSame(*without, *with);
 }
 
-TEST(RelaxationIsNotFor, CurvesWhoseProgressFalls) {
+TEST(SamplesAreNotFor, CurvesWhoseProgressFalls) {
     ProblemFixture fixture = makeFixture(noisySphere(true));
     fixture.avoid(facesWhere(fixture.surface(), ball({0.3, 0.8, 0.5}, 0.3)), 0.2);
     EXPECT_FALSE(relaxed(fixture).has_value());
@@ -416,7 +407,7 @@ std::optional<InputError> refusal(
     return std::nullopt;
 }
 
-TEST(RelaxationOfCurves, RefusesWhatCellsRefuse) {
+TEST(SamplingOfCurves, RefusesWhatCellsRefuse) {
     struct Refused {
         TriangleMesh mesh;
         std::vector<Vec3> picks;
