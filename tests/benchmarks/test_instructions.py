@@ -71,8 +71,8 @@ def test_functions_are_named_without_arguments_and_templates():
     import count_instructions
 
     names = {
-        "bspline_curve::FootFinder::move(Eigen::Matrix<double, 3, 1, 0, 3, 1> const&, bspline_curve::FootPoint&) const":
-            "FootFinder::move",
+        "bspline_curve::FibreProjector::move(Eigen::Matrix<double, 3, 1, 0, 3, 1> const&, bspline_curve::FootPoint&) const":
+            "FibreProjector::move",
         "int bspline_curve::traceCurve<bspline_curve::f(int)::{lambda(int)#1}>(bspline_curve::TracedShell const&)": "traceCurve",
         "bspline_curve::(anonymous namespace)::Fit::operator()(double) const": "Fit::call",
         "void bspline_curve::Grid<4>::visit(int) const::{lambda(int, int)#2}::operator()(int, int) const": "Grid::visit::call",
