@@ -21,8 +21,8 @@ template <class Normals = std::span<const Vec3>>
 
 /// The unit direction with the largest leastCosine: the minimum-norm point of the convex hull of
 /// the normals (Wolfe's problem on the sphere). Where no direction sees all normals from the front
-/// (a singular vertex) the result's leastCosine is <= 0. Exact up to rounding for any number of
-/// normals that real valences reach; O(m^4) worst, O(m^2) typical.
+/// (a singular vertex) the result's leastCosine is <= 0. Exact up to rounding, whatever the order
+/// of the normals. Takes a few passes over them, fewer than 20 on all meshes seen: O(m).
 [[nodiscard]] Vec3 directionOfLeastAngle(std::span<const Vec3> normals);
 
 /// The largest patches of a surface that are still many enough to smooth directions over: no wider
