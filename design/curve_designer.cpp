@@ -218,6 +218,10 @@ const Surface& surfaceOf(const CurveDesigner& designer) {
     return designer.state_->surface();
 }
 
+const TriangleTree& treeOf(const CurveDesigner& designer) {
+    return designer.state_->tree();
+}
+
 StageSeconds CurveDesigner::seconds() const {
     const PreparedSurface::Seconds all = state_->seconds();
     return {all.validate, all.tree, all.extended + all.wholeShell};

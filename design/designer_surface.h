@@ -3,10 +3,13 @@
 
 #include "bspline_curve/designer.h"
 #include "surface/surface.h"
+#include "surface/triangle_tree.h"
 
 namespace bspline_curve {
 
 /// The validated surface that a designer draws on; as long as the designer.
 [[nodiscard]] const Surface& surfaceOf(const CurveDesigner& designer);
+/// The tree over its faces, likewise.
+[[nodiscard]] const TriangleTree& treeOf(const CurveDesigner& designer);
 
 }  // namespace bspline_curve

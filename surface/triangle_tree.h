@@ -30,6 +30,18 @@ public:
     /// lowest index. Accurate to rounding (see closestPointOnTriangle). O(log n) near the surface.
     [[nodiscard]] Closest closestPoint(const Vec3& query) const;
 
+    struct Hit {
+        SurfacePoint point;  ///< face -1 where nothing is hit
+        Vec3 position = Vec3::Zero();
+        double distance = 0.0;  ///< along the ray, in lengths of its direction
+    };
+
+    /// The first triangle, from either side, that a ray meets; of several as near the one with the
+    /// lowest index. No ray slips through between triangles that share an edge or a vertex
+    /// (S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, 2013). The direction
+    /// need not be of unit length; nothing is hit where it is zero. O(log n) on most meshes.
+    [[nodiscard]] Hit firstHit(const Vec3& origin, const Vec3& direction) const;
+
     /// Calls visit(i, j), i < j, once for every pair of triangles whose boxes overlap (touching
     /// counts). The order is the same on every platform.
     template <class Visitor>
@@ -69,6 +81,7 @@ private:
     };
 
     struct ClosestSearch;
+    struct RaySearch;
 
     [[nodiscard]] static std::size_t middleOf(
         const std::vector<MortonKey>& keys, std::size_t first, std::size_t last

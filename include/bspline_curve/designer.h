@@ -15,6 +15,7 @@ namespace bspline_curve {
 
 class ShellStore;
 class Surface;
+class TriangleTree;
 
 /// What a curve is drawn by, besides its picks. All may be empty.
 struct CurveInputs {
@@ -71,6 +72,7 @@ public:
 
 private:
     friend const Surface& surfaceOf(const CurveDesigner& designer);
+    friend const TriangleTree& treeOf(const CurveDesigner& designer);
 
     struct State;
     std::unique_ptr<State> state_;

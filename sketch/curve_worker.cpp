@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sketch/curve_worker.h"
+
+#include "bspline_curve/error.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+bool namesPicks(InputErrorCode code) {
+    return code == InputErrorCode::PickTooFar || code == InputErrorCode::CoincidentPicks ||
+           code == InputErrorCode::PicksOnDifferentComponents ||
+           code == InputErrorCode::PickAvoided;
+}
+
+}  // namespace
+
+CurveWorker::CurveWorker(std::shared_ptr<const CurveDesigner> designer, std::function<void()> wake)
+    : designer_(std::move(designer)), wake_(std::move(wake)), thread_([this] { serve(); }) {}
+
+CurveWorker::~CurveWorker() {
+    {
+        const std::scoped_lock lock(mutex_);
+        isEnding_ = isGivenUp_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void CurveWorker::askLive(CurveRequest request) {
+    {
+        const std::scoped_lock lock(mutex_);
+        live_ = std::move(request);
+        if (running_ && !isRunningLive_ && !isGivenUp_) {
+            isGivenUp_ = isPostponed_ = true;
+        }
+    }
+    changed_.notify_all();
+}
+
+void CurveWorker::dropLive() {
+    const std::scoped_lock lock(mutex_);
+    live_.reset();
+    isGivenUp_ = isGivenUp_ || isRunningLive_;
+}
+
+void CurveWorker::askOthers(std::vector<CurveRequest> requests) {
+    {
+        const std::scoped_lock lock(mutex_);
+        others_ = std::move(requests);
+        if (running_ && !isRunningLive_) {
+            const auto same = std::ranges::find(others_, *running_, &CurveRequest::id);
+            isPostponed_ = false;  // it is among them, or is not wanted any more
+            if (same == others_.end()) {
+                isGivenUp_ = true;
+            } else if (!isGivenUp_) {
+                others_.erase(same);
+            }
+        }
+    }
+    changed_.notify_all();
+}
+
+std::vector<CurveAnswer> CurveWorker::takeAnswers() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(answers_, {});
+}
+
+void CurveWorker::wait() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] {
+        return !answers_.empty() || (!running_ && !live_ && others_.empty());
+    });
+}
+
+void CurveWorker::serve() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [this] { return isEnding_ || live_ || !others_.empty(); });
+        if (isEnding_) {
+            return;
+        }
+        isRunningLive_ = live_.has_value();
+        CurveRequest request;
+        if (isRunningLive_) {
+            request = std::move(*live_);
+            live_.reset();
+        } else {
+            request = std::move(others_.front());
+            others_.erase(others_.begin());
+        }
+        running_ = request.id;
+        isGivenUp_ = isPostponed_ = false;
+        lock.unlock();
+        std::optional<CurveAnswer> answer;
+        try {
+            answer = answerTo(request, [this](double, const char*) {
+                const std::scoped_lock inner(mutex_);
+                return !isGivenUp_;
+            });
+        } catch (const Cancelled&) {
+            answer.reset();
+        }
+        lock.lock();
+        running_.reset();
+        if (answer) {
+            answers_.push_back(std::move(*answer));
+        } else if (isPostponed_) {
+            others_.insert(others_.begin(), std::move(request));
+        }
+        isRunningLive_ = false;
+        lock.unlock();
+        changed_.notify_all();
+        if (answer && wake_) {
+            wake_();
+        }
+        lock.lock();
+    }
+}
+
+CurveAnswer CurveWorker::answerTo(const CurveRequest& request, const Progress& progress) const {
+    CurveAnswer answer{request.id, request.picks, nullptr, {}};
+    CurveInputs inputs;
+    if (request.options.field) {
+        inputs.field = *request.options.field;
+    }
+    if (request.options.avoid) {
+        inputs.avoid = *request.options.avoid;
+    }
+    inputs.start = request.start.get();
+    try {
+        answer.curve = std::make_shared<const Curve>(
+            designer_->design(request.picks, request.options.solver, {}, inputs, progress)
+        );
+    } catch (const InputError& error) {
+        answer.problem.message = error.what();
+        if (namesPicks(error.code())) {
+            answer.problem.picks.assign(error.elements().begin(), error.elements().end());
+        }
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::exception& error) {
+        answer.problem.message = std::string("the solver failed: ") + error.what();
+    }
+    return answer;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/designer.h"
+#include "sketch/sketch.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace bspline_curve {
+
+/// A curve to be solved.
+struct CurveRequest {
+    std::uint64_t id = 0;  ///< of whoever asks; comes back with the answer
+    std::vector<Vec3> picks;
+    SketchCurveOptions options;
+    std::shared_ptr<const Curve> start;  ///< see CurveInputs::start; null: from scratch
+};
+
+struct CurveAnswer {
+    std::uint64_t id = 0;
+    std::vector<Vec3> picks;             ///< those that were asked for
+    std::shared_ptr<const Curve> curve;  ///< null: there is none, see `problem`
+    SketchProblem problem;
+};
+
+/// Solves curves on a thread of its own: first the live one, of which there is one at a time and
+/// the newest wins, then the others in their order. A live request that is being solved is
+/// finished, so that answers keep coming while a mouse moves faster than curves are solved; one of
+/// the others is given up for it and begun again later.
+class CurveWorker {
+public:
+    /// `wake` is called on the worker's thread after each answer; may be empty.
+    explicit CurveWorker(
+        std::shared_ptr<const CurveDesigner> designer, std::function<void()> wake = {}
+    );
+    ~CurveWorker();
+    CurveWorker(const CurveWorker&) = delete;
+    CurveWorker& operator=(const CurveWorker&) = delete;
+
+    /// Replaces the live request that waits.
+    void askLive(CurveRequest request);
+    /// Replaces the others, in the order in which they are to be solved; one that is being solved
+    /// and is not among them is given up.
+    void askOthers(std::vector<CurveRequest> requests);
+    /// Gives up what is asked for and what is being solved.
+    void dropLive();
+
+    /// The answers since the last call, oldest first.
+    [[nodiscard]] std::vector<CurveAnswer> takeAnswers();
+    /// Waits until there is an answer or nothing is left to solve.
+    void wait();
+
+private:
+    void serve();
+    [[nodiscard]] CurveAnswer answerTo(const CurveRequest& request, const Progress& progress) const;
+
+    std::shared_ptr<const CurveDesigner> designer_;
+    std::function<void()> wake_;
+    std::mutex mutex_;  // of all below
+    std::condition_variable changed_;
+    std::optional<CurveRequest> live_;
+    std::vector<CurveRequest> others_;
+    std::optional<std::uint64_t> running_;  // id
+    bool isRunningLive_ = false;
+    bool isGivenUp_ = false;    // the one that runs
+    bool isPostponed_ = false;  // given up for a live one, to be begun again
+    bool isEnding_ = false;
+    std::vector<CurveAnswer> answers_;
+    std::thread thread_;  // last: it uses the others
+};
+
+}  // namespace bspline_curve

@@ -1,0 +1,528 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sketch/drawing_session.h"
+
+#include "design/designer_surface.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace bspline_curve {
+
+DrawingSession::DrawingSession(
+    std::shared_ptr<const CurveDesigner> designer, SessionSettings settings
+)
+    : designer_(std::move(designer)),
+      settings_(std::move(settings)),
+      worker_(designer_, settings_.wake) {}
+
+// ---- Points ----
+
+SketchPick DrawingSession::pickAt(const SurfacePoint& point) const {
+    return {point, surfaceOf(*designer_).position(point)};
+}
+
+TriangleTree::Hit DrawingSession::seenBy(const Pointer& pointer) const {
+    return treeOf(*designer_).firstHit(pointer.origin, pointer.direction);
+}
+
+SurfacePoint DrawingSession::pointUnder(
+    const Pointer& pointer, const TriangleTree::Hit& seen
+) const {
+    if (!pointer.snaps) {
+        return seen.point;
+    }
+    const double reach = settings_.snapPixels * pointer.pixelAt(seen.distance);
+    return snap(
+               surfaceOf(*designer_), sketch_, sketch_.active, seen.point, reach, settings_.snapping
+    )
+        .point;
+}
+
+bool DrawingSession::hasMoved(const Pointer& pointer) const {
+    const Vec3 way = pressedAt_ - pointer.origin;
+    const double along = way.dot(pointer.direction);
+    return (way - along * pointer.direction).norm() >
+           settings_.dragPixels * pointer.pixelAt(std::max(along, 0.0));
+}
+
+// ---- Events ----
+
+bool DrawingSession::press(const Pointer& pointer) {
+    if (mode_ != Mode::Idle) {
+        return true;
+    }
+    const TriangleTree::Hit seen = seenBy(pointer);
+    const SketchHit hit = hitTest(sketch_, pointer, seen, settings_.radii);
+    if (hit.pick >= 0) {
+        if (pointer.removes) {
+            sketch_.active = hit.curve;
+            removePick(hit.pick);
+            return true;
+        }
+        const SketchCurve& curve = *sketch_.curves[hit.curve];
+        closesOnRelease_ = hit.curve == sketch_.active && hit.pick == 0 &&
+                           !curve.options.solver.closed && curve.picks.size() >= 3;
+        sketch_.active = hit.curve;
+        sketch_.selected = hit.pick;
+        pressedAt_ = curve.picks[hit.pick].position;
+        mode_ = Mode::Pressed;
+        dropLive();
+        return true;
+    }
+    if (hit.curve >= 0 && hit.curve != sketch_.active) {
+        select(hit.curve);
+        return true;
+    }
+    if (seen.point.face < 0) {
+        return false;
+    }
+    const SurfacePoint point = pointUnder(pointer, seen);
+    if (hit.curve >= 0) {
+        insertBehind(hit.after, point);
+    } else {
+        begun();
+        insertBehind(static_cast<int>(sketch_.activeCurve()->picks.size()) - 1, point);
+    }
+    pressedAt_ = seen.position;
+    closesOnRelease_ = false;
+    mode_ = Mode::Dragging;
+    askLive();
+    return true;
+}
+
+bool DrawingSession::move(const Pointer& pointer) {
+    const TriangleTree::Hit seen = seenBy(pointer);
+    if (mode_ == Mode::Pressed && hasMoved(pointer)) {
+        mode_ = Mode::Dragging;
+        closesOnRelease_ = false;
+    }
+    if (mode_ == Mode::Dragging && seen.point.face >= 0) {
+        const SurfacePoint point = pointUnder(pointer, seen);
+        changed().picks[sketch_.selected] = pickAt(point);
+        askLive();
+    }
+    if (mode_ != Mode::Idle) {
+        return true;
+    }
+    hovered_ = hitTest(sketch_, pointer, seen, settings_.radii);
+    const SketchCurve* const curve = sketch_.activeCurve();
+    const bool wouldAdd = curve != nullptr && !curve->options.solver.closed &&
+                          !curve->picks.empty() && hovered_.curve < 0 && seen.point.face >= 0;
+    if (wouldAdd) {
+        askPreview(pointUnder(pointer, seen));
+    } else {
+        dropLive();
+    }
+    return false;
+}
+
+bool DrawingSession::release(const Pointer& pointer) {
+    if (mode_ == Mode::Idle) {
+        return false;
+    }
+    static_cast<void>(move(pointer));
+    const bool wasDragging = mode_ == Mode::Dragging;
+    mode_ = Mode::Idle;
+    if (wasDragging) {
+        enter();
+    } else if (closesOnRelease_) {
+        setClosed(true);
+    }
+    return true;
+}
+
+void DrawingSession::leave() {
+    hovered_ = {};
+    if (mode_ == Mode::Idle) {
+        dropLive();
+    }
+}
+
+bool DrawingSession::key(SketchKey key, const Pointer& pointer) {
+    if (mode_ != Mode::Idle) {
+        // While a button is held all other keys wait for its release.
+        if (key == SketchKey::Undo || key == SketchKey::Cancel) {
+            cancel();
+        }
+        return true;
+    }
+    switch (key) {
+        case SketchKey::Add:
+            return press(pointer) && release(pointer);
+        case SketchKey::Move:
+            return moveSelected(pointer);
+        case SketchKey::Remove:
+        case SketchKey::Close:
+            return change(key);
+        case SketchKey::Next:
+        case SketchKey::Previous:
+        case SketchKey::NextCurve:
+            return selectNext(key);
+        case SketchKey::NewCurve:
+            newCurve();
+            return true;
+        case SketchKey::Undo:
+            undo();
+            return true;
+        case SketchKey::Redo:
+            redo();
+            return true;
+        case SketchKey::Cancel:
+            cancel();
+            sketch_.selected = -1;
+            return true;
+    }
+    return false;
+}
+
+bool DrawingSession::moveSelected(const Pointer& pointer) {
+    const TriangleTree::Hit seen = seenBy(pointer);
+    if (sketch_.selected < 0 || seen.point.face < 0) {
+        return false;
+    }
+    movePick(sketch_.selected, pointUnder(pointer, seen));
+    return true;
+}
+
+bool DrawingSession::change(SketchKey key) {
+    const SketchCurve* const curve = sketch_.activeCurve();
+    if (curve == nullptr) {
+        return false;
+    }
+    if (key == SketchKey::Close) {
+        setClosed(!curve->options.solver.closed);
+    } else if (sketch_.selected >= 0) {
+        removePick(sketch_.selected);
+    } else {
+        removeCurve(sketch_.active);
+    }
+    return true;
+}
+
+bool DrawingSession::selectNext(SketchKey key) {
+    if (sketch_.curves.empty()) {
+        return false;
+    }
+    if (key == SketchKey::NextCurve) {
+        select((sketch_.active + 1) % static_cast<int>(sketch_.curves.size()));
+        return true;
+    }
+    if (sketch_.active < 0) {
+        return false;
+    }
+    const auto count = static_cast<int>(sketch_.activeCurve()->picks.size());
+    const int before = sketch_.selected <= 0 ? count - 1 : sketch_.selected - 1;
+    select(sketch_.active, key == SketchKey::Next ? (sketch_.selected + 1) % count : before);
+    return true;
+}
+
+// ---- Calls ----
+
+void DrawingSession::addPick(const SurfacePoint& point) {
+    cancel();
+    begun();
+    insertBehind(static_cast<int>(sketch_.activeCurve()->picks.size()) - 1, point);
+    enter();
+}
+
+void DrawingSession::insertPick(int after, const SurfacePoint& point) {
+    cancel();
+    requirePick(after);
+    insertBehind(after, point);
+    enter();
+}
+
+void DrawingSession::movePick(int pick, const SurfacePoint& point) {
+    cancel();
+    requirePick(pick);
+    changed().picks[pick] = pickAt(point);
+    sketch_.selected = pick;
+    enter();
+}
+
+void DrawingSession::removePick(int pick) {
+    cancel();
+    requirePick(pick);
+    if (sketch_.activeCurve()->picks.size() == 1) {
+        removeCurve(sketch_.active);
+        return;
+    }
+    SketchCurve& curve = changed();
+    curve.picks.erase(curve.picks.begin() + pick);
+    if (curve.picks.size() < 3) {
+        curve.options.solver.closed = false;
+    }
+    sketch_.selected = std::min(pick, static_cast<int>(curve.picks.size()) - 1);
+    enter();
+}
+
+void DrawingSession::select(int curve, int pick) {
+    cancel();
+    requireCurve(curve);
+    sketch_.active = curve;
+    if (pick >= 0) {
+        requirePick(pick);
+    }
+    sketch_.selected = pick;
+}
+
+void DrawingSession::setClosed(bool closed) {
+    if (sketch_.active < 0) {
+        return;
+    }
+    SketchCurveOptions options = sketch_.activeCurve()->options;
+    options.solver.closed = closed && sketch_.activeCurve()->picks.size() >= 3;
+    if (options.solver.closed != sketch_.activeCurve()->options.solver.closed) {
+        cancel();
+        changed().options = std::move(options);
+        enter();
+    }
+}
+
+void DrawingSession::setOptions(const SketchCurveOptions& options) {
+    options.solver.validate();
+    cancel();
+    settings_.options = options;
+    settings_.options.solver.closed = false;  // of the curve, not of those to come
+    if (sketch_.active >= 0) {
+        const bool canClose = sketch_.activeCurve()->picks.size() >= 3;
+        changed().options = options;
+        sketch_.activeCurve()->options.solver.closed = options.solver.closed && canClose;
+        enter();
+    }
+}
+
+void DrawingSession::newCurve() {
+    cancel();
+    sketch_.active = sketch_.selected = -1;
+}
+
+void DrawingSession::removeCurve(int curve) {
+    cancel();
+    requireCurve(curve);
+    sketch_.curves.erase(sketch_.curves.begin() + curve);
+    sketch_.active = sketch_.selected = -1;
+    enter();
+}
+
+void DrawingSession::undo() {
+    cancel();
+    history_.undo();
+    show(history_.now());
+}
+
+void DrawingSession::redo() {
+    cancel();
+    history_.redo();
+    show(history_.now());
+}
+
+void DrawingSession::cancel() {
+    dropLive();
+    if (mode_ == Mode::Dragging) {
+        mode_ = Mode::Idle;
+        show(history_.now());
+    }
+    mode_ = Mode::Idle;
+    closesOnRelease_ = false;
+}
+
+void DrawingSession::reopen(std::vector<SketchPick> picks, const SketchCurveOptions& options) {
+    newCurve();
+    auto curve = std::make_shared<SketchCurve>();
+    curve->picks = std::move(picks);
+    curve->options = options;
+    sketch_.curves.push_back(std::move(curve));
+    sketch_.active = static_cast<int>(sketch_.curves.size()) - 1;
+    enter();
+}
+
+std::vector<std::shared_ptr<const SketchCurve>> DrawingSession::commit() {
+    cancel();
+    settle();
+    std::vector<std::shared_ptr<const SketchCurve>> drawn;
+    for (const std::shared_ptr<SketchCurve>& curve : sketch_.curves) {
+        if (curve->settled) {
+            drawn.push_back(curve);
+        }
+    }
+    history_ = {};
+    show(history_.now());
+    return drawn;
+}
+
+// ---- Changes ----
+
+SketchCurve& DrawingSession::changed() {
+    std::shared_ptr<SketchCurve>& place = sketch_.curves[sketch_.active];
+    auto copy = std::make_shared<SketchCurve>(*place);
+    copy->settled.reset();
+    copy->isAnswered = false;
+    copy->problem = {};
+    place = std::move(copy);
+    return *place;
+}
+
+// The curve that the next pick is added to.
+SketchCurve& DrawingSession::begun() {
+    if (sketch_.active < 0 || sketch_.activeCurve()->options.solver.closed) {
+        auto curve = std::make_shared<SketchCurve>();
+        curve->options = settings_.options;
+        sketch_.curves.push_back(std::move(curve));
+        sketch_.active = static_cast<int>(sketch_.curves.size()) - 1;
+    }
+    return *sketch_.activeCurve();
+}
+
+void DrawingSession::insertBehind(int after, const SurfacePoint& point) {
+    SketchCurve& curve = changed();
+    curve.picks.insert(curve.picks.begin() + after + 1, pickAt(point));
+    sketch_.selected = after + 1;
+}
+
+void DrawingSession::enter() {
+    dropLive();
+    hovered_ = {};
+    history_.add(sketch_);
+    askSettled();
+}
+
+void DrawingSession::show(const Sketch& state) {
+    sketch_ = state;
+    hovered_ = {};
+    askSettled();
+}
+
+void DrawingSession::requireCurve(int curve) const {
+    if (curve < 0 || curve >= static_cast<int>(sketch_.curves.size())) {
+        throw std::out_of_range("there is no curve " + std::to_string(curve));
+    }
+}
+
+void DrawingSession::requirePick(int pick) const {
+    const SketchCurve* const curve = sketch_.activeCurve();
+    if (curve == nullptr || pick < 0 || pick >= static_cast<int>(curve->picks.size())) {
+        throw std::out_of_range("the active curve has no pick " + std::to_string(pick));
+    }
+}
+
+// ---- Curves to be solved ----
+
+std::uint64_t DrawingSession::ask(Asking kind, std::shared_ptr<SketchCurve> curve) {
+    asked_.push_back({++lastId_, kind, std::move(curve)});
+    return lastId_;
+}
+
+void DrawingSession::askLive() {
+    preview_.reset();
+    const std::shared_ptr<SketchCurve>& curve = sketch_.curves[sketch_.active];
+    if (!curve->isDrawable()) {
+        return;
+    }
+    const bool canStart = curve->last && curve->lastPicks.size() == curve->picks.size();
+    worker_.askLive(
+        {ask(Asking::Live, curve),
+         curve->positions(),
+         curve->options,
+         canStart ? curve->last : nullptr}
+    );
+}
+
+void DrawingSession::askPreview(const SurfacePoint& point) {
+    const SketchCurve& curve = *sketch_.activeCurve();
+    std::vector<Vec3> picks = curve.positions();
+    picks.push_back(pickAt(point).position);
+    worker_.askLive({ask(Asking::Preview, nullptr), std::move(picks), curve.options, nullptr});
+}
+
+// From scratch, in the order of the sketch.
+void DrawingSession::askSettled() {
+    std::erase_if(asked_, [&](const Asked& asked) {
+        return asked.kind == Asking::Settled &&
+               std::ranges::find(sketch_.curves, asked.curve) == sketch_.curves.end();
+    });
+    std::vector<CurveRequest> requests;
+    for (const std::shared_ptr<SketchCurve>& curve : sketch_.curves) {
+        if (curve->isSettled()) {
+            continue;
+        }
+        const auto before = std::ranges::find_if(asked_, [&](const Asked& asked) {
+            return asked.kind == Asking::Settled && asked.curve == curve;
+        });
+        const std::uint64_t id = before != asked_.end() ? before->id : ask(Asking::Settled, curve);
+        requests.push_back({id, curve->positions(), curve->options, nullptr});
+    }
+    worker_.askOthers(std::move(requests));
+}
+
+void DrawingSession::dropLive() {
+    preview_.reset();
+    worker_.dropLive();
+    std::erase_if(asked_, [](const Asked& asked) { return asked.kind != Asking::Settled; });
+}
+
+bool DrawingSession::update() {
+    bool isOther = false;
+    for (const CurveAnswer& answer : worker_.takeAnswers()) {
+        isOther = take(answer) || isOther;
+    }
+    return isOther;
+}
+
+bool DrawingSession::take(const CurveAnswer& answer) {
+    const auto place = std::ranges::find(asked_, answer.id, &Asked::id);
+    if (place == asked_.end()) {
+        return false;
+    }
+    const Asked asked = std::move(*place);
+    asked_.erase(place);
+    if (asked.kind == Asking::Settled) {
+        SketchCurve& curve = *asked.curve;
+        curve.settled = answer.curve;
+        curve.isAnswered = true;
+        curve.problem = answer.problem;
+        if (answer.curve) {
+            curve.last = answer.curve;
+            curve.lastPicks = answer.picks;
+        }
+        return true;
+    }
+    // Answers come in the order of their requests; older requests were replaced.
+    std::erase_if(asked_, [&](const Asked& other) {
+        return other.kind != Asking::Settled && other.id < answer.id;
+    });
+    if (asked.kind == Asking::Preview) {
+        preview_ = mode_ == Mode::Idle ? answer.curve : nullptr;
+        return true;
+    }
+    SketchCurve* const curve = mode_ == Mode::Dragging ? sketch_.activeCurve() : nullptr;
+    if (curve == nullptr || curve->picks.size() != answer.picks.size()) {
+        return false;
+    }
+    if (answer.curve) {
+        curve->last = answer.curve;
+        curve->lastPicks = answer.picks;
+        curve->problem = {};
+    } else if (curve->positions() == answer.picks) {
+        curve->problem = answer.problem;
+    }
+    return true;
+}
+
+bool DrawingSession::isSettled() const {
+    return std::ranges::all_of(sketch_.curves, [](const std::shared_ptr<SketchCurve>& curve) {
+        return curve->isSettled();
+    });
+}
+
+void DrawingSession::settle() {
+    static_cast<void>(update());
+    while (!isSettled()) {
+        worker_.wait();
+        static_cast<void>(update());
+    }
+}
+
+}  // namespace bspline_curve

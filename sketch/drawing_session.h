@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sketch/curve_worker.h"
+#include "sketch/hit_test.h"
+#include "sketch/pointer.h"
+#include "sketch/sketch.h"
+#include "sketch/snapping.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bspline_curve {
+
+struct SessionSettings {
+    HitRadii radii{};
+    SnapOptions snapping{};
+    double snapPixels = 12.0;      ///< picks snap to what is within
+    double dragPixels = 3.0;       ///< a press becomes a drag after so much
+    SketchCurveOptions options{};  ///< of new curves
+    /// Called on a thread of the session's own when an answer waits for update(); may be empty.
+    std::function<void()> wake{};
+};
+
+/// Drawing curves on a surface with a mouse, without a window: takes events, holds curves, picks,
+/// what is hovered and selected, and a history, and solves curves beside. A host forwards its
+/// events, calls update() before it draws, and draws what this says.
+///
+/// A click on the surface adds a pick to the active curve, or begins one, a click on the active
+/// curve inserts one there, and each can be dragged at once, as can picks that are there. A click
+/// on the first pick of an open curve closes it, one on another curve makes that the active one.
+/// Each drag and each click is one entry of the history.
+///
+/// While a pick is dragged the curve is solved from the one before (CurveInputs::start). When it is
+/// let go the curve is solved from scratch, so that it is the one that a filter draws for the same
+/// picks; undo and redo lead to the same curves again. All calls from one thread.
+class DrawingSession {
+public:
+    explicit DrawingSession(
+        std::shared_ptr<const CurveDesigner> designer, SessionSettings settings = {}
+    );
+
+    // ---- Events. Each returns whether the session took it; what it did not take is the camera's.
+
+    bool press(const Pointer& pointer);
+    bool move(const Pointer& pointer);
+    bool release(const Pointer& pointer);
+    /// The pointer left the view.
+    void leave();
+    bool key(SketchKey key, const Pointer& pointer);
+
+    // ---- The same by calls. Picks and curves by index; std::out_of_range where there is no such.
+
+    void addPick(const SurfacePoint& point);
+    void insertPick(int after, const SurfacePoint& point);
+    void movePick(int pick, const SurfacePoint& point);
+    void removePick(int pick);
+    void select(int curve, int pick = -1);
+    void setClosed(bool closed);
+    /// Of the active curve, where there is one, and of new ones.
+    void setOptions(const SketchCurveOptions& options);
+    void newCurve();
+    void removeCurve(int curve);
+    void undo();
+    void redo();
+    void cancel();  ///< the drag that goes on
+
+    // ---- What is to be seen.
+
+    /// Takes the answers that are ready. Whether what is to be seen changed.
+    bool update();
+
+    [[nodiscard]] const Sketch& sketch() const { return sketch_; }
+
+    [[nodiscard]] const SketchHit& hovered() const { return hovered_; }
+
+    [[nodiscard]] bool isDragging() const { return mode_ == Mode::Dragging; }
+
+    [[nodiscard]] bool canUndo() const { return history_.canUndo(); }
+
+    [[nodiscard]] bool canRedo() const { return history_.canRedo(); }
+
+    /// The active curve with the point under the pointer as one more pick; null where there is
+    /// none, or it is not known yet.
+    [[nodiscard]] const std::shared_ptr<const Curve>& preview() const { return preview_; }
+
+    /// Whether a curve of the sketch is still to be solved.
+    [[nodiscard]] bool isSettled() const;
+
+    /// Waits until all curves are settled.
+    void settle();
+
+    /// Ends the drawing: waits until all curves are settled, hands over those that have a
+    /// polyline, and begins an empty sketch with an empty history.
+    [[nodiscard]] std::vector<std::shared_ptr<const SketchCurve>> commit();
+
+    /// Goes on with a curve that was drawn before, as one entry of the history.
+    void reopen(std::vector<SketchPick> picks, const SketchCurveOptions& options);
+
+private:
+    enum class Mode { Idle, Pressed, Dragging };
+    enum class Asking { Live, Preview, Settled };
+
+    struct Asked {
+        std::uint64_t id;
+        Asking kind;
+        std::shared_ptr<SketchCurve> curve;
+    };
+
+    [[nodiscard]] SketchPick pickAt(const SurfacePoint& point) const;
+    [[nodiscard]] TriangleTree::Hit seenBy(const Pointer& pointer) const;
+    /// The point under the pointer, snapped where that is asked for.
+    [[nodiscard]] SurfacePoint pointUnder(
+        const Pointer& pointer, const TriangleTree::Hit& seen
+    ) const;
+    [[nodiscard]] bool hasMoved(const Pointer& pointer) const;
+
+    // Of key().
+    bool moveSelected(const Pointer& pointer);
+    bool change(SketchKey key);
+    bool selectNext(SketchKey key);
+
+    /// A copy of the active curve in its place, to be changed.
+    SketchCurve& changed();
+    SketchCurve& begun();
+    void insertBehind(int after, const SurfacePoint& point);
+    void enter();  ///< ends a change: an entry of the history, and curves to be settled
+    void askLive();
+    void askPreview(const SurfacePoint& point);
+    void askSettled();
+    std::uint64_t ask(Asking kind, std::shared_ptr<SketchCurve> curve);
+    void dropLive();
+    bool take(const CurveAnswer& answer);
+    void show(const Sketch& state);
+    void requireCurve(int curve) const;
+    void requirePick(int pick) const;
+
+    std::shared_ptr<const CurveDesigner> designer_;
+    SessionSettings settings_;
+    Sketch sketch_;
+    SketchHistory history_;
+    SketchHit hovered_;
+    Mode mode_ = Mode::Idle;
+    Vec3 pressedAt_ = Vec3::Zero();
+    bool closesOnRelease_ = false;
+    std::shared_ptr<const Curve> preview_;
+    std::uint64_t lastId_ = 0;
+    std::vector<Asked> asked_;
+    CurveWorker worker_;
+};
+
+}  // namespace bspline_curve

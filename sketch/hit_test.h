@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sketch/pointer.h"
+#include "sketch/sketch.h"
+#include "surface/triangle_tree.h"
+
+#include <optional>
+
+namespace bspline_curve {
+
+/// Part of a sketch.
+struct SketchHit {
+    int curve = -1;  ///< -1: none
+    int pick = -1;   ///< of that curve; -1: between picks
+    int after = -1;  ///< between picks: the pick before
+
+    [[nodiscard]] bool operator==(const SketchHit&) const = default;
+};
+
+/// How near the mouse must come, in pixels.
+struct HitRadii {
+    double pick = 9.0, curve = 6.0;
+};
+
+/// What of a sketch is under the pointer: the nearest pick, else the nearest curve (its settled
+/// polyline); of the active curve first. What the surface hides is not hit. `seen`: where the ray
+/// meets the surface (firstHit). Linear in the number of picks and vertices.
+[[nodiscard]] SketchHit hitTest(
+    const Sketch& sketch,
+    const Pointer& pointer,
+    const TriangleTree::Hit& seen,
+    const HitRadii& radii = {}
+);
+
+}  // namespace bspline_curve

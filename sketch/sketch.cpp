@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sketch/sketch.h"
+
+namespace bspline_curve {
+
+std::vector<Vec3> SketchCurve::positions() const {
+    std::vector<Vec3> positions;
+    for (const SketchPick& pick : picks) {
+        positions.push_back(pick.position);
+    }
+    return positions;
+}
+
+std::vector<Vec3> SketchCurve::shownPoints() const {
+    const Curve* const curve = settled ? settled.get() : last.get();
+    if (curve == nullptr) {
+        return {};
+    }
+    const SurfacePolyline& line = curve->polyline;
+    std::vector<Vec3> points = line.points;
+    if (settled || lastPicks.size() != picks.size() || line.closed != options.solver.closed) {
+        return points;
+    }
+    // Between two picks by what is between their displacements.
+    const std::size_t pieces = line.closed ? picks.size() : picks.size() - 1;
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+        const std::size_t next = (piece + 1) % picks.size();
+        const auto first = static_cast<std::size_t>(line.picks[piece]);
+        const std::size_t end = next == 0 ? points.size() : line.picks[next];
+        const double begin = line.parameters[first];
+        const double length = (next == 0 ? 1.0 : line.parameters[end]) - begin;
+        for (std::size_t i = first; i < end; ++i) {
+            const double s = (line.parameters[i] - begin) / length;
+            points[i] += (1.0 - s) * (picks[piece].position - lastPicks[piece]) +
+                         s * (picks[next].position - lastPicks[next]);
+        }
+    }
+    if (!line.closed) {
+        points.back() += picks.back().position - lastPicks.back();
+    }
+    return points;
+}
+
+void SketchHistory::add(const Sketch& state) {
+    if (state == now()) {
+        return;
+    }
+    states_.resize(position_ + 1);
+    states_.push_back(state);
+    if (states_.size() > kMostStates) {
+        states_.erase(states_.begin());
+    }
+    position_ = states_.size() - 1;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/curve.h"
+#include "bspline_curve/options.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+
+/// How one curve of a sketch is drawn. Field and avoided faces are shared, since they are large.
+struct SketchCurveOptions {
+    SolverOptions solver{};  ///< `closed` too
+    std::shared_ptr<const std::vector<double>> field;
+    std::shared_ptr<const std::vector<int>> avoid;
+};
+
+struct SketchPick {
+    SurfacePoint point;
+    Vec3 position = Vec3::Zero();  ///< of the point, user's unit
+};
+
+/// Why a curve is not what its picks ask for.
+struct SketchProblem {
+    std::string message;     ///< one line, for people
+    std::vector<int> picks;  ///< those concerned; all where it is not known which
+};
+
+/// One curve: what was asked for, which does not change once others may see it, and what came of
+/// it. A state of the sketch that undo brings back is the same object.
+struct SketchCurve {
+    std::vector<SketchPick> picks;
+    SketchCurveOptions options;
+    /// The curve from scratch: it depends on picks and options alone, so it is the one that a
+    /// filter draws. Null until it is solved, and where there is none.
+    std::shared_ptr<const Curve> settled;
+    bool isAnswered = false;  ///< whether that was tried
+    SketchProblem problem;    ///< empty message: none known
+    /// The last curve that was solved for these picks, or for those before the last changes, and
+    /// its picks: what is shown meanwhile.
+    std::shared_ptr<const Curve> last;
+    std::vector<Vec3> lastPicks;
+
+    /// Whether the picks are enough for a curve.
+    [[nodiscard]] bool isDrawable() const {
+        return picks.size() >= (options.solver.closed ? 3U : 2U);
+    }
+
+    [[nodiscard]] std::vector<Vec3> positions() const;
+
+    /// The polyline to be shown: the settled one; else the last one, displaced with its picks where
+    /// there are as many. Empty where there is none.
+    [[nodiscard]] std::vector<Vec3> shownPoints() const;
+
+    /// Whether there is nothing more to find out.
+    [[nodiscard]] bool isSettled() const { return isAnswered || !isDrawable(); }
+};
+
+/// What a user has drawn. Copies share curves.
+struct Sketch {
+    std::vector<std::shared_ptr<SketchCurve>> curves;
+    int active = -1;    ///< index of the curve that picks are added to; -1: none
+    int selected = -1;  ///< index of a pick of the active curve; -1: none
+
+    [[nodiscard]] SketchCurve* activeCurve() const {
+        return active < 0 ? nullptr : curves[active].get();
+    }
+
+    [[nodiscard]] bool operator==(const Sketch&) const = default;  ///< the same curve objects
+};
+
+/// States of a sketch, for undo and redo: a list, and where in it we are.
+class SketchHistory {
+public:
+    /// States kept at most; the oldest go first.
+    static constexpr std::size_t kMostStates = 1000;
+
+    [[nodiscard]] const Sketch& now() const { return states_[position_]; }
+
+    /// Drops what was undone. Nothing where the state is that of now.
+    void add(const Sketch& state);
+
+    [[nodiscard]] bool canUndo() const { return position_ > 0; }
+
+    [[nodiscard]] bool canRedo() const { return position_ + 1 < states_.size(); }
+
+    void undo() { position_ -= canUndo() ? 1 : 0; }
+
+    void redo() { position_ += canRedo() ? 1 : 0; }
+
+private:
+    std::vector<Sketch> states_{Sketch()};
+    std::size_t position_ = 0;
+};
+
+}  // namespace bspline_curve

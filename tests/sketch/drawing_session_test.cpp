@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sketch/drawing_session.h"
+
+#include "session_fixture.h"
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+class ASession : public testing::TestWithParam<bool> {
+protected:
+    ASession() : s_(withNoise(icosphere(4), 0.003, 7), Vec3::UnitZ()) {
+        s_.camera = Camera(*s_.designer, Vec3::UnitZ(), GetParam());
+    }
+
+    [[nodiscard]] const SketchCurve& curve(int i = 0) const {
+        return *s_.session.sketch().curves.at(i);
+    }
+
+    [[nodiscard]] std::size_t count() const { return s_.session.sketch().curves.size(); }
+
+    // Three picks on the front side.
+    void drawArc() {
+        s_.click(points_);
+        s_.session.settle();
+    }
+
+    std::vector<Vec3> points_ = {{-0.5, 0.1, 0.86}, {0.0, 0.4, 0.9}, {0.5, -0.1, 0.86}};
+    SessionFixture s_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Views, ASession, testing::Bool(), [](const auto& view) {
+    return view.param ? "Orthographic" : "Perspective";
+});
+
+TEST_P(ASession, DrawsTheCurveOfAFilterThroughClicksWhereTheyWere) {
+    drawArc();
+    ASSERT_EQ(count(), 1U);
+    ASSERT_EQ(curve().picks.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Pointer pointer = s_.camera.over(points_[i]);
+        const Vec3 way = curve().picks[i].position - pointer.origin;
+        EXPECT_LT(way.cross(pointer.direction).norm(), 1e-12 * way.norm());
+    }
+    ASSERT_TRUE(curve().settled);
+    s_.expectAsDrawn();
+    EXPECT_EQ(curve().shownPoints(), curve().settled->polyline.points);
+}
+
+TEST_P(ASession, LeavesTheCameraWhatIsBesideTheMesh) {
+    EXPECT_FALSE(s_.session.press(s_.camera.off()));
+    EXPECT_FALSE(s_.session.move(s_.camera.off()));
+    EXPECT_FALSE(s_.session.release(s_.camera.off()));
+    EXPECT_EQ(count(), 0U);
+}
+
+TEST_P(ASession, DragsPicksAndTheCurveFollows) {
+    drawArc();
+    const std::vector<Vec3> before = curve().shownPoints();
+    s_.session.press(s_.camera.over(points_[1]));
+    EXPECT_FALSE(s_.session.isDragging());
+    EXPECT_TRUE(s_.session.move(s_.camera.beside(points_[1], 1.0)));
+    EXPECT_FALSE(s_.session.isDragging()) << "one pixel is no drag";
+    EXPECT_TRUE(s_.session.move(s_.camera.beside(points_[1], 20.0)));
+    EXPECT_TRUE(s_.session.isDragging());
+    // At once: the old curve, displaced, through the pick.
+    EXPECT_FALSE(curve().settled);
+    const std::vector<Vec3> displaced = curve().shownPoints();
+    ASSERT_EQ(displaced.size(), before.size());
+    const int middle = curve().last->polyline.picks[1];
+    EXPECT_LT((displaced[middle] - curve().picks[1].position).norm(), 1e-12);
+    EXPECT_EQ(displaced.front(), before.front());
+    EXPECT_TRUE(s_.session.release(s_.camera.beside(points_[1], 20.0)));
+    s_.session.settle();
+    s_.expectAsDrawn();
+    EXPECT_NE(curve().shownPoints(), before);
+}
+
+TEST_P(ASession, InsertsPicksWhereTheCurveIsClicked) {
+    drawArc();
+    const SurfacePolyline& line = curve().settled->polyline;
+    const Vec3 between = line.points[(line.picks[1] + line.picks[2]) / 2];
+    s_.session.move(s_.camera.over(between));
+    EXPECT_EQ(s_.session.hovered(), (SketchHit{0, -1, 1}));
+    s_.drag(s_.camera.over(between), s_.camera.beside(between, 30.0));
+    ASSERT_EQ(curve().picks.size(), 4U);
+    EXPECT_EQ(s_.session.sketch().selected, 2);
+    EXPECT_LT((curve().picks[2].position - between).norm(), 0.15);
+    s_.session.undo();
+    EXPECT_EQ(curve().picks.size(), 3U) << "a drag is one entry";
+}
+
+TEST_P(ASession, ClosesByAClickOnTheFirstPickAndThenBeginsAnother) {
+    drawArc();
+    s_.click(s_.camera.over(points_[0]));
+    s_.session.settle();
+    EXPECT_TRUE(curve().options.solver.closed);
+    ASSERT_TRUE(curve().settled);
+    EXPECT_TRUE(curve().settled->polyline.closed);
+    s_.expectAsDrawn();
+    s_.click(s_.camera.over({0.0, -0.6, 0.8}));
+    EXPECT_EQ(count(), 2U);
+    EXPECT_EQ(s_.session.sketch().active, 1);
+    s_.click(s_.camera.over(points_[2]));
+    EXPECT_EQ(s_.session.sketch().active, 0) << "a click on a pick of another curve";
+}
+
+TEST_P(ASession, HighlightsWhatIsUnderThePointerButNotWhatIsHidden) {
+    drawArc();
+    s_.session.move(s_.camera.beside(points_[0], 5.0));
+    EXPECT_EQ(s_.session.hovered(), (SketchHit{0, 0, -1}));
+    s_.session.move(s_.camera.over({0.0, -0.6, 0.8}));
+    EXPECT_EQ(s_.session.hovered(), SketchHit());
+    s_.camera = Camera(*s_.designer, -Vec3::UnitZ(), GetParam());
+    s_.session.move(s_.camera.over(points_[0]));
+    EXPECT_EQ(s_.session.hovered(), SketchHit());
+    s_.session.leave();
+}
+
+TEST_P(ASession, ShowsTheCurveWithThePointerAsOneMorePick) {
+    drawArc();
+    const Vec3 next(0.3, -0.6, 0.74);
+    s_.session.move(s_.camera.over(next));
+    while (!s_.session.preview()) {
+        s_.session.update();
+    }
+    EXPECT_LT((s_.session.preview()->polyline.points.back() - next).norm(), 0.01);
+    s_.session.leave();
+    EXPECT_EQ(s_.session.preview(), nullptr);
+}
+
+TEST_P(ASession, RemovesPicksAndCurves) {
+    drawArc();
+    Pointer pointer = s_.camera.over(points_[1]);
+    pointer.removes = true;
+    s_.click(pointer);
+    EXPECT_EQ(curve().picks.size(), 2U);
+    s_.session.settle();
+    s_.expectAsDrawn();
+    s_.session.key(SketchKey::Remove, pointer);
+    s_.session.key(SketchKey::Remove, pointer);
+    EXPECT_EQ(count(), 0U) << "with its last pick the curve goes";
+    for (int i = 0; i < 3; ++i) {
+        s_.session.undo();
+    }
+    EXPECT_EQ(curve().picks.size(), 3U);
+}
+
+TEST_P(ASession, KeepsTheLastCurveAndSaysWhyThereIsNoOther) {
+    drawArc();
+    SketchCurveOptions options;
+    options.avoid = std::make_shared<const std::vector<int>>(1, curve().picks[1].point.face);
+    const std::vector<Vec3> before = curve().shownPoints();
+    s_.session.setOptions(options);
+    s_.session.settle();
+    EXPECT_FALSE(curve().settled);
+    EXPECT_FALSE(curve().problem.message.empty());
+    EXPECT_EQ(curve().problem.picks, std::vector<int>{1});
+    EXPECT_EQ(curve().shownPoints(), before);
+    s_.session.undo();
+    EXPECT_TRUE(curve().settled);
+    EXPECT_TRUE(curve().problem.message.empty());
+}
+
+TEST_P(ASession, SnapsWhileTheKeyIsHeld) {
+    SessionFixture cube(box(10), {0.2, 0.3, 1.0});
+    Pointer pointer = cube.camera.over({0.53, 0.003, 1.0});
+    pointer.snaps = true;
+    cube.click(pointer);
+    EXPECT_LT((cube.session.sketch().curves[0]->picks[0].position - Vec3(0.53, 0, 1)).norm(), 0.01);
+    EXPECT_EQ(cube.session.sketch().curves[0]->picks[0].position.y(), 0.0);
+}
+
+TEST_P(ASession, TakesFieldsAndOtherOptionsPerCurve) {
+    drawArc();
+    std::vector<double> field;
+    for (const Vec3& v : s_.designer->mesh().vertices) {
+        field.push_back(0.5 + 0.5 * std::sin(4.0 * v.x()) * v.y());
+    }
+    SketchCurveOptions options;
+    options.field = std::make_shared<const std::vector<double>>(std::move(field));
+    options.solver.degree = 4;
+    const Curve without = *curve().settled;
+    s_.session.setOptions(options);
+    s_.session.settle();
+    ASSERT_TRUE(curve().settled);
+    EXPECT_EQ(curve().settled->spline.degree, 4);
+    s_.expectAsDrawn();
+    EXPECT_NE(curve().settled->polyline.points, without.polyline.points);
+    options.solver.degree = 7;
+    EXPECT_THROW(s_.session.setOptions(options), std::runtime_error);
+}
+
+TEST_P(ASession, DoesByKeysAndCallsWhatTheMouseDoes) {
+    drawArc();
+    s_.click(s_.camera.over(points_[0]));  // close
+    const Vec3 to(0.1, 0.2, 0.97);
+    s_.drag(s_.camera.over(points_[1]), s_.camera.over(to));
+
+    SessionFixture keys(s_.designer->mesh(), Vec3::UnitZ());
+    keys.camera = s_.camera;
+    for (const Vec3& p : points_) {
+        EXPECT_TRUE(keys.session.key(SketchKey::Add, keys.camera.over(p)));
+    }
+    keys.session.key(SketchKey::Close, {});
+    keys.session.key(SketchKey::Previous, {});
+    EXPECT_TRUE(keys.session.key(SketchKey::Move, keys.camera.over(to)));
+
+    SessionFixture calls(s_.designer->mesh(), Vec3::UnitZ());
+    for (const SketchPick& pick : curve().picks) {
+        calls.session.addPick(pick.point);
+    }
+    calls.session.setClosed(true);
+    for (SessionFixture* other : {&keys, &calls}) {
+        other->session.settle();
+        s_.session.settle();
+        ASSERT_TRUE(other->session.sketch().curves[0]->settled);
+        EXPECT_EQ(
+            other->session.sketch().curves[0]->settled->polyline.points,
+            curve().settled->polyline.points
+        );
+    }
+    EXPECT_THROW(calls.session.movePick(9, {}), std::out_of_range);
+    EXPECT_THROW(calls.session.select(4), std::out_of_range);
+}
+
+TEST_P(ASession, CancelsADrag) {
+    drawArc();
+    const std::vector<Vec3> before = curve().positions();
+    s_.session.press(s_.camera.over(points_[1]));
+    s_.session.move(s_.camera.beside(points_[1], 40.0));
+    EXPECT_NE(curve().positions(), before);
+    s_.session.key(SketchKey::Cancel, {});
+    EXPECT_EQ(curve().positions(), before);
+    EXPECT_FALSE(s_.session.release(s_.camera.beside(points_[1], 40.0)));
+}
+
+TEST_P(ASession, HandsOverItsCurvesAndTakesThemUpAgain) {
+    drawArc();
+    s_.session.newCurve();
+    s_.click(s_.camera.over({0.0, -0.6, 0.8}));  // a single pick is no curve
+    const auto drawn = s_.session.commit();
+    ASSERT_EQ(drawn.size(), 1U);
+    EXPECT_EQ(drawn[0]->settled->polyline.points, s_.drawn(*drawn[0]).polyline.points);
+    EXPECT_EQ(count(), 0U);
+    EXPECT_FALSE(s_.session.canUndo());
+    s_.session.reopen(drawn[0]->picks, drawn[0]->options);
+    s_.session.settle();
+    EXPECT_EQ(curve().settled->polyline.points, drawn[0]->settled->polyline.points);
+}
+
+}  // namespace
+}  // namespace bspline_curve

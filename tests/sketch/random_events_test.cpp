@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any events in any order: nothing is lost, and undo and redo lead to the same curves.
+#include "session_fixture.h"
+#include "support/many_cases.h"
+#include "support/meshes.h"
+#include "support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ostream>
+#include <string>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+struct Ground {
+    std::string name;
+    TriangleMesh mesh;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Ground& ground) {
+    return stream << ground.name;
+}
+
+class RandomEvents : public testing::TestWithParam<Ground> {};
+
+Pointer randomPointer(const SessionFixture& s, Random& random) {
+    const std::vector<Vec3>& vertices = s.designer->mesh().vertices;
+    const auto last = static_cast<int>(vertices.size()) - 1;
+    Pointer pointer =
+        random.integer(0, 9) == 0
+            ? s.camera.off()
+            : s.camera.beside(vertices[random.integer(0, last)], random.uniform(0, 30));
+    // Half of them where a pick is.
+    const Sketch& sketch = s.session.sketch();
+    if (!sketch.curves.empty() && random.integer(0, 1) == 0) {
+        const auto& picks =
+            sketch.curves[random.integer(0, static_cast<int>(sketch.curves.size()) - 1)]->picks;
+        pointer = s.camera.beside(
+            picks[random.integer(0, static_cast<int>(picks.size()) - 1)].position,
+            random.uniform(0, 12)
+        );
+    }
+    pointer.snaps = random.integer(0, 5) == 0;
+    pointer.removes = random.integer(0, 3) == 0;
+    return pointer;
+}
+
+void expectWhole(const DrawingSession& session) {
+    const Sketch& sketch = session.sketch();
+    ASSERT_LT(sketch.active, static_cast<int>(sketch.curves.size()));
+    for (const std::shared_ptr<SketchCurve>& curve : sketch.curves) {
+        ASSERT_FALSE(curve->picks.empty());
+        ASSERT_TRUE(!curve->options.solver.closed || curve->picks.size() >= 3);
+        static_cast<void>(curve->shownPoints());
+    }
+    if (sketch.selected >= 0) {
+        ASSERT_GE(sketch.active, 0);
+        ASSERT_LT(sketch.selected, static_cast<int>(sketch.activeCurve()->picks.size()));
+    }
+    ASSERT_LT(session.hovered().curve, static_cast<int>(sketch.curves.size()));
+}
+
+// Of the settled curves.
+std::vector<std::vector<Vec3>> polylinesOf(const DrawingSession& session) {
+    std::vector<std::vector<Vec3>> lines;
+    for (const std::shared_ptr<SketchCurve>& curve : session.sketch().curves) {
+        lines.push_back(curve->settled ? curve->settled->polyline.points : curve->positions());
+    }
+    return lines;
+}
+
+// How many, for long runs: BSPLINE_CURVE_SEQUENCES.
+int sequenceCount() {
+    const char* const asked = std::getenv("BSPLINE_CURVE_SEQUENCES");
+    return asked == nullptr ? caseCount(25, 5) : std::stoi(asked);
+}
+
+TEST_P(RandomEvents, LoseNothing) {
+    constexpr int kEvents = 60;
+    const int sequences = sequenceCount();
+    for (int seed = 1; seed <= sequences; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        SessionFixture s(GetParam().mesh, random.point(-1.0, 1.0));
+        for (int i = 0; i < kEvents; ++i) {
+            const Pointer pointer = randomPointer(s, random);
+            switch (random.integer(0, 7)) {
+                case 0:
+                case 1:
+                    s.session.press(pointer);
+                    break;
+                case 2:
+                case 3:
+                    s.session.move(pointer);
+                    break;
+                case 4:
+                case 5:
+                    s.session.release(pointer);
+                    break;
+                case 6:
+                    s.session.key(
+                        static_cast<SketchKey>(
+                            random.integer(0, static_cast<int>(SketchKey::Cancel))
+                        ),
+                        pointer
+                    );
+                    break;
+                default:
+                    s.session.update();
+            }
+            expectWhole(s.session);
+        }
+        s.session.cancel();
+        // The state of the newest entry.
+        while (s.session.canRedo()) {
+            s.session.redo();
+        }
+        s.session.settle();
+        expectWhole(s.session);
+        s.expectAsDrawn();
+        const std::vector<std::vector<Vec3>> last = polylinesOf(s.session);
+        int undone = 0;
+        for (; s.session.canUndo(); ++undone) {
+            s.session.undo();
+            expectWhole(s.session);
+        }
+        EXPECT_TRUE(s.session.sketch().curves.empty());
+        for (; undone > 0; --undone) {
+            s.session.redo();
+        }
+        s.session.settle();
+        EXPECT_EQ(polylinesOf(s.session), last);
+        const std::size_t settled = std::ranges::count_if(
+            s.session.sketch().curves, [](const auto& curve) { return curve->settled != nullptr; }
+        );
+        EXPECT_EQ(s.session.commit().size(), settled);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    RandomEvents,
+    testing::Values(
+        Ground{"Sphere", withNoise(icosphere(4), 0.003, 7)},
+        Ground{"Box", box(10, {1.0, 0.8, 0.6})},
+        Ground{"Plate", jitteredPlate(20, 20, 0.2, 5)},
+        Ground{"TwoComponents", twoComponents()}
+    ),
+    [](const auto& testInfo) { return testInfo.param.name; }
+);
+
+}  // namespace
+}  // namespace bspline_curve

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session_fixture.h"
+
+#include "design/designer_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace bspline_curve::test_support {
+
+Camera::Camera(const CurveDesigner& designer, const Vec3& from, bool isOrthographic)
+    : diagonal_(surfaceOf(designer).diagonal()), isOrthographic_(isOrthographic) {
+    Vec3 low = designer.mesh().vertices.front();
+    Vec3 high = low;
+    for (const Vec3& vertex : designer.mesh().vertices) {
+        low = low.cwiseMin(vertex);
+        high = high.cwiseMax(vertex);
+    }
+    centre_ = 0.5 * (low + high);
+    eye_ = centre_ + 3.0 * diagonal_ * from.normalized();
+    right_ = from.cross(Vec3::UnitY()).norm() > 0.1 ? from.cross(Vec3::UnitY()).normalized()
+                                                    : Vec3(Vec3::UnitX());
+}
+
+Pointer Camera::over(const Vec3& point) const {
+    Pointer pointer;
+    pointer.isOrthographic = isOrthographic_;
+    if (isOrthographic_) {
+        pointer.direction = (centre_ - eye_).normalized();
+        pointer.origin = point - (point - eye_).dot(pointer.direction) * pointer.direction;
+        pointer.pixel = 1e-3 * diagonal_;
+    } else {
+        pointer.direction = (point - eye_).normalized();
+        pointer.origin = eye_;
+        pointer.pixel = 1e-3 / 3.0;
+    }
+    return pointer;
+}
+
+Pointer Camera::beside(const Vec3& point, double pixels) const {
+    return over(point + 1e-3 * pixels * diagonal_ * right_);
+}
+
+Pointer Camera::off() const {
+    return over(centre_ + 2.0 * diagonal_ * right_);
+}
+
+SessionFixture::SessionFixture(TriangleMesh mesh, const Vec3& from, SessionSettings settings)
+    : designer(std::make_shared<const CurveDesigner>(std::move(mesh))),
+      camera(*designer, from),
+      session(designer, std::move(settings)) {}
+
+void SessionFixture::click(const Pointer& pointer) {
+    session.press(pointer);
+    session.release(pointer);
+}
+
+void SessionFixture::drag(const Pointer& from, const Pointer& to) {
+    session.press(from);
+    session.move(to);
+    session.release(to);
+}
+
+void SessionFixture::click(const std::vector<Vec3>& points) {
+    for (const Vec3& point : points) {
+        click(camera.over(point));
+    }
+}
+
+Curve SessionFixture::drawn(const SketchCurve& curve) const {
+    CurveInputs inputs;
+    if (curve.options.field) {
+        inputs.field = *curve.options.field;
+    }
+    return designer->design(curve.positions(), curve.options.solver, {}, inputs);
+}
+
+void SessionFixture::expectAsDrawn() const {
+    for (const std::shared_ptr<SketchCurve>& curve : session.sketch().curves) {
+        if (curve->settled) {
+            EXPECT_EQ(curve->settled->polyline.points, drawn(*curve).polyline.points);
+        }
+    }
+}
+
+}  // namespace bspline_curve::test_support
