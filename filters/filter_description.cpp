@@ -24,7 +24,7 @@ constexpr std::array<std::pair<const char*, ParameterType>, 9> kTypes = {{
     {"double", ParameterType::Double},
     {"absperc", ParameterType::Percentage},
     {"enum", ParameterType::Enum},
-    {"string", ParameterType::GeodesicPolyline},
+    {"string", ParameterType::Text},
     {"openFile", ParameterType::OpenFile},
     {"saveFile", ParameterType::SaveFile},
 }};

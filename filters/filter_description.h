@@ -20,9 +20,9 @@ enum class ParameterType {
     Double,      ///< "double"
     Percentage,  ///< a length, in world units or as a share of the surface's diagonal; "absperc"
     Enum,        ///< "enum"
-    GeodesicPolyline,  ///< "string"
-    OpenFile,          ///< a file to read; "openFile"
-    SaveFile,          ///< a file to write; "saveFile"
+    Text,        ///< "string"
+    OpenFile,    ///< a file to read; "openFile"
+    SaveFile,    ///< a file to write; "saveFile"
 };
 
 /// A choice of an enumeration.

@@ -14,7 +14,7 @@ struct LayerId {
 };
 
 /// The value of a parameter. Double and Percentage (then in world units): double. Enum (the id of
-/// the option), GeodesicPolyline, OpenFile and SaveFile (UTF-8): std::string.
+/// the option), Text, OpenFile and SaveFile (UTF-8): std::string.
 using ParameterValue = std::variant<bool, int, double, std::string, LayerId>;
 
 }  // namespace bspline_curve

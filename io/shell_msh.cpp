@@ -13,7 +13,7 @@ template <class ValueAt>
 std::string dataSection(
     const std::string& section, const std::string& name, std::size_t count, const ValueAt& valueAt
 ) {
-    // GeodesicPolyline tags: the name; real tags: a time; integer tags: time step, components,
+    // String tags: the name; real tags: a time; integer tags: time step, components,
     // entries.
     std::string bytes =
         "$" + section + "\n1\n\"" + name + "\"\n1\n0\n3\n0\n1\n" + std::to_string(count) + "\n";

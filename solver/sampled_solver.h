@@ -98,7 +98,8 @@ inline constexpr SampledConstants kSampled;
 
 /// A start that holds fast to the initial path, all of whose chords must lie on the surface: a fit
 /// much nearer to it than the one that solveSampled() begins with. `stiffness`: of alpha, per
-/// squared length of the polygon of picks in tolerances; solveSampled() begins with a share of it.
+/// squared length of the polygon of picks in height units; solveSampled() begins with a share of
+/// it.
 [[nodiscard]] SampledStart stiffStart(
     const CurveProblem& problem, const InitialPath& initialPath, double stiffness
 );

@@ -50,7 +50,7 @@ struct FieldOptions {
     /// [0, 1].
     double curvatureScale = 0.015;
     /// Crease distance: edges are creases where the normals of their faces differ by more, in
-    /// degrees, in [0, 180).
+    /// degrees, in [0, 180].
     double creaseAngle = 40.0;
     /// Crease and boundary distance: the distance that becomes 1, as do larger ones, in (0, 1].
     double reach = 0.1;

@@ -15,7 +15,7 @@ enum class InitialCurve { GeodesicFit, ControlPolygon };
 enum class Quadrature { FootPoints, Cells, Samples };
 /// Upper bound h of the barrier (11): 1, or tightened around the current curve by (12).
 enum class BarrierWidth { Full, Tight };
-/// Weight alpha of E_dist: a geometric schedule, or (18).
+/// Weight alpha of E_dist: a schedule that follows the distance, or (18).
 enum class DistanceWeight { Schedule, Adaptive };
 /// How picks are interpolated: eliminated as linear constraints, or the penalty E_fit (9) with
 /// weight beta.
@@ -50,10 +50,10 @@ struct SolverOptions {
     double normalBendingWeight =
         0.05;  ///< delta: share of normal bending kept by Bending::Geodesic, in (0, 1]
     InitialCurve initialCurve = InitialCurve::GeodesicFit;
-    /// FootPoints is for degrees 3 and 4, tension up to 0.5, fields of up to usual strength, curves
-    /// that what they avoid does not push, and the defaults of the options from here to knotRule;
-    /// other curves, and those that do not come to lie in the shell that way, are integrated by
-    /// Cells.
+    /// FootPoints is for degrees 3 and 4, tension up to 0.5, fields up to 20 times as strong as
+    /// usual, curves that what they avoid does not push, and the defaults of the options from here
+    /// to knotRule; other curves, and those that do not come to lie in the shell that way, are
+    /// integrated by Cells.
     Quadrature quadrature = Quadrature::FootPoints;
     /// Evenly spaced samples per knot span for Quadrature::Samples, >= 4; odd: one more.
     int samplesPerSpan = 48;
