@@ -108,6 +108,7 @@ public:
         for (int round = 0; round < kExtension.maxMoves && !unseen.empty(); ++round) {
             unseen = moveVertices(unseen, moved);
         }
+        putBack(unseen, moved);
         for (int v = 0; v < surface_.vertexCount(); ++v) {
             if (moved[v] != 0) {
                 extended_.movedVertices.push_back(v);
@@ -198,6 +199,28 @@ private:
         const Vec3 a = extended_.vertices[face[(k + 1) % 3]] - corner;
         const Vec3 b = extended_.vertices[face[(k + 2) % 3]] - corner;
         return std::atan2(doubleArea, a.dot(b));
+    }
+
+    // Vertices that no way led to a direction for: the surface there is as it was.
+    void putBack(std::vector<int>& unseen, std::vector<char>& moved) {
+        std::vector<int> touched;
+        for (const int v : unseen) {
+            extended_.vertices[v] = extended_.frame.toUnit(surface_.vertices()[v]);
+            moved[v] = 0;
+        }
+        for (const int v : unseen) {
+            for (const int f : surface_.facesAround(v)) {
+                normals_[f] = areaNormal(extended_, f).normalized();
+                touched.insert(touched.end(), extended_.faces[f].begin(), extended_.faces[f].end());
+            }
+        }
+        sortUnique(touched);
+        unseen.clear();
+        for (const int v : touched) {
+            if (!findDirection(v)) {
+                unseen.push_back(v);
+            }
+        }
     }
 
     // One step of all unseen vertices; returns those that are unseen now, ascending.
