@@ -20,6 +20,10 @@ int faceOf(const FibreTrace::Piece& piece) {
     return piece.foot.face;
 }
 
+int faceOf(const SheetTrace::Piece& piece) {
+    return piece.face;
+}
+
 }  // namespace
 
 SurfacePoint onSurface(const ExtendedSurface& extended, int face, const Vec3& barycentric) {

@@ -50,8 +50,21 @@ struct FibreTrace : TraceProgress {
     std::vector<Piece> pieces;
 };
 
-/// A trace holds for one spline, and for one shell or base.
-using CurveTrace = std::variant<CellTrace, FibreTrace>;
+/// Points of the surface beside a spline, from its start to its end, each in one face with the one
+/// before (see measureOnSheet()).
+struct SheetTrace : TraceProgress {
+    struct Piece {
+        double end;  ///< parameter
+        int span;
+        int face;
+    };
+
+    std::vector<EdgeCrossing> points;
+    std::vector<Piece> pieces;  ///< the i-th from the i-th point to the next
+};
+
+/// A trace holds for one spline, and for one shell, base or surface.
+using CurveTrace = std::variant<CellTrace, FibreTrace, SheetTrace>;
 
 /// What both have.
 [[nodiscard]] const TraceProgress& progressOf(const CurveTrace& trace);

@@ -3,6 +3,7 @@
 
 #include "projection/face_fibres.h"
 #include "projection/fibre_exit.h"
+#include "surface/surface_point.h"
 #include "utility/worker_thread.h"
 
 #include <algorithm>
@@ -19,8 +20,17 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // cross, two faces may hand it back and forth, by 1e-14 of the span at a time.
 constexpr int kMaxStalled = 128;
 constexpr double kStalledShare = 1e-7;
-// A curve passes a pick where it is so near to the surface, in tolerances.
-constexpr double kAtPick = 1e-3;
+// A curve passes a pick where it is so near to the surface, in diagonals: a hundred times the
+// rounding of heights, and a thousandth of the thinnest plate whose sides are told apart.
+constexpr double kAtPick = 1e-12;
+
+// Whether a foot is that of a pick, not one on another sheet, such as the other side of a plate.
+bool isAt(const ExtendedSurface& extended, const PickConstraint& pick, const FootPoint& foot) {
+    return std::abs(foot.height) <= kAtPick &&
+           std::ranges::any_of(extended.faces[foot.face], [&](int v) {
+               return cornerOf(extended.faces[pick.point.face], extended.surfaceVertex(v)) >= 0;
+           });
+}
 
 // Follows the foot of a spline from the start of a span on.
 class FibreTracer {
@@ -222,8 +232,9 @@ CurveDistance measureAlongFibres(
     distance.largest = std::ranges::max(distance.perSpan);
     for (const PickConstraint& constraint : traced.picks) {
         if (trace.isWhole &&
-            std::abs(footAt(extended, trace, space, controls, constraint.parameter).height) >
-                kAtPick * traced.tolerance) {
+            !isAt(
+                extended, constraint, footAt(extended, trace, space, controls, constraint.parameter)
+            )) {
             distance.perSpan[space.spanAt(constraint.parameter)] = kInfinity;
             distance.largest = kInfinity;
         }

@@ -67,4 +67,30 @@ SurfacePoint ProjectedCurve::on(const FibreTrace& trace, double t) const {
     return onSurface(extended_, foot.face, foot.barycentric());
 }
 
+// On the segment between the two points of the trace beside it, in their common face.
+SurfacePoint ProjectedCurve::on(const SheetTrace& trace, double t) const {
+    const auto found = std::ranges::lower_bound(trace.pieces, t, {}, &SheetTrace::Piece::end);
+    const std::ptrdiff_t i =
+        std::min<std::ptrdiff_t>(found - trace.pieces.begin(), std::ssize(trace.pieces) - 1);
+    const int face = trace.pieces[i].face;
+    const Triangle& corners = extended_.faces[face];
+    const auto coordinatesOf = [&](const SurfacePoint& point) {
+        Vec3 coordinates = Vec3::Zero();
+        for (int k = 0; k < 3; ++k) {
+            const int corner = cornerOf(corners, extended_.faces[point.face][k]);
+            if (corner >= 0) {
+                coordinates[corner] = point.barycentric[k];
+            }
+        }
+        return coordinates;
+    };
+    const EdgeCrossing& from = trace.points[i];
+    const EdgeCrossing& to = trace.points[i + 1];
+    const double length = to.parameter - from.parameter;
+    const double share = length > 0.0 ? (t - from.parameter) / length : 0.0;
+    return onSurface(
+        extended_, face, (1.0 - share) * coordinatesOf(from.point) + share * coordinatesOf(to.point)
+    );
+}
+
 }  // namespace bspline_curve

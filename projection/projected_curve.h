@@ -87,6 +87,7 @@ public:
 private:
     [[nodiscard]] SurfacePoint on(const CellTrace& trace, double t) const;
     [[nodiscard]] SurfacePoint on(const FibreTrace& trace, double t) const;
+    [[nodiscard]] SurfacePoint on(const SheetTrace& trace, double t) const;
 
     const ExtendedSurface& extended_;
     const Shell* shell_;
