@@ -18,6 +18,7 @@
 #include "design/designer_surface.h"
 #include "field/make_field.h"
 #include "filters/requests.h"
+#include "filters/unusable_curve.h"
 #include "io/atomic_file.h"
 #include "io/curve_writer.h"
 #include "io/field_reader.h"
@@ -29,10 +30,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <iomanip>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -222,19 +221,6 @@ std::optional<double> timeWarm(
     return times.empty() ? std::nullopt : std::optional(median(std::move(times)));
 }
 
-std::string unusableMessage(const SolveReport& report) {
-    constexpr double kMissed = 1e-9;  // of the diagonal; constraints are met to rounding
-    std::ostringstream text;
-    text << std::setprecision(3) << "no usable curve (" << name(report.status)
-         << "): its largest distance from the mesh is " << report.maxDistance
-         << " average edge lengths, the tolerance " << report.allowedDistance;
-    if (report.maxPickGap > kMissed) {
-        text << "; it misses a pick by " << report.maxPickGap << " of the diagonal";
-    }
-    text << "; try more picks, a finer mesh or a larger --distance-tolerance";
-    return text.str();
-}
-
 /// The curve with the faces and barycentric coordinates of the mesh as it was given.
 Curve onGivenMesh(const Curve& curve, const LoadedMesh& loaded) {
     Curve given = curve;
@@ -246,8 +232,8 @@ Curve onGivenMesh(const Curve& curve, const LoadedMesh& loaded) {
     return given;
 }
 
-/// Writes curve and report together: both files appear, or none. Of a curve that is not usable only
-/// the report.
+/// Writes curve and report together: both files appear, or none. Only the report of a curve that is
+/// not usable, where that is required.
 void writeResults(
     const CurveArguments& arguments, const PreparedMesh& prepared, const Drawn& drawn
 ) {
@@ -256,7 +242,7 @@ void writeResults(
     if (!arguments.report.empty()) {
         report.emplace(arguments.report, reportText(drawn.curve, surface, drawn.figures));
     }
-    if (drawn.curve.report.usable) {
+    if (drawn.curve.report.usable || !arguments.requireUsable) {
         const std::vector<double> quality =
             drawn.field.empty() ? std::vector<double>()
                                 : fieldAlong(drawn.curve.polyline, surface.faces(), drawn.field);
@@ -278,11 +264,12 @@ ExitCode drawAndWrite(
     bar.clear();
     printNotes(drawn.figures.shell.notes);
     writeResults(arguments, prepared, drawn);
-    if (!drawn.curve.report.usable) {
-        printError(unusableMessage(drawn.curve.report));
-        return ExitCode::Failure;
+    if (drawn.curve.report.usable) {
+        return ExitCode::Success;
     }
-    return ExitCode::Success;
+    const std::string why = describeUnusable(drawn.curve.report);
+    printError(arguments.requireUsable ? why : "note: " + why);
+    return arguments.requireUsable ? ExitCode::Failure : ExitCode::Success;
 }
 
 ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {

@@ -64,6 +64,11 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
         ->check(atLeast(0).validator())
         ->type_name("N")
         ->capture_default_str();
+    app.add_flag(
+        "--require-usable",
+        arguments.requireUsable,
+        "Write no curve that is not usable, and exit with 1"
+    );
     addRepairOption(app, arguments.repair);
     addCacheOption(app, arguments.noCache);
 }
@@ -178,7 +183,7 @@ private:
         "polyline whose every segment lies in one face. The verb \"curve\" may go before the "
         "mesh;\n"
         "the other verbs are \"batch\", \"field\" and \"shell\": bspline_curve help batch.\n\n"
-        "Exit status: 0 done; 1 bad mesh, picks or file, or no usable curve; 2 wrong usage;\n"
+        "Exit status: 0 done; 1 bad mesh, picks or file; 2 wrong usage;\n"
         "130 interrupted by Ctrl-C. No output is written unless the status is 0.\n",
         "bspline_curve"
     };

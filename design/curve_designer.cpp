@@ -15,6 +15,7 @@
 #include "surface/picks.h"
 #include "surface/region.h"
 #include "surface/surface_point.h"
+#include "utility/index_sets.h"
 #include "utility/report_progress.h"
 #include "utility/sparse_map.h"
 #include "utility/stopwatch.h"
@@ -97,14 +98,6 @@ void refuseAvoidedPicks(
     }
 }
 
-[[noreturn]] void refuseLostCurve(SolveStatus status) {
-    throw InputError(
-        InputErrorCode::NoShell,
-        std::string("the curve left the shell and did not find back (") + name(status) +
-            "): use the default preset, or add picks"
-    );
-}
-
 // Says in which shell the curve was drawn, or how many faces its fibres met.
 void describeShell(const CurveProblem& problem, const Solution& solution, Curve& curve) {
     if (problem.shell != nullptr) {
@@ -182,6 +175,50 @@ SplineData exported(const SplineCurve& curve, const CurveProblem& problem) {
         data.pickParameters.push_back(pick.parameter);
     }
     return data;
+}
+
+// The part of a curve whose polyline is farther from its spline than the tolerance.
+std::optional<FarPart> farPartOf(
+    const Surface& surface,
+    const CurveProblem& problem,
+    const SplineCurve& spline,
+    const SurfacePolyline& line
+) {
+    const ShellFrame& frame = problem.extended->frame;
+    std::optional<FarPart> part;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const double t = line.parameters[i];
+        const Vec3 position = spline.space.evaluate(spline.controls, t);
+        if ((position - frame.toUnit(line.points[i])).norm() < problem.distanceTolerance) {
+            continue;
+        }
+        if (!part) {
+            part.emplace();
+            part->from = t;
+        }
+        part->to = t;
+        for (const int face : facesHolding(surface, line.surfacePoints[i])) {
+            part->faces.push_back(face);
+        }
+    }
+    if (part) {
+        sortUnique(part->faces);
+    }
+    return part;
+}
+
+Curve curveOf(const Surface& surface, Solved& solved, const SamplingOptions& sampling) {
+    auto& [problem, solution] = solved;
+    Curve curve;
+    describeShell(problem, solution, curve);
+    curve.polyline =
+        polylineOf(surface, problem, solution.curve, std::move(solution.trace), sampling);
+    curve.spline = exported(solution.curve, problem);
+    curve.report = solution.report;
+    if (!curve.report.usable) {
+        curve.report.farPart = farPartOf(surface, problem, solution.curve, curve.polyline);
+    }
+    return curve;
 }
 
 }  // namespace
@@ -268,19 +305,15 @@ Curve CurveDesigner::design(
     if (areWorthTwoThreads(surface.faces().size())) {
         side.emplace();
     }
-    auto [problem, solution] =
-        CurveSolver(state, located, options, context, side ? &*side : nullptr).solve(progress);
-    if (!std::isfinite(solution.report.maxDistance)) {
-        refuseLostCurve(solution.report.status);
-    }
-
+    const CurveSolver solver(state, located, options, context, side ? &*side : nullptr);
+    Solved solved = solver.solve(progress);
     Stopwatch watch;
-    Curve curve;
-    describeShell(problem, solution, curve);
-    curve.polyline =
-        polylineOf(surface, problem, solution.curve, std::move(solution.trace), sampling);
-    curve.spline = exported(solution.curve, problem);
-    curve.report = solution.report;
+    Curve curve = curveOf(surface, solved, sampling);
+    if (!isStrict(surface, curve.polyline)) {
+        solved = solver.solveTightly(progress);
+        curve = curveOf(surface, solved, sampling);
+    }
+    const CurveProblem& problem = solved.problem;
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
     if (obstacles) {
         requireClear(surface, curve.polyline, *obstacles);

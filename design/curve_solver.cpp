@@ -2,6 +2,7 @@
 #include "design/curve_solver.h"
 
 #include "bspline_curve/error.h"
+#include "design/curve_ladder.h"
 #include "design/warm_start.h"
 #include "shell/shell_boundary.h"
 #include "solver/cellwise_solver.h"
@@ -10,8 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <string>
+#include <cmath>
 #include <utility>
 
 namespace bspline_curve {
@@ -19,8 +19,10 @@ namespace {
 
 struct StrategyConstants {
     /// Shares of the progress: for an attempt from another curve; of what is left, up to the end of
-    /// attempts without a shell, of building one, and of attempts at samples in it.
-    double startShare = 0.2, nearbyShare = 0.5, builtShare = 0.75, sampledShare = 0.85;
+    /// attempts without a shell, and of those that need one.
+    double startShare = 0.2, nearbyShare = 0.5, cellsShare = 0.95;
+    /// Of what needs the shell: up to its end, and of attempts at samples in it.
+    double builtShare = 0.5, sampledShare = 0.7;
     /// Of attempts at samples: up to the end of the loose one, and of those from tight fits.
     double looseShare = 0.5, tightShare = 0.9;
     /// First weights for tight fits, as stiffnesses of stiffStart(): each is tried in turn.
@@ -72,8 +74,7 @@ Solved CurveSolver::solve(const Progress& progress) const {
     Solved solved = solveInTurn(progress);
     auto& seconds = solved.solution.report.seconds;
     seconds.shell = prepared_.seconds().wholeShell - shellBefore;
-    const double own =
-        seconds.path + seconds.initial + seconds.minimise + seconds.knots + seconds.crossings;
+    const double own = seconds.path + seconds.initial + seconds.minimise + seconds.knots;
     seconds.failedAttempts = std::max(0.0, watch.lap() - seconds.shell - own);
     return solved;
 }
@@ -82,7 +83,8 @@ Solved CurveSolver::solve(const Progress& progress) const {
 // 1. at samples, from a curve through picks nearby, where one is given: a few steps;
 // 2. at samples along the fibres, without a shell, in three attempts (see relaxOver);
 // 3. the same in the shell of the whole surface, where that is asked for, or knows faces to avoid;
-// 4. cell by cell in that shell: slow, but each iterate lies inside.
+// 4. cell by cell in that shell: slow, but each iterate lies inside;
+// 5. without relaxing anything, along a shortest path.
 Solved CurveSolver::solveInTurn(const Progress& progress) const {
     const Progress begin = partOf(progress, 0.0, kStrategy.startShare);
     if (std::optional<Solved> solved = solveFromStart(begin)) {
@@ -96,18 +98,55 @@ Solved CurveSolver::solveInTurn(const Progress& progress) const {
             return std::move(*solved);
         }
     }
-    const ObtainedShell& whole =
-        prepared_.wholeShell(partOf(rest, kStrategy.nearbyShare, kStrategy.builtShare));
-    const std::vector<int>& blockedFaces = whole.build.report.blockedFaces;
-    refuseBlockedPicks(blockedFaces);
-    // Another attempt would end as the first one did, unless paths are now others.
-    if (!isLocal() || !blockedFaces.empty()) {
-        if (std::optional<Solved> solved =
-                relaxOver(&whole, partOf(rest, kStrategy.builtShare, kStrategy.sampledShare))) {
-            return std::move(*solved);
-        }
+    std::optional<Solved> inShell =
+        solveInShell(partOf(rest, kStrategy.nearbyShare, kStrategy.cellsShare));
+    const bool isInside = inShell && std::isfinite(inShell->solution.report.maxDistance);
+    // Where picks are a penalty, curves that miss them are as they should be.
+    const bool mayMissPicks = options_.interpolation == Interpolation::Penalty;
+    if (isInside && (inShell->solution.report.usable || mayMissPicks)) {
+        return std::move(*inShell);
     }
-    return solveInCells(whole, partOf(rest, kStrategy.sampledShare, 1.0));
+    Solved tight = solveTightly(partOf(rest, kStrategy.cellsShare, 1.0));
+    return isInside && !tight.solution.report.usable ? std::move(*inShell) : std::move(tight);
+}
+
+// Nothing where picks lie in faces that the shell leaves out, or have no way between them round
+// these, or where no curve stays in the shell.
+std::optional<Solved> CurveSolver::solveInShell(const Progress& progress) const {
+    const ObtainedShell& whole = prepared_.wholeShell(partOf(progress, 0.0, kStrategy.builtShare));
+    const std::vector<int>& blockedFaces = whole.build.report.blockedFaces;
+    if (arePicksIn(blockedFaces)) {
+        return std::nullopt;
+    }
+    try {
+        // Another attempt would end as the first one did, unless paths are now others.
+        if (!isLocal() || !blockedFaces.empty()) {
+            if (std::optional<Solved> solved = relaxOver(
+                    &whole, partOf(progress, kStrategy.builtShare, kStrategy.sampledShare)
+                )) {
+                return solved;
+            }
+        }
+        return solveInCells(whole, partOf(progress, kStrategy.sampledShare, 1.0));
+    } catch (const InputError& error) {
+        const bool isNoWay = error.code() == InputErrorCode::SelfIntersection ||
+                             error.code() == InputErrorCode::NoPath;
+        if (!isNoWay || blockedFaces.empty()) {
+            throw;
+        }
+        return std::nullopt;
+    }
+}
+
+Solved CurveSolver::solveTightly(const Progress& progress) const {
+    Stopwatch lap;
+    report(progress, 0.0, "following a shortest path");
+    const PickPath path = pathRound({}, context_.field.travel(options_, 1.0), PathKind::OnSurface);
+    CurveProblem problem = problemOn(path, nullptr, {});
+    const double pathSeconds = lap.lap();
+    Solution solution = tightAlong(prepared_, problem, path.path);
+    solution.report.seconds.path = pathSeconds;
+    return {std::move(problem), std::move(solution)};
 }
 
 PickPath CurveSolver::pathRound(
@@ -185,20 +224,24 @@ std::optional<Solved> CurveSolver::relaxOver(
         return std::nullopt;
     }
     double pathSeconds = lap.lap();
-    std::optional<Solved> solved = relaxed(loose, quick.path, {}, StopPolicy::Short);
+    Lost lost;
+    std::optional<Solved> solved = relaxed(loose, quick.path, {}, StopPolicy::Short, &lost);
     // With obstacles it is mostly these that are in its way.
     if (!solved && context_.obstacles == nullptr) {
         lap.lap();
         const PickPath close = pathRound(blocked, travel, PathKind::Close);
         pathSeconds += lap.lap();
         solved = relaxTightly(
-            close, shell, partOf(progress, kStrategy.looseShare, kStrategy.tightShare)
+            close, shell, partOf(progress, kStrategy.looseShare, kStrategy.tightShare), lost
         );
     }
     if (!solved) {
         const Progress last = partOf(progress, kStrategy.tightShare, 1.0);
         loose.progress = last;
-        solved = relaxed(std::move(loose), quick.path, {}, StopPolicy::Long);
+        solved = relaxed(std::move(loose), quick.path, {}, StopPolicy::Long, &lost);
+    }
+    if (!solved && whole == nullptr && context_.obstacles == nullptr) {
+        solved = onSheet(std::move(lost));
     }
     if (solved) {
         solved->solution.report.seconds.path = pathSeconds;
@@ -207,7 +250,7 @@ std::optional<Solved> CurveSolver::relaxOver(
 }
 
 std::optional<Solved> CurveSolver::relaxTightly(
-    const PickPath& path, const Shell* shell, const Progress& progress
+    const PickPath& path, const Shell* shell, const Progress& progress, Lost& lost
 ) const {
     const double share = 1.0 / static_cast<double>(kStrategy.stiffnesses.size());
     double done = 0.0;
@@ -215,8 +258,9 @@ std::optional<Solved> CurveSolver::relaxTightly(
         const Progress part = partOf(progress, done, done + share);
         CurveProblem problem = problemOn(path, shell, part);
         SampledStart start = stiffStart(problem, path.path, stiffness);
-        if (std::optional<Solved> solved =
-                relaxed(std::move(problem), path.path, std::move(start), StopPolicy::Short)) {
+        if (std::optional<Solved> solved = relaxed(
+                std::move(problem), path.path, std::move(start), StopPolicy::Short, &lost
+            )) {
             return solved;
         }
         done += share;
@@ -224,32 +268,47 @@ std::optional<Solved> CurveSolver::relaxTightly(
     return std::nullopt;
 }
 
-// Nothing where a curve without a shell, which knows them, comes upon a crossing.
+// Nothing where there is no such curve; it is then added to those that are lost.
 std::optional<Solved> CurveSolver::relaxed(
     CurveProblem problem,
     const InitialPath& initialPath,
     std::optional<SampledStart> start,
-    StopPolicy stopPolicy
+    StopPolicy stopPolicy,
+    Lost* lost
 ) const {
-    std::optional<Solution> solution =
-        solveSampled(problem, initialPath, std::move(start), stopPolicy);
-    problem.progress = {};  // it ends here
-    if (!solution) {
+    if (!isForSamples(problem)) {
         return std::nullopt;
     }
-    if (problem.shell == nullptr) {
-        Stopwatch watch;
-        for (const int face : facesPassed(*solution)) {
-            if (face < prepared_.surface().faceCount() && prepared_.crossings().hasCrossing(face)) {
-                return std::nullopt;
-            }
-        }
-        solution->report.seconds.crossings = watch.lap();
+    Solution solution = relaxAtSamples(problem, initialPath, std::move(start), stopPolicy);
+    problem.progress = {};  // it ends here
+    if (solution.report.usable) {
+        return Solved{std::move(problem), std::move(solution)};
     }
-    return Solved{std::move(problem), std::move(*solution)};
+    if (lost != nullptr) {
+        lost->push_back({std::move(problem), std::move(solution)});
+    }
+    return std::nullopt;
 }
 
-Solved CurveSolver::solveInCells(const ObtainedShell& whole, const Progress& progress) const {
+// Of the curves that are within the tolerance of the sheet that they lie on, that which bends
+// least.
+std::optional<Solved> CurveSolver::onSheet(Lost lost) const {
+    std::ranges::stable_sort(lost, {}, [](const Solved& one) {
+        const std::vector<IterationReport>& iterations = one.solution.report.iterations;
+        return iterations.empty() ? 0.0 : iterations.back().terms.internal;
+    });
+    for (const auto& [problem, solution] : lost) {
+        if (std::optional<Solution> found = followedOnSheet(prepared_, problem, solution)) {
+            return Solved{problem, std::move(*found)};
+        }
+    }
+    return std::nullopt;
+}
+
+// Nothing where no spline along the paths stays in the shell.
+std::optional<Solved> CurveSolver::solveInCells(
+    const ObtainedShell& whole, const Progress& progress
+) const {
     std::optional<ShellBoundary> boundary;
     if (options_.quadrature == Quadrature::Samples) {
         boundary.emplace(whole.build.shell);
@@ -269,29 +328,16 @@ Solved CurveSolver::solveInCells(const ObtainedShell& whole, const Progress& pro
             problem.boundary = nullptr;  // it ends here
             problem.progress = {};
             solution->report.seconds.path = pathSeconds;
-            return {std::move(problem), std::move(*solution)};
+            return Solved{std::move(problem), std::move(*solution)};
         }
     }
-    throw InputError(
-        InputErrorCode::NoShell,
-        "no spline through the picks stays in the shell: the shell is too thin or interrupted "
-        "there; add picks, or check the mesh for faces that cross or fold onto each other"
-    );
+    return std::nullopt;
 }
 
-void CurveSolver::refuseBlockedPicks(const std::vector<int>& blockedFaces) const {
-    for (std::size_t i = 0; i < picks_.size(); ++i) {
-        const int face = picks_[i].face;
-        if (std::ranges::binary_search(blockedFaces, face)) {
-            throw InputError(
-                InputErrorCode::SelfIntersection,
-                "pick " + std::to_string(i) + " lies in face " + std::to_string(face) +
-                    ", where the surface crosses itself or folds onto itself: move the pick, or "
-                    "repair the mesh there",
-                {face}
-            );
-        }
-    }
+bool CurveSolver::arePicksIn(const std::vector<int>& faces) const {
+    return std::ranges::any_of(picks_, [&](const SurfacePoint& pick) {
+        return std::ranges::binary_search(faces, pick.face);
+    });
 }
 
 }  // namespace bspline_curve

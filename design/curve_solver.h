@@ -49,10 +49,18 @@ public:
     )
         : prepared_(prepared), picks_(picks), options_(options), context_(context), side_(side) {}
 
-    /// Throws InputError (SelfIntersection, NoPath, NoShell), Cancelled.
+    /// Always a curve with a trace: where no attempt leads to one that is relaxed and within the
+    /// tolerance, one that follows a shortest path (see tightAlong()); report.usable tells. Throws
+    /// InputError (NoPath), Cancelled.
     [[nodiscard]] Solved solve(const Progress& progress) const;
 
+    /// The last of these, whatever else there is.
+    [[nodiscard]] Solved solveTightly(const Progress& progress) const;
+
 private:
+    // Curves that were relaxed at samples, but could not be followed along the fibres.
+    using Lost = std::vector<Solved>;
+
     [[nodiscard]] bool isLocal() const { return prepared_.options().kind == ShellKind::Local; }
 
     [[nodiscard]] PickPath pathRound(
@@ -67,16 +75,21 @@ private:
         const ObtainedShell* whole, const Progress& progress
     ) const;
     [[nodiscard]] std::optional<Solved> relaxTightly(
-        const PickPath& path, const Shell* shell, const Progress& progress
+        const PickPath& path, const Shell* shell, const Progress& progress, Lost& lost
     ) const;
     [[nodiscard]] std::optional<Solved> relaxed(
         CurveProblem problem,
         const InitialPath& initialPath,
         std::optional<SampledStart> start,
-        StopPolicy stopPolicy
+        StopPolicy stopPolicy,
+        Lost* lost = nullptr
     ) const;
-    [[nodiscard]] Solved solveInCells(const ObtainedShell& whole, const Progress& progress) const;
-    void refuseBlockedPicks(const std::vector<int>& blockedFaces) const;
+    [[nodiscard]] std::optional<Solved> onSheet(Lost lost) const;
+    [[nodiscard]] std::optional<Solved> solveInShell(const Progress& progress) const;
+    [[nodiscard]] std::optional<Solved> solveInCells(
+        const ObtainedShell& whole, const Progress& progress
+    ) const;
+    [[nodiscard]] bool arePicksIn(const std::vector<int>& faces) const;
 
     const PreparedSurface& prepared_;
     const std::vector<SurfacePoint>& picks_;

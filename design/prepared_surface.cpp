@@ -34,7 +34,6 @@ PreparedSurface::PreparedSurface(TriangleMesh mesh, const ShellOptions& options)
           )
       ),
       tree_(surface_.vertices(), surface_.faces()),
-      crossings_(surface_, tree_),
       treeSeconds_(watch_.lap()),
       extended_(std::make_shared<const ExtendedSurface>(futureBase_.get())),
       baseSeconds_(watch_.lap()) {}

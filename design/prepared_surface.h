@@ -5,7 +5,6 @@
 #include "bspline_curve/shell.h"
 #include "shell/extended_surface.h"
 #include "shell/shell_store.h"
-#include "surface/face_crossings.h"
 #include "surface/patch_levels.h"
 #include "surface/surface.h"
 #include "surface/triangle_tree.h"
@@ -32,8 +31,6 @@ public:
     [[nodiscard]] const TriangleTree& tree() const { return tree_; }
 
     [[nodiscard]] const PatchLevels& patches() const { return patches_; }
-
-    [[nodiscard]] const FaceCrossings& crossings() const { return crossings_; }
 
     [[nodiscard]] const std::shared_ptr<const ExtendedSurface>& extended() const {
         return extended_;
@@ -70,7 +67,6 @@ private:
     PatchLevels patches_;
     std::future<ExtendedSurface> futureBase_;  // likewise
     TriangleTree tree_;
-    FaceCrossings crossings_;
     double treeSeconds_;
     std::shared_ptr<const ExtendedSurface> extended_;
     double baseSeconds_;

@@ -164,4 +164,15 @@ SurfacePolyline makeStrictPolyline(
     return PolylineMaker(surface, problem, shadow).make(sampling);
 }
 
+bool isStrict(const Surface& surface, const SurfacePolyline& line) {
+    const std::vector<SurfacePoint>& points = line.surfacePoints;
+    for (std::size_t i = line.closed ? 0 : 1; i < points.size(); ++i) {
+        const SurfacePoint& before = points[i > 0 ? i - 1 : points.size() - 1];
+        if (before.face != points[i].face && commonFace(surface, before, points[i]) < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace bspline_curve

@@ -18,4 +18,9 @@ namespace bspline_curve {
     const SamplingOptions& sampling
 );
 
+/// Whether every segment of a polyline lies in one face of the surface: by the faces and
+/// barycentric coordinates of its ends, not by positions, so that the sides of the thinnest plate
+/// are two. O(n).
+[[nodiscard]] bool isStrict(const Surface& surface, const SurfacePolyline& line);
+
 }  // namespace bspline_curve

@@ -62,13 +62,7 @@ void addExtras(
     if (request.saveFile.empty()) {
         return;
     }
-    if (curve.report.usable) {
-        writeCurve(utf8Path(request.saveFile), curve, field);
-    } else {
-        result.log.warnings.push_back(
-            "The curve is not usable and was not written to " + request.saveFile + "."
-        );
-    }
+    writeCurve(utf8Path(request.saveFile), curve, field);
 }
 
 }  // namespace bspline_curve

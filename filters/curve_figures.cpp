@@ -17,7 +17,7 @@ double lengthOf(const SurfacePolyline& polyline) {
 /// Of one curve on a surface that is ready.
 double secondsOf(const SolveReport& report) {
     const auto& part = report.seconds;
-    return part.path + part.initial + part.minimise + part.knots + part.polyline + part.crossings +
+    return part.path + part.initial + part.minimise + part.knots + part.polyline +
            part.failedAttempts;
 }
 

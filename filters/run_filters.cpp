@@ -7,6 +7,7 @@
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
+#include "filters/unusable_curve.h"
 #include "io/curve_writer.h"
 #include "io/report_writer.h"
 #include "io/shell_cache.h"
@@ -138,10 +139,9 @@ std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Fou
         );
     }
     if (!curve.report.usable) {
-        warnings.emplace_back(
-            "The curve did not reach the distance tolerance: its layer shows how far it came. More "
-            "picks, a thicker shell or more rounds may help."
-        );
+        std::string warning = describeUnusable(curve.report) + ".";
+        warning.front() = 'T';
+        warnings.push_back(std::move(warning));
     }
     return warnings;
 }

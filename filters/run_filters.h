@@ -47,7 +47,7 @@ struct FieldResult {
     FilterLog log;
 };
 
-/// Draws a curve, and writes the file that the request names where the curve is usable. `designers`
+/// Draws a curve, and writes the file that the request names. `designers`
 /// keeps what the next curve on the same mesh can use again. Throws
 /// InputError, Cancelled, std::bad_alloc; see describeFailure().
 [[nodiscard]] CurveResult runCurveFilter(

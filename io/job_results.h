@@ -25,8 +25,8 @@ struct CurveFigures {
 [[nodiscard]] CurveFigures readCurveFigures(const std::filesystem::path& report);
 
 enum class JobStatus : std::uint8_t {
-    Done,     ///< a usable curve was written
-    Failed,   ///< bad mesh, picks or options, or no usable curve; `message` says why
+    Done,     ///< a curve was written; `usable` says more
+    Failed,   ///< bad mesh, picks or options, or no usable curve where one is required; `message` says why
     Crashed,  ///< ended by a signal
 };
 

@@ -40,7 +40,6 @@ Json secondsOf(const SolveReport& report, const RunFigures& figures) {
         {"minimise", solve.minimise},
         {"knots", solve.knots},
         {"polyline", solve.polyline},
-        {"crossings", solve.crossings},
         {"failed_attempts", solve.failedAttempts},
     };
 }
@@ -97,6 +96,14 @@ Json avoidanceOf(const SolveReport& report) {
     return {{"faces", report.avoidedFaces}, {"clearance", report.clearance}};
 }
 
+Json farPartOf(const SolveReport& report) {
+    if (!report.farPart) {
+        return nullptr;
+    }
+    const FarPart& part = *report.farPart;
+    return {{"from", part.from}, {"to", part.to}, {"faces", part.faces}};
+}
+
 Json meshOf(const Surface& surface, const std::string& file) {
     return {
         {"file", file},
@@ -119,6 +126,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
     const Json document = {
         {"status", name(report.status)},
         {"usable", report.usable},
+        {"far_part", farPartOf(report)},
         {"shell", shellName(curve)},
         {"prisms", curve.prisms},
         {"faces_passed", curve.facesPassed},

@@ -30,7 +30,7 @@ HELP = {
     "closed": "True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.",
     "tube_radius": "A closed tube mesh around the curve is made too, with this radius in the unit of the mesh, at most its "
                    "diagonal. 0: none.",
-    "save": "A file that a usable curve is written to: the polyline (.ply, .obj, .dxf, .vtu, .csv), the spline itself "
+    "save": "A file that the curve is written to: the polyline (.ply, .obj, .dxf, .vtu, .csv), the spline itself "
             "(.bspline.obj, .bspline.dxf) or both (.json).",
 }
 CHOICES = ("field", "avoid", "field_region")  # words or arrays, which run.draw looks at together
@@ -169,7 +169,7 @@ def draw_function(flt, parameters):
         "A variational B-spline close to the surface, and its exact projection onto it, a polyline every segment of which "
         "lies inside one face. A further curve on the same arrays finds the surface prepared.",
         {"Parameters": [*MESH_HELP, PICKS_HELP, *told],
-         "Returns": [("", "Curve", "Where it is not `usable`, it shows how far it came.")],
+         "Returns": [("", "Curve", "Where it is not `usable`, it follows a shortest path, or shows how far it came.")],
          "Raises": [("", kind, text) for kind, text in RAISES]},
     )
     rest = [name for name in names if name not in (*CHOICES, "save")]

@@ -107,15 +107,12 @@ SampledStart stiffStart(
     };
 }
 
-std::optional<Solution> solveSampled(
+Solution relaxAtSamples(
     const CurveProblem& problem,
     const InitialPath& initialPath,
     std::optional<SampledStart> start,
     StopPolicy stopPolicy
 ) {
-    if (!isForSamples(problem)) {
-        return std::nullopt;
-    }
     Stopwatch watch;
     const double startAlpha = start ? start->alpha : 0.0;
     // After a first attempt has failed, most.
@@ -134,10 +131,24 @@ std::optional<Solution> solveSampled(
         solve(problem, energy, weights, sampledPolicy(problem, stopPolicy, startAlpha));
     solution.report.isSampled = true;
     solution.report.seconds.initial = initial;
-    if (!solution.report.usable || !isClear(problem, solution)) {
-        return std::nullopt;
+    if (solution.report.usable && !isClear(problem, solution)) {
+        solution.report.usable = false;
+        solution.trace.reset();
     }
     return solution;
+}
+
+std::optional<Solution> solveSampled(
+    const CurveProblem& problem,
+    const InitialPath& initialPath,
+    std::optional<SampledStart> start,
+    StopPolicy stopPolicy
+) {
+    if (!isForSamples(problem)) {
+        return std::nullopt;
+    }
+    Solution solution = relaxAtSamples(problem, initialPath, std::move(start), stopPolicy);
+    return solution.report.usable ? std::optional(std::move(solution)) : std::nullopt;
 }
 
 }  // namespace bspline_curve

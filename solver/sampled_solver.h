@@ -125,4 +125,13 @@ inline constexpr SampledConstants kSampled;
     StopPolicy stopPolicy = StopPolicy::Short
 );
 
+/// The same for a problem that isForSamples(), also where the curve does not come to lie there:
+/// report.usable tells. Such a curve may still be near to the surface, where fibres cross.
+[[nodiscard]] Solution relaxAtSamples(
+    const CurveProblem& problem,
+    const InitialPath& initialPath,
+    std::optional<SampledStart> start,
+    StopPolicy stopPolicy
+);
+
 }  // namespace bspline_curve

@@ -13,6 +13,10 @@ const char* name(SolveStatus status) {
             return "knot limit";
         case SolveStatus::RoundLimit:
             return "round limit";
+        case SolveStatus::TightFit:
+            return "tight fit";
+        case SolveStatus::ShortestPath:
+            return "shortest path";
     }
     return "unknown";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace bspline_curve {
@@ -12,6 +13,8 @@ enum class SolveStatus {
     DistanceReached,  ///< max distance below tolerance, but the last minimisation did not converge
     KnotLimit,        ///< no knot may be inserted any more (23), distance still above tolerance
     RoundLimit,       ///< rounds used up, distance still above tolerance
+    TightFit,         ///< no relaxed spline was found: one that follows a shortest path closely
+    ShortestPath,     ///< nor that: the polyline is the shortest path itself, the spline beside it
 };
 
 enum class MinimiseStatus { Converged, LineSearchStalled, IterationLimit, NotPositive, Outside };
@@ -50,12 +53,20 @@ struct RoundReport {
     double maxDistance = 0.0;  ///< in average edge lengths
 };
 
+/// A part of a curve where it is farther from the surface than it may be.
+struct FarPart {
+    double from = 0.0, to = 0.0;  ///< parameters
+    std::vector<int> faces;       ///< under it, ascending
+};
+
 /// How a curve came about: what every stage did and why it stopped.
 struct SolveReport {
     SolveStatus status = SolveStatus::RoundLimit;
     /// True where the curve may be used: it passes all picks and lies within the tolerance of the
     /// surface.
     bool usable = false;
+    /// Where a curve that is not usable is too far from the surface, as far as that is known.
+    std::optional<FarPart> farPart;
     int knotsFirst = 0, knotsLast = 0;  ///< length of the knot vector, end knots with multiplicity
     bool isSampled = false;             ///< at foot points, not cell by cell
     double maxDistance = 0.0;  ///< largest distance of spline and surface, in average edge lengths
@@ -77,10 +88,9 @@ struct SolveReport {
 
     struct Seconds {
         double path = 0.0, initial = 0.0, minimise = 0.0, knots = 0.0, polyline = 0.0;
-        /// Set by CurveSolver: the search for faces that cross those passed; attempts that led to
-        /// no curve, before the one that did, and the shell of the whole surface where this curve
-        /// was the first to need it.
-        double crossings = 0.0, failedAttempts = 0.0, shell = 0.0;
+        /// Set by CurveSolver: attempts that led to no curve, before the one that did, and the
+        /// shell of the whole surface where this curve was the first to need it.
+        double failedAttempts = 0.0, shell = 0.0;
     } seconds;
 };
 

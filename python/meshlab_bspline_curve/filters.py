@@ -128,7 +128,7 @@ def draw_curve(
         A closed tube mesh around the curve is made too, with this radius in the unit of the mesh, at most its diagonal.
         0: none.
     save : str or path, optional
-        A file that a usable curve is written to: the polyline (.ply, .obj, .dxf, .vtu, .csv), the spline itself
+        A file that the curve is written to: the polyline (.ply, .obj, .dxf, .vtu, .csv), the spline itself
         (.bspline.obj, .bspline.dxf) or both (.json).
     avoid : {'none', 'under-threshold', 'over-threshold'} or (k,) array of int, ids of the faces, or (m,) array of bool,
         default 'none'
@@ -224,7 +224,7 @@ def draw_curve(
     Returns
     -------
     Curve
-        Where it is not `usable`, it shows how far it came.
+        Where it is not `usable`, it follows a shortest path, or shows how far it came.
 
     Raises
     ------

@@ -139,9 +139,9 @@ def generate_bspline_curve_on_surface(
         A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
         diagonal. 0: no tube.
     save : str or path, optional
-        A file that a usable curve is written to, in world coordinates: the polyline, or the spline itself where the
-        name ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality
-        or the spline. Empty: no file.
+        A file that the curve is written to, in world coordinates: the polyline, or the spline itself where the name
+        ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality or the
+        spline. Empty: no file.
     avoid : {'none', 'selected-faces', 'selected-vertices', 'under-threshold', 'over-threshold'}, default 'none'
         Faces of the surface that the curve does not enter. none: it may enter all faces; selected-faces: the selected
         faces; selected-vertices: the faces all of whose vertices are selected; under-threshold: the faces over which

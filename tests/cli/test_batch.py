@@ -93,11 +93,12 @@ def test_a_job_that_fails_does_not_stop_the_others(run, hill):
 
 
 def test_a_curve_that_is_not_usable_has_figures(run, hill):
-    write_jobs(hill, "hill.ply,picks.json,a.ply,1,1,1e-9", columns="mesh,picks,output,max_rounds,max_iterations,distance_tolerance")
+    columns = "mesh,picks,output,max_rounds,max_iterations,distance_tolerance,require_usable"
+    write_jobs(hill, "hill.ply,picks.json,a.ply,1,1,1e-9,", "hill.ply,picks.json,b.ply,1,1,1e-9,true", columns=columns)
     assert run("batch", "jobs.csv").returncode == 1
-    row = results(hill)[1]
-    assert (row["status"], row["usable"]) == ("failed", "false") and float(row["max_distance"]) > 1e-9
-    assert "no usable curve" in row["message"]
+    for row, status in zip((results(hill)[1], results(hill)[2]), ("done", "failed")):
+        assert (row["status"], row["usable"]) == (status, "false") and float(row["max_distance"]) > 1e-9
+        assert "not usable" in row["message"]
 
 
 def test_paths_are_relative_to_the_jobs_file(run, hill):

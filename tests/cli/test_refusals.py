@@ -218,15 +218,17 @@ def test_quality_of_a_mesh_without(refused):
     assert "quality" in refused(1, *DEFAULT, "--field", "quality")
 
 
-def test_a_curve_that_is_not_usable_leaves_only_its_report(run, plate):
+def test_a_curve_that_is_not_usable_is_written_unless_a_usable_one_is_required(run, plate):
     V, F = meshes.plate(cells=8, height=0.4)
     meshes.write_ply(plate / "hill.ply", V, F)
     (plate / "picks.json").write_text(json.dumps({"picks": V[[10, 40, 70]].tolist()}))
     effort = ("--max-rounds", 1, "--max-iterations", 1, "--distance-tolerance", 1e-9)
-    process = run("hill.ply", *DEFAULT[1:], "--report", "report.json", *effort)
-    assert process.returncode == 1
-    assert "no usable curve" in process.stderr and process.stderr.count("\n") == 1
-    assert not (plate / "curve.ply").exists()
+    for required in ((), ("--require-usable",)):
+        (plate / "curve.ply").unlink(missing_ok=True)
+        process = run("hill.ply", *DEFAULT[1:], "--report", "report.json", *effort, *required)
+        assert process.returncode == len(required)
+        assert "not usable" in process.stderr and process.stderr.count("\n") == 1
+        assert (plate / "curve.ply").exists() == (not required)
     assert json.loads((plate / "report.json").read_text())["usable"] is False
 
 

@@ -86,34 +86,6 @@ TEST_F(Refusals, TooFewPicksAreRefused) {
     expectNoCurve(InputErrorCode::TooFewPicks, {}, {.closed = true});
 }
 
-class RefusalsOfCrossings : public testing::Test {
-protected:
-    [[nodiscard]] InputError refused(const std::vector<Vec3>& picks) const {
-        const std::optional<InputError> error = refusal([&] { return designer_.design(picks); });
-        EXPECT_TRUE(error.has_value());
-        return error.value();
-    }
-
-    CurveDesigner designer_{crossingPlates()};
-};
-
-TEST_F(RefusalsOfCrossings, PicksWhereTheSurfaceCrossesItselfAreRefused) {
-    const InputError error = refused({{0.3, 0.1, 0}, {0.5, 0.55, 0}});
-    EXPECT_EQ(error.code(), InputErrorCode::SelfIntersection);
-    EXPECT_NE(std::string(error.what()).find("pick 1"), std::string::npos) << error.what();
-    EXPECT_EQ(error.elements().size(), 1U);
-}
-
-TEST_F(RefusalsOfCrossings, CurvesThatWouldHaveToPassACrossingAreRefused) {
-    const InputError error = refused({{0.5, 0.1, 0}, {0.5, 0.9, 0}});
-    EXPECT_EQ(error.code(), InputErrorCode::SelfIntersection);
-    EXPECT_FALSE(error.elements().empty());
-}
-
-TEST_F(RefusalsOfCrossings, CurvesBesideACrossingAreDrawn) {
-    goodCurve(designer_, {{0.1, 0.1, 0}, {0.5, 0.3, 0}, {0.9, 0.1, 0}});
-}
-
 struct Calls {
     std::vector<double> fractions;
     int allowed = 1 << 30;

@@ -416,7 +416,6 @@ TEST(SamplingOfCurves, RefusesWhatCellsRefuse) {
 
     const std::vector<Refused> cases = {
         {twoComponents(), {{-1, 0, 0}, {3, 0, 0}}},
-        {crossingPlates(), {{0.5, 0.1, 0}, {0.5, 0.9, 0}}},
         {plate(8, 8), {{0.1, 0.2, 0}, {0.9, 0.7, 0}}, 0.1},
         {plate(8, 8), {{0.1, 0.2, 0}, {0.5, 0.7, 0}}, 0.1},
         {plate(8, 8), {{0.1, 0.2, 0}, {0.5, 0.7, 3.0}}},

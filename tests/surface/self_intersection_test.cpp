@@ -4,7 +4,6 @@
 #include "exact_oracle.h"
 #include "support/meshes.h"
 #include "support/random.h"
-#include "surface/face_crossings.h"
 
 #include <Eigen/Geometry>
 
@@ -242,37 +241,6 @@ TEST(FindSelfIntersections, FindsDuplicatesOfOneFaceEvenWhenAllCentresCoincide) 
     const TriangleMesh one = plate(1, 1);
     const std::vector<Triangle> copies(9, one.faces[0]);
     EXPECT_EQ(findSelfIntersections(one.vertices, copies).size(), 9U * 8U / 2U);
-}
-
-// Where a surface crosses itself, face by face: the same as all at once.
-void expectSameAsAllAtOnce(TriangleMesh mesh, bool hasAny) {
-    const Surface surface(std::move(mesh));
-    const TriangleTree tree(surface.vertices(), surface.faces());
-    const FaceCrossings crossings(surface, tree);
-    std::set<int> expected;
-    for (const auto& [f, g] : findSelfIntersections(surface.vertices(), surface.faces())) {
-        expected.insert({f, g});
-    }
-    EXPECT_EQ(!expected.empty(), hasAny);
-    for (int again = 0; again < 2; ++again) {
-        for (int f = 0; f < surface.faceCount(); ++f) {
-            EXPECT_EQ(crossings.hasCrossing(f), expected.contains(f)) << "face " << f;
-        }
-    }
-}
-
-TEST(FaceCrossings, AreNoneOnASphere) {
-    expectSameAsAllAtOnce(icosphere(3), false);
-}
-
-// So noisy that neighbours fold onto each other and through their next ones.
-TEST(FaceCrossings, AreThoseOfACrumpledSphere) {
-    expectSameAsAllAtOnce(withNoise(icosphere(3), 0.12, 7), true);
-}
-
-TEST(FaceCrossings, AreThoseBetweenComponents) {
-    const Eigen::Isometry3d aside(Eigen::Translation3d(0.7, 0.2, 0.1));
-    expectSameAsAllAtOnce(joined(icosphere(2), transformed(icosphere(2), aside)), true);
 }
 
 }  // namespace

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/curve_ladder.h"
+
+#include "projection/sheet_tracer.h"
+#include "solver/initial_curve.h"
+#include "solver/obstacles.h"
+#include "utility/stopwatch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+struct LadderConstants {
+    /// Between feet, in mean edge lengths: shorter ways than faces are long.
+    double stepLength = 0.5;
+    /// A tight fit is within so many tolerances of its path.
+    double tightDistance = 0.5;
+    /// Where it is farther from the feet than so many tolerances, these jump: the path is better.
+    double farthestFit = 10.0;
+};
+
+constexpr LadderConstants kLadder;
+
+// On the surface itself: vertices of the extended one may have moved.
+Vec3 positionOn(const PreparedSurface& prepared, const SurfacePoint& point) {
+    return prepared.extended()->frame.toUnit(prepared.surface().position(point));
+}
+
+SheetTraceStart sheetStartOf(const PreparedSurface& prepared, const CurveProblem& problem) {
+    return {
+        prepared.surface(),
+        *problem.extended,
+        problem.picks,
+        problem.distanceTolerance,
+        kLadder.stepLength * problem.averageEdgeLength
+    };
+}
+
+bool isClear(const CurveProblem& problem, const CurveDistance& distance) {
+    return problem.obstacles == nullptr ||
+           std::ranges::none_of(facesPassed(distance.trace), [&](int face) {
+               return problem.obstacles->isAvoided(face);
+           });
+}
+
+void take(const CurveProblem& problem, CurveDistance distance, Solution& solution) {
+    SolveReport& report = solution.report;
+    report.maxDistance = distance.largest / problem.averageEdgeLength;
+    report.usable = distance.largest < problem.distanceTolerance;
+    solution.trace = std::move(distance.trace);
+}
+
+}  // namespace
+
+std::optional<Solution> followedOnSheet(
+    const PreparedSurface& prepared, const CurveProblem& problem, const Solution& lost
+) {
+    const auto& [space, controls] = lost.curve;
+    CurveDistance distance = measureOnSheet(sheetStartOf(prepared, problem), space, controls);
+    if (distance.largest >= problem.distanceTolerance || !isClear(problem, distance)) {
+        return std::nullopt;
+    }
+    Solution found{lost.curve, lost.report, {}};
+    take(problem, std::move(distance), found);
+    found.report.status = SolveStatus::DistanceReached;
+    return found;
+}
+
+Solution tightAlong(const PreparedSurface& prepared, CurveProblem problem, InitialPath path) {
+    Stopwatch watch;
+    std::vector<EdgeCrossing> guide;
+    for (InitialPath::Point& point : path.points) {
+        guide.push_back({point.parameter, point.point});
+        point.position = positionOn(prepared, point.point);
+    }
+    for (PickConstraint& pick : problem.picks) {
+        pick.position = positionOn(prepared, pick.point);
+    }
+    SheetTraceStart traced = sheetStartOf(prepared, problem);
+    traced.guide = guide;
+    Solution solution{
+        fitLoosely(problem, path, kLadder.tightDistance * problem.distanceTolerance), {}, {}
+    };
+    const auto& [space, controls] = solution.curve;
+    SolveReport& report = solution.report;
+    report.status = SolveStatus::TightFit;
+    report.knotsFirst = report.knotsLast = static_cast<int>(space.knotVector().size());
+    report.seconds.initial = watch.lap();
+    CurveDistance distance = measureOnSheet(traced, space, controls);
+    if (distance.largest > kLadder.farthestFit * problem.distanceTolerance ||
+        !isClear(problem, distance)) {
+        report.status = SolveStatus::ShortestPath;
+        distance = measureOnPath(traced, space, controls);
+    }
+    take(problem, std::move(distance), solution);
+    report.usable = report.usable && report.status == SolveStatus::TightFit;
+    return solution;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/unusable_curve.h"
+
+#include "surface/error_messages.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bspline_curve {
+
+std::string describeUnusable(const SolveReport& report) {
+    constexpr double kMissed = 1e-9;  // of the diagonal; constraints are met to rounding
+    std::string text = std::string("the curve is not usable (") + name(report.status) +
+                       "): the spline is up to " + describeNumber(report.maxDistance) +
+                       " mean edge lengths from the surface, the tolerance is " +
+                       describeNumber(report.allowedDistance);
+    if (report.farPart) {
+        const FarPart& part = *report.farPart;
+        const std::vector<std::int64_t> faces(part.faces.begin(), part.faces.end());
+        text += ", between t = " + describeNumber(part.from) + " and " + describeNumber(part.to) +
+                " (faces " + describeElements(faces) + ")";
+    }
+    if (report.maxPickGap > kMissed) {
+        text += "; it misses a pick by " + describeNumber(report.maxPickGap) + " of the diagonal";
+    }
+    return text + "; try more picks, a finer mesh or a larger distance tolerance";
+}
+
+}  // namespace bspline_curve

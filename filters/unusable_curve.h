@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/report.h"
+
+#include <string>
+
+namespace bspline_curve {
+
+/// Why a curve is not usable, for people: how it was made, how far it is from the surface, on which
+/// parameters and faces that is, as far as it is known, and what to do. One line without a stop.
+[[nodiscard]] std::string describeUnusable(const SolveReport& report);
+
+}  // namespace bspline_curve
