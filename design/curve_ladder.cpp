@@ -91,11 +91,12 @@ Solution tightAlong(const PreparedSurface& prepared, CurveProblem problem, Initi
     CurveDistance distance = measureOnSheet(traced, space, controls);
     if (distance.largest > kLadder.farthestFit * problem.distanceTolerance ||
         !isClear(problem, distance)) {
-        report.status = SolveStatus::ShortestPath;
         distance = measureOnPath(traced, space, controls);
+        if (distance.largest >= problem.distanceTolerance) {
+            report.status = SolveStatus::ShortestPath;
+        }
     }
     take(problem, std::move(distance), solution);
-    report.usable = report.usable && report.status == SolveStatus::TightFit;
     return solution;
 }
 

@@ -20,10 +20,10 @@ namespace bspline_curve {
     const PreparedSurface& prepared, const CurveProblem& problem, const Solution& lost
 );
 
-/// A spline that follows the path closely, with a trace by the nearest points of the path's sheet:
-/// usable where it is within the tolerance there (SolveStatus::TightFit). Where it is far, or
-/// enters what it is to avoid, the trace is the path itself (SolveStatus::ShortestPath). `path`:
-/// consecutive points share a face.
+/// A spline that follows the path closely, with a trace by the nearest points of the path's sheet;
+/// where these are far, or in what it is to avoid, by the points of the path itself. Usable where
+/// it is within the tolerance of them. SolveStatus::ShortestPath where the path itself is not, else
+/// SolveStatus::TightFit. `path`: consecutive points share a face.
 [[nodiscard]] Solution tightAlong(
     const PreparedSurface& prepared, CurveProblem problem, InitialPath path
 );
