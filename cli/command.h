@@ -10,7 +10,8 @@ namespace bspline_curve::cli {
 /// What the program returns to the shell.
 enum class ExitCode : int {
     Success = 0,
-    Failure = 1,  ///< bad mesh, picks or file, no usable curve where one is required, a shell that is wrong
+    Failure = 1,  ///< bad mesh, picks or file, no usable curve where one is required, a shell that
+                  ///< is wrong
     Usage = 2,    ///< an unknown option, or a value out of its range
     Interrupted = 130,  ///< Ctrl-C (128 + SIGINT), as shells report it
 };

@@ -19,8 +19,8 @@ namespace {
 
 struct StrategyConstants {
     /// Shares of the progress: for an attempt from another curve; of what is left, up to the end of
-    /// attempts without a shell, and of those that need one.
-    double startShare = 0.2, nearbyShare = 0.5, cellsShare = 0.95;
+    /// attempts without a shell, of a tight fit, and of attempts that need a shell.
+    double startShare = 0.2, nearbyShare = 0.5, tightlyShare = 0.55, cellsShare = 0.95;
     /// Of what needs the shell: up to its end, and of attempts at samples in it.
     double builtShare = 0.5, sampledShare = 0.7;
     /// Of attempts at samples: up to the end of the loose one, and of those from tight fits.
@@ -33,6 +33,12 @@ struct StrategyConstants {
     /// Shares of the field by which paths follow it, cell by cell: less where no spline along them
     /// stays in the shell.
     std::array<double, 3> guideShares = {1.0, 0.25, 0.0};
+    /// A shell for one curve that no attempt without one leads to is built in 0.1 s on surfaces of
+    /// up to so many faces. On larger ones a tight fit comes first.
+    int mostFaces = 5000;
+    /// No such shell is built where a vertex has more faces around it: they are all near to each
+    /// other there, and would be tested pair by pair.
+    int mostFacesAround = 100;
 };
 
 constexpr StrategyConstants kStrategy;
@@ -98,16 +104,46 @@ Solved CurveSolver::solveInTurn(const Progress& progress) const {
             return std::move(*solved);
         }
     }
+    std::optional<Solved> tight;
+    if (isLocal() && hasTriedSamples()) {
+        const bool isShellSlow = hasLargeFans();
+        if (isShellSlow || prepared_.surface().faceCount() > kStrategy.mostFaces) {
+            tight = solveTightly(partOf(rest, kStrategy.nearbyShare, kStrategy.tightlyShare));
+            if (isShellSlow || tight->solution.report.usable) {
+                return std::move(*tight);
+            }
+        }
+    }
     std::optional<Solved> inShell =
-        solveInShell(partOf(rest, kStrategy.nearbyShare, kStrategy.cellsShare));
+        solveInShell(partOf(rest, kStrategy.tightlyShare, kStrategy.cellsShare));
     const bool isInside = inShell && std::isfinite(inShell->solution.report.maxDistance);
     // Where picks are a penalty, curves that miss them are as they should be.
     const bool mayMissPicks = options_.interpolation == Interpolation::Penalty;
     if (isInside && (inShell->solution.report.usable || mayMissPicks)) {
         return std::move(*inShell);
     }
-    Solved tight = solveTightly(partOf(rest, kStrategy.cellsShare, 1.0));
-    return isInside && !tight.solution.report.usable ? std::move(*inShell) : std::move(tight);
+    if (!tight) {
+        tight = solveTightly(partOf(rest, kStrategy.cellsShare, 1.0));
+    }
+    return isInside && !tight->solution.report.usable ? std::move(*inShell) : std::move(*tight);
+}
+
+// Whether attempts at samples without a shell have had their chance.
+bool CurveSolver::hasTriedSamples() const {
+    CurveProblem problem;
+    problem.options = options_;
+    problem.fieldCosts = context_.field.costs;
+    return context_.obstacles == nullptr && isForSamples(problem);
+}
+
+bool CurveSolver::hasLargeFans() const {
+    const Surface& surface = prepared_.surface();
+    for (int v = 0; v < surface.vertexCount(); ++v) {
+        if (surface.facesAround(v).size() > kStrategy.mostFacesAround) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // Nothing where picks lie in faces that the shell leaves out, or have no way between them round

@@ -89,6 +89,8 @@ private:
     [[nodiscard]] std::optional<Solved> solveInCells(
         const ObtainedShell& whole, const Progress& progress
     ) const;
+    [[nodiscard]] bool hasTriedSamples() const;
+    [[nodiscard]] bool hasLargeFans() const;
     [[nodiscard]] bool arePicksIn(const std::vector<int>& faces) const;
 
     const PreparedSurface& prepared_;

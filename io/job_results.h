@@ -26,7 +26,8 @@ struct CurveFigures {
 
 enum class JobStatus : std::uint8_t {
     Done,     ///< a curve was written; `usable` says more
-    Failed,   ///< bad mesh, picks or options, or no usable curve where one is required; `message` says why
+    Failed,   ///< bad mesh, picks or options, or no usable curve where one is required; `message`
+              ///< says why
     Crashed,  ///< ended by a signal
 };
 
