@@ -179,10 +179,7 @@ SplineData exported(const SplineCurve& curve, const CurveProblem& problem) {
 
 // The part of a curve whose polyline is farther from its spline than the tolerance.
 std::optional<FarPart> farPartOf(
-    const Surface& surface,
-    const CurveProblem& problem,
-    const SplineCurve& spline,
-    const SurfacePolyline& line
+    const CurveProblem& problem, const SplineCurve& spline, const SurfacePolyline& line
 ) {
     const ShellFrame& frame = problem.extended->frame;
     std::optional<FarPart> part;
@@ -197,9 +194,7 @@ std::optional<FarPart> farPartOf(
             part->from = t;
         }
         part->to = t;
-        for (const int face : facesHolding(surface, line.surfacePoints[i])) {
-            part->faces.push_back(face);
-        }
+        part->faces.push_back(line.surfacePoints[i].face);
     }
     if (part) {
         sortUnique(part->faces);
@@ -216,7 +211,7 @@ Curve curveOf(const Surface& surface, Solved& solved, const SamplingOptions& sam
     curve.spline = exported(solution.curve, problem);
     curve.report = solution.report;
     if (!curve.report.usable) {
-        curve.report.farPart = farPartOf(surface, problem, solution.curve, curve.polyline);
+        curve.report.farPart = farPartOf(problem, solution.curve, curve.polyline);
     }
     return curve;
 }

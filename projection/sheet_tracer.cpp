@@ -128,10 +128,8 @@ private:
         SurfacePoint best = start;
         double squared = kInfinity;
         seen_.clear();
-        queue_ = facesHolding(surface_, start);
-        for (const int face : queue_) {
-            seen_.at(face, 1);
-        }
+        queue_ = {start.face};
+        seen_.at(start.face, 1);
         for (std::size_t i = 0; i < queue_.size() && i < kConstants.mostFaces; ++i) {
             const int face = queue_[i];
             const ClosestPointOnTriangle closest =

@@ -18,7 +18,7 @@ inline constexpr double kOnEdgeBarycentric = 1e-12;
 /// The same point in another of the faces that hold it.
 [[nodiscard]] SurfacePoint inFace(const Surface& surface, const SurfacePoint& point, int face);
 
-/// A face that holds both points, or -1.
+/// A face that holds both points, or -1. O(1), but where both are vertices.
 [[nodiscard]] int commonFace(const Surface& surface, const SurfacePoint& a, const SurfacePoint& b);
 
 /// The point with coordinates up to `tolerance` set to zero, so that it lies exactly on the edge or
