@@ -33,9 +33,10 @@ struct StrategyConstants {
     /// Shares of the field by which paths follow it, cell by cell: less where no spline along them
     /// stays in the shell.
     std::array<double, 3> guideShares = {1.0, 0.25, 0.0};
-    /// A shell for one curve that no attempt without one leads to is built in 0.1 s on surfaces of
-    /// up to so many faces. On larger ones a tight fit comes first.
+    /// With a shell a curve that no attempt without one leads to takes some tenths of a second on
+    /// surfaces of up to so many faces, through so many picks. Else a tight fit comes first.
     int mostFaces = 5000;
+    std::size_t mostPicks = 12;
     /// No such shell is built where a vertex has more faces around it: they are all near to each
     /// other there, and would be tested pair by pair.
     int mostFacesAround = 100;
@@ -107,7 +108,8 @@ Solved CurveSolver::solveInTurn(const Progress& progress) const {
     std::optional<Solved> tight;
     if (isLocal() && hasTriedSamples()) {
         const bool isShellSlow = hasLargeFans();
-        if (isShellSlow || prepared_.surface().faceCount() > kStrategy.mostFaces) {
+        if (isShellSlow || prepared_.surface().faceCount() > kStrategy.mostFaces ||
+            picks_.size() > kStrategy.mostPicks) {
             tight = solveTightly(partOf(rest, kStrategy.nearbyShare, kStrategy.tightlyShare));
             if (isShellSlow || tight->solution.report.usable) {
                 return std::move(*tight);
