@@ -30,7 +30,7 @@ CurveWorker::~CurveWorker() {
     thread_.join();
 }
 
-void CurveWorker::askLive(CurveRequest request) {
+void CurveWorker::askLive(SolveRequest request) {
     {
         const std::scoped_lock lock(mutex_);
         live_ = std::move(request);
@@ -47,12 +47,12 @@ void CurveWorker::dropLive() {
     isGivenUp_ = isGivenUp_ || isRunningLive_;
 }
 
-void CurveWorker::askOthers(std::vector<CurveRequest> requests) {
+void CurveWorker::askOthers(std::vector<SolveRequest> requests) {
     {
         const std::scoped_lock lock(mutex_);
         others_ = std::move(requests);
         if (running_ && !isRunningLive_) {
-            const auto same = std::ranges::find(others_, *running_, &CurveRequest::id);
+            const auto same = std::ranges::find(others_, *running_, &SolveRequest::id);
             isPostponed_ = false;  // it is among them, or is not wanted any more
             if (same == others_.end()) {
                 isGivenUp_ = true;
@@ -64,7 +64,7 @@ void CurveWorker::askOthers(std::vector<CurveRequest> requests) {
     changed_.notify_all();
 }
 
-std::vector<CurveAnswer> CurveWorker::takeAnswers() {
+std::vector<SolveAnswer> CurveWorker::takeAnswers() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(answers_, {});
 }
@@ -84,7 +84,7 @@ void CurveWorker::serve() {
             return;
         }
         isRunningLive_ = live_.has_value();
-        CurveRequest request;
+        SolveRequest request;
         if (isRunningLive_) {
             request = std::move(*live_);
             live_.reset();
@@ -95,7 +95,7 @@ void CurveWorker::serve() {
         running_ = request.id;
         isGivenUp_ = isPostponed_ = false;
         lock.unlock();
-        std::optional<CurveAnswer> answer;
+        std::optional<SolveAnswer> answer;
         try {
             answer = answerTo(request, [this](double, const char*) {
                 const std::scoped_lock inner(mutex_);
@@ -121,8 +121,8 @@ void CurveWorker::serve() {
     }
 }
 
-CurveAnswer CurveWorker::answerTo(const CurveRequest& request, const Progress& progress) const {
-    CurveAnswer answer{request.id, request.picks, nullptr, {}};
+SolveAnswer CurveWorker::answerTo(const SolveRequest& request, const Progress& progress) const {
+    SolveAnswer answer{request.id, request.picks, nullptr, {}};
     CurveInputs inputs;
     if (request.options.field) {
         inputs.field = *request.options.field;

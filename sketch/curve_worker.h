@@ -16,14 +16,14 @@
 namespace bspline_curve {
 
 /// A curve to be solved.
-struct CurveRequest {
+struct SolveRequest {
     std::uint64_t id = 0;  ///< of whoever asks; comes back with the answer
     std::vector<Vec3> picks;
     SketchCurveOptions options;
     std::shared_ptr<const Curve> start;  ///< see CurveInputs::start; null: from scratch
 };
 
-struct CurveAnswer {
+struct SolveAnswer {
     std::uint64_t id = 0;
     std::vector<Vec3> picks;             ///< those that were asked for
     std::shared_ptr<const Curve> curve;  ///< null: there is none, see `problem`
@@ -45,34 +45,34 @@ public:
     CurveWorker& operator=(const CurveWorker&) = delete;
 
     /// Replaces the live request that waits.
-    void askLive(CurveRequest request);
+    void askLive(SolveRequest request);
     /// Replaces the others, in the order in which they are to be solved; one that is being solved
     /// and is not among them is given up.
-    void askOthers(std::vector<CurveRequest> requests);
+    void askOthers(std::vector<SolveRequest> requests);
     /// Gives up what is asked for and what is being solved.
     void dropLive();
 
     /// The answers since the last call, oldest first.
-    [[nodiscard]] std::vector<CurveAnswer> takeAnswers();
+    [[nodiscard]] std::vector<SolveAnswer> takeAnswers();
     /// Waits until there is an answer or nothing is left to solve.
     void wait();
 
 private:
     void serve();
-    [[nodiscard]] CurveAnswer answerTo(const CurveRequest& request, const Progress& progress) const;
+    [[nodiscard]] SolveAnswer answerTo(const SolveRequest& request, const Progress& progress) const;
 
     std::shared_ptr<const CurveDesigner> designer_;
     std::function<void()> wake_;
     std::mutex mutex_;  // of all below
     std::condition_variable changed_;
-    std::optional<CurveRequest> live_;
-    std::vector<CurveRequest> others_;
+    std::optional<SolveRequest> live_;
+    std::vector<SolveRequest> others_;
     std::optional<std::uint64_t> running_;  // id
     bool isRunningLive_ = false;
     bool isGivenUp_ = false;    // the one that runs
     bool isPostponed_ = false;  // given up for a live one, to be begun again
     bool isEnding_ = false;
-    std::vector<CurveAnswer> answers_;
+    std::vector<SolveAnswer> answers_;
     std::thread thread_;  // last: it uses the others
 };
 

@@ -443,7 +443,7 @@ void DrawingSession::askSettled() {
         return asked.kind == Asking::Settled &&
                std::ranges::find(sketch_.curves, asked.curve) == sketch_.curves.end();
     });
-    std::vector<CurveRequest> requests;
+    std::vector<SolveRequest> requests;
     for (const std::shared_ptr<SketchCurve>& curve : sketch_.curves) {
         if (curve->isSettled()) {
             continue;
@@ -465,13 +465,13 @@ void DrawingSession::dropLive() {
 
 bool DrawingSession::update() {
     bool isOther = false;
-    for (const CurveAnswer& answer : worker_.takeAnswers()) {
+    for (const SolveAnswer& answer : worker_.takeAnswers()) {
         isOther = take(answer) || isOther;
     }
     return isOther;
 }
 
-bool DrawingSession::take(const CurveAnswer& answer) {
+bool DrawingSession::take(const SolveAnswer& answer) {
     const auto place = std::ranges::find(asked_, answer.id, &Asked::id);
     if (place == asked_.end()) {
         return false;

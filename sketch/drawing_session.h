@@ -133,7 +133,7 @@ private:
     void askSettled();
     std::uint64_t ask(Asking kind, std::shared_ptr<SketchCurve> curve);
     void dropLive();
-    bool take(const CurveAnswer& answer);
+    bool take(const SolveAnswer& answer);
     void show(const Sketch& state);
     void requireCurve(int curve) const;
     void requirePick(int pick) const;

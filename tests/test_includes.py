@@ -7,7 +7,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 ROOMS = ["utility", "surface", "spline", "shell", "projection", "solver", "design", "sketch", "field", "io", "filters"]
-HOSTS = ["cli", "filter_bspline_curve", "filter_bspline_curve_legacy"]
+HOSTS = ["cli", "filter_bspline_curve", "filter_bspline_curve_legacy", "edit_bspline_curve", "edit_bspline_curve_legacy"]
 
 
 def included_by(room):

@@ -16,16 +16,16 @@ using namespace test_support;
 
 class AWorker : public testing::Test {
 protected:
-    [[nodiscard]] CurveRequest request(std::uint64_t id) const {
+    [[nodiscard]] SolveRequest request(std::uint64_t id) const {
         return {id, onSurface(designer_->mesh(), kSpherePicks), {}, nullptr};
     }
 
     // The answers until all is done.
-    std::vector<CurveAnswer> answers() {
-        std::vector<CurveAnswer> all;
+    std::vector<SolveAnswer> answers() {
+        std::vector<SolveAnswer> all;
         while (true) {
             worker_.wait();
-            std::vector<CurveAnswer> some = worker_.takeAnswers();
+            std::vector<SolveAnswer> some = worker_.takeAnswers();
             if (some.empty()) {
                 return all;
             }
@@ -46,7 +46,7 @@ TEST_F(AWorker, AnswersTheNewestLiveRequestAndAllOthersInTheirOrder) {
     }
     std::vector<std::uint64_t> live;
     std::vector<std::uint64_t> others;
-    for (const CurveAnswer& answer : answers()) {
+    for (const SolveAnswer& answer : answers()) {
         (answer.id >= 10 ? live : others).push_back(answer.id);
         ASSERT_TRUE(answer.curve);
         EXPECT_EQ(answer.curve->polyline.points, designer_->design(answer.picks).polyline.points);
@@ -65,7 +65,7 @@ TEST_F(AWorker, ForgetsWhatIsNoLongerAskedFor) {
     worker_.askLive(request(10));
     worker_.dropLive();
     std::vector<std::uint64_t> ids;
-    for (const CurveAnswer& answer : answers()) {
+    for (const SolveAnswer& answer : answers()) {
         ids.push_back(answer.id);
     }
     ASSERT_GE(ids.size(), 2U);
@@ -75,10 +75,10 @@ TEST_F(AWorker, ForgetsWhatIsNoLongerAskedFor) {
 }
 
 TEST_F(AWorker, SaysWhyThereIsNoCurveAndWhichPicksAreConcerned) {
-    CurveRequest far = request(1);
+    SolveRequest far = request(1);
     far.picks[2] *= 3.0;
     worker_.askLive(far);
-    const std::vector<CurveAnswer> all = answers();
+    const std::vector<SolveAnswer> all = answers();
     ASSERT_EQ(all.size(), 1U);
     EXPECT_EQ(all[0].curve, nullptr);
     EXPECT_EQ(all[0].problem.picks, std::vector<int>{2});

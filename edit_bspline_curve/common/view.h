@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// clang-format off
+#include <GL/glew.h>  // before gl.h, which Qt includes
+// clang-format on
+
+#include "sketch/pointer.h"
+
+#include <Eigen/Core>
+
+#include <QGLWidget>
+#include <QPointF>
+
+namespace bspline_curve {
+
+/// How a view of MeshLab shows the world: the matrices of OpenGL, as they are while it draws.
+class View {
+public:
+    /// From the current context, within the host's drawing.
+    explicit View(const QGLWidget& widget);
+
+    /// The ray through a position in the widget, in logical pixels from its top left corner.
+    [[nodiscard]] Pointer pointerAt(const QPointF& position) const;
+    /// Where a point of the world is in the widget, likewise.
+    [[nodiscard]] QPointF positionOf(const Vec3& point) const;
+
+private:
+    Eigen::Matrix4d modelView_, projection_;
+    Eigen::Vector4d viewport_;  ///< device pixels: x, y, width, height
+    double ratio_;              ///< device pixels per logical pixel
+    double height_;             ///< of the widget, device pixels
+};
+
+}  // namespace bspline_curve
