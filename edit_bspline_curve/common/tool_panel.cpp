@@ -38,7 +38,7 @@ QString describe(const SketchCurve& curve) {
     const SolveReport& report = curve.settled->report;
     const auto& s = report.seconds;
     const double seconds =
-        s.path + s.initial + s.minimise + s.knots + s.polyline + s.crossings + s.failedAttempts;
+        s.path + s.initial + s.minimise + s.knots + s.polyline + s.failedAttempts;
     return QObject::tr("%1 picks, length %2\n%3 edges from the surface (allowed: %4)\n%5 ms")
         .arg(picks)
         .arg(length, 0, 'g', 4)
