@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edit_bspline_curve/edit_bspline_curve.h"
+
+#include "edit_bspline_curve/common/tool_icon.h"
+#include "filter_bspline_curve/common/dialog_parameters.h"
+#include "filter_bspline_curve/common/layer_arrays.h"
+#include "filter_bspline_curve/common/surface_choice.h"
+#include "filters/filter_description.h"
+
+#include <common/filterscript.h>
+#include <common/ml_shared_data_context/ml_shared_data_context.h>
+#include <common/plugins/interfaces/filter_plugin.h>
+
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <exception>
+#include <set>
+#include <stdexcept>
+
+using namespace bspline_curve;
+
+namespace {
+
+// MeshLab makes the view's context current before it calls a tool.
+QGLWidget* currentView() {
+    const QGLContext* const context = QGLContext::currentContext();
+    return context == nullptr ? nullptr : dynamic_cast<QGLWidget*>(context->device());
+}
+
+// The filter for curves, which is a plugin of its own.
+QAction& filterOf(const QWidget& window) {
+    const QString name = QString::fromStdString(curveFilter().name);
+    for (const QMenu* const menu : window.findChildren<QMenu*>()) {
+        for (QAction* const action : menu->actions()) {
+            if (action->text() == name &&
+                qobject_cast<FilterPlugin*>(action->parent()) != nullptr) {
+                return *action;
+            }
+        }
+    }
+    throw std::runtime_error(
+        "the filter \"" + curveFilter().name + "\" is not there: install its plugin as well"
+    );
+}
+
+QString picksText(const SketchCurve& curve) {
+    QString text;
+    for (const SketchPick& pick : curve.picks) {
+        for (int axis = 0; axis < 3; ++axis) {
+            text += QString::number(pick.position[axis], 'g', 17) + ' ';
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+RichParameterList parametersOf(const SketchCurve& curve, MeshDocument& document, int surface) {
+    RichParameterList parameters = dialogParameters(curveFilter(), document, Offered::All);
+    const SolverOptions& options = curve.options.solver;
+    parameters.setValue("surface_layer", IntValue(surface));
+    parameters.setValue("picks", StringValue(picksText(curve)));
+    parameters.setValue("closed", BoolValue(options.closed));
+    parameters.setValue("degree", IntValue(options.degree));
+    parameters.setValue("tension", FloatValue(static_cast<float>(options.tension)));
+    return parameters;
+}
+
+}  // namespace
+
+bool EditBsplineCurve::startEdit(
+    MeshDocument& document, GLArea* /*area*/, MLSceneGLSharedDataContext* shared
+) {
+    view_ = currentView();
+    const MeshModel* const surface = defaultSurface(document);
+    if (surface == nullptr || view_ == nullptr) {
+        return false;
+    }
+    document_ = &document;
+    shared_ = shared;
+    surface_ = static_cast<int>(surface->id());
+    try {
+        tool_ = std::make_unique<CurveTool>(
+            *view_, arraysOf(*surface).input.mesh, [this](const CurveTool::Curves& curves) {
+                makeLayers(curves);
+            }
+        );
+    } catch (const std::exception& error) {
+        document.Log.log(GLLogStream::WARNING, error.what());
+        return false;
+    }
+    return true;
+}
+
+void EditBsplineCurve::endEdit(
+    MeshDocument& /*document*/, GLArea* /*area*/, MLSceneGLSharedDataContext* /*shared*/
+) {
+    tool_.reset();
+}
+
+void EditBsplineCurve::layerChanged(
+    MeshDocument& document, MeshModel& /*before*/, GLArea* area, MLSceneGLSharedDataContext* shared
+) {
+    if (tool_ && document.getMesh(surface_) == nullptr) {
+        endEdit(document, area, shared);
+        startEdit(document, area, shared);
+    }
+}
+
+void EditBsplineCurve::decorate(MeshModel& /*layer*/, GLArea* /*area*/, QPainter* /*painter*/) {
+    if (tool_) {
+        tool_->draw();
+    }
+}
+
+void EditBsplineCurve::mousePressEvent(QMouseEvent* event, MeshModel& /*layer*/, GLArea* /*area*/) {
+    if (tool_) {
+        tool_->mousePress(*event);
+    }
+}
+
+void EditBsplineCurve::mouseMoveEvent(QMouseEvent* event, MeshModel& /*layer*/, GLArea* /*area*/) {
+    if (tool_) {
+        tool_->mouseMove(*event);
+    }
+}
+
+void EditBsplineCurve::mouseReleaseEvent(
+    QMouseEvent* event, MeshModel& /*layer*/, GLArea* /*area*/
+) {
+    if (tool_) {
+        tool_->mouseRelease(*event);
+    }
+}
+
+void EditBsplineCurve::keyPressEvent(QKeyEvent* event, MeshModel& /*layer*/, GLArea* /*area*/) {
+    if (tool_) {
+        tool_->keyPress(*event);
+    }
+}
+
+void EditBsplineCurve::wheelEvent(QWheelEvent* event, MeshModel& /*layer*/, GLArea* /*area*/) {
+    if (tool_) {
+        tool_->wheel(*event);
+    }
+}
+
+void EditBsplineCurve::makeLayers(const CurveTool::Curves& curves) {
+    QAction& filter = filterOf(*view_->window());
+    for (const std::shared_ptr<const SketchCurve>& curve : curves) {
+        makeLayer(*curve, filter);
+    }
+    document_->setCurrentMesh(surface_);
+    document_->setVisible(surface_, true);  // lets the list of layers see it
+}
+
+// By the filter, so that log and history show it.
+void EditBsplineCurve::makeLayer(const SketchCurve& curve, QAction& filter) {
+    auto& interface = *qobject_cast<FilterPlugin*>(filter.parent());
+    std::set<int> before;
+    for (const MeshModel& layer : document_->meshIterator()) {
+        before.insert(static_cast<int>(layer.id()));
+    }
+    const RichParameterList parameters = parametersOf(curve, *document_, surface_);
+    interface.setLog(&document_->Log);
+    unsigned int changed = 0;
+    interface.applyFilter(&filter, parameters, *document_, changed, nullptr);  // throws MLException
+    FilterNameParameterValuesPair entry;
+    entry.first = filter.text();
+    entry.second = parameters;
+    document_->filterHistory.append(entry);
+    for (MeshModel& layer : document_->meshIterator()) {
+        if (!before.contains(static_cast<int>(layer.id()))) {
+            MLRenderingData data;
+            MLPoliciesStandAloneFunctions::suggestedDefaultPerViewRenderingData(&layer, data);
+            shared_->setRenderingDataPerMeshView(
+                static_cast<int>(layer.id()), view_->context(), data
+            );
+            shared_->manageBuffers(static_cast<int>(layer.id()));
+        }
+    }
+}
+
+EditBsplineCurvePlugin::EditBsplineCurvePlugin()
+    : action_(new QAction(toolIcon(), "Draw B-spline Curves", this)) {
+    action_->setCheckable(true);
+    actionList.push_back(action_);
+}
+
+QString EditBsplineCurvePlugin::pluginName() const {
+    return "EditBsplineCurve";
+}
+
+QString EditBsplineCurvePlugin::vendor() const {
+    return "bspline_curve";
+}
+
+EditTool* EditBsplineCurvePlugin::getEditTool(const QAction* action) {
+    return action == action_ ? new EditBsplineCurve : nullptr;
+}
+
+QString EditBsplineCurvePlugin::getEditToolDescription(const QAction* /*action*/) {
+    return "Draws smooth B-spline curves on the surface: click points, drag them, and the curve "
+           "follows.";
+}
