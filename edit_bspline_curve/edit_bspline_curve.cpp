@@ -79,7 +79,7 @@ bool EditBsplineCurve::startEdit(
     }
     document_ = &document;
     shared_ = shared;
-    surface_ = static_cast<int>(surface->id());
+    surface_ = surface->id();
     try {
         tool_ = std::make_unique<CurveTool>(
             *view_, arraysOf(*surface).input.mesh, [this](const CurveTool::Curves& curves) {
@@ -160,7 +160,7 @@ void EditBsplineCurve::makeLayer(const SketchCurve& curve, QAction& filter) {
     auto& interface = *qobject_cast<FilterPlugin*>(filter.parent());
     std::set<int> before;
     for (const MeshModel& layer : document_->meshIterator()) {
-        before.insert(static_cast<int>(layer.id()));
+        before.insert(layer.id());
     }
     const RichParameterList parameters = parametersOf(curve, *document_, surface_);
     interface.setLog(&document_->Log);
@@ -171,13 +171,11 @@ void EditBsplineCurve::makeLayer(const SketchCurve& curve, QAction& filter) {
     entry.second = parameters;
     document_->filterHistory.append(entry);
     for (MeshModel& layer : document_->meshIterator()) {
-        if (!before.contains(static_cast<int>(layer.id()))) {
+        if (!before.contains(layer.id())) {
             MLRenderingData data;
             MLPoliciesStandAloneFunctions::suggestedDefaultPerViewRenderingData(&layer, data);
-            shared_->setRenderingDataPerMeshView(
-                static_cast<int>(layer.id()), view_->context(), data
-            );
-            shared_->manageBuffers(static_cast<int>(layer.id()));
+            shared_->setRenderingDataPerMeshView(layer.id(), view_->context(), data);
+            shared_->manageBuffers(layer.id());
         }
     }
 }
