@@ -20,8 +20,8 @@ OF_HOSTS = {"surface_layer", "picks_layer", "picks_file", "picks", "field_region
             "control_polygon", "shell_layers"}
 # What the program alone has.
 OF_PROGRAM = {
-    (): {"picks", "output", "report", "repeat", "repair", "no-cache", "field-region", "field-region-under",
-         "field-region-over"},
+    (): {"picks", "output", "report", "repeat", "require-usable", "repair", "no-cache", "field-region",
+         "field-region-under", "field-region-over"},
     ("field",): {"output", "report", "repair", "region", "region-under", "region-over"},
     ("shell",): {"output", "report", "check", "repair", "no-cache"},
 }
