@@ -41,7 +41,7 @@ public:
     // By feet of the spline.
     CurveDistance follow() {
         GeodesicPathFinder ways(surface_, {});
-        std::vector<double> parameters = feetParameters();
+        const std::vector<double> parameters = feetParameters();
         std::size_t nextPick = 1;
         trace_.points.push_back({0.0, traced_.picks.front().point});
         measure(trace_.points.back());

@@ -60,18 +60,26 @@ TEST_F(AWorker, AnswersTheNewestLiveRequestAndAllOthersInTheirOrder) {
 }
 
 TEST_F(AWorker, ForgetsWhatIsNoLongerAskedFor) {
-    worker_.askOthers({request(1), request(2), request(3)});
+    constexpr std::uint64_t kMany = 2000;
+    std::vector<SolveRequest> many;
+    for (std::uint64_t id = 100; id < 100 + kMany; ++id) {
+        many.push_back(request(id));
+    }
+    worker_.askOthers(many);
     worker_.askOthers({request(3), request(4)});
-    worker_.askLive(request(10));
-    worker_.dropLive();
     std::vector<std::uint64_t> ids;
     for (const SolveAnswer& answer : answers()) {
         ids.push_back(answer.id);
     }
     ASSERT_GE(ids.size(), 2U);
+    EXPECT_LT(ids.size(), kMany);
     EXPECT_EQ(ids[ids.size() - 2], 3U);
     EXPECT_EQ(ids.back(), 4U);
-    EXPECT_EQ(std::ranges::count(ids, 2U), 0);
+    for (int i = 0; i < 20; ++i) {
+        worker_.askLive(request(10));
+        worker_.dropLive();
+    }
+    EXPECT_LT(answers().size(), 20U);
 }
 
 TEST_F(AWorker, SaysWhyThereIsNoCurveAndWhichPicksAreConcerned) {
