@@ -378,7 +378,7 @@ SketchCurve& DrawingSession::begun() {
 
 void DrawingSession::insertBehind(int after, const SurfacePoint& point) {
     SketchCurve& curve = changed();
-    curve.picks.insert(curve.picks.begin() + after + 1, pickAt(point));
+    curve.picks.insert(curve.picks.begin() + (after + 1), pickAt(point));
     sketch_.selected = after + 1;
 }
 
