@@ -17,6 +17,7 @@
 #include "cli/verb.h"
 #include "design/designer_surface.h"
 #include "field/make_field.h"
+#include "filters/automatic_field.h"
 #include "filters/requests.h"
 #include "filters/unusable_curve.h"
 #include "io/atomic_file.h"
@@ -50,6 +51,7 @@ constexpr double kFieldShare = 0.7;
 struct Inputs {
     std::vector<Vec3> picks;
     std::vector<double> quality;  ///< of the mesh as repaired
+    std::vector<std::string> notes;
 };
 
 /// Refuses a word of an option that is neither one of its words nor a file.
@@ -67,7 +69,7 @@ void checkIsFile(std::string_view option, const std::filesystem::path& word) {
 
 /// Refuses what could only fail after the work.
 void checkFiles(const CurveArguments& arguments) {
-    if (!findFieldKind(arguments.field)) {
+    if (arguments.field != kAutomaticField && !findFieldKind(arguments.field)) {
         checkIsFile("field", arguments.field);
     }
     checkIsFile("avoid", arguments.avoid.file);
@@ -77,6 +79,22 @@ void checkFiles(const CurveArguments& arguments) {
         checkReportExtension(arguments.report);
         checkWritable(arguments.report);
     }
+}
+
+/// Makes of a field that nobody chose the quality of the mesh, or none; what to say of it.
+std::vector<std::string> chooseField(CurveArguments& arguments, const LoadedMesh& loaded) {
+    if (arguments.field != kAutomaticField) {
+        return {};
+    }
+    if (!isFollowedUnasked(loaded.mesh.quality)) {
+        arguments.field.clear();
+        return {};
+    }
+    arguments.field = name(FieldKind::Quality);
+    return {
+        "the curve follows the quality of " + arguments.mesh.filename().string() +
+        "; --field none draws it without"
+    };
 }
 
 /// The values of a file, or of the mesh where they are asked for, as field or for a threshold.
@@ -100,10 +118,11 @@ std::vector<Vec3> picksFor(CurveArguments& arguments) {
     return std::move(picks.picks);
 }
 
-Inputs inputsFor(
-    const CurveArguments& arguments, const LoadedMesh& loaded, std::vector<Vec3> picks
-) {
-    Inputs inputs{.picks = std::move(picks), .quality = qualityFor(arguments, loaded)};
+Inputs inputsFor(CurveArguments& arguments, const LoadedMesh& loaded, std::vector<Vec3> picks) {
+    Inputs inputs{
+        .picks = std::move(picks), .quality = {}, .notes = chooseField(arguments, loaded)
+    };
+    inputs.quality = qualityFor(arguments, loaded);
     if (loaded.repair && !inputs.quality.empty()) {
         inputs.quality = loaded.repair->carriedOver(inputs.quality);
     }
@@ -262,6 +281,7 @@ ExitCode drawAndWrite(
     Drawn drawn = drawCold(arguments, inputs, prepared, bar);
     drawn.figures.warmSeconds = timeWarm(arguments, inputs, prepared.designer, drawn, bar);
     bar.clear();
+    printNotes(inputs.notes);
     printNotes(drawn.figures.shell.notes);
     writeResults(arguments, prepared, drawn);
     if (drawn.curve.report.usable) {

@@ -154,7 +154,9 @@ private:
         arguments_.fieldOptions.kind = FieldKind::Quality;
         if (request.field) {
             arguments_.fieldOptions = request.field->options;
-            arguments_.field = fieldFile_.empty() ? name(arguments_.fieldOptions.kind) : fieldFile_;
+            arguments_.field = request.field->automatic ? kAutomaticField
+                               : fieldFile_.empty()     ? name(arguments_.fieldOptions.kind)
+                                                        : fieldFile_;
         }
         checkRegion(arguments_.fieldRegion, arguments_.fieldOptions.kind, kFieldPrefix);
     }

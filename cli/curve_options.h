@@ -19,8 +19,8 @@ namespace bspline_curve::cli {
 struct CurveArguments {
     std::filesystem::path mesh, picks, output;
     std::filesystem::path report;  ///< empty: none asked for
-    std::string field;             ///< empty: none; the name of a kind; else a file of values
-    FieldOptions fieldOptions;     ///< of a file, too: its values are those of the kind quality
+    std::string field;          ///< empty: none; "auto"; the name of a kind; else a file of values
+    FieldOptions fieldOptions;  ///< of a file, too: its values are those of the kind quality
     RegionArguments fieldRegion;
     RegionArguments
         avoid;       ///< thresholds are for the field, or for the quality where there is none

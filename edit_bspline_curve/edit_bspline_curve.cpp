@@ -62,6 +62,9 @@ RichParameterList parametersOf(const SketchCurve& curve, MeshDocument& document,
     parameters.setValue("surface_layer", IntValue(surface));
     parameters.setValue("picks", StringValue(picksText(curve)));
     parameters.setValue("closed", BoolValue(options.closed));
+    // Curves are drawn without a field.
+    const std::size_t none = curveFilter().parameter("field").indexOf("none").value();
+    parameters.setValue("field", IntValue(static_cast<int>(none)));
     parameters.setValue("degree", IntValue(options.degree));
     parameters.setValue("tension", FloatValue(static_cast<float>(options.tension)));
     return parameters;

@@ -60,6 +60,9 @@ RichParameterList parametersOf(const SketchCurve& curve, MeshDocument& document,
     parameters.setValue("surface_layer", MeshValue(document.getMesh(surface)));
     parameters.setValue("picks", StringValue(picksText(curve)));
     parameters.setValue("closed", BoolValue(options.closed));
+    // Curves are drawn without a field.
+    const std::size_t none = curveFilter().parameter("field").indexOf("none").value();
+    parameters.setValue("field", EnumValue(static_cast<int>(none)));
     parameters.setValue("degree", IntValue(options.degree));
     parameters.setValue("tension", DynamicFloatValue(static_cast<float>(options.tension)));
     return parameters;

@@ -41,12 +41,31 @@ FieldRequest readField(
     return request;
 }
 
+// Nobody chose it, so nobody knows its unit either: it is mapped to [0, 1].
+FieldRequest automaticField(const ParameterValues& values) {
+    FieldRequest request = readField(values, "field", "field_");
+    request.options.kind = FieldKind::Quality;
+    request.options.normalised = true;
+    request.automatic = true;
+    return request;
+}
+
 }  // namespace
+
+bool hasThreshold(Avoid avoid) {
+    return avoid == Avoid::UnderThreshold || avoid == Avoid::OverThreshold;
+}
 
 CurveRequest curveRequest(const ParameterValues& values) {
     CurveRequest request;
     readAll(values, curveBindings(), request);
-    if (values.get<std::string>("field") != kNone) {
+    const auto field = values.get<std::string>("field");
+    if (field == kAutomaticField) {
+        // A threshold of faces to avoid is a use of the quality already.
+        if (!hasThreshold(request.avoid)) {
+            request.field = automaticField(values);
+        }
+    } else if (field != kNone) {
         request.field = readField(values, "field", "field_");
     }
     if (values.get<std::string>("preset") == "paper") {

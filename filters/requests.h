@@ -16,10 +16,14 @@ namespace bspline_curve {
 /// Which selection of a layer is a region.
 enum class RegionSource { SelectedFaces, SelectedVertices };
 
+/// The choice of `field` for a quality that is followed unasked.
+inline constexpr const char* kAutomaticField = "auto";
+
 /// A field that the user asked for.
 struct FieldRequest {
     FieldOptions options;
     RegionSource region = RegionSource::SelectedFaces;
+    bool automatic = false;  ///< nobody asked: only where isFollowedUnasked() holds for the quality
 };
 
 /// What a curve does not enter: a selection of the layer, or the faces over which the mean of the
@@ -45,6 +49,9 @@ struct CurveRequest {
     bool controlPolygon = false;  ///< as a layer
     bool shellLayers = false;     ///< top and bottom of the shell
 };
+
+/// Whether faces to avoid are those under or over a threshold.
+[[nodiscard]] bool hasThreshold(Avoid avoid);
 
 /// What a user of curveFilter() asked for. Throws InputError (BadOption) naming the value and its
 /// range where a number is outside.

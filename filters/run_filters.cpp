@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "design/designer_surface.h"
 #include "field/make_field.h"
+#include "filters/automatic_field.h"
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
@@ -164,8 +165,10 @@ CurveResult runCurveFilter(
         designerFor(surface, request.shell, designers, partOf(progress, 0.0, kSurfaceShare));
     const CurveDesigner& designer = *found.designer;
     checkTube(request, surfaceOf(designer));
+    const bool hasField =
+        request.field && (!request.field->automatic || isFollowedUnasked(surface.quality));
     std::vector<double> field;
-    if (request.field) {
+    if (hasField) {
         field = madeFrom(surface, [&] {
             return fieldOf(
                 surface,
@@ -190,9 +193,10 @@ CurveResult runCurveFilter(
     result.quality = field.empty() ? result.curve.polyline.parameters : along;
     result.figures = curveFigures(result.curve, found, watch.lap());
     result.log = {
-        // The shell's name is no figure, since pymeshlab warns of texts.
-        .figures =
-            std::string("shell=") + shellName(result.curve) + " " + keyValueText(result.figures),
+        // Names are no figures, since pymeshlab warns of texts.
+        .figures = std::string("shell=") + shellName(result.curve) +
+                   " field=" + (hasField ? name(request.field->options.kind) : "none") + " " +
+                   keyValueText(result.figures),
         .warnings = warningsOf(result.curve, found)
     };
     addExtras(request, designer, along, result);

@@ -15,7 +15,7 @@ from .curve import Curve
 
 Field: TypeAlias = Literal[
     "none", "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance",
-    "quality", "obstacle",
+    "quality", "obstacle", "auto",
 ]
 FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
 Avoid: TypeAlias = Literal["none", "under-threshold", "over-threshold"]
@@ -43,7 +43,7 @@ def draw_curve(
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
-    field: Field | npt.ArrayLike = "none",
+    field: Field | npt.ArrayLike = "auto",
     quality: npt.ArrayLike | None = None,
     field_cost: FieldCost = "natural",
     field_weight: float = 2000.0,
@@ -104,12 +104,13 @@ def draw_curve(
     tension : float in [0, 1], default 0.0
         From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
     field : {'none', 'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
-        'quality', 'obstacle'} or (n,) array of float, its values, default 'none'
+        'quality', 'obstacle', 'auto'} or (n,) array of float, its values, default 'auto'
         A scalar that draws the curve to where its cost is low. none: no field; normal-variation: least product of the
         normals of a vertex and its faces; maximal-curvature: largest principal curvature, at a scale; ridge: how convex
         the surface is across, at a scale; valley: how concave the surface is across, at a scale; crease-distance: along
         the surface, to its sharp edges; boundary-distance: along the surface, to its own edges; quality: the per-vertex
-        quality of the mesh; obstacle: a hill on a region of faces.
+        quality of the mesh; obstacle: a hill on a region of faces; auto: the per-vertex quality, mapped to [0, 1],
+        where the mesh has one that is finite and not constant and that no threshold of avoid is for; else none.
     quality : (n,) array of float, optional
         A value for each vertex, for field 'quality' and for faces to avoid where there is no field.
     field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'

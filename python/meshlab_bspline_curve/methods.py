@@ -12,7 +12,7 @@ from .run import apply
 
 Field: TypeAlias = Literal[
     "none", "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance",
-    "quality", "obstacle",
+    "quality", "obstacle", "auto",
 ]
 FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
 Avoid: TypeAlias = Literal["none", "selected-faces", "selected-vertices", "under-threshold", "over-threshold"]
@@ -44,7 +44,7 @@ def generate_bspline_curve_on_surface(
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
-    field: Field = "none",
+    field: Field = "auto",
     field_cost: FieldCost = "natural",
     field_weight: float = 2000.0,
     samples: int = 256,
@@ -117,12 +117,13 @@ def generate_bspline_curve_on_surface(
     tension : float in [0, 1], default 0.0
         From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
     field : {'none', 'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
-        'quality', 'obstacle'}, default 'none'
+        'quality', 'obstacle', 'auto'}, default 'auto'
         A scalar that draws the curve to where its cost is low. none: no field; normal-variation: least product of the
         normals of a vertex and its faces; maximal-curvature: largest principal curvature, at a scale; ridge: how convex
         the surface is across, at a scale; valley: how concave the surface is across, at a scale; crease-distance: along
         the surface, to its sharp edges; boundary-distance: along the surface, to its own edges; quality: the per-vertex
-        quality of the mesh; obstacle: a hill on a region of faces.
+        quality of the mesh; obstacle: a hill on a region of faces; auto: the per-vertex quality, mapped to [0, 1],
+        where the mesh has one that is finite and not constant and that no threshold of avoid is for; else none.
     field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
         What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
         valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),

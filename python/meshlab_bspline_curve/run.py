@@ -48,7 +48,7 @@ def draw(
     values = {**options, "picks": picks_text(through), "save": "" if save is None else os.fspath(save)}
     values["field"], quality = chosen_field(choices, len(vertices))
     values["avoid"], selected = chosen_faces(choices, values["field"], len(faces))
-    if values["avoid"] in ("under-threshold", "over-threshold") and values["field"] == "none" and quality is None:
+    if values["avoid"] in ("under-threshold", "over-threshold") and values["field"] in ("none", "auto") and quality is None:
         raise ValueError(f"avoid is {values['avoid']!r}, which needs a field or quality: give one of them")
     values = checked(CURVE, values)
     if not len(through):

@@ -42,6 +42,8 @@ class Case:
 
     def file(self, name, *words):
         options = ("--degree", self.degree, "--samples", 40, *(["--closed"] if self.closed else []), *words)
+        if "--field" not in words:
+            options += ("--field", "none")
         process = self.run("hill.ply", "--picks", "picks.json", "--output", name, *options)
         assert process.returncode == 0, process.stderr
         return self.folder / name

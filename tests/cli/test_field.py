@@ -223,7 +223,7 @@ def test_a_file_is_a_quality_with_the_options_of_fields(run, tmp_path, fold):
 
 
 def test_valleys_and_creases_draw_the_curve_into_the_fold(run, tmp_path, fold):
-    straight, report = drawn(run, tmp_path)
+    straight, report = drawn(run, tmp_path, "--field", "none")
     assert report["field"] is None and report["seconds"]["field"] == 0
     # Far from the fold its curvature is 0, and so is the pull, unless it is smoothed wide.
     for words in (("valley", "--field-smoothing", "0.2"), ("crease-distance", "--field-reach", "0.5")):
@@ -237,7 +237,7 @@ def test_obstacles_push_the_curve_away(run, tmp_path, fold):
     centres = np.stack([x, V[:, 1]], 1)[F].mean(1)
     np.save(tmp_path / "region.npy", np.flatnonzero(np.linalg.norm(centres - [0.27, 0.5], axis=1) < 0.12))
     inside = lambda vertex: np.hypot(vertex["x"] - 0.27, vertex["y"] - 0.5).min() < 0.1
-    straight, _ = drawn(run, tmp_path)
+    straight, _ = drawn(run, tmp_path, "--field", "none")
     pushed, _ = drawn(run, tmp_path, "--field", "obstacle", "--field-region", "region.npy", "--mu", "100")
     assert inside(straight) and not inside(pushed)
 

@@ -76,7 +76,7 @@ def test_missing_files(refused):
         (2, ("frobnicate", "plate.ply"), ["help|batch|curve|field|shell\n"]),
         (2, ("help", "bach"), ["did you mean batch?"]),
         (1, (*DEFAULT, "--field", "valey"), ["--field valey: there is no such file", "|valley|", "did you mean valley?"]),
-        (1, (*DEFAULT, "--field", "none.npy"), ["none.npy: there is no such file", "|obstacle\n"]),
+        (1, (*DEFAULT, "--field", "none.npy"), ["none.npy: there is no such file", "|obstacle|auto\n"]),
         (1, (*DEFAULT, "--avoid", "selected"), ["--avoid selected: there is no such file", "over-threshold"]),
         (2, (*DEFAULT, "--shell", "ful"), ["ful is none of local|full|simplified; did you mean full?"]),
     ],

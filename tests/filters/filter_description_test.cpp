@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "filters/description_html.h"
 #include "filters/parameter_values.h"
+#include "filters/requests.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -132,7 +133,9 @@ TEST(FilterDescription, BothFiltersSayTheSameOfTheSameParameters) {
     }
     const auto& kinds = fieldFilter().parameter("kind").options;
     const auto& fields = curveFilter().parameter("field").options;
-    ASSERT_EQ(fields.size(), kinds.size() + 1);
+    ASSERT_EQ(fields.size(), kinds.size() + 2);
+    EXPECT_EQ(fields.front().id, "none");
+    EXPECT_EQ(fields.back().id, kAutomaticField);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         EXPECT_EQ(kinds[i].id, fields[i + 1].id);
         EXPECT_EQ(kinds[i].label, fields[i + 1].label);

@@ -35,7 +35,8 @@ consteval std::size_t memberCount() {
 }
 
 bool leavesAsItIs(const std::string& option) {
-    return option == "preset" || option == "natural" || option == "none";
+    return option == "preset" || option == "natural" || option == "none" ||
+           option == kAutomaticField;
 }
 
 /// A value of the parameter that differs from `value`; one that the options accept.

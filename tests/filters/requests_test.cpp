@@ -21,7 +21,8 @@ void expectEqual(const SolverOptions& a, const SolverOptions& b) {
 TEST(CurveRequest, IsTheOptionsDefaultsWhereNothingWasGiven) {
     const CurveRequest request = curveRequest(ParameterValues(curveFilter()));
     expectEqual(request.solver, SolverOptions());
-    EXPECT_FALSE(request.field);
+    ASSERT_TRUE(request.field);
+    EXPECT_TRUE(request.field->automatic);
     EXPECT_EQ(request.avoid, Avoid::Nothing);
     EXPECT_EQ(request.surface, LayerId());
     EXPECT_TRUE(request.picksText.empty());

@@ -2,6 +2,9 @@
 #include "filters/run_filters.h"
 
 #include "bspline_curve/error.h"
+#include "filters/filter_description.h"
+#include "filters/parameter_values.h"
+#include "filters/requests.h"
 #include "io/curve_writer.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
@@ -16,6 +19,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -86,7 +90,7 @@ TEST(RunCurveFilter, DrawsThroughThePicksOfTheTool) {
 TEST(RunCurveFilter, NamesEachFigureOnceAndLogsThoseThatAreNoLists) {
     const CurveResult result = draw(plateLayer(), {});
     std::set<std::string> names;
-    expectPart(result.log.figures, "shell=fibres usable=true ");
+    expectPart(result.log.figures, "shell=fibres field=none usable=true ");
     for (const Figure& each : result.figures) {
         EXPECT_TRUE(names.insert(each.name).second) << each.name;
         const bool isList = std::holds_alternative<std::vector<double>>(each.value);
@@ -133,6 +137,52 @@ TEST(RunCurveFilter, CarriesTheFieldToTheVertices) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         EXPECT_NEAR(result.quality[i], 2.0 * points[i].x() + points[i].y(), 1e-12);
     }
+}
+
+/// The request of a user who changed these parameters.
+CurveRequest requestWith(const std::vector<std::pair<std::string, ParameterValue>>& values = {}) {
+    ParameterValues all(curveFilter());
+    for (const auto& [id, value] : values) {
+        all.set(id, value);
+    }
+    return curveRequest(all);
+}
+
+TEST(RunCurveFilter, FollowsTheQualityWhereNoFieldIsNamed) {
+    LayerInput layer = plateLayer();
+    for (const Vec3& vertex : layer.mesh.vertices) {
+        layer.quality.push_back(100.0 + 20.0 * std::abs(vertex.y() - 0.5));  // mapped to [0, 1]
+    }
+    const CurveResult unasked = draw(layer, requestWith());
+    const CurveResult asked =
+        draw(layer, requestWith({{"field", std::string("quality")}, {"field_normalised", true}}));
+    const CurveResult without = draw(layer, requestWith({{"field", std::string("none")}}));
+    EXPECT_EQ(unasked.curve.polyline.points, asked.curve.polyline.points);
+    EXPECT_NE(unasked.curve.polyline.points, without.curve.polyline.points);
+    expectPart(unasked.log.figures, " field=quality ");
+    expectPart(without.log.figures, " field=none ");
+}
+
+TEST(RunCurveFilter, FollowsNoQualityThatSaysNothing) {
+    LayerInput layer = plateLayer();
+    const CurveResult without = draw(layer, requestWith());
+    expectPart(without.log.figures, " field=none ");
+    layer.quality.assign(layer.mesh.vertices.size(), 3.0);
+    EXPECT_EQ(draw(layer, requestWith()).curve.polyline.points, without.curve.polyline.points);
+    layer.quality.front() = std::nan("");
+    EXPECT_EQ(draw(layer, requestWith()).curve.polyline.points, without.curve.polyline.points);
+}
+
+TEST(RunCurveFilter, FollowsNoQualityThatFacesToAvoidAreNamedBy) {
+    LayerInput layer = plateLayer();
+    for (const Vec3& vertex : layer.mesh.vertices) {
+        layer.quality.push_back(vertex.y());
+    }
+    const CurveResult result = draw(
+        layer, requestWith({{"avoid", std::string("over-threshold")}, {"avoid_threshold", 0.95}})
+    );
+    expectPart(result.log.figures, " field=none ");
+    EXPECT_GT(figure<int>(result.figures, "avoided_faces"), 0);
 }
 
 TEST(RunCurveFilter, TakesSelectionsAsFacesToAvoid) {
