@@ -75,7 +75,7 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
 
 /// Parameters of the filter that have no meaning here: layers, selections, and files, which the
 /// program has options of its own for.
-constexpr std::array<std::string_view, 9> kOfHosts = {
+constexpr std::array<std::string_view, 10> kOfHosts = {
     "surface_layer",
     "picks_layer",
     "picks_file",
@@ -84,7 +84,8 @@ constexpr std::array<std::string_view, 9> kOfHosts = {
     "tube_radius",
     "save",
     "control_polygon",
-    "shell_layers"
+    "shell_layers",
+    "replace"
 };
 
 std::string groupOf(const ParameterDescription& parameter) {

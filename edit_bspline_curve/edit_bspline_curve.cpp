@@ -62,6 +62,7 @@ RichParameterList parametersOf(const SketchCurve& curve, MeshDocument& document,
     parameters.setValue("surface_layer", IntValue(surface));
     parameters.setValue("picks", StringValue(picksText(curve)));
     parameters.setValue("closed", BoolValue(options.closed));
+    parameters.setValue("replace", BoolValue(false));  // each curve has a layer of its own
     // Curves are drawn without a field.
     const std::size_t none = curveFilter().parameter("field").indexOf("none").value();
     parameters.setValue("field", IntValue(static_cast<int>(none)));

@@ -55,11 +55,12 @@ QString picksText(const SketchCurve& curve) {
 }
 
 RichParameterList parametersOf(const SketchCurve& curve, MeshDocument& document, int surface) {
-    RichParameterList parameters = dialogParameters(curveFilter(), document, Offered::Main);
+    RichParameterList parameters = dialogParameters(curveFilter(), document, Offered::Usual);
     const SolverOptions& options = curve.options.solver;
     parameters.setValue("surface_layer", MeshValue(document.getMesh(surface)));
     parameters.setValue("picks", StringValue(picksText(curve)));
     parameters.setValue("closed", BoolValue(options.closed));
+    parameters.setValue("replace", BoolValue(false));  // each curve has a layer of its own
     // Curves are drawn without a field.
     const std::size_t none = curveFilter().parameter("field").indexOf("none").value();
     parameters.setValue("field", EnumValue(static_cast<int>(none)));

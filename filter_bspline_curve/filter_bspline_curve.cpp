@@ -6,7 +6,9 @@
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/result_layers.h"
 #include "filter_bspline_curve/common/surface_choice.h"
+#include "filter_bspline_curve/common/window.h"
 #include "filters/description_html.h"
+#include "filters/labels.h"
 
 #include <exception>
 #include <variant>
@@ -77,7 +79,10 @@ QString FilterBsplineCurvePlugin::pythonFilterName(ActionIDType filter) const {
 }
 
 QString FilterBsplineCurvePlugin::filterInfo(ActionIDType filter) const {
-    return QString::fromStdString(descriptionHtml(description(filter)));
+    // Dialogs show it above the parameters.
+    return QString::fromStdString(
+        hasWindow() ? description(filter).shortDescription : descriptionHtml(description(filter))
+    );
 }
 
 FilterPlugin::FilterClass FilterBsplineCurvePlugin::getClass(const QAction* action) const {
@@ -113,8 +118,11 @@ std::map<std::string, QVariant> FilterBsplineCurvePlugin::applyFilter(
                     : drawCurve(document, parameters, callback)
         );
     } catch (const std::exception& error) {
+        const std::string message = describeFailure(isField ? "field" : "curve", error);
         throw MLException(
-            QString::fromStdString(describeFailure(isField ? "field" : "curve", error))
+            QString::fromStdString(
+                hasWindow() ? withLabels(message, description(ID(action))) : message
+            )
         );
     }
 }
@@ -132,7 +140,7 @@ Figures FilterBsplineCurvePlugin::drawCurve(
         designers_,
         hostProgress(callback)
     );
-    addResultLayers(document, surface, arrays, result);
+    drawn_.show(document, surface, arrays, request, result);
     writeLog(result.log);
     return result.figures;
 }

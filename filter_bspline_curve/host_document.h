@@ -29,6 +29,10 @@ using DialogDocument = const MeshDocument;
     return id < 0 ? nullptr : document.getMesh(static_cast<unsigned int>(id));
 }
 
+inline void removeLayer(MeshDocument& document, int id) {
+    document.delMesh(static_cast<unsigned int>(id));
+}
+
 /// Null where the mesh has no such attribute of this type.
 template <class Value>
 [[nodiscard]] const Value* perMeshAttribute(const CMeshO& mesh, const std::string& name) {

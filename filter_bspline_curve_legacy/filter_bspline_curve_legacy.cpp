@@ -6,7 +6,9 @@
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/result_layers.h"
 #include "filter_bspline_curve/common/surface_choice.h"
+#include "filter_bspline_curve/common/window.h"
 #include "filters/description_html.h"
+#include "filters/labels.h"
 #include "filters/run_filters.h"
 
 #include <QCoreApplication>
@@ -70,7 +72,10 @@ QString FilterBsplineCurveLegacyPlugin::filterScriptFunctionName(FilterIDType fi
 }
 
 QString FilterBsplineCurveLegacyPlugin::filterInfo(FilterIDType filter) const {
-    return QString::fromStdString(descriptionHtml(description(filter)));
+    // Dialogs show it above the parameters.
+    return QString::fromStdString(
+        hasWindow() ? description(filter).shortDescription : descriptionHtml(description(filter))
+    );
 }
 
 MeshFilterInterface::FilterClass FilterBsplineCurveLegacyPlugin::getClass(QAction* action) {
@@ -91,7 +96,8 @@ void FilterBsplineCurveLegacyPlugin::initParameterSet(
     QAction* action, MeshDocument& document, RichParameterList& parameters
 ) {
     const FilterIDType filter = ID(action);
-    const Offered offered = filter == BsplineCurveOnSurface ? Offered::Main : Offered::All;
+    const Offered usual = hasWindow() ? Offered::Main : Offered::Usual;
+    const Offered offered = filter == BsplineCurveOnSurface ? usual : Offered::All;
     parameters = dialogParameters(description(filter), document, offered);
 }
 
@@ -108,7 +114,10 @@ bool FilterBsplineCurveLegacyPlugin::applyFilter(
         written = isField ? computeField(document, parameters, callback)
                           : drawCurve(document, parameters, callback);
     } catch (const std::exception& error) {
-        errorMessage = QString::fromStdString(describeFailure(isField ? "field" : "curve", error));
+        const std::string message = describeFailure(isField ? "field" : "curve", error);
+        errorMessage = QString::fromStdString(
+            hasWindow() ? withLabels(message, description(ID(action))) : message
+        );
     }
     if (callback != nullptr) {
         callback(kAllDone, isServer() ? "" : "done");
@@ -134,7 +143,7 @@ FilterLog FilterBsplineCurveLegacyPlugin::drawCurve(
         designers_,
         hostProgress(callback)
     );
-    addResultLayers(document, surface, arrays, result);
+    drawn_.show(document, surface, arrays, request, result);
     return result.log;
 }
 

@@ -25,6 +25,10 @@ using DialogDocument = MeshDocument;
     return document.getMesh(id);
 }
 
+inline void removeLayer(MeshDocument& document, int id) {
+    document.delMesh(document.getMesh(id));
+}
+
 /// Null where the mesh has no such attribute of this type.
 template <class Value>
 [[nodiscard]] const Value* perMeshAttribute(const CMeshO& mesh, const std::string& name) {

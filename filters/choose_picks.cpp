@@ -25,6 +25,14 @@ std::vector<Vec3> picksOf(const PicksLayer& layer) {
     return layer.points;
 }
 
+/// Whether the layer of picks was left as the host offers it, where another surface was chosen and
+/// the picks come from elsewhere.
+bool isLeftOver(const CurveRequest& request, const PickCandidates& candidates) {
+    const bool hasOthers =
+        !request.picksText.empty() || !request.picksFile.empty() || !candidates.tool.empty();
+    return hasOthers && candidates.layer->hasFaces && candidates.layer->isOffered;
+}
+
 /// The names of the parameters that give picks.
 std::vector<std::string> givenSources(
     const CurveRequest& request, const PickCandidates& candidates
@@ -44,7 +52,10 @@ std::vector<std::string> givenSources(
 
 }  // namespace
 
-PicksFile choosePicks(const CurveRequest& request, const PickCandidates& candidates) {
+PicksFile choosePicks(const CurveRequest& request, PickCandidates candidates) {
+    if (candidates.layer && isLeftOver(request, candidates)) {
+        candidates.layer.reset();
+    }
     const std::vector<std::string> sources = givenSources(request, candidates);
     if (sources.size() > 1) {
         std::string names = sources.front();

@@ -43,7 +43,7 @@ struct EnabledWhen {
 struct ParameterDescription {
     std::string id;     ///< snake_case; the program has dashes in place of underscores
     std::string label;  ///< for dialogs
-    std::string group;  ///< "main", "advanced" or "advanced.…"
+    std::string group;  ///< "main", "window", "further.…", "advanced" or "advanced.…"
     std::string help;   ///< one or a few sentences, without those of enum options
     ParameterType type = ParameterType::Bool;
     /// Of the type's own kind; a layer's is LayerId(), which is for the host to choose.
@@ -56,7 +56,13 @@ struct ParameterDescription {
     std::vector<std::string> extensions;  ///< of OpenFile and SaveFile, with dots
     std::optional<EnabledWhen> enabledWhen;
 
+    /// Whether it has a meaning in hosts with a window alone.
+    [[nodiscard]] bool isOfWindow() const { return group == "window"; }
+
     /// Whether dialogs fold it away.
+    [[nodiscard]] bool isFolded() const { return group != "main" && !isOfWindow(); }
+
+    /// Whether few people ever need it.
     [[nodiscard]] bool isAdvanced() const { return group.starts_with("advanced"); }
 
     /// Position in `options`; none where there is no such id.

@@ -26,6 +26,7 @@ struct PicksLayer {
     std::string label;         ///< for messages
     std::vector<Vec3> points;  ///< in world coordinates
     bool hasFaces = false;
+    bool isOffered = false;  ///< the host offers it by default, so perhaps nobody chose it
 };
 
 /// The picks that a host has, for a request to choose from.

@@ -230,6 +230,7 @@ Bindings<CurveRequest> curveBindings() {
         bound("save", &C::saveFile),
         bound("control_polygon", &C::controlPolygon),
         bound("shell_layers", &C::shellLayers),
+        bound("replace", &C::replace),
     };
 }
 

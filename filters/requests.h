@@ -48,6 +48,7 @@ struct CurveRequest {
     std::string saveFile;         ///< UTF-8, the format by its extension; empty: none
     bool controlPolygon = false;  ///< as a layer
     bool shellLayers = false;     ///< top and bottom of the shell
+    bool replace = false;         ///< in place of the curve whose picks were moved
 };
 
 /// Whether faces to avoid are those under or over a threshold.

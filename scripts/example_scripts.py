@@ -82,6 +82,8 @@ def attributes(parameter, value):
 
 
 def is_listed(filter_id, parameter):
+    if parameter["group"] == "window":
+        return False
     return filter_id != CURVE or not parameter["group"].startswith("advanced")
 
 

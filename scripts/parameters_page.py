@@ -26,8 +26,14 @@ files instead ([COMMAND_LINE.md](COMMAND_LINE.md)).
 
 GROUPS = {
     "main": "",
+    "window": "In MeshLab's window alone",
+    "further.picks": "Picks from elsewhere",
+    "further.field": "Cost of the field",
+    "further.avoid": "Faces to avoid",
+    "further.polyline": "The polyline",
+    "further.shell": "Where the curve is sought",
     "advanced.layers": "Further layers",
-    "advanced.avoid": "Faces to avoid",
+    "advanced.avoid": "How faces are avoided",
     "advanced.field": "The field",
     "advanced.method": "The method",
     "advanced.shell": "The shell",
@@ -36,7 +42,7 @@ GROUPS = {
 
 # Those that the program has no option for: it has files in place of layers and selections.
 OF_HOSTS = {
-    "surface_layer", "picks_layer", "picks_file", "picks", "field_region", "region",
+    "surface_layer", "replace", "picks_layer", "picks_file", "picks", "field_region", "region",
     "tube_radius", "save", "control_polygon", "shell_layers",
 }
 

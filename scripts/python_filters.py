@@ -18,7 +18,7 @@ PACKAGE = ROOT / "python" / "meshlab_bspline_curve"
 WIDTH = 120
 
 # Of the functions on arrays: what needs a layer or a selection is an array there, or is not there.
-LEFT_OUT = {"surface_layer", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers", "region"}
+LEFT_OUT = {"surface_layer", "replace", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers", "region"}
 OWN = {
     "field": ("{} | npt.ArrayLike", "or (n,) array of float, its values"),
     "avoid": ("{} | npt.ArrayLike", "or (k,) array of int, ids of the faces, or (m,) array of bool"),

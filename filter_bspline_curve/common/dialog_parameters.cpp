@@ -2,6 +2,7 @@
 #include "filter_bspline_curve/common/dialog_parameters.h"
 
 #include "filter_bspline_curve/common/surface_choice.h"
+#include "filter_bspline_curve/common/window.h"
 
 #include <QStringList>
 #include <array>
@@ -12,6 +13,10 @@
 namespace bspline_curve {
 
 namespace {
+
+/// Radius of the tube of a curve in a window, relative to the diagonal of the surface: about two
+/// pixels wide where the whole surface is in view.
+constexpr double kTubeInWindows = 0.0015;
 
 QString textOf(const std::string& text) {
     return QString::fromStdString(text);
@@ -50,7 +55,7 @@ public:
                 );
                 break;
             case ParameterType::Bool:
-                addAs<RichBool>(p, std::get<bool>(p.defaultValue));
+                addAs<RichBool>(p, p.isOfWindow() || std::get<bool>(p.defaultValue));
                 break;
             case ParameterType::Int:
                 addAs<RichInt>(p, std::get<int>(p.defaultValue));
@@ -59,12 +64,7 @@ public:
                 addNumber(p);
                 break;
             case ParameterType::Percentage:
-                addAs<host::Percentage>(
-                    p,
-                    static_cast<Scalarm>(std::get<double>(p.defaultValue)),
-                    Scalarm(0),
-                    diagonal()
-                );
+                addAs<host::Percentage>(p, defaultLength(p), Scalarm(0), diagonal());
                 break;
             case ParameterType::Enum:
                 addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
@@ -89,7 +89,7 @@ private:
             textOf(p.id),
             textOf(p.label),
             textOf(p.fullHelp()),
-            p.isAdvanced(),
+            p.isFolded(),
             std::forward<Values>(values)...
         );
     }
@@ -109,6 +109,13 @@ private:
         return textOf(std::get<std::string>(p.defaultValue));
     }
 
+    /// In the unit of the mesh.
+    [[nodiscard]] Scalarm defaultLength(const ParameterDescription& p) const {
+        return p.id == "tube_radius" && hasWindow()
+                   ? static_cast<Scalarm>(kTubeInWindows) * diagonal()
+                   : static_cast<Scalarm>(std::get<double>(p.defaultValue));
+    }
+
     [[nodiscard]] Scalarm diagonal() const {
         return surface_ == nullptr || surface_->cm.VN() == 0 ? Scalarm(1)
                                                              : surface_->cm.trBB().Diag();
@@ -118,6 +125,21 @@ private:
     host::DialogDocument& document_;
     const MeshModel* surface_;
 };
+
+bool isOffered(const ParameterDescription& parameter, Offered offered) {
+    if (parameter.isOfWindow() && !hasWindow()) {
+        return false;
+    }
+    switch (offered) {
+        case Offered::Main:
+            return !parameter.isFolded();
+        case Offered::Usual:
+            return !parameter.isAdvanced();
+        case Offered::All:
+            break;
+    }
+    return true;
+}
 
 // ---- from the dialog to values ----
 
@@ -179,7 +201,7 @@ RichParameterList dialogParameters(
     RichParameterList list;
     DialogBuilder builder(list, document);
     for (const ParameterDescription& parameter : filter.parameters) {
-        if (offered == Offered::All || !parameter.isAdvanced()) {
+        if (isOffered(parameter, offered)) {
             builder.add(parameter);
         }
     }

@@ -10,11 +10,13 @@ namespace bspline_curve {
 /// Which parameters of a filter a host is told of.
 enum class Offered {
     All,
-    Main,  ///< without the advanced ones, for hosts that cannot fold them away
+    Usual,  ///< without the advanced ones, for scripts that must list each
+    Main,   ///< those that stand above the fold, for dialogs that have none
 };
 
 /// The parameters of a filter as the host's dialogs, scripts and Python calls take them, with the
-/// defaults for this document.
+/// defaults for this document. In a window a curve comes with a thin tube, since the window draws
+/// polylines one pixel wide, and replaces the one whose picks were moved.
 [[nodiscard]] RichParameterList dialogParameters(
     const FilterDescription& filter, host::DialogDocument& document, Offered offered = Offered::All
 );

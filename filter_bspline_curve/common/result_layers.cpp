@@ -81,7 +81,7 @@ void attachTo(const MeshModel& surface, MeshModel& layer) {
     vcg::tri::UpdateBounding<CMeshO>::Box(layer.cm);
 }
 
-void addCurveLayer(
+int addCurveLayer(
     MeshDocument& document,
     const MeshModel& surface,
     const LayerArrays& arrays,
@@ -97,6 +97,7 @@ void addCurveLayer(
     }
     setAttributes(layer.cm, arrays, polyline);
     attachTo(surface, layer);
+    return layer.id();
 }
 
 /// World coordinates as those of a layer; exactly the same where its matrix is the identity.
@@ -142,7 +143,7 @@ MeshModel& addLayer(
     return layer;
 }
 
-void addMeshLayer(
+int addMeshLayer(
     MeshDocument& document,
     const MeshModel& surface,
     const char* suffix,
@@ -156,36 +157,43 @@ void addMeshLayer(
     }
     vcg::tri::UpdateNormal<CMeshO>::PerVertexNormalizedPerFaceNormalized(layer.cm);
     attachTo(surface, layer);
+    return layer.id();
 }
 
-void addPolygonLayer(
+int addPolygonLayer(
     MeshDocument& document, const MeshModel& surface, const ControlPolygon& polygon
 ) {
     MeshModel& layer =
         addLayer(document, surface, " control polygon", polygon.points, kPolygonColour);
     addEdges(layer.cm, polygon.closed);
     attachTo(surface, layer);
+    return layer.id();
 }
 
 }  // namespace
 
-void addResultLayers(
+std::vector<int> addResultLayers(
     MeshDocument& document,
     const MeshModel& surface,
     const LayerArrays& arrays,
     const CurveResult& result
 ) {
-    addCurveLayer(document, surface, arrays, result);
+    std::vector<int> layers = {addCurveLayer(document, surface, arrays, result)};
+    const auto addMesh =
+        [&](const char* suffix, const TriangleMesh& mesh, const vcg::Color4b& colour) {
+            layers.push_back(addMeshLayer(document, surface, suffix, mesh, colour));
+        };
     if (result.tube) {
-        addMeshLayer(document, surface, " tube", *result.tube, kCurveColour);
+        addMesh(" tube", *result.tube, kCurveColour);
     }
     if (result.controlPolygon) {
-        addPolygonLayer(document, surface, *result.controlPolygon);
+        layers.push_back(addPolygonLayer(document, surface, *result.controlPolygon));
     }
     if (result.shellLayers) {
-        addMeshLayer(document, surface, " shell top", result.shellLayers->top, kTopColour);
-        addMeshLayer(document, surface, " shell bottom", result.shellLayers->bottom, kBottomColour);
+        addMesh(" shell top", result.shellLayers->top, kTopColour);
+        addMesh(" shell bottom", result.shellLayers->bottom, kBottomColour);
     }
+    return layers;
 }
 
 void setQuality(MeshModel& layer, const LayerArrays& arrays, const FieldResult& result) {

@@ -4,6 +4,8 @@
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filters/run_filters.h"
 
+#include <vector>
+
 namespace bspline_curve {
 
 /// Adds a layer with the curve and makes it the current one: vertices in order with edges between
@@ -12,7 +14,8 @@ namespace bspline_curve {
 /// surface's normal, colour, and the custom attributes face_index (in the surface's layer),
 /// barycentric, t. After it come the layers that the request asked for besides: "… tube", "…
 /// control polygon", "… shell top" and "… shell bottom", likewise in the surface's coordinates.
-void addResultLayers(
+/// The ids of all of them, in this order.
+std::vector<int> addResultLayers(
     MeshDocument& document,
     const MeshModel& surface,
     const LayerArrays& arrays,

@@ -75,6 +75,7 @@ PickCandidates pickCandidates(
             .label = layer.label().toStdString(),
             .points = pointsOf(layer),
             .hasFaces = layer.cm.FN() > 0,
+            .isOffered = &layer == defaultSurface(document),
         };
     }
     return candidates;

@@ -45,16 +45,16 @@ def draw_curve(
     tension: float = 0.0,
     field: Field | npt.ArrayLike = "auto",
     quality: npt.ArrayLike | None = None,
-    field_cost: FieldCost = "natural",
     field_weight: float = 2000.0,
-    samples: int = 256,
-    max_segment_length: float = 0.0,
     tube_radius: float = 0.0,
-    save: str | os.PathLike[str] | None = None,
+    field_cost: FieldCost = "natural",
     avoid: Avoid | npt.ArrayLike = "none",
     avoid_threshold: float = 0.0,
-    avoid_margin: float = 0.02,
+    samples: int = 256,
+    max_segment_length: float = 0.0,
+    save: str | os.PathLike[str] | None = None,
     shell: Shell = "local",
+    avoid_margin: float = 0.02,
     field_curvature_scale: float = 0.015,
     field_crease_angle: float = 40.0,
     field_reach: float = 0.1,
@@ -68,10 +68,6 @@ def draw_curve(
     bending: Bending = "preset",
     normal_bending_weight: float = 0.05,
     distance_tolerance: float = 0.1,
-    target_thickness: float = 0.135,
-    target_edge_length: float = 1.0,
-    shell_thickness: float = 0.75,
-    shell_smoothing_passes: int = 3,
     initial_curve: InitialCurve = "preset",
     field_guides_path: FieldGuidesPath = "preset",
     quadrature: Quadrature = "preset",
@@ -79,6 +75,10 @@ def draw_curve(
     distance_weight: DistanceWeight = "preset",
     interpolation: Interpolation = "preset",
     knot_rule: KnotRule = "preset",
+    target_thickness: float = 0.135,
+    target_edge_length: float = 1.0,
+    shell_thickness: float = 0.75,
+    shell_smoothing_passes: int = 3,
     samples_per_span: int = 48,
     max_rounds: int = 24,
     max_iterations: int = 100,
@@ -113,24 +113,16 @@ def draw_curve(
         where the mesh has one that is finite and not constant and that no threshold of avoid is for; else none.
     quality : (n,) array of float, optional
         A value for each vertex, for field 'quality' and for faces to avoid where there is no field.
+    field_weight : float ≥ 0, default 2000.0
+        Weight of the field against smoothness, in units of 1 / cost, for costs between 0 and 1. 0: the field has no
+        effect.
+    tube_radius : float ≥ 0, default 0.0
+        A closed tube mesh around the curve is made too, with this radius in the unit of the mesh, at most its diagonal.
+        0: none.
     field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
         What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
         valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
         which draws the curve to large values.
-    field_weight : float ≥ 0, default 2000.0
-        Weight of the field against smoothness, in units of 1 / cost, for costs between 0 and 1. 0: the field has no
-        effect.
-    samples : int ≥ 0, default 256
-        At least this many vertices at even steps of the spline's parameter, besides those where the curve crosses mesh
-        edges and the picks. 0: none.
-    max_segment_length : float ≥ 0, default 0.0
-        No segment of the polyline is longer than this, in the unit of the mesh. 0: not limited.
-    tube_radius : float ≥ 0, default 0.0
-        A closed tube mesh around the curve is made too, with this radius in the unit of the mesh, at most its diagonal.
-        0: none.
-    save : str or path, optional
-        A file that the curve is written to: the polyline (.ply, .obj, .dxf, .vtu, .csv), the spline itself
-        (.bspline.obj, .bspline.dxf) or both (.json).
     avoid : {'none', 'under-threshold', 'over-threshold'} or (k,) array of int, ids of the faces, or (m,) array of bool,
         default 'none'
         Faces of the surface that the curve does not enter. none: it may enter all faces; under-threshold: the faces
@@ -139,13 +131,21 @@ def draw_curve(
     avoid_threshold : float, default 0.0
         The threshold of under-threshold and over-threshold, in the unit of the field. Only with avoid under-threshold
         or over-threshold.
-    avoid_margin : float in (0, 1], default 0.02
-        Distance within which faces to avoid push the curve away, relative to the diagonal of the mesh's box.
+    samples : int ≥ 0, default 256
+        At least this many vertices at even steps of the spline's parameter, besides those where the curve crosses mesh
+        edges and the picks. 0: none.
+    max_segment_length : float ≥ 0, default 0.0
+        No segment of the polyline is longer than this, in the unit of the mesh. 0: not limited.
+    save : str or path, optional
+        A file that the curve is written to: the polyline (.ply, .obj, .dxf, .vtu, .csv), the spline itself
+        (.bspline.obj, .bspline.dxf) or both (.json).
     shell : {'local', 'full', 'simplified'}, default 'local'
         Where the curve is sought. local: no prisms: the fibres of a full shell are followed beneath the curve; a shell
         is built only for a curve that needs one; full: a shell of one thin prism per face, built at the start;
         simplified: a shell of few thick prisms, which takes seconds to build on large meshes and is kept for the next
         curve.
+    avoid_margin : float in (0, 1], default 0.02
+        Distance within which faces to avoid push the curve away, relative to the diagonal of the mesh's box.
     field_curvature_scale : float in [0, 1], default 0.015
         Fields of curvature, ridges and valleys: radius that curvatures are averaged over, relative to the diagonal of
         the mesh's box. More: less noise. Only with field maximal-curvature or ridge or valley.
@@ -179,17 +179,6 @@ def draw_curve(
     distance_tolerance : float > 0, default 0.1
         Largest distance of the spline to the surface, in mean edge lengths; edges shorter than a hundredth of the
         square root of the surface's area count as that long. The polyline lies on the surface in any case.
-    target_thickness : float in (0, 1], default 0.135
-        Simplified shell: longest pillar, bottom to top, relative to the longest side of the mesh's box. Only with shell
-        simplified.
-    target_edge_length : float in (0, 1], default 1.0
-        Simplified shell: shorter edges are collapsed where its invariants allow it, relative to the longest side of the
-        mesh's box. Only with shell simplified.
-    shell_thickness : float in (0, 1000], default 0.75
-        Full shell, also where local builds one: largest distance of its top and bottom from the surface, in mean edge
-        lengths. Only with shell local or full.
-    shell_smoothing_passes : int ≥ 0, default 3
-        Rounds of averaging of the pillar directions (the directions of the fibres).
     initial_curve : {'preset', 'geodesic-fit', 'control-polygon'}, default 'preset'
         How the first spline is made. preset: as the preset says, by default geodesic-fit; geodesic-fit: a fit to the
         path through the picks; control-polygon: Alg. 2 of the paper.
@@ -213,6 +202,17 @@ def draw_curve(
         Where knots are inserted. preset: as the preset says, by default energy-and-distance; energy-and-distance: where
         they lower the energy most, and where the spline is too far from the surface; feature-function: (19)-(23) of the
         paper.
+    target_thickness : float in (0, 1], default 0.135
+        Simplified shell: longest pillar, bottom to top, relative to the longest side of the mesh's box. Only with shell
+        simplified.
+    target_edge_length : float in (0, 1], default 1.0
+        Simplified shell: shorter edges are collapsed where its invariants allow it, relative to the longest side of the
+        mesh's box. Only with shell simplified.
+    shell_thickness : float in (0, 1000], default 0.75
+        Full shell, also where local builds one: largest distance of its top and bottom from the surface, in mean edge
+        lengths. Only with shell local or full.
+    shell_smoothing_passes : int ≥ 0, default 3
+        Rounds of averaging of the pillar directions (the directions of the fibres).
     samples_per_span : int ≥ 4, default 48
         Evenly spaced samples per knot span, for quadrature samples; an odd number counts as the next even one.
     max_rounds : int ≥ 1, default 24
@@ -243,14 +243,14 @@ def draw_curve(
             "closed": closed,
             "degree": degree,
             "tension": tension,
-            "field_cost": field_cost,
             "field_weight": field_weight,
+            "tube_radius": tube_radius,
+            "field_cost": field_cost,
+            "avoid_threshold": avoid_threshold,
             "samples": samples,
             "max_segment_length": max_segment_length,
-            "tube_radius": tube_radius,
-            "avoid_threshold": avoid_threshold,
-            "avoid_margin": avoid_margin,
             "shell": shell,
+            "avoid_margin": avoid_margin,
             "field_curvature_scale": field_curvature_scale,
             "field_crease_angle": field_crease_angle,
             "field_reach": field_reach,
@@ -263,10 +263,6 @@ def draw_curve(
             "bending": bending,
             "normal_bending_weight": normal_bending_weight,
             "distance_tolerance": distance_tolerance,
-            "target_thickness": target_thickness,
-            "target_edge_length": target_edge_length,
-            "shell_thickness": shell_thickness,
-            "shell_smoothing_passes": shell_smoothing_passes,
             "initial_curve": initial_curve,
             "field_guides_path": field_guides_path,
             "quadrature": quadrature,
@@ -274,6 +270,10 @@ def draw_curve(
             "distance_weight": distance_weight,
             "interpolation": interpolation,
             "knot_rule": knot_rule,
+            "target_thickness": target_thickness,
+            "target_edge_length": target_edge_length,
+            "shell_thickness": shell_thickness,
+            "shell_smoothing_passes": shell_smoothing_passes,
             "samples_per_span": samples_per_span,
             "max_rounds": max_rounds,
             "max_iterations": max_iterations,

@@ -38,25 +38,26 @@ def generate_bspline_curve_on_surface(
     self: pymeshlab.MeshSet,
     *,
     surface_layer: int | None = None,
-    picks_layer: int | None = None,
-    picks_file: str = "",
-    picks: str = "",
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
     field: Field = "auto",
-    field_cost: FieldCost = "natural",
     field_weight: float = 2000.0,
-    samples: int = 256,
-    max_segment_length: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
-    save: str = "",
+    replace: bool = False,
+    picks_layer: int | None = None,
+    picks_file: str = "",
+    picks: str = "",
+    field_cost: FieldCost = "natural",
     avoid: Avoid = "none",
     avoid_threshold: float = 0.0,
-    avoid_margin: float = 0.02,
+    samples: int = 256,
+    max_segment_length: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    save: str = "",
     shell: Shell = "local",
     control_polygon: bool = False,
     shell_layers: bool = False,
+    avoid_margin: float = 0.02,
     field_curvature_scale: float = 0.015,
     field_crease_angle: float = 40.0,
     field_reach: float = 0.1,
@@ -70,10 +71,6 @@ def generate_bspline_curve_on_surface(
     bending: Bending = "preset",
     normal_bending_weight: float = 0.05,
     distance_tolerance: float = 0.1,
-    target_thickness: float = 0.135,
-    target_edge_length: float = 1.0,
-    shell_thickness: float = 0.75,
-    shell_smoothing_passes: int = 3,
     initial_curve: InitialCurve = "preset",
     field_guides_path: FieldGuidesPath = "preset",
     quadrature: Quadrature = "preset",
@@ -81,6 +78,10 @@ def generate_bspline_curve_on_surface(
     distance_weight: DistanceWeight = "preset",
     interpolation: Interpolation = "preset",
     knot_rule: KnotRule = "preset",
+    target_thickness: float = 0.135,
+    target_edge_length: float = 1.0,
+    shell_thickness: float = 0.75,
+    shell_smoothing_passes: int = 3,
     samples_per_span: int = 48,
     max_rounds: int = 24,
     max_iterations: int = 100,
@@ -99,16 +100,6 @@ def generate_bspline_curve_on_surface(
     surface_layer : int, optional
         The layer with the triangle mesh that the curve is drawn on. Default: the current layer. If that has no faces:
         the layer that it was drawn on if it is a curve of this filter, else the only layer with faces.
-    picks_layer : int, optional
-        A layer of points without faces; the curve passes through its vertices in their order. The surface itself
-        (default): no layer of picks.
-    picks_file : str, optional
-        A file of picks in world coordinates: .pp as PickPoints saves it, .json {"picks": [[x, y, z], ...]}, .mrk.json
-        of 3D Slicer, .csv or .xyz with one point a line. Empty: no file.
-    picks : str, optional
-        Picks as text "x y z; x y z; ..." in world coordinates. Empty: no text. Without text, file and layer the points
-        of Edit > PickPoints on the surface are used. Picks farther from the surface than 1 % of its diagonal are
-        refused.
     closed : bool, default False
         On: a closed curve through at least 3 picks. Off: an open curve from the first to the last of at least 2 picks,
         unless the file of picks says that it is closed.
@@ -124,25 +115,29 @@ def generate_bspline_curve_on_surface(
         the surface, to its sharp edges; boundary-distance: along the surface, to its own edges; quality: the per-vertex
         quality of the mesh; obstacle: a hill on a region of faces; auto: the per-vertex quality, mapped to [0, 1],
         where the mesh has one that is finite and not constant and that no threshold of avoid is for; else none.
+    field_weight : float ≥ 0, default 2000.0
+        Weight of the field against smoothness, in units of 1 / cost, for costs between 0 and 1. 0: the field has no
+        effect.
+    tube_radius : float ≥ 0, default 0.0
+        A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
+        diagonal. 0: no tube.
+    replace : bool, default False
+        Removes the layers of the last curve on this surface that the filter drew through at least half of these picks,
+        so that a curve whose picks were moved does not leave its old one behind. On in MeshLab's window.
+    picks_layer : int, optional
+        A layer of points without faces; the curve passes through its vertices in their order. The surface itself
+        (default): no layer of picks.
+    picks_file : str, optional
+        A file of picks in world coordinates: .pp as PickPoints saves it, .json {"picks": [[x, y, z], ...]}, .mrk.json
+        of 3D Slicer, .csv or .xyz with one point a line. Empty: no file.
+    picks : str, optional
+        Picks as text "x y z; x y z; ..." in world coordinates. Empty: no text. Without text, file and layer the points
+        of Edit > PickPoints on the surface are used. Picks farther from the surface than 1 % of its diagonal are
+        refused.
     field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
         What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
         valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
         which draws the curve to large values.
-    field_weight : float ≥ 0, default 2000.0
-        Weight of the field against smoothness, in units of 1 / cost, for costs between 0 and 1. 0: the field has no
-        effect.
-    samples : int ≥ 0, default 256
-        At least this many vertices at even steps of the spline's parameter, besides those where the curve crosses mesh
-        edges and the picks. 0: none.
-    max_segment_length : float ≥ 0, default 0.0
-        No segment of the polyline is longer than this, in the unit of the mesh. 0: not limited.
-    tube_radius : float ≥ 0, default 0.0
-        A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
-        diagonal. 0: no tube.
-    save : str or path, optional
-        A file that the curve is written to, in world coordinates: the polyline, or the spline itself where the name
-        ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality or the
-        spline. Empty: no file.
     avoid : {'none', 'selected-faces', 'selected-vertices', 'under-threshold', 'over-threshold'}, default 'none'
         Faces of the surface that the curve does not enter. none: it may enter all faces; selected-faces: the selected
         faces; selected-vertices: the faces all of whose vertices are selected; under-threshold: the faces over which
@@ -151,8 +146,15 @@ def generate_bspline_curve_on_surface(
     avoid_threshold : float, default 0.0
         The threshold of under-threshold and over-threshold, in the unit of the field. Only with avoid under-threshold
         or over-threshold.
-    avoid_margin : float in (0, 1], default 0.02
-        Distance within which faces to avoid push the curve away, relative to the diagonal of the mesh's box.
+    samples : int ≥ 0, default 256
+        At least this many vertices at even steps of the spline's parameter, besides those where the curve crosses mesh
+        edges and the picks. 0: none.
+    max_segment_length : float ≥ 0, default 0.0
+        No segment of the polyline is longer than this, in the unit of the mesh. 0: not limited.
+    save : str or path, optional
+        A file that the curve is written to, in world coordinates: the polyline, or the spline itself where the name
+        ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality or the
+        spline. Empty: no file.
     shell : {'local', 'full', 'simplified'}, default 'local'
         Where the curve is sought. local: no prisms: the fibres of a full shell are followed beneath the curve; a shell
         is built only for a curve that needs one; full: a shell of one thin prism per face, built at the start;
@@ -162,6 +164,8 @@ def generate_bspline_curve_on_surface(
         The control points of the spline and the segments between them become a layer too.
     shell_layers : bool, default False
         Top and bottom of the shell become layers too; a local shell is built for that.
+    avoid_margin : float in (0, 1], default 0.02
+        Distance within which faces to avoid push the curve away, relative to the diagonal of the mesh's box.
     field_curvature_scale : float in [0, 1], default 0.015
         Fields of curvature, ridges and valleys: radius that curvatures are averaged over, relative to the diagonal of
         the mesh's box. More: less noise. Only with field maximal-curvature or ridge or valley.
@@ -196,17 +200,6 @@ def generate_bspline_curve_on_surface(
     distance_tolerance : float > 0, default 0.1
         Largest distance of the spline to the surface, in mean edge lengths; edges shorter than a hundredth of the
         square root of the surface's area count as that long. The polyline lies on the surface in any case.
-    target_thickness : float in (0, 1], default 0.135
-        Simplified shell: longest pillar, bottom to top, relative to the longest side of the mesh's box. Only with shell
-        simplified.
-    target_edge_length : float in (0, 1], default 1.0
-        Simplified shell: shorter edges are collapsed where its invariants allow it, relative to the longest side of the
-        mesh's box. Only with shell simplified.
-    shell_thickness : float in (0, 1000], default 0.75
-        Full shell, also where local builds one: largest distance of its top and bottom from the surface, in mean edge
-        lengths. Only with shell local or full.
-    shell_smoothing_passes : int ≥ 0, default 3
-        Rounds of averaging of the pillar directions (the directions of the fibres).
     initial_curve : {'preset', 'geodesic-fit', 'control-polygon'}, default 'preset'
         How the first spline is made. preset: as the preset says, by default geodesic-fit; geodesic-fit: a fit to the
         path through the picks; control-polygon: Alg. 2 of the paper.
@@ -230,6 +223,17 @@ def generate_bspline_curve_on_surface(
         Where knots are inserted. preset: as the preset says, by default energy-and-distance; energy-and-distance: where
         they lower the energy most, and where the spline is too far from the surface; feature-function: (19)-(23) of the
         paper.
+    target_thickness : float in (0, 1], default 0.135
+        Simplified shell: longest pillar, bottom to top, relative to the longest side of the mesh's box. Only with shell
+        simplified.
+    target_edge_length : float in (0, 1], default 1.0
+        Simplified shell: shorter edges are collapsed where its invariants allow it, relative to the longest side of the
+        mesh's box. Only with shell simplified.
+    shell_thickness : float in (0, 1000], default 0.75
+        Full shell, also where local builds one: largest distance of its top and bottom from the surface, in mean edge
+        lengths. Only with shell local or full.
+    shell_smoothing_passes : int ≥ 0, default 3
+        Rounds of averaging of the pillar directions (the directions of the fibres).
     samples_per_span : int ≥ 4, default 48
         Evenly spaced samples per knot span, for quadrature samples; an odd number counts as the next even one.
     max_rounds : int ≥ 1, default 24
@@ -254,25 +258,26 @@ def generate_bspline_curve_on_surface(
         "generate_bspline_curve_on_surface",
         {
             "surface_layer": surface_layer,
-            "picks_layer": picks_layer,
-            "picks_file": picks_file,
-            "picks": picks,
             "closed": closed,
             "degree": degree,
             "tension": tension,
             "field": field,
-            "field_cost": field_cost,
             "field_weight": field_weight,
-            "samples": samples,
-            "max_segment_length": max_segment_length,
             "tube_radius": tube_radius,
-            "save": save,
+            "replace": replace,
+            "picks_layer": picks_layer,
+            "picks_file": picks_file,
+            "picks": picks,
+            "field_cost": field_cost,
             "avoid": avoid,
             "avoid_threshold": avoid_threshold,
-            "avoid_margin": avoid_margin,
+            "samples": samples,
+            "max_segment_length": max_segment_length,
+            "save": save,
             "shell": shell,
             "control_polygon": control_polygon,
             "shell_layers": shell_layers,
+            "avoid_margin": avoid_margin,
             "field_curvature_scale": field_curvature_scale,
             "field_crease_angle": field_crease_angle,
             "field_reach": field_reach,
@@ -286,10 +291,6 @@ def generate_bspline_curve_on_surface(
             "bending": bending,
             "normal_bending_weight": normal_bending_weight,
             "distance_tolerance": distance_tolerance,
-            "target_thickness": target_thickness,
-            "target_edge_length": target_edge_length,
-            "shell_thickness": shell_thickness,
-            "shell_smoothing_passes": shell_smoothing_passes,
             "initial_curve": initial_curve,
             "field_guides_path": field_guides_path,
             "quadrature": quadrature,
@@ -297,6 +298,10 @@ def generate_bspline_curve_on_surface(
             "distance_weight": distance_weight,
             "interpolation": interpolation,
             "knot_rule": knot_rule,
+            "target_thickness": target_thickness,
+            "target_edge_length": target_edge_length,
+            "shell_thickness": shell_thickness,
+            "shell_smoothing_passes": shell_smoothing_passes,
             "samples_per_span": samples_per_span,
             "max_rounds": max_rounds,
             "max_iterations": max_iterations,

@@ -16,7 +16,7 @@ FILTERS = json.loads((ROOT / "filters" / "filters.json").read_text())["filters"]
 CURVE, FIELD = ({p["id"]: p for p in f["parameters"]} for f in FILTERS)
 
 # Layers, selections, and files that the program has options of its own for.
-OF_HOSTS = {"surface_layer", "picks_layer", "picks_file", "picks", "field_region", "region", "tube_radius", "save",
+OF_HOSTS = {"surface_layer", "replace", "picks_layer", "picks_file", "picks", "field_region", "region", "tube_radius", "save",
             "control_polygon", "shell_layers"}
 # What the program alone has.
 OF_PROGRAM = {

@@ -3,12 +3,14 @@
 
 #include "bspline_curve/error.h"
 #include "filters/description_html.h"
+#include "filters/labels.h"
 #include "filters/parameter_values.h"
 #include "filters/requests.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -141,6 +143,30 @@ TEST(FilterDescription, BothFiltersSayTheSameOfTheSameParameters) {
         EXPECT_EQ(kinds[i].label, fields[i + 1].label);
         EXPECT_EQ(kinds[i].help, fields[i + 1].help);
     }
+}
+
+TEST(FilterDescription, HasEightParametersAboveTheFoldAtMost) {
+    const auto isShown = [](const ParameterDescription& parameter) {
+        return !parameter.isFolded();
+    };
+    for (const FilterDescription* const filter : {&curveFilter(), &fieldFilter()}) {
+        const auto shown = std::ranges::count_if(filter->parameters, isShown);
+        EXPECT_LE(shown, filter == &curveFilter() ? 8 : 10) << filter->name;
+    }
+    EXPECT_TRUE(curveFilter().parameter("replace").isOfWindow());
+    EXPECT_TRUE(curveFilter().parameter("picks").isFolded());
+    EXPECT_FALSE(curveFilter().parameter("picks").isAdvanced());
+}
+
+TEST(Labels, TakeThePlaceOfIds) {
+    EXPECT_EQ(
+        withLabels("picks_layer: layer \"a\" has faces; give picks_file.", curveFilter()),
+        "\"Picks: layer\": layer \"a\" has faces; give \"Picks: file\"."
+    );
+    const std::string unchanged = "degree is 7, x_picks_file and picks_files are none of ours: µ";
+    EXPECT_EQ(withLabels(unchanged, curveFilter()), unchanged);
+    EXPECT_EQ(withLabels("", curveFilter()), "");
+    EXPECT_EQ(withLabels("tube_radius", curveFilter()), "\"Radius of the tube\"");
 }
 
 TEST(FilterDescription, BecomesHtml) {

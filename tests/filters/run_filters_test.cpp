@@ -390,6 +390,24 @@ TEST(RunCurveFilter, TakesPicksFromTextAndLayerAlike) {
     );
 }
 
+TEST(RunCurveFilter, PassesOverALayerWithFacesThatNobodyChose) {
+    DesignerCache designers;
+    PickCandidates picks{
+        .tool = kPicks,
+        .layer = PicksLayer{.label = "mesh", .points = {}, .hasFaces = true, .isOffered = true}
+    };
+    EXPECT_EQ(
+        runCurveFilter(plateLayer(), picks, {}, designers).curve.polyline.points,
+        draw(plateLayer(), {}).curve.polyline.points
+    );
+    const auto run = [&] { return runCurveFilter(plateLayer(), picks, {}, designers); };
+    picks.layer->isOffered = false;
+    expectPart(refusal(run), "\"mesh\" has faces");
+    picks.layer->isOffered = true;
+    picks.tool.clear();
+    expectPart(refusal(run), "\"mesh\" has faces");
+}
+
 TEST(RunCurveFilter, RefusesPicksThatAreMissingOrGivenTwice) {
     DesignerCache designers;
     CurveRequest request;

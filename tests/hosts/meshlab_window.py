@@ -17,6 +17,9 @@ SETTING = (
     'type=\\"RichBool\\" value=\\"false\\" description=\\"\\" tooltip=\\"\\"/>\\n"\n'
 )
 
+# From the right edge of the view, and from the top of the window, to the name of the first layer; height of its row.
+LAYER_NAME, FIRST_LAYER, LAYER_ROW = 80, 95, 31
+
 # From the bottom of a filter's dialog to the middle of its last row of buttons, Close and Apply.
 BUTTON_HEIGHT = 22
 
@@ -174,6 +177,29 @@ class MeshLabWindow:
         """Clicks Close of a filter's dialog."""
         self.click(dialog.x + dialog.width * 0.25, dialog.y + dialog.height - BUTTON_HEIGHT)
         self.wait_for_no_window(f"^{re.escape(dialog.name)}$")
+
+    def select_layer(self, row):
+        """Makes the layer in a row of the list, from 0 on, the current one."""
+        view = self.view()
+        x, y = view.x + view.width + LAYER_NAME, self.main.y + FIRST_LAYER + row * LAYER_ROW
+        self.click(x, y)
+        wait_until(lambda: self._is_selected(x, y), f"layer {row} as the current one")
+
+    def layers(self):
+        """How many layers the list has."""
+        self.wait_for_still_picture()
+        picture, view = self.display.picture(), self.view()
+        for row in range(20):
+            x, y = view.x + view.width + LAYER_NAME, self.main.y + FIRST_LAYER + row * LAYER_ROW
+            box = picture.crop((x - 10, y - 8, x + 40, y + 8))
+            if min(low for low, _ in box.getextrema()) > 128:
+                return row  # no letters
+        raise AssertionError("no end of the list of layers")
+
+    def _is_selected(self, x, y):
+        """Whether a row of the list is blue: above the name, where no letter is."""
+        red, _, blue = self.display.picture().getpixel((x, y - LAYER_ROW // 2 + 3))
+        return blue > red + 60
 
     def export_layer(self, path):
         """Writes the current layer to a file that is not there yet, with File > Export Mesh as."""

@@ -21,6 +21,10 @@ CLICKS = np.array([[0, -110], [90, -60], [70, 60], [-50, 70]])
 BUNNY_CLICKS = np.array([[-60, 20], [-20, 50], [30, 10], [60, 50]])
 
 
+# In the list of layers: the surface, the curve, its tube.
+CURVE_ROW = 1
+
+
 @dataclass
 class Session:
     """What was seen and written while the window was used."""
@@ -64,9 +68,11 @@ def session(request, display, sphere, tmp_path_factory):
         view = meshlab.view()
         meshlab.pick(CLICKS + [view.x + view.width / 2, view.y + view.height / 2])
         dialog = meshlab.open_filter(CURVE)
-        for count in (1, 2):  # the first curve is the current layer when the second is drawn
+        for count in (1, 2):  # the second curve takes the place of the first
             meshlab.apply(dialog)
             meshlab.applied(CURVE, count)
+        meshlab.close(dialog)
+        meshlab.select_layer(CURVE_ROW)
         meshlab.export_layer(exported)
         return Session(error_shown, meshlab.log(), view.height, polylines.read_obj(exported))
 
@@ -77,7 +83,7 @@ def curves_of(session):
 
 def test_an_error_is_shown_and_logged(session):
     assert session.error_shown
-    assert any("no picks: give picks, picks_file or picks_layer" in line for line in session.log)
+    assert any('no picks: give picks, "Picks: file" or "Picks: layer"' in line for line in session.log)
 
 
 def test_a_field_is_computed(session):
@@ -135,6 +141,7 @@ def test_the_steps_of_readme_draw_a_curve_on_the_bunny(prefix, readme_commands, 
         meshlab.pick(BUNNY_CLICKS + [view.x + view.width / 2, view.y + view.height / 2])
         meshlab.apply(meshlab.open_filter(CURVE))
         meshlab.applied(CURVE)
+        meshlab.select_layer(CURVE_ROW)
         meshlab.export_layer(exported)
         (figures,) = [figures for figures in map(figures_of, meshlab.log()) if figures and "usable" in figures]
     assert figures["usable"] == "true"

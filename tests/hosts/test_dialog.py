@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The filter's dialog on small screens: its buttons and the view stay within reach, and what it makes can be seen."""
+import numpy as np
+import pytest
+from meshlab_window import MeshLabWindow
+from meshlabserver import figures_of
+from virtual_display import VirtualDisplay
+
+CURVE = "B-spline Curve on Surface"
+
+# Where the mouse picks, in pixels from the middle of the view, and then once more.
+CLICKS = np.array([[0, -110], [90, -60], [70, 60]])
+FURTHER = np.array([-50, 70])
+
+LAYERS = 3  # surface, curve, tube
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1280, 720)], ids=lambda size: "x".join(map(str, size)))
+def test_the_dialog_leaves_the_view_and_its_buttons_within_reach(size, display, prefix, sphere, tmp_path):
+    width, height = size
+    with VirtualDisplay(width, height) as small, MeshLabWindow(small, prefix / "bin" / "meshlab", sphere) as meshlab:
+        dialog = meshlab.open_filter(CURVE)
+        meshlab.wait_for_still_picture()
+        small.picture().save(tmp_path / "dialog.png")
+        view = meshlab.view()
+        assert dialog.y >= 0 and dialog.y + dialog.height <= height
+        assert dialog.x >= 0 and dialog.x + dialog.width <= width
+        covered = max(0, min(dialog.x + dialog.width, view.x + view.width) - max(dialog.x, view.x))
+        assert covered * dialog.height <= 0.5 * view.width * view.height
+
+
+
+def test_moved_picks_replace_their_curve_and_the_surface_stays_current(display, prefix, sphere):
+    with MeshLabWindow(display, prefix / "bin" / "meshlab", sphere) as meshlab:
+        view = meshlab.view()
+        middle = np.array([view.x + view.width / 2, view.y + view.height / 2])
+        meshlab.pick(CLICKS + middle)
+        for count in (1, 2):
+            dialog = meshlab.open_filter(CURVE)
+            meshlab.apply(dialog)
+            meshlab.applied(CURVE, count)
+            meshlab.close(dialog)
+            assert meshlab.layers() == LAYERS
+            if count == 1:
+                meshlab.pick([FURTHER + middle])  # the tool goes on where it was, since the surface is current
+        drawn = [figures for figures in map(figures_of, meshlab.log()) if figures and "usable" in figures]
+        lengths = [float(figures["length"]) for figures in drawn]
+        assert lengths[1] > 1.1 * lengths[0]
