@@ -28,10 +28,10 @@ void add(
     const QString& name,
     const QString& label,
     const QString& help,
-    bool isAdvanced,
+    bool isFolded,
     Values&&... values
 ) {
-    list.addParam(Rich(name, std::forward<Values>(values)..., label, help, isAdvanced));
+    list.addParam(Rich(name, std::forward<Values>(values)..., label, help, isFolded));
 }
 
 inline void addLayer(
@@ -39,11 +39,12 @@ inline void addLayer(
     const QString& name,
     const QString& label,
     const QString& help,
+    bool isFolded,
     const MeshModel* standard,
     DialogDocument& document
 ) {
     const unsigned int id = standard == nullptr ? 0U : static_cast<unsigned int>(standard->id());
-    list.addParam(RichMesh(name, id, &document, label, help));
+    list.addParam(RichMesh(name, id, &document, label, help, isFolded));
 }
 
 [[nodiscard]] inline LayerId layerOf(const RichParameterList& list, const QString& name) {

@@ -23,7 +23,7 @@ void add(
     const QString& name,
     const QString& label,
     const QString& help,
-    bool /*isAdvanced*/,
+    bool /*isFolded*/,
     Values&&... values
 ) {
     list.addParam(Rich(name, std::forward<Values>(values)..., label, help));
@@ -35,6 +35,7 @@ inline void addLayer(
     const QString& name,
     const QString& label,
     const QString& help,
+    bool /*isFolded*/,
     const MeshModel* standard,
     DialogDocument& document
 ) {

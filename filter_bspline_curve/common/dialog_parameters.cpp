@@ -51,7 +51,13 @@ public:
         switch (p.type) {
             case ParameterType::Layer:
                 host::addLayer(
-                    list_, textOf(p.id), textOf(p.label), textOf(p.fullHelp()), surface_, document_
+                    list_,
+                    textOf(p.id),
+                    textOf(p.label),
+                    textOf(p.fullHelp()),
+                    p.isFolded(),
+                    surface_,
+                    document_
                 );
                 break;
             case ParameterType::Bool:

@@ -45,6 +45,26 @@ def prefix(legacy_plugin, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def program_of(request, display):
+    """program_of(version): MeshLab's program, with our plugins where it looks for them."""
+
+    def program(version):
+        if version == "2020.09":
+            return request.getfixturevalue("prefix") / "bin" / "meshlab"
+        where = subprocess.run([ROOT / "scripts" / "build_meshlab_gui", "--where"], capture_output=True, text=True)
+        found = Path(where.stdout.strip()) / "bin" / "meshlab"
+        if not found.is_file():
+            pytest.skip("the window of MeshLab 2025.07 is not built; scripts/build_meshlab_gui builds it in 15 minutes")
+        plugins = display.home / "data" / "VCG" / "MeshLab_64bit_dp" / "MeshLabExtraPlugins" / "2025.07d"
+        plugins.mkdir(parents=True, exist_ok=True)
+        for plugin in (BUILD / "plugins").glob("*.so"):
+            shutil.copy(plugin, plugins)
+        return found
+
+    return program
+
+
+@pytest.fixture(scope="session")
 def example_scripts():
     """The module that writes filter scripts."""
     spec = importlib.util.spec_from_file_location("example_scripts", ROOT / "scripts" / "example_scripts.py")

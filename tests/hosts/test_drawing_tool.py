@@ -69,9 +69,9 @@ class Tool:
         self.display.xdotool(*(str(word if isinstance(word, str) else int(word)) for word in words))
 
 
-@pytest.fixture
-def meshlab(display, prefix, sphere):
-    with MeshLabWindow(display, prefix / "bin" / "meshlab", sphere) as window:
+@pytest.fixture(params=["2020.09", "2025.07"])
+def meshlab(request, display, program_of, sphere):
+    with MeshLabWindow(display, program_of(request.param), sphere) as window:
         yield window
 
 

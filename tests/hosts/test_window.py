@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The windows of MeshLab 2020.09 and 2025.07: points picked with the mouse become a curve on the mesh."""
-import shutil
-import subprocess
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import polylines
@@ -12,7 +9,6 @@ import pytest
 from meshlab_window import MeshLabWindow
 from meshlabserver import figures_of
 
-ROOT = Path(__file__).resolve().parents[2]
 CURVE = "B-spline Curve on Surface"
 FIELD = "Scalar Field for Curves"
 
@@ -35,24 +31,10 @@ class Session:
     curve: tuple  # vertices and edges of the last curve, as MeshLab exported it
 
 
-def program_of(host, request, display):
-    """MeshLab's program, with the plugin where it looks for it."""
-    if host == "2020.09":
-        return request.getfixturevalue("prefix") / "bin" / "meshlab"
-    where = subprocess.run([ROOT / "scripts" / "build_meshlab_gui", "--where"], capture_output=True, text=True)
-    program = Path(where.stdout.strip()) / "bin" / "meshlab"
-    if not program.is_file():
-        pytest.skip("the window of MeshLab 2025.07 is not built; scripts/build_meshlab_gui builds it in 15 minutes")
-    plugins = display.home / "data" / "VCG" / "MeshLab_64bit_dp" / "MeshLabExtraPlugins" / "2025.07d"
-    plugins.mkdir(parents=True, exist_ok=True)
-    shutil.copy(request.getfixturevalue("plugin_path"), plugins)
-    return program
-
-
 @pytest.fixture(scope="module", params=["2020.09", "2025.07"])
-def session(request, display, sphere, tmp_path_factory):
+def session(request, display, program_of, sphere, tmp_path_factory):
     exported = tmp_path_factory.mktemp("exported") / "curve.obj"
-    with MeshLabWindow(display, program_of(request.param, request, display), sphere) as meshlab:
+    with MeshLabWindow(display, program_of(request.param), sphere) as meshlab:
         dialog = meshlab.open_filter(FIELD)
         meshlab.apply(dialog)
         meshlab.applied(FIELD)
