@@ -2,20 +2,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the Python package's functions and methods, with their arguments and docstrings, from filters/filters.json.
 
-    scripts/python_filters.py           # writes filters.py and methods.py in python/meshlab_bspline_curve
+    scripts/python_filters.py           # writes filters.py and methods.py of python/meshlab_bspline_curve and
+                                        # _keywords.py of python/bspline_curve
     scripts/python_filters.py --check   # exit status 1 where they are not what the description says
 """
 
 import argparse
 import json
 import sys
-import textwrap
 from pathlib import Path
+
+from python_keywords import keywords
+from python_text import HEAD, WIDTH, aliases, camel, default_of, docstring, function, options_of, plain, range_of, type_of
 
 ROOT = Path(__file__).resolve().parents[1]
 DESCRIPTION = ROOT / "filters" / "filters.json"
-PACKAGE = ROOT / "python" / "meshlab_bspline_curve"
-WIDTH = 120
+PYTHON = ROOT / "python"
 
 # Of the functions on arrays: what needs a layer or a selection is an array there, or is not there.
 LEFT_OUT = {"surface_layer", "replace", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers", "region"}
@@ -35,11 +37,6 @@ HELP = {
 }
 CHOICES = ("field", "avoid", "field_region")  # words or arrays, which run.draw looks at together
 
-HEAD = """\
-# SPDX-License-Identifier: GPL-3.0-or-later
-# Made from filters/filters.json by scripts/python_filters.py; do not edit.
-"""
-
 MESH_HELP = [
     ("vertices", "(n, 3) array of float", "Of the mesh."),
     ("faces", "(m, 3) array of int", "Of the mesh: ids of vertices, from 0 on, all oriented alike."),
@@ -51,50 +48,6 @@ RAISES = [
     ("ValueError, TypeError", "An argument has a wrong shape or type, or is out of its range."),
     ("CurveError", "The filter refuses the mesh or the picks, or fails; the message says which and what to do."),
 ]
-
-
-def camel(name):
-    return "".join(word.capitalize() for word in name.split("_"))
-
-
-def options_of(parameter, with_selections):
-    return [o for o in parameter["enumOptions"] if with_selections or not o.get("needsSelection")]
-
-
-def type_of(parameter, with_selections):
-    """As an annotation."""
-    kind = parameter["type"]
-    if kind == "enum":
-        return camel(parameter["id"])
-    if kind == "absperc":
-        return "float | pymeshlab.PercentageValue | pymeshlab.PureValue" if with_selections else "float"
-    return {"bool": "bool", "int": "int", "double": "float", "mesh": "int | None"}.get(kind, "str")
-
-
-def default_of(parameter):
-    value = parameter["default"]
-    return "None" if parameter["type"] == "mesh" else json.dumps(value) if isinstance(value, str) else repr(value)
-
-
-def aliases(parameters, with_selections):
-    """The words of the enumerations as types."""
-    lines = []
-    for p in parameters:
-        if p["type"] == "enum":
-            words = ", ".join(f'"{o["id"]}"' for o in options_of(p, with_selections))
-            line = f"{camel(p['id'])}: TypeAlias = Literal[{words}]"
-            if len(line) > WIDTH:
-                inner = textwrap.fill(words, WIDTH, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
-                line = f"{camel(p['id'])}: TypeAlias = Literal[\n{inner},\n]"
-            lines.append(line.replace("'", '"'))
-    return "\n".join(lines)
-
-
-def range_of(parameter):
-    low, high, opens = parameter.get("min"), parameter.get("max"), parameter.get("excludesMin")
-    if high is not None:
-        return f" in {'(' if opens else '['}{low:g}, {high:g}]"
-    return "" if low is None else f" {'>' if opens else '≥'} {low:g}"
 
 
 def documented(parameter, with_selections):
@@ -119,28 +72,6 @@ def documented(parameter, with_selections):
         elif note:
             words += " " + note
     return parameter["id"], f"{words}, {optional}", text
-
-
-def docstring(summary, extended, sections):
-    """numpydoc; sections: title -> [(name, type, text)], without a name where it is empty."""
-    lines = [f'"""{summary}', "", *textwrap.wrap(extended, WIDTH - 4, break_on_hyphens=False)]
-    for title, entries in sections.items():
-        lines += ["", title, "-" * len(title)]
-        for name, kind, text in entries:
-            head = f"{name} : {kind}" if name else kind
-            lines += textwrap.wrap(head, WIDTH - 4, subsequent_indent="    ", break_on_hyphens=False)
-            lines += textwrap.wrap(text, WIDTH - 4, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
-    return "\n".join(("    " + line).rstrip() for line in [*lines, '"""'])
-
-
-def plain(markdown):
-    return markdown.replace("*", "").replace("\n\n", " ")
-
-
-def function(name, positional, keywords, result, doc, body):
-    arguments = [*positional, "*", *keywords]
-    lines = [f"def {name}(", *(f"    {argument}," for argument in arguments), f") -> {result}:", doc, *body]
-    return "\n".join(lines)
 
 
 def keyword(parameter):
@@ -228,7 +159,7 @@ def functions(filters):
 
 
 def method(flt):
-    parameters = flt["parameters"]
+    parameters = [p for p in flt["parameters"] if p["group"] != "window"]
     doc = docstring(
         flt["shortDescription"], plain(flt["longDescriptionMarkdown"]),
         {"Parameters": [documented(p, True) for p in parameters],
@@ -267,11 +198,17 @@ def main():
     check = parser.parse_args().check
     filters = json.loads(DESCRIPTION.read_text())["filters"]
     stale = []
-    for name, text in (("filters.py", functions(filters)), ("methods.py", methods(filters))):
-        if not (PACKAGE / name).is_file() or (PACKAGE / name).read_text() != text:
-            stale.append(name)
+    files = {
+        "meshlab_bspline_curve/filters.py": functions(filters),
+        "meshlab_bspline_curve/methods.py": methods(filters),
+        "bspline_curve/_keywords.py": keywords(filters),
+    }
+    for name, text in files.items():
+        path = PYTHON / name
+        if not path.is_file() or path.read_text() != text:
+            stale.append(path.name)
             if not check:
-                (PACKAGE / name).write_text(text)
+                path.write_text(text)
     if check and stale:
         sys.exit(f"not what filters/filters.json says: {', '.join(stale)}; run scripts/python_filters.py")
 

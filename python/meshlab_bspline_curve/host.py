@@ -14,7 +14,7 @@ from .errors import HostError
 
 PLUGIN = Path(__file__).parent / "libfilter_bspline_curve.so"
 
-REBUILD = "run pip install --force-reinstall --no-deps on the checkout of meshlab_bspline_curve to build it anew"
+REBUILD = "run BSPLINE_CURVE_MESHLAB=1 pip install --force-reinstall --no-deps on the checkout to build it anew"
 
 
 def year_and_month(version: str) -> tuple[int, ...]:

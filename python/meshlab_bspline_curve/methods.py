@@ -44,7 +44,6 @@ def generate_bspline_curve_on_surface(
     field: Field = "auto",
     field_weight: float = 2000.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
-    replace: bool = False,
     picks_layer: int | None = None,
     picks_file: str = "",
     picks: str = "",
@@ -121,9 +120,6 @@ def generate_bspline_curve_on_surface(
     tube_radius : float ≥ 0, default 0.0
         A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
         diagonal. 0: no tube.
-    replace : bool, default False
-        Removes the layers of the last curve on this surface that the filter drew through at least half of these picks,
-        so that a curve whose picks were moved does not leave its old one behind. On in MeshLab's window.
     picks_layer : int, optional
         A layer of points without faces; the curve passes through its vertices in their order. The surface itself
         (default): no layer of picks.
@@ -264,7 +260,6 @@ def generate_bspline_curve_on_surface(
             "field": field,
             "field_weight": field_weight,
             "tube_radius": tube_radius,
-            "replace": replace,
             "picks_layer": picks_layer,
             "picks_file": picks_file,
             "picks": picks,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Python package in a virtual environment that README's commands make from nothing, once."""
+"""The Python package in virtual environments that the commands of the pages make from nothing, once."""
 import os
 import re
 import shutil
@@ -13,9 +13,9 @@ ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", ROOT / "build" / "release"))
 
 
-def readme_commands():
-    """Those of the section on Python."""
-    return re.search(r"\n## Python\n.*?\n\n((?:    [^\n]*\n)+)", (ROOT / "README.md").read_text(), re.S)[1]
+def page_commands(page, section):
+    """The first commands of a section."""
+    return re.search(rf"\n## {section}\n.*?\n\n((?:    [^\n]*\n)+)", (ROOT / page).read_text(), re.S)[1]
 
 
 class Home:
@@ -34,8 +34,9 @@ class Home:
         if shutil.which("ccache"):
             self.environment.setdefault("CMAKE_CXX_COMPILER_LAUNCHER", "ccache")
 
-    def install(self):
-        done = subprocess.run(["bash", "-e", "-c", readme_commands()], cwd=ROOT, env=self.environment, capture_output=True, text=True)
+    def install(self, page, section):
+        command = ["bash", "-e", "-c", page_commands(page, section)]
+        done = subprocess.run(command, cwd=ROOT, env=self.environment, capture_output=True, text=True)
         assert done.returncode == 0, done.stdout[-4000:] + done.stderr[-4000:]
         self.printed = done.stdout
 
@@ -57,7 +58,15 @@ class Home:
 @pytest.fixture(scope="session")
 def home(tmp_path_factory):
     home = Home(tmp_path_factory.mktemp("home"))
-    home.install()
+    home.install("docs/PYTHON.md", "Building for pymeshlab")
+    return home
+
+
+@pytest.fixture(scope="session")
+def plain_home(tmp_path_factory):
+    """With nothing but what README's commands install."""
+    home = Home(tmp_path_factory.mktemp("plain_home"))
+    home.install("README.md", "Python")
     return home
 
 

@@ -56,11 +56,12 @@ def test_a_method_of_meshset_has_the_described_arguments(described, home):
         "answer['defaults'] = json.dumps({a.name: a.default for a in list(arguments.values())[1:]})\n"
         "answer['text'] = inspect.getdoc(method)"
     )
-    expected = {p["id"]: None if p["type"] == "mesh" else p["default"] for p in described["parameters"]}
+    parameters = [p for p in described["parameters"] if p["group"] != "window"]
+    expected = {p["id"]: None if p["type"] == "mesh" else p["default"] for p in parameters}
     defaults = json.loads(str(answer["defaults"]))
     assert list(defaults) == list(expected) and defaults == expected
     told = " ".join(str(answer["text"]).split())
-    assert [p["id"] for p in described["parameters"] if p["help"] not in told or f"{p['id']} : " not in told] == []
+    assert [p["id"] for p in parameters if p["help"] not in told or f"{p['id']} : " not in told] == []
 
 
 def test_a_method_takes_lengths_and_layers(home):
@@ -97,6 +98,6 @@ def test_arguments_of_functions_are_the_described_ones(home):
     )
     of_layers = {"surface_layer", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers"}
     for described, function, of_arrays in zip(FILTERS, ("draw_curve", "compute_field"), ({"quality"}, {"quality"}), strict=True):
-        expected = {p["id"]: p["default"] for p in described["parameters"] if p["id"] not in of_layers}
+        expected = {p["id"]: p["default"] for p in described["parameters"] if p["id"] not in of_layers and p["group"] != "window"}
         expected |= {name: None for name in ("save", "field_region", "region") if name in expected} | {n: None for n in of_arrays}
         assert json.loads(str(answer[function])) == expected

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+Int32s = npt.NDArray[np.int32]
+Faces = npt.NDArray[np.int32] | npt.NDArray[np.int64]
+
+__version__: str
+
+class Curve:
+    points: Floats
+    faces: Int32s
+    barycentrics: Floats
+    t: Floats
+    pick_vertices: Int32s
+    control_points: Floats
+    knots: Floats
+    pick_parameters: Floats
+    degree: int
+    closed: bool
+    usable: bool
+    length: float
+
+    @staticmethod
+    def restored(
+        parts: dict[str, Any], points: Floats, faces: Int32s, barycentrics: Floats, t: Floats, control_points: Floats, /
+    ) -> Curve: ...
+    def report(self) -> dict[str, Any]: ...
+    def why_unusable(self) -> str: ...
+
+class Designer:
+    vertices: Floats
+    faces: Int32s
+    seconds: dict[str, float]
+    diagonal: float
+    components: int
+
+    def __init__(self, vertices: Floats, faces: Faces, options: Mapping[str, Any], progress: Any, /) -> None: ...
+    def design(
+        self,
+        picks: Floats,
+        options: Mapping[str, Any],
+        field: Floats | None,
+        avoid: Int32s | None,
+        start: Curve | None,
+        progress: Any,
+        /,
+    ) -> Curve: ...
+    def field(
+        self, options: Mapping[str, Any], quality: Floats | None, region: Int32s | None, progress: Any, /
+    ) -> Floats: ...
+    def project(self, points: Floats, /) -> tuple[Int32s, Floats, Floats, Floats]: ...
+    def shell_layers(self) -> tuple[tuple[Floats, Int32s], tuple[Floats, Int32s]]: ...
+
+def repaired(vertices: Floats, faces: Faces, /) -> tuple[Floats, Int32s, dict[str, Any], str]: ...
+def natural_cost(kind: str, /) -> str: ...

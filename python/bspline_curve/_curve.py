@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A curve that was drawn, and curves made from it."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, _spline
+from ._arrays import Floats, Int32s, face_ids, numbers, one_pick
+from ._errors import InputError, PickError
+from ._options import Progress, Value, changed
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import CurveOptions
+    from ._mesh import Mesh
+
+
+_Array = TypeVar("_Array", bound=npt.NDArray[Any])
+
+
+class Drawing(NamedTuple):
+    """What a curve is drawn by."""
+
+    mesh: Mesh
+    picks: Floats
+    options: dict[str, Value]  # those that are not their defaults
+    field: str | Floats | None
+    avoid: Int32s | None
+
+    def values(self) -> Floats | None:
+        if isinstance(self.field, str):
+            return self.mesh._kept_field(self.field)
+        return self.field
+
+    def draw(self, start: _core.Curve | None, progress: Progress | None) -> Curve:
+        options = self.options
+        if isinstance(self.field, str) and "field_cost" not in options:
+            values = self.values()  # which checks the kind
+            options = {**options, "field_cost": _core.natural_cost(self.field)}
+        else:
+            values = self.values()
+        drawn = self.mesh._designer.design(self.picks, options, values, self.avoid, start, progress)
+        return Curve(drawn, self)
+
+
+class Curve:
+    """A polyline on a mesh, and the B-spline that was projected onto it; it does not change.
+
+    Attributes
+    ----------
+    points : (n, 3) array of float
+        The polyline in order; every segment lies inside one face. A closed one does not repeat its first point.
+    faces : (n,) array of int
+        A face of the mesh that holds the point.
+    barycentrics : (n, 3) array of float
+        Where it is in that face: weights of the face's vertices, in their order.
+    t : (n,) array of float
+        Parameter of the spline at the point, in [0, 1].
+    values : (n,) array of float
+        The field at the point; without a field, t.
+    control_points : (m, 3) array of float
+        Of the spline. A closed one names its first `degree` again at the end.
+    knots : (m + degree + 1,) array of float
+        The full knot vector; the curve is over [0, 1]. Those of a closed curve are periodic.
+    degree : int
+    closed : bool
+    pick_parameters : (p,) array of float
+        Parameter t of each pick.
+    pick_vertices : (p,) array of int
+        Which points the picks are.
+    picks : (p, 3) array of float
+        As they were given.
+    mesh : Mesh
+    usable : bool
+        Whether the spline came as near to the surface as asked; the polyline lies on it in any case.
+    length : float
+        Of the polyline, in the unit of the mesh.
+    report : dict
+        How the curve came about: status, max_distance (spline to surface, in mean edge lengths), seconds, rounds …
+
+    All arrays are read-only, and those but `faces`, `barycentrics` and `values` share the memory of the curve.
+    """
+
+    __slots__ = ("_barycentrics", "_core", "_drawing", "_faces", "_report", "_values")
+
+    def __init__(self, core: _core.Curve, drawing: Drawing, report: dict[str, Any] | None = None) -> None:
+        self._core = core
+        self._drawing = drawing
+        self._report = report
+        self._faces: Int32s | None = None
+        self._barycentrics: Floats | None = None
+        self._values: Floats | None = None
+
+    @property
+    def mesh(self) -> Mesh:
+        return self._drawing.mesh
+
+    @property
+    def picks(self) -> Floats:
+        view = self._drawing.picks.view()
+        view.flags.writeable = False
+        return view
+
+    @property
+    def options(self) -> dict[str, Value]:
+        """Those that are not their defaults."""
+        return dict(self._drawing.options)
+
+    @property
+    def points(self) -> Floats:
+        return self._core.points
+
+    @property
+    def faces(self) -> Int32s:
+        if self._faces is None:
+            self._faces = _read_only(self._core.faces)
+        return self._faces
+
+    @property
+    def barycentrics(self) -> Floats:
+        if self._barycentrics is None:
+            self._barycentrics = _read_only(self._core.barycentrics)
+        return self._barycentrics
+
+    @property
+    def t(self) -> Floats:
+        return self._core.t
+
+    @property
+    def values(self) -> Floats:
+        if self._values is None:
+            field = self._drawing.values()
+            corners = self.mesh.faces[self.faces]
+            along = self.t if field is None else (field[corners] * self.barycentrics).sum(1)
+            self._values = _read_only(along)
+        return self._values
+
+    @property
+    def control_points(self) -> Floats:
+        return self._core.control_points
+
+    @property
+    def knots(self) -> Floats:
+        return self._core.knots
+
+    @property
+    def degree(self) -> int:
+        return self._core.degree
+
+    @property
+    def closed(self) -> bool:
+        return self._core.closed
+
+    @property
+    def pick_parameters(self) -> Floats:
+        return self._core.pick_parameters
+
+    @property
+    def pick_vertices(self) -> Int32s:
+        return self._core.pick_vertices
+
+    @property
+    def usable(self) -> bool:
+        return self._core.usable
+
+    @property
+    def length(self) -> float:
+        return self._core.length
+
+    @property
+    def report(self) -> dict[str, Any]:
+        if self._report is None:
+            self._report = self._core.report()
+            if not self.usable:
+                self._report["why"] = self._core.why_unusable()
+        return self._report
+
+    def spline(self, t: npt.ArrayLike, derivative: int = 0) -> Floats:
+        """Points of the spline, or its derivatives by t.
+
+        Parameters
+        ----------
+        t : array of float
+            Parameters in [0, 1]; a closed curve takes any, with period 1.
+        derivative : int ≥ 0, default 0
+            Order of the derivative. Where that jumps, the value is that from the right.
+
+        Returns
+        -------
+        (..., 3) array of float
+            One row for each t. Points are off the surface by up to `distance_tolerance`.
+
+        Raises
+        ------
+        InputError
+            A parameter is outside of [0, 1] on an open curve, or is not finite.
+        """
+        at = numbers(t, "t").reshape(np.shape(t))
+        if not np.isfinite(at).all():
+            raise InputError("t must be finite")
+        if self.closed:
+            at = at % 1.0
+        elif at.size and (at.min() < 0.0 or at.max() > 1.0):
+            raise InputError(f"t is in [{at.min()}, {at.max()}], but an open curve has [0, 1]")
+        return _spline.evaluate(_spline.Spline(self.degree, self.knots, self.control_points), at, derivative)
+
+    def segments(self) -> npt.NDArray[np.int64]:
+        """Pairs of indices into `points`: (n - 1, 2), or (n, 2) where the curve is closed."""
+        n = len(self.points)
+        first = np.arange(n if self.closed else n - 1)
+        return np.stack([first, (first + 1) % n], axis=1)
+
+    def move(self, pick: int, point: npt.ArrayLike | tuple[int, Any], progress: Progress | None = None) -> Curve:
+        """Draw the curve with one pick at another place: (3,), or a pair (face, barycentrics).
+
+        The solver starts from this curve, which takes about half the time. Raises as Mesh.curve() does.
+        """
+        index = self._index(pick, len(self.picks))
+        picks = self._drawing.picks.copy()
+        picks[index] = one_pick(point, self.mesh.vertices, self.mesh.faces, index)
+        return self._drawing._replace(picks=picks).draw(self._core, progress)
+
+    def insert(self, pick: int, point: npt.ArrayLike | tuple[int, Any], progress: Progress | None = None) -> Curve:
+        """Draw the curve with one more pick, before `pick`; len(picks) puts it last."""
+        index = self._index(pick, len(self.picks) + 1)
+        added = one_pick(point, self.mesh.vertices, self.mesh.faces, index)
+        return self._drawing._replace(picks=np.insert(self._drawing.picks, index, added, axis=0)).draw(None, progress)
+
+    def remove(self, pick: int, progress: Progress | None = None) -> Curve:
+        """Draw the curve without one of its picks."""
+        index = self._index(pick, len(self.picks))
+        return self._drawing._replace(picks=np.delete(self._drawing.picks, index, axis=0)).draw(None, progress)
+
+    def with_options(self, progress: Progress | None = None, **options: Unpack[CurveOptions]) -> Curve:
+        """Draw the curve through the same picks with some options changed; those of Mesh.curve()."""
+        from ._keywords import CURVE
+
+        given: dict[str, Any] = dict(options)
+        drawing = self._drawing
+        if "field" in given:
+            field = given.pop("field")
+            drawing = drawing._replace(field=field if isinstance(field, (str, type(None))) else self.mesh._values(field))
+        if "avoid" in given:
+            avoid = given.pop("avoid")
+            drawing = drawing._replace(avoid=None if avoid is None else face_ids(avoid, "avoid", len(self.mesh.faces)))
+        unknown = sorted(given.keys() - CURVE.keys())
+        if unknown:
+            raise TypeError(f"with_options() has no option {unknown[0]!r}; it has {', '.join([*CURVE, 'field', 'avoid'])}")
+        return drawing._replace(options=changed(CURVE, {**drawing.options, **given})).draw(None, progress)
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Write the curve to a .json file, from which load() makes it again; the file appears wholly, or not at all."""
+        from ._files import save
+
+        save(self, file)
+
+    def _index(self, pick: int, end: int) -> int:
+        if isinstance(pick, bool) or not isinstance(pick, (int, np.integer)):
+            raise TypeError(f"pick is {pick!r}, but must be an integer")
+        if not -end <= pick < end:
+            raise PickError(f"pick is {pick}, but must be in [{-end}, {end - 1}]", "index-out-of-range")
+        return int(pick) % end
+
+    def __repr__(self) -> str:
+        kind = "closed" if self.closed else "open"
+        note = "" if self.usable else ", not usable"
+        return (
+            f"<bspline_curve.Curve: {kind}, {len(self.picks)} picks, {len(self.points)} points, "
+            f"length {self.length:.6g}{note}>"
+        )
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return restored, (self._drawing, self._state(), self.report)
+
+    def _state(self) -> dict[str, Any]:
+        """What restored() makes the same curve of."""
+        rounds = self.report["rounds"]
+        return {
+            "points": np.array(self.points),
+            "faces": self.faces,
+            "barycentrics": self.barycentrics,
+            "t": np.array(self.t),
+            "control_points": np.array(self.control_points),
+            "knots": self.knots.tolist(),
+            "pick_parameters": self.pick_parameters.tolist(),
+            "pick_vertices": self.pick_vertices.tolist(),
+            "degree": self.degree,
+            "closed": self.closed,
+            "usable": self.usable,
+            "is_sampled": self.report["is_sampled"],
+            "alpha": rounds[-1]["alpha"] if rounds else 0.0,
+        }
+
+
+def restored(drawing: Drawing, state: dict[str, Any], report: dict[str, Any]) -> Curve:
+    """The curve that `state` was taken of."""
+    names = ("points", "faces", "barycentrics", "t", "control_points")
+    return Curve(_core.Curve.restored(state, *(state[name] for name in names)), drawing, report)
+
+
+def _read_only(array: _Array) -> _Array:
+    array.flags.writeable = False
+    return array

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curves in files: the program's JSON, and besides it what the curve was drawn by."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ._arrays import Floats
+from ._curve import Curve, Drawing, restored
+from ._errors import FileError
+from ._keywords import CURVE
+from ._mesh import Mesh
+from ._options import changed
+
+# A file's points may be those of the mesh to rounding, relative to its diagonal.
+SAME_PLACE = 1e-9
+
+
+def document_of(curve: Curve) -> dict[str, Any]:
+    drawing = curve._drawing
+    polyline = {
+        "points": curve.points.tolist(),
+        "faces": curve.faces.tolist(),
+        "barycentrics": curve.barycentrics.tolist(),
+        "t": curve.t.tolist(),
+        "picks": curve.pick_vertices.tolist(),
+    }
+    if drawing.field is not None:
+        polyline["quality"] = curve.values.tolist()
+    return {
+        "closed": curve.closed,
+        "polyline": polyline,
+        "spline": {
+            "degree": curve.degree,
+            "closed": curve.closed,
+            "knots": curve.knots.tolist(),
+            "control_points": curve.control_points.tolist(),
+            "pick_parameters": curve.pick_parameters.tolist(),
+        },
+        "drawn_by": {
+            "picks": curve.picks.tolist(),
+            "options": drawing.options,
+            "field": drawing.field if isinstance(drawing.field, (str, type(None))) else drawing.field.tolist(),
+            "avoid": None if drawing.avoid is None else drawing.avoid.tolist(),
+        },
+        "report": finite(curve.report),
+    }
+
+
+def finite(value: Any) -> Any:
+    """JSON has no infinity: null."""
+    if isinstance(value, dict):
+        return {name: finite(each) for name, each in value.items()}
+    if isinstance(value, list):
+        return [finite(each) for each in value]
+    return value if not isinstance(value, float) or np.isfinite(value) else None
+
+
+def save(curve: Curve, file: str | os.PathLike[str]) -> None:
+    path = Path(file)
+    if path.suffix.lower() != ".json":
+        raise FileError(f"{path}: a curve is saved as .json", "unwritable-file")
+    text = json.dumps(document_of(curve), allow_nan=False) + "\n"
+    try:
+        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, delete=False) as part:
+            try:
+                part.write(text)
+                part.close()
+                umask = os.umask(0)
+                os.umask(umask)
+                os.chmod(part.name, 0o666 & ~umask)
+                os.replace(part.name, path)
+            except BaseException:
+                with contextlib.suppress(FileNotFoundError):
+                    os.unlink(part.name)
+                raise
+    except OSError as error:
+        raise FileError(f"{path} cannot be written: {error}", "unwritable-file") from error
+
+
+def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
+    """Read a curve that Curve.save() or the program wrote as .json, on the mesh that it was drawn on.
+
+    Parameters
+    ----------
+    file : str or path
+    mesh : Mesh
+
+    Returns
+    -------
+    Curve
+        Of a file of the program, with default options and the picks as they are on the surface.
+
+    Raises
+    ------
+    FileError
+        The file cannot be read, holds no curve, or its points are not on this mesh.
+    """
+    path = Path(file)
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+        line, spline = document["polyline"], document["spline"]
+        drawn = document.get("drawn_by", {})
+        report = document.get("report", {})
+        state = {
+            "points": rows(line["points"]),
+            "faces": np.array(line["faces"], dtype=np.int32),
+            "barycentrics": rows(line["barycentrics"]),
+            "t": np.array(line["t"], dtype=np.float64),
+            "control_points": rows(spline["control_points"]),
+            "knots": spline["knots"],
+            "pick_parameters": spline["pick_parameters"],
+            "pick_vertices": line["picks"],
+            "degree": spline["degree"],
+            "closed": document["closed"],
+            "usable": report.get("usable", True),
+            "is_sampled": report.get("is_sampled", False),
+            "alpha": report["rounds"][-1]["alpha"] if report.get("rounds") else 0.0,
+        }
+        picks = rows(drawn["picks"]) if drawn else state["points"][line["picks"]]
+        options = drawn.get("options", {"closed": document["closed"], "degree": spline["degree"]})
+        field = drawn.get("field")
+        drawing = Drawing(
+            mesh,
+            picks,
+            changed(CURVE, options),
+            mesh._values(field) if isinstance(field, list) else field,
+            None if drawn.get("avoid") is None else np.array(drawn["avoid"], dtype=np.int32),
+        )
+    except OSError as error:
+        raise FileError(f"{path} cannot be read: {error}", "unreadable-file") from error
+    except (ValueError, KeyError, TypeError, IndexError, AttributeError) as error:
+        raise FileError(f"{path} holds no curve: {error!r}", "unreadable-file") from error
+    require_on(mesh, state, path)
+    return restored(drawing, state, report)
+
+
+def rows(numbers: Any) -> Floats:
+    array = np.array(numbers, dtype=np.float64)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError("rows of three numbers are needed")
+    return array
+
+
+def require_on(mesh: Mesh, state: dict[str, Any], path: Path) -> None:
+    """Refuses points that are not where their face and barycentric coordinates say."""
+    faces = state["faces"]
+    if not len(state["points"]) == len(faces) == len(state["barycentrics"]) == len(state["t"]):
+        raise FileError(f"{path} holds no curve: its lists have different lengths", "unreadable-file")
+    if faces.min() < 0 or faces.max() >= len(mesh.faces):
+        raise FileError(f"{path} is a curve of another mesh: it names face {faces.max()}", "unreadable-file")
+    places = (mesh.vertices[mesh.faces[faces]] * state["barycentrics"][..., None]).sum(1)
+    away = np.abs(places - state["points"]).max()
+    if not away <= SAME_PLACE * mesh.diagonal:
+        raise FileError(f"{path} is a curve of another mesh: its points are up to {away:g} off", "unreadable-file")

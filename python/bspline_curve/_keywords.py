@@ -1,0 +1,433 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Made from filters/filters.json by scripts/python_filters.py; do not edit.
+"""Keywords of meshes, curves and fields."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
+
+import numpy.typing as npt
+
+from ._arrays import Floats, Picks
+from ._options import Option, Progress
+
+if TYPE_CHECKING:
+    from ._curve import Curve
+
+Shell: TypeAlias = Literal["local", "full", "simplified"]
+FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
+Preset: TypeAlias = Literal["default", "paper"]
+Bending: TypeAlias = Literal["preset", "geodesic", "ambient"]
+InitialCurve: TypeAlias = Literal["preset", "geodesic-fit", "control-polygon"]
+FieldGuidesPath: TypeAlias = Literal["preset", "off", "on"]
+Quadrature: TypeAlias = Literal["preset", "foot-points", "cells", "samples"]
+BarrierWidth: TypeAlias = Literal["preset", "full", "tight"]
+DistanceWeight: TypeAlias = Literal["preset", "schedule", "adaptive"]
+Interpolation: TypeAlias = Literal["preset", "constraint", "penalty"]
+KnotRule: TypeAlias = Literal["preset", "energy-and-distance", "feature-function"]
+FieldKind: TypeAlias = Literal[
+    "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance", "quality",
+    "obstacle",
+]
+Kind: TypeAlias = Literal[
+    "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance",
+]
+
+SHELL: dict[str, Option] = {
+    "shell": Option("enum", "local", None, None, False, ("local", "full", "simplified")),
+    "target_thickness": Option("double", 0.135, 0.0, 1.0, True, ()),
+    "target_edge_length": Option("double", 1.0, 0.0, 1.0, True, ()),
+    "shell_thickness": Option("double", 0.75, 0.0, 1000.0, True, ()),
+    "shell_smoothing_passes": Option("int", 3, 0, None, False, ()),
+}
+CURVE: dict[str, Option] = {
+    "closed": Option("bool", False, None, None, False, ()),
+    "degree": Option("int", 3, 2, 4, False, ()),
+    "tension": Option("double", 0.0, 0.0, 1.0, False, ()),
+    "field_weight": Option("double", 2000.0, 0.0, None, False, ()),
+    "field_cost": Option("enum", "natural", None, None, False, ("natural", "identity", "square", "exp-minus")),
+    "samples": Option("int", 256, 0, None, False, ()),
+    "max_segment_length": Option("double", 0.0, 0.0, None, False, ()),
+    "avoid_margin": Option("double", 0.02, 0.0, 1.0, True, ()),
+    "preset": Option("enum", "default", None, None, False, ("default", "paper")),
+    "bending": Option("enum", "preset", None, None, False, ("preset", "geodesic", "ambient")),
+    "normal_bending_weight": Option("double", 0.05, 0.0, 1.0, True, ()),
+    "distance_tolerance": Option("double", 0.1, 0.0, None, True, ()),
+    "initial_curve": Option("enum", "preset", None, None, False, ("preset", "geodesic-fit", "control-polygon")),
+    "field_guides_path": Option("enum", "preset", None, None, False, ("preset", "off", "on")),
+    "quadrature": Option("enum", "preset", None, None, False, ("preset", "foot-points", "cells", "samples")),
+    "barrier_width": Option("enum", "preset", None, None, False, ("preset", "full", "tight")),
+    "distance_weight": Option("enum", "preset", None, None, False, ("preset", "schedule", "adaptive")),
+    "interpolation": Option("enum", "preset", None, None, False, ("preset", "constraint", "penalty")),
+    "knot_rule": Option("enum", "preset", None, None, False, ("preset", "energy-and-distance", "feature-function")),
+    "samples_per_span": Option("int", 48, 4, None, False, ()),
+    "max_rounds": Option("int", 24, 1, None, False, ()),
+    "max_iterations": Option("int", 100, 1, None, False, ()),
+    "minimum_span": Option("double", 0.0001, 0.0, 0.1, True, ()),
+}
+FIELD: dict[str, Option] = {
+    "kind": Option("enum", "maximal-curvature", None, None, False, ("normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance", "quality", "obstacle")),
+    "curvature_scale": Option("double", 0.015, 0.0, 1.0, False, ()),
+    "crease_angle": Option("double", 40.0, 0.0, 180.0, False, ()),
+    "reach": Option("double", 0.1, 0.0, 1.0, True, ()),
+    "obstacle_value": Option("double", 0.0, 0.0, None, False, ()),
+    "obstacle_slope": Option("double", 40.0, 0.0, None, True, ()),
+    "smoothing": Option("double", 0.0, 0.0, 1.0, False, ()),
+    "normalised": Option("bool", False, None, None, False, ()),
+    "inverted": Option("bool", False, None, None, False, ()),
+}
+
+
+class CurveOptions(TypedDict, total=False):
+    """Options of Mesh.curve(), for Curve.with_options()."""
+
+    closed: bool
+    degree: int
+    tension: float
+    field_weight: float
+    field_cost: FieldCost
+    samples: int
+    max_segment_length: float
+    avoid_margin: float
+    preset: Preset
+    bending: Bending
+    normal_bending_weight: float
+    distance_tolerance: float
+    initial_curve: InitialCurve
+    field_guides_path: FieldGuidesPath
+    quadrature: Quadrature
+    barrier_width: BarrierWidth
+    distance_weight: DistanceWeight
+    interpolation: Interpolation
+    knot_rule: KnotRule
+    samples_per_span: int
+    max_rounds: int
+    max_iterations: int
+    minimum_span: float
+    field: Kind | npt.ArrayLike | None
+    avoid: npt.ArrayLike | None
+
+
+class MeshKeywords(ABC):
+    """What a mesh does, with its options as keywords."""
+
+    def __init__(
+        self,
+        vertices: Any,
+        faces: npt.ArrayLike | None = None,
+        *,
+        shell: Shell = "local",
+        target_thickness: float = 0.135,
+        target_edge_length: float = 1.0,
+        shell_thickness: float = 0.75,
+        shell_smoothing_passes: int = 3,
+        progress: Progress | None = None,
+    ) -> None:
+        """Prepare a triangle mesh for curves.
+
+        Validates it once: finite, oriented, two-manifold, every face with area; boundaries and several components are
+        allowed. bspline_curve.repair() mends what it can of others.
+
+        Parameters
+        ----------
+        vertices : (n, 3) array of float, or a mesh
+            A mesh of trimesh, pyvista, meshio or pymeshlab, or a pair of arrays, serves in place of both.
+        faces : (m, 3) array of int, optional
+            Ids of vertices, from 0 on, all oriented alike.
+        shell : {'local', 'full', 'simplified'}, default 'local'
+            Where curves are sought. local: no prisms: the fibres of a full shell are followed beneath the curve; a shell is
+            built only for a curve that needs one; full: a shell of one thin prism per face, built at the start; simplified:
+            a shell of few thick prisms, which takes seconds to build on large meshes and is kept for the next curve.
+        target_thickness : float in (0, 1], default 0.135
+            Simplified shell: longest pillar, bottom to top, relative to the longest side of the mesh's box.
+        target_edge_length : float in (0, 1], default 1.0
+            Simplified shell: shorter edges are collapsed where its invariants allow it, relative to the longest side of the
+            mesh's box.
+        shell_thickness : float in (0, 1000], default 0.75
+            Full shell, also where local builds one: largest distance of its top and bottom from the surface, in mean edge
+            lengths.
+        shell_smoothing_passes : int ≥ 0, default 3
+            Rounds of averaging of the pillar directions (the directions of the fibres).
+        progress : callable, optional
+            Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.
+
+        Raises
+        ------
+        InputError
+            An argument is wrong; which, and what to do. Its subclasses tell which kind of argument.
+        Cancelled
+            `progress` returned False.
+        """
+        self._prepare(
+            vertices,
+            faces,
+            {
+                "shell": shell,
+                "target_thickness": target_thickness,
+                "target_edge_length": target_edge_length,
+                "shell_thickness": shell_thickness,
+                "shell_smoothing_passes": shell_smoothing_passes,
+            },
+            progress,
+        )
+
+    def curve(
+        self,
+        picks: Picks,
+        *,
+        closed: bool = False,
+        degree: int = 3,
+        tension: float = 0.0,
+        field_weight: float = 2000.0,
+        field_cost: FieldCost = "natural",
+        samples: int = 256,
+        max_segment_length: float = 0.0,
+        avoid_margin: float = 0.02,
+        preset: Preset = "default",
+        bending: Bending = "preset",
+        normal_bending_weight: float = 0.05,
+        distance_tolerance: float = 0.1,
+        initial_curve: InitialCurve = "preset",
+        field_guides_path: FieldGuidesPath = "preset",
+        quadrature: Quadrature = "preset",
+        barrier_width: BarrierWidth = "preset",
+        distance_weight: DistanceWeight = "preset",
+        interpolation: Interpolation = "preset",
+        knot_rule: KnotRule = "preset",
+        samples_per_span: int = 48,
+        max_rounds: int = 24,
+        max_iterations: int = 100,
+        minimum_span: float = 0.0001,
+        field: Kind | npt.ArrayLike | None = None,
+        avoid: npt.ArrayLike | None = None,
+        progress: Progress | None = None,
+    ) -> Curve:
+        """Draw a smooth curve through points.
+
+        A variational B-spline close to the surface, and its exact projection onto it, a polyline every segment of which
+        lies inside one face.
+
+        Parameters
+        ----------
+        picks : (p, 3) array of float, or p pairs (face, barycentrics)
+            Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.
+        closed : bool, default False
+            True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.
+        degree : int in [2, 4], default 3
+            Polynomial degree of the spline.
+        tension : float in [0, 1], default 0.0
+            From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
+        field_weight : float ≥ 0, default 2000.0
+            Weight of the field against smoothness, in units of 1 / cost, for costs between 0 and 1. 0: the field has no
+            effect.
+        field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
+            What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
+            valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
+            which draws the curve to large values.
+        samples : int ≥ 0, default 256
+            At least this many vertices at even steps of the spline's parameter, besides those where the curve crosses mesh
+            edges and the picks. 0: none.
+        max_segment_length : float ≥ 0, default 0.0
+            No segment of the polyline is longer, in the unit of the mesh. 0: no limit.
+        avoid_margin : float in (0, 1], default 0.02
+            Distance within which faces to avoid push the curve away, relative to the diagonal of the mesh's box.
+        preset : {'default', 'paper'}, default 'default'
+            The values of the settings below that are left at preset. default: the settings that gave the best curves;
+            paper: those of the paper (2023), for comparison.
+        bending : {'preset', 'geodesic', 'ambient'}, default 'preset'
+            What smoothness means. preset: as the preset says, by default geodesic; geodesic: only bending within the
+            surface is penalised; ambient: all bending, as in the paper.
+        normal_bending_weight : float in (0, 1], default 0.05
+            Share of the bending along the normal that counts with geodesic bending.
+        distance_tolerance : float > 0, default 0.1
+            Largest distance of the spline to the surface, in mean edge lengths; edges shorter than a hundredth of the
+            square root of the surface's area count as that long. The polyline lies on the surface in any case.
+        initial_curve : {'preset', 'geodesic-fit', 'control-polygon'}, default 'preset'
+            How the first spline is made. preset: as the preset says, by default geodesic-fit; geodesic-fit: a fit to the
+            path through the picks; control-polygon: Alg. 2 of the paper.
+        field_guides_path : {'preset', 'off', 'on'}, default 'preset'
+            Whether the initial path from pick to pick follows the field. preset: as the preset says, by default on; off:
+            no, it is a geodesic, as in the paper; on: yes, it goes where the field costs little.
+        quadrature : {'preset', 'foot-points', 'cells', 'samples'}, default 'preset'
+            How integrals are computed. preset: as the preset says, by default foot-points; foot-points: at samples that are
+            projected onto the surface, fast on any resolution; by cells for curves that this cannot handle; cells: exactly,
+            cell by cell of a shell; samples: at even steps in a shell, as in the paper.
+        barrier_width : {'preset', 'full', 'tight'}, default 'preset'
+            How wide the barrier of the distance is. preset: as the preset says, by default full; full: the whole shell;
+            tight: narrowed around the current curve, (12) of the paper.
+        distance_weight : {'preset', 'schedule', 'adaptive'}, default 'preset'
+            How the weight of the distance to the surface changes. preset: as the preset says, by default schedule;
+            schedule: it grows from round to round; adaptive: (18) of the paper.
+        interpolation : {'preset', 'constraint', 'penalty'}, default 'preset'
+            How the spline is held at the picks. preset: as the preset says, by default constraint; constraint: exactly;
+            penalty: by (9) of the paper.
+        knot_rule : {'preset', 'energy-and-distance', 'feature-function'}, default 'preset'
+            Where knots are inserted. preset: as the preset says, by default energy-and-distance; energy-and-distance: where
+            they lower the energy most, and where the spline is too far from the surface; feature-function: (19)-(23) of the
+            paper.
+        samples_per_span : int ≥ 4, default 48
+            Evenly spaced samples per knot span, for quadrature samples; an odd number counts as the next even one.
+        max_rounds : int ≥ 1, default 24
+            Largest number of rounds of minimisation and knot insertion.
+        max_iterations : int ≥ 1, default 100
+            Largest number of Newton iterations per round.
+        minimum_span : float in (0, 0.1], default 0.0001
+            Shortest knot span, as a share of the whole parameter range.
+        field : str or (n,) array of float, optional
+            Draws the curve to where it costs little: the name of a kind, see field(), or a value for each vertex.
+        avoid : (k,) array of int or (m,) array of bool, optional
+            Faces that the curve does not enter: their ids, or a bool for each face.
+        progress : callable, optional
+            Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.
+
+        Returns
+        -------
+        Curve
+            Where it is not `usable`, it follows a shortest path, or shows how far it came.
+
+        Raises
+        ------
+        InputError
+            An argument is wrong; which, and what to do. Its subclasses tell which kind of argument.
+        Cancelled
+            `progress` returned False.
+        """
+        return self._draw(
+            picks,
+            {
+                "closed": closed,
+                "degree": degree,
+                "tension": tension,
+                "field_weight": field_weight,
+                "field_cost": field_cost,
+                "samples": samples,
+                "max_segment_length": max_segment_length,
+                "avoid_margin": avoid_margin,
+                "preset": preset,
+                "bending": bending,
+                "normal_bending_weight": normal_bending_weight,
+                "distance_tolerance": distance_tolerance,
+                "initial_curve": initial_curve,
+                "field_guides_path": field_guides_path,
+                "quadrature": quadrature,
+                "barrier_width": barrier_width,
+                "distance_weight": distance_weight,
+                "interpolation": interpolation,
+                "knot_rule": knot_rule,
+                "samples_per_span": samples_per_span,
+                "max_rounds": max_rounds,
+                "max_iterations": max_iterations,
+                "minimum_span": minimum_span,
+            },
+            field,
+            avoid,
+            progress,
+        )
+
+    def field(
+        self,
+        kind: FieldKind = "maximal-curvature",
+        *,
+        quality: npt.ArrayLike | None = None,
+        region: npt.ArrayLike | None = None,
+        curvature_scale: float = 0.015,
+        crease_angle: float = 40.0,
+        reach: float = 0.1,
+        obstacle_value: float = 0.0,
+        obstacle_slope: float = 40.0,
+        smoothing: float = 0.0,
+        normalised: bool = False,
+        inverted: bool = False,
+        progress: Progress | None = None,
+    ) -> Floats:
+        """Compute a scalar per vertex that curves can follow or avoid.
+
+        It is the same in every unit and, but for the variation of normals, hardly depends on how fine the mesh is.
+
+        Parameters
+        ----------
+        kind : {'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
+            'quality', 'obstacle'}, default 'maximal-curvature'
+            What the values are made from. normal-variation: least product of the normals of a vertex and its faces;
+            maximal-curvature: largest principal curvature, at a scale; ridge: how convex the surface is across, at a scale;
+            valley: how concave the surface is across, at a scale; crease-distance: along the surface, to its sharp edges;
+            boundary-distance: along the surface, to its own edges; quality: the per-vertex quality of the mesh; obstacle: a
+            hill on a region of faces.
+        quality : (n,) array of float, optional
+            A value for each vertex, for kind 'quality'.
+        region : (k,) array of int or (m,) array of bool, optional
+            The faces of obstacles, for kind 'obstacle'.
+        curvature_scale : float in [0, 1], default 0.015
+            Fields of curvature, ridges and valleys: radius that curvatures are averaged over, relative to the diagonal of
+            the mesh's box. More: less noise.
+        crease_angle : float in [0, 180], default 40.0
+            Field of crease distance: creases are edges whose faces turn by more than this, in degrees.
+        reach : float in (0, 1], default 0.1
+            Fields of crease and boundary distance: the distance that becomes 1, relative to the diagonal.
+        obstacle_value : float ≥ 0, default 0.0
+            Field of obstacles: its value on the boundary of the region.
+        obstacle_slope : float > 0, default 40.0
+            Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal.
+        smoothing : float in [0, 1], default 0.0
+            Radius over which the values are averaged, relative to the diagonal. 0: not averaged.
+        normalised : bool, default False
+            Maps the values between their quantiles of 1 % and 99 % to [0, 1].
+        inverted : bool, default False
+            Turns x into minimum + maximum - x.
+        progress : callable, optional
+            Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.
+
+        Returns
+        -------
+        (n,) array of float
+            A value for each vertex.
+
+        Raises
+        ------
+        InputError
+            An argument is wrong; which, and what to do. Its subclasses tell which kind of argument.
+        Cancelled
+            `progress` returned False.
+        """
+        return self._make_field(
+            quality,
+            region,
+            {
+                "kind": kind,
+                "curvature_scale": curvature_scale,
+                "crease_angle": crease_angle,
+                "reach": reach,
+                "obstacle_value": obstacle_value,
+                "obstacle_slope": obstacle_slope,
+                "smoothing": smoothing,
+                "normalised": normalised,
+                "inverted": inverted,
+            },
+            progress,
+        )
+
+    @abstractmethod
+    def _prepare(
+        self, vertices: Any, faces: npt.ArrayLike | None, options: Mapping[str, object], progress: Progress | None
+    ) -> None: ...
+
+    @abstractmethod
+    def _draw(
+        self,
+        picks: Picks,
+        options: Mapping[str, object],
+        field: str | npt.ArrayLike | None,
+        avoid: npt.ArrayLike | None,
+        progress: Progress | None,
+    ) -> Curve: ...
+
+    @abstractmethod
+    def _make_field(
+        self,
+        quality: npt.ArrayLike | None,
+        region: npt.ArrayLike | None,
+        options: Mapping[str, object],
+        progress: Progress | None,
+    ) -> Floats: ...

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A mesh that curves are drawn on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, Int32s, Picks, face_ids, finite_points, per_vertex, pick_points
+from ._curve import Curve, Drawing
+from ._errors import FieldError, InputError
+from ._inputs import mesh_arrays
+from ._keywords import CURVE, FIELD, SHELL, Kind, MeshKeywords
+from ._options import Progress, Value, changed
+
+
+class Projection(NamedTuple):
+    """Closest points of a mesh, one for each query."""
+
+    points: Floats  # (n, 3)
+    faces: Int32s  # (n,)
+    barycentrics: Floats  # (n, 3)
+    distances: Floats  # (n,)
+
+
+class Layer(NamedTuple):
+    """A triangle mesh as arrays."""
+
+    vertices: Floats  # (n, 3)
+    faces: Int32s  # (m, 3)
+
+
+class Shell(NamedTuple):
+    """Top and bottom of a shell, both oriented as the mesh is."""
+
+    top: Layer
+    bottom: Layer
+
+
+class Repair(NamedTuple):
+    """A mended mesh, and what was changed."""
+
+    mesh: Mesh
+    changes: dict[str, Any]
+    summary: str
+
+
+class Mesh(MeshKeywords):
+    """A validated triangle mesh, prepared for curves; it does not change. Several threads may draw on it at once.
+
+    Attributes
+    ----------
+    vertices : (n, 3) array of float, read-only
+    faces : (m, 3) array of int, read-only
+    diagonal : float
+        Of the box of the mesh.
+    components : int
+        Connected parts.
+    """
+
+    __slots__ = ("_designer", "_fields", "_options")
+
+    _designer: _core.Designer
+    _options: dict[str, Value]
+    _fields: dict[str, Floats]
+
+    def _prepare(
+        self, vertices: Any, faces: npt.ArrayLike | None, options: Mapping[str, object], progress: Progress | None
+    ) -> None:
+        self._options = changed(SHELL, options)
+        self._fields = {}
+        self._designer = _core.Designer(*mesh_arrays(vertices, faces), self._options, progress)
+
+    @property
+    def vertices(self) -> Floats:
+        return self._designer.vertices
+
+    @property
+    def faces(self) -> Int32s:
+        return self._designer.faces
+
+    @property
+    def diagonal(self) -> float:
+        return self._designer.diagonal
+
+    @property
+    def components(self) -> int:
+        return self._designer.components
+
+    def project(self, points: npt.ArrayLike) -> Projection:
+        """Find the closest point of the mesh for each point, (n, 3) and finite. O(log m) each."""
+        faces, barycentrics, positions, distances = self._designer.project(
+            finite_points(points, "points", InputError, "")
+        )
+        return Projection(positions, faces, barycentrics, distances)
+
+    def shell(self) -> Shell:
+        """Build the shell that curves are sought in, where it is not there yet, and return its top and bottom."""
+        top, bottom = self._designer.shell_layers()
+        return Shell(Layer(*top), Layer(*bottom))
+
+    def _make_field(
+        self,
+        quality: npt.ArrayLike | None,
+        region: npt.ArrayLike | None,
+        options: Mapping[str, object],
+        progress: Progress | None,
+    ) -> Floats:
+        chosen = changed(FIELD, options)
+        kind = chosen.get("kind", FIELD["kind"].default)
+        for name, array, needing in (("quality", quality, "quality"), ("region", region, "obstacle")):
+            if kind == needing and array is None:
+                raise FieldError(f"kind is {kind!r}, which needs {name}")
+        values = None if quality is None else per_vertex(quality, "quality", len(self.vertices))
+        faces = None if region is None else face_ids(region, "region", len(self.faces))
+        return self._designer.field(chosen, values, faces, progress)
+
+    def _kept_field(self, kind: str) -> Floats:
+        """A field with default options, computed once."""
+        if kind not in self._fields:
+            allowed = get_args(Kind)
+            if kind not in allowed:
+                raise FieldError(
+                    f"field is {kind!r}, but must be one of {', '.join(map(repr, allowed))}, or a value for each vertex"
+                )
+            self._fields[kind] = self._designer.field({"kind": kind}, None, None, None)
+        return self._fields[kind]
+
+    def _draw(
+        self,
+        picks: Picks,
+        options: Mapping[str, object],
+        field: str | npt.ArrayLike | None,
+        avoid: npt.ArrayLike | None,
+        progress: Progress | None,
+    ) -> Curve:
+        drawing = Drawing(
+            mesh=self,
+            picks=pick_points(picks, self.vertices, self.faces),
+            options=changed(CURVE, options),
+            field=field if isinstance(field, str) or field is None else self._values(field),
+            avoid=None if avoid is None else face_ids(avoid, "avoid", len(self.faces)),
+        )
+        return drawing.draw(None, progress)
+
+    def _values(self, field: npt.ArrayLike) -> Floats:
+        return per_vertex(field, "field", len(self.vertices))
+
+    def __repr__(self) -> str:
+        parts = f", {self.components} components" if self.components > 1 else ""
+        return f"<bspline_curve.Mesh: {len(self.vertices)} vertices, {len(self.faces)} faces{parts}>"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _restored, (self.vertices, self.faces, self._options)
+
+
+def _restored(vertices: Floats, faces: Int32s, options: dict[str, Any]) -> Mesh:
+    return Mesh(vertices, faces, **options)
+
+
+def repair(vertices: Any, faces: npt.ArrayLike | None = None, **options: Any) -> Repair:
+    """Make a mesh that can be drawn on of one that cannot, with no more than rounding of its coordinates.
+
+    Removes faces without area and duplicates, parts faces where more than two meet, turns faces alike.
+
+    Parameters
+    ----------
+    vertices, faces
+        As of Mesh.
+    **options
+        Those of Mesh.
+
+    Returns
+    -------
+    Repair
+        The mesh, and what was changed: ids of the mesh that was given.
+
+    Raises
+    ------
+    MeshError
+        A coordinate is not finite, a face names a vertex that is not there, or the surface is one-sided.
+    """
+    mended, corners, changes, summary = _core.repaired(*mesh_arrays(vertices, faces))
+    return Repair(Mesh(mended, corners, **options), changes, summary)

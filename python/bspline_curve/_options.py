@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Options, checked against what filters.json says of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from numbers import Integral, Real
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+
+from ._errors import OptionError
+
+Progress: TypeAlias = Callable[[float, str], object]
+Value: TypeAlias = "bool | int | float | str"
+
+
+class Option(NamedTuple):
+    """What an option may be."""
+
+    kind: str  # bool, int, double or enum
+    default: Any
+    low: float | None
+    high: float | None
+    excludes_low: bool
+    words: tuple[str, ...]
+
+
+def changed(described: Mapping[str, Option], given: Mapping[str, object]) -> dict[str, Value]:
+    """The options that are not their defaults, checked, as the core takes them. Other presets than the default one have
+    defaults of their own for some, so all options go with them."""
+    result: dict[str, Value] = {}
+    for name, value in given.items():
+        option = described[name]
+        if value is not option.default:
+            checked = checked_value(name, option, value)
+            if checked != option.default:
+                result[name] = checked
+    if "preset" in result:
+        return {name: option.default for name, option in described.items()} | result
+    return result
+
+
+def checked_value(name: str, option: Option, value: object) -> Value:
+    if option.kind in ("int", "double"):
+        return checked_number(name, option, value)
+    if option.kind == "bool":
+        if not isinstance(value, (bool, np.bool_)):
+            raise TypeError(f"{name} is {value!r}, but must be True or False")
+        return bool(value)
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is {value!r}, but must be one of {', '.join(map(repr, option.words))}")
+    if value not in option.words:
+        raise OptionError(f"{name} is {value!r}, but must be one of {', '.join(map(repr, option.words))}", "bad-option")
+    return str(value)
+
+
+def checked_number(name: str, option: Option, value: object) -> int | float:
+    is_integer = option.kind == "int"
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, Integral if is_integer else Real):
+        raise TypeError(f"{name} is {value!r}, but must be {'an integer' if is_integer else 'a number'}")
+    number: int | float = int(value) if is_integer else float(value)  # type: ignore[call-overload]
+    low = -math.inf if option.low is None else option.low
+    high = math.inf if option.high is None else option.high
+    is_above = number > low if option.excludes_low else number >= low
+    if not (is_above and number <= high and math.isfinite(number)) or (is_integer and number > 2**31 - 1):
+        raise OptionError(f"{name} is {number!r}, but must be {allowed_range(option)}", "bad-option")
+    return number
+
+
+def allowed_range(option: Option) -> str:
+    """ "in (0, 1]", "finite and at least 0"."""
+    if option.high is not None:
+        return f"in {'(' if option.excludes_low else '['}{option.low:g}, {option.high:g}]"
+    if option.low is not None:
+        return f"finite and {'more than' if option.excludes_low else 'at least'} {option.low:g}"
+    return "finite"

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The typed keywords of the package bspline_curve, as text, from filters/filters.json; scripts/python_filters.py writes them."""
+
+import textwrap
+
+from python_text import HEAD, WIDTH, aliases, camel, default_of, docstring, function, options_of, range_of, type_of
+
+# Arguments of the package's own, or of no use where there are neither layers nor files.
+LEFT_OUT = {
+    "surface_layer", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers", "tube_radius", "save",
+    "field", "avoid", "avoid_threshold", "kind", "region",
+}
+HELP = {
+    "closed": "True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.",
+    "max_segment_length": "No segment of the polyline is longer, in the unit of the mesh. 0: no limit.",
+    "shell": "Where curves are sought.",
+}
+PICKS = ("picks", "(p, 3) array of float, or p pairs (face, barycentrics)",
+         "Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.")
+FIELD = ("field", "str or (n,) array of float, optional",
+         "Draws the curve to where it costs little: the name of a kind, see field(), or a value for each vertex.")
+AVOID = ("avoid", "(k,) array of int or (m,) array of bool, optional",
+         "Faces that the curve does not enter: their ids, or a bool for each face.")
+PROGRESS = ("progress", "callable, optional",
+            "Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.")
+RAISES = [
+    ("InputError", "An argument is wrong; which, and what to do. Its subclasses tell which kind of argument."),
+    ("Cancelled", "`progress` returned False."),
+]
+KINDS_LEFT_OUT = {"quality", "obstacle"}  # they need an array
+
+
+def is_of_shell(parameter):
+    return parameter["id"] == "shell" or parameter["group"] == "advanced.shell"
+
+
+def is_of_field(parameter):
+    return parameter["group"] == "advanced.field"
+
+
+def parameters_of(flt, keep):
+    return [p for p in flt["parameters"] if p["id"] not in LEFT_OUT and p["group"] != "window" and keep(p)]
+
+
+def documented(parameter):
+    kind, text = parameter["type"], parameter["help"]
+    words = {"bool": "bool", "int": "int"}.get(kind, "float")
+    if kind == "enum":
+        words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, False)) + "}"
+        told = [f"{o['id']}: {o['help']}" for o in options_of(parameter, False) if "help" in o]
+        text = HELP.get(parameter["id"], text) + " " + "; ".join(told) + "."
+    else:
+        words += range_of(parameter)
+        text = HELP.get(parameter["id"], text)
+    return parameter["id"], f"{words}, default {parameter['default']!r}", text
+
+
+def keyword(parameter):
+    return f"{parameter['id']}: {type_of(parameter, False)} = {default_of(parameter)}"
+
+
+def row(parameter):
+    """What _options.py checks by."""
+    kind = "double" if parameter["type"] == "absperc" else parameter["type"]
+    words = tuple(o["id"] for o in options_of(parameter, False)) if kind == "enum" else ()
+    numbers = [parameter.get("min"), parameter.get("max"), bool(parameter.get("excludesMin"))]
+    return f'    "{parameter["id"]}": Option("{kind}", {default_of(parameter)}, {", ".join(map(repr, numbers))}, {words!r}),'.replace("'", '"')
+
+
+def table(name, parameters):
+    return "\n".join([f"{name}: dict[str, Option] = {{", *map(row, parameters), "}"])
+
+
+def typed_dict(parameters):
+    lines = ["class CurveOptions(TypedDict, total=False):", '    """Options of Mesh.curve(), for Curve.with_options()."""', ""]
+    lines += [f"    {p['id']}: {type_of(p, False)}" for p in parameters]
+    return "\n".join([*lines, "    field: Kind | npt.ArrayLike | None", "    avoid: npt.ArrayLike | None"])
+
+
+def method(name, positional, keywords, result, doc, body):
+    return textwrap.indent(function(name, ["self", *positional], keywords, result, doc, body), "    ")
+
+
+def given(parameters):
+    return [f'            "{p["id"]}": {p["id"]},' for p in parameters]
+
+
+def init(parameters):
+    doc = docstring(
+        "Prepare a triangle mesh for curves.",
+        "Validates it once: finite, oriented, two-manifold, every face with area; boundaries and several components are "
+        "allowed. bspline_curve.repair() mends what it can of others.",
+        {"Parameters": [
+            ("vertices", "(n, 3) array of float, or a mesh",
+             "A mesh of trimesh, pyvista, meshio or pymeshlab, or a pair of arrays, serves in place of both."),
+            ("faces", "(m, 3) array of int, optional", "Ids of vertices, from 0 on, all oriented alike."),
+            *map(documented, parameters), PROGRESS],
+         "Raises": [("", kind, text) for kind, text in RAISES]})
+    body = ["    self._prepare(", "        vertices,", "        faces,", "        {", *given(parameters), "        },",
+            "        progress,", "    )"]
+    keywords = [*map(keyword, parameters), "progress: Progress | None = None"]
+    return method("__init__", ["vertices: Any", "faces: npt.ArrayLike | None = None"], keywords, "None", doc, body)
+
+
+def curve(parameters):
+    doc = docstring(
+        "Draw a smooth curve through points.",
+        "A variational B-spline close to the surface, and its exact projection onto it, a polyline every segment of which "
+        "lies inside one face.",
+        {"Parameters": [PICKS, *map(documented, parameters), FIELD, AVOID, PROGRESS],
+         "Returns": [("", "Curve", "Where it is not `usable`, it follows a shortest path, or shows how far it came.")],
+         "Raises": [("", kind, text) for kind, text in RAISES]})
+    body = ["    return self._draw(", "        picks,", "        {", *given(parameters), "        },", "        field,",
+            "        avoid,", "        progress,", "    )"]
+    keywords = [*map(keyword, parameters), "field: Kind | npt.ArrayLike | None = None",
+                "avoid: npt.ArrayLike | None = None", "progress: Progress | None = None"]
+    return method("curve", ["picks: Picks"], keywords, "Curve", doc, body)
+
+
+def field(kind, parameters):
+    doc = docstring(
+        "Compute a scalar per vertex that curves can follow or avoid.",
+        "It is the same in every unit and, but for the variation of normals, hardly depends on how fine the mesh is.",
+        {"Parameters": [
+            documented(kind),
+            ("quality", "(n,) array of float, optional", "A value for each vertex, for kind 'quality'."),
+            ("region", "(k,) array of int or (m,) array of bool, optional", "The faces of obstacles, for kind 'obstacle'."),
+            *map(documented, parameters), PROGRESS],
+         "Returns": [("", "(n,) array of float", "A value for each vertex.")],
+         "Raises": [("", kind, text) for kind, text in RAISES]})
+    body = ["    return self._make_field(", "        quality,", "        region,", "        {", *given([kind, *parameters]),
+            "        },", "        progress,", "    )"]
+    keywords = ["quality: npt.ArrayLike | None = None", "region: npt.ArrayLike | None = None",
+                *map(keyword, parameters), "progress: Progress | None = None"]
+    positional = [f"kind: FieldKind = {default_of(kind)}"]
+    return method("field", positional, keywords, "Floats", doc, body)
+
+
+def kinds(kind):
+    words = [o["id"] for o in kind["enumOptions"]]
+    quoted = [", ".join(f'"{w}"' for w in some) for some in (words, [w for w in words if w not in KINDS_LEFT_OUT])]
+    lines = []
+    for name, text in zip(("FieldKind", "Kind"), quoted):
+        line = f"{name}: TypeAlias = Literal[{text}]"
+        if len(line) > WIDTH:
+            inner = textwrap.fill(text, WIDTH, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
+            line = f"{name}: TypeAlias = Literal[\n{inner},\n]"
+        lines.append(line)
+    return "\n".join(lines)
+
+
+def keywords(filters):
+    """The text of _keywords.py."""
+    of_curve, of_field = filters
+    shell = parameters_of(of_curve, is_of_shell)
+    drawing = parameters_of(of_curve, lambda p: not is_of_shell(p) and not is_of_field(p))
+    kind = next(p for p in of_field["parameters"] if p["id"] == "kind")
+    fields = parameters_of(of_field, lambda p: True)
+    return "\n".join([
+        HEAD + '"""Keywords of meshes, curves and fields."""', "",
+        "from __future__ import annotations", "",
+        "from abc import ABC, abstractmethod",
+        "from collections.abc import Mapping",
+        "from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict", "",
+        "import numpy.typing as npt", "",
+        "from ._arrays import Floats, Picks", "from ._options import Option, Progress", "",
+        "if TYPE_CHECKING:", "    from ._curve import Curve", "",
+        aliases([p for p in [*shell, *drawing, *fields] if p["type"] == "enum"], False), kinds(kind), "",
+        table("SHELL", shell), table("CURVE", drawing), table("FIELD", [kind, *fields]), "", "",
+        typed_dict(drawing), "", "",
+        "class MeshKeywords(ABC):",
+        '    """What a mesh does, with its options as keywords."""', "",
+        init(shell), "", curve(drawing), "", field(kind, fields), "",
+        "    @abstractmethod",
+        "    def _prepare(",
+        "        self, vertices: Any, faces: npt.ArrayLike | None, options: Mapping[str, object], progress: Progress | None",
+        "    ) -> None: ...", "",
+        "    @abstractmethod",
+        "    def _draw(",
+        "        self,",
+        "        picks: Picks,",
+        "        options: Mapping[str, object],",
+        "        field: str | npt.ArrayLike | None,",
+        "        avoid: npt.ArrayLike | None,",
+        "        progress: Progress | None,",
+        "    ) -> Curve: ...", "",
+        "    @abstractmethod",
+        "    def _make_field(",
+        "        self,",
+        "        quality: npt.ArrayLike | None,",
+        "        region: npt.ArrayLike | None,",
+        "        options: Mapping[str, object],",
+        "        progress: Progress | None,",
+        "    ) -> Floats: ...", "",
+    ])

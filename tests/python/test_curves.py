@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curves, and curves made from them."""
+import copy
+import json
+import pickle
+import subprocess
+
+import bspline_curve
+import numpy as np
+import pytest
+from scipy.interpolate import BSpline
+
+
+def test_the_polyline_lies_on_the_faces_that_it_names(mesh, picks):
+    curve = mesh.curve(picks)
+    on_faces = (mesh.vertices[mesh.faces[curve.faces]] * curve.barycentrics[..., None]).sum(1)
+    np.testing.assert_allclose(on_faces, curve.points, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(curve.points[curve.pick_vertices], picks, atol=1e-12)
+    ends = curve.points[curve.segments()]
+    assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() == pytest.approx(curve.length)
+    assert curve.usable and curve.report["status"] == "converged" and (np.diff(curve.t) > 0).all()
+    np.testing.assert_array_equal(curve.picks, picks)
+
+
+@pytest.mark.parametrize(("options", "words"), [
+    ({}, []),
+    ({"closed": True, "degree": 4, "tension": 0.2}, ["--closed", "--degree", "4", "--tension", "0.2"]),
+    ({"preset": "paper", "samples": 60}, ["--preset", "paper", "--samples", "60"]),
+    ({"field": "valley", "field_weight": 500}, ["--field", "valley", "--field-weight", "500"]),
+    ({"avoid": [1600, 1601, 1602]}, ["--avoid", "avoid.npy"]),
+])
+def test_a_curve_is_the_programs(options, words, mesh, picks, build_folder, tmp_path):
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist()]
+    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in mesh.faces.tolist()]
+    (tmp_path / "mesh.obj").write_text("\n".join([*lines, ""]))
+    np.savetxt(tmp_path / "picks.xyz", picks, fmt="%.17g")
+    np.save(tmp_path / "avoid.npy", options.get("avoid", []))
+    command = [build_folder / "bin" / "bspline_curve", "mesh.obj", "--picks", "picks.xyz", "--output", "curve.json", *words]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    line = json.loads((tmp_path / "curve.json").read_text())["polyline"]
+    curve = mesh.curve(picks, **options)
+    np.testing.assert_array_equal(curve.points, line["points"])
+    np.testing.assert_array_equal(curve.faces, line["faces"])
+    loaded = bspline_curve.load(tmp_path / "curve.json", mesh)
+    np.testing.assert_array_equal(loaded.points, curve.points)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("degree", [2, 3, 4])
+def test_points_and_derivatives_are_of_the_spline(degree, closed, mesh, picks):
+    curve = mesh.curve(picks, degree=degree, closed=closed)
+    spline = BSpline(curve.knots, curve.control_points, degree)
+    at = np.random.default_rng(5).uniform(0, 1, 200).reshape(20, 10)
+    for order in range(degree + 2):
+        expected = spline(at, nu=order)
+        np.testing.assert_allclose(curve.spline(at, order), expected, rtol=0, atol=1e-9 * max(1, np.abs(expected).max()))
+    assert curve.spline(0.5).shape == (3,)
+    np.testing.assert_allclose(curve.spline(curve.pick_parameters), picks, atol=1e-9)
+    if closed:
+        np.testing.assert_array_equal(curve.spline(1.25), curve.spline(0.25))
+    else:
+        with pytest.raises(bspline_curve.InputError, match=r"an open curve has \[0, 1\]"):
+            curve.spline([0.5, 1.5])
+
+
+def test_a_curve_is_moved_and_changed(mesh, picks):
+    curve = mesh.curve(picks, tension=0.1)
+    there = mesh.vertices[702]
+    moved = curve.move(1, there)
+    np.testing.assert_array_equal(moved.picks, [picks[0], there, picks[2], picks[3]])
+    np.testing.assert_allclose(moved.points[moved.pick_vertices[1]], there, atol=1e-12)
+    np.testing.assert_array_equal(curve.picks, picks)
+    scratch = mesh.curve(moved.picks, tension=0.1)
+    assert moved.length == pytest.approx(scratch.length, rel=1e-3)
+    assert len(curve.remove(-1).picks) == 3
+    np.testing.assert_array_equal(curve.remove(1).points, mesh.curve(picks[[0, 2, 3]], tension=0.1).points)
+    np.testing.assert_array_equal(curve.insert(1, there).picks, [picks[0], there, *picks[1:]])
+    np.testing.assert_array_equal(curve.insert(4, there).picks, [*picks, there])
+    straight = curve.with_options(tension=0.5, closed=True)
+    assert straight.closed and straight.options == {"tension": 0.5, "closed": True}
+    np.testing.assert_array_equal(straight.points, mesh.curve(picks, tension=0.5, closed=True).points)
+    assert curve.with_options(tension=0.0).options == {}
+    for bad in (4, -5):
+        with pytest.raises(bspline_curve.PickError, match="pick is"):
+            curve.move(bad, there)
+
+
+def test_picks_may_be_faces_with_barycentrics(mesh):
+    given = [(100, (0.2, 0.3, 0.5)), (1500, [1, 0, 0]), (2500, np.array([0.5, 0.5, 0]))]
+    curve = mesh.curve(given)
+    points = [np.asarray(weights) @ mesh.vertices[mesh.faces[face]] for face, weights in given]
+    np.testing.assert_array_equal(curve.points, mesh.curve(points).points)
+    there = (1700, (1 / 3, 1 / 3, 1 / 3))
+    np.testing.assert_allclose(curve.move(1, there).picks[1], mesh.vertices[mesh.faces[1700]].mean(0), atol=1e-15)
+
+
+def test_a_field_draws_the_curve(mesh, picks):
+    values = mesh.field("valley")
+    named, given = mesh.curve(picks, field="valley"), mesh.curve(picks, field=values, field_cost="exp-minus")
+    np.testing.assert_array_equal(named.points, given.points)
+    assert named.length != mesh.curve(picks).length
+    corners = values[mesh.faces[named.faces]]
+    np.testing.assert_array_equal(named.values, (corners * named.barycentrics).sum(1))
+    plain = mesh.curve(picks)
+    np.testing.assert_array_equal(plain.values, plain.t)
+    hill = mesh.field("obstacle", region=[1600, 1601], obstacle_value=0.5)
+    assert hill.max() >= 0.5 and hill.min() == 0
+    np.testing.assert_allclose(mesh.field("quality", quality=values, inverted=True), values.max() + values.min() - values, atol=1e-12)
+
+
+def test_faces_are_avoided(mesh, picks):
+    straight = mesh.curve(picks[:2])
+    centres = mesh.vertices[mesh.faces].mean(1)
+    middle = straight.points[len(straight.points) // 2]
+    disc = np.linalg.norm(centres - middle, axis=1) < 0.2
+    curve = mesh.curve(picks[:2], avoid=disc)
+    assert disc[straight.faces].any() and not disc[curve.faces].any()
+    np.testing.assert_array_equal(mesh.curve(picks[:2], avoid=np.flatnonzero(disc)).points, curve.points)
+    assert curve.report["clearance"] > 0
+
+
+@pytest.mark.parametrize("again", [lambda c: pickle.loads(pickle.dumps(c)), copy.deepcopy])
+def test_curves_and_meshes_are_pickled(again, mesh, picks):
+    curve = mesh.curve(picks, closed=True, tension=0.1, field=mesh.field("ridge"), avoid=[3000, 2998])
+    other = again(curve)
+    for name in ("points", "faces", "barycentrics", "t", "values", "knots", "control_points", "pick_vertices", "picks"):
+        np.testing.assert_array_equal(getattr(other, name), getattr(curve, name))
+    assert (other.report, other.options, other.closed, repr(other)) == (curve.report, curve.options, True, repr(curve))
+    assert repr(other.mesh) == repr(mesh) and other.mesh is not mesh
+    np.testing.assert_array_equal(other.move(1, mesh.vertices[702]).points, curve.move(1, mesh.vertices[702]).points)
+
+
+def test_a_saved_curve_is_the_same_again(mesh, picks, tmp_path):
+    curve = mesh.curve(picks, tension=0.1, field=mesh.field("ridge"))
+    curve.save(tmp_path / "c.json")
+    loaded = bspline_curve.load(tmp_path / "c.json", mesh)
+    np.testing.assert_array_equal(loaded.points, curve.points)
+    assert (loaded.options, loaded.report["seconds"]) == (curve.options, curve.report["seconds"])
+    np.testing.assert_array_equal(loaded.move(1, mesh.vertices[702]).points, curve.move(1, mesh.vertices[702]).points)
+    assert [path.name for path in tmp_path.iterdir()] == ["c.json"]
+
+
+def test_files_that_are_no_curves_are_refused(mesh, picks, tmp_path):
+    curve = mesh.curve(picks)
+    curve.save(tmp_path / "c.json")
+    text = (tmp_path / "c.json").read_text()
+    refused = {
+        "is no curve": ("{}", mesh),
+        "cut": (text[: len(text) // 2], mesh),
+        "of another mesh": (text, bspline_curve.Mesh(mesh.vertices * 2, mesh.faces)),
+        "faces": (text.replace('"faces": [', '"faces": [99999, '), mesh),
+    }
+    for name, (content, on) in refused.items():
+        (tmp_path / f"{name}.json").write_text(content)
+        with pytest.raises(bspline_curve.FileError, match="holds no curve|another mesh"):
+            bspline_curve.load(tmp_path / f"{name}.json", on)
+    for file in (tmp_path / "gone.json", tmp_path):
+        with pytest.raises(bspline_curve.FileError, match="cannot be read"):
+            bspline_curve.load(file, mesh)
+    for file in (tmp_path / "c.ply", tmp_path / "nowhere" / "c.json"):
+        with pytest.raises(bspline_curve.FileError, match="is saved as .json|cannot be written"):
+            curve.save(file)
+
+
+def test_repr_is_short(mesh, picks):
+    assert repr(mesh) == "<bspline_curve.Mesh: 1681 vertices, 3200 faces>"
+    assert len(repr(mesh.curve(picks))) < 100
+    assert bspline_curve.__version__.count(".") == 2
