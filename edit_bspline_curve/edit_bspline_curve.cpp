@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/edit_bspline_curve.h"
 
+#include "edit_bspline_curve/common/reopen.h"
 #include "edit_bspline_curve/common/tool_icon.h"
+#include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/surface_choice.h"
@@ -16,8 +18,10 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <exception>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 using namespace bspline_curve;
 
@@ -85,11 +89,18 @@ bool EditBsplineCurve::startEdit(
     shared_ = shared;
     surface_ = surface->id();
     try {
+        LayerArrays arrays = arraysOf(*surface);
+        std::optional<DrawnCurve> curve = reopened(*document.mm(), *surface, arrays);
+        reopened_ = curve ? static_cast<int>(document.mm()->id()) : -1;
         tool_ = std::make_unique<CurveTool>(
-            *view_, arraysOf(*surface).input.mesh, [this](const CurveTool::Curves& curves) {
-                makeLayers(curves);
-            }
+            *view_,
+            std::move(arrays.input.mesh),
+            std::move(curve),
+            [this](const CurveTool::Curves& curves) { makeLayers(curves); }
         );
+        if (reopened_ >= 0) {
+            setCurveVisible(document, reopened_, false);
+        }
     } catch (const std::exception& error) {
         document.Log.log(GLLogStream::WARNING, error.what());
         return false;
@@ -98,9 +109,12 @@ bool EditBsplineCurve::startEdit(
 }
 
 void EditBsplineCurve::endEdit(
-    MeshDocument& /*document*/, GLArea* /*area*/, MLSceneGLSharedDataContext* /*shared*/
+    MeshDocument& document, GLArea* /*area*/, MLSceneGLSharedDataContext* /*shared*/
 ) {
     tool_.reset();
+    if (reopened_ >= 0) {
+        setCurveVisible(document, std::exchange(reopened_, -1), true);
+    }
 }
 
 void EditBsplineCurve::layerChanged(
@@ -154,6 +168,9 @@ void EditBsplineCurve::makeLayers(const CurveTool::Curves& curves) {
     QAction& filter = filterOf(*view_->window());
     for (const std::shared_ptr<const SketchCurve>& curve : curves) {
         makeLayer(*curve, filter);
+    }
+    if (reopened_ >= 0 && !curves.empty()) {
+        removeCurve(*document_, std::exchange(reopened_, -1));
     }
     document_->setCurrentMesh(surface_);
     document_->setVisible(surface_, true);  // lets the list of layers see it

@@ -40,7 +40,8 @@ private:
     MeshDocument* document_ = nullptr;
     MLSceneGLSharedDataContext* shared_ = nullptr;
     QGLWidget* view_ = nullptr;
-    int surface_ = -1;  ///< id of its layer
+    int surface_ = -1;   ///< id of its layer
+    int reopened_ = -1;  ///< id of the layer of the curve that was taken up again
     std::unique_ptr<bspline_curve::CurveTool> tool_;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filter_bspline_curve/common/drawn_curves.h"
 #include "filters/designer_cache.h"
 #include "filters/run_filters.h"
 
@@ -50,5 +49,4 @@ private:
     void writeLog(const bspline_curve::FilterLog& written);
 
     bspline_curve::DesignerCache designers_;
-    bspline_curve::DrawnCurves drawn_;
 };

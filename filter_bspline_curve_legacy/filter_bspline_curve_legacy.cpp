@@ -5,6 +5,7 @@
 #include "filter_bspline_curve/common/dialog_parameters.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/result_layers.h"
+#include "filter_bspline_curve/common/show_curve.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 #include "filter_bspline_curve/common/window.h"
 #include "filters/description_html.h"
@@ -143,7 +144,7 @@ FilterLog FilterBsplineCurveLegacyPlugin::drawCurve(
         designers_,
         hostProgress(callback)
     );
-    drawn_.show(document, surface, arrays, request, result);
+    showCurve(document, surface, arrays, request, result);
     return result.log;
 }
 

@@ -180,6 +180,7 @@ CurveResult runCurveFilter(
     }
     const Region avoid = avoidedRegion(request, surface, surfaceOf(designer), field);
     CurveResult result;
+    result.followsField = hasField;
     result.curve = designer.design(
         chosen.picks,
         options,

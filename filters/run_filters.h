@@ -33,6 +33,7 @@ struct ControlPolygon {
 struct CurveResult {
     Curve curve;
     std::vector<double> quality;  ///< of each vertex: the field or, where there is none, t
+    bool followsField = false;
     // What the request asks for besides the curve.
     std::optional<TriangleMesh> tube;
     std::optional<ControlPolygon> controlPolygon;

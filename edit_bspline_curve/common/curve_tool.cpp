@@ -41,10 +41,14 @@ constexpr std::array kBindings = {
 }  // namespace
 
 CurveTool::CurveTool(
-    QGLWidget& view, TriangleMesh surface, std::function<void(const Curves&)> commit
+    QGLWidget& view,
+    TriangleMesh surface,
+    std::optional<DrawnCurve> reopened,
+    std::function<void(const Curves&)> commit
 )
     : view_(view),
       makeLayers_(std::move(commit)),
+      reopened_(std::move(reopened)),
       hadTracking_(view.hasMouseTracking()),
       panel_(&view),
       preparing_(std::async(std::launch::async, [mesh = std::move(surface)]() mutable {
@@ -82,6 +86,9 @@ void CurveTool::look() {
             QMetaObject::invokeMethod(this, [this] { refresh(); }, Qt::QueuedConnection);
         };
         session_ = std::make_unique<DrawingSession>(preparing_.get(), std::move(settings));
+        if (reopened_) {
+            session_->reopen(std::move(reopened_->picks), reopened_->options);
+        }
         refresh();
     } catch (const std::exception& error) {
         panel_.say(error.what());
@@ -189,6 +196,10 @@ void CurveTool::commit() {
     try {
         makeLayers_(curves);
     } catch (const std::exception& error) {
+        for (const std::shared_ptr<const SketchCurve>& curve : curves) {
+            session_->reopen(curve->picks, curve->options);
+        }
+        refresh();
         panel_.say(error.what());
     }
 }

@@ -20,6 +20,12 @@ class QWheelEvent;
 
 namespace bspline_curve {
 
+/// A curve that was drawn before.
+struct DrawnCurve {
+    std::vector<SketchPick> picks;
+    SketchCurveOptions options;
+};
+
 /// The drawing tool in a view of MeshLab, whatever its version: takes Qt's events, draws with
 /// OpenGL. The surface is prepared on a thread of its own; until then only the camera moves.
 class CurveTool : public QObject {
@@ -28,8 +34,14 @@ class CurveTool : public QObject {
 public:
     using Curves = std::vector<std::shared_ptr<const SketchCurve>>;
 
-    /// `commit` makes layers of curves; what it throws is shown. The view must outlive this.
-    CurveTool(QGLWidget& view, TriangleMesh surface, std::function<void(const Curves&)> commit);
+    /// `commit` makes layers of curves; what it throws is shown, and the curves stay. `reopened`: a
+    /// curve to go on with. The view must outlive this.
+    CurveTool(
+        QGLWidget& view,
+        TriangleMesh surface,
+        std::optional<DrawnCurve> reopened,
+        std::function<void(const Curves&)> commit
+    );
     ~CurveTool() override;
     CurveTool(const CurveTool&) = delete;
     CurveTool& operator=(const CurveTool&) = delete;
@@ -57,6 +69,7 @@ private:
 
     QGLWidget& view_;
     std::function<void(const Curves&)> makeLayers_;
+    std::optional<DrawnCurve> reopened_;  ///< until the session is there
     bool hadTracking_;
     ToolPanel panel_;
     QTimer timer_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/common/result_layers.h"
 
+#include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 
 #include <Eigen/LU>
@@ -81,7 +82,7 @@ void attachTo(const MeshModel& surface, MeshModel& layer) {
     vcg::tri::UpdateBounding<CMeshO>::Box(layer.cm);
 }
 
-int addCurveLayer(
+MeshModel& addCurveLayer(
     MeshDocument& document,
     const MeshModel& surface,
     const LayerArrays& arrays,
@@ -97,7 +98,7 @@ int addCurveLayer(
     }
     setAttributes(layer.cm, arrays, polyline);
     attachTo(surface, layer);
-    return layer.id();
+    return layer;
 }
 
 /// World coordinates as those of a layer; exactly the same where its matrix is the identity.
@@ -143,7 +144,7 @@ MeshModel& addLayer(
     return layer;
 }
 
-int addMeshLayer(
+MeshModel& addMeshLayer(
     MeshDocument& document,
     const MeshModel& surface,
     const char* suffix,
@@ -157,43 +158,44 @@ int addMeshLayer(
     }
     vcg::tri::UpdateNormal<CMeshO>::PerVertexNormalizedPerFaceNormalized(layer.cm);
     attachTo(surface, layer);
-    return layer.id();
+    return layer;
 }
 
-int addPolygonLayer(
+MeshModel& addPolygonLayer(
     MeshDocument& document, const MeshModel& surface, const ControlPolygon& polygon
 ) {
     MeshModel& layer =
         addLayer(document, surface, " control polygon", polygon.points, kPolygonColour);
     addEdges(layer.cm, polygon.closed);
     attachTo(surface, layer);
-    return layer.id();
+    return layer;
 }
 
 }  // namespace
 
-std::vector<int> addResultLayers(
+void addResultLayers(
     MeshDocument& document,
     const MeshModel& surface,
     const LayerArrays& arrays,
+    const CurveRequest& request,
     const CurveResult& result
 ) {
-    std::vector<int> layers = {addCurveLayer(document, surface, arrays, result)};
+    MeshModel& curve = addCurveLayer(document, surface, arrays, result);
+    keepSource(curve, surface, arrays, request, result);
     const auto addMesh =
         [&](const char* suffix, const TriangleMesh& mesh, const vcg::Color4b& colour) {
-            layers.push_back(addMeshLayer(document, surface, suffix, mesh, colour));
+            attachToCurve(addMeshLayer(document, surface, suffix, mesh, colour), curve);
         };
     if (result.tube) {
         addMesh(" tube", *result.tube, kCurveColour);
     }
     if (result.controlPolygon) {
-        layers.push_back(addPolygonLayer(document, surface, *result.controlPolygon));
+        attachToCurve(addPolygonLayer(document, surface, *result.controlPolygon), curve);
     }
     if (result.shellLayers) {
         addMesh(" shell top", result.shellLayers->top, kTopColour);
         addMesh(" shell bottom", result.shellLayers->bottom, kBottomColour);
     }
-    return layers;
 }
 
 void setQuality(MeshModel& layer, const LayerArrays& arrays, const FieldResult& result) {

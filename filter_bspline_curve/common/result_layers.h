@@ -2,9 +2,8 @@
 #pragma once
 
 #include "filter_bspline_curve/common/layer_arrays.h"
+#include "filters/requests.h"
 #include "filters/run_filters.h"
-
-#include <vector>
 
 namespace bspline_curve {
 
@@ -14,11 +13,12 @@ namespace bspline_curve {
 /// surface's normal, colour, and the custom attributes face_index (in the surface's layer),
 /// barycentric, t. After it come the layers that the request asked for besides: "… tube", "…
 /// control polygon", "… shell top" and "… shell bottom", likewise in the surface's coordinates.
-/// The ids of all of them, in this order.
-std::vector<int> addResultLayers(
+/// The curve's layer keeps what it was drawn from, see CurveSource.
+void addResultLayers(
     MeshDocument& document,
     const MeshModel& surface,
     const LayerArrays& arrays,
+    const CurveRequest& request,
     const CurveResult& result
 );
 

@@ -30,10 +30,10 @@ def is_disc(picture, place, colour):
 class Tool:
     """The tool in a window, started."""
 
-    def __init__(self, meshlab):
+    def __init__(self, meshlab, count=1):
         self.meshlab, self.display = meshlab, meshlab.display
         meshlab.start_action(TOOL)
-        meshlab.wait_for_log(f"Started Mode {TOOL}")
+        meshlab.wait_for_log(f"Started Mode {TOOL}", count)
         meshlab.wait_for_window("^B-spline Curves$")
         meshlab.wait_for_still_picture()
         view = meshlab.view()
@@ -100,6 +100,30 @@ def test_a_curve_is_clicked_dragged_undone_closed_and_made_a_layer(meshlab):
     meshlab.key("Return")
     line = meshlab.wait_for_log("^shell=")
     assert re.search("usable=true .*closed=true degree=3", line), line
+
+
+def test_a_layer_of_a_curve_is_taken_up_again(meshlab):
+    tool = Tool(meshlab)
+    for offset in CLICKS:
+        tool.click(offset)
+        tool.expect(offset, SELECTED)
+    meshlab.key("Return")
+    first = meshlab.wait_for_log("^shell=")
+    assert meshlab.layers() == 3  # surface, curve, tube
+    meshlab.start_action(TOOL)  # ends it
+    meshlab.wait_for_no_window("^B-spline Curves$")
+    meshlab.select_layer(1)
+
+    tool = Tool(meshlab, count=2)
+    for offset in CLICKS:
+        tool.expect(offset, HANDLE)
+    tool.drag(CLICKS[2], DRAG)
+    tool.expect(CLICKS[2] + DRAG, SELECTED)
+    meshlab.key("Return")
+    second = meshlab.wait_for_log("^shell=", 2)
+    assert meshlab.layers() == 3  # in place of the old ones
+    length = lambda line: float(re.search(r" length=([0-9.e+-]+)", line)[1])
+    assert abs(length(second) - length(first)) > 0.01
 
 
 def test_drags_beside_the_mesh_move_the_camera(meshlab):

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edit_bspline_curve/common/reopen.h"
+
+#include "filter_bspline_curve/common/curve_source.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace bspline_curve {
+
+namespace {
+
+/// A pick stays where it is to within this, relative to the diagonal: more than the rounding of
+/// floats, less than anybody moves a vertex.
+constexpr double kSamePlace = 1e-6;
+
+Vec3 positionOf(const TriangleMesh& mesh, const SurfacePoint& point) {
+    const Triangle& face = mesh.faces[point.face];
+    Vec3 position = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        position += point.barycentric[k] * mesh.vertices[face[k]];
+    }
+    return position;
+}
+
+double diagonalOf(const TriangleMesh& mesh) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& vertex : mesh.vertices) {
+        box.extend(vertex);
+    }
+    return box.diagonal().norm();
+}
+
+}  // namespace
+
+std::optional<DrawnCurve> reopened(
+    const MeshModel& layer, const MeshModel& surface, const LayerArrays& arrays
+) {
+    const CurveSource* const source = sourceOf(layer);
+    if (source == nullptr || source->surface != static_cast<int>(surface.id()) ||
+        !source->isPlain) {
+        return std::nullopt;
+    }
+    const TriangleMesh& mesh = arrays.input.mesh;
+    const double tolerance = kSamePlace * diagonalOf(mesh);
+    DrawnCurve curve;
+    for (std::size_t i = 0; i < source->picks.size(); ++i) {
+        SurfacePoint point = source->picks[i];
+        const auto found = std::ranges::lower_bound(arrays.faceIds, point.face);
+        if (found == arrays.faceIds.end() || *found != point.face) {
+            return std::nullopt;
+        }
+        point.face = static_cast<int>(found - arrays.faceIds.begin());
+        if (!((positionOf(mesh, point) - source->positions[i]).norm() <= tolerance)) {
+            return std::nullopt;
+        }
+        curve.picks.push_back({point, source->positions[i]});
+    }
+    curve.options.solver.closed = source->closed;
+    curve.options.solver.degree = source->degree;
+    curve.options.solver.tension = source->tension;
+    return curve;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "edit_bspline_curve/common/curve_tool.h"
+#include "filter_bspline_curve/common/layer_arrays.h"
+
+#include <optional>
+
+namespace bspline_curve {
+
+/// The curve of a layer, on the arrays of its surface; none where the layer is no curve of ours,
+/// where its picks are no longer on the surface, or where it has a field or avoids faces, which the
+/// tool does not draw.
+[[nodiscard]] std::optional<DrawnCurve> reopened(
+    const MeshModel& layer, const MeshModel& surface, const LayerArrays& arrays
+);
+
+}  // namespace bspline_curve

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/common/curve_source.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+using Allocator = vcg::tri::Allocator<CMeshO>;
+
+const std::string kSource = "bspline_curve_source";
+const std::string kOfCurve = "bspline_curve_of_curve";
+
+std::vector<int> layersOfCurve(const MeshDocument& document, int curve) {
+    std::vector<int> layers;
+    for (const MeshModel* const layer : host::layersOf(document)) {
+        const int* const id = host::perMeshAttribute<int>(layer->cm, kOfCurve);
+        if (static_cast<int>(layer->id()) == curve || (id != nullptr && *id == curve)) {
+            layers.push_back(layer->id());
+        }
+    }
+    return layers;
+}
+
+}  // namespace
+
+void keepSource(
+    MeshModel& curve,
+    const MeshModel& surface,
+    const LayerArrays& arrays,
+    const CurveRequest& request,
+    const CurveResult& result
+) {
+    const SurfacePolyline& polyline = result.curve.polyline;
+    CurveSource source;
+    source.surface = surface.id();
+    for (const int index : polyline.picks) {
+        SurfacePoint pick = polyline.surfacePoints[index];
+        pick.face = arrays.faceIds[pick.face];
+        source.picks.push_back(pick);
+        source.positions.push_back(polyline.points[index]);
+    }
+    source.closed = polyline.closed;
+    source.degree = request.solver.degree;
+    source.tension = request.solver.tension;
+    source.isPlain = !result.followsField && request.avoid == Avoid::Nothing;
+    Allocator::AddPerMeshAttribute<CurveSource>(curve.cm, kSource)() = std::move(source);
+}
+
+const CurveSource* sourceOf(const MeshModel& layer) {
+    return host::perMeshAttribute<CurveSource>(layer.cm, kSource);
+}
+
+void attachToCurve(MeshModel& layer, const MeshModel& curve) {
+    Allocator::AddPerMeshAttribute<int>(layer.cm, kOfCurve)() = curve.id();
+}
+
+void setCurveVisible(MeshDocument& document, int curve, bool isVisible) {
+    for (const int layer : layersOfCurve(document, curve)) {
+        document.setVisible(layer, isVisible);
+    }
+}
+
+void removeCurve(MeshDocument& document, int curve) {
+    for (const int layer : layersOfCurve(document, curve)) {
+        host::removeLayer(document, layer);
+    }
+}
+
+int curveOfPicks(const MeshDocument& document, int surface, std::span<const Vec3> picks) {
+    int newest = -1;
+    for (const MeshModel* const layer : host::layersOf(document)) {
+        const CurveSource* const source = sourceOf(*layer);
+        if (source == nullptr || source->surface != surface) {
+            continue;
+        }
+        const auto shared = std::ranges::count_if(picks, [&](const Vec3& pick) {
+            return std::ranges::find(source->positions, pick) != source->positions.end();
+        });
+        if (2 * static_cast<std::size_t>(shared) >= picks.size()) {
+            newest = std::max(newest, static_cast<int>(layer->id()));
+        }
+    }
+    return newest;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/mesh.h"
+#include "filter_bspline_curve/common/layer_arrays.h"
+#include "filters/requests.h"
+#include "filters/run_filters.h"
+#include "host_document.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+
+/// What a curve was drawn from. Its layer keeps it, so that it can be drawn again.
+struct CurveSource {
+    int surface = -1;                 ///< id of the surface's layer
+    std::vector<SurfacePoint> picks;  ///< faces are those of that layer
+    std::vector<Vec3> positions;      ///< of the picks, in world coordinates
+    bool closed = false;
+    int degree = 3;
+    double tension = 0.0;
+    bool isPlain = true;  ///< nothing else was asked for: no field, no faces to avoid
+};
+
+/// Writes the source of a result into its curve's layer.
+void keepSource(
+    MeshModel& curve,
+    const MeshModel& surface,
+    const LayerArrays& arrays,
+    const CurveRequest& request,
+    const CurveResult& result
+);
+
+/// Null where the layer is no curve of ours, or was read from a file.
+[[nodiscard]] const CurveSource* sourceOf(const MeshModel& layer);
+
+/// Marks a layer as one that goes with a curve: its tube, its control polygon, …
+void attachToCurve(MeshModel& layer, const MeshModel& curve);
+
+/// Shows or hides the layer of a curve, and those that go with it.
+void setCurveVisible(MeshDocument& document, int curve, bool isVisible);
+
+/// Removes the layer of a curve, and those that go with it. Nothing where it is gone already.
+void removeCurve(MeshDocument& document, int curve);
+
+/// The id of the newest curve on this surface that was drawn through at least half of these picks
+/// (world coordinates, to the bit); -1 where there is none.
+[[nodiscard]] int curveOfPicks(
+    const MeshDocument& document, int surface, std::span<const Vec3> picks
+);
+
+}  // namespace bspline_curve
