@@ -434,8 +434,7 @@ ExitCode runBatch(Arguments arguments) {
         return *code;
     }
     const auto& batch = std::get<BatchArguments>(parsed);
-    constexpr bool kRepairs = true;  // no hint at an option that this verb does not have
-    return runVerb(kRepairs, [&](ProgressBar& bar) { return runJobs(batch, bar); });
+    return runVerb([&](ProgressBar& bar) { return runJobs(batch, bar); });
 }
 
 }  // namespace bspline_curve::cli

@@ -50,7 +50,7 @@ constexpr double kFieldShare = 0.7;
 /// What a curve is drawn by, besides the mesh.
 struct Inputs {
     std::vector<Vec3> picks;
-    std::vector<double> quality;  ///< of the mesh as repaired
+    std::vector<double> quality;  ///< of the mesh as given, then as mended
     std::vector<std::string> notes;
 };
 
@@ -123,20 +123,25 @@ Inputs inputsFor(CurveArguments& arguments, const LoadedMesh& loaded, std::vecto
         .picks = std::move(picks), .quality = {}, .notes = chooseField(arguments, loaded)
     };
     inputs.quality = qualityFor(arguments, loaded);
-    if (loaded.repair && !inputs.quality.empty()) {
-        inputs.quality = loaded.repair->carriedOver(inputs.quality);
-    }
     return inputs;
 }
 
+/// Says what was mended, if anything, and carries the inputs over to the mended mesh.
+void carryOver(Inputs& inputs, const Mended<CurveDesigner>& mended) {
+    sayMended(mended.mending);
+    if (mended.mending && !inputs.quality.empty()) {
+        inputs.quality = mended.mending->repair.carriedOver(inputs.quality);
+    }
+}
+
 GivenMesh givenMesh(
-    const CurveArguments& arguments, const LoadedMesh& loaded, std::span<const double> values
+    const CurveArguments& arguments, const PreparedMesh& prepared, std::span<const double> values
 ) {
     return {
         .file = arguments.mesh,
-        .faces = static_cast<int>(loaded.givenFaces),
+        .faces = static_cast<int>(prepared.loaded.givenFaces),
         .quality = values,
-        .repair = loaded.repair ? &*loaded.repair : nullptr
+        .repair = prepared.mended.repair()
     };
 }
 
@@ -150,10 +155,9 @@ std::vector<double> makeFieldFor(
     if (arguments.field.empty()) {
         return {};
     }
-    const Surface& surface = surfaceOf(prepared.designer);
-    const Region region = readRegion(
-        arguments.fieldRegion, surface, givenMesh(arguments, prepared.loaded, inputs.quality)
-    );
+    const Surface& surface = surfaceOf(prepared.designer());
+    const Region region =
+        readRegion(arguments.fieldRegion, surface, givenMesh(arguments, prepared, inputs.quality));
     return makeField(
         surface, arguments.fieldOptions, {.quality = inputs.quality, .region = region}, progress
     );
@@ -173,7 +177,8 @@ Drawn drawCold(
     const PreparedMesh& prepared,
     ProgressBar& bar
 ) {
-    const auto& [loaded, designer, preparing] = prepared;
+    const LoadedMesh& loaded = prepared.loaded;
+    const CurveDesigner& designer = prepared.designer();
     Drawn drawn;
     RunFigures& figures = drawn.figures;
     Stopwatch watch;
@@ -183,7 +188,7 @@ Drawn drawCold(
     drawn.avoid = readRegion(
         arguments.avoid,
         surfaceOf(designer),
-        givenMesh(arguments, loaded, drawn.field.empty() ? inputs.quality : drawn.field)
+        givenMesh(arguments, prepared, drawn.field.empty() ? inputs.quality : drawn.field)
     );
     drawn.curve = designer.design(
         inputs.picks,
@@ -193,16 +198,14 @@ Drawn drawCold(
         progressPart(bar, kFieldShare, 1.0)
     );
     figures.designSeconds = watch.lap();
-    figures.coldSeconds = preparing + figures.fieldSeconds + figures.designSeconds;
+    figures.coldSeconds = prepared.seconds + figures.fieldSeconds + figures.designSeconds;
     figures.peakMemoryBytes = peakMemoryBytes();
     figures.readSeconds = loaded.readSeconds;
     figures.readMemoryBytes = loaded.readMemoryBytes;
     figures.stages = designer.seconds();
     figures.shell = designer.shell();
     figures.meshFile = arguments.mesh.string();
-    if (loaded.repair) {
-        figures.repair = loaded.repair->report;
-    }
+    figures.repair = reportOf(prepared.mended.mending);
     if (!arguments.field.empty()) {
         figures.field = name(arguments.fieldOptions.kind);
         figures.fieldCost = name(arguments.solver.fieldCost);
@@ -241,11 +244,11 @@ std::optional<double> timeWarm(
 }
 
 /// The curve with the faces and barycentric coordinates of the mesh as it was given.
-Curve onGivenMesh(const Curve& curve, const LoadedMesh& loaded) {
+Curve onGivenMesh(const Curve& curve, const MeshRepair* repair) {
     Curve given = curve;
-    if (loaded.repair) {
+    if (repair != nullptr) {
         for (SurfacePoint& point : given.polyline.surfacePoints) {
-            point = loaded.repair->toOrigin(point);
+            point = repair->toOrigin(point);
         }
     }
     return given;
@@ -256,7 +259,7 @@ Curve onGivenMesh(const Curve& curve, const LoadedMesh& loaded) {
 void writeResults(
     const CurveArguments& arguments, const PreparedMesh& prepared, const Drawn& drawn
 ) {
-    const Surface& surface = surfaceOf(prepared.designer);
+    const Surface& surface = surfaceOf(prepared.designer());
     std::optional<AtomicFile> report;
     if (!arguments.report.empty()) {
         report.emplace(arguments.report, reportText(drawn.curve, surface, drawn.figures));
@@ -265,7 +268,7 @@ void writeResults(
         const std::vector<double> quality =
             drawn.field.empty() ? std::vector<double>()
                                 : fieldAlong(drawn.curve.polyline, surface.faces(), drawn.field);
-        writeCurve(arguments.output, onGivenMesh(drawn.curve, prepared.loaded), quality);
+        writeCurve(arguments.output, onGivenMesh(drawn.curve, prepared.mended.repair()), quality);
     }
     if (report) {
         report->commit();
@@ -279,7 +282,7 @@ ExitCode drawAndWrite(
     ProgressBar& bar
 ) {
     Drawn drawn = drawCold(arguments, inputs, prepared, bar);
-    drawn.figures.warmSeconds = timeWarm(arguments, inputs, prepared.designer, drawn, bar);
+    drawn.figures.warmSeconds = timeWarm(arguments, inputs, prepared.designer(), drawn, bar);
     bar.clear();
     printNotes(inputs.notes);
     printNotes(drawn.figures.shell.notes);
@@ -297,19 +300,20 @@ ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
     bar.show(0.0, "reading");
     std::vector<Vec3> picks = picksFor(arguments);
     LoadedMesh loaded = loadMesh(arguments);
-    sayRepaired(loaded.repair);
-    const Inputs inputs = inputsFor(arguments, loaded, std::move(picks));
+    Inputs inputs = inputsFor(arguments, loaded, std::move(picks));
     const PreparedMesh prepared(std::move(loaded), arguments, progressPart(bar, 0.0, kShellShare));
+    bar.clear();
+    carryOver(inputs, prepared.mended);
     return drawAndWrite(arguments, inputs, prepared, bar);
 }
 
 }  // namespace
 
 ExitCode drawOn(const PreparedMesh& prepared, CurveArguments arguments) {
-    return runVerb(arguments.repair, [&](ProgressBar& bar) {
+    return runVerb([&](ProgressBar& bar) {
         checkFiles(arguments);
-        sayRepaired(prepared.loaded.repair);
-        const Inputs inputs = inputsFor(arguments, prepared.loaded, picksFor(arguments));
+        Inputs inputs = inputsFor(arguments, prepared.loaded, picksFor(arguments));
+        carryOver(inputs, prepared.mended);
         return drawAndWrite(arguments, inputs, prepared, bar);
     });
 }
@@ -320,7 +324,7 @@ ExitCode runCurve(Arguments arguments) {
         return *code;
     }
     auto& curve = std::get<CurveArguments>(parsed);
-    return runVerb(curve.repair, [&](ProgressBar& bar) { return draw(curve, bar); });
+    return runVerb([&](ProgressBar& bar) { return draw(curve, bar); });
 }
 
 }  // namespace bspline_curve::cli

@@ -69,7 +69,7 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
         arguments.requireUsable,
         "Write no curve that is not usable, and exit with 1"
     );
-    addRepairOption(app, arguments.repair);
+    addRepairOption(app);
     addCacheOption(app, arguments.noCache);
 }
 
@@ -121,6 +121,7 @@ public:
         arguments_.solver = request.solver;
         arguments_.sampling = request.sampling;
         arguments_.shell = request.shell;
+        arguments_.strict = request.strict;
         setField(request);
         setAvoided(request);
         return arguments_;

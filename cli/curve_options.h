@@ -25,7 +25,7 @@ struct CurveArguments {
     RegionArguments
         avoid;       ///< thresholds are for the field, or for the quality where there is none
     int repeat = 0;  ///< further curves to time
-    bool repair = false;
+    bool strict = false;
     bool requireUsable = false;
     bool noCache = false;
     SolverOptions solver;  ///< the preset with what was given explicitly; closed where --closed

@@ -37,18 +37,6 @@ void checkOutputs(const FieldArguments& arguments) {
     }
 }
 
-/// The values of the mesh that was given: copies come after its own vertices, and those that were
-/// merged have the value of what they became.
-std::vector<double> onGivenMesh(
-    std::vector<double> field, const MeshRepair& repair, std::size_t vertexCount
-) {
-    field.resize(vertexCount);
-    for (const auto& [vertex, into] : repair.report.mergedVertices) {
-        field[vertex] = field[into];
-    }
-    return field;
-}
-
 /// Writes field and report together: both files appear, or none.
 void writeResults(
     const FieldArguments& arguments,
@@ -78,7 +66,7 @@ ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
     figures.naturalCost = name(naturalCost(arguments.field.kind));
     bar.show(0.0, "reading");
     Stopwatch watch;
-    MeshFile file = readInputMesh(arguments.mesh, arguments.repair);
+    MeshFile file = readInputMesh(arguments.mesh, arguments.strict);
     figures.seconds.read = watch.lap();
     if (interrupted()) {
         throw Cancelled();
@@ -87,13 +75,12 @@ ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
         refuseMissingQuality(arguments.mesh);
     }
     const TriangleMesh given = file.mesh;
-    const std::optional<MeshRepair> repair = repairIfAsked(file.mesh, arguments.repair);
-    sayRepaired(repair);
-    const Surface surface(std::move(file.mesh));
+    const auto [surface, mending] = surfaceOfMended(std::move(file.mesh), arguments.strict);
+    sayMended(mending);
     figures.seconds.validate = watch.lap();
-    if (repair) {
-        figures.repair = repair->report;
-        file.quality = file.quality.empty() ? file.quality : repair->carriedOver(file.quality);
+    figures.repair = reportOf(mending);
+    if (mending && !file.quality.empty()) {
+        file.quality = mending->repair.carriedOver(file.quality);
     }
     const Region region = readRegion(
         arguments.region,
@@ -101,7 +88,7 @@ ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
         {.file = arguments.mesh,
          .faces = static_cast<int>(given.faces.size()),
          .quality = file.quality,
-         .repair = repair ? &*repair : nullptr}
+         .repair = mending ? &mending->repair : nullptr}
     );
     std::vector<double> field = makeField(
         surface,
@@ -110,8 +97,8 @@ ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
         progressPart(bar, 0.0, 1.0)
     );
     figures.seconds.field = watch.lap();
-    if (repair) {
-        field = onGivenMesh(std::move(field), *repair, given.vertices.size());
+    if (mending) {
+        field = mending->toOrigin(std::move(field));
     }
     bar.clear();
     writeResults(arguments, given, surface, field, figures);
@@ -126,7 +113,7 @@ ExitCode runField(Arguments arguments) {
         return *code;
     }
     const auto& field = std::get<FieldArguments>(parsed);
-    return runVerb(field.repair, [&](ProgressBar& bar) { return compute(field, bar); });
+    return runVerb([&](ProgressBar& bar) { return compute(field, bar); });
 }
 
 }  // namespace bspline_curve::cli

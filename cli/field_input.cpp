@@ -15,7 +15,7 @@ namespace bspline_curve::cli {
 
 namespace {
 
-/// Ids of the mesh that was given as ids of the repaired one: of every part of those faces.
+/// Ids of the mesh that was given as ids of the mended one: of every part of those faces.
 std::vector<std::int64_t> carriedOver(
     const std::vector<std::int64_t>& ids, const GivenMesh& given
 ) {

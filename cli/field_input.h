@@ -40,12 +40,12 @@ void checkRegion(const RegionArguments& region, FieldKind kind, const std::strin
 /// The mesh that ids and values of a command line belong to.
 struct GivenMesh {
     std::filesystem::path file;
-    int faces = 0;                       ///< before the repair
-    std::span<const double> quality;     ///< as repaired, or empty
-    const MeshRepair* repair = nullptr;  ///< null: the mesh was not repaired
+    int faces = 0;                       ///< before it was mended
+    std::span<const double> quality;     ///< as mended, or empty
+    const MeshRepair* repair = nullptr;  ///< null: the mesh is as it was given
 };
 
-/// The region, on the surface that was repaired where asked for; empty where none was named. Throws
+/// The region, on the surface as mended; empty where none was named. Throws
 /// InputError.
 [[nodiscard]] Region readRegion(
     const RegionArguments& region, const Surface& surface, const GivenMesh& given

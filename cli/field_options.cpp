@@ -47,14 +47,16 @@ public:
             }
         }
         addRegionOptions(app_, kMain, kPrefix, arguments_.region);
-        addRepairOption(app_, arguments_.repair);
+        addRepairOption(app_);
     }
 
     /// Throws CLI::ParseError, InputError (BadOption).
     FieldArguments parse(Arguments words) {
         // CLI11 takes them in reverse order.
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-        arguments_.field = fieldRequest(options_.values()).options;
+        const FieldRequest request = fieldRequest(options_.values());
+        arguments_.field = request.options;
+        arguments_.strict = request.strict;
         checkRegion(arguments_.region, arguments_.field.kind, kPrefix);
         return arguments_;
     }

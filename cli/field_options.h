@@ -13,7 +13,7 @@ namespace bspline_curve::cli {
 struct FieldArguments {
     std::filesystem::path mesh, output;
     std::filesystem::path report;  ///< empty: none asked for
-    bool repair = false;
+    bool strict = false;
     FieldOptions field;
     RegionArguments region;
 };

@@ -88,7 +88,7 @@ std::string preparationOf(const CurveArguments& curve) {
           static_cast<double>(shell.smoothingPasses),
           shell.targetThickness,
           shell.targetEdgeLength,
-          curve.repair ? 1.0 : 0.0,
+          curve.strict ? 1.0 : 0.0,
           curve.noCache ? 1.0 : 0.0}) {
         text += ' ' + numberText(value);
     }

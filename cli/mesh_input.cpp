@@ -10,17 +10,13 @@
 
 namespace bspline_curve::cli {
 
-void addRepairOption(CLI::App& app, bool& repair) {
-    app.add_flag(
-        "--repair",
-        repair,
-        "Part the surface where it is no manifold, turn faces that look the other way, drop "
-        "duplicate faces and those without area; says what it changed"
-    );
+void addRepairOption(CLI::App& app) {
+    constexpr const char* kHidden = "";
+    app.add_flag("--repair")->group(kHidden);
 }
 
-MeshFile readInputMesh(const std::filesystem::path& file, bool repair) {
-    return readMeshFile(file, repair ? RepeatedVertices::Keep : RepeatedVertices::Refuse);
+MeshFile readInputMesh(const std::filesystem::path& file, bool strict) {
+    return readMeshFile(file, strict ? RepeatedVertices::Refuse : RepeatedVertices::Keep);
 }
 
 void refuseMissingQuality(const std::filesystem::path& file) {
@@ -30,19 +26,20 @@ void refuseMissingQuality(const std::filesystem::path& file) {
     );
 }
 
-std::optional<MeshRepair> repairIfAsked(TriangleMesh& mesh, bool repair) {
-    if (!repair) {
-        return std::nullopt;
-    }
-    MeshRepair repaired = repairMesh(std::move(mesh));
-    mesh = std::move(repaired.mesh);
-    return repaired;
+Mended<Surface> surfaceOfMended(TriangleMesh given, bool strict) {
+    return makeMended(std::move(given), strict, [](TriangleMesh mesh) {
+        return Surface(std::move(mesh));
+    });
 }
 
-void sayRepaired(const std::optional<MeshRepair>& repair) {
-    if (repair && !repair->report.isEmpty()) {
-        printError("repaired: " + repair->report.summary());
+void sayMended(const std::optional<Mending>& mending) {
+    if (mending) {
+        printError("note: " + mending->note() + "; --strict refuses it");
     }
+}
+
+std::optional<RepairReport> reportOf(const std::optional<Mending>& mending) {
+    return mending ? std::optional(mending->repair.report) : std::nullopt;
 }
 
 }  // namespace bspline_curve::cli

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "io/mesh_reader.h"
-#include "surface/repair.h"
+#include "surface/mending.h"
+#include "surface/surface.h"
 
 #include <filesystem>
 #include <optional>
@@ -11,21 +12,25 @@ namespace CLI {
 class App;
 }  // namespace CLI
 
-// The mesh of a verb, with or without --repair.
+// The mesh of a verb, mended or strictly as it is.
 namespace bspline_curve::cli {
 
-void addRepairOption(CLI::App& app, bool& repair);
+/// --repair, which asked for what is done by default now: accepted, not listed.
+void addRepairOption(CLI::App& app);
 
-/// Reads the mesh; with `repair` also one whose faces name a vertex twice.
-[[nodiscard]] MeshFile readInputMesh(const std::filesystem::path& file, bool repair);
+/// Reads the mesh; unless `strict` also one whose faces name a vertex twice.
+[[nodiscard]] MeshFile readInputMesh(const std::filesystem::path& file, bool strict);
 
 /// Throws InputError (BadField): a mesh file without the quality that was asked for.
 [[noreturn]] void refuseMissingQuality(const std::filesystem::path& file);
 
-/// Where asked for, repairs `mesh`. The result's own mesh is moved to `mesh`.
-[[nodiscard]] std::optional<MeshRepair> repairIfAsked(TriangleMesh& mesh, bool repair);
+/// The surface of a mesh, mended where that is needed and not `strict`. Throws InputError.
+[[nodiscard]] Mended<Surface> surfaceOfMended(TriangleMesh given, bool strict);
 
-/// Says on stderr what was changed, if anything.
-void sayRepaired(const std::optional<MeshRepair>& repair);
+/// Says on stderr what was mended, if anything.
+void sayMended(const std::optional<Mending>& mending);
+
+/// What was mended, for reports.
+[[nodiscard]] std::optional<RepairReport> reportOf(const std::optional<Mending>& mending);
 
 }  // namespace bspline_curve::cli

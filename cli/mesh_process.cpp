@@ -138,7 +138,7 @@ ExitCode runMeshProcess() {
         return ExitCode::Success;
     }
     const CurveArguments arguments = argumentsOf(*first);
-    return runVerb(arguments.repair, [&](ProgressBar&) {
+    return runVerb([&](ProgressBar&) {
         MeshServer(arguments, std::move(*first)).run();
         return ExitCode::Success;
     });

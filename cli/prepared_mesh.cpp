@@ -8,17 +8,20 @@
 #include "cli/shell_cache_option.h"
 #include "utility/stopwatch.h"
 
+#include <optional>
 #include <utility>
 
 namespace bspline_curve::cli {
 
 namespace {
 
-CurveDesigner designerFor(
-    TriangleMesh mesh, const CurveArguments& arguments, const Progress& progress
+Mended<CurveDesigner> designerFor(
+    TriangleMesh given, const CurveArguments& arguments, const Progress& progress
 ) {
     const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
-    return CurveDesigner(std::move(mesh), arguments.shell, progress, cache ? &*cache : nullptr);
+    return makeMended(std::move(given), arguments.strict, [&](TriangleMesh mesh) {
+        return CurveDesigner(std::move(mesh), arguments.shell, progress, cache ? &*cache : nullptr);
+    });
 }
 
 }  // namespace
@@ -26,12 +29,11 @@ CurveDesigner designerFor(
 LoadedMesh loadMesh(const CurveArguments& arguments) {
     LoadedMesh loaded;
     Stopwatch watch;
-    loaded.mesh = readInputMesh(arguments.mesh, arguments.repair);
+    loaded.mesh = readInputMesh(arguments.mesh, arguments.strict);
     loaded.readSeconds = watch.lap();
     loaded.readMemoryBytes = peakMemoryBytes();
     loaded.givenVertices = loaded.mesh.mesh.vertices.size();
     loaded.givenFaces = loaded.mesh.mesh.faces.size();
-    loaded.repair = repairIfAsked(loaded.mesh.mesh, arguments.repair);
     if (interrupted()) {
         throw Cancelled();
     }
@@ -42,8 +44,8 @@ PreparedMesh::PreparedMesh(
     LoadedMesh from, const CurveArguments& arguments, const Progress& progress
 )
     : loaded(std::move(from)),
-      designer(designerFor(std::move(loaded.mesh.mesh), arguments, progress)) {
-    const StageSeconds stages = designer.seconds();
+      mended(designerFor(std::move(loaded.mesh.mesh), arguments, progress)) {
+    const StageSeconds stages = designer().seconds();
     seconds = stages.validate + stages.tree + stages.shell;
 }
 

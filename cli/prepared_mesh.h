@@ -4,20 +4,18 @@
 #include "bspline_curve/designer.h"
 #include "cli/curve_options.h"
 #include "io/mesh_reader.h"
-#include "surface/repair.h"
+#include "surface/mending.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 // A mesh that is read and prepared once, for as many curves as are asked for.
 namespace bspline_curve::cli {
 
 /// A mesh file as curves need it.
 struct LoadedMesh {
-    MeshFile mesh;  ///< repaired where that was asked for; the quality is as given
+    MeshFile mesh;
     std::size_t givenVertices = 0, givenFaces = 0;
-    std::optional<MeshRepair> repair;  ///< where it was asked for
     double readSeconds = 0.0;
     std::int64_t readMemoryBytes = 0;
 };
@@ -29,11 +27,13 @@ struct LoadedMesh {
 /// into the designer.
 struct PreparedMesh {
     LoadedMesh loaded;
-    CurveDesigner designer;
+    Mended<CurveDesigner> mended;
     double seconds = 0.0;  ///< of preparing
 
     /// Throws InputError, Cancelled.
     PreparedMesh(LoadedMesh from, const CurveArguments& arguments, const Progress& progress);
+
+    [[nodiscard]] const CurveDesigner& designer() const { return mended.made; }
 };
 
 /// Draws one curve on a mesh that is ready, and writes it. Prints what goes wrong.

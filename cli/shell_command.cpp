@@ -56,7 +56,7 @@ bool takesStoredShell(const ShellArguments& arguments) {
     return arguments.report.empty() && !arguments.check;
 }
 
-/// Repairs where asked, validates the mesh and builds its shell (or takes it from the cache), one
+/// Validates the mesh, mended where needed, and builds its shell (or takes it from the cache), one
 /// stage after the other.
 Built buildStages(
     TriangleMesh mesh,
@@ -71,12 +71,9 @@ Built buildStages(
     Stopwatch watch;
     figures.faces = static_cast<int>(mesh.faces.size());
     bar.show(0.0, "validating");
-    if (const auto repair = repairIfAsked(mesh, arguments.repair)) {
-        sayRepaired(repair);
-        figures.repair = repair->report;
-    }
-    figures.seconds.repair = watch.lap();
-    Surface surface(std::move(mesh));
+    auto [surface, mending] = surfaceOfMended(std::move(mesh), arguments.strict);
+    sayMended(mending);
+    figures.repair = reportOf(mending);
     figures.seconds.validate = watch.lap();
     auto extended = std::make_shared<const ExtendedSurface>(
         extendSurface(surface, arguments.shell.smoothingPasses)
@@ -170,7 +167,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
     figures.meshFile = arguments.mesh.string();
     bar.show(0.0, "reading");
     Stopwatch watch;
-    TriangleMesh mesh = readInputMesh(arguments.mesh, arguments.repair).mesh;
+    TriangleMesh mesh = readInputMesh(arguments.mesh, arguments.strict).mesh;
     figures.seconds.read = watch.lap();
     if (interrupted()) {
         throw Cancelled();
@@ -213,7 +210,7 @@ ExitCode runShell(Arguments arguments) {
         return *code;
     }
     const auto& shell = std::get<ShellArguments>(parsed);
-    return runVerb(shell.repair, [&](ProgressBar& bar) { return build(shell, bar); });
+    return runVerb([&](ProgressBar& bar) { return build(shell, bar); });
 }
 
 }  // namespace bspline_curve::cli

@@ -42,7 +42,7 @@ void addFiles(CLI::App& app, ShellArguments& arguments) {
         "Check every invariant of the shell with exact predicates and code of its own; exit "
         "status 1 where one does not hold"
     );
-    addRepairOption(app, arguments.repair);
+    addRepairOption(app);
     addCacheOption(app, arguments.noCache);
 }
 
@@ -57,7 +57,8 @@ public:
               "target_thickness",
               "target_edge_length",
               "shell_thickness",
-              "shell_smoothing_passes"}) {
+              "shell_smoothing_passes",
+              "strict"}) {
             options_.add(id, kGroup);
         }
     }
@@ -69,7 +70,9 @@ public:
         if (arguments_.output.empty() && arguments_.report.empty() && !arguments_.check) {
             throw CLI::RequiredError("one of --output, --report, --check");
         }
-        arguments_.shell = curveRequest(options_.values()).shell;
+        const CurveRequest request = curveRequest(options_.values());
+        arguments_.shell = request.shell;
+        arguments_.strict = request.strict;
         if (arguments_.shell.kind == ShellKind::Local) {
             throw CLI::ValidationError(
                 "--shell",

@@ -14,7 +14,7 @@ struct ShellArguments {
     std::filesystem::path mesh;
     std::filesystem::path output, report;  ///< empty: not asked for
     bool check = false;
-    bool repair = false;
+    bool strict = false;
     bool noCache = false;
     ShellOptions shell{.kind = ShellKind::Simplified};
 };

@@ -11,26 +11,14 @@
 
 namespace bspline_curve::cli {
 
-namespace {
-
-/// Whether a mesh was refused for something that --repair mends.
-bool isRepairable(InputErrorCode code) {
-    return code == InputErrorCode::DegenerateFace || code == InputErrorCode::NonManifoldEdge ||
-           code == InputErrorCode::NonManifoldVertex ||
-           code == InputErrorCode::InconsistentOrientation;
-}
-
-}  // namespace
-
-ExitCode runVerb(bool repairs, const std::function<ExitCode(ProgressBar&)>& work) {
+ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work) {
     catchInterrupts();
     ProgressBar bar;
     try {
         return work(bar);
     } catch (const InputError& error) {
         bar.clear();
-        const bool canRepair = !repairs && isRepairable(error.code());
-        printError(error.what() + std::string(canRepair ? ", or use --repair" : ""));
+        printError(error.what());
         return ExitCode::Failure;
     } catch (const Cancelled&) {
         bar.clear();

@@ -15,10 +15,9 @@ class ParseError;
 // What the verbs share.
 namespace bspline_curve::cli {
 
-/// Does the work of a verb; what it throws becomes one line on stderr and an exit code. The line
-/// names --repair where that may help and is not on yet (`repairs`). From here on the first Ctrl-C
-/// cancels.
-[[nodiscard]] ExitCode runVerb(bool repairs, const std::function<ExitCode(ProgressBar&)>& work);
+/// Does the work of a verb; what it throws becomes one line on stderr and an exit code. From
+/// here on the first Ctrl-C cancels.
+[[nodiscard]] ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work);
 
 /// A part [from, to] of the whole bar, and a way out for Ctrl-C.
 [[nodiscard]] Progress progressPart(ProgressBar& bar, double from, double to);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/designer_cache.h"
 
-#include "design/designer_surface.h"
-
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -58,44 +56,54 @@ bool isSame(const std::vector<Element>& a, const std::vector<Element>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Element)) == 0;
 }
 
-bool isSame(const TriangleMesh& mesh, const Surface& surface) {
+bool isSame(const TriangleMesh& a, const TriangleMesh& b) {
     static_assert(sizeof(Vec3) == 3 * sizeof(double), "no padding to compare");
-    return isSame(mesh.vertices, surface.vertices()) && isSame(mesh.faces, surface.faces());
+    return isSame(a.vertices, b.vertices) && isSame(a.faces, b.faces);
 }
 
 }  // namespace
 
-std::shared_ptr<const CurveDesigner> DesignerCache::find(
+std::optional<DesignerCache::Found> DesignerCache::find(
     std::uint64_t hash, const TriangleMesh& mesh, const ShellOptions& options
 ) {
     const std::scoped_lock lock(mutex_);
     const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
-        return entry.hash == hash && entry.options == options &&
-               isSame(mesh, surfaceOf(*entry.designer));
+        return entry.hash == hash && entry.options == options && isSame(mesh, entry.mesh());
     });
     if (found == entries_.end()) {
-        return nullptr;
+        return std::nullopt;
     }
     entries_.splice(entries_.begin(), entries_, found);
-    return found->designer;
+    return Found{.designer = found->designer, .mending = found->mending, .isKept = true};
 }
 
 DesignerCache::Found DesignerCache::findOrMake(
     const TriangleMesh& mesh,
     const ShellOptions& options,
-    const std::function<CurveDesigner()>& make
+    const std::function<Mended<CurveDesigner>()>& make
 ) {
     const std::uint64_t hash = hashOf(mesh, options);
-    if (auto designer = find(hash, mesh, options)) {
-        return {.designer = std::move(designer), .isKept = true};
+    if (std::optional<Found> found = find(hash, mesh, options)) {
+        return *std::move(found);
     }
-    auto designer = std::make_shared<const CurveDesigner>(make());
+    Mended<CurveDesigner> mended = make();
+    Entry entry{
+        .hash = hash,
+        .options = options,
+        .designer = std::make_shared<const CurveDesigner>(std::move(mended.made)),
+        .mending = nullptr
+    };
+    if (mended.mending) {
+        entry.mending = std::make_shared<const Mending>(*std::move(mended.mending));
+        entry.given = mesh;
+    }
+    Found found{.designer = entry.designer, .mending = entry.mending, .isKept = false};
     const std::scoped_lock lock(mutex_);
-    entries_.push_front({.hash = hash, .options = options, .designer = designer});
+    entries_.push_front(std::move(entry));
     while (entries_.size() > capacity_) {
         entries_.pop_back();
     }
-    return {.designer = std::move(designer), .isKept = false};
+    return found;
 }
 
 }  // namespace bspline_curve

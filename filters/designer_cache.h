@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/designer.h"
+#include "surface/mending.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace bspline_curve {
 
@@ -25,7 +27,8 @@ public:
 
     struct Found {
         std::shared_ptr<const CurveDesigner> designer;
-        bool isKept = false;  ///< from an earlier call
+        std::shared_ptr<const Mending> mending;  ///< null: the mesh is as it was given
+        bool isKept = false;                     ///< from an earlier call
     };
 
     /// The designer for this mesh and these options: a kept one, else what `make` returns, which is
@@ -34,7 +37,7 @@ public:
     [[nodiscard]] Found findOrMake(
         const TriangleMesh& mesh,
         const ShellOptions& options,
-        const std::function<CurveDesigner()>& make
+        const std::function<Mended<CurveDesigner>()>& make
     );
 
 private:
@@ -42,9 +45,15 @@ private:
         std::uint64_t hash = 0;
         ShellOptions options;
         std::shared_ptr<const CurveDesigner> designer;
+        std::shared_ptr<const Mending> mending;
+        TriangleMesh given{};  ///< only where it was mended; else the designer has it
+
+        [[nodiscard]] const TriangleMesh& mesh() const {
+            return mending ? given : designer->mesh();
+        }
     };
 
-    [[nodiscard]] std::shared_ptr<const CurveDesigner> find(
+    [[nodiscard]] std::optional<Found> find(
         std::uint64_t hash, const TriangleMesh& mesh, const ShellOptions& options
     );
 

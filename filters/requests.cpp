@@ -85,7 +85,9 @@ CurveRequest curveRequest(const ParameterValues& values) {
 }
 
 FieldRequest fieldRequest(const ParameterValues& values) {
-    return readField(values, "kind", "");
+    FieldRequest request = readField(values, "kind", "");
+    request.strict = values.get<bool>("strict");
+    return request;
 }
 
 }  // namespace bspline_curve

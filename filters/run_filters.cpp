@@ -8,6 +8,7 @@
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
+#include "filters/mended_layer.h"
 #include "filters/unusable_curve.h"
 #include "io/curve_writer.h"
 #include "io/report_writer.h"
@@ -116,15 +117,23 @@ Region avoidedRegion(
 /// A kept designer, else one whose shell comes from the cache on disk or is built.
 DesignerCache::Found designerFor(
     const LayerInput& layer,
-    const ShellOptions& options,
+    const CurveRequest& request,
     DesignerCache& designers,
     const Progress& progress
 ) {
-    return designers.findOrMake(layer.mesh, options, [&] {
-        const std::optional<ShellCache> cache = ShellCache::ofUser();
-        return madeFrom(layer, [&] {
-            return CurveDesigner(layer.mesh, options, progress, cache ? &*cache : nullptr);
+    return madeFrom(layer, [&] {
+        DesignerCache::Found found = designers.findOrMake(layer.mesh, request.shell, [&] {
+            const std::optional<ShellCache> cache = ShellCache::ofUser();
+            return makeMended(layer.mesh, request.strict, [&](TriangleMesh mesh) {
+                return CurveDesigner(
+                    std::move(mesh), request.shell, progress, cache ? &*cache : nullptr
+                );
+            });
         });
+        if (found.mending && request.strict) {
+            throw InputError(found.mending->refusal);
+        }
+        return found;
     });
 }
 
@@ -132,6 +141,9 @@ std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Fou
     std::vector<std::string> warnings;
     if (!found.isKept) {
         warnings = found.designer->shell().notes;
+    }
+    if (found.mending) {
+        warnings.push_back(describeMending(*found.mending));
     }
     if (!curve.report.fieldAtRest) {
         warnings.emplace_back(
@@ -150,7 +162,7 @@ std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Fou
 }  // namespace
 
 CurveResult runCurveFilter(
-    const LayerInput& surface,
+    const LayerInput& layer,
     const PickCandidates& picks,
     const CurveRequest& request,
     DesignerCache& designers,
@@ -162,23 +174,27 @@ CurveResult runCurveFilter(
     SolverOptions options = request.solver;
     options.closed = options.closed || chosen.closed.value_or(false);
     const DesignerCache::Found found =
-        designerFor(surface, request.shell, designers, partOf(progress, 0.0, kSurfaceShare));
+        designerFor(layer, request, designers, partOf(progress, 0.0, kSurfaceShare));
     const CurveDesigner& designer = *found.designer;
+    const MeshRepair* const repair = found.mending ? &found.mending->repair : nullptr;
+    const std::optional<LayerInput> carried =
+        repair == nullptr ? std::nullopt : std::optional(carriedOver(layer, *repair));
+    const LayerInput& inputs = carried ? *carried : layer;
     checkTube(request, surfaceOf(designer));
     const bool hasField =
-        request.field && (!request.field->automatic || isFollowedUnasked(surface.quality));
+        request.field && (!request.field->automatic || isFollowedUnasked(inputs.quality));
     std::vector<double> field;
     if (hasField) {
-        field = madeFrom(surface, [&] {
+        field = madeFrom(inputs, [&] {
             return fieldOf(
-                surface,
+                inputs,
                 surfaceOf(designer),
                 *request.field,
                 partOf(progress, kSurfaceShare, kFieldShare)
             );
         });
     }
-    const Region avoid = avoidedRegion(request, surface, surfaceOf(designer), field);
+    const Region avoid = avoidedRegion(request, inputs, surfaceOf(designer), field);
     CurveResult result;
     result.followsField = hasField;
     result.curve = designer.design(
@@ -190,7 +206,7 @@ CurveResult runCurveFilter(
     );
     const std::vector<double> along =
         field.empty() ? std::vector<double>()
-                      : fieldAlong(result.curve.polyline, surface.mesh.faces, field);
+                      : fieldAlong(result.curve.polyline, designer.mesh().faces, field);
     result.quality = field.empty() ? result.curve.polyline.parameters : along;
     result.figures = curveFigures(result.curve, found, watch.lap());
     result.log = {
@@ -200,17 +216,27 @@ CurveResult runCurveFilter(
                    keyValueText(result.figures),
         .warnings = warningsOf(result.curve, found)
     };
+    if (repair != nullptr) {
+        bringBack(result.curve.polyline, *repair);
+    }
     addExtras(request, designer, along, result);
     return result;
 }
 
 FieldResult runFieldFilter(
-    const LayerInput& surface, const FieldRequest& request, const Progress& progress
+    const LayerInput& layer, const FieldRequest& request, const Progress& progress
 ) {
     FieldResult result;
-    result.values = madeFrom(surface, [&] {
-        const Surface validated(surface.mesh);
-        return fieldOf(surface, validated, request, progress);
+    result.values = madeFrom(layer, [&] {
+        const auto [surface, mending] = makeMended(
+            layer.mesh, request.strict, [](TriangleMesh mesh) { return Surface(std::move(mesh)); }
+        );
+        if (!mending) {
+            return fieldOf(layer, surface, request, progress);
+        }
+        result.log.warnings.push_back(describeMending(*mending));
+        const LayerInput carried = carriedOver(layer, mending->repair);
+        return mending->toOrigin(fieldOf(carried, surface, request, progress));
     });
     const auto [minimum, maximum] = std::ranges::minmax(result.values);
     const double sum = std::accumulate(result.values.begin(), result.values.end(), 0.0);

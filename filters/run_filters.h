@@ -48,11 +48,11 @@ struct FieldResult {
     FilterLog log;
 };
 
-/// Draws a curve, and writes the file that the request names. `designers`
-/// keeps what the next curve on the same mesh can use again. Throws
-/// InputError, Cancelled, std::bad_alloc; see describeFailure().
+/// Draws a curve, on a mended copy of a mesh that needs it, and writes the file that the request
+/// names. `designers` keeps what the next curve on the same mesh can use again. Throws InputError,
+/// Cancelled, std::bad_alloc; see describeFailure().
 [[nodiscard]] CurveResult runCurveFilter(
-    const LayerInput& surface,
+    const LayerInput& layer,
     const PickCandidates& picks,
     const CurveRequest& request,
     DesignerCache& designers,
@@ -61,7 +61,7 @@ struct FieldResult {
 
 /// Computes a field. Throws likewise.
 [[nodiscard]] FieldResult runFieldFilter(
-    const LayerInput& surface, const FieldRequest& request, const Progress& progress = {}
+    const LayerInput& layer, const FieldRequest& request, const Progress& progress = {}
 );
 
 /// What to tell the user about an exception of a filter. `what`: "curve" or "field".

@@ -9,7 +9,7 @@
 
 namespace bspline_curve {
 
-/// The "repair" of a report; null where none was asked for.
+/// The "repair" of a report; null where nothing was mended.
 [[nodiscard]] nlohmann::ordered_json repairJson(const std::optional<RepairReport>& repair);
 
 }  // namespace bspline_curve

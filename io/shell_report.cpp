@@ -70,7 +70,6 @@ Json secondsOf(const ShellRunFigures& figures) {
         {"cpu", seconds.cpu},
         {"wall", seconds.wall},
         {"read", seconds.read},
-        {"repair", seconds.repair},
         {"validate", seconds.validate},
         {"base", seconds.extended},
         {"shell", seconds.shell},

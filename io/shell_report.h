@@ -18,17 +18,17 @@ struct ShellRunFigures {
 
     int faces = 0;  ///< of the mesh as it was given
 
-    /// cpu: of this process, all threads, from arrays in memory to the shell (repair, validate,
+    /// cpu: of this process, all threads, from arrays in memory to the shell (validate,
     /// base and shell), as wall; the others: wall clock of each stage.
     struct {
         double cpu = 0.0, wall = 0.0;
-        double read = 0.0, repair = 0.0, validate = 0.0, extended = 0.0, shell = 0.0;
+        double read = 0.0, validate = 0.0, extended = 0.0, shell = 0.0;
         double check = 0.0, write = 0.0;
     } seconds;
 
     /// Largest resident memory of the program, until the shell was there.
     std::int64_t peakMemoryBytes = 0;
-    std::optional<RepairReport> repair;  ///< where it was asked for
+    std::optional<RepairReport> repair;  ///< where the mesh was mended
     std::vector<std::string> notes;      ///< about the cache; empty where all is well
 };
 

@@ -8,7 +8,7 @@ from python_text import HEAD, WIDTH, aliases, camel, default_of, docstring, func
 # Arguments of the package's own, or of no use where there are neither layers nor files.
 LEFT_OUT = {
     "surface_layer", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers", "tube_radius", "save",
-    "field", "avoid", "avoid_threshold", "kind", "region",
+    "field", "avoid", "avoid_threshold", "kind", "region", "strict",
 }
 HELP = {
     "closed": "True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.",

@@ -50,7 +50,7 @@ def row(name, report, reason):
     if report["blocked_faces"]:
         notes += f", {report['blocked_faces']} faces without a prism"
     if report["repair"] and report["repair"]["changes"]:
-        notes += f", {report['repair']['changes']} spots repaired"
+        notes += f", {report['repair']['changes']} spots mended"
     memory = report["peak_memory_bytes"]
     thickness = report["thickness"]
     return (f"| {name} | {report['faces']:,} | {report['prisms']:,} | {thickness['mean']:.4f} | {thickness['p5']:.4f} "

@@ -3,6 +3,7 @@
 
 #include "surface/face_adjacency.h"
 #include "surface/mesh_checks.h"
+#include "surface/refused_mesh.h"
 #include "utility/worker_task.h"
 
 #include <Eigen/Geometry>
@@ -25,15 +26,25 @@ double diagonalOfReferencedVertices(const TriangleMesh& mesh, const std::vector<
     return box.diagonal().norm();
 }
 
+/// How the faces join, and their area. Throws InputError.
+std::pair<FaceAdjacency, double> validated(const TriangleMesh& mesh) {
+    checkArrays(mesh);
+
+    // Listing only needs indices in range, so that it need not wait for the areas.
+    auto listed = startBeside(mesh.faces.size(), [&mesh] { return listFacesAtVertices(mesh); });
+    const double area = checkFacesHaveArea(mesh);
+    return {joinFaces(mesh, listed.get()), area};
+}
+
 }  // namespace
 
 Surface::Surface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
-    checkArrays(mesh_);
-
-    // Listing only needs indices in range, so that it need not wait for the areas.
-    auto listed = startBeside(mesh_.faces.size(), [this] { return listFacesAtVertices(mesh_); });
-    area_ = checkFacesHaveArea(mesh_);
-    FaceAdjacency adjacency = joinFaces(mesh_, listed.get());
+    FaceAdjacency adjacency;
+    try {
+        std::tie(adjacency, area_) = validated(mesh_);
+    } catch (const InputError& error) {
+        throw RefusedMesh(error, std::move(mesh_));
+    }
     faceNeighbours_ = std::move(adjacency.neighbours);
     averageEdgeLength_ = adjacency.averageEdgeLength;
     vertexFaceOffsets_ = std::move(adjacency.facesAround.offsets);

@@ -2,6 +2,7 @@
 #include "edit_bspline_curve/common/curve_tool.h"
 
 #include "edit_bspline_curve/common/sketch_painter.h"
+#include "surface/mending.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -52,7 +53,13 @@ CurveTool::CurveTool(
       hadTracking_(view.hasMouseTracking()),
       panel_(&view),
       preparing_(std::async(std::launch::async, [mesh = std::move(surface)]() mutable {
-          return std::make_shared<const CurveDesigner>(std::move(mesh));
+          // Strictness is the filter's, which makes the layers.
+          constexpr bool kStrict = false;
+          Mended<CurveDesigner> mended =
+              makeMended(std::move(mesh), kStrict, [](TriangleMesh given) {
+                  return CurveDesigner(std::move(given));
+              });
+          return std::make_shared<const CurveDesigner>(std::move(mended.made));
       })) {
     view_.setMouseTracking(true);
     view_.installEventFilter(this);

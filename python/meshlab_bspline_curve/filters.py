@@ -83,6 +83,7 @@ def draw_curve(
     max_rounds: int = 24,
     max_iterations: int = 100,
     minimum_span: float = 0.0001,
+    strict: bool = False,
 ) -> Curve:
     """Draw a smooth curve through points on a triangle mesh.
 
@@ -221,6 +222,9 @@ def draw_curve(
         Largest number of Newton iterations per round.
     minimum_span : float in (0, 0.1], default 0.0001
         Shortest knot span, as a share of the whole parameter range.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: the curve is drawn on a mended copy; the mesh is not changed.
 
     Returns
     -------
@@ -278,6 +282,7 @@ def draw_curve(
             "max_rounds": max_rounds,
             "max_iterations": max_iterations,
             "minimum_span": minimum_span,
+            "strict": strict,
         },
     )
 
@@ -297,6 +302,7 @@ def compute_field(
     smoothing: float = 0.0,
     normalised: bool = False,
     inverted: bool = False,
+    strict: bool = False,
 ) -> Floats:
     """Compute a scalar per vertex that curves can follow or avoid.
 
@@ -339,6 +345,9 @@ def compute_field(
         Maps the values between their quantiles of 1 % and 99 % to [0, 1].
     inverted : bool, default False
         Turns x into minimum + maximum - x.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: the values are computed on a mended copy; the mesh is not changed.
 
     Returns
     -------
@@ -366,5 +375,6 @@ def compute_field(
             "smoothing": smoothing,
             "normalised": normalised,
             "inverted": inverted,
+            "strict": strict,
         },
     )

@@ -85,6 +85,7 @@ def generate_bspline_curve_on_surface(
     max_rounds: int = 24,
     max_iterations: int = 100,
     minimum_span: float = 0.0001,
+    strict: bool = False,
 ) -> dict[str, Any]:
     """Draws a smooth curve through picked points on a triangle mesh.
 
@@ -238,6 +239,9 @@ def generate_bspline_curve_on_surface(
         Largest number of Newton iterations per round.
     minimum_span : float in (0, 0.1], default 0.0001
         Shortest knot span, as a share of the whole parameter range.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: the curve is drawn on a mended copy; the mesh is not changed.
 
     Returns
     -------
@@ -301,6 +305,7 @@ def generate_bspline_curve_on_surface(
             "max_rounds": max_rounds,
             "max_iterations": max_iterations,
             "minimum_span": minimum_span,
+            "strict": strict,
         },
     )
 
@@ -318,6 +323,7 @@ def compute_scalar_field_for_curves_per_vertex(
     smoothing: float = 0.0,
     normalised: bool = False,
     inverted: bool = False,
+    strict: bool = False,
 ) -> dict[str, Any]:
     """Computes a scalar per vertex that curves can follow or avoid.
 
@@ -358,6 +364,9 @@ def compute_scalar_field_for_curves_per_vertex(
         Maps the values between their quantiles of 1 % and 99 % to [0, 1].
     inverted : bool, default False
         Turns x into minimum + maximum - x.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: the values are computed on a mended copy; the mesh is not changed.
 
     Returns
     -------
@@ -383,6 +392,7 @@ def compute_scalar_field_for_curves_per_vertex(
             "smoothing": smoothing,
             "normalised": normalised,
             "inverted": inverted,
+            "strict": strict,
         },
     )
 

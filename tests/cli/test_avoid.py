@@ -72,13 +72,13 @@ def test_faces_are_avoided_by_the_quality_or_the_field(run, tmp_path, wall):
     assert result(tmp_path)[0]["polyline"]["points"] == curve["polyline"]["points"]
 
 
-def test_ids_are_those_of_the_mesh_before_its_repair(run, tmp_path, wall):
+def test_ids_are_those_of_the_mesh_before_it_was_mended(run, tmp_path, wall):
     V, F, ids = wall
     # A face without area goes first and is removed, so that all ids change.
     F = np.vstack([[0, 1, 1], F])
     meshes.write_obj(tmp_path / "bad.obj", V, F)
     np.save(tmp_path / "wall.npy", ids + 1)
-    process = draw(run, "--avoid", "wall.npy", "--repair", mesh="bad.obj")
+    process = draw(run, "--avoid", "wall.npy", mesh="bad.obj")
     assert process.returncode == 0, process.stderr
     curve, report = result(tmp_path)
     assert report["avoid"]["faces"] == len(ids)

@@ -157,16 +157,16 @@ def test_quality_that_is_not_there(run, tmp_path, fold, verb, words):
     assert process.returncode == 1 and "fold.obj: has no per-vertex quality" in process.stderr
 
 
-def test_repaired_meshes_give_values_for_the_mesh_as_it_was(run, tmp_path, fold):
+def test_mended_meshes_give_values_for_the_mesh_as_it_was(run, tmp_path, fold):
     V, F, x = fold
     V = np.vstack([V, [-1, 0, 0], [-1, -1, 0]])  # a face on the tip of vertex 0
     F = np.vstack([F, [0, len(V) - 2, len(V) - 1]])
     x = np.concatenate([x, [5, 6]])
     meshes.write_ply(tmp_path / "bad.ply", V, F, quality=x)
-    refused = run("field", "bad.ply", "--kind", "quality", "--output", "made.ply")
-    assert refused.returncode == 1 and "--repair" in refused.stderr
-    process = run("field", "bad.ply", "--kind", "quality", "--output", "made.ply", "--repair", "--report", "r.json")
-    assert process.returncode == 0 and "repaired: 1 vertex duplicated" in process.stderr
+    refused = run("field", "bad.ply", "--kind", "quality", "--output", "made.ply", "--strict")
+    assert refused.returncode == 1 and "1 vertex joins" in refused.stderr
+    process = run("field", "bad.ply", "--kind", "quality", "--output", "made.ply", "--report", "r.json")
+    assert process.returncode == 0 and "note: the mesh was mended: 1 vertex duplicated; --strict" in process.stderr
     read = meshio.read(tmp_path / "made.ply")
     assert np.array_equal(read.point_data["quality"], x) and np.array_equal(read.cells_dict["triangle"], F)
     assert len(json.loads((tmp_path / "r.json").read_text())["repair"]["duplicated_vertices"]) == 1
@@ -177,7 +177,7 @@ def test_merged_vertices_have_the_value_of_what_they_became(run, tmp_path, fold)
     a, b = F[700][:2]
     V[a] = V[b]
     meshes.write_ply(tmp_path / "bad.ply", V, F)
-    words = ("--kind", "boundary-distance", "--output", "made.npy", "--repair", "--report", "r.json", "--reach", "1")
+    words = ("--kind", "boundary-distance", "--output", "made.npy", "--report", "r.json", "--reach", "1")
     process = run("field", "bad.ply", *words)
     assert process.returncode == 0, process.stderr
     merged = json.loads((tmp_path / "r.json").read_text())["repair"]["merged_vertices"]

@@ -20,12 +20,12 @@ OF_HOSTS = {"surface_layer", "replace", "picks_layer", "picks_file", "picks", "f
             "control_polygon", "shell_layers"}
 # What the program alone has.
 OF_PROGRAM = {
-    (): {"picks", "output", "report", "repeat", "require-usable", "repair", "no-cache", "field-region",
+    (): {"picks", "output", "report", "repeat", "require-usable", "no-cache", "field-region",
          "field-region-under", "field-region-over"},
-    ("field",): {"output", "report", "repair", "region", "region-under", "region-over"},
-    ("shell",): {"output", "report", "check", "repair", "no-cache"},
+    ("field",): {"output", "report", "region", "region-under", "region-over"},
+    ("shell",): {"output", "report", "check", "no-cache"},
 }
-OF_SHELLS = {"shell", "target_thickness", "target_edge_length", "shell_thickness", "shell_smoothing_passes"}
+OF_SHELLS = {"shell", "target_thickness", "target_edge_length", "shell_thickness", "shell_smoothing_passes", "strict"}
 
 
 def helped(run, *verb):

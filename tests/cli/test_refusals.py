@@ -101,7 +101,7 @@ def test_mistyped_words(refused, status, words, parts):
 )
 def test_meshes_that_are_none(refused, plate, name, content, part):
     (plate / name).write_bytes(content)
-    assert part in refused(1, name, *DEFAULT[1:])
+    assert part in refused(1, name, *DEFAULT[1:], "--strict")
 
 
 def test_truncated_meshes(refused, plate):
@@ -138,7 +138,7 @@ def defects():
 def test_meshes_with_defects(refused, plate, name):
     V, F, part = defects()[name]
     meshes.write_ply(plate / "bad.ply", V, F)
-    assert part in refused(1, "bad.ply", *DEFAULT[1:])
+    assert part in refused(1, "bad.ply", *DEFAULT[1:], "--strict")
 
 
 def test_a_face_that_names_a_vertex_twice(refused, plate):

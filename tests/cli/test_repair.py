@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""--repair: meshes with bad spots are refused by name without it, and work with it; nothing is changed silently."""
+"""Meshes with bad spots are mended, and nothing is changed silently; --strict refuses them by name."""
 
 import json
 import re
@@ -58,18 +58,18 @@ def run_curve(run, folder, mesh, V, F, *words):
 
 
 @pytest.mark.parametrize("name", spots())
-def test_a_bad_spot_is_refused_by_name_and_repaired_on_request(run, tmp_path, name):
+def test_a_bad_spot_is_mended_and_strictly_refused_by_name(run, tmp_path, name):
     V, F, key, word = spots()[name]
     meshes.write_ply(tmp_path / "bad.ply", V, F)
     for verb in (("shell", "bad.ply", "--check"), ("bad.ply", "--picks", "p.json", "--output", "c.ply")):
         (tmp_path / "p.json").write_text(json.dumps({"picks": V[[4, 40]].tolist()}))
-        process = run(*verb)
+        process = run(*verb, "--strict")
         assert process.returncode == 1 and process.stderr.count("\n") == 1
-        assert word in process.stderr and "--repair" in process.stderr
+        assert word in process.stderr
 
-    process = run("shell", "bad.ply", "--check", "--repair", "--report", "r.json", "--output", "s.vtu")
+    process = run("shell", "bad.ply", "--check", "--report", "r.json", "--output", "s.vtu")
     assert process.returncode == 0, process.stderr
-    assert process.stderr.startswith("bspline_curve: repaired: ") and process.stderr.count("\n") == 1
+    assert process.stderr.startswith("bspline_curve: note: the mesh was mended: ") and process.stderr.count("\n") == 1
     report = json.loads((tmp_path / "r.json").read_text())
     assert all(entry["holds"] for entry in report["check"].values())
     assert report["faces"] == len(F)
@@ -78,7 +78,8 @@ def test_a_bad_spot_is_refused_by_name_and_repaired_on_request(run, tmp_path, na
     counts = sum(int(n) for n in re.findall(r"\d+", process.stderr))
     assert counts == repair["changes"], "the line counts what the report lists"
 
-    process, curve_report, vertex = run_curve(run, tmp_path, "bad.ply", V, F, "--repair")
+    process, curve_report, vertex = run_curve(run, tmp_path, "bad.ply", V, F)
+    assert process.stderr.count("the mesh was mended") == 1
     assert curve_report["repair"] == repair
     gone = set(repair["removed_degenerate_faces"]) | set(repair["removed_duplicate_faces"])
     assert not gone & set(vertex["face"].tolist())
@@ -89,9 +90,9 @@ def test_a_sound_mesh_is_left_alone_and_no_word_said(run, tmp_path):
     meshes.write_ply(tmp_path / "hill.ply", V, F)
     process, report, _ = run_curve(run, tmp_path, "hill.ply", V, F)
     plain = (tmp_path / "curve.ply").read_bytes()
-    assert report["repair"] is None
-    process, report, _ = run_curve(run, tmp_path, "hill.ply", V, F, "--repair")
-    assert process.stderr == "" and report["repair"] == {"changes": 0, **{key: [] for key in KEYS}}
+    assert process.stderr == "" and report["repair"] is None
+    process, report, _ = run_curve(run, tmp_path, "hill.ply", V, F, "--strict")
+    assert process.stderr == "" and report["repair"] is None
     assert (tmp_path / "curve.ply").read_bytes() == plain
 
 
@@ -104,16 +105,16 @@ def test_one_sided_surfaces_stay_refused_by_name(run, tmp_path):
     other = np.where(j == 0, 40, 0)  # the strip comes back upside down
     F = np.vstack([np.stack([i, j + other, i + 40], 1), np.stack([j + other, (j + 40 - other), i + 40], 1)])
     meshes.write_ply(tmp_path / "moebius.ply", V, F)
-    for words in ((), ("--repair",)):
+    for words in ((), ("--strict",)):
         process = run("shell", "moebius.ply", "--check", *words)
-        assert process.returncode == 1 and "one-sided" in process.stderr and process.stderr.count("\n") == 1
+        assert process.returncode == 1 and "Moebius" in process.stderr and process.stderr.count("\n") == 1
 
 
 def test_a_field_is_carried_over_to_duplicated_vertices(run, tmp_path):
     V, F, _, _ = spots()["three faces at an edge"]
     field = V[:, 1] ** 2
     meshes.write_ply(tmp_path / "bad.ply", V, F, quality=field)
-    _, _, vertex = run_curve(run, tmp_path, "bad.ply", V, F, "--repair", "--field", "quality", "--mu", "1")
+    _, _, vertex = run_curve(run, tmp_path, "bad.ply", V, F, "--field", "quality", "--mu", "1")
     weights = np.stack([vertex[f"barycentric_{k}"] for k in range(3)], 1)
     assert np.abs((field[F[vertex["face"]]] * weights).sum(1) - vertex["quality"]).max() < 1e-12
 
@@ -142,12 +143,32 @@ def scan_with_bad_spots():
 def test_a_scan_with_many_bad_spots(run, tmp_path, extension):
     V, F = scan_with_bad_spots()
     {"ply": meshes.write_ply, "obj": meshes.write_obj, "off": meshes.write_off}[extension](tmp_path / f"scan.{extension}", V, F)
-    assert run("shell", f"scan.{extension}", "--check").returncode == 1
-    process = run("shell", f"scan.{extension}", "--check", "--repair", "--report", "r.json")
+    assert run("shell", f"scan.{extension}", "--check", "--strict").returncode == 1
+    process = run("shell", f"scan.{extension}", "--check", "--report", "r.json")
     assert process.returncode == 0, process.stderr
     repair = json.loads((tmp_path / "r.json").read_text())["repair"]
     assert len(repair["removed_duplicate_faces"]) == 6 and len(repair["removed_degenerate_faces"]) == 6
     assert len(repair["reversed_faces"]) >= 6 and len(repair["cut_edges"]) >= 6 and repair["duplicated_vertices"]
     first = (tmp_path / "r.json").read_bytes()
-    assert run("shell", f"scan.{extension}", "--check", "--repair", "--report", "r.json").returncode == 0
+    assert run("shell", f"scan.{extension}", "--check", "--report", "r.json").returncode == 0
     assert json.loads((tmp_path / "r.json").read_text())["repair"] == json.loads(first)["repair"]
+
+
+def test_repair_is_still_taken_and_says_nothing_new(run, tmp_path):
+    V, F, _, _ = spots()["bow tie"]
+    meshes.write_ply(tmp_path / "bad.ply", V, F)
+    said = [run_curve(run, tmp_path, "bad.ply", V, F, *words)[0].stderr for words in ((), ("--repair",))]
+    assert said[0] == said[1] != ""
+    assert "--repair" not in run("--help").stdout and "--strict" in run("--help").stdout
+
+
+def test_a_batch_mends_and_refuses_by_the_line(run, tmp_path):
+    V, F, _, _ = spots()["three faces at an edge"]
+    meshes.write_ply(tmp_path / "bad.ply", V, F)
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": V[[15, 36, 40]].tolist()}))
+    lines = ["mesh,picks,output,strict", "bad.ply,picks.json,a.ply,no", "bad.ply,picks.json,b.ply,yes"]
+    (tmp_path / "jobs.csv").write_text("\n".join(lines) + "\n")
+    run("batch", "jobs.csv")
+    results = (tmp_path / "jobs.results.csv").read_text()
+    assert (tmp_path / "a.ply").exists() and not (tmp_path / "b.ply").exists()
+    assert "more than two faces" in results

@@ -124,10 +124,10 @@ def test_every_mesh_has_a_row_and_options_after_two_dashes_go_to_the_program(tab
     meshes.write_ply(tmp_path / "hill.ply", V, F)
     F[3] = F[3][::-1]
     meshes.write_ply(tmp_path / "bad.ply", V, F)
-    done, _, rows, page = table("shell_table.py", "shell", "--runs", "1", tmp_path / "hill.ply", tmp_path / "bad.ply")
+    done, _, rows, page = table("shell_table.py", "shell", "--runs", "1", tmp_path / "hill.ply", tmp_path / "bad.ply", "--", "--strict")
     assert done.returncode == 0, done.stderr
     assert "stale" not in page and names(rows) == ["| mesh", "| hill", "| bad"]
     assert len({row.count("|") for row in rows}) == 1, "as many cells in every row"
     assert "| 72 |" in rows[1] and rows[1].endswith("all hold |")
     assert "refused" in rows[2] and "opposite ways" in rows[2]
-    assert "all hold, 1 spots repaired" in table("shell_table.py", "shell", "--runs", "1", tmp_path / "bad.ply", "--", "--repair")[3]
+    assert "all hold, 1 spots mended" in table("shell_table.py", "shell", "--runs", "1", tmp_path / "bad.ply")[3]

@@ -160,11 +160,11 @@ def test_the_verb_shell_tells_what_it_met_too(run, cache, draw, tmp_path):
     assert process.stderr.startswith("bspline_curve: note: ")
 
 
-def test_repaired_meshes_have_shells_in_the_cache_too(draw, cache, tmp_path):
+def test_mended_meshes_have_shells_in_the_cache_too(draw, cache, tmp_path):
     V, F = meshes.plate(cells=20, height=0.2)
     F[7] = F[7][::-1]
     meshes.write_ply(tmp_path / "hill.ply", V, F)
-    first, report, said = draw(*SIMPLIFIED, "--repair")
-    assert "repaired" in said and not report["cached"]
-    second, report, _ = draw(*SIMPLIFIED, "--repair")
+    first, report, said = draw(*SIMPLIFIED)
+    assert "mended" in said and not report["cached"]
+    second, report, _ = draw(*SIMPLIFIED)
     assert report["cached"] and second == first

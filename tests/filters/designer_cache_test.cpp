@@ -23,7 +23,7 @@ public:
     DesignerCache::Found find(const TriangleMesh& mesh, const ShellOptions& options = {}) {
         return cache_.findOrMake(mesh, options, [&] {
             ++made_;
-            return CurveDesigner(mesh, options);
+            return Mended<CurveDesigner>{CurveDesigner(mesh, options)};
         });
     }
 

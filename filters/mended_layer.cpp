@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/mended_layer.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+LayerInput carriedOver(const LayerInput& layer, const MeshRepair& repair) {
+    LayerInput carried;
+    carried.label = layer.label;
+    carried.hasLayersIds = layer.hasLayersIds;
+    if (!layer.quality.empty()) {
+        carried.quality = repair.carriedOver(layer.quality);
+    }
+    if (!layer.selectedVertices.empty()) {
+        carried.selectedVertices = repair.carriedOver(layer.selectedVertices);
+    }
+    if (!layer.selectedFaces.empty()) {
+        carried.selectedFaces.reserve(repair.faceOrigins.size());
+        for (const int origin : repair.faceOrigins) {
+            carried.selectedFaces.push_back(layer.selectedFaces[origin]);
+        }
+    }
+    return carried;
+}
+
+void bringBack(SurfacePolyline& line, const MeshRepair& repair) {
+    for (SurfacePoint& point : line.surfacePoints) {
+        point = repair.toOrigin(point);
+    }
+}
+
+std::string describeMending(const Mending& mending) {
+    std::string note = mending.note();
+    note.front() = 'T';
+    return note +
+           ". This is done on a copy in memory; the layer is unchanged, and strict refuses "
+           "such a mesh.";
+}
+
+}  // namespace bspline_curve

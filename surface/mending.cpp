@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/mending.h"
+
+namespace bspline_curve {
+
+namespace {
+
+/// Whether repairMesh can mend what a mesh was refused for.
+bool canBeMended(InputErrorCode code) {
+    return code == InputErrorCode::DegenerateFace || code == InputErrorCode::NonManifoldEdge ||
+           code == InputErrorCode::NonManifoldVertex ||
+           code == InputErrorCode::InconsistentOrientation;
+}
+
+}  // namespace
+
+std::string Mending::note() const {
+    return "the mesh was mended: " + repair.report.summary();
+}
+
+std::vector<double> Mending::toOrigin(std::vector<double> values) const {
+    // Copies come last.
+    for (const RepairReport::DuplicatedVertex& duplicated : repair.report.duplicatedVertices) {
+        values.resize(values.size() - duplicated.copies.size());
+    }
+    for (const auto& [vertex, into] : repair.report.mergedVertices) {
+        values[vertex] = values[into];
+    }
+    return values;
+}
+
+Mending mend(RefusedMesh& refused) {
+    if (!canBeMended(refused.code())) {
+        throw InputError(refused);
+    }
+    return {.repair = repairMesh(refused.takeMesh()), .refusal = refused};
+}
+
+}  // namespace bspline_curve

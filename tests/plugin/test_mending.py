@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Layers that are no manifold are drawn on as they would be mended, and stay as they are."""
+import numpy as np
+import pymeshlab
+import pytest
+from curves import CurveLayer, assert_refuses, draw
+
+FIELD = "compute_scalar_field_for_curves_per_vertex"
+
+
+def broken(plate, kind):
+    """A document with a plate that has a bad spot far from the picks, and a quality."""
+    vertices, faces = plate.mesh(0).vertex_matrix(), plate.mesh(0).face_matrix().astype(int)
+    new = len(vertices)
+    inner = faces[2 * (30 * 40 + 35)]  # no edge of it is on the boundary
+    if kind == "bow tie":
+        vertices = np.vstack([vertices, vertices[faces[0][0]] + [[-1, 0, 0], [-1, -1, 0]]])
+        faces = np.vstack([[faces[0][0], new, new + 1], faces])
+    elif kind == "three faces at an edge":
+        vertices = np.vstack([vertices, vertices[inner].mean(0) + [0, 0, 1]])
+        faces = np.vstack([faces, [inner[1], inner[0], new]])
+    elif kind == "duplicate face":
+        faces = np.vstack([[inner], faces])
+    else:
+        faces[0] = faces[0][::-1]
+    document = pymeshlab.MeshSet()
+    document.add_mesh(pymeshlab.Mesh(vertices, faces, v_scalar_array=vertices[:, 1] ** 2), "broken")
+    return document, vertices, faces
+
+
+KINDS = ["bow tie", "three faces at an edge", "duplicate face", "reversed face"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_curve_knows_the_faces_of_the_layer_as_it_is(plate, plate_picks, kind):
+    document, vertices, faces = broken(plate, kind)
+    assert_refuses(broken(plate, kind)[0], "edge|vert", picks="0.1 0.1 0; 0.9 0.9 0", strict=True)
+    layer, figures = draw(document, plate_picks)
+    curve = CurveLayer(layer)
+    assert figures["usable"]
+    assert np.abs((vertices[faces[curve.faces]] * curve.barycentric[:, :, None]).sum(1) - curve.points).max() < 1e-12
+    quality = (vertices[:, 1] ** 2)[faces[curve.faces]]
+    assert np.abs((quality * curve.barycentric).sum(1) - curve.quality).max() < 1e-9 or figures["field_cost"] != 0
+    assert np.array_equal(document.mesh(0).vertex_matrix(), vertices)
+    assert np.array_equal(document.mesh(0).face_matrix(), faces)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_field_has_a_value_for_each_vertex_of_the_layer(plate, kind):
+    document, vertices, faces = broken(plate, kind)
+    document.apply_filter(FIELD, kind="quality")
+    assert np.array_equal(document.current_mesh().vertex_scalar_array(), vertices[:, 1] ** 2)
+    assert np.array_equal(document.current_mesh().face_matrix(), faces)
+    assert_refuses(broken(plate, kind)[0], "edge|vert", name=FIELD, kind="boundary-distance", strict=True)
