@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/curve_reader.h"
+
+#include "bspline_curve/error.h"
+#include "design/strict_polyline.h"
+#include "io/picks_formats.h"
+#include "io/text_parsing.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace bspline_curve {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Positions that differ by more are those of another mesh (relative to the diagonal).
+constexpr double kSamePositionRelative = 1e-6;
+/// Barycentric coordinates of a file sum to 1 as exactly as rounding allows.
+constexpr double kBarycentricTolerance = 1e-9;
+
+const Json& arrayIn(const std::filesystem::path& file, const Json& object, const char* key) {
+    if (!object.is_object() || !object.contains(key) || !object.at(key).is_array()) {
+        refuseFile(
+            file,
+            std::string("no list \"") + key +
+                "\" in \"polyline\"; write the curve with --output "
+                "CURVE.json"
+        );
+    }
+    return object.at(key);
+}
+
+[[noreturn]] void refuseMesh(
+    const std::filesystem::path& file, std::size_t vertex, const std::string& reason
+) {
+    throw InputError(
+        InputErrorCode::NoPath,
+        file.string() + ": the curve does not lie on this mesh: vertex " + std::to_string(vertex) +
+            " of it " + reason + "; give the mesh that it was drawn on, or draw it again",
+        {static_cast<std::int64_t>(vertex)}
+    );
+}
+
+SurfacePoint pointOf(
+    const std::filesystem::path& file,
+    const Json& face,
+    const Json& barycentric,
+    std::size_t vertex,
+    const Surface& surface
+) {
+    const std::string name = "vertex " + std::to_string(vertex);
+    if (!face.is_number_integer()) {
+        refuseFile(file, "the face of " + name + " is not a whole number");
+    }
+    const auto index = face.get<std::int64_t>();
+    if (index < 0 || index >= surface.faceCount()) {
+        refuseMesh(
+            file,
+            vertex,
+            "is in face " + std::to_string(index) + " of " + std::to_string(surface.faceCount())
+        );
+    }
+    const Vec3 coordinates = pointOfJson(file, barycentric, "barycentrics of " + name);
+    if (coordinates.minCoeff() < -kBarycentricTolerance ||
+        std::abs(coordinates.sum() - 1.0) > kBarycentricTolerance) {
+        refuseFile(
+            file, "the barycentric coordinates of " + name + " are not in [0, 1] with the sum 1"
+        );
+    }
+    return {.face = static_cast<int>(index), .barycentric = coordinates};
+}
+
+}  // namespace
+
+SurfacePolyline readCurve(const std::filesystem::path& file, const Surface& surface) {
+    if (lowerCaseExtension(file) != ".json") {
+        refuseFile(file, "curves are read from .json; write the curve with --output CURVE.json");
+    }
+    const Json document = Json::parse(readWholeFile(file), nullptr, false);
+    if (document.is_discarded()) {
+        refuseFile(file, "is not JSON");
+    }
+    if (!document.is_object() || !document.contains("polyline") || !document.contains("closed") ||
+        !document.at("closed").is_boolean()) {
+        refuseFile(
+            file,
+            "has no \"polyline\" and \"closed\"; write the curve with --output "
+            "CURVE.json"
+        );
+    }
+    const Json& polyline = document.at("polyline");
+    const Json& points = arrayIn(file, polyline, "points");
+    const Json& faces = arrayIn(file, polyline, "faces");
+    const Json& barycentrics = arrayIn(file, polyline, "barycentrics");
+    if (points.size() != faces.size() || points.size() != barycentrics.size() ||
+        points.size() < 2) {
+        refuseFile(
+            file, "\"points\", \"faces\" and \"barycentrics\" must be of one length, at least 2"
+        );
+    }
+    SurfacePolyline line;
+    line.closed = document.at("closed").get<bool>();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const SurfacePoint point = pointOf(file, faces[i], barycentrics[i], i, surface);
+        const Vec3 position = pointOfJson(file, points[i], "point " + std::to_string(i));
+        const double gap = (surface.position(point) - position).norm();
+        if (gap > kSamePositionRelative * surface.diagonal()) {
+            refuseMesh(file, i, "has moved by " + std::to_string(gap));
+        }
+        line.surfacePoints.push_back(point);
+        line.points.push_back(position);
+        line.parameters.push_back(static_cast<double>(i) / static_cast<double>(points.size()));
+    }
+    if (polyline.contains("t") && polyline.at("t").is_array() &&
+        polyline.at("t").size() == points.size()) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!polyline.at("t")[i].is_number()) {
+                refuseFile(file, "t of vertex " + std::to_string(i) + " is not a number");
+            }
+            line.parameters[i] = polyline.at("t")[i].get<double>();
+        }
+    }
+    if (!isStrict(surface, line)) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            file.string() +
+                ": a segment of the curve is not in one face of this mesh; give the mesh that it "
+                "was drawn on, or draw it again"
+        );
+    }
+    return line;
+}
+
+}  // namespace bspline_curve

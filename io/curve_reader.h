@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/curve.h"
+#include "surface/surface.h"
+
+#include <filesystem>
+
+namespace bspline_curve {
+
+/// The polyline of a curve file that writeCurve() wrote as .json, by its faces and barycentric
+/// coordinates, so exactly where it was drawn. Throws InputError (UnreadableFile: another format,
+/// missing keys, values that are no surface points; NoPath: not on this mesh, since a face does not
+/// exist, a position differs by more than 1e-6 diagonals or a segment leaves its face), naming
+/// file, vertex and what to do. O(n).
+[[nodiscard]] SurfacePolyline readCurve(const std::filesystem::path& file, const Surface& surface);
+
+}  // namespace bspline_curve

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "offset/distance_beams.h"
+
+#include "offset/beam_sources.h"
+#include "offset/face_layout.h"
+#include "surface/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <queue>
+
+namespace bspline_curve {
+
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+/// Beams are this much wider than they are, and a bound must be this much better to drop one
+/// (relative to the face), so that rounding opens no gaps between neighbours.
+constexpr double kSlack = 1e-9;
+
+/// The part of a side of a face that a beam reaches, as fractions from its first corner.
+struct Window {
+    double from = 0.0, to = 1.0;
+};
+
+/// What a half-plane, given by the signed distances of a side's ends from it, leaves of a window.
+void clip(Window& window, double atFirst, double atLast) {
+    if (atFirst >= 0 && atLast >= 0) {
+        return;
+    }
+    if (atFirst < 0 && atLast < 0) {
+        window = {.from = 1.0, .to = 0.0};
+        return;
+    }
+    const double crossing = atFirst / (atFirst - atLast);
+    if (atFirst < 0) {
+        window.from = std::max(window.from, crossing);
+    } else {
+        window.to = std::min(window.to, crossing);
+    }
+}
+
+struct Event {
+    double key;
+    std::size_t order;  ///< of creation; decides between equal keys
+    int vertex;         ///< -1: a beam
+    DistanceBeam beam;
+    Window window;  ///< on its face's x axis; beams that start in the face: not used
+    bool starts;    ///< in its face
+
+    bool operator<(const Event& other) const {
+        return key != other.key ? key > other.key : order > other.order;
+    }
+};
+
+class Propagation {
+public:
+    Propagation(
+        const Surface& surface,
+        double reach,
+        std::vector<std::vector<DistanceBeam>>& beams,
+        std::vector<SidedDistance>& vertices
+    )
+        : surface_(surface), reach_(reach), beams_(beams), vertices_(vertices) {}
+
+    void start(const DistanceBeam& beam) {
+        reachCorners(beam, true);
+        queue_.push(
+            {.key = beam.before,
+             .order = order_++,
+             .vertex = -1,
+             .beam = beam,
+             .window = {},
+             .starts = true}
+        );
+    }
+
+    void run() {
+        while (!queue_.empty()) {
+            const Event event = queue_.top();
+            queue_.pop();
+            if (event.vertex >= 0) {
+                if (event.key == vertices_[event.vertex].distance) {
+                    for (const DistanceBeam& beam :
+                         beamsOfVertex(surface_, event.vertex, vertices_[event.vertex])) {
+                        start(beam);
+                    }
+                }
+            } else if (event.starts || !isHopeless(event.beam, event.window)) {
+                beams_[event.beam.face].push_back(event.beam);
+                leave(event.beam);
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] FaceLayout layout(int face, int frame) const {
+        return {surface_.vertices(), surface_.faces()[face], frame};
+    }
+
+    void reachCorners(const DistanceBeam& beam, bool all) {
+        const FaceLayout face = layout(beam.face, beam.frame);
+        const double tolerance = kSlack * face.size();
+        for (int k = 0; k < 3; ++k) {
+            if ((all || k == beam.frame) && beam.contains(face.corners[k], tolerance)) {
+                const int vertex = surface_.faces()[beam.face][k];
+                // A line's distances are negative behind it, by rounding.
+                const double distance = std::max(beam.distance(face.corners[k]), 0.0);
+                const bool ahead = beam.distance(face.corners[k]) >= -tolerance;
+                if (ahead && distance < vertices_[vertex].distance) {
+                    vertices_[vertex] = {.distance = distance, .side = beam.side};
+                    if (distance <= reach_) {
+                        queue_.push(
+                            {.key = distance,
+                             .order = order_++,
+                             .vertex = vertex,
+                             .beam = {},
+                             .window = {},
+                             .starts = false}
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether the ways by the corners of the face are shorter than all of a beam.
+    [[nodiscard]] bool isHopeless(const DistanceBeam& beam, const Window& window) const {
+        const FaceLayout face = layout(beam.face, beam.frame);
+        const Triangle& corners = surface_.faces()[beam.face];
+        const double length = face.corners[(beam.frame + 2) % 3].x();
+        const double slack = kSlack * face.size();
+        const Vec2 from(window.from * length, 0.0);
+        const Vec2 to(window.to * length, 0.0);
+        const auto worse = [&](const Vec2& end, int corner) {
+            return beam.distance(end) > vertices_[corners[corner]].distance +
+                                            (end - face.corners[corner]).norm() + slack;
+        };
+        return worse(to, (beam.frame + 1) % 3) || worse(from, (beam.frame + 2) % 3);
+    }
+
+    /// Hands a beam on to the faces across the sides that it may leave through.
+    void leave(const DistanceBeam& beam) {
+        const FaceLayout face = layout(beam.face, beam.frame);
+        for (int k = 0; k < 3; ++k) {
+            const int across = surface_.faceNeighbours()[beam.face][k];
+            if (((beam.exits >> static_cast<unsigned>(k)) & 1U) == 0 || across < 0) {
+                continue;
+            }
+            // As the neighbour sees the side: from corner k + 2 to corner k + 1.
+            const Vec2& first = face.corners[(k + 2) % 3];
+            const Vec2& last = face.corners[(k + 1) % 3];
+            Window window;
+            clip(
+                window,
+                -cross(beam.left, first - beam.leftOrigin),
+                -cross(beam.left, last - beam.leftOrigin)
+            );
+            clip(
+                window,
+                cross(beam.right, first - beam.rightOrigin),
+                cross(beam.right, last - beam.rightOrigin)
+            );
+            if (window.from < window.to) {
+                enter(beam, first, last, window, across);
+            }
+        }
+    }
+
+    void enter(
+        const DistanceBeam& beam,
+        const Vec2& first,
+        const Vec2& last,
+        const Window& window,
+        int across
+    ) {
+        const double length = (last - first).norm();
+        const Vec2 x = (last - first) / length;
+        const Vec2 y = turnedLeft(x);
+        const auto turned = [&](const Vec2& v) { return Vec2(v.dot(x), v.dot(y)); };
+        DistanceBeam next = beam;
+        next.face = across;
+        for (int k = 0; k < 3; ++k) {
+            if (surface_.faceNeighbours()[across][k] == beam.face &&
+                sharesSide(across, k, beam, first)) {
+                next.frame = k;
+            }
+        }
+        next.exits = static_cast<std::uint8_t>(7U & ~(1U << static_cast<unsigned>(next.frame)));
+        next.source = turned(beam.source - first);
+        next.normal = turned(beam.normal);
+        next.leftOrigin = {window.from * length, 0.0};
+        next.rightOrigin = {window.to * length, 0.0};
+        if (beam.fromLine) {
+            next.left = next.right = next.normal;
+        } else {
+            next.left = (next.leftOrigin - next.source).normalized();
+            next.right = (next.rightOrigin - next.source).normalized();
+        }
+        const double least =
+            beam.fromLine
+                ? std::min(next.distance(next.leftOrigin), next.distance(next.rightOrigin))
+                : next.distance(
+                      {std::clamp(next.source.x(), next.leftOrigin.x(), next.rightOrigin.x()), 0.0}
+                  );
+        if (least <= reach_ && !isHopeless(next, window)) {
+            reachCorners(next, false);
+            queue_.push(
+                {.key = std::max(least, 0.0),
+                 .order = order_++,
+                 .vertex = -1,
+                 .beam = next,
+                 .window = window,
+                 .starts = false}
+            );
+        }
+    }
+
+    /// Whether side k of a face starts at the corner of the beam's face that lies at `first`.
+    [[nodiscard]] bool sharesSide(
+        int face, int k, const DistanceBeam& beam, const Vec2& first
+    ) const {
+        const FaceLayout from = layout(beam.face, beam.frame);
+        const int corner =
+            cornerOf(surface_.faces()[beam.face], surface_.faces()[face][(k + 1) % 3]);
+        return corner >= 0 && from.corners[corner] == first;
+    }
+
+    const Surface& surface_;
+    double reach_;
+    std::vector<std::vector<DistanceBeam>>& beams_;
+    std::vector<SidedDistance>& vertices_;
+    std::priority_queue<Event> queue_;
+    std::size_t order_ = 0;
+};
+
+}  // namespace
+
+bool DistanceBeam::contains(const Vec2& point, double tolerance) const {
+    return cross(left, point - leftOrigin) <= tolerance &&
+           cross(right, point - rightOrigin) >= -tolerance;
+}
+
+DistanceBeams::DistanceBeams(const Surface& surface, const SurfacePolyline& line, double reach)
+    : surface_(&surface), beams_(surface.faceCount()), vertices_(surface.vertexCount()) {
+    Propagation propagation(surface, reach, beams_, vertices_);
+    for (const DistanceBeam& beam : beamsOfPolyline(surface, line)) {
+        propagation.start(beam);
+    }
+    propagation.run();
+}
+
+SidedDistance DistanceBeams::inOneFace(const SurfacePoint& point) const {
+    const Triangle& face = surface_->faces()[point.face];
+    SidedDistance best;
+    const Vec3 position = surface_->position(point);
+    for (const int vertex : face) {
+        const SidedDistance& corner = vertices_[vertex];
+        const double distance = corner.distance + (position - surface_->vertices()[vertex]).norm();
+        if (distance < best.distance) {
+            best = {.distance = distance, .side = corner.side};
+        }
+    }
+    if (beams_[point.face].empty()) {
+        return best;
+    }
+    std::array<Vec2, 3> positions;
+    double size = 0.0;
+    for (int frame = 0; frame < 3; ++frame) {
+        const FaceLayout layout(surface_->vertices(), face, frame);
+        positions[frame] = layout.position(point.barycentric);
+        size = layout.size();
+    }
+    for (const DistanceBeam& beam : beams_[point.face]) {
+        const Vec2& q = positions[beam.frame];
+        const double distance = beam.distance(q);
+        if (distance < best.distance && distance >= -kSlack * size &&
+            beam.contains(q, kSlack * size)) {
+            best = {.distance = std::max(distance, 0.0), .side = beam.side};
+        }
+    }
+    return best;
+}
+
+SidedDistance DistanceBeams::at(const SurfacePoint& point) const {
+    SidedDistance best;
+    for (const int face : facesHolding(*surface_, point)) {
+        const SidedDistance here = inOneFace(inFace(*surface_, point, face));
+        if (here.distance < best.distance) {
+            best = here;
+        }
+    }
+    return best;
+}
+
+std::vector<int> DistanceBeams::reachedFaces() const {
+    std::vector<int> faces;
+    for (int f = 0; f < static_cast<int>(beams_.size()); ++f) {
+        if (!beams_[f].empty()) {
+            faces.push_back(f);
+        }
+    }
+    return faces;
+}
+
+}  // namespace bspline_curve

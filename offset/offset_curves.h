@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/curve.h"
+#include "surface/surface.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bspline_curve {
+
+enum class OffsetSides : std::uint8_t { Left, Right, Both };
+
+struct OffsetOptions {
+    double distance = 0.0;  ///< along the surface, > 0, in the user's unit
+    /// Left or right of the curve, seen along it with the surface's normal upwards. Both: an open
+    /// curve's offset runs round its ends.
+    OffsetSides sides = OffsetSides::Both;
+    /// Faces are searched in steps of this many distances, in (0, 1]: narrower gaps may be closed.
+    double step = 0.1;
+
+    /// Throws InputError (BadOption).
+    void validate() const;
+};
+
+/// The lines at a geodesic distance from a polyline on the surface; see DistanceBeams and LevelLine
+/// for their accuracy. Where an offset runs into itself or another part, both end, so that no piece
+/// crosses itself or another. Lines end at the surface's boundary. Longest piece first. t is the
+/// length along the piece, from 0 to 1. Empty where no point has that distance. Throws InputError
+/// (BadOption; NoPath where `line` is not strict or has no length).
+[[nodiscard]] std::vector<SurfacePolyline> offsetPolylines(
+    const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options
+);
+
+/// The polyline as a spline of degree 1: its vertices are the control points, its t the knots.
+[[nodiscard]] SplineData polygonSpline(const SurfacePolyline& line);
+
+/// For each face whether its middle is within `distance` of the polyline on the surface, on one
+/// side or both. Throws like offsetPolylines().
+[[nodiscard]] std::vector<char> facesWithin(
+    const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options
+);
+
+}  // namespace bspline_curve
