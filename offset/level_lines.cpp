@@ -183,6 +183,9 @@ constexpr double kLevelTolerance = 2e-4;
 /// Halvings of one segment at most; corners where two arcs meet need most of them.
 constexpr int kMostDivisions = 12;
 
+/// A corner of the level is at most this deep, in lengths of the segment that cuts it off.
+constexpr double kCornerDepth = 4.0;
+
 /// Adds points between those of a line where its segments leave the level: along arcs, and at the
 /// corners where ways from two sides meet.
 class LineRefiner {
@@ -220,7 +223,7 @@ private:
             layout.position(to.barycentric) - layout.position(from.barycentric);
         const Eigen::Vector2d aside = (error > 0 ? -1.0 : 1.0) * turnedLeft(along);
         const Vec3 step = barycentricStep(layout, aside);
-        double reach = 1.0;  // as far as the segment is long, in the face
+        double reach = kCornerDepth;
         for (int k = 0; k < 3; ++k) {
             if (step[k] < 0) {
                 reach = std::min(reach, middle.barycentric[k] / -step[k]);
