@@ -100,7 +100,7 @@ SurfacePolyline readCurve(const std::filesystem::path& file, const Surface& surf
     if (points.size() != faces.size() || points.size() != barycentrics.size() ||
         points.size() < 2) {
         refuseFile(
-            file, "\"points\", \"faces\" and \"barycentrics\" must be of one length, at least 2"
+            file, R"("points", "faces" and "barycentrics" must be of one length, at least 2)"
         );
     }
     SurfacePolyline line;

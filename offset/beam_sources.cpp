@@ -174,7 +174,7 @@ void addPoint(
         around(*next, *previous, CurveSide::Left);
         around(*previous, *next, CurveSide::Right);
     } else {
-        const double only = next ? *next : *previous;
+        const double only = next ? *next : previous.value_or(0.0);
         around(only, only, CurveSide::Cap);
     }
 }

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -60,6 +62,15 @@ double planeError(const SurfacePolyline& curve, const SurfacePolyline& offset, d
     return worst / distance;
 }
 
+/// One closed, strict piece, everywhere at its distance.
+void expectRingAtDistance(const Surface& surface, const SurfacePolyline& curve, double distance) {
+    const auto pieces = offsetPolylines(surface, curve, {.distance = distance});
+    ASSERT_EQ(pieces.size(), 1U);
+    EXPECT_TRUE(pieces[0].closed);
+    EXPECT_TRUE(isStrict(surface, pieces[0]));
+    EXPECT_LT(planeError(curve, pieces[0], distance), 1e-3);
+}
+
 TEST(OffsetCurves, OfACurveOnAPlaneAreAtTheirDistanceWhateverTheFaces) {
     for (const int cells : {2, 9, 60}) {
         const TriangleMesh mesh = jitteredPlate(cells, cells, 0.25, 7);
@@ -68,11 +79,7 @@ TEST(OffsetCurves, OfACurveOnAPlaneAreAtTheirDistanceWhateverTheFaces) {
             drawn(mesh, {{0.25, 0.4, 0}, {0.5, 0.6, 0}, {0.75, 0.4, 0}}, false);
         for (const double distance : {0.02, 0.08, 0.2}) {
             SCOPED_TRACE(testing::Message() << cells << " cells, distance " << distance);
-            const auto pieces = offsetPolylines(surface, curve, {.distance = distance});
-            ASSERT_EQ(pieces.size(), 1U);
-            EXPECT_TRUE(pieces[0].closed);
-            EXPECT_TRUE(isStrict(surface, pieces[0]));
-            EXPECT_LT(planeError(curve, pieces[0], distance), 1e-3);
+            expectRingAtDistance(surface, curve, distance);
         }
     }
 }
@@ -88,19 +95,37 @@ TEST(OffsetCurves, HaveTheLengthOfAStadium) {
     EXPECT_NEAR(lengthOf(pieces[0]), exact, 1e-3 * exact);
 }
 
+/// The least and the greatest of a coordinate, or of what `value` makes of the points.
+template <class Value>
+std::pair<double, double> rangeOf(const SurfacePolyline& line, const Value& value) {
+    std::pair<double, double> range(1e300, -1e300);
+    for (const Vec3& point : line.points) {
+        range = {std::min(range.first, value(point)), std::max(range.second, value(point))};
+    }
+    return range;
+}
+
+/// The one piece on a side.
+SurfacePolyline onSide(
+    const Surface& surface, const SurfacePolyline& curve, double distance, OffsetSides sides
+) {
+    auto pieces = offsetPolylines(surface, curve, {.distance = distance, .sides = sides});
+    EXPECT_EQ(pieces.size(), 1U);
+    return pieces.empty() ? SurfacePolyline{} : pieces.front();
+}
+
 TEST(OffsetCurves, LieOnTheSideThatIsAskedFor) {
     const TriangleMesh mesh = plate(20, 20);
     const Surface surface(mesh);
     const SurfacePolyline curve = drawn(mesh, {{0.3, 0.5, 0}, {0.7, 0.5, 0}}, false);
+    const auto height = [](const Vec3& point) { return point.y(); };
     for (const OffsetSides sides : {OffsetSides::Left, OffsetSides::Right}) {
-        const auto pieces = offsetPolylines(surface, curve, {.distance = 0.11, .sides = sides});
-        ASSERT_EQ(pieces.size(), 1U);
-        EXPECT_FALSE(pieces[0].closed);
-        EXPECT_NEAR(lengthOf(pieces[0]), lengthOf(curve), 0.02);
+        const SurfacePolyline piece = onSide(surface, curve, 0.11, sides);
+        EXPECT_FALSE(piece.closed);
+        EXPECT_NEAR(lengthOf(piece), lengthOf(curve), 0.02);
         const double y = sides == OffsetSides::Left ? 0.61 : 0.39;
-        for (const Vec3& point : pieces[0].points) {
-            EXPECT_NEAR(point.y(), y, 1e-4);
-        }
+        EXPECT_NEAR(rangeOf(piece, height).first, y, 1e-4);
+        EXPECT_NEAR(rangeOf(piece, height).second, y, 1e-4);
     }
 }
 
@@ -118,32 +143,17 @@ TEST(OffsetCurves, OfACircleOfASphereAreCirclesToTheMeshsError) {
         );
     }
     const SurfacePolyline curve = drawn(mesh, picks, true);
-    const auto latitudes = [](const SurfacePolyline& line) {
-        std::vector<double> values;
-        for (const Vec3& point : line.points) {
-            values.push_back(std::asin(point.normalized().z()));
-        }
-        return values;
-    };
+    const auto latitudeOf = [](const Vec3& point) { return std::asin(point.normalized().z()); };
     // The curve is no exact circle: distances are measured from the band that it stays in.
-    const auto own = latitudes(curve);
-    const auto [low, high] = std::ranges::minmax(own);
-    const double distance = 0.3;
-    const auto left =
-        offsetPolylines(surface, curve, {.distance = distance, .sides = OffsetSides::Left});
-    const auto right =
-        offsetPolylines(surface, curve, {.distance = distance, .sides = OffsetSides::Right});
-    ASSERT_EQ(left.size(), 1U);
-    ASSERT_EQ(right.size(), 1U);
-    for (const double value : latitudes(left[0])) {
-        EXPECT_GT(value, low + distance * (1 - 1e-3));
-        EXPECT_LT(value, high + distance * (1 + 1e-3));
-    }
-    for (const double value : latitudes(right[0])) {
-        EXPECT_GT(value, low - distance * (1 + 1e-3));
-        EXPECT_LT(value, high - distance * (1 - 1e-3));
-    }
+    const auto [low, high] = rangeOf(curve, latitudeOf);
     EXPECT_LT(high - low, 0.01);
+    const double distance = 0.3;
+    const auto left = rangeOf(onSide(surface, curve, distance, OffsetSides::Left), latitudeOf);
+    EXPECT_GT(left.first, low + distance * (1 - 1e-3));
+    EXPECT_LT(left.second, high + distance * (1 + 1e-3));
+    const auto right = rangeOf(onSide(surface, curve, distance, OffsetSides::Right), latitudeOf);
+    EXPECT_GT(right.first, low - distance * (1 + 1e-3));
+    EXPECT_LT(right.second, high - distance * (1 - 1e-3));
 }
 
 TEST(OffsetCurves, EndWhereTheyRunIntoEachOther) {
@@ -199,7 +209,7 @@ TEST(OffsetCurves, RefuseDistancesThatAreNone) {
     const Surface surface(mesh);
     const SurfacePolyline curve = drawn(mesh, {{0.3, 0.5, 0}, {0.7, 0.5, 0}}, false);
     EXPECT_THROW((void)offsetPolylines(surface, curve, {.distance = 0.0}), InputError);
-    EXPECT_THROW((void)offsetPolylines(surface, curve, {.distance = NAN}), InputError);
+    EXPECT_THROW((void)offsetPolylines(surface, curve, {.distance = std::nan("")}), InputError);
     EXPECT_THROW((void)offsetPolylines(surface, {}, {.distance = 0.1}), InputError);
     EXPECT_TRUE(offsetPolylines(surface, curve, {.distance = 5.0}).empty());
 }
