@@ -26,5 +26,4 @@ write_basic_package_version_file(
 install(FILES
   ${PROJECT_BINARY_DIR}/bspline_curve-config.cmake
   ${PROJECT_BINARY_DIR}/bspline_curve-config-version.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/FindTetGen.cmake
   DESTINATION ${package_folder} COMPONENT library)

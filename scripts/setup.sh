@@ -7,12 +7,12 @@ export LC_ALL=C.UTF-8
 
 build_packages=(
     ca-certificates cmake ninja-build g++ dpkg-dev xz-utils python3-venv
-    libeigen3-dev libtet1.5-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev
+    libeigen3-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev
     qtbase5-dev libqt5opengl5-dev libglew-dev
     libgl1 libopengl0 libegl1 libglu1-mesa  # pymeshlab's wheel loads them
 )
 test_packages=(
-    libgtest-dev libbenchmark-dev valgrind
+    libgtest-dev libbenchmark-dev valgrind libtet1.5-dev
     ccache  # the Python package is built from the objects of the release build
     meshlab  # 2020.09 in bookworm, with meshlabserver
     xvfb xauth openbox xdotool imagemagick libgl1-mesa-dri  # to show, drive and photograph its window

@@ -8,15 +8,11 @@
 namespace bspline_curve {
 
 // Exact orientation predicates. The sign comes from plain floating point where Shewchuk's error
-// bound proves it, else from his adaptive predicate as shipped by TetGen (J. R. Shewchuk, Adaptive
-// Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997, Sect. 4).
+// bound proves it, else from the determinant as an exact sum of doubles (J. R. Shewchuk, Adaptive
+// Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997, Sect. 2 and 4).
 //
 // Exact means: for the coordinates as stored, unless a product of three differences overflows or
 // underflows; nonzero differences between 2^-142 and 2^201 in size are always safe.
-//
-// Note for callers of TetGen's tetrahedralize(): it sets the predicates' globals again, from its
-// own input. Call it with the switch -X1 (no static filter), which leaves them as they are needed
-// here, and never in one thread while another one evaluates predicates.
 
 namespace detail {
 

@@ -202,7 +202,7 @@ double shortestTetgenEdge(
 TetgenProof proveWithTetgen(
     const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
 ) {
-    // -X1 leaves the exact predicates as ours need them; -Q: quiet.
+    // -X1: no static filter, whose bound would hold for one box only; -Q: quiet.
     Complex complex;
     const Boundary boundary = addBoundary(shell, complex);
     addSurface(extended, blockedFaces, complex);

@@ -34,7 +34,7 @@ inline constexpr double kLeastTetgenEdge = 1e-6;
 
 /// Tetrahedralises top, surface (the faces that are not blocked, without ghosts), bottom and the
 /// walls where the shell ends, which TetGen can do only if they meet in common corners and edges
-/// alone. Not in one thread while another one evaluates predicates (surface/predicates.h).
+/// alone. Not in two threads at once.
 [[nodiscard]] TetgenProof proveWithTetgen(
     const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
 );
