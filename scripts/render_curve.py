@@ -15,8 +15,8 @@ import numpy as np
 from PIL import Image
 
 # By itself, since the package as a whole needs to be installed.
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python" / "meshlab_bspline_curve"))
-from rendering import MESH_COLOUR, ball, camera, curve_picture, normalised, render, tube, vertex_normals
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python" / "bspline_curve"))
+from _rendering import MESH_COLOUR, ball, camera, curve_picture, normalised, render, tube, vertex_normals
 
 __all__ = ["MESH_COLOUR", "ball", "camera", "normalised", "render", "tube", "vertex_normals"]  # for the other pictures
 

@@ -260,6 +260,38 @@ class Curve:
 
         save(self, file)
 
+    def to_pyvista(self) -> Any:
+        """A PolyData of one line, with t, values, face and barycentric as point data. Needs pyvista."""
+        from ._convert import to_pyvista
+
+        return to_pyvista(self)
+
+    def to_trimesh(self) -> Any:
+        """A Path3D. Needs trimesh and what it needs for paths: networkx, scipy."""
+        from ._convert import to_trimesh
+
+        return to_trimesh(self)
+
+    def to_meshio(self) -> Any:
+        """A Mesh of lines, which meshio writes in many formats. Needs meshio."""
+        from ._convert import to_meshio
+
+        return to_meshio(self)
+
+    def plot(self, **options: Any) -> Any:
+        """Put mesh, curve and picks into a pyvista Plotter, which show() shows, or without pyvista into axes of matplotlib.
+
+        `options` go to Plotter or figure().
+        """
+        from ._picture import plot
+
+        return plot(self, **options)
+
+    def _repr_html_(self) -> str:
+        from ._picture import html
+
+        return html(self)
+
     def _index(self, pick: int, end: int) -> int:
         if isinstance(pick, bool) or not isinstance(pick, (int, np.integer)):
             raise TypeError(f"pick is {pick!r}, but must be an integer")

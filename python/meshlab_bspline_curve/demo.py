@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pymeshlab
+from bspline_curve._rendering import curve_picture
 
 from .curve import Curve
 from .filters import draw_curve
-from .rendering import curve_picture
 
 BUNNY = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj"
 PICKS = Path(__file__).parent / "bunny.pp"
