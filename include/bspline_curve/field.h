@@ -55,10 +55,9 @@ struct FieldOptions {
     /// Crease and boundary distance: the distance that becomes 1, as do larger ones, in (0, 1].
     double reach = 0.1;
     /// Obstacle: value on the boundary of the region, the paper's s, >= 0.
-    double obstacleValue = 0.0;
-    /// Obstacle: how steeply the field grows from the boundary inwards, per diagonal, > 0: a
-    /// disc with a diameter of a tenth of the diagonal reaches the value 1.
-    double obstacleSlope = 40.0;
+    double obstacleValue = 1.0;
+    /// Obstacle: how steeply the field grows from the boundary inwards, per diagonal, > 0.
+    double obstacleSlope = 1.0;
     /// Radius of the discs that the finished values are averaged over, in [0, 1]; 0: none.
     double smoothing = 0.0;
     bool normalised = false;  ///< then mapped to [0, 1], see normalise()

@@ -72,8 +72,8 @@ FIELD: dict[str, Option] = {
     "curvature_scale": Option("double", 0.015, 0.0, 1.0, False, ()),
     "crease_angle": Option("double", 40.0, 0.0, 180.0, False, ()),
     "reach": Option("double", 0.1, 0.0, 1.0, True, ()),
-    "obstacle_value": Option("double", 0.0, 0.0, None, False, ()),
-    "obstacle_slope": Option("double", 40.0, 0.0, None, True, ()),
+    "obstacle_value": Option("double", 1.0, 0.0, None, False, ()),
+    "obstacle_slope": Option("double", 1.0, 0.0, None, True, ()),
     "smoothing": Option("double", 0.0, 0.0, 1.0, False, ()),
     "normalised": Option("bool", False, None, None, False, ()),
     "inverted": Option("bool", False, None, None, False, ()),
@@ -335,8 +335,8 @@ class MeshKeywords(ABC):
         curvature_scale: float = 0.015,
         crease_angle: float = 40.0,
         reach: float = 0.1,
-        obstacle_value: float = 0.0,
-        obstacle_slope: float = 40.0,
+        obstacle_value: float = 1.0,
+        obstacle_slope: float = 1.0,
         smoothing: float = 0.0,
         normalised: bool = False,
         inverted: bool = False,
@@ -366,9 +366,9 @@ class MeshKeywords(ABC):
             Field of crease distance: creases are edges whose faces turn by more than this, in degrees.
         reach : float in (0, 1], default 0.1
             Fields of crease and boundary distance: the distance that becomes 1, relative to the diagonal.
-        obstacle_value : float ≥ 0, default 0.0
+        obstacle_value : float ≥ 0, default 1.0
             Field of obstacles: its value on the boundary of the region.
-        obstacle_slope : float > 0, default 40.0
+        obstacle_slope : float > 0, default 1.0
             Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal.
         smoothing : float in [0, 1], default 0.0
             Radius over which the values are averaged, relative to the diagonal. 0: not averaged.

@@ -59,8 +59,8 @@ def draw_curve(
     field_crease_angle: float = 40.0,
     field_reach: float = 0.1,
     field_region: npt.ArrayLike | None = None,
-    field_obstacle_value: float = 0.0,
-    field_obstacle_slope: float = 40.0,
+    field_obstacle_value: float = 1.0,
+    field_obstacle_slope: float = 1.0,
     field_smoothing: float = 0.0,
     field_normalised: bool = False,
     field_inverted: bool = False,
@@ -158,9 +158,9 @@ def draw_curve(
         crease-distance or boundary-distance.
     field_region : (k,) array of int, ids of the faces, or (m,) array of bool, optional
         Field of obstacles: the faces where they are.
-    field_obstacle_value : float ≥ 0, default 0.0
+    field_obstacle_value : float ≥ 0, default 1.0
         Field of obstacles: its value on the boundary of the region. Only with field obstacle.
-    field_obstacle_slope : float > 0, default 40.0
+    field_obstacle_slope : float > 0, default 1.0
         Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal. Only with field
         obstacle.
     field_smoothing : float in [0, 1], default 0.0
@@ -297,8 +297,8 @@ def compute_field(
     curvature_scale: float = 0.015,
     crease_angle: float = 40.0,
     reach: float = 0.1,
-    obstacle_value: float = 0.0,
-    obstacle_slope: float = 40.0,
+    obstacle_value: float = 1.0,
+    obstacle_slope: float = 1.0,
     smoothing: float = 0.0,
     normalised: bool = False,
     inverted: bool = False,
@@ -334,9 +334,9 @@ def compute_field(
     reach : float in (0, 1], default 0.1
         Fields of crease and boundary distance: the distance that becomes 1, relative to the diagonal. Only with kind
         crease-distance or boundary-distance.
-    obstacle_value : float ≥ 0, default 0.0
+    obstacle_value : float ≥ 0, default 1.0
         Field of obstacles: its value on the boundary of the region. Only with kind obstacle.
-    obstacle_slope : float > 0, default 40.0
+    obstacle_slope : float > 0, default 1.0
         Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal. Only with kind
         obstacle.
     smoothing : float in [0, 1], default 0.0

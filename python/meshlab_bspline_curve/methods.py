@@ -61,8 +61,8 @@ def generate_bspline_curve_on_surface(
     field_crease_angle: float = 40.0,
     field_reach: float = 0.1,
     field_region: FieldRegion = "selected-faces",
-    field_obstacle_value: float = 0.0,
-    field_obstacle_slope: float = 40.0,
+    field_obstacle_value: float = 1.0,
+    field_obstacle_slope: float = 1.0,
     field_smoothing: float = 0.0,
     field_normalised: bool = False,
     field_inverted: bool = False,
@@ -175,9 +175,9 @@ def generate_bspline_curve_on_surface(
     field_region : {'selected-faces', 'selected-vertices'}, default 'selected-faces'
         Field of obstacles: where they are. selected-faces: the selected faces; selected-vertices: the faces all of
         whose vertices are selected. Only with field obstacle.
-    field_obstacle_value : float ≥ 0, default 0.0
+    field_obstacle_value : float ≥ 0, default 1.0
         Field of obstacles: its value on the boundary of the region. Only with field obstacle.
-    field_obstacle_slope : float > 0, default 40.0
+    field_obstacle_slope : float > 0, default 1.0
         Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal. Only with field
         obstacle.
     field_smoothing : float in [0, 1], default 0.0
@@ -318,8 +318,8 @@ def compute_scalar_field_for_curves_per_vertex(
     crease_angle: float = 40.0,
     reach: float = 0.1,
     region: Region = "selected-faces",
-    obstacle_value: float = 0.0,
-    obstacle_slope: float = 40.0,
+    obstacle_value: float = 1.0,
+    obstacle_slope: float = 1.0,
     smoothing: float = 0.0,
     normalised: bool = False,
     inverted: bool = False,
@@ -353,9 +353,9 @@ def compute_scalar_field_for_curves_per_vertex(
     region : {'selected-faces', 'selected-vertices'}, default 'selected-faces'
         Field of obstacles: where they are. selected-faces: the selected faces; selected-vertices: the faces all of
         whose vertices are selected. Only with kind obstacle.
-    obstacle_value : float ≥ 0, default 0.0
+    obstacle_value : float ≥ 0, default 1.0
         Field of obstacles: its value on the boundary of the region. Only with kind obstacle.
-    obstacle_slope : float > 0, default 40.0
+    obstacle_slope : float > 0, default 1.0
         Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal. Only with kind
         obstacle.
     smoothing : float in [0, 1], default 0.0

@@ -109,7 +109,7 @@ def test_obstacles_by_ids_and_by_thresholds(run, tmp_path, fold):
     steeper = made(run, tmp_path, "obstacle", "--region-over", "0.75", "--obstacle-slope", "80", "--obstacle-value", "2")
     outside = by_threshold == 0
     inside = np.isin(np.arange(len(V)), F[region])
-    assert np.allclose(steeper[inside], 2 + 2 * by_threshold[inside], atol=1e-9)
+    assert np.allclose(steeper[inside], 2 + 80 * (by_threshold[inside] - 1), atol=1e-9)
     assert steeper[~inside].max() == 0 and outside[~inside].all()
 
 

@@ -85,12 +85,17 @@ TEST(ObstacleField, OnADiscConvergesToTheExactSolution) {
     EXPECT_LT(before, 1e-4);
 }
 
-TEST(ObstacleField, OfATenthOfTheDiagonalReachesOne) {
+TEST(ObstacleField, IsOneOrALittleMoreInsideByDefault) {
     const Surface surface(disc(60, 1.0));
     const double radius = 0.05 * surface.diagonal();
     const auto region = facesWhere(surface, ball(Vec3::Zero(), radius));
     const auto field = makeField(surface, {.kind = FieldKind::Obstacle}, {.region = region});
     EXPECT_NEAR(*std::ranges::max_element(field), 1.0, 0.1);
+    for (const int face : region) {
+        for (const int vertex : surface.faces()[face]) {
+            EXPECT_GE(field[vertex], 1.0) << vertex;
+        }
+    }
     EXPECT_EQ(naturalCost(FieldKind::Obstacle), FieldCost::Identity);
 }
 
@@ -201,7 +206,10 @@ TEST(ObstacleField, RefusesRegionsThatMakeNone) {
     const Surface surface(joined(plate(2, 2), plate(6, 6)));
     const auto expectNone = [&](const std::vector<int>& region, const std::string& said) {
         expectRefused(
-            [&] { return makeField(surface, {.kind = FieldKind::Obstacle}, {.region = region}); },
+            [&] {
+                const FieldOptions options{.kind = FieldKind::Obstacle, .obstacleValue = 0.0};
+                return makeField(surface, options, {.region = region});
+            },
             InputErrorCode::BadField,
             said
         );
