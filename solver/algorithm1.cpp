@@ -65,7 +65,7 @@ public:
                 energy_.makeExact();  // what is left lies between the samples
             }
             double ratio = distanceRatio();
-            if (isSettled && ratio < policy_.schedule.nearShare) {
+            if (isSettled && ratio < policy_.schedule.nearShare && paper_.arePicksNear(energy_)) {
                 const SolveStatus status = rest();
                 if (distance_.largest < problem_.distanceTolerance) {
                     report_.status = status;
@@ -83,7 +83,8 @@ public:
             EnergyWeights next = weights_;
             next.alpha = policy_.schedule.next(weights_.alpha, ratio);
             paper_.adjustNext(weights_, minimum.value.terms, largestHeight, next);
-            if (breaks == energy_.space().breaks() && next.alpha <= weights_.alpha) {
+            if (breaks == energy_.space().breaks() && next.alpha <= weights_.alpha &&
+                next.beta <= weights_.beta) {
                 report_.status = SolveStatus::KnotLimit;
                 break;
             }
@@ -180,12 +181,15 @@ private:
                    : halveLargest(energy_.space(), gain, problem_.options.minimumSpan);
     }
 
-    // Minimises to the end, with frozen directions refreshed until they no longer move the curve;
-    // measures the whole of it.
+    // Minimises to the end, with frozen directions refreshed until they no longer move the curve,
+    // which then meets the picks; measures the whole of it. A penalty's minimum that had to move
+    // for the picks is none any more.
     SolveStatus rest() {
         const SolveStatus status = comeToRest();
+        const double moved = paper_.meetPicks(energy_, policy_.newton);
         distance_ = energy_.trace();
-        return status;
+        return moved < kSolve.restShare * problem_.distanceTolerance ? status
+                                                                     : SolveStatus::DistanceReached;
     }
 
     SolveStatus comeToRest() {
@@ -244,10 +248,13 @@ private:
     }
 
     [[nodiscard]] Solution finish() {
-        const bool isMoved = paper_.meetPicks(energy_, policy_.newton);
-        if (isMoved || (!report_.usable && !policy_.tracesAtRestOnly)) {
+        if (!report_.usable && !policy_.tracesAtRestOnly) {
+            paper_.meetPicks(energy_, policy_.newton);
             distance_ = energy_.trace();
             report_.usable = distance_.largest < problem_.distanceTolerance;
+            if (report_.usable && problem_.options.interpolation == Interpolation::Penalty) {
+                report_.status = SolveStatus::DistanceReached;
+            }
         }
         report_.knotsLast = knotCount();
         report_.maxPickGap = energy_.picks().residual(energy_.controls()).lpNorm<Eigen::Infinity>();

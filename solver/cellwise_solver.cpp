@@ -8,6 +8,7 @@
 #include "solver/shell_reach.h"
 #include "utility/stopwatch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -30,7 +31,8 @@ struct CellwiseConstants {
     double roughDecrement = 5e-3;
     double roundDecrement = 1e-4, restDecrement = 1e-4, fineDecrement = 1e-6;
     /// The same under a field, where Newton crawls along edges at which the field's gradient jumps:
-    /// the digits beyond these cost as many iterations as all before, and move nothing.
+    /// the digits beyond these cost as many iterations as all before, and move nothing. Of a weak
+    /// field, powers between: the weaker it is, the nearer to those without one.
     double fieldRoundDecrement = 1e-2, fieldFineDecrement = 1e-4;
     /// Iterations at rest under a field: strong ones still creep then.
     int fieldRestIterations = 15;
@@ -53,15 +55,20 @@ double tensionFloor(const CurveProblem& problem, const InitialPath& initialPath)
     return problem.options.tension * ratio * ratio;
 }
 
+// From one decrement to another as the field grows to the strength of usual bending.
+double decrementUnderField(const CurveProblem& problem, double without, double with) {
+    return without * std::pow(with / without, std::min(1.0, fieldStrength(problem)));
+}
+
 SolvePolicy policyFor(const CurveProblem& problem) {
-    const bool isPulled = hasPull(problem);
     SolvePolicy policy;
     policy.schedule.mostFactor = kCellwise.mostAlphaFactor;
     // In thin shells, steps by what is needed make curves depend more on the triangulation.
     policy.schedule.isGentle = !problem.shell->isFullResolution();
     policy.newton = cellwiseNewton();
     policy.rough.decrement = kCellwise.roughDecrement;
-    policy.round.decrement = isPulled ? kCellwise.fieldRoundDecrement : kCellwise.roundDecrement;
+    policy.round.decrement =
+        decrementUnderField(problem, kCellwise.roundDecrement, kCellwise.fieldRoundDecrement);
     policy.rest.decrement = kCellwise.restDecrement;
     for (NewtonGoal* const goal : {&policy.rough, &policy.round, &policy.rest}) {
         goal->mostIterations = problem.options.maxIterations;
@@ -69,8 +76,9 @@ SolvePolicy policyFor(const CurveProblem& problem) {
     }
     policy.rough.leastStep = kCellwise.leastRoughStep;
     policy.idleDecrement = kCellwise.restDecrement;
-    policy.fineDecrement = isPulled ? kCellwise.fieldFineDecrement : kCellwise.fineDecrement;
-    if (isPulled) {
+    policy.fineDecrement =
+        decrementUnderField(problem, kCellwise.fineDecrement, kCellwise.fieldFineDecrement);
+    if (hasPull(problem)) {
         policy.restIterations = kCellwise.fieldRestIterations;
     }
     policy.meetsPicks = true;

@@ -82,17 +82,25 @@ std::vector<double> PaperSettings::chooseBreaks(
     return insertByFeature(energy.space(), feature, problem_.options.minimumSpan);
 }
 
-bool PaperSettings::meetPicks(Energy& energy, const NewtonPolicy& policy) const {
+bool PaperSettings::arePicksNear(const Energy& energy) const {
+    return problem_.options.interpolation != Interpolation::Penalty ||
+           energy.picks().residual(energy.controls()).lpNorm<Eigen::Infinity>() <
+               problem_.distanceTolerance;
+}
+
+double PaperSettings::meetPicks(Energy& energy, const NewtonPolicy& policy) const {
     if (problem_.options.interpolation != Interpolation::Penalty ||
         !energy.differentiate().inside) {
-        return false;
+        return 0.0;
     }
     const std::optional<NewtonStep> step = newtonStep(energy, Interpolation::Constraint, policy);
-    if (step) {
-        energy.tryStep(step->direction, 1.0);
-        energy.acceptStep();
+    if (!step) {
+        return 0.0;
     }
-    return step.has_value();
+    const ControlPoints before = energy.controls();
+    energy.tryStep(step->direction, 1.0);
+    energy.acceptStep();
+    return (energy.controls() - before).rowwise().norm().maxCoeff();
 }
 
 }  // namespace bspline_curve

@@ -30,9 +30,13 @@ public:
         const Energy& energy, const EnergyWeights& weights, double scale, bool isNear
     );
 
-    /// A penalty leaves gaps at the picks: one constrained step closes them. False where there is
-    /// none to take.
-    [[nodiscard]] bool meetPicks(Energy& energy, const NewtonPolicy& policy) const;
+    /// Whether E_fit is small enough to stop: a penalty's gaps at the picks are below the
+    /// tolerance.
+    [[nodiscard]] bool arePicksNear(const Energy& energy) const;
+
+    /// A penalty leaves gaps at the picks: one constrained step closes them. How far that moves the
+    /// farthest control point; 0 where there is no step to take.
+    double meetPicks(Energy& energy, const NewtonPolicy& policy) const;
 
 private:
     void setBarrier(double largestHeight, EnergyWeights& weights) const;

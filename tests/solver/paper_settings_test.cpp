@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the paper's own settings and weak fields change in the loop of rounds.
+#include "problem_fixture.h"
+#include "solver/cellwise_energy.h"
+#include "solver/cellwise_solver.h"
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+ProblemFixture noisySphere(const SolverOptions& options) {
+    return {
+        withNoise(icosphere(3), 0.01, 7), {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}}, options
+    };
+}
+
+bool claimsToBeNear(const SolveReport& report) {
+    return report.status == SolveStatus::Converged || report.status == SolveStatus::DistanceReached;
+}
+
+TEST(PickPenalty, ReportsTheCurveThatItReturns) {
+    for (const double tolerance : {0.3, 0.1, 0.03, 0.01, 0.003, 0.001}) {
+        for (const bool closed : {false, true}) {
+            SolverOptions options;
+            options.closed = closed;
+            options.distanceTolerance = tolerance;
+            options.interpolation = Interpolation::Penalty;
+            const ProblemFixture fixture = noisySphere(options);
+            const Solution solution = solved(fixture);
+            EXPECT_EQ(solution.report.usable, claimsToBeNear(solution.report))
+                << tolerance << ' ' << name(solution.report.status);
+            EXPECT_LT(solution.report.maxPickGap, 1e-9) << tolerance;
+            CellwiseEnergy again(fixture.problem(), solution.curve, 0.0);
+            const double distance = again.trace().largest / fixture.problem().averageEdgeLength;
+            EXPECT_NEAR(solution.report.maxDistance, distance, 1e-12) << tolerance;
+            EXPECT_EQ(solution.report.usable, distance < tolerance) << tolerance;
+        }
+    }
+}
+
+// A field that hardly counts leaves the curve as exact as none does.
+TEST(WeakFields, DoNotLoosenTheLastMinimisation) {
+    SolverOptions options;
+    options.quadrature = Quadrature::Cells;
+    options.fieldWeight = 1.0;
+    ProblemFixture fixture = noisySphere(options);
+    std::vector<double> field;
+    for (const Vec3& v : fixture.surface().vertices()) {
+        field.push_back(1.0 + std::sin(3.0 * v.x()) * v.y());
+    }
+    fixture.setField(field);
+    const Solution solution = solved(fixture);
+    ASSERT_EQ(solution.report.status, SolveStatus::Converged);
+    const IterationReport& last = solution.report.iterations.back();
+    EXPECT_LT(last.decrement, 3e-6 * last.total);
+}
+
+}  // namespace
+}  // namespace bspline_curve
