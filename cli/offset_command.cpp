@@ -182,7 +182,7 @@ ExitCode runOffset(Arguments arguments) {
         return *code;
     }
     const auto& offset = std::get<OffsetArguments>(parsed);
-    return runVerb(false, [&](ProgressBar& bar) { return draw(offset, bar); });
+    return runVerb([&](ProgressBar& bar) { return draw(offset, bar); });
 }
 
 }  // namespace bspline_curve::cli

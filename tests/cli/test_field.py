@@ -238,7 +238,7 @@ def test_obstacles_push_the_curve_away(run, tmp_path, fold):
     np.save(tmp_path / "region.npy", np.flatnonzero(np.linalg.norm(centres - [0.27, 0.5], axis=1) < 0.12))
     inside = lambda vertex: np.hypot(vertex["x"] - 0.27, vertex["y"] - 0.5).min() < 0.1
     straight, _ = drawn(run, tmp_path, "--field", "none")
-    pushed, _ = drawn(run, tmp_path, "--field", "obstacle", "--field-region", "region.npy", "--mu", "100")
+    pushed, _ = drawn(run, tmp_path, "--field", "obstacle", "--field-region", "region.npy")
     assert inside(straight) and not inside(pushed)
 
 

@@ -73,7 +73,7 @@ def test_missing_files(refused):
     "status, words, parts",
     [
         (2, ("shel", "plate.ply"), ["shel is neither a mesh file nor one of the verbs help|batch|", "did you mean shell?"]),
-        (2, ("frobnicate", "plate.ply"), ["help|batch|curve|field|shell\n"]),
+        (2, ("frobnicate", "plate.ply"), ["help|batch|curve|field|offset|shell\n"]),
         (2, ("help", "bach"), ["did you mean batch?"]),
         (1, (*DEFAULT, "--field", "valey"), ["--field valey: there is no such file", "|valley|", "did you mean valley?"]),
         (1, (*DEFAULT, "--field", "none.npy"), ["none.npy: there is no such file", "|obstacle|auto\n"]),
@@ -146,7 +146,7 @@ def test_a_face_that_names_a_vertex_twice(refused, plate):
     F[9] = [F[9][0], F[9][1], F[9][1]]
     for name in ("a.ply", "a.obj"):
         meshes.MESH_WRITERS["plate" + name[1:]](plate / name, V, F)
-        assert "9" in refused(1, name, *DEFAULT[1:])
+        assert "9" in refused(1, name, *DEFAULT[1:], "--strict")
 
 
 @pytest.mark.parametrize(

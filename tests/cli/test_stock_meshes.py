@@ -268,4 +268,5 @@ REFUSED = {
 def test_what_has_no_shell_is_refused_in_one_line_that_says_why(refused, tmp_path, name):
     make, word = REFUSED[name]
     meshes.write_ply(tmp_path / "mesh.ply", *make())
-    refused(1, "shell", "mesh.ply", "--output", "shell.vtu", "--report", "report.json", "--check", says=[word])
+    words = ("--output", "shell.vtu", "--report", "report.json", "--check", "--strict")
+    refused(1, "shell", "mesh.ply", *words, says=[word])
