@@ -224,7 +224,7 @@ def draw_curve(
         Shortest knot span, as a share of the whole parameter range.
     strict : bool, default False
         Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
-        turned opposite ways, and names them. Off: the curve is drawn on a mended copy; the mesh is not changed.
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
 
     Returns
     -------
@@ -347,7 +347,7 @@ def compute_field(
         Turns x into minimum + maximum - x.
     strict : bool, default False
         Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
-        turned opposite ways, and names them. Off: the values are computed on a mended copy; the mesh is not changed.
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
 
     Returns
     -------

@@ -241,7 +241,7 @@ def generate_bspline_curve_on_surface(
         Shortest knot span, as a share of the whole parameter range.
     strict : bool, default False
         Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
-        turned opposite ways, and names them. Off: the curve is drawn on a mended copy; the mesh is not changed.
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
 
     Returns
     -------
@@ -366,7 +366,7 @@ def compute_scalar_field_for_curves_per_vertex(
         Turns x into minimum + maximum - x.
     strict : bool, default False
         Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
-        turned opposite ways, and names them. Off: the values are computed on a mended copy; the mesh is not changed.
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
 
     Returns
     -------
