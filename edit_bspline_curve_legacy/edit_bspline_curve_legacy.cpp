@@ -66,7 +66,7 @@ RichParameterList parametersOf(const SketchCurve& curve, MeshDocument& document,
     parameters.setValue("closed", BoolValue(options.closed));
     parameters.setValue("replace", BoolValue(false));  // each curve has a layer of its own
     // Curves are drawn without a field.
-    const std::size_t none = curveFilter().parameter("field").indexOf("none").value();
+    const std::size_t none = curveFilter().parameter("field").indexOf("none").value_or(0);
     parameters.setValue("field", EnumValue(static_cast<int>(none)));
     parameters.setValue("degree", IntValue(options.degree));
     parameters.setValue("tension", DynamicFloatValue(static_cast<float>(options.tension)));
@@ -89,7 +89,7 @@ bool EditBsplineCurveLegacy::StartEdit(
     try {
         LayerArrays arrays = arraysOf(*surface);
         std::optional<DrawnCurve> curve = reopened(*document.mm(), *surface, arrays);
-        reopened_ = curve ? static_cast<int>(document.mm()->id()) : -1;
+        reopened_ = curve ? document.mm()->id() : -1;
         tool_ = std::make_unique<CurveTool>(
             *view_,
             std::move(arrays.input.mesh),

@@ -38,8 +38,7 @@ std::optional<DrawnCurve> reopened(
     const MeshModel& layer, const MeshModel& surface, const LayerArrays& arrays
 ) {
     const CurveSource* const source = sourceOf(layer);
-    if (source == nullptr || source->surface != static_cast<int>(surface.id()) ||
-        !source->isPlain) {
+    if (source == nullptr || source->surface != surface.id() || !source->isPlain) {
         return std::nullopt;
     }
     const TriangleMesh& mesh = arrays.input.mesh;

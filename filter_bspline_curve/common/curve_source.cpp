@@ -19,7 +19,7 @@ std::vector<int> layersOfCurve(const MeshDocument& document, int curve) {
     std::vector<int> layers;
     for (const MeshModel* const layer : host::layersOf(document)) {
         const int* const id = host::perMeshAttribute<int>(layer->cm, kOfCurve);
-        if (static_cast<int>(layer->id()) == curve || (id != nullptr && *id == curve)) {
+        if (layer->id() == curve || (id != nullptr && *id == curve)) {
             layers.push_back(layer->id());
         }
     }
@@ -82,7 +82,7 @@ int curveOfPicks(const MeshDocument& document, int surface, std::span<const Vec3
             return std::ranges::find(source->positions, pick) != source->positions.end();
         });
         if (2 * static_cast<std::size_t>(shared) >= picks.size()) {
-            newest = std::max(newest, static_cast<int>(layer->id()));
+            newest = std::max(newest, layer->id());
         }
     }
     return newest;
