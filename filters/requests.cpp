@@ -59,7 +59,7 @@ bool hasThreshold(Avoid avoid) {
 CurveRequest curveRequest(const ParameterValues& values) {
     CurveRequest request;
     readAll(values, curveBindings(), request);
-    const auto field = values.get<std::string>("field");
+    const auto& field = values.get<std::string>("field");
     if (field == kAutomaticField) {
         // A threshold of faces to avoid is a use of the quality already.
         if (!hasThreshold(request.avoid)) {

@@ -12,6 +12,11 @@ bool canBeMended(InputErrorCode code) {
            code == InputErrorCode::InconsistentOrientation;
 }
 
+/// The error without the mesh.
+InputError errorOf(const RefusedMesh& refused) {
+    return {refused.code(), refused.what(), refused.elements()};
+}
+
 }  // namespace
 
 std::string Mending::note() const {
@@ -31,9 +36,9 @@ std::vector<double> Mending::toOrigin(std::vector<double> values) const {
 
 Mending mend(RefusedMesh& refused) {
     if (!canBeMended(refused.code())) {
-        throw InputError(refused);
+        throw errorOf(refused);
     }
-    return {.repair = repairMesh(refused.takeMesh()), .refusal = refused};
+    return {.repair = repairMesh(refused.takeMesh()), .refusal = errorOf(refused)};
 }
 
 }  // namespace bspline_curve

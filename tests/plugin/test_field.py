@@ -184,6 +184,6 @@ def test_parameters_of_the_filter_are_options_of_the_verb(plugin_path, program):
     code = f"import pymeshlab; pymeshlab.load_plugin({str(plugin_path)!r}); pymeshlab.print_filter_parameter_list({FIELD!r})"
     printed = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
     names = re.findall(r"^\t(\w+) : ", printed, re.M)
-    assert len(names) == 10
+    assert len(names) == 11
     help_text = subprocess.run([program, "field", "--help"], check=True, capture_output=True, text=True).stdout
     assert [name for name in names if "--" + name.replace("_", "-") not in help_text] == []
