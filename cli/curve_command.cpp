@@ -18,6 +18,7 @@
 #include "design/designer_surface.h"
 #include "field/make_field.h"
 #include "filters/automatic_field.h"
+#include "filters/mended_layer.h"
 #include "filters/requests.h"
 #include "filters/unusable_curve.h"
 #include "io/atomic_file.h"
@@ -247,9 +248,7 @@ std::optional<double> timeWarm(
 Curve onGivenMesh(const Curve& curve, const MeshRepair* repair) {
     Curve given = curve;
     if (repair != nullptr) {
-        for (SurfacePoint& point : given.polyline.surfacePoints) {
-            point = repair->toOrigin(point);
-        }
+        bringBack(given.polyline, *repair);
     }
     return given;
 }

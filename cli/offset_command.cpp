@@ -132,7 +132,8 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
         checkWritable(arguments.band);
     }
     bar.show(0.0, "reading");
-    const Surface surface(readInputMesh(arguments.mesh, false).mesh);
+    constexpr bool kStrict = true;  // nothing is mended here
+    const Surface surface(readInputMesh(arguments.mesh, kStrict).mesh);
     const SurfacePolyline curve = readCurve(arguments.curve, surface);
     if (interrupted()) {
         throw Cancelled();

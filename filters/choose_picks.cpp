@@ -25,12 +25,13 @@ std::vector<Vec3> picksOf(const PicksLayer& layer) {
     return layer.points;
 }
 
-/// Whether the layer of picks was left as the host offers it, where another surface was chosen and
-/// the picks come from elsewhere.
+/// Whether there is a layer of picks that was left as the host offers it, where another surface was
+/// chosen and the picks come from elsewhere.
 bool isLeftOver(const CurveRequest& request, const PickCandidates& candidates) {
     const bool hasOthers =
         !request.picksText.empty() || !request.picksFile.empty() || !candidates.tool.empty();
-    return hasOthers && candidates.layer->hasFaces && candidates.layer->isOffered;
+    const std::optional<PicksLayer>& layer = candidates.layer;
+    return hasOthers && layer.has_value() && layer->hasFaces && layer->isOffered;
 }
 
 /// The names of the parameters that give picks.
@@ -53,7 +54,7 @@ std::vector<std::string> givenSources(
 }  // namespace
 
 PicksFile choosePicks(const CurveRequest& request, PickCandidates candidates) {
-    if (candidates.layer && isLeftOver(request, candidates)) {
+    if (isLeftOver(request, candidates)) {
         candidates.layer.reset();
     }
     const std::vector<std::string> sources = givenSources(request, candidates);

@@ -42,13 +42,21 @@ void keepSource(
         SurfacePoint pick = polyline.surfacePoints[index];
         pick.face = arrays.faceIds[pick.face];
         source.picks.push_back(pick);
-        source.positions.push_back(polyline.points[index]);
     }
+    source.positions = pickPositions(polyline);
     source.closed = polyline.closed;
     source.degree = request.solver.degree;
     source.tension = request.solver.tension;
     source.isPlain = !result.followsField && request.avoid == Avoid::Nothing;
     Allocator::AddPerMeshAttribute<CurveSource>(curve.cm, kSource)() = std::move(source);
+}
+
+std::vector<Vec3> pickPositions(const SurfacePolyline& polyline) {
+    std::vector<Vec3> positions;
+    for (const int index : polyline.picks) {
+        positions.push_back(polyline.points[index]);
+    }
+    return positions;
 }
 
 const CurveSource* sourceOf(const MeshModel& layer) {

@@ -33,6 +33,9 @@ void keepSource(
     const CurveResult& result
 );
 
+/// The positions of a polyline's picks.
+[[nodiscard]] std::vector<Vec3> pickPositions(const SurfacePolyline& polyline);
+
 /// Null where the layer is no curve of ours, or was read from a file.
 [[nodiscard]] const CurveSource* sourceOf(const MeshModel& layer);
 

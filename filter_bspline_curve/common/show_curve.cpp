@@ -5,21 +5,7 @@
 #include "filter_bspline_curve/common/result_layers.h"
 #include "filter_bspline_curve/common/window.h"
 
-#include <vector>
-
 namespace bspline_curve {
-
-namespace {
-
-std::vector<Vec3> picksOf(const SurfacePolyline& polyline) {
-    std::vector<Vec3> picks;
-    for (const int index : polyline.picks) {
-        picks.push_back(polyline.points[index]);
-    }
-    return picks;
-}
-
-}  // namespace
 
 void showCurve(
     MeshDocument& document,
@@ -30,7 +16,7 @@ void showCurve(
 ) {
     const int surfaceId = surface.id();
     if (request.replace) {
-        const int old = curveOfPicks(document, surfaceId, picksOf(result.curve.polyline));
+        const int old = curveOfPicks(document, surfaceId, pickPositions(result.curve.polyline));
         if (old >= 0) {
             removeCurve(document, old);
         }

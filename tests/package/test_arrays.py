@@ -182,7 +182,7 @@ REFUSED = [
     ("compute_field(vertices, faces, 'none')", "ValueError: kind is 'none', but must be one of 'normal-variation'"),
     ("draw_curve(vertices, faces, picks[:1])", "CurveError: an open curve needs at least 2 picks, not 1"),
     ("draw_curve(vertices, faces, picks * [[1], [3], [1]])", "CurveError: pick 1 lies 2 from the surface"),
-    ("draw_curve(vertices, np.vstack([faces, faces[:1]]), picks)", "CurveError: 3 edges join more than two faces"),
+    ("draw_curve(vertices, np.vstack([faces, faces[:1]]), picks, strict=True)", "CurveError: 3 edges join more than two faces"),
     ("draw_curve(vertices, faces, picks, field=np.where(vertices[:, 0] > 0, np.nan, 1))", "CurveError: "),
     ("draw_curve(vertices, faces, picks, avoid=range(5120))", "CurveError: pick 0"),
     ("draw_curve(vertices, faces, picks, save='nowhere/curve.ply')", "CurveError: nowhere/curve.ply: the directory nowhere does not"),
