@@ -34,6 +34,9 @@ void printError(const std::string& message);
 /// The verb field: values at the vertices of a mesh that curves can follow or avoid.
 [[nodiscard]] ExitCode runField(Arguments arguments);
 
+/// The verb imprint: curves as edges of the mesh.
+[[nodiscard]] ExitCode runImprint(Arguments arguments);
+
 /// The verb offset: curves at a distance from a curve, along the surface.
 [[nodiscard]] ExitCode runOffset(Arguments arguments);
 

@@ -29,6 +29,7 @@ constexpr std::array kVerbs{
     Verb{.name = "batch", .run = runBatch},
     Verb{.name = "curve", .run = runCurve},
     Verb{.name = "field", .run = runField},
+    Verb{.name = "imprint", .run = runImprint},
     Verb{.name = "offset", .run = runOffset},
     Verb{.name = "shell", .run = runShell}
 };

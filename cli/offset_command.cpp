@@ -12,7 +12,8 @@
 #include "io/atomic_file.h"
 #include "io/curve_reader.h"
 #include "io/curve_writer.h"
-#include "io/face_label_writer.h"
+#include "io/mesh_writer.h"
+#include "io/text_parsing.h"
 #include "offset/offset_curves.h"
 
 #include <CLI/CLI.hpp>
@@ -129,6 +130,14 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
     checkCurveExtension(arguments.output);
     checkWritable(arguments.output);
     if (!arguments.band.empty()) {
+        if (lowerCaseExtension(arguments.band) != ".ply") {
+            throw InputError(
+                InputErrorCode::UnwritableFile,
+                arguments.band.string() +
+                    ": labels of faces are written as .ply; change the "
+                    "name's end"
+            );
+        }
         checkWritable(arguments.band);
     }
     bar.show(0.0, "reading");
@@ -162,7 +171,9 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
     if (!arguments.band.empty()) {
         const std::vector<char> within = facesWithin(surface, curve, arguments.offset);
         const std::vector<int> labels(within.begin(), within.end());
-        files.emplace_back(arguments.band, faceLabelBytes(arguments.band, surface.mesh(), labels));
+        files.emplace_back(
+            arguments.band, meshBytes(arguments.band, surface.mesh(), {.faceLabels = labels})
+        );
     }
     bar.clear();
     for (AtomicFile& file : files) {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "imprint/imprint.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// What the curves of an imprint part the mesh into.
+struct MeshPart {
+    int faces = 0;
+    double area = 0.0;
+    double perimeter = 0.0;  ///< length of its rim: curves and the mesh's own boundary
+    Vec3 centroid = Vec3::Zero();
+    /// V - E + F with vertices and edges of a curve counted once on each side of it: 1 for a disc,
+    /// 2 for a sphere, 0 for a ring.
+    int euler = 0;
+};
+
+struct MeshParts {
+    std::vector<int> labels;  ///< for each face of the imprinted mesh its part
+    std::vector<MeshPart> parts;
+};
+
+/// Parts of the imprinted mesh: faces that are joined across edges which are on no curve. Numbered
+/// from the largest area to the smallest (equal areas: by first face). An edge of a curve that has
+/// one part on both sides, as that of an open curve, parts nothing. O(n log n).
+[[nodiscard]] MeshParts partsOf(const ImprintedMesh& imprinted);
+
+/// Edges that are on curves, each as (lower, higher vertex), ascending.
+[[nodiscard]] std::vector<std::array<int, 2>> curveEdges(const ImprintedMesh& imprinted);
+
+/// The mesh opened along its curves: vertices on them are doubled, once for each fan of faces that
+/// curves leave around them, so that an open curve becomes a slit with joined ends. The first fan
+/// keeps the vertex; copies come last. `origin` (#V of the result) names the imprinted vertex of
+/// each. O(n log n).
+struct CutMesh {
+    TriangleMesh mesh;
+    std::vector<int> origin;
+};
+
+[[nodiscard]] CutMesh cutAlongCurves(const ImprintedMesh& imprinted);
+
+/// Some faces of a mesh with the vertices that they use, in order. O(n).
+struct SubMesh {
+    TriangleMesh mesh;
+    std::vector<int> vertices;  ///< for each vertex of `mesh` the one of the whole
+    std::vector<int> faces;     ///< likewise for faces
+};
+
+[[nodiscard]] SubMesh facesWithLabel(
+    const TriangleMesh& mesh, const std::vector<int>& labels, int label
+);
+
+}  // namespace bspline_curve
