@@ -23,42 +23,28 @@ int turn(const FacePlace& a, const FacePlace& b, const FacePlace& c) {
 
 }  // namespace
 
-/// A segment with its ends in the face.
-struct CurveArrangement::Placed {
-    ImprintSegment segment;
-    FacePlace a, b;
-
-    [[nodiscard]] FacePlace low() const { return a.cwiseMin(b); }
-
-    [[nodiscard]] FacePlace high() const { return a.cwiseMax(b); }
-
-    /// Whether a place is strictly between the ends and within `snap` of the segment.
-    [[nodiscard]] bool passes(const FacePlace& place, double snap) const {
-        const FacePlace along = b - a;
-        const double share = (place - a).dot(along) / along.squaredNorm();
-        if (share <= 0.0 || share >= 1.0) {
-            return false;
-        }
-        return (place - a - share * along).norm() <= snap || turn(a, b, place) == 0;
+/// Whether a place is strictly between the ends and within `snap` of the segment.
+bool CurveArrangement::Placed::passes(const FacePlace& place, double snap) const {
+    const FacePlace along = b - a;
+    const double share = (place - a).dot(along) / along.squaredNorm();
+    if (share <= 0.0 || share >= 1.0) {
+        return false;
     }
+    return (place - a - share * along).norm() <= snap || turn(a, b, place) == 0;
+}
 
-    [[nodiscard]] bool crosses(const Placed& other) const {
-        return turn(a, b, other.a) * turn(a, b, other.b) < 0 &&
-               turn(other.a, other.b, a) * turn(other.a, other.b, b) < 0;
-    }
+bool CurveArrangement::Placed::crosses(const Placed& other) const {
+    return turn(a, b, other.a) * turn(a, b, other.b) < 0 &&
+           turn(other.a, other.b, a) * turn(other.a, other.b, b) < 0;
+}
 
-    [[nodiscard]] FacePlace crossing(const Placed& other) const {
-        const FacePlace along = b - a;
-        const FacePlace across = other.b - other.a;
-        const FacePlace between = other.a - a;
-        const double share = (between.x() * across.y() - between.y() * across.x()) /
-                             (along.x() * across.y() - along.y() * across.x());
-        return a + std::clamp(share, 0.0, 1.0) * along;
-    }
-};
-
-void CurveArrangement::add(int face, int from, int to) {
-    insert(face, from, to);
+FacePlace CurveArrangement::Placed::crossing(const Placed& other) const {
+    const FacePlace along = b - a;
+    const FacePlace across = other.b - other.a;
+    const FacePlace between = other.a - a;
+    const double share = (between.x() * across.y() - between.y() * across.x()) /
+                         (along.x() * across.y() - along.y() * across.x());
+    return a + std::clamp(share, 0.0, 1.0) * along;
 }
 
 void CurveArrangement::insert(int face, int a, int b) {
@@ -70,90 +56,119 @@ void CurveArrangement::insert(int face, int a, int b) {
     if (node != nullptr) {
         insert(face, a, *node);
         insert(face, *node, b);
-    } else {
-        segments_[face].insert(segment);
-        unresolved_.insert(face);
+        return;
+    }
+    const int slot = slotOf_.at(face, static_cast<int>(slots_.size()));
+    if (slot == static_cast<int>(slots_.size())) {
+        slots_.push_back({.face = face});
+    }
+    std::vector<ImprintSegment>& segments = slots_[slot].segments;
+    const auto place = std::ranges::lower_bound(segments, segment);
+    if (place == segments.end() || *place != segment) {
+        segments.insert(place, segment);
+        slots_[slot].isResolved = false;
     }
 }
 
 const int* CurveArrangement::dividedAt(int face, ImprintSegment segment) const {
-    const auto inFace = divisions_.find(face);
-    if (inFace == divisions_.end()) {
+    const int* slot = slotOf_.find(face);
+    if (slot == nullptr) {
         return nullptr;
     }
-    const auto found = inFace->second.find(segment);
-    return found != inFace->second.end() ? &found->second : nullptr;
+    const auto& divisions = slots_[*slot].divisions;
+    const auto found =
+        std::ranges::lower_bound(divisions, segment, {}, &std::pair<ImprintSegment, int>::first);
+    return found != divisions.end() && found->first == segment ? &found->second : nullptr;
 }
 
 std::vector<int> CurveArrangement::faces() const {
     std::vector<int> faces;
-    for (const auto& [face, segments] : segments_) {
-        if (!segments.empty()) {
-            faces.push_back(face);
+    for (const FaceSegments& slot : slots_) {
+        if (!slot.segments.empty()) {
+            faces.push_back(slot.face);
         }
     }
     return faces;
 }
 
-std::vector<CurveArrangement::Placed> CurveArrangement::placed(int face) const {
-    std::vector<Placed> all;
-    for (const ImprintSegment& segment : segments_.at(face)) {
-        all.push_back({segment, nodes_.placeIn(segment.a, face), nodes_.placeIn(segment.b, face)});
-    }
-    std::ranges::stable_sort(all, {}, [](const Placed& one) { return one.low().x(); });
-    return all;
+std::span<const ImprintSegment> CurveArrangement::segmentsIn(int face) const {
+    const int* slot = slotOf_.find(face);
+    return slot != nullptr ? std::span(slots_[*slot].segments) : std::span<ImprintSegment>();
 }
 
 void CurveArrangement::resolve() {
-    // In order of faces, so that nothing depends on the order of the curves.
-    while (!unresolved_.empty()) {
-        const int face = *unresolved_.begin();
-        int rounds = 0;
-        while (resolveFace(face)) {
-            if (++rounds > kMaxRounds) {
-                throw InputError(
-                    InputErrorCode::NoPath,
-                    "the curves in face " + std::to_string(face) +
-                        " cross too closely to be told apart; snap over a larger distance, or "
-                        "leave some of them out",
-                    {face}
-                );
+    // In order of faces, so that nothing depends on the order of the curves. A face can unsettle
+    // its neighbours, which come in the next pass.
+    for (;;) {
+        std::vector<int> unresolved;
+        for (const FaceSegments& slot : slots_) {
+            if (!slot.isResolved) {
+                unresolved.push_back(slot.face);
             }
         }
-        unresolved_.erase(face);
+        if (unresolved.empty()) {
+            return;
+        }
+        std::ranges::sort(unresolved);
+        for (const int face : unresolved) {
+            int rounds = 0;
+            while (resolveFace(face)) {
+                if (++rounds > kMaxRounds) {
+                    throw InputError(
+                        InputErrorCode::NoPath,
+                        "the curves in face " + std::to_string(face) +
+                            " cross too closely to be told apart; snap over a larger distance, or "
+                            "leave some of them out",
+                        {face}
+                    );
+                }
+            }
+            slots_[*slotOf_.find(face)].isResolved = true;
+        }
     }
+}
+
+void CurveArrangement::placeAll(int face) {
+    placed_.clear();
+    for (const ImprintSegment& segment : segmentsIn(face)) {
+        placed_.push_back(
+            {segment, nodes_.placeIn(segment.a, face), nodes_.placeIn(segment.b, face)}
+        );
+    }
+    std::ranges::stable_sort(placed_, {}, &Placed::low);
+    listed_.clear();
+    nodes_.appendInside(face, listed_);
+    for (int k = 0; k < 3; ++k) {
+        nodes_.appendOnSide(face, k, listed_);
+        listed_.push_back(~surface_.faces()[face][k]);
+    }
+    placedNodes_.clear();
+    for (const int node : listed_) {
+        placedNodes_.push_back({nodes_.placeIn(node, face), node});
+    }
+    std::ranges::sort(placedNodes_, [](const PlacedNode& one, const PlacedNode& other) {
+        return std::pair(one.place.x(), one.node) < std::pair(other.place.x(), other.node);
+    });
 }
 
 /// One round; whether anything was divided.
 bool CurveArrangement::resolveFace(int face) {
-    const std::vector<Placed> segments = placed(face);
-    if (divideAtNodes(face, segments)) {
-        return true;
-    }
-    return divideAtCrossings(face, segments);
+    placeAll(face);
+    return divideAtNodes(face) || divideAtCrossings(face);
 }
 
-bool CurveArrangement::divideAtNodes(int face, const std::vector<Placed>& segments) {
-    struct At {
-        FacePlace place;
-        int node;
-    };
-
-    std::vector<At> all;
-    for (const int node : nodes_.allIn(face)) {
-        all.push_back({nodes_.placeIn(node, face), node});
-    }
-    std::ranges::sort(all, [](const At& one, const At& other) {
-        return std::pair(one.place.x(), one.node) < std::pair(other.place.x(), other.node);
-    });
+bool CurveArrangement::divideAtNodes(int face) {
     const double snap = snap_.in(face);
     bool divided = false;
-    for (const Placed& one : segments) {
-        const double last = one.high().x() + snap;
+    for (const Placed& one : placed_) {
+        const double last = one.high() + snap;
         for (auto at = std::ranges::lower_bound(
-                 all, one.low().x() - snap, {}, [](const At& each) { return each.place.x(); }
+                 placedNodes_,
+                 one.low() - snap,
+                 {},
+                 [](const PlacedNode& each) { return each.place.x(); }
              );
-             at != all.end() && at->place.x() <= last;
+             at != placedNodes_.end() && at->place.x() <= last;
              ++at) {
             if (at->node != one.segment.a && at->node != one.segment.b &&
                 one.passes(at->place, snap) && divide(face, one.segment, at->node)) {
@@ -174,20 +189,20 @@ double CurveArrangement::distance(ImprintSegment segment, int node) const {
     return (offset - offset.dot(along) * along).norm();
 }
 
-bool CurveArrangement::divideAtCrossings(int face, const std::vector<Placed>& segments) {
+bool CurveArrangement::divideAtCrossings(int face) {
     bool divided = false;
-    std::vector<char> isWhole(segments.size(), 1);
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const double last = segments[i].high().x();
+    std::vector<char> isWhole(placed_.size(), 1);
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+        const double last = placed_[i].high();
         for (std::size_t j = i + 1;
-             j < segments.size() && isWhole[i] != 0 && segments[j].low().x() <= last;
+             j < placed_.size() && isWhole[i] != 0 && placed_[j].low() <= last;
              ++j) {
-            if (isWhole[j] == 0 || !segments[i].crosses(segments[j])) {
+            if (isWhole[j] == 0 || !placed_[i].crosses(placed_[j])) {
                 continue;
             }
-            const int node = addCrossing(face, segments[i], segments[j]);
-            const bool first = divide(face, segments[i].segment, node);
-            const bool second = divide(face, segments[j].segment, node);
+            const int node = addCrossing(face, placed_[i], placed_[j]);
+            const bool first = divide(face, placed_[i].segment, node);
+            const bool second = divide(face, placed_[j].segment, node);
             isWhole[i] = first ? 0 : 1;
             isWhole[j] = second ? 0 : 1;
             divided = divided || first || second;
@@ -197,18 +212,16 @@ bool CurveArrangement::divideAtCrossings(int face, const std::vector<Placed>& se
 }
 
 int CurveArrangement::addCrossing(int face, const Placed& one, const Placed& other) {
-    const FacePlace place = one.crossing(other);
-    const SurfacePoint crossing{
-        .face = face, .barycentric = Vec3(1.0 - place.x() - place.y(), place.x(), place.y())
-    };
+    const SurfacePoint crossing{.face = face, .barycentric = barycentricAt(one.crossing(other))};
     const int before = nodes_.count();
     const int node = nodes_.add(face, crossing.barycentric);
     largestMove_ =
         std::max(largestMove_, (nodes_.position(node) - surface_.position(crossing)).norm());
     if (node == before && nodes_[node].on == ImprintNode::On::Edge) {
         for (const int holder : nodes_.facesOfEdge(nodes_[node].element)) {
-            if (holder != face && segments_.contains(holder)) {
-                unresolved_.insert(holder);
+            const int* slot = holder >= 0 ? slotOf_.find(holder) : nullptr;
+            if (slot != nullptr) {
+                slots_[*slot].isResolved = false;
             }
         }
     }
@@ -219,8 +232,10 @@ bool CurveArrangement::divide(int face, ImprintSegment segment, int node) {
     if (node == segment.a || node == segment.b) {
         return false;
     }
-    segments_.at(face).erase(segment);
-    divisions_[face].emplace(segment, node);
+    FaceSegments& slot = slots_[*slotOf_.find(face)];
+    slot.segments.erase(std::ranges::lower_bound(slot.segments, segment));
+    const std::pair division(segment, node);
+    slot.divisions.insert(std::ranges::lower_bound(slot.divisions, division), division);
     insert(face, segment.a, node);
     insert(face, node, segment.b);
     return true;
@@ -239,14 +254,11 @@ void CurveArrangement::appendPath(int face, int from, int to, std::vector<int>& 
     const int side = nodes_.commonSide(from, to, face);
     if (side >= 0) {
         const auto share = [&](int each) {
-            const FacePlace place = nodes_.placeIn(each, face);
-            const std::array<double, 3> barycentric{
-                1.0 - place.x() - place.y(), place.x(), place.y()
-            };
-            return barycentric.at((side + 2) % 3);
+            return barycentricAt(nodes_.placeIn(each, face))[(side + 2) % 3];
         };
-        std::vector<int> between = nodes_.onSide(face, side);
         const auto [low, high] = std::minmax({share(from), share(to)});
+        std::vector<int> between;
+        nodes_.appendOnSide(face, side, between);
         std::erase_if(between, [&](int each) { return share(each) <= low || share(each) >= high; });
         if (share(from) > share(to)) {
             std::ranges::reverse(between);

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "imprint/imprint_nodes.h"
+#include "utility/sparse_map.h"
 
 #include <compare>
-#include <map>
-#include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -29,35 +30,53 @@ public:
         : surface_(surface), nodes_(nodes), snap_(snap) {}
 
     /// Adds the segment of a curve between two nodes of a face.
-    void add(int face, int from, int to);
+    void add(int face, int from, int to) { insert(face, from, to); }
 
     /// Divides. O(n log n + k) for n segments with k pairs whose boxes meet, in each face. Throws
     /// InputError (NoPath) where a face does not come to rest.
     void resolve();
 
-    /// Faces with segments in their inside, ascending.
+    /// Faces with segments in their inside, in no order.
     [[nodiscard]] std::vector<int> faces() const;
-
-    [[nodiscard]] bool hasSegmentsIn(int face) const { return segments_.contains(face); }
-
-    /// The segments in the inside of a face that has some.
-    [[nodiscard]] const std::set<ImprintSegment>& segmentsIn(int face) const {
-        return segments_.at(face);
-    }
+    /// The segments in the inside of a face, ascending.
+    [[nodiscard]] std::span<const ImprintSegment> segmentsIn(int face) const;
 
     /// The nodes that a segment as it was added passes, in order, `from` left out.
     void appendPath(int face, int from, int to, std::vector<int>& path) const;
 
-    /// The largest distance between a crossing and its node, in the user's unit.
+    /// The largest distance that a segment or crossing was moved, in the user's unit.
     [[nodiscard]] double largestMove() const { return largestMove_; }
 
 private:
-    struct Placed;
+    struct Placed {
+        ImprintSegment segment;
+        FacePlace a, b;
+
+        [[nodiscard]] double low() const { return std::min(a.x(), b.x()); }
+
+        [[nodiscard]] double high() const { return std::max(a.x(), b.x()); }
+
+        [[nodiscard]] bool passes(const FacePlace& place, double snap) const;
+        [[nodiscard]] bool crosses(const Placed& other) const;
+        [[nodiscard]] FacePlace crossing(const Placed& other) const;
+    };
+
+    struct PlacedNode {
+        FacePlace place;
+        int node;
+    };
+
+    struct FaceSegments {
+        int face = -1;
+        bool isResolved = false;
+        std::vector<ImprintSegment> segments{};                   // ascending
+        std::vector<std::pair<ImprintSegment, int>> divisions{};  // segments with their nodes
+    };
 
     bool resolveFace(int face);
-    bool divideAtNodes(int face, const std::vector<Placed>& segments);
-    bool divideAtCrossings(int face, const std::vector<Placed>& segments);
-    [[nodiscard]] std::vector<Placed> placed(int face) const;
+    void placeAll(int face);
+    bool divideAtNodes(int face);
+    bool divideAtCrossings(int face);
     int addCrossing(int face, const Placed& one, const Placed& other);
     /// False where the node is an end of the segment.
     bool divide(int face, ImprintSegment segment, int node);
@@ -69,10 +88,13 @@ private:
     const Surface& surface_;
     ImprintNodes& nodes_;
     const SnapDistances& snap_;
-    std::map<int, std::set<ImprintSegment>> segments_;        // by face
-    std::map<int, std::map<ImprintSegment, int>> divisions_;  // the node that divided a segment
-    std::set<int> unresolved_;
+    SparseMap<int> slotOf_;  // by face
+    std::vector<FaceSegments> slots_;
     double largestMove_ = 0.0;
+    // Of the face at hand; kept for their memory.
+    std::vector<Placed> placed_;
+    std::vector<PlacedNode> placedNodes_;
+    std::vector<int> listed_;
 };
 
 }  // namespace bspline_curve

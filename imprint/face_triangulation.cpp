@@ -24,15 +24,16 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 }  // namespace
 
-FaceTriangulation::FaceTriangulation(const std::array<Vec3, 3>& corners) {
-    const Vec3 first = corners[1] - corners[0];
-    const Vec3 second = corners[2] - corners[0];
+void FaceTriangulation::start(const Vec3& corner0, const Vec3& corner1, const Vec3& corner2) {
+    const Vec3 first = corner1 - corner0;
+    const Vec3 second = corner2 - corner0;
     const Vec3 axis = first.normalized();
     first_ = {first.norm(), 0.0};
     second_ = {second.dot(axis), first.cross(second).norm() / first.norm()};
     places_ = {FacePlace(0, 0, 0), FacePlace(1, 0, 0), FacePlace(0, 1, 0)};
     flat_ = {Eigen::Vector2d::Zero(), first_, second_};
     cellOf_ = {0, 0, 0};
+    cells_.clear();
     cells_.push_back({.points = {0, 1, 2}});
 }
 
@@ -343,12 +344,10 @@ void FaceTriangulation::addSegment(int a, int b) {
     restoreDelaunay(std::move(suspects));
 }
 
-std::vector<Triangle> FaceTriangulation::triangles() const {
-    std::vector<Triangle> triangles;
+void FaceTriangulation::appendTriangles(std::vector<Triangle>& triangles) const {
     for (const Cell& cell : cells_) {
         triangles.push_back(cell.points);
     }
-    return triangles;
 }
 
 }  // namespace bspline_curve

@@ -17,16 +17,17 @@ namespace bspline_curve {
 /// Points must be different, and no point may lie on a segment, nor two segments cross.
 class FaceTriangulation {
 public:
-    /// The corners are points 0, 1 and 2; `corners` gives the shape of the face.
-    explicit FaceTriangulation(const std::array<Vec3, 3>& corners);
+    /// Begins with a face, whose corners are points 0, 1 and 2. The memory of the face before is
+    /// used again.
+    void start(const Vec3& corner0, const Vec3& corner1, const Vec3& corner2);
 
     /// Adds a point and gives its number. O(1) to O(n) expected for the search.
     int addPoint(const FacePlace& place);
     /// Makes the segment between two points an edge. O(k) to O(k^2) for k edges that it crosses.
     void addSegment(int a, int b);
 
-    /// All triangles, with the face's orientation.
-    [[nodiscard]] std::vector<Triangle> triangles() const;
+    /// Appends all triangles, with the face's orientation.
+    void appendTriangles(std::vector<Triangle>& triangles) const;
 
 private:
     /// The side of a cell opposite to its point k; cell -1: none.

@@ -14,10 +14,10 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cstddef>
 #include <numeric>
-#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace bspline_curve {
@@ -58,23 +58,36 @@ public:
     [[nodiscard]] ImprintedMesh result() const;
 
 private:
+    /// The children of one face in `triangles_`.
+    struct Children {
+        int face, first, count;
+    };
+
     void addCurves();
     void numberVertices();
     void divideFaces();
-    [[nodiscard]] std::vector<Triangle> divided(int face) const;
+    void divide(int face);
+    [[nodiscard]] std::vector<int> touchedFaces() const;
+
+    [[nodiscard]] int vertexOf(int node) const { return node < 0 ? ~node : vertexOf_[node]; }
+
+    [[nodiscard]] const Vec3& position(int vertex) const;
     [[nodiscard]] bool isSound(int face, const Triangle& child) const;
     [[nodiscard]] int commonFaceOf(std::size_t curve, std::size_t point) const;
-    [[nodiscard]] ImprintedCurve imprintedCurve(const std::vector<CurvePiece>& pieces) const;
+    [[nodiscard]] ImprintedCurve imprintedCurve(std::size_t curve) const;
 
     const Surface& surface_;
     std::span<const SurfacePolyline> curves_;
     ImprintNodes nodes_;
     CurveArrangement arrangement_;
     std::vector<std::vector<CurvePiece>> pieces_;  // of each curve
-    std::vector<int> vertexOf_;                    // of each node
+    std::vector<int> vertexOf_;                    // of each node off the vertices
     std::vector<int> newNodes_;                    // the node of each new vertex
     std::vector<Vec3> newPositions_;
-    std::map<int, std::vector<Triangle>> children_;
+    FaceTriangulation triangulation_;
+    std::vector<int> nodesOfFace_;    // of the face at hand: the nodes of its points 3, 4, …
+    std::vector<Children> children_;  // by face, ascending
+    std::vector<Triangle> triangles_;
     std::vector<int> flatFaces_;
     double largestMove_ = 0.0;
 };
@@ -107,24 +120,20 @@ int Imprinter::commonFaceOf(std::size_t curve, std::size_t point) const {
 
 void Imprinter::addCurves() {
     // Points become nodes in an order that is not that of the curves.
-    std::vector<std::pair<std::size_t, std::size_t>> order;
+    // By face and barycentric coordinates; then the curve and its point.
+    std::vector<std::tuple<int, double, double, double, std::size_t, std::size_t>> places;
     std::vector<std::vector<int>> nodeOf(curves_.size());
     for (std::size_t c = 0; c < curves_.size(); ++c) {
         nodeOf[c].resize(curves_[c].surfacePoints.size());
         for (std::size_t i = 0; i < curves_[c].surfacePoints.size(); ++i) {
-            order.emplace_back(c, i);
+            const auto& [face, barycentric] = curves_[c].surfacePoints[i];
+            places.emplace_back(face, barycentric[0], barycentric[1], barycentric[2], c, i);
         }
     }
-    const auto key = [&](const std::pair<std::size_t, std::size_t>& each) {
-        const SurfacePoint& point = curves_[each.first].surfacePoints[each.second];
-        return std::tuple(
-            point.face, point.barycentric[0], point.barycentric[1], point.barycentric[2]
-        );
-    };
-    std::ranges::sort(order, {}, key);
-    for (const auto& [c, i] : order) {
+    std::ranges::sort(places);
+    for (const auto& [face, b0, b1, b2, c, i] : places) {
         const SurfacePoint& point = curves_[c].surfacePoints[i];
-        const int node = nodes_.add(point.face, point.barycentric);
+        const int node = nodes_.add(face, point.barycentric);
         nodeOf[c][i] = node;
         largestMove_ =
             std::max(largestMove_, (nodes_.position(node) - surface_.position(point)).norm());
@@ -142,118 +151,157 @@ void Imprinter::addCurves() {
 
 /// Numbers new vertices: those on edges by edge and along it, then those in faces.
 void Imprinter::numberVertices() {
-    vertexOf_.assign(nodes_.count(), -1);
-    std::vector<int> order(nodes_.count());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, {}, [&](int node) {
+    newNodes_.resize(nodes_.count());
+    std::iota(newNodes_.begin(), newNodes_.end(), 0);
+    std::ranges::sort(newNodes_, {}, [&](int node) {
         const ImprintNode& at = nodes_[node];
         return std::tuple(at.on, at.element, at.place.x(), at.place.y());
     });
-    for (const int node : order) {
-        if (nodes_[node].on == ImprintNode::On::Vertex) {
-            vertexOf_[node] = nodes_[node].element;
-        } else {
-            vertexOf_[node] = surface_.vertexCount() + static_cast<int>(newNodes_.size());
-            newNodes_.push_back(node);
-            newPositions_.push_back(nodes_.position(node));
-        }
+    vertexOf_.resize(newNodes_.size());
+    newPositions_.reserve(newNodes_.size());
+    for (const int node : newNodes_) {
+        vertexOf_[node] = surface_.vertexCount() + static_cast<int>(newPositions_.size());
+        newPositions_.push_back(nodes_.position(node));
     }
 }
 
-void Imprinter::divideFaces() {
-    std::set<int> touched;
-    for (const int face : arrangement_.faces()) {
-        touched.insert(face);
-    }
-    for (const int edge : nodes_.dividedEdges()) {
-        for (const int face : nodes_.facesOfEdge(edge)) {
-            if (face >= 0) {
-                touched.insert(face);
+/// Faces with segments in them or nodes on their sides, ascending.
+std::vector<int> Imprinter::touchedFaces() const {
+    std::vector<int> touched = arrangement_.faces();
+    for (int node = 0; node < nodes_.count(); ++node) {
+        if (nodes_[node].on == ImprintNode::On::Edge) {
+            for (const int face : nodes_.facesOfEdge(nodes_[node].element)) {
+                touched.push_back(face);
             }
         }
     }
-    for (const int face : touched) {
-        std::vector<Triangle> children = divided(face);
-        if (!std::ranges::all_of(children, [&](const Triangle& child) {
-                return isSound(face, child);
-            })) {
+    sortUnique(touched);
+    std::erase(touched, -1);
+    return touched;
+}
+
+void Imprinter::divideFaces() {
+    for (const int face : touchedFaces()) {
+        const std::size_t first = triangles_.size();
+        divide(face);
+        children_.push_back(
+            {face, static_cast<int>(first), static_cast<int>(triangles_.size() - first)}
+        );
+        if (!std::all_of(
+                triangles_.begin() + static_cast<std::ptrdiff_t>(first),
+                triangles_.end(),
+                [&](const Triangle& child) { return isSound(face, child); }
+            )) {
             flatFaces_.push_back(face);
         }
-        children_.emplace(face, std::move(children));
     }
 }
 
-/// The children of a face, the one at its first corner first.
-std::vector<Triangle> Imprinter::divided(int face) const {
+/// Appends the children of a face, the one at its first corner first.
+void Imprinter::divide(int face) {
     const Triangle& corners = surface_.faces()[face];
-    FaceTriangulation triangulation(
-        {surface_.vertices()[corners[0]],
-         surface_.vertices()[corners[1]],
-         surface_.vertices()[corners[2]]}
+    triangulation_.start(
+        surface_.vertices()[corners[0]],
+        surface_.vertices()[corners[1]],
+        surface_.vertices()[corners[2]]
     );
-    std::vector<int> vertices(corners.begin(), corners.end());
-    std::map<int, int> pointOf;
-    const auto add = [&](int node) {
-        pointOf.emplace(node, triangulation.addPoint(nodes_.placeIn(node, face)));
-        vertices.push_back(vertexOf_[node]);
-    };
+    nodesOfFace_.clear();
     for (int k = 0; k < 3; ++k) {
-        std::ranges::for_each(nodes_.onSide(face, k), add);
+        nodes_.appendOnSide(face, k, nodesOfFace_);
     }
-    std::ranges::for_each(nodes_.inside(face), add);
+    nodes_.appendInside(face, nodesOfFace_);
+    for (const int node : nodesOfFace_) {
+        triangulation_.addPoint(nodes_.placeIn(node, face));
+    }
+    constexpr int kCorners = 3;
     const auto pointAt = [&](int node) {
-        const auto found = pointOf.find(node);
-        return found != pointOf.end() ? found->second : cornerOf(corners, nodes_[node].element);
+        return node < 0
+                   ? cornerOf(corners, ~node)
+                   : kCorners + static_cast<int>(
+                                    std::ranges::find(nodesOfFace_, node) - nodesOfFace_.begin()
+                                );
     };
-    if (arrangement_.hasSegmentsIn(face)) {
-        for (const ImprintSegment& segment : arrangement_.segmentsIn(face)) {
-            triangulation.addSegment(pointAt(segment.a), pointAt(segment.b));
-        }
+    for (const ImprintSegment& segment : arrangement_.segmentsIn(face)) {
+        triangulation_.addSegment(pointAt(segment.a), pointAt(segment.b));
     }
-    std::vector<Triangle> children = triangulation.triangles();
+    const std::size_t first = triangles_.size();
+    triangulation_.appendTriangles(triangles_);
+    const std::span children = std::span(triangles_).subspan(first);
     for (Triangle& child : children) {
         std::ranges::rotate(child, std::ranges::min_element(child));
     }
     std::ranges::sort(children);
     for (Triangle& child : children) {
-        for (int& vertex : child) {
-            vertex = vertices[vertex];
+        for (int& point : child) {
+            point = point < kCorners ? corners.at(point) : vertexOf(nodesOfFace_[point - kCorners]);
         }
     }
-    return children;
+}
+
+const Vec3& Imprinter::position(int vertex) const {
+    const int old = surface_.vertexCount();
+    return vertex < old ? surface_.vertices()[vertex] : newPositions_[vertex - old];
 }
 
 /// Whether a child has area and its parent's orientation as its vertices are rounded.
 bool Imprinter::isSound(int face, const Triangle& child) const {
-    const auto at = [&](int vertex) -> const Vec3& {
-        const int old = surface_.vertexCount();
-        return vertex < old ? surface_.vertices()[vertex] : newPositions_[vertex - old];
-    };
     const Triangle& corners = surface_.faces()[face];
-    const Vec3 &a = at(corners[0]), &b = at(corners[1]), &c = at(corners[2]);
+    const Vec3 &a = position(corners[0]), &b = position(corners[1]), &c = position(corners[2]);
+    const Vec3 &p = position(child[0]), &q = position(child[1]), &r = position(child[2]);
     const Vec3 normal = (b - a).cross(c - a);
-    const Vec3 own = (at(child[1]) - at(child[0])).cross(at(child[2]) - at(child[0]));
+    const Vec3 own = (q - p).cross(r - p);
     Eigen::Index axis = 0;
     normal.cwiseAbs().maxCoeff(&axis);
     const int dropped = static_cast<int>(axis);
-    const int sign = projectedOrientationSign(a, b, c, dropped);
-    return projectedOrientationSign(at(child[0]), at(child[1]), at(child[2]), dropped) == sign &&
+    return projectedOrientationSign(p, q, r, dropped) ==
+               projectedOrientationSign(a, b, c, dropped) &&
            normal.dot(own) > kLeastCosine * normal.norm() * own.norm();
 }
 
-ImprintedCurve Imprinter::imprintedCurve(const std::vector<CurvePiece>& pieces) const {
+ImprintedCurve Imprinter::imprintedCurve(std::size_t curve) const {
+    const std::vector<CurvePiece>& pieces = pieces_[curve];
     std::vector<int> path{pieces.front().from};
     for (const CurvePiece& piece : pieces) {
         arrangement_.appendPath(piece.face, piece.from, piece.to, path);
     }
-    ImprintedCurve curve;
+    ImprintedCurve result{.closed = curves_[curve].closed, .vertices = {}};
     for (const int node : path) {
-        const int vertex = vertexOf_[node];
-        if (curve.vertices.empty() || curve.vertices.back() != vertex) {
-            curve.vertices.push_back(vertex);
+        const int vertex = vertexOf(node);
+        if (result.vertices.empty() || result.vertices.back() != vertex) {
+            result.vertices.push_back(vertex);
         }
     }
-    return curve;
+    if (result.closed && result.vertices.size() > 1 &&
+        result.vertices.front() == result.vertices.back()) {
+        result.vertices.pop_back();
+    }
+    return result;
+}
+
+/// Vertices where more than two edges of curves meet, ascending.
+std::vector<int> crossingsOf(const std::vector<ImprintedCurve>& curves) {
+    std::vector<std::array<int, 2>> edges;
+    for (const auto& [closed, vertices] : curves) {
+        const std::size_t count = vertices.size();
+        for (std::size_t i = 0; i + 1 < count + (closed ? 1 : 0); ++i) {
+            const auto [low, high] = std::minmax(vertices[i], vertices[(i + 1) % count]);
+            edges.push_back({low, high});
+        }
+    }
+    sortUnique(edges);
+    std::vector<int> ends;
+    for (const auto& [low, high] : edges) {
+        ends.insert(ends.end(), {low, high});
+    }
+    std::ranges::sort(ends);
+    std::vector<int> crossings;
+    for (std::size_t i = 2; i < ends.size(); ++i) {
+        if (ends[i] == ends[i - 2]) {
+            crossings.push_back(ends[i]);
+        }
+    }
+    sortUnique(crossings);
+    return crossings;
 }
 
 ImprintedMesh Imprinter::result() const {
@@ -263,56 +311,35 @@ ImprintedMesh Imprinter::result() const {
     result.mesh.vertices.insert(
         result.mesh.vertices.end(), newPositions_.begin(), newPositions_.end()
     );
-    std::size_t more = 0;
-    for (const auto& [face, children] : children_) {
-        more += children.size() - 1;
-        result.dividedFaces += children.size() > 1 ? 1 : 0;
-    }
-    result.mesh.faces.reserve(surface_.faces().size() + more);
-    result.parents.reserve(surface_.faces().size() + more);
+    const std::size_t faceCount = surface_.faces().size() + triangles_.size() - children_.size();
+    result.mesh.faces.reserve(faceCount);
+    result.parents.reserve(faceCount);
+    int next = 0;
     const auto keepUntil = [&](int end) {
-        const int begin = result.parents.empty() ? 0 : result.parents.back() + 1;
         result.mesh.faces.insert(
-            result.mesh.faces.end(),
-            surface_.faces().begin() + begin,
-            surface_.faces().begin() + end
+            result.mesh.faces.end(), surface_.faces().begin() + next, surface_.faces().begin() + end
         );
-        result.parents.resize(result.mesh.faces.size());
-        std::iota(result.parents.end() - (end - begin), result.parents.end(), begin);
+        for (; next < end; ++next) {
+            result.parents.push_back(next);
+        }
     };
-    for (const auto& [face, children] : children_) {
+    for (const auto& [face, first, count] : children_) {
         keepUntil(face);
-        result.mesh.faces.insert(result.mesh.faces.end(), children.begin(), children.end());
+        const auto children = triangles_.begin() + first;
+        result.mesh.faces.insert(result.mesh.faces.end(), children, children + count);
         result.parents.resize(result.mesh.faces.size(), face);
+        result.dividedFaces += count > 1 ? 1 : 0;
+        next = face + 1;
     }
     keepUntil(surface_.faceCount());
+    result.newVertices.reserve(newNodes_.size());
     for (const int node : newNodes_) {
         result.newVertices.push_back(nodes_.surfacePoint(node));
     }
-    std::set<std::pair<int, int>> edges;
     for (std::size_t c = 0; c < pieces_.size(); ++c) {
-        ImprintedCurve curve = imprintedCurve(pieces_[c]);
-        curve.closed = curves_[c].closed;
-        if (curve.closed && curve.vertices.size() > 1 &&
-            curve.vertices.front() == curve.vertices.back()) {
-            curve.vertices.pop_back();
-        }
-        const std::size_t count = curve.vertices.size();
-        for (std::size_t i = 0; i + 1 < count + (curve.closed ? 1 : 0); ++i) {
-            edges.insert(std::minmax(curve.vertices[i], curve.vertices[(i + 1) % count]));
-        }
-        result.curves.push_back(std::move(curve));
+        result.curves.push_back(imprintedCurve(c));
     }
-    std::map<int, int> meeting;
-    for (const auto& [a, b] : edges) {
-        ++meeting[a];
-        ++meeting[b];
-    }
-    for (const auto& [vertex, count] : meeting) {
-        if (count > 2) {
-            result.crossings.push_back(vertex);
-        }
-    }
+    result.crossings = crossingsOf(result.curves);
     result.largestMove = std::max(largestMove_, arrangement_.largestMove());
     return result;
 }

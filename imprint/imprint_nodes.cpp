@@ -4,13 +4,50 @@
 #include "surface/surface_point.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace bspline_curve {
 
+namespace {
+
+/// Rounds a barycentric coordinate, or a share of an edge, to a multiple of 2^-52.
 double onGrid(double share) {
     constexpr double kCells = 0x1p52;
     return std::nearbyint(share * kCells) / kCells;
+}
+
+FacePlace cornerPlace(int k) {
+    return {k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0, 0.0};
+}
+
+}  // namespace
+
+std::span<const ImprintNodes::Share> ImprintNodes::Lists::at(int element) const {
+    const int* list = listOf_.find(element);
+    return list != nullptr ? std::span<const Share>(lists_[*list]) : std::span<const Share>();
+}
+
+template <class Near>
+int ImprintNodes::Lists::find(int element, double share, double snap, const Near& isNear) const {
+    const std::span<const Share> list = at(element);
+    for (auto near = std::ranges::lower_bound(list, share - snap, {}, &Share::share);
+         near != list.end() && near->share <= share + snap;
+         ++near) {
+        if (isNear(near->node)) {
+            return near->node;
+        }
+    }
+    return -1;
+}
+
+void ImprintNodes::Lists::insert(int element, Share share) {
+    const int index = listOf_.at(element, static_cast<int>(lists_.size()));
+    if (index == static_cast<int>(lists_.size())) {
+        lists_.emplace_back();
+    }
+    std::vector<Share>& list = lists_[index];
+    list.insert(std::ranges::upper_bound(list, share.share, {}, &Share::share), share);
 }
 
 int ImprintNodes::edgeOf(int face, int k) const {
@@ -18,23 +55,19 @@ int ImprintNodes::edgeOf(int face, int k) const {
     if (next < 0 || next > face) {
         return 3 * face + k;
     }
-    // The corner of the neighbour that is not on the side; two faces may share two sides.
+    // By the vertices, since two faces may share two sides.
     const int first = surface_.faces()[face][(k + 1) % 3];
-    const Triangle& other = surface_.faces()[next];
-    return 3 * next + (cornerOf(other, first) + 1) % 3;
+    return 3 * next + (cornerOf(surface_.faces()[next], first) + 1) % 3;
 }
 
 std::array<int, 2> ImprintNodes::facesOfEdge(int edge) const {
     return {edge / 3, surface_.faceNeighbours()[edge / 3][edge % 3]};
 }
 
-int ImprintNodes::addAtVertex(int vertex) {
-    int& node = atVertex_.at(vertex, -1);
-    if (node < 0) {
-        node = count();
-        nodes_.push_back({.on = ImprintNode::On::Vertex, .element = vertex});
-    }
-    return node;
+int ImprintNodes::append(const ImprintNode& node, Lists& lists) {
+    lists.insert(node.element, {node.place.x(), count()});
+    nodes_.push_back(node);
+    return count() - 1;
 }
 
 int ImprintNodes::addOnEdge(int face, int k, double share) {
@@ -44,19 +77,16 @@ int ImprintNodes::addOnEdge(int face, int k, double share) {
     const double fromStart = onGrid(edge == 3 * face + k ? share : 1.0 - share);
     if (fromStart <= snap || fromStart >= 1.0 - snap) {
         const int corner = (edge % 3 + (fromStart < 0.5 ? 1 : 2)) % 3;
-        return addAtVertex(surface_.faces()[edge / 3][corner]);
+        return ~surface_.faces()[edge / 3][corner];
     }
-    Shares& shares = onEdge_[edge];
-    for (auto near = shares.lower_bound(fromStart - snap);
-         near != shares.end() && near->first <= fromStart + snap;
-         ++near) {
-        return near->second;
+    const int near = onEdge_.find(edge, fromStart, snap, [](int) { return true; });
+    if (near >= 0) {
+        return near;
     }
-    shares.emplace(fromStart, count());
-    nodes_.push_back(
-        {.on = ImprintNode::On::Edge, .element = edge, .place = FacePlace(fromStart, 0.0, 0.0)}
+    return append(
+        {.on = ImprintNode::On::Edge, .element = edge, .place = FacePlace(fromStart, 0.0, 0.0)},
+        onEdge_
     );
-    return count() - 1;
 }
 
 int ImprintNodes::add(int face, const Vec3& barycentric) {
@@ -67,7 +97,7 @@ int ImprintNodes::add(int face, const Vec3& barycentric) {
     barycentric.minCoeff(&smallest);
     barycentric.maxCoeff(&largest);
     if (barycentric[largest] >= 1.0 - snap) {
-        return addAtVertex(surface_.faces()[face][largest]);
+        return ~surface_.faces()[face][largest];
     }
     if (barycentric[smallest] <= snap) {
         const auto k = static_cast<int>(smallest);
@@ -76,130 +106,73 @@ int ImprintNodes::add(int face, const Vec3& barycentric) {
         return addOnEdge(face, k, after / (before + after));
     }
     const FacePlace place(onGrid(barycentric[1]), onGrid(barycentric[2]), 0.0);
-    Shares& places = inFace_[face];
-    for (auto near = places.lower_bound(place.x() - snap);
-         near != places.end() && near->first <= place.x() + snap;
-         ++near) {
-        if (std::abs(nodes_[near->second].place.y() - place.y()) <= snap) {
-            return near->second;
-        }
+    const int near = inFace_.find(face, place.x(), snap, [&](int node) {
+        return std::abs(nodes_[node].place.y() - place.y()) <= snap;
+    });
+    if (near >= 0) {
+        return near;
     }
-    places.emplace(place.x(), count());
-    nodes_.push_back({.on = ImprintNode::On::Face, .element = face, .place = place});
-    return count() - 1;
+    return append({.on = ImprintNode::On::Face, .element = face, .place = place}, inFace_);
 }
 
-bool ImprintNodes::isOnSide(int node, int face, int k) const {
-    const ImprintNode& at = nodes_[node];
-    switch (at.on) {
-        case ImprintNode::On::Vertex: {
-            const int corner = cornerOf(surface_.faces()[face], at.element);
-            return corner >= 0 && corner != k;
-        }
-        case ImprintNode::On::Edge:
-            return at.element == edgeOf(face, k);
-        case ImprintNode::On::Face:
-            return false;
+/// The sides of a face that hold a node, bit k for the one opposite to corner k.
+unsigned ImprintNodes::sidesOf(int node, int face) const {
+    if (node < 0) {
+        const int corner = cornerOf(surface_.faces()[face], ~node);
+        constexpr unsigned kAll = 7;
+        return kAll & ~(1U << static_cast<unsigned>(corner));
     }
-    return false;
+    const ImprintNode& at = nodes_[node];
+    unsigned sides = 0;
+    for (unsigned k = 0; k < 3 && at.on == ImprintNode::On::Edge; ++k) {
+        sides |= edgeOf(face, static_cast<int>(k)) == at.element ? 1U << k : 0U;
+    }
+    return sides;
 }
 
 int ImprintNodes::commonSide(int a, int b, int face) const {
-    for (int k = 0; k < 3; ++k) {
-        if (isOnSide(a, face, k) && isOnSide(b, face, k)) {
-            return k;
-        }
-    }
-    return -1;
-}
-
-bool ImprintNodes::isIn(int node, int face) const {
-    const ImprintNode& at = nodes_[node];
-    return at.on == ImprintNode::On::Face ? at.element == face : commonSide(node, node, face) >= 0;
+    const unsigned sides = sidesOf(a, face) & sidesOf(b, face);
+    return sides == 0 ? -1 : std::countr_zero(sides);
 }
 
 FacePlace ImprintNodes::placeIn(int node, int face) const {
-    constexpr std::array<std::array<double, 2>, 3> kCorners{{{0, 0}, {1, 0}, {0, 1}}};
-    const auto corner = [&](int k) { return FacePlace(kCorners.at(k)[0], kCorners.at(k)[1], 0.0); };
-    const ImprintNode& at = nodes_[node];
-    switch (at.on) {
-        case ImprintNode::On::Vertex:
-            return corner(cornerOf(surface_.faces()[face], at.element));
-        case ImprintNode::On::Edge: {
-            int k = 0;
-            while (edgeOf(face, k) != at.element) {
-                ++k;
-            }
-            const bool isSame = at.element == 3 * face + k;
-            const double share = isSame ? at.place.x() : 1.0 - at.place.x();
-            return (1.0 - share) * corner((k + 1) % 3) + share * corner((k + 2) % 3);
-        }
-        case ImprintNode::On::Face:
-            return at.place;
+    if (node < 0) {
+        return cornerPlace(cornerOf(surface_.faces()[face], ~node));
     }
-    return at.place;
+    const ImprintNode& at = nodes_[node];
+    if (at.on == ImprintNode::On::Face) {
+        return at.place;
+    }
+    const int k = std::countr_zero(sidesOf(node, face));
+    const double share = at.element == 3 * face + k ? at.place.x() : 1.0 - at.place.x();
+    return (1.0 - share) * cornerPlace((k + 1) % 3) + share * cornerPlace((k + 2) % 3);
 }
 
-std::vector<int> ImprintNodes::onSide(int face, int k) const {
-    std::vector<int> nodes;
+void ImprintNodes::appendOnSide(int face, int k, std::vector<int>& nodes) const {
     const int edge = edgeOf(face, k);
-    const auto found = onEdge_.find(edge);
-    if (found != onEdge_.end()) {
-        for (const auto& [share, node] : found->second) {
-            nodes.push_back(node);
-        }
+    const std::size_t before = nodes.size();
+    for (const Share& share : onEdge_.at(edge)) {
+        nodes.push_back(share.node);
     }
     if (edge != 3 * face + k) {
-        std::ranges::reverse(nodes);
+        std::reverse(nodes.begin() + static_cast<std::ptrdiff_t>(before), nodes.end());
     }
-    return nodes;
 }
 
-std::vector<int> ImprintNodes::inside(int face) const {
-    std::vector<int> nodes;
-    const auto found = inFace_.find(face);
-    if (found != inFace_.end()) {
-        for (const auto& [x, node] : found->second) {
-            nodes.push_back(node);
-        }
+void ImprintNodes::appendInside(int face, std::vector<int>& nodes) const {
+    for (const Share& share : inFace_.at(face)) {
+        nodes.push_back(share.node);
     }
-    return nodes;
-}
-
-std::vector<int> ImprintNodes::allIn(int face) {
-    std::vector<int> nodes = inside(face);
-    for (int k = 0; k < 3; ++k) {
-        const std::vector<int> side = onSide(face, k);
-        nodes.insert(nodes.end(), side.begin(), side.end());
-        nodes.push_back(addCorner(face, k));
-    }
-    return nodes;
 }
 
 SurfacePoint ImprintNodes::surfacePoint(int node) const {
     const ImprintNode& at = nodes_[node];
-    int face = at.element;
-    if (at.on == ImprintNode::On::Vertex) {
-        face = *surface_.facesAround(at.element).begin();
-    } else if (at.on == ImprintNode::On::Edge) {
-        face = at.element / 3;
-    }
-    const FacePlace place = placeIn(node, face);
-    return {.face = face, .barycentric = Vec3(1.0 - place.x() - place.y(), place.x(), place.y())};
+    const int face = at.on == ImprintNode::On::Edge ? at.element / 3 : at.element;
+    return {.face = face, .barycentric = barycentricAt(placeIn(node, face))};
 }
 
 Vec3 ImprintNodes::position(int node) const {
-    const ImprintNode& at = nodes_[node];
-    return at.on == ImprintNode::On::Vertex ? surface_.vertices()[at.element]
-                                            : surface_.position(surfacePoint(node));
-}
-
-std::vector<int> ImprintNodes::dividedEdges() const {
-    std::vector<int> edges;
-    for (const auto& [edge, shares] : onEdge_) {
-        edges.push_back(edge);
-    }
-    return edges;
+    return node < 0 ? surface_.vertices()[~node] : surface_.position(surfacePoint(node));
 }
 
 }  // namespace bspline_curve
