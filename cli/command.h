@@ -31,6 +31,9 @@ void printError(const std::string& message);
 /// The verb without a name: one curve through picks on a mesh.
 [[nodiscard]] ExitCode runCurve(Arguments arguments);
 
+/// The verb cut: the mesh opened along curves, whole or in parts.
+[[nodiscard]] ExitCode runCut(Arguments arguments);
+
 /// The verb field: values at the vertices of a mesh that curves can follow or avoid.
 [[nodiscard]] ExitCode runField(Arguments arguments);
 
@@ -39,6 +42,9 @@ void printError(const std::string& message);
 
 /// The verb offset: curves at a distance from a curve, along the surface.
 [[nodiscard]] ExitCode runOffset(Arguments arguments);
+
+/// The verb segment: labels, colours and measures of the parts between curves.
+[[nodiscard]] ExitCode runSegment(Arguments arguments);
 
 /// The verb shell: the shell of a mesh, to look at, to check and to use elsewhere.
 [[nodiscard]] ExitCode runShell(Arguments arguments);

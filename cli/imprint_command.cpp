@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve imprint MESH --curve FILE …: curves as edges of the mesh.
-#include "bspline_curve/progress.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
-#include "cli/mesh_input.h"
+#include "cli/imprint_input.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"
-#include "cli/value_checks.h"
 #include "cli/verb.h"
-#include "imprint/imprint.h"
-#include "imprint/mesh_parts.h"
 #include "io/atomic_file.h"
-#include "io/curve_reader.h"
 #include "io/imprint_writer.h"
 #include "io/mesh_writer.h"
-#include "utility/stopwatch.h"
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <list>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,26 +22,15 @@ namespace bspline_curve::cli {
 namespace {
 
 struct ImprintArguments {
-    std::filesystem::path mesh, output;
-    std::vector<std::filesystem::path> curves;
+    ImprintInput input;
+    std::filesystem::path output;
     std::filesystem::path map, report;  ///< empty: none asked for
-    ImprintOptions imprint;
 };
 
 class ImprintParser {
 public:
     ImprintParser() {
-        app_.add_option("MESH", arguments_.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
-            ->required()
-            ->type_name("");
-        app_.add_option(
-                "--curve",
-                arguments_.curves,
-                "Curve on this mesh, as this program writes it: .json; may be given again"
-        )
-            ->required()
-            ->allow_extra_args(false)
-            ->type_name("FILE.json");
+        addImprintOptions(app_, arguments_.input);
         app_.add_option(
                 "--output",
                 arguments_.output,
@@ -64,15 +45,6 @@ public:
             ->type_name("FILE.json");
         app_.add_option("--report", arguments_.report, "Write counts, parts, moves and times")
             ->type_name("FILE.json");
-        app_.add_option(
-                "--snap",
-                arguments_.imprint.snap,
-                "Take points as one that are nearer than this, relative to the altitudes of a "
-                "face; 0: only where they are one"
-        )
-            ->check(Interval<double>{.low = 0.0, .high = 0.01}.validator())
-            ->capture_default_str()
-            ->type_name("NUMBER");
     }
 
     /// Throws CLI::ParseError.
@@ -102,33 +74,10 @@ ExitCode imprintCurves(const ImprintArguments& arguments, ProgressBar& bar) {
             checkWritable(file);
         }
     }
-    Stopwatch watch;
-    ImprintFigures figures{.snap = arguments.imprint.snap};
-    bar.show(0.0, "reading");
-    constexpr bool kStrict = true;  // vertices and faces must stay those of the file
-    MeshFile file = readInputMesh(arguments.mesh, kStrict);
-    figures.readSeconds = watch.lap();
-    const Surface surface(std::move(file.mesh));
-    figures.surfaceSeconds = watch.lap();
-    std::vector<SurfacePolyline> curves;
-    for (const std::filesystem::path& curve : arguments.curves) {
-        curves.push_back(readCurve(curve, surface));
-    }
-    figures.readSeconds += watch.lap();
-    if (interrupted()) {
-        throw Cancelled();
-    }
-    bar.show(0.4, "imprinting");
-    const ImprintedMesh imprinted = imprint(surface, curves, arguments.imprint);
-    figures.imprintSeconds = watch.lap();
-    if (interrupted()) {
-        throw Cancelled();
-    }
+    const ImprintedFile file = readAndImprint(arguments.input, bar);
+    const auto& [imprinted, parts, inputQuality, quality, figures] = file;
+    throwIfInterrupted();
     bar.show(0.7, "writing");
-    const MeshParts parts = partsOf(imprinted);
-    const std::vector<double> quality =
-        file.quality.empty() ? std::vector<double>()
-                             : interpolated(imprinted, surface.faces(), file.quality);
     // All files appear, or none.
     std::list<AtomicFile> files;
     files.emplace_back(
@@ -138,7 +87,7 @@ ExitCode imprintCurves(const ImprintArguments& arguments, ProgressBar& bar) {
         )
     );
     if (!arguments.map.empty()) {
-        files.emplace_back(arguments.map, imprintMapBytes(imprinted, parts, file.quality, quality));
+        files.emplace_back(arguments.map, imprintMapBytes(imprinted, parts, inputQuality, quality));
     }
     if (!arguments.report.empty()) {
         files.emplace_back(arguments.report, imprintReportBytes(imprinted, parts, figures));

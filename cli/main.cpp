@@ -28,9 +28,11 @@ struct Verb {
 constexpr std::array kVerbs{
     Verb{.name = "batch", .run = runBatch},
     Verb{.name = "curve", .run = runCurve},
+    Verb{.name = "cut", .run = runCut},
     Verb{.name = "field", .run = runField},
     Verb{.name = "imprint", .run = runImprint},
     Verb{.name = "offset", .run = runOffset},
+    Verb{.name = "segment", .run = runSegment},
     Verb{.name = "shell", .run = runShell}
 };
 

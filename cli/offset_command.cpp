@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
+#include "cli/numbered_file.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"
 #include "cli/value_checks.h"
@@ -111,21 +112,6 @@ private:
     std::string side_ = "both";
 };
 
-/// FILE.ply, FILE-2.ply, …; also FILE-2.bspline.dxf.
-std::filesystem::path numbered(const std::filesystem::path& file, std::size_t index) {
-    if (index == 0) {
-        return file;
-    }
-    const std::string name = file.filename().string();
-    std::size_t end = name.size() - file.extension().string().size();
-    const std::string bspline = ".bspline";
-    if (end >= bspline.size() && name.compare(end - bspline.size(), bspline.size(), bspline) == 0) {
-        end -= bspline.size();
-    }
-    return file.parent_path() /
-           (name.substr(0, end) + "-" + std::to_string(index + 1) + name.substr(end));
-}
-
 ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
     checkCurveExtension(arguments.output);
     checkWritable(arguments.output);
@@ -162,7 +148,7 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
     // All files appear, or none.
     std::list<AtomicFile> files;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const std::filesystem::path file = numbered(arguments.output, i);
+        const std::filesystem::path file = numberedFile(arguments.output, i);
         const Curve piece{
             .polyline = pieces[i], .spline = polygonSpline(pieces[i]), .report = {}, .shell = {}
         };
@@ -181,7 +167,7 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
     }
     if (pieces.size() > 1) {
         std::cerr << "bspline_curve: the offset has " << pieces.size() << " pieces, the last in "
-                  << numbered(arguments.output, pieces.size() - 1).string() << '\n';
+                  << numberedFile(arguments.output, pieces.size() - 1).string() << '\n';
     }
     return ExitCode::Success;
 }

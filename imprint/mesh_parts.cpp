@@ -32,16 +32,17 @@ std::vector<std::array<int, 2>> curveEdges(const ImprintedMesh& imprinted) {
 
 namespace {
 
-/// The faces at curves, and the fans into which curves part those around each vertex.
-class CurveFans {
+/// The faces at some edges, and the fans into which these edges part those around each vertex.
+class EdgeFans {
 public:
-    explicit CurveFans(const ImprintedMesh& imprinted)
-        : edges_(curveEdges(imprinted)),
-          isOnCurve_(imprinted.mesh.vertices.size(), 0),
-          near_(nearFaces(imprinted.mesh.faces)),
+    EdgeFans(const TriangleMesh& mesh, const std::vector<std::array<int, 2>>& edges)
+        : mesh_(mesh),
+          edges_(edges),
+          isOnEdge_(mesh.vertices.size(), 0),
+          near_(nearFaces(mesh.faces)),
           corners_(3 * near_.size()) {
         for (const int face : near_) {
-            triangles_.push_back(imprinted.mesh.faces[face]);
+            triangles_.push_back(mesh.faces[face]);
         }
         forEachEdge(sortedHalfEdges(triangles_), [&](std::span<const HalfEdge> sides) {
             const std::array<int, 2> edge{sides[0].low, sides[0].high};
@@ -54,8 +55,8 @@ public:
     }
 
     /// Gives each fan but the first of a vertex a copy of it.
-    [[nodiscard]] CutMesh open(const ImprintedMesh& imprinted) {
-        CutMesh cut{.mesh = imprinted.mesh, .origin = std::vector<int>(isOnCurve_.size())};
+    [[nodiscard]] CutMesh open() {
+        CutMesh cut{.mesh = mesh_, .origin = std::vector<int>(isOnEdge_.size())};
         std::iota(cut.origin.begin(), cut.origin.end(), 0);
         std::vector<int> vertexOfFan(3 * near_.size(), -1);
         int before = -1;
@@ -63,13 +64,13 @@ public:
             vertexOfFan[fan] = vertex;
             if (vertex == before) {
                 vertexOfFan[fan] = static_cast<int>(cut.mesh.vertices.size());
-                cut.mesh.vertices.push_back(imprinted.mesh.vertices[vertex]);
+                cut.mesh.vertices.push_back(mesh_.vertices[vertex]);
                 cut.origin.push_back(vertex);
             }
             before = vertex;
         }
         for (int corner = 0; corner < cornerCount(); ++corner) {
-            if (isOnCurve_[vertexAt(corner)] != 0) {
+            if (isOnEdge_[vertexAt(corner)] != 0) {
                 cut.mesh.faces[near_[corner / 3]].at(corner % 3) =
                     vertexOfFan[corners_.find(corner)];
             }
@@ -80,10 +81,10 @@ public:
 private:
     std::vector<int> nearFaces(const std::vector<Triangle>& faces) {
         for (const auto& [low, high] : edges_) {
-            isOnCurve_[low] = isOnCurve_[high] = 1;
+            isOnEdge_[low] = isOnEdge_[high] = 1;
         }
         return indicesWhere<int>(faces.size(), [&](std::size_t f) {
-            return std::ranges::any_of(faces[f], [&](int v) { return isOnCurve_[v] != 0; });
+            return std::ranges::any_of(faces[f], [&](int v) { return isOnEdge_[v] != 0; });
         });
     }
 
@@ -97,11 +98,11 @@ private:
         return 3 * side.face + (triangles_[side.face][next] == end ? next : (side.k + 2) % 3);
     }
 
-    /// The fans at vertices of curves as (vertex, first corner), ascending.
+    /// The fans at vertices of the edges as (vertex, first corner), ascending.
     [[nodiscard]] std::vector<std::pair<int, int>> fans() {
         std::vector<std::pair<int, int>> fans;
         for (int corner = 0; corner < cornerCount(); ++corner) {
-            if (isOnCurve_[vertexAt(corner)] != 0 && corners_.find(corner) == corner) {
+            if (isOnEdge_[vertexAt(corner)] != 0 && corners_.find(corner) == corner) {
                 fans.emplace_back(vertexAt(corner), corner);
             }
         }
@@ -109,17 +110,22 @@ private:
         return fans;
     }
 
-    std::vector<std::array<int, 2>> edges_;
-    std::vector<char> isOnCurve_;  // by vertex
-    std::vector<int> near_;        // faces with a vertex on a curve
+    const TriangleMesh& mesh_;
+    const std::vector<std::array<int, 2>>& edges_;
+    std::vector<char> isOnEdge_;  // by vertex
+    std::vector<int> near_;       // faces with such a vertex
     std::vector<Triangle> triangles_;
     DisjointSets corners_;  // 3 f + k for near face f; those of one fan are one set
 };
 
 }  // namespace
 
+CutMesh cutAlongEdges(const TriangleMesh& mesh, const std::vector<std::array<int, 2>>& edges) {
+    return EdgeFans(mesh, edges).open();
+}
+
 CutMesh cutAlongCurves(const ImprintedMesh& imprinted) {
-    return CurveFans(imprinted).open(imprinted);
+    return cutAlongEdges(imprinted.mesh, curveEdges(imprinted));
 }
 
 namespace {
@@ -200,10 +206,13 @@ MeshParts partsOf(const ImprintedMesh& imprinted) {
     return result;
 }
 
-SubMesh facesWithLabel(const TriangleMesh& mesh, const std::vector<int>& labels, int label) {
+SubMesh facesWithLabels(
+    const TriangleMesh& mesh, const std::vector<int>& labels, const std::vector<int>& chosen
+) {
     SubMesh part;
-    part.faces =
-        indicesWhere<int>(labels.size(), [&](std::size_t f) { return labels[f] == label; });
+    part.faces = indicesWhere<int>(labels.size(), [&](std::size_t f) {
+        return std::ranges::binary_search(chosen, labels[f]);
+    });
     std::vector<int> newVertex(mesh.vertices.size(), -1);
     for (const int face : part.faces) {
         for (const int vertex : mesh.faces[face]) {

@@ -3,6 +3,7 @@
 
 #include "imprint/imprint.h"
 
+#include <array>
 #include <vector>
 
 namespace bspline_curve {
@@ -42,6 +43,11 @@ struct CutMesh {
 
 [[nodiscard]] CutMesh cutAlongCurves(const ImprintedMesh& imprinted);
 
+/// Likewise along any edges of a mesh, each (lower, higher vertex), ascending.
+[[nodiscard]] CutMesh cutAlongEdges(
+    const TriangleMesh& mesh, const std::vector<std::array<int, 2>>& edges
+);
+
 /// Some faces of a mesh with the vertices that they use, in order. O(n).
 struct SubMesh {
     TriangleMesh mesh;
@@ -49,8 +55,9 @@ struct SubMesh {
     std::vector<int> faces;     ///< likewise for faces
 };
 
-[[nodiscard]] SubMesh facesWithLabel(
-    const TriangleMesh& mesh, const std::vector<int>& labels, int label
+/// The faces whose label is one of `chosen` (ascending).
+[[nodiscard]] SubMesh facesWithLabels(
+    const TriangleMesh& mesh, const std::vector<int>& labels, const std::vector<int>& chosen
 );
 
 }  // namespace bspline_curve

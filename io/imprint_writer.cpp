@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/imprint_writer.h"
 
+#include "io/csv.h"
+#include "io/number_text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace bspline_curve {
@@ -47,9 +50,11 @@ std::string imprintMapBytes(
     return map.dump() + "\n";
 }
 
-std::string imprintReportBytes(
-    const ImprintedMesh& imprinted, const MeshParts& parts, const ImprintFigures& figures
-) {
+namespace {
+
+constexpr int kIndent = 2;
+
+Json listOf(const MeshParts& parts) {
     Json list = Json::array();
     for (const MeshPart& part : parts.parts) {
         list.push_back({
@@ -60,7 +65,13 @@ std::string imprintReportBytes(
             {"euler", part.euler},
         });
     }
-    const Json report{
+    return list;
+}
+
+Json reportOf(
+    const ImprintedMesh& imprinted, const MeshParts& parts, const ImprintFigures& figures
+) {
+    return {
         {"curves", imprinted.curves.size()},
         {"vertices", imprinted.mesh.vertices.size()},
         {"new_vertices", imprinted.newVertices.size()},
@@ -69,14 +80,56 @@ std::string imprintReportBytes(
         {"crossings", imprinted.crossings.size()},
         {"snap", figures.snap},
         {"largest_move", imprinted.largestMove},
-        {"parts", std::move(list)},
+        {"parts", listOf(parts)},
         {"seconds",
          {{"read", figures.readSeconds},
           {"surface", figures.surfaceSeconds},
           {"imprint", figures.imprintSeconds}}},
     };
-    constexpr int kIndent = 2;
+}
+
+}  // namespace
+
+std::string imprintReportBytes(
+    const ImprintedMesh& imprinted, const MeshParts& parts, const ImprintFigures& figures
+) {
+    return reportOf(imprinted, parts, figures).dump(kIndent) + "\n";
+}
+
+std::string cutReportBytes(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const ImprintFigures& figures,
+    const CutFigures& cut
+) {
+    Json report = reportOf(imprinted, parts, figures);
+    report["doubled_vertices"] = cut.doubledVertices;
+    report["kept"] = cut.kept;
+    report["seconds"]["cut"] = cut.cutSeconds;
     return report.dump(kIndent) + "\n";
+}
+
+std::string partsCsv(const MeshParts& parts) {
+    std::string text = "part,faces,area,perimeter,centroid_x,centroid_y,centroid_z,euler\n";
+    for (std::size_t i = 0; i < parts.parts.size(); ++i) {
+        const MeshPart& part = parts.parts[i];
+        const std::vector<std::string> fields{
+            std::to_string(i),
+            std::to_string(part.faces),
+            numberText(part.area),
+            numberText(part.perimeter),
+            numberText(part.centroid.x()),
+            numberText(part.centroid.y()),
+            numberText(part.centroid.z()),
+            std::to_string(part.euler),
+        };
+        text += csvLine(fields);
+    }
+    return text;
+}
+
+std::string partsJson(const MeshParts& parts) {
+    return Json{{"parts", listOf(parts)}}.dump(kIndent) + "\n";
 }
 
 }  // namespace bspline_curve

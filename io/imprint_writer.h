@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -15,6 +16,13 @@ struct ImprintFigures {
     double surfaceSeconds = 0.0;  ///< validation and adjacency
     double imprintSeconds = 0.0;  ///< surface and curves in memory to arrays
     double snap = 0.0;            ///< as asked for
+};
+
+/// How a cut came about, for its report.
+struct CutFigures {
+    int doubledVertices = 0;  ///< copies of vertices on curves
+    double cutSeconds = 0.0;  ///< imprint to opened mesh and chosen parts
+    std::vector<int> kept;    ///< parts that are written, ascending
 };
 
 /// JSON: where each face and vertex of an imprinted mesh comes from. Keys: parents (per face),
@@ -31,5 +39,20 @@ struct ImprintFigures {
 [[nodiscard]] std::string imprintReportBytes(
     const ImprintedMesh& imprinted, const MeshParts& parts, const ImprintFigures& figures
 );
+
+/// JSON: that of the imprint, and vertices doubled, parts kept.
+[[nodiscard]] std::string cutReportBytes(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const ImprintFigures& figures,
+    const CutFigures& cut
+);
+
+/// A table of parts, one a line with a head: part, faces, area, perimeter, centroid_x, centroid_y,
+/// centroid_z, euler.
+[[nodiscard]] std::string partsCsv(const MeshParts& parts);
+
+/// The same as JSON: {"parts": [{"faces", "area", "perimeter", "centroid", "euler"}, …]}.
+[[nodiscard]] std::string partsJson(const MeshParts& parts);
 
 }  // namespace bspline_curve

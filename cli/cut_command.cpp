@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bspline_curve cut MESH --curve FILE …: the mesh opened along curves, whole or in parts.
+#include "bspline_curve/error.h"
+#include "cli/command.h"
+#include "cli/imprint_input.h"
+#include "cli/numbered_file.h"
+#include "cli/parse_with.h"
+#include "cli/progress_bar.h"
+#include "cli/verb.h"
+#include "imprint/part_choice.h"
+#include "io/atomic_file.h"
+#include "io/imprint_writer.h"
+#include "io/mesh_writer.h"
+#include "io/text_parsing.h"
+#include "utility/stopwatch.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <list>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+struct CutArguments {
+    ImprintInput input;
+    std::filesystem::path output;
+    std::filesystem::path report;    ///< empty: none asked for
+    std::optional<PartChoice> keep;  ///< none: all parts
+    bool split = false;
+};
+
+/// Null where the word is no choice.
+std::optional<PartChoice> partChoiceOf(const std::string& word) {
+    using Which = PartChoice::Which;
+    for (const auto& [name, which] :
+         {std::pair{"largest", Which::Largest},
+          std::pair{"smallest", Which::Smallest},
+          std::pair{"inside", Which::Inside}}) {
+        if (word == name) {
+            return PartChoice{.which = which};
+        }
+    }
+    const std::string seed = "seed=";
+    if (!word.starts_with(seed)) {
+        return std::nullopt;
+    }
+    PartChoice choice{.which = Which::Seed};
+    const std::vector<std::string> numbers = CLI::detail::split(word.substr(seed.size()), ',');
+    bool isPoint = numbers.size() == 3;
+    for (std::size_t k = 0; isPoint && k < 3; ++k) {
+        isPoint = CLI::detail::lexical_cast(numbers[k], choice.seed[static_cast<int>(k)]);
+    }
+    return isPoint ? std::optional(choice) : std::nullopt;
+}
+
+class CutParser {
+public:
+    CutParser() {
+        addImprintOptions(app_, arguments_.input);
+        app_.add_option(
+                "--output",
+                arguments_.output,
+                "Mesh to write: " + meshExtensions() +
+                    "; .ply has the part of each face as `label`, and the quality of the input"
+        )
+            ->required()
+            ->type_name("FILE");
+        const auto isChoice = [](const std::string& word) {
+            return partChoiceOf(word) ? std::string()
+                                      : word + " is none of largest|smallest|inside|seed=x,y,z";
+        };
+        auto* const keep =
+            app_.add_option(
+                    "--keep",
+                    keep_,
+                    "Write only the largest or the smallest part at curves, all but the largest "
+                    "(inside), or the part at a point (seed=x,y,z)"
+            )
+                ->check(CLI::Validator(isChoice, ""))
+                ->type_name("PART");
+        app_.add_flag(
+                "--split",
+                arguments_.split,
+                "Write each part to a file of its own, the largest first: FILE.ply, FILE-2.ply, …"
+        )
+            ->excludes(keep);
+        app_.add_option("--report", arguments_.report, "Write counts, parts, moves and times")
+            ->type_name("FILE.json");
+    }
+
+    /// Throws CLI::ParseError.
+    CutArguments parse(Arguments words) {
+        // CLI11 takes them in reverse order.
+        app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        arguments_.keep = partChoiceOf(keep_);
+        return arguments_;
+    }
+
+    [[nodiscard]] const CLI::App& app() const { return app_; }
+
+private:
+    CLI::App app_{
+        "Opens the mesh along curves: vertices on them are doubled, so that each side has its own. "
+        "An open\ncurve becomes a slit. Parts are numbered from the largest area to the "
+        "smallest.\n\n"
+        "Exit status: 0 done; 1 bad mesh or file, curves that are not on this mesh or open "
+        "nothing; 2\nwrong usage; 130 interrupted by Ctrl-C. No output is written unless the "
+        "status is 0.\n",
+        "bspline_curve cut"
+    };
+    CutArguments arguments_;
+    std::string keep_;
+};
+
+/// Some parts of the mesh, opened along all curves.
+struct OpenedParts {
+    TriangleMesh mesh;
+    std::vector<int> labels;      ///< of faces
+    std::vector<double> quality;  ///< of vertices, where the input has it
+};
+
+OpenedParts openedParts(
+    const ImprintedFile& file, const CutMesh& cut, const std::vector<int>& chosen
+) {
+    SubMesh part = facesWithLabels(cut.mesh, file.parts.labels, chosen);
+    OpenedParts opened{.mesh = std::move(part.mesh), .labels = {}, .quality = {}};
+    for (const int face : part.faces) {
+        opened.labels.push_back(file.parts.labels[face]);
+    }
+    if (!file.quality.empty()) {
+        for (const int vertex : part.vertices) {
+            opened.quality.push_back(file.quality[cut.origin[vertex]]);
+        }
+    }
+    return opened;
+}
+
+std::vector<std::vector<int>> partsPerFile(
+    const CutArguments& arguments, const ImprintedFile& file
+) {
+    std::vector<int> all(file.parts.parts.size());
+    std::iota(all.begin(), all.end(), 0);
+    if (arguments.keep) {
+        return {chosenParts(file.imprinted, file.parts, *arguments.keep)};
+    }
+    if (!arguments.split) {
+        return {all};
+    }
+    std::vector<std::vector<int>> each;
+    for (const int part : all) {
+        each.push_back({part});
+    }
+    return each;
+}
+
+ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
+    checkMeshExtension(arguments.output);
+    checkWritable(arguments.output);
+    if (!arguments.report.empty()) {
+        checkWritable(arguments.report);
+    }
+    const ImprintedFile file = readAndImprint(arguments.input, bar);
+    throwIfInterrupted();
+    bar.show(0.7, "cutting");
+    Stopwatch watch;
+    const CutMesh cut = cutAlongCurves(file.imprinted);
+    const std::size_t doubled = cut.mesh.vertices.size() - file.imprinted.mesh.vertices.size();
+    if (doubled == 0) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            "there is nothing to cut: the curves run along the boundary, or are one edge long and "
+            "end inside the mesh"
+        );
+    }
+    const std::vector<std::vector<int>> files = partsPerFile(arguments, file);
+    CutFigures figures{
+        .doubledVertices = static_cast<int>(doubled), .cutSeconds = watch.lap(), .kept = {}
+    };
+    // All files appear, or none.
+    std::list<AtomicFile> written;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const std::filesystem::path name = numberedFile(arguments.output, i);
+        const OpenedParts parts = openedParts(file, cut, files[i]);
+        written.emplace_back(
+            name,
+            meshBytes(
+                name, parts.mesh, {.vertexQuality = parts.quality, .faceLabels = parts.labels}
+            )
+        );
+        figures.kept.insert(figures.kept.end(), files[i].begin(), files[i].end());
+    }
+    if (!arguments.report.empty()) {
+        written.emplace_back(
+            arguments.report, cutReportBytes(file.imprinted, file.parts, file.figures, figures)
+        );
+    }
+    bar.clear();
+    for (AtomicFile& each : written) {
+        each.commit();
+    }
+    if (files.size() > 1) {
+        std::cerr << "bspline_curve: the curves leave " << files.size()
+                  << " parts, the smallest in "
+                  << numberedFile(arguments.output, files.size() - 1).string() << '\n';
+    }
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+ExitCode runCut(Arguments arguments) {
+    const auto parsed = parseWith<CutParser>(arguments);
+    if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
+        return *code;
+    }
+    const auto& asked = std::get<CutArguments>(parsed);
+    return runVerb([&](ProgressBar& bar) { return cutAlong(asked, bar); });
+}
+
+}  // namespace bspline_curve::cli

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "imprint/part_choice.h"
+
+#include "bspline_curve/error.h"
+#include "surface/error_messages.h"
+#include "surface/half_edges.h"
+#include "surface/picks.h"
+#include "surface/surface_point.h"
+#include "surface/triangle_tree.h"
+#include "utility/index_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+namespace bspline_curve {
+
+namespace {
+
+/// Calls visit(edge, first label, second label) for each edge with two faces of different parts.
+/// Such an edge is on a curve.
+template <class Visitor>
+void forEachPartingEdge(
+    const TriangleMesh& mesh, const std::vector<int>& labels, const Visitor& visit
+) {
+    forEachEdge(sortedHalfEdges(mesh.faces), [&](std::span<const HalfEdge> sides) {
+        if (sides.size() == 2 && labels[sides[0].face] != labels[sides[1].face]) {
+            visit(
+                std::array{sides[0].low, sides[0].high},
+                labels[sides[0].face],
+                labels[sides[1].face]
+            );
+        }
+    });
+}
+
+std::string describePoint(const Vec3& point) {
+    std::string text = "(";
+    for (int k = 0; k < 3; ++k) {
+        text += (k > 0 ? ", " : "");
+        text += describeNumber(point[k]);
+    }
+    return text + ")";
+}
+
+double diagonalOf(const TriangleMesh& mesh) {
+    Vec3 low = mesh.vertices[mesh.faces[0][0]];
+    Vec3 high = low;
+    for (const Triangle& face : mesh.faces) {
+        for (const int vertex : face) {
+            low = low.cwiseMin(mesh.vertices[vertex]);
+            high = high.cwiseMax(mesh.vertices[vertex]);
+        }
+    }
+    return (high - low).norm();
+}
+
+int partAt(const TriangleMesh& mesh, const std::vector<int>& labels, const Vec3& seed) {
+    const std::string name = "the seed " + describePoint(seed);
+    if (!seed.allFinite()) {
+        throw InputError(InputErrorCode::NonFiniteCoordinate, name + " is not finite");
+    }
+    const TriangleTree tree(mesh.vertices, mesh.faces);
+    const TriangleTree::Closest closest = tree.closestPoint(seed);
+    const double reach = kPickReachRelative * diagonalOf(mesh);
+    if (closest.squaredDistance > reach * reach) {
+        throw InputError(
+            InputErrorCode::PickTooFar,
+            name + " is " + describeNumber(std::sqrt(closest.squaredDistance)) +
+                " away from the mesh; at most " + describeNumber(reach) +
+                " is allowed; give a point of the part that is meant"
+        );
+    }
+    // All faces that hold the point: those with each corner that it needs.
+    const Triangle& face = mesh.faces[closest.point.face];
+    const int label = labels[closest.point.face];
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        bool holds = true;
+        for (int k = 0; k < 3; ++k) {
+            holds = holds && (closest.point.barycentric[k] <= kOnEdgeBarycentric ||
+                              cornerOf(mesh.faces[f], face[k]) >= 0);
+        }
+        if (holds && labels[f] != label) {
+            throw InputError(
+                InputErrorCode::NoPath,
+                name + " lies on a curve, between two parts; give a point inside one of them"
+            );
+        }
+    }
+    return label;
+}
+
+}  // namespace
+
+std::vector<int> partedParts(const ImprintedMesh& imprinted, const MeshParts& parts) {
+    std::vector<int> parted;
+    forEachPartingEdge(imprinted.mesh, parts.labels, [&](const auto&, int one, int other) {
+        parted.push_back(one);
+        parted.push_back(other);
+    });
+    sortUnique(parted);
+    return parted;
+}
+
+void refuseNothingParted() {
+    throw InputError(
+        InputErrorCode::NoPath,
+        "the curves part nothing: no edge of a curve has two parts beside it; give closed curves, "
+        "or curves from boundary to boundary"
+    );
+}
+
+std::vector<int> chosenParts(
+    const ImprintedMesh& imprinted, const MeshParts& parts, const PartChoice& choice
+) {
+    const std::vector<int> parted = partedParts(imprinted, parts);
+    if (parted.empty()) {
+        refuseNothingParted();
+    }
+    switch (choice.which) {
+        case PartChoice::Which::Largest:
+            return {parted.front()};
+        case PartChoice::Which::Smallest:
+            return {parted.back()};
+        case PartChoice::Which::Inside:
+            return {parted.begin() + 1, parted.end()};
+        case PartChoice::Which::Seed:
+            break;
+    }
+    return {partAt(imprinted.mesh, parts.labels, choice.seed)};
+}
+
+std::vector<std::array<int, 2>> edgesAround(
+    const ImprintedMesh& imprinted, const MeshParts& parts, const std::vector<int>& chosen
+) {
+    const auto isChosen = [&](int label) { return std::ranges::binary_search(chosen, label); };
+    std::vector<std::array<int, 2>> edges;
+    forEachPartingEdge(imprinted.mesh, parts.labels, [&](const auto& edge, int one, int other) {
+        if (isChosen(one) != isChosen(other)) {
+            edges.push_back(edge);
+        }
+    });
+    return edges;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verbs cut and segment: the mesh opened along curves, and the parts between them."""
+
+import csv
+import json
+
+import made_meshes as meshes
+import numpy as np
+import pytest
+import trimesh
+
+RING = ("--curve", "ring.json")
+
+
+def load(path):
+    return trimesh.load(path, process=False)
+
+
+def labels(mesh):
+    return mesh.metadata["_ply_raw"]["face"]["data"]["label"].ravel()
+
+
+@pytest.fixture
+def ring(run, tmp_path):
+    """A closed curve on a hill, ring.json; an open one, slit.json; vertices and faces."""
+    vertices, faces = meshes.plate(cells=12, height=0.2)
+    meshes.write_ply(tmp_path / "hill.ply", vertices, faces, vertices @ [1.0, 2.0, 0.0])
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    at = lambda u, v: vertices[np.abs(vertices - (low + (high - low) * [u, v, 0]))[:, :2].sum(axis=1).argmin()].tolist()  # noqa: E731
+    for name, picks, words in (
+        ("ring", [at(0.3, 0.3), at(0.7, 0.35), at(0.7, 0.7), at(0.3, 0.65)], ["--closed"]),
+        ("slit", [at(0.2, 0.15), at(0.8, 0.2)], []),
+    ):
+        (tmp_path / "picks.json").write_text(json.dumps({"picks": picks}))
+        drawn = run("hill.ply", "--picks", "picks.json", "--field", "none", "--output", f"{name}.json", *words)
+        assert drawn.returncode == 0, drawn.stderr
+    return vertices, faces
+
+
+def test_parts_have_their_own_rims_and_fill_the_mesh(run, tmp_path, ring):
+    result = run("cut", "hill.ply", *RING, "--output", "cut.ply", "--report", "report.json")
+    assert result.returncode == 0, result.stderr
+    mesh, whole = load(tmp_path / "cut.ply"), trimesh.Trimesh(*ring, process=False)
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert mesh.area == pytest.approx(whole.area, rel=1e-12)
+    assert mesh.body_count == len(report["parts"]) == 2
+    assert [part["euler"] for part in report["parts"]] == [0, 1]
+    assert report["kept"] == [0, 1]
+    assert len(mesh.vertices) == report["vertices"] + report["doubled_vertices"]
+    # The two sides' rims are the same points.
+    inner = mesh.submesh([labels(mesh) == 1], append=True, repair=False)
+    shared = {tuple(v) for v in mesh.vertices[np.unique(mesh.faces[labels(mesh) == 0])]} & {tuple(v) for v in inner.vertices}
+    assert len(shared) == report["doubled_vertices"]
+
+
+def test_split_writes_every_part_and_keep_one(run, tmp_path, ring):
+    assert run("cut", "hill.ply", *RING, "--output", "all.ply", "--split").returncode == 0
+    outer, inner = load(tmp_path / "all.ply"), load(tmp_path / "all-2.ply")
+    assert outer.area > inner.area
+    assert outer.area + inner.area == pytest.approx(trimesh.Trimesh(*ring, process=False).area, rel=1e-12)
+    seed = ",".join(str(x) for x in inner.triangles_center[0])
+    for keep, part in (("largest", outer), ("smallest", inner), ("inside", inner), (f"seed={seed}", inner)):
+        assert run("cut", "hill.ply", *RING, "--output", "one.ply", "--keep", keep).returncode == 0
+        one = load(tmp_path / "one.ply")
+        assert np.array_equal(one.vertices, part.vertices) and np.array_equal(one.faces, part.faces), keep
+        quality = one.metadata["_ply_raw"]["vertex"]["data"]["quality"].ravel()
+        assert np.allclose(quality, one.vertices @ [1.0, 2.0, 0.0], atol=1e-9)
+
+
+def test_an_open_curve_becomes_a_slit(run, tmp_path, ring):
+    assert run("cut", "hill.ply", "--curve", "slit.json", "--output", "slit.ply").returncode == 0
+    mesh = load(tmp_path / "slit.ply")
+    assert mesh.body_count == 1
+    assert mesh.euler_number == 0  # the plate's 1, less a hole
+
+
+def test_segments_are_labelled_coloured_and_measured(run, tmp_path, ring):
+    result = run("segment", "hill.ply", *RING, "--output", "parts.ply", "--table", "parts.csv")
+    assert result.returncode == 0, result.stderr
+    mesh = load(tmp_path / "parts.ply")
+    assert mesh.euler_number == 1  # still whole
+    raw = mesh.metadata["_ply_raw"]["face"]["data"]
+    colours = {(int(raw["label"][f]), *(int(raw[c][f]) for c in ("red", "green", "blue"))) for f in range(len(mesh.faces))}
+    assert len(colours) == 2
+    rows = list(csv.DictReader((tmp_path / "parts.csv").open()))
+    assert [int(row["part"]) for row in rows] == [0, 1]
+    for label, row in enumerate(rows):
+        chosen = labels(mesh) == label
+        assert int(row["faces"]) == chosen.sum()
+        assert float(row["area"]) == pytest.approx(mesh.area_faces[chosen].sum(), rel=1e-12)
+        centre = np.average(mesh.triangles_center[chosen], axis=0, weights=mesh.area_faces[chosen])
+        assert np.allclose([float(row[f"centroid_{axis}"]) for axis in "xyz"], centre, atol=1e-12)
+    assert run("segment", "hill.ply", *RING, "--output", "parts.ply", "--table", "parts.json").returncode == 0
+    table = json.loads((tmp_path / "parts.json").read_text())
+    assert [part["area"] for part in table["parts"]] == [float(row["area"]) for row in rows]
+
+
+def test_refuses_by_name_and_writes_nothing(refused, tmp_path, ring):
+    cut = ("cut", "hill.ply", *RING, "--output", "out.ply")
+    refused(2, *cut, "--keep", "biggest", says=["is none of largest|smallest|inside|seed=x,y,z"])
+    refused(2, *cut, "--keep", "seed=1,2", says=["--keep"])
+    refused(2, *cut, "--keep", "largest", "--split", says=["--split"])
+    point = json.loads((tmp_path / "ring.json").read_text())["polyline"]["points"][3]
+    refused(1, *cut, "--keep", "seed=" + ",".join(map(str, point)), says=["the seed", "lies on a curve"])
+    refused(1, *cut, "--keep", "seed=0,0,9", says=["the seed", "away from the mesh"])
+    slit = ("hill.ply", "--curve", "slit.json", "--output", "out.ply")
+    refused(1, "cut", *slit, "--keep", "largest", says=["the curves part nothing"])
+    refused(1, "segment", *slit, says=["the curves part nothing"])
+    refused(1, "segment", "hill.ply", *RING, "--output", "out.obj", says=["labels of faces are written as .ply"])
+    refused(1, "segment", "hill.ply", *RING, "--output", "out.ply", "--table", "t.xls", says=["tables are written as .csv or .json"])
+    vertices, faces = meshes.plate(cells=12, height=0.3)
+    meshes.write_ply(tmp_path / "other.ply", vertices, faces)
+    refused(1, "cut", "other.ply", *RING, "--output", "out.ply", says=["does not lie on this mesh"])
+    assert not (tmp_path / "out.ply").exists()
+
+
+def test_refuses_where_there_is_nothing_to_cut(refused, tmp_path):
+    vertices, faces = meshes.plate(cells=2)
+    meshes.write_ply(tmp_path / "plate.ply", vertices, faces)
+    face = faces[0]
+    edge = {"closed": False, "polyline": {"points": vertices[face[:2]].tolist(), "faces": [0, 0], "barycentrics": [[1, 0, 0], [0, 1, 0]]}}
+    (tmp_path / "edge.json").write_text(json.dumps(edge))
+    refused(1, "cut", "plate.ply", "--curve", "edge.json", "--output", "out.ply", says=["nothing to cut"])

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "imprint/part_choice.h"
+
+#include "imprint/part_colours.h"
+#include "imprint/random_curves.h"
+#include "support/many_cases.h"
+#include "support/meshes.h"
+#include "support/refusal.h"
+#include "support/seeds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace bspline_curve {
+
+namespace {
+
+using namespace test_support;
+
+/// The curve along edges of a plate of n x n cells, through grid points (i, j).
+SurfacePolyline alongGrid(
+    const Surface& surface, int n, const std::vector<std::array<int, 2>>& grid, bool closed
+) {
+    std::vector<SurfacePoint> points;
+    for (const auto& [i, j] : grid) {
+        const int vertex = j * (n + 1) + i;
+        SurfacePoint point{.face = *surface.facesAround(vertex).begin()};
+        for (int k = 0; k < 3; ++k) {
+            point.barycentric[k] = surface.faces()[point.face][k] == vertex ? 1.0 : 0.0;
+        }
+        points.push_back(point);
+    }
+    return polylineThrough(surface, points, closed);
+}
+
+/// A plate of 8 x 8 cells with two squares of 2 x 2 and 1 x 1 cells.
+class TwoSquares : public testing::Test {
+protected:
+    static constexpr int kCells = 8;
+
+    [[nodiscard]] std::vector<int> chosen(const PartChoice& choice) const {
+        return chosenParts(imprinted_, parts_, choice);
+    }
+
+    [[nodiscard]] std::vector<int> at(double x, double y) const {
+        return chosen({.which = PartChoice::Which::Seed, .seed = Vec3(x, y, 0.0)});
+    }
+
+    Surface surface_{plate(kCells, kCells)};
+    ImprintedMesh imprinted_ = imprint(
+        surface_,
+        std::vector{
+            alongGrid(
+                surface_,
+                kCells,
+                {{1, 1}, {2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}, {1, 3}, {1, 2}},
+                true
+            ),
+            alongGrid(surface_, kCells, {{5, 5}, {6, 5}, {6, 6}, {5, 6}}, true),
+        },
+        {}
+    );
+    MeshParts parts_ = partsOf(imprinted_);
+};
+
+TEST_F(TwoSquares, AreChosenBySizeSideAndSeed) {
+    ASSERT_EQ(parts_.parts.size(), 3U);
+    EXPECT_EQ(chosen({.which = PartChoice::Which::Largest}), std::vector{0});
+    EXPECT_EQ(chosen({.which = PartChoice::Which::Smallest}), std::vector{2});
+    EXPECT_EQ(chosen({.which = PartChoice::Which::Inside}), (std::vector{1, 2}));
+    EXPECT_EQ(at(0.3, 0.2), std::vector{1});
+    EXPECT_EQ(at(0.7, 0.7), std::vector{2});
+    EXPECT_EQ(at(0.9, 0.1), std::vector{0});
+    EXPECT_EQ(at(0.25, 0.25), std::vector{1});  // a vertex inside
+}
+
+TEST_F(TwoSquares, RefuseSeedsOnCurvesAndFarAway) {
+    expectRefused([&] { return at(0.2, 0.125); }, InputErrorCode::NoPath, "lies on a curve");
+    expectRefused([&] { return at(0.125, 0.125); }, InputErrorCode::NoPath, "lies on a curve");
+    const PartChoice above{.which = PartChoice::Which::Seed, .seed = Vec3(0.2, 0.2, 1.0)};
+    expectRefused([&] { return chosen(above); }, InputErrorCode::PickTooFar, "is 1 away");
+}
+
+TEST_F(TwoSquares, CutTheirRimsAloneWhereTheyAreChosen) {
+    EXPECT_EQ(edgesAround(imprinted_, parts_, {1}).size(), 8U);
+    EXPECT_EQ(edgesAround(imprinted_, parts_, {0}).size(), 12U);
+    const CutMesh cut = cutAlongEdges(imprinted_.mesh, edgesAround(imprinted_, parts_, {2}));
+    EXPECT_EQ(cut.mesh.vertices.size(), imprinted_.mesh.vertices.size() + 4);
+    const SubMesh small = facesWithLabels(cut.mesh, parts_.labels, {2});
+    EXPECT_EQ(small.mesh.vertices.size(), 4U);
+    EXPECT_EQ(small.mesh.faces.size(), 2U);
+    EXPECT_NEAR(Surface(small.mesh).area(), 1.0 / 64, 1e-15);
+}
+
+TEST(PartChoice, LeavesOtherComponentsAlone) {
+    const Surface surface(joined(
+        plate(4, 4), transformed(plate(4, 4), Eigen::Isometry3d(Eigen::Translation3d(9, 0, 0)), 3.0)
+    ));
+    const SurfacePolyline square = alongGrid(surface, 4, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}, true);
+    const ImprintedMesh imprinted = imprint(surface, std::vector{square}, {});
+    const MeshParts parts = partsOf(imprinted);
+    ASSERT_EQ(parts.parts.size(), 3U);
+    EXPECT_EQ(partedParts(imprinted, parts), (std::vector{1, 2}));
+    EXPECT_EQ(chosenParts(imprinted, parts, {.which = PartChoice::Which::Largest}), std::vector{1});
+}
+
+TEST(PartChoice, RefusesASlit) {
+    const Surface surface(plate(4, 4));
+    const SurfacePolyline slit = alongGrid(surface, 4, {{1, 1}, {2, 1}, {3, 1}}, false);
+    const ImprintedMesh imprinted = imprint(surface, std::vector{slit}, {});
+    expectRefused(
+        [&] { return chosenParts(imprinted, partsOf(imprinted), {}); },
+        InputErrorCode::NoPath,
+        "the curves part nothing"
+    );
+}
+
+TEST(PartChoice, EveryPartOfRandomNetworksIsWhole) {
+    for (const TriangleMesh& mesh : {plate(3, 3), icosphere(2), torus(14, 9), box(1)}) {
+        const Surface surface(mesh);
+        forEachSeed(caseCount(50, 4), [&](Random& random) {
+            const ImprintedMesh imprinted = imprint(surface, randomCurves(surface, random), {});
+            const MeshParts parts = partsOf(imprinted);
+            for (int label = 0; label < static_cast<int>(parts.parts.size()); ++label) {
+                const std::vector<std::array<int, 2>> rim = edgesAround(imprinted, parts, {label});
+                const CutMesh cut = cutAlongEdges(imprinted.mesh, rim);
+                const Surface part(facesWithLabels(cut.mesh, parts.labels, {label}).mesh);
+                ASSERT_EQ(part.componentCount(), 1);
+                ASSERT_NEAR(part.area(), parts.parts[label].area, 1e-12 * surface.area());
+            }
+        });
+    }
+}
+
+TEST(PartColours, TellManyPartsApart) {
+    std::set<std::array<std::uint8_t, 3>> colours;
+    constexpr int kParts = 50;
+    for (int part = 0; part < kParts; ++part) {
+        const auto colour = partColour(part);
+        colours.insert(colour);
+        EXPECT_EQ(*std::ranges::max_element(colour), 235);
+        EXPECT_EQ(*std::ranges::min_element(colour), 95);
+    }
+    EXPECT_EQ(colours.size(), static_cast<std::size_t>(kParts));
+}
+
+}  // namespace
+
+}  // namespace bspline_curve
