@@ -8,7 +8,7 @@ from python_text import HEAD, WIDTH, aliases, camel, default_of, docstring, func
 # Arguments of the package's own, or of no use where there are neither layers nor files.
 LEFT_OUT = {
     "surface_layer", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers", "tube_radius", "save",
-    "field", "avoid", "avoid_threshold", "kind", "region", "strict",
+    "field", "avoid", "avoid_threshold", "kind", "region",
 }
 HELP = {
     "closed": "True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.",
@@ -31,7 +31,7 @@ KINDS_LEFT_OUT = {"quality", "obstacle"}  # they need an array
 
 
 def is_of_shell(parameter):
-    return parameter["id"] == "shell" or parameter["group"] == "advanced.shell"
+    return parameter["id"] in ("shell", "strict") or parameter["group"] == "advanced.shell"
 
 
 def is_of_field(parameter):
@@ -89,7 +89,8 @@ def init(parameters):
     doc = docstring(
         "Prepare a triangle mesh for curves.",
         "Validates it once: finite, oriented, two-manifold, every face with area; boundaries and several components are "
-        "allowed. bspline_curve.repair() mends what it can of others.",
+        "allowed. Of another one a mended copy is drawn on where that helps, with a MeshWarning; ids stay those of the mesh that "
+        "was given. bspline_curve.repair() returns such a copy.",
         {"Parameters": [
             ("vertices", "(n, 3) array of float, or a mesh",
              "A mesh of trimesh, pyvista, meshio or pymeshlab, or a pair of arrays, serves in place of both."),
@@ -155,7 +156,7 @@ def keywords(filters):
     shell = parameters_of(of_curve, is_of_shell)
     drawing = parameters_of(of_curve, lambda p: not is_of_shell(p) and not is_of_field(p))
     kind = next(p for p in of_field["parameters"] if p["id"] == "kind")
-    fields = parameters_of(of_field, lambda p: True)
+    fields = parameters_of(of_field, lambda p: p["id"] != "strict")
     return "\n".join([
         HEAD + '"""Keywords of meshes, curves and fields."""', "",
         "from __future__ import annotations", "",

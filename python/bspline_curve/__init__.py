@@ -9,19 +9,24 @@
 
 from ._core import __version__
 from ._curve import Curve
-from ._errors import Cancelled, FieldError, FileError, InputError, MeshError, OptionError, PickError
+from ._errors import Cancelled, FieldError, FileError, InputError, MeshError, MeshWarning, OptionError, PickError
 from ._files import load
+from ._imprint import Cut, Imprint, Part
 from ._mesh import Mesh, Repair, repair
 
 __all__ = [
     "Cancelled",
     "Curve",
+    "Cut",
     "FieldError",
     "FileError",
+    "Imprint",
     "InputError",
     "Mesh",
     "MeshError",
+    "MeshWarning",
     "OptionError",
+    "Part",
     "PickError",
     "Repair",
     "__version__",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -38,6 +38,7 @@ class Designer:
     seconds: dict[str, float]
     diagonal: float
     components: int
+    mending: str
 
     def __init__(self, vertices: Floats, faces: Faces, options: Mapping[str, Any], progress: Any, /) -> None: ...
     def design(
@@ -56,5 +57,18 @@ class Designer:
     def project(self, points: Floats, /) -> tuple[Int32s, Floats, Floats, Floats]: ...
     def shell_layers(self) -> tuple[tuple[Floats, Int32s], tuple[Floats, Int32s]]: ...
 
+class Imprint:
+    vertices: Floats
+    faces: Int32s
+    parents: Int32s
+    crossings: Int32s
+    curves: list[Int32s]
+    origins: tuple[Int32s, Floats]
+    largest_move: float
+
+    def parts(self) -> tuple[Int32s, list[tuple[int, float, float, tuple[float, float, float], int]]]: ...
+    def cut(self) -> tuple[Floats, Int32s, Int32s]: ...
+
+def imprint(designer: Designer, curves: Sequence[Curve], snap: float, /) -> Imprint: ...
 def repaired(vertices: Floats, faces: Faces, /) -> tuple[Floats, Int32s, dict[str, Any], str]: ...
 def natural_cost(kind: str, /) -> str: ...

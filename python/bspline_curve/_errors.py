@@ -33,6 +33,10 @@ class MeshError(InputError):
     """The mesh cannot be drawn on: `vertices` or `faces` say where."""
 
 
+class MeshWarning(UserWarning):
+    """A mesh was mended so that it can be drawn on; the message says what was done."""
+
+
 class PickError(InputError):
     """No curve can pass these picks: `picks` says which, counted from 0."""
 

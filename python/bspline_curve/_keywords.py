@@ -41,6 +41,7 @@ SHELL: dict[str, Option] = {
     "target_edge_length": Option("double", 1.0, 0.0, 1.0, True, ()),
     "shell_thickness": Option("double", 0.75, 0.0, 1000.0, True, ()),
     "shell_smoothing_passes": Option("int", 3, 0, None, False, ()),
+    "strict": Option("bool", False, None, None, False, ()),
 }
 CURVE: dict[str, Option] = {
     "closed": Option("bool", False, None, None, False, ()),
@@ -123,12 +124,14 @@ class MeshKeywords(ABC):
         target_edge_length: float = 1.0,
         shell_thickness: float = 0.75,
         shell_smoothing_passes: int = 3,
+        strict: bool = False,
         progress: Progress | None = None,
     ) -> None:
         """Prepare a triangle mesh for curves.
 
         Validates it once: finite, oriented, two-manifold, every face with area; boundaries and several components are
-        allowed. bspline_curve.repair() mends what it can of others.
+        allowed. Of another one a mended copy is drawn on where that helps, with a MeshWarning; ids stay those of the mesh
+        that was given. bspline_curve.repair() returns such a copy.
 
         Parameters
         ----------
@@ -150,6 +153,9 @@ class MeshKeywords(ABC):
             lengths.
         shell_smoothing_passes : int ≥ 0, default 3
             Rounds of averaging of the pillar directions (the directions of the fibres).
+        strict : bool, default False
+            Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+            turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
         progress : callable, optional
             Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.
 
@@ -169,6 +175,7 @@ class MeshKeywords(ABC):
                 "target_edge_length": target_edge_length,
                 "shell_thickness": shell_thickness,
                 "shell_smoothing_passes": shell_smoothing_passes,
+                "strict": strict,
             },
             progress,
         )

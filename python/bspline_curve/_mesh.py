@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import warnings
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple, get_args
 
 import numpy as np
@@ -12,10 +13,13 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Int32s, Picks, face_ids, finite_points, per_vertex, pick_points
 from ._curve import Curve, Drawing
-from ._errors import FieldError, InputError
+from ._errors import FieldError, InputError, MeshError, MeshWarning
+from ._imprint import Imprint
 from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Kind, MeshKeywords
-from ._options import Progress, Value, changed
+from ._options import Option, Progress, Value, changed, checked_number
+
+SNAP = Option("double", 1e-9, 0.0, 0.01, False, ())
 
 
 class Projection(NamedTuple):
@@ -60,6 +64,8 @@ class Mesh(MeshKeywords):
         Of the box of the mesh.
     components : int
         Connected parts.
+    mending : str
+        What was mended so that the mesh can be drawn on; empty where nothing was.
     """
 
     __slots__ = ("_designer", "_fields", "_options")
@@ -74,6 +80,9 @@ class Mesh(MeshKeywords):
         self._options = changed(SHELL, options)
         self._fields = {}
         self._designer = _core.Designer(*mesh_arrays(vertices, faces), self._options, progress)
+        if self._designer.mending:
+            of_the_caller = 3
+            warnings.warn(f"{self._designer.mending}; strict=True refuses it", MeshWarning, of_the_caller)
 
     @property
     def vertices(self) -> Floats:
@@ -91,6 +100,10 @@ class Mesh(MeshKeywords):
     def components(self) -> int:
         return self._designer.components
 
+    @property
+    def mending(self) -> str:
+        return self._designer.mending
+
     def project(self, points: npt.ArrayLike) -> Projection:
         """Find the closest point of the mesh for each point, (n, 3) and finite. O(log m) each."""
         faces, barycentrics, positions, distances = self._designer.project(
@@ -102,6 +115,35 @@ class Mesh(MeshKeywords):
         """Build the shell that curves are sought in, where it is not there yet, and return its top and bottom."""
         top, bottom = self._designer.shell_layers()
         return Shell(Layer(*top), Layer(*bottom))
+
+    def imprint(self, curves: Iterable[Curve], snap: float = 1e-9) -> Imprint:
+        """Make curves edges of a copy of the mesh.
+
+        Parameters
+        ----------
+        curves : curves of this mesh
+            They may cross themselves and each other, and run along edges and through vertices; their order does not matter.
+        snap : float in [0, 0.01], default 1e-9
+            Points that are nearer are taken as one: relative to the altitudes of a face, on an edge to its length.
+
+        Returns
+        -------
+        Imprint
+
+        Raises
+        ------
+        InputError
+            A curve is of another mesh, or the mesh had to be mended: use repair() first.
+        OptionError
+            `snap` is not in its range.
+        """
+        given = list(curves)
+        if self.mending:
+            raise MeshError("the mesh was mended for curves: imprint on repair(vertices, faces).mesh", "bad-argument")
+        for i, curve in enumerate(given):
+            if curve.mesh is not self:
+                raise InputError(f"curves[{i}] is of another mesh")
+        return Imprint(_core.imprint(self._designer, [curve._core for curve in given], checked_number("snap", SNAP, snap)))
 
     def _make_field(
         self,

@@ -67,4 +67,16 @@ ReadOnly viewOf(const std::vector<int>& values, nb::handle owner) {
     return view(values.data(), values.size(), 0, owner);
 }
 
+nb::tuple arraysOf(const TriangleMesh& mesh) {
+    std::vector<double> vertices;
+    for (const Vec3& vertex : mesh.vertices) {
+        vertices.insert(vertices.end(), vertex.begin(), vertex.end());
+    }
+    std::vector<std::int32_t> faces;
+    for (const Triangle& face : mesh.faces) {
+        faces.insert(faces.end(), face.begin(), face.end());
+    }
+    return nb::make_tuple(arrayOf(std::move(vertices), 3), arrayOf(std::move(faces), 3));
+}
+
 }  // namespace bspline_curve::python

@@ -56,4 +56,7 @@ template <class Scalar>
     );
 }
 
+/// (vertices, faces) of a mesh, copied.
+[[nodiscard]] nb::tuple arraysOf(const TriangleMesh& mesh);
+
 }  // namespace bspline_curve::python

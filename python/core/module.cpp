@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The module bspline_curve._core: what the Python files of the package are made on.
 #include "bspline_curve/designer.h"
+#include "bspline_curve/field.h"
 #include "bspline_curve/version.h"
 #include "design/designer_surface.h"
-#include "field/make_field.h"
 #include "python/core/arrays.h"
 #include "python/core/curve_data.h"
 #include "python/core/errors.h"
+#include "python/core/imprint_data.h"
+#include "python/core/mesh_designer.h"
 #include "python/core/option_values.h"
 #include "python/core/python_progress.h"
 #include "surface/repair.h"
@@ -34,20 +36,26 @@ auto spanOf(const std::optional<Array>& given) {
 
 template <class Faces>
 void makeDesigner(
-    CurveDesigner* place,
+    MeshDesigner* place,
     const Points& vertices,
     const Faces& faces,
     const nb::dict& options,
     nb::object progress
 ) {
     const ShellOptions shell = shellOptions(options);
+    const bool strict = options.contains("strict") && nb::cast<bool>(options["strict"]);
     PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
-        new (place) CurveDesigner({toVectors(vertices), toTriangles(faces)}, shell, goesOn);
+        const auto given = [&] { return TriangleMesh{toVectors(vertices), toTriangles(faces)}; };
+        Mended<CurveDesigner> made = makeMended(given(), strict, [&](TriangleMesh mesh) {
+            return CurveDesigner(std::move(mesh), shell, goesOn);
+        });
+        const bool isMended = made.mending.has_value();
+        new (place) MeshDesigner(std::move(made), isMended ? given() : TriangleMesh());
     });
 }
 
 Curve design(
-    const CurveDesigner& designer,
+    const MeshDesigner& designer,
     const Points& picks,
     const nb::dict& options,
     const std::optional<Values>& field,
@@ -64,7 +72,7 @@ Curve design(
 }
 
 Array fieldOf(
-    const CurveDesigner& designer,
+    const MeshDesigner& designer,
     const nb::dict& options,
     const std::optional<Values>& quality,
     const std::optional<Ids>& region,
@@ -73,12 +81,12 @@ Array fieldOf(
     const FieldOptions chosen = fieldOptions(options);
     const FieldInputs inputs{.quality = spanOf(quality), .region = spanOf(region)};
     return arrayOf(PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
-        return makeField(surfaceOf(designer), chosen, inputs, goesOn);
+        return designer.field(chosen, inputs, goesOn);
     }));
 }
 
 // (faces, barycentrics, positions, distances) of the closest points.
-nb::tuple project(const CurveDesigner& designer, const Points& queries) {
+nb::tuple project(const MeshDesigner& designer, const Points& queries) {
     const std::vector<Vec3> points = toVectors(queries);
     std::vector<std::int32_t> faces;
     std::vector<double> weights;
@@ -87,7 +95,7 @@ nb::tuple project(const CurveDesigner& designer, const Points& queries) {
     {
         const nb::gil_scoped_release unlocked;
         for (const Vec3& query : points) {
-            const TriangleTree::Closest closest = treeOf(designer).closestPoint(query);
+            const TriangleTree::Closest closest = designer.closestPoint(query);
             const Vec3& barycentric = closest.point.barycentric;
             faces.push_back(closest.point.face);
             weights.insert(weights.end(), barycentric.begin(), barycentric.end());
@@ -103,23 +111,11 @@ nb::tuple project(const CurveDesigner& designer, const Points& queries) {
     );
 }
 
-nb::tuple arraysOf(const TriangleMesh& mesh) {
-    std::vector<double> vertices;
-    for (const Vec3& vertex : mesh.vertices) {
-        vertices.insert(vertices.end(), vertex.begin(), vertex.end());
-    }
-    std::vector<std::int32_t> faces;
-    for (const Triangle& face : mesh.faces) {
-        faces.insert(faces.end(), face.begin(), face.end());
-    }
-    return nb::make_tuple(arrayOf(std::move(vertices), 3), arrayOf(std::move(faces), 3));
-}
-
 // ((vertices, faces) of the top, those of the bottom).
-nb::tuple shellLayers(const CurveDesigner& designer) {
+nb::tuple shellLayers(const MeshDesigner& designer) {
     const ShellLayers layers = [&] {
         const nb::gil_scoped_release unlocked;
-        return designer.shellLayers();
+        return designer.designer().shellLayers();
     }();
     return nb::make_tuple(arraysOf(layers.top), arraysOf(layers.bottom));
 }
@@ -164,8 +160,8 @@ std::string naturalCostOf(const std::string& kind) {
     throw nb::value_error(("no kind of field is called " + kind).c_str());
 }
 
-nb::dict secondsOf(const CurveDesigner& designer) {
-    const StageSeconds seconds = designer.seconds();
+nb::dict secondsOf(const MeshDesigner& designer) {
+    const StageSeconds seconds = designer.designer().seconds();
     nb::dict result;
     result["validate"] = seconds.validate;
     result["tree"] = seconds.tree;
@@ -174,25 +170,29 @@ nb::dict secondsOf(const CurveDesigner& designer) {
 }
 
 void bindDesigner(nb::module_& module) {
-    nb::class_<CurveDesigner>(module, "Designer")
+    nb::class_<MeshDesigner>(module, "Designer")
         .def("__init__", makeDesigner<Faces32>, nb::arg(), nb::arg(), nb::arg(), nb::arg().none())
         .def("__init__", makeDesigner<Faces64>, nb::arg(), nb::arg(), nb::arg(), nb::arg().none())
         .def_prop_ro(
             "vertices",
             [](nb::handle self) {
-                return viewOf(nb::cast<const CurveDesigner&>(self).mesh().vertices, self);
+                return viewOf(nb::cast<const MeshDesigner&>(self).mesh().vertices, self);
             }
         )
         .def_prop_ro(
             "faces",
             [](nb::handle self) {
-                return viewOf(nb::cast<const CurveDesigner&>(self).mesh().faces, self);
+                return viewOf(nb::cast<const MeshDesigner&>(self).mesh().faces, self);
             }
         )
         .def_prop_ro("seconds", secondsOf)
-        .def_prop_ro("diagonal", [](const CurveDesigner& d) { return surfaceOf(d).diagonal(); })
+        .def_prop_ro("mending", &MeshDesigner::mendingNote)
         .def_prop_ro(
-            "components", [](const CurveDesigner& d) { return surfaceOf(d).componentCount(); }
+            "diagonal", [](const MeshDesigner& d) { return surfaceOf(d.designer()).diagonal(); }
+        )
+        .def_prop_ro(
+            "components",
+            [](const MeshDesigner& d) { return surfaceOf(d.designer()).componentCount(); }
         )
         .def(
             "design",
@@ -215,6 +215,7 @@ NB_MODULE(_core, module) {
     registerErrors();
     bindCurve(module);
     bindDesigner(module);
+    bindImprint(module);
     module.attr("__version__") = BSPLINE_CURVE_VERSION;
     module.def("repaired", repaired<Faces32>);
     module.def("repaired", repaired<Faces64>);

@@ -77,17 +77,46 @@ def test_meshes_of_other_packages_are_taken(arrays, mesh, picks):
         bspline_curve.Mesh(meshio.Mesh(arrays[0], [("quad", [[0, 1, 42, 41]])]))
 
 
-def test_a_mesh_is_repaired(arrays):
+@pytest.fixture
+def broken(arrays):
+    """A duplicate face, one without area and one turned over."""
     vertices, faces = arrays
-    broken = np.r_[faces, faces[:1], [[0, 0, 1]]]
-    broken[7] = broken[7][::-1]
+    broken = np.r_[faces[:1], faces, [[0, 0, 1]]]
+    broken[8] = broken[8][::-1]
+    return vertices, broken
+
+
+def test_a_broken_mesh_is_mended_and_ids_stay_those_given(arrays, broken, mesh, picks):
+    vertices, faces = broken
+    with pytest.warns(bspline_curve.MeshWarning, match="duplicate.*strict=True refuses it"):
+        mended = bspline_curve.Mesh(vertices, faces)
+    assert "duplicate" in mended.mending and mesh.mending == ""
+    np.testing.assert_array_equal(mended.faces, faces)
+    field = mended.field("valley")
+    np.testing.assert_allclose(field, mesh.field("valley"))
+    curve = mended.curve(picks, field="valley", avoid=[8])
+    np.testing.assert_allclose(curve.points, mesh.curve(picks, field="valley", avoid=[7]).points, atol=1e-12)
+    on_faces = (vertices[faces[curve.faces]] * curve.barycentrics[..., None]).sum(1)
+    np.testing.assert_allclose(on_faces, curve.points, atol=1e-14)
+    moved = curve.move(1, picks[1] + 0.01)
+    assert moved.usable
+    found = mended.project(picks)
+    np.testing.assert_allclose((vertices[faces[found.faces]] * found.barycentrics[..., None]).sum(1), picks, atol=1e-14)
+    with pytest.raises(bspline_curve.MeshError, match="repair"):
+        mended.imprint([curve])
+
+
+def test_strict_refuses_a_broken_mesh(broken):
     with pytest.raises(bspline_curve.MeshError):
-        bspline_curve.Mesh(vertices, broken)
-    mended = bspline_curve.repair(vertices, broken)
-    assert len(mended.mesh.faces) == len(faces)
-    assert mended.changes["removed_duplicate_faces"] == [len(faces)]
-    assert mended.changes["removed_degenerate_faces"] == [len(faces) + 1]
-    assert mended.changes["reversed_faces"] == [7] and "duplicate" in mended.summary
+        bspline_curve.Mesh(*broken, strict=True)
+
+
+def test_a_mesh_is_repaired(arrays, broken):
+    mended = bspline_curve.repair(*broken)
+    assert len(mended.mesh.faces) == len(arrays[1])
+    assert mended.changes["removed_duplicate_faces"] == [1]
+    assert mended.changes["removed_degenerate_faces"] == [len(arrays[1]) + 1]
+    assert mended.changes["reversed_faces"] == [8] and "duplicate" in mended.summary
 
 
 def test_points_are_projected(mesh):
@@ -138,6 +167,8 @@ def test_progress_is_told_and_can_cancel(wavy):
 
 def test_an_interrupt_ends_a_computation(wavy):
     mesh = bspline_curve.Mesh(*wavy(700))
+    # A shell that starts programs in the background has them ignore SIGINT.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):
@@ -145,6 +176,7 @@ def test_an_interrupt_ends_a_computation(wavy):
         mesh.shell()
         pytest.fail("the interrupt came too late")
     timer.join()
+    signal.signal(signal.SIGINT, before)
 
 
 def test_other_threads_go_on_while_the_core_computes(wavy):

@@ -53,6 +53,15 @@ def test_recipe_A_margin_line(files, capsys):
     assert {"margin.vtu", "margin.json"} <= {path.name for path in files.iterdir()}
 
 
+def test_recipe_A_part_cut_out_of_a_scan(files, capsys):
+    given = run("A part cut out of a scan")
+    crown, margin = given["crown"], given["margin"]
+    assert crown.euler_number == 1 and crown.area == pytest.approx(given["inside"].area)
+    assert given["inside"].perimeter == pytest.approx(margin.length)
+    assert capsys.readouterr().out.startswith(f"{crown.area:.3f} inside")
+    assert (files / "crown.ply").exists()
+
+
 def test_recipe_A_route_around_obstacles(files, capsys):
     cable = run("A route around obstacles")["cable"]
     away = np.hypot(cable.points[:, 0] + 0.2, cable.points[:, 1] + 0.2)

@@ -38,7 +38,7 @@ def changed(array, index, value):
 ])
 def test_a_broken_mesh_is_refused(vertices, faces, code, ids, text):
     with pytest.raises(MeshError, match=text) as caught:
-        Mesh(vertices, faces)
+        Mesh(vertices, faces, strict=True)
     assert caught.value.code == code
     for name in ("vertices", "faces", "picks"):
         assert getattr(caught.value, name) == ids.get(name, ()), name

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curves as edges of a mesh, and the parts that they leave."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, Int32s, numbers
+from ._errors import FieldError
+
+
+class Part(NamedTuple):
+    """Faces that are joined across edges which are on no curve."""
+
+    faces: Int32s  # ids in the imprint
+    area: float
+    perimeter: float  # of its rim: curves and the mesh's own boundary
+    centroid: Floats  # (3,)
+    euler: int  # 1 for a disc, 0 for a ring, 2 for a closed sphere
+
+
+class Cut(NamedTuple):
+    """The mesh opened along its curves: vertices on them are doubled; copies come last."""
+
+    vertices: Floats  # (n, 3)
+    faces: Int32s  # (m, 3), in the order of the imprint
+    origins: Int32s  # (n,): the vertex of the imprint of each
+
+
+class Imprint:
+    """A mesh with curves as edges; it does not change.
+
+    Attributes
+    ----------
+    vertices : (n, 3) array of float
+        Those of the mesh first, as they were.
+    faces : (m, 3) array of int
+        Only faces that a curve passes were divided.
+    parents : (m,) array of int
+        The face of the mesh that each face is part of.
+    curves : list of (k,) array of int
+        Vertices of each curve in order, joined by edges; a closed one does not repeat the first.
+    crossings : (k,) array of int
+        Vertices where more than two edges of curves meet.
+    labels : (m,) array of int
+        The part of each face: an index into `parts`.
+    parts : list of Part
+        From the largest area to the smallest.
+    largest_move : float
+        How far a point was moved by snapping or rounding, in the unit of the mesh.
+    """
+
+    __slots__ = ("_core", "_parts")
+
+    def __init__(self, core: _core.Imprint) -> None:
+        self._core = core
+        self._parts: tuple[Int32s, list[Part]] | None = None
+
+    @property
+    def vertices(self) -> Floats:
+        return self._core.vertices
+
+    @property
+    def faces(self) -> Int32s:
+        return self._core.faces
+
+    @property
+    def parents(self) -> Int32s:
+        return self._core.parents
+
+    @property
+    def curves(self) -> list[Int32s]:
+        return self._core.curves
+
+    @property
+    def crossings(self) -> Int32s:
+        return self._core.crossings
+
+    @property
+    def largest_move(self) -> float:
+        return self._core.largest_move
+
+    @property
+    def labels(self) -> Int32s:
+        return self._measured()[0]
+
+    @property
+    def parts(self) -> list[Part]:
+        return self._measured()[1]
+
+    def cut(self) -> Cut:
+        """Open the mesh along the curves; an open curve becomes a slit with joined ends. O(m log m)."""
+        return Cut(*self._core.cut())
+
+    def values(self, given: npt.ArrayLike, faces: npt.ArrayLike) -> Floats:
+        """Values at the vertices of the mesh, at those of the imprint: linear in each face of the mesh.
+
+        Parameters
+        ----------
+        given : (k,) or (k, d) array of float
+            One row for each vertex of the mesh.
+        faces : (f, 3) array of int
+            Those of the mesh: mesh.faces.
+
+        Returns
+        -------
+        (n,) or (n, d) array of float
+        """
+        rows = numbers(given, "given", FieldError)
+        inside, weights = self._core.origins
+        count = len(self.vertices) - len(inside)
+        if len(rows) != count:
+            raise FieldError(f"given has {len(rows)} rows, but must have {count}, one for each vertex of the mesh", "bad-array")
+        corners = rows[np.asarray(faces)[inside]]
+        return np.concatenate([rows, np.einsum("ij,ij...->i...", weights, corners)])
+
+    def _measured(self) -> tuple[Int32s, list[Part]]:
+        if self._parts is None:
+            labels, figures = self._core.parts()
+            labels.flags.writeable = False
+            parts = [
+                Part(np.flatnonzero(labels == i).astype(np.int32), area, perimeter, np.array(centroid), euler)
+                for i, (_, area, perimeter, centroid, euler) in enumerate(figures)
+            ]
+            self._parts = labels, parts
+        return self._parts
+
+    def __repr__(self) -> str:
+        count = len(self.curves)
+        return (
+            f"<bspline_curve.Imprint: {len(self.vertices)} vertices, {len(self.faces)} faces, "
+            f"{count} curve{'s' if count != 1 else ''}>"
+        )

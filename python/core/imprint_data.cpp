@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/core/imprint_data.h"
+
+#include "design/designer_surface.h"
+#include "imprint/imprint.h"
+#include "imprint/mesh_parts.h"
+#include "python/core/arrays.h"
+#include "python/core/mesh_designer.h"
+
+#include <nanobind/stl/vector.h>
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve::python {
+
+namespace {
+
+/// Without the GIL: curves do not change.
+ImprintedMesh imprinted(
+    const MeshDesigner& designer, const std::vector<const Curve*>& curves, double snap
+) {
+    const nb::gil_scoped_release unlocked;
+    std::vector<SurfacePolyline> lines;
+    lines.reserve(curves.size());
+    for (const Curve* curve : curves) {
+        lines.push_back(curve->polyline);
+    }
+    return imprint(surfaceOf(designer.designer()), lines, {.snap = snap});
+}
+
+nb::list curvesOf(const ImprintedMesh& imprint) {
+    nb::list result;
+    for (const ImprintedCurve& curve : imprint.curves) {
+        result.append(arrayOf(std::vector<std::int32_t>(curve.vertices)));
+    }
+    return result;
+}
+
+nb::tuple originsOf(const ImprintedMesh& imprint) {
+    std::vector<std::int32_t> faces;
+    std::vector<double> weights;
+    for (const auto& [face, barycentric] : imprint.newVertices) {
+        faces.push_back(face);
+        weights.insert(weights.end(), barycentric.begin(), barycentric.end());
+    }
+    return nb::make_tuple(arrayOf(std::move(faces)), arrayOf(std::move(weights), 3));
+}
+
+// (label of each face, [(faces, area, perimeter, centroid, euler) of each part]).
+nb::tuple partsTuple(const ImprintedMesh& imprint) {
+    MeshParts parts = [&] {
+        const nb::gil_scoped_release unlocked;
+        return partsOf(imprint);
+    }();
+    nb::list list;
+    for (const MeshPart& part : parts.parts) {
+        list.append(
+            nb::make_tuple(
+                part.faces,
+                part.area,
+                part.perimeter,
+                nb::make_tuple(part.centroid.x(), part.centroid.y(), part.centroid.z()),
+                part.euler
+            )
+        );
+    }
+    return nb::make_tuple(arrayOf(std::move(parts.labels)), list);
+}
+
+// (vertices, faces, imprinted vertex of each vertex) of the mesh opened along the curves.
+nb::tuple cutTuple(const ImprintedMesh& imprint) {
+    CutMesh cut = [&] {
+        const nb::gil_scoped_release unlocked;
+        return cutAlongCurves(imprint);
+    }();
+    const nb::tuple arrays = arraysOf(cut.mesh);
+    return nb::make_tuple(arrays[0], arrays[1], arrayOf(std::move(cut.origin)));
+}
+
+}  // namespace
+
+void bindImprint(nb::module_& module) {
+    const auto view = [](auto part) {
+        return [part](nb::handle self) {
+            return viewOf(part(nb::cast<const ImprintedMesh&>(self)), self);
+        };
+    };
+    nb::class_<ImprintedMesh>(module, "Imprint")
+        .def_prop_ro("vertices", view([](const ImprintedMesh& m) -> auto& {
+                         return m.mesh.vertices;
+                     }))
+        .def_prop_ro("faces", view([](const ImprintedMesh& m) -> auto& { return m.mesh.faces; }))
+        .def_prop_ro("parents", view([](const ImprintedMesh& m) -> auto& { return m.parents; }))
+        .def_prop_ro("crossings", view([](const ImprintedMesh& m) -> auto& { return m.crossings; }))
+        .def_prop_ro("curves", curvesOf)
+        .def_prop_ro("origins", originsOf)
+        .def_ro("largest_move", &ImprintedMesh::largestMove)
+        .def("parts", partsTuple)
+        .def("cut", cutTuple);
+    module.def("imprint", imprinted);
+}
+
+}  // namespace bspline_curve::python

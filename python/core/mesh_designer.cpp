@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/core/mesh_designer.h"
+
+#include "design/designer_surface.h"
+#include "field/make_field.h"
+#include "utility/index_sets.h"
+
+#include <span>
+#include <vector>
+
+namespace bspline_curve::python {
+
+namespace {
+
+std::vector<double> onMended(std::span<const double> values, const MeshRepair& repair) {
+    return values.empty() ? std::vector<double>()
+                          : repair.carriedOver(std::vector(values.begin(), values.end()));
+}
+
+std::vector<int> facesOfMended(std::span<const int> faces, const MeshRepair& repair) {
+    std::vector<int> wanted(faces.begin(), faces.end());
+    sortUnique(wanted);
+    return indicesWhere<int>(repair.faceOrigins.size(), [&](std::size_t f) {
+        return indexIn(wanted, repair.faceOrigins[f]) >= 0;
+    });
+}
+
+}  // namespace
+
+Curve MeshDesigner::design(
+    const std::vector<Vec3>& picks,
+    const SolverOptions& solver,
+    const SamplingOptions& sampling,
+    const CurveInputs& inputs,
+    const Progress& progress
+) const {
+    if (!made_.mending) {
+        return made_.made.design(picks, solver, sampling, inputs, progress);
+    }
+    const std::vector<double> field = onMended(inputs.field, made_.mending->repair);
+    const std::vector<int> avoid = facesOfMended(inputs.avoid, made_.mending->repair);
+    const CurveInputs carried{.field = field, .avoid = avoid};
+    Curve curve = made_.made.design(picks, solver, sampling, carried, progress);
+    for (SurfacePoint& point : curve.polyline.surfacePoints) {
+        point = made_.mending->repair.toOrigin(point);
+    }
+    return curve;
+}
+
+std::vector<double> MeshDesigner::field(
+    const FieldOptions& options, const FieldInputs& inputs, const Progress& progress
+) const {
+    const Surface& surface = surfaceOf(made_.made);
+    if (!made_.mending) {
+        return makeField(surface, options, inputs, progress);
+    }
+    const std::vector<double> quality = onMended(inputs.quality, made_.mending->repair);
+    const std::vector<int> region = facesOfMended(inputs.region, made_.mending->repair);
+    const FieldInputs carried{.quality = quality, .region = region};
+    return made_.mending->toOrigin(makeField(surface, options, carried, progress));
+}
+
+TriangleTree::Closest MeshDesigner::closestPoint(const Vec3& query) const {
+    TriangleTree::Closest closest = treeOf(made_.made).closestPoint(query);
+    if (made_.mending) {
+        closest.point = made_.mending->repair.toOrigin(closest.point);
+    }
+    return closest;
+}
+
+}  // namespace bspline_curve::python

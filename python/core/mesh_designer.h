@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/designer.h"
+#include "bspline_curve/field.h"
+#include "surface/mending.h"
+#include "surface/triangle_tree.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+// Curves on a mesh as the caller gave it, whether or not it had to be mended for them.
+namespace bspline_curve::python {
+
+/// A designer, and the way from its mesh to the given one. Faces and vertices are everywhere those
+/// of the given mesh.
+class MeshDesigner {
+public:
+    /// `given` is kept where the mesh was mended, and not used else.
+    MeshDesigner(Mended<CurveDesigner> made, TriangleMesh given)
+        : made_(std::move(made)), given_(std::move(given)) {}
+
+    [[nodiscard]] const TriangleMesh& mesh() const {
+        return made_.mending ? given_ : made_.made.mesh();
+    }
+
+    [[nodiscard]] const CurveDesigner& designer() const { return made_.made; }
+
+    /// What was mended; empty where nothing was.
+    [[nodiscard]] std::string mendingNote() const {
+        return made_.mending ? made_.mending->note() : std::string();
+    }
+
+    /// Throws as CurveDesigner::design(). A curve on a mended mesh starts from scratch, since the
+    /// points of `inputs.start` are on the given one.
+    [[nodiscard]] Curve design(
+        const std::vector<Vec3>& picks,
+        const SolverOptions& solver,
+        const SamplingOptions& sampling,
+        const CurveInputs& inputs,
+        const Progress& progress
+    ) const;
+
+    /// Throws as makeField().
+    [[nodiscard]] std::vector<double> field(
+        const FieldOptions& options, const FieldInputs& inputs, const Progress& progress
+    ) const;
+
+    [[nodiscard]] TriangleTree::Closest closestPoint(const Vec3& query) const;
+
+private:
+    Mended<CurveDesigner> made_;
+    TriangleMesh given_;
+};
+
+}  // namespace bspline_curve::python
