@@ -89,7 +89,8 @@ nlohmann::ordered_json measure(
     DrawingSession session(designer, settings);
     const Surface& surface = surfaceOf(*designer);
     for (const SurfacePoint& pick :
-         locatePicks(surface, treeOf(*designer), given.picks, given.closed.value_or(false))) {
+         locatePicks(surface, treeOf(*designer), given.picks, given.closed.value_or(false))
+             .points) {
         session.addPick(pick);
     }
     session.setClosed(given.closed.value_or(false));

@@ -91,7 +91,7 @@ Json asPolyline(
             side.emplace();
         }
         const std::vector<SurfacePoint> located =
-            locatePicks(prepared.surface(), prepared.tree(), picks, options.closed);
+            locatePicks(prepared.surface(), prepared.tree(), picks, options.closed).points;
         PathConstraints constraints;
         constraints.patches = &prepared.patches();
         constraints.side = side ? &*side : nullptr;

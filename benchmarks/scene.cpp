@@ -74,7 +74,7 @@ Scene::Scene(int subdivisions)
       picks(picksOn(mesh)),
       options(closedCurve()),
       prepared(mesh, {}),
-      located(locatePicks(prepared.surface(), prepared.tree(), picks, options.closed)),
+      located(locatePicks(prepared.surface(), prepared.tree(), picks, options.closed).points),
       path(makePath()),
       problem(makeProblem(prepared, options, path.picks)),
       heightUnit(heightUnitOf(problem)),

@@ -18,9 +18,9 @@
 #include "design/designer_surface.h"
 #include "field/make_field.h"
 #include "filters/automatic_field.h"
+#include "filters/curve_notes.h"
 #include "filters/mended_layer.h"
 #include "filters/requests.h"
-#include "filters/unusable_curve.h"
 #include "io/atomic_file.h"
 #include "io/curve_writer.h"
 #include "io/field_reader.h"
@@ -285,6 +285,9 @@ ExitCode drawAndWrite(
     bar.clear();
     printNotes(inputs.notes);
     printNotes(drawn.figures.shell.notes);
+    if (!drawn.curve.report.repeatedPicks.empty()) {
+        printError("note: " + describeRepeatedPicks(drawn.curve.report));
+    }
     writeResults(arguments, prepared, drawn);
     if (drawn.curve.report.usable) {
         return ExitCode::Success;

@@ -76,7 +76,7 @@ void requireClear(const Surface& surface, const SurfacePolyline& line, const Obs
 }
 
 void refuseAvoidedPicks(
-    const Surface& surface, const Obstacles& obstacles, const std::vector<SurfacePoint>& picks
+    const Surface& surface, const Obstacles& obstacles, const LocatedPicks& located
 ) {
     const auto refuse = [](std::size_t pick, int face, const std::string& what) {
         throw InputError(
@@ -86,14 +86,15 @@ void refuseAvoidedPicks(
             {static_cast<std::int64_t>(pick)}
         );
     };
-    for (std::size_t i = 0; i < picks.size(); ++i) {
-        for (const int f : facesHolding(surface, picks[i])) {
+    for (std::size_t i = 0; i < located.pointOf.size(); ++i) {
+        const SurfacePoint& pick = located.points[located.pointOf[i]];
+        for (const int f : facesHolding(surface, pick)) {
             if (obstacles.isAvoided(f)) {
                 refuse(i, f, ", which the curve is to avoid");
             }
         }
-        if (obstacles.closeness(picks[i]) >= 1.0) {
-            refuse(i, picks[i].face, ", all of whose neighbours the curve is to avoid");
+        if (obstacles.closeness(pick) >= 1.0) {
+            refuse(i, pick.face, ", all of whose neighbours the curve is to avoid");
         }
     }
 }
@@ -216,6 +217,21 @@ Curve curveOf(const Surface& surface, Solved& solved, const SamplingOptions& sam
     return curve;
 }
 
+/// Gives each pick as given its vertex and parameter, where some are one; those at the end that
+/// coincide with the first of a closed curve have t = 1.
+void giveRepeatedPicks(const LocatedPicks& located, Curve& curve) {
+    const std::vector<int> vertices = std::move(curve.polyline.picks);
+    const std::vector<double> parameters = std::move(curve.spline.pickParameters);
+    curve.polyline.picks.clear();
+    curve.spline.pickParameters.clear();
+    int before = 0;
+    for (const int point : located.pointOf) {
+        curve.polyline.picks.push_back(vertices[point]);
+        curve.spline.pickParameters.push_back(point < before ? 1.0 : parameters[point]);
+        before = std::max(before, point);
+    }
+}
+
 }  // namespace
 
 struct CurveDesigner::State : PreparedSurface {
@@ -283,8 +299,8 @@ Curve CurveDesigner::design(
     const Surface& surface = state.surface();
     const std::shared_ptr<const ValidatedField> field =
         state.fieldCache.find(surface, *state.extended(), inputs.field, options.fieldCost);
-    const std::vector<SurfacePoint> located =
-        locatePicks(surface, state.tree(), picks, options.closed);
+    const LocatedPicks located = locatePicks(surface, state.tree(), picks, options.closed);
+    const std::vector<int> repeated = located.repeated();
     const Region region =
         makeRegion(surface, std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end()));
     std::optional<Obstacles> obstacles;
@@ -295,12 +311,16 @@ Curve CurveDesigner::design(
         );
         refuseAvoidedPicks(surface, *obstacles, located);
     }
-    const DesignContext context{*field, obstacles ? &*obstacles : nullptr, inputs.start};
+    const DesignContext context{
+        *field,
+        obstacles ? &*obstacles : nullptr,
+        repeated.empty() ? inputs.start : nullptr,  // which has as many picks as were given
+    };
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface.faces().size())) {
         side.emplace();
     }
-    const CurveSolver solver(state, located, options, context, side ? &*side : nullptr);
+    const CurveSolver solver(state, located.points, options, context, side ? &*side : nullptr);
     Solved solved = solver.solve(progress);
     Stopwatch watch;
     Curve curve = curveOf(surface, solved, sampling);
@@ -314,6 +334,10 @@ Curve CurveDesigner::design(
         requireClear(surface, curve.polyline, *obstacles);
         curve.report.avoidedFaces = static_cast<int>(region.size());
         curve.report.clearance = clearanceOf(curve.polyline, surface, region);
+    }
+    if (!repeated.empty()) {
+        giveRepeatedPicks(located, curve);
+        curve.report.repeatedPicks = repeated;
     }
     curve.report.seconds.polyline = watch.lap();
     report(progress, 1.0, "done");

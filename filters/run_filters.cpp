@@ -8,8 +8,8 @@
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
+#include "filters/curve_notes.h"
 #include "filters/mended_layer.h"
-#include "filters/unusable_curve.h"
 #include "io/curve_writer.h"
 #include "io/report_writer.h"
 #include "io/shell_cache.h"
@@ -144,6 +144,11 @@ std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Fou
     }
     if (found.mending) {
         warnings.push_back(describeMending(*found.mending));
+    }
+    if (!curve.report.repeatedPicks.empty()) {
+        std::string warning = describeRepeatedPicks(curve.report) + ".";
+        warning.front() = 'P';
+        warnings.push_back(std::move(warning));
     }
     if (!curve.report.fieldAtRest) {
         warnings.emplace_back(

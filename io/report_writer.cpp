@@ -133,6 +133,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"cached", curve.shell && figures.shell.isFromStore},
         {"notes", figures.shell.notes},
         {"field", fieldOf(report, figures)},
+        {"repeated_picks", report.repeatedPicks},
         {"avoid", avoidanceOf(report)},
         {"seconds", secondsOf(report, figures)},
         {"peak_memory_bytes",

@@ -5,6 +5,7 @@
 #include "surface/error_messages.h"
 #include "utility/index_sets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -61,9 +62,49 @@ void requireUsable(const std::vector<Vec3>& picks, bool closed) {
     );
 }
 
+LocatedPicks withoutRepeats(
+    const std::vector<TriangleTree::Closest>& projections, double separation, bool closed
+) {
+    LocatedPicks located;
+    std::vector<Vec3> positions;
+    const auto meets = [&](const Vec3& position, const Vec3& other) {
+        return (position - other).norm() < separation;
+    };
+    for (const auto& [point, position, squaredDistance] : projections) {
+        if (positions.empty() || !meets(position, positions.back())) {
+            located.points.push_back(point);
+            positions.push_back(position);
+        }
+        located.pointOf.push_back(static_cast<int>(positions.size()) - 1);
+    }
+    while (closed && positions.size() > 1 && meets(positions.back(), positions.front())) {
+        positions.pop_back();
+        located.points.pop_back();
+    }
+    const auto count = static_cast<int>(positions.size());
+    std::ranges::replace_if(located.pointOf, [&](int point) { return point >= count; }, 0);
+    refuseWhere(
+        InputErrorCode::CoincidentPicks,
+        count < (closed ? 3 : 2) ? projections.size() : 0,
+        [&](std::size_t i) {
+            const std::vector<int> repeated = located.repeated();
+            return contains(repeated, static_cast<int>(i)) ||
+                   contains(repeated, static_cast<int>(i) + 1);
+        },
+        [&](std::size_t) {
+            return " and others coincide, which leaves " +
+                   describeCount(positions.size(), "point", "points") + " of the surface, but " +
+                   (closed ? "a closed curve needs 3" : "an open curve needs 2");
+        },
+        "pick more points",
+        0
+    );
+    return located;
+}
+
 }  // namespace
 
-std::vector<SurfacePoint> locatePicks(
+LocatedPicks locatePicks(
     const Surface& surface, const TriangleTree& tree, const std::vector<Vec3>& picks, bool closed
 ) {
     requireUsable(picks, closed);
@@ -86,25 +127,6 @@ std::vector<SurfacePoint> locatePicks(
         }
     );
 
-    // Whether a pick and the one after it coincide.
-    const auto meetsNext = [&](std::size_t i) {
-        const std::size_t next = i + 1 < count ? i + 1 : 0;
-        return (closed || next > 0) &&
-               (projections[next].position - projections[i].position).norm() <
-                   kPickSeparationRelative * surface.diagonal();
-    };
-    refuseWhere(
-        InputErrorCode::CoincidentPicks,
-        count,
-        [&](std::size_t i) { return meetsNext(i) || meetsNext(i > 0 ? i - 1 : count - 1); },
-        [&](std::size_t first) {
-            const auto next = static_cast<std::int64_t>(meetsNext(first) ? first + 1 : count - 1);
-            return " and " + pickName(next) + " follow each other at the same point of the surface";
-        },
-        "remove one of them",
-        2
-    );
-
     const auto componentOf = [&](std::size_t i) {
         return surface.faceComponents()[projections[i].point.face];
     };
@@ -119,12 +141,13 @@ std::vector<SurfacePoint> locatePicks(
         "if they only look joined"
     );
 
-    std::vector<SurfacePoint> points;
-    points.reserve(count);
-    for (const TriangleTree::Closest& projection : projections) {
-        points.push_back(projection.point);
-    }
-    return points;
+    return withoutRepeats(projections, kPickSeparationRelative * surface.diagonal(), closed);
+}
+
+std::vector<int> LocatedPicks::repeated() const {
+    return indicesWhere<int>(pointOf.size(), [&](std::size_t i) {
+        return i > 0 && (pointOf[i] == pointOf[i - 1] || pointOf[i] < pointOf[i - 1]);
+    });
 }
 
 }  // namespace bspline_curve

@@ -13,11 +13,22 @@ inline constexpr double kPickReachRelative = 0.01;
 /// Consecutive picks nearer than this coincide (relative to the diagonal).
 inline constexpr double kPickSeparationRelative = 1e-9;
 
+/// Picks on the surface. Those that follow each other at the same point (for a closed curve the
+/// last and the first too) are one.
+struct LocatedPicks {
+    std::vector<SurfacePoint> points;
+    std::vector<int> pointOf;  ///< for each pick as given, its index in `points`; ascending but for
+                               ///< those at the end that coincide with the first of a closed curve
+
+    /// Picks, as given, that coincide with the one before, ascending.
+    [[nodiscard]] std::vector<int> repeated() const;
+};
+
 /// Projects picked points to the surface (closest point), in order.
 /// Throws InputError: TooFewPicks (fewer than 2, or 3 when closed), NonFiniteCoordinate,
-/// PickTooFar, CoincidentPicks (consecutive ones; for a closed curve the last and the first too),
-/// PicksOnDifferentComponents; each names the picks by their index from 0.
-[[nodiscard]] std::vector<SurfacePoint> locatePicks(
+/// PickTooFar, CoincidentPicks (so few different ones), PicksOnDifferentComponents; each names the
+/// picks by their index from 0.
+[[nodiscard]] LocatedPicks locatePicks(
     const Surface& surface, const TriangleTree& tree, const std::vector<Vec3>& picks, bool closed
 );
 

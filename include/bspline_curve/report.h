@@ -79,6 +79,9 @@ struct SolveReport {
     /// False where the iterations ended although the field still pulled: a sharper curve would cost
     /// less.
     bool fieldAtRest = true;
+    /// Picks at the same point as the one before (on a closed curve also as the first), ascending:
+    /// the curve passes that point once.
+    std::vector<int> repeatedPicks;
     int avoidedFaces = 0;
     /// Least distance of a vertex of the polyline to the avoided faces, user's unit; infinite where
     /// there are none.

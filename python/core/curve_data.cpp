@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/core/curve_data.h"
 
-#include "filters/unusable_curve.h"
+#include "filters/curve_notes.h"
 #include "python/core/arrays.h"
 #include "python/core/report_dict.h"
 

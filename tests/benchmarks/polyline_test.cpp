@@ -40,7 +40,7 @@ private:
         return makePickPath(
             prepared.surface(),
             *prepared.extended(),
-            locatePicks(prepared.surface(), prepared.tree(), picks, options.closed),
+            locatePicks(prepared.surface(), prepared.tree(), picks, options.closed).points,
             options.closed,
             {.blockedFaces = {}, .patches = &prepared.patches()}
         );

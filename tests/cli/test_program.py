@@ -124,6 +124,19 @@ def test_the_picks_file_may_ask_for_a_closed_curve(run, plate):
     assert read_curve(plate / "curve.ply")[2]
 
 
+def test_a_pick_given_twice_is_passed_once_with_a_note(run, plate):
+    assert run(*DEFAULT[:-1], "once.json").returncode == 0
+    picks = json.loads((plate / "picks.json").read_text())["picks"]
+    (plate / "picks.json").write_text(json.dumps({"picks": [picks[0], picks[1], picks[1], *picks[2:]]}))
+    result = run(*DEFAULT[:-1], "twice.json", "--report", "report.json")
+    assert result.returncode == 0 and "note: pick 2 is at the same point" in result.stderr
+    once, twice = (json.loads((plate / f"{name}.json").read_text()) for name in ("once", "twice"))
+    assert once["polyline"]["points"] == twice["polyline"]["points"]
+    first, second, *rest = once["polyline"]["picks"]
+    assert twice["polyline"]["picks"] == [first, second, second, *rest]
+    assert json.loads((plate / "report.json").read_text())["repeated_picks"] == [2]
+
+
 def test_more_samples_and_shorter_segments_refine_the_polyline(run, plate):
     counts = []
     for samples in (0, 64, 1000):

@@ -174,8 +174,8 @@ def test_picks_files_that_are_none(refused, plate, name, text, part):
         (PICKS[:1], (), "1"),
         (PICKS[:2], ("--closed",), "3"),
         ([PICKS[0], [0.5, 0.5, 0.5]], (), "1"),
-        ([PICKS[0], PICKS[1], PICKS[1]], (), "2"),
-        ([PICKS[0], PICKS[1], PICKS[2], PICKS[0]], ("--closed",), "3"),
+        ([PICKS[1], PICKS[1]], (), "leaves 1 point"),
+        ([PICKS[0], PICKS[1], PICKS[1], PICKS[0]], ("--closed",), "needs 3"),
     ],
 )
 def test_picks_that_cannot_be_met(refused, plate, picks, words, part):

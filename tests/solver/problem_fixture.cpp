@@ -27,7 +27,7 @@ ProblemFixture::ProblemFixture(
     : shell_(std::move(shell)) {
     const Surface& surface = shell_->surface;
     const TriangleTree tree(surface.vertices(), surface.faces());
-    picks_ = locatePicks(surface, tree, picks, options.closed);
+    picks_ = locatePicks(surface, tree, picks, options.closed).points;
     problem_.shell = &shell_->shell;
     problem_.extended = shell_->extended.get();
     problem_.options = options;

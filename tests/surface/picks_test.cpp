@@ -25,7 +25,7 @@ struct PicksTest : public ::testing::Test {
     [[nodiscard]] std::vector<SurfacePoint> locate(
         const std::vector<Vec3>& picks, bool closed = false
     ) const {
-        return locatePicks(surface, tree, picks, closed);
+        return locatePicks(surface, tree, picks, closed).points;
     }
 
     void expectRefused(
@@ -84,15 +84,35 @@ TEST_F(PicksTest, MustLieWithinOnePercentOfTheDiagonal) {
     );
 }
 
-TEST_F(PicksTest, ThatFollowEachOtherMustNotCoincideOnTheSurface) {
-    const std::vector<Vec3> picks = {{1, 1, 0}, {2, 2, 0.01}, {2, 2, -0.01}};
-    expectRefused(picks, false, CoincidentPicks, {1, 2}, {"pick 1 and pick 2"});
+TEST_F(PicksTest, ThatFollowEachOtherAtOnePointAreOne) {
+    const std::vector<Vec3> picks = {{1, 1, 0}, {2, 2, 0.01}, {2, 2, -0.01}, {2, 2, 0}, {1, 2, 0}};
+    const LocatedPicks located = locatePicks(surface, tree, picks, false);
+    EXPECT_EQ(located.points.size(), 3U);
+    EXPECT_EQ(located.pointOf, (std::vector{0, 1, 1, 1, 2}));
+    EXPECT_EQ(located.repeated(), (std::vector{2, 3}));
 }
 
-TEST_F(PicksTest, MayComeBackToAnEarlierPickUnlessTheCurveClosesThere) {
-    const std::vector<Vec3> picks = {{1, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}};
-    EXPECT_EQ(locate(picks).size(), 4U);
-    expectRefused(picks, true, CoincidentPicks, {0, 3}, {"pick 0 and pick 3"});
+TEST_F(PicksTest, AtTheEndOfAClosedCurveAreOneWithTheFirst) {
+    const std::vector<Vec3> picks = {{1, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {1, 1, 0}};
+    const LocatedPicks located = locatePicks(surface, tree, picks, true);
+    EXPECT_EQ(located.points.size(), 3U);
+    EXPECT_EQ(located.pointOf, (std::vector{0, 1, 2, 0, 0}));
+    EXPECT_EQ(located.repeated(), (std::vector{3, 4}));
+    // An open curve comes back.
+    EXPECT_EQ(locatePicks(surface, tree, picks, false).pointOf, (std::vector{0, 1, 2, 3, 3}));
+}
+
+TEST_F(PicksTest, MustLeaveEnoughDifferentPoints) {
+    expectRefused(
+        {{1, 1, 0}, {1, 1, 0.01}}, false, CoincidentPicks, {0, 1}, {"leaves 1 point of the surface"}
+    );
+    expectRefused(
+        {{1, 1, 0}, {2, 2, 0}, {2, 2, 0}, {1, 1, 0}},
+        true,
+        CoincidentPicks,
+        {1, 2, 3},
+        {"leaves 2 points of the surface, but a closed curve needs 3"}
+    );
 }
 
 TEST_F(PicksOnTwoComponentsTest, MustLieOnOneComponent) {

@@ -11,4 +11,7 @@ namespace bspline_curve {
 /// parameters and faces that is, as far as it is known, and what to do. One line without a stop.
 [[nodiscard]] std::string describeUnusable(const SolveReport& report);
 
+/// Which picks are at the same point as the one before, for people; empty where none is.
+[[nodiscard]] std::string describeRepeatedPicks(const SolveReport& report);
+
 }  // namespace bspline_curve

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filters/unusable_curve.h"
+#include "filters/curve_notes.h"
 
 #include "surface/error_messages.h"
 
@@ -24,6 +24,16 @@ std::string describeUnusable(const SolveReport& report) {
         text += "; it misses a pick by " + describeNumber(report.maxPickGap) + " of the diagonal";
     }
     return text + "; try more picks, a finer mesh or a larger distance tolerance";
+}
+
+std::string describeRepeatedPicks(const SolveReport& report) {
+    const std::vector<std::int64_t> picks(report.repeatedPicks.begin(), report.repeatedPicks.end());
+    if (picks.empty()) {
+        return "";
+    }
+    return (picks.size() == 1 ? "pick " : "picks ") + describeElements(picks) +
+           (picks.size() == 1 ? " is" : " are") +
+           " at the same point of the surface as the one before; the curve passes it once";
 }
 
 }  // namespace bspline_curve
