@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""clang-tidy over source files, one on each core: lint.py CLANG_TIDY BUILD HEADER_FILTER FILE...
+
+BUILD holds compile_commands.json. A file that was found in order is not read again until it, a header that it includes,
+its options or those of clang-tidy change: what counts is the preprocessed text, comments included, since NOLINT is one.
+Those that are in order are remembered in ~/.cache/bspline_curve/lint. Prints what is wrong; the last line is
+"PASSED FAILED". Exit status 1 where something failed.
+"""
+import hashlib
+import json
+import os
+import shlex
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+KEPT = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "bspline_curve" / "lint"
+KEPT_DAYS = 60
+
+
+def preprocessing(command):
+    """The compiler's command for the preprocessed text of a file, with its comments and without its path."""
+    words = shlex.split(command)
+    kept, skip = [], False
+    for word in words:
+        if skip or word in ("-c", "-MD") or Path(word).name == "ccache":
+            skip = False
+        elif word in ("-o", "-MT", "-MF"):
+            skip = True
+        else:
+            kept.append(word)
+    return [*kept, "-E", "-C", "-P"]
+
+
+def key_of(entry, settings):
+    command = preprocessing(entry["command"])
+    text = subprocess.run(command, cwd=entry["directory"], capture_output=True)
+    if text.returncode != 0:
+        return None  # clang-tidy says why
+    options = [word for word in command if not word.startswith(("-I", "/")) and word != entry["file"]]
+    digest = hashlib.sha256("\0".join([settings, *options]).encode())
+    digest.update(text.stdout.replace(str(ROOT).encode(), b"."))  # __FILE__
+    return digest.hexdigest()
+
+
+def check(file, entry, settings, command):
+    """(in order, what was said)."""
+    key = key_of(entry, settings)
+    if key is not None and (KEPT / key).exists():
+        (KEPT / key).touch()
+        return True, ""
+    said = subprocess.run([*command, file], capture_output=True, text=True)
+    if said.returncode == 0:
+        if key is not None:
+            (KEPT / key).touch()
+        return True, ""
+    return False, said.stdout + said.stderr
+
+
+def main():
+    clang_tidy, build, header_filter, *files = sys.argv[1:]
+    KEPT.mkdir(parents=True, exist_ok=True)
+    for old in KEPT.iterdir():
+        if old.stat().st_mtime < time.time() - KEPT_DAYS * 86400:
+            old.unlink(missing_ok=True)
+    version = subprocess.run([clang_tidy, "--version"], capture_output=True, text=True, check=True).stdout
+    rules = "".join(path.read_text() for path in sorted(ROOT.rglob(".clang-tidy")) if ".cache" not in path.parts)
+    settings = version + rules + header_filter.replace(str(ROOT), ".")
+    entries = {entry["file"]: entry for entry in json.loads((Path(build) / "compile_commands.json").read_text())}
+    command = [clang_tidy, "-p", build, "--quiet", "--header-filter", header_filter]
+    missing = [file for file in files if str(ROOT / file) not in entries]
+    for file in missing:
+        print(f"{file}: not in {build}/compile_commands.json", file=sys.stderr)
+    present = [file for file in files if file not in missing]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = list(pool.map(lambda file: check(file, entries[str(ROOT / file)], settings, command), present))
+    for _, said in results:
+        sys.stderr.write(said)
+    passed = sum(ok for ok, _ in results)
+    failed = len(files) - passed
+    print(passed, failed)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
