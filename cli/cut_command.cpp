@@ -6,7 +6,9 @@
 #include "cli/numbered_file.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"
+#include "cli/value_checks.h"
 #include "cli/verb.h"
+#include "fill/part_filling.h"
 #include "imprint/part_choice.h"
 #include "io/atomic_file.h"
 #include "io/imprint_writer.h"
@@ -36,6 +38,7 @@ struct CutArguments {
     std::filesystem::path report;    ///< empty: none asked for
     std::optional<PartChoice> keep;  ///< none: all parts
     bool split = false;
+    std::optional<FillShape> fill;  ///< none: holes stay
 };
 
 /// Null where the word is no choice.
@@ -93,6 +96,16 @@ public:
                 "Write each part to a file of its own, the largest first: FILE.ply, FILE-2.ply, …"
         )
             ->excludes(keep);
+        app_.add_option(
+                "--fill",
+                fill_,
+                "What becomes of holes that the other parts leave: none (open), flat (no new "
+                "vertices) or smooth (as dense as around, with its tangent planes)"
+        )
+            ->check(oneOf({"none", "flat", "smooth"}))
+            ->needs(keep)
+            ->capture_default_str()
+            ->type_name("SHAPE");
         app_.add_option("--report", arguments_.report, "Write counts, parts, moves and times")
             ->type_name("FILE.json");
     }
@@ -102,6 +115,9 @@ public:
         // CLI11 takes them in reverse order.
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         arguments_.keep = partChoiceOf(keep_);
+        if (fill_ != "none") {
+            arguments_.fill = fill_ == "flat" ? FillShape::Flat : FillShape::Smooth;
+        }
         return arguments_;
     }
 
@@ -119,6 +135,7 @@ private:
     };
     CutArguments arguments_;
     std::string keep_;
+    std::string fill_ = "none";
 };
 
 /// Some parts of the mesh, opened along all curves.
@@ -142,6 +159,23 @@ OpenedParts openedParts(
         }
     }
     return opened;
+}
+
+OpenedParts filledParts(
+    const ImprintedFile& file, const std::vector<int>& chosen, FillShape shape, CutFigures& figures
+) {
+    FilledParts filled = fillAround(file.imprinted, file.parts, chosen, shape);
+    figures.filledHoles = static_cast<int>(filled.rims.size());
+    OpenedParts parts{.mesh = {}, .labels = std::move(filled.labels), .quality = {}};
+    if (!file.quality.empty()) {
+        parts.quality = filled.carried(file.quality);
+    }
+    parts.mesh = std::move(filled.mesh);
+    if (filled.openRims > 0) {
+        std::cerr << "bspline_curve: " << filled.openRims
+                  << " rims stay open, since the boundary of the mesh is part of them\n";
+    }
+    return parts;
 }
 
 std::vector<std::vector<int>> partsPerFile(
@@ -182,14 +216,14 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
         );
     }
     const std::vector<std::vector<int>> files = partsPerFile(arguments, file);
-    CutFigures figures{
-        .doubledVertices = static_cast<int>(doubled), .cutSeconds = watch.lap(), .kept = {}
-    };
+    CutFigures figures{.doubledVertices = static_cast<int>(doubled), .cutSeconds = 0.0, .kept = {}};
     // All files appear, or none.
     std::list<AtomicFile> written;
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::filesystem::path name = numberedFile(arguments.output, i);
-        const OpenedParts parts = openedParts(file, cut, files[i]);
+        const OpenedParts parts = arguments.fill
+                                      ? filledParts(file, files[i], *arguments.fill, figures)
+                                      : openedParts(file, cut, files[i]);
         written.emplace_back(
             name,
             meshBytes(
@@ -198,6 +232,7 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
         );
         figures.kept.insert(figures.kept.end(), files[i].begin(), files[i].end());
     }
+    figures.cutSeconds = watch.lap();
     if (!arguments.report.empty()) {
         written.emplace_back(
             arguments.report, cutReportBytes(file.imprinted, file.parts, file.figures, figures)

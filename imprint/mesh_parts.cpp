@@ -32,13 +32,18 @@ std::vector<std::array<int, 2>> curveEdges(const ImprintedMesh& imprinted) {
 
 namespace {
 
-/// The faces at some edges, and the fans into which these edges part those around each vertex.
+/// The faces at some edges and further vertices, and the fans into which these edges part those
+/// around each vertex.
 class EdgeFans {
 public:
-    EdgeFans(const TriangleMesh& mesh, const std::vector<std::array<int, 2>>& edges)
+    EdgeFans(
+        const TriangleMesh& mesh,
+        const std::vector<std::array<int, 2>>& edges,
+        const std::vector<int>& vertices
+    )
         : mesh_(mesh),
           edges_(edges),
-          isOnEdge_(mesh.vertices.size(), 0),
+          isOnEdge_(isAmong(vertices, mesh.vertices.size())),
           near_(nearFaces(mesh.faces)),
           corners_(3 * near_.size()) {
         for (const int face : near_) {
@@ -79,6 +84,14 @@ public:
     }
 
 private:
+    static std::vector<char> isAmong(const std::vector<int>& vertices, std::size_t count) {
+        std::vector<char> isAmong(count, 0);
+        for (const int vertex : vertices) {
+            isAmong[vertex] = 1;
+        }
+        return isAmong;
+    }
+
     std::vector<int> nearFaces(const std::vector<Triangle>& faces) {
         for (const auto& [low, high] : edges_) {
             isOnEdge_[low] = isOnEdge_[high] = 1;
@@ -112,7 +125,7 @@ private:
 
     const TriangleMesh& mesh_;
     const std::vector<std::array<int, 2>>& edges_;
-    std::vector<char> isOnEdge_;  // by vertex
+    std::vector<char> isOnEdge_;  // by vertex; or among the further ones
     std::vector<int> near_;       // faces with such a vertex
     std::vector<Triangle> triangles_;
     DisjointSets corners_;  // 3 f + k for near face f; those of one fan are one set
@@ -121,7 +134,11 @@ private:
 }  // namespace
 
 CutMesh cutAlongEdges(const TriangleMesh& mesh, const std::vector<std::array<int, 2>>& edges) {
-    return EdgeFans(mesh, edges).open();
+    return EdgeFans(mesh, edges, {}).open();
+}
+
+CutMesh partFans(const TriangleMesh& mesh, const std::vector<int>& vertices) {
+    return EdgeFans(mesh, {}, vertices).open();
 }
 
 CutMesh cutAlongCurves(const ImprintedMesh& imprinted) {

@@ -48,6 +48,10 @@ struct CutMesh {
     const TriangleMesh& mesh, const std::vector<std::array<int, 2>>& edges
 );
 
+/// The mesh with a copy of each of the given vertices for each fan of faces around it but the
+/// first. O(n log n).
+[[nodiscard]] CutMesh partFans(const TriangleMesh& mesh, const std::vector<int>& vertices);
+
 /// Some faces of a mesh with the vertices that they use, in order. O(n).
 struct SubMesh {
     TriangleMesh mesh;

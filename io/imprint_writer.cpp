@@ -105,6 +105,7 @@ std::string cutReportBytes(
     Json report = reportOf(imprinted, parts, figures);
     report["doubled_vertices"] = cut.doubledVertices;
     report["kept"] = cut.kept;
+    report["filled_holes"] = cut.filledHoles;
     report["seconds"]["cut"] = cut.cutSeconds;
     return report.dump(kIndent) + "\n";
 }

@@ -21,8 +21,9 @@ struct ImprintFigures {
 /// How a cut came about, for its report.
 struct CutFigures {
     int doubledVertices = 0;  ///< copies of vertices on curves
-    double cutSeconds = 0.0;  ///< imprint to opened mesh and chosen parts
+    double cutSeconds = 0.0;  ///< imprint to bytes of the meshes written
     std::vector<int> kept;    ///< parts that are written, ascending
+    int filledHoles = 0;
 };
 
 /// JSON: where each face and vertex of an imprinted mesh comes from. Keys: parents (per face),

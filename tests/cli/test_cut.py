@@ -67,6 +67,21 @@ def test_split_writes_every_part_and_keep_one(run, tmp_path, ring):
         assert np.allclose(quality, one.vertices @ [1.0, 2.0, 0.0], atol=1e-9)
 
 
+@pytest.mark.parametrize("shape", ["flat", "smooth"])
+def test_the_hole_that_a_part_leaves_is_filled(run, tmp_path, ring, shape):
+    words = ("cut", "hill.ply", *RING, "--keep", "largest", "--output")
+    assert run(*words, "open.ply").returncode == 0
+    result = run(*words, "filled.ply", "--fill", shape, "--report", "report.json")
+    assert result.returncode == 0, result.stderr
+    hole, filled = load(tmp_path / "open.ply"), load(tmp_path / "filled.ply")
+    assert hole.euler_number == 0 and filled.euler_number == 1
+    assert set(map(tuple, hole.vertices.tolist())) <= set(map(tuple, filled.vertices.tolist()))
+    assert filled.area_faces[labels(filled) >= 0].sum() == pytest.approx(hole.area, rel=1e-12)
+    assert (len(filled.vertices) > len(hole.vertices)) == (shape == "smooth")
+    assert (labels(filled) == -1).sum() == len(filled.faces) - len(hole.faces)
+    assert json.loads((tmp_path / "report.json").read_text())["filled_holes"] == 1
+
+
 def test_an_open_curve_becomes_a_slit(run, tmp_path, ring):
     assert run("cut", "hill.ply", "--curve", "slit.json", "--output", "slit.ply").returncode == 0
     mesh = load(tmp_path / "slit.ply")
@@ -100,6 +115,8 @@ def test_refuses_by_name_and_writes_nothing(refused, tmp_path, ring):
     refused(2, *cut, "--keep", "biggest", says=["is none of largest|smallest|inside|seed=x,y,z"])
     refused(2, *cut, "--keep", "seed=1,2", says=["--keep"])
     refused(2, *cut, "--keep", "largest", "--split", says=["--split"])
+    refused(2, *cut, "--fill", "flat", says=["--keep"])
+    refused(2, *cut, "--keep", "largest", "--fill", "round", says=["--fill", "none"])
     point = json.loads((tmp_path / "ring.json").read_text())["polyline"]["points"][3]
     refused(1, *cut, "--keep", "seed=" + ",".join(map(str, point)), says=["the seed", "lies on a curve"])
     refused(1, *cut, "--keep", "seed=0,0,9", says=["the seed", "away from the mesh"])

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fill/part_filling.h"
+
+#include "bspline_curve/error.h"
+#include "utility/index_sets.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace bspline_curve {
+
+std::vector<double> FilledParts::carried(std::span<const double> imprintedValues) const {
+    std::vector<double> values;
+    for (const int vertex : origin) {
+        values.push_back(vertex < 0 ? 0.0 : imprintedValues[vertex]);
+    }
+    for (std::size_t hole = 0; hole < rims.size(); ++hole) {
+        double sum = 0.0;
+        for (const int vertex : rims[hole]) {
+            sum += values[vertex];
+        }
+        const int last = hole + 1 < rims.size() ? firstNew[hole + 1] : endOfNew;
+        for (int v = firstNew[hole]; v < last; ++v) {
+            values[v] = sum / static_cast<double>(rims[hole].size());
+        }
+    }
+    return values;
+}
+
+namespace {
+
+/// A closed walk as loops that pass no vertex twice.
+std::vector<std::vector<int>> simpleLoops(const std::vector<int>& walk) {
+    std::vector<std::vector<int>> loops;
+    std::vector<int> open;
+    for (const int vertex : walk) {
+        const auto before = std::ranges::find(open, vertex);
+        if (before != open.end()) {
+            loops.emplace_back(before, open.end());
+            open.erase(before, open.end());
+        }
+        open.push_back(vertex);
+    }
+    loops.push_back(std::move(open));
+    return loops;
+}
+
+/// The kept vertices of which a cut made copies, ascending.
+std::vector<int> doubledIn(const CutMesh& cut, std::size_t uncutCount, const SubMesh& kept) {
+    std::vector<int> doubled;
+    for (std::size_t v = uncutCount; v < cut.origin.size(); ++v) {
+        const int vertex = indexIn(kept.vertices, cut.origin[v]);
+        if (vertex >= 0) {
+            doubled.push_back(vertex);
+        }
+    }
+    sortUnique(doubled);
+    return doubled;
+}
+
+}  // namespace
+
+FilledParts fillAround(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const std::vector<int>& chosen,
+    FillShape shape
+) {
+    const std::vector<std::array<int, 2>> edges = edgesAround(imprinted, parts, chosen);
+    // Rims are walked round the chosen faces. Where they meet themselves in a vertex, each loop is
+    // a hole of its own, and the vertex is one again when all are filled.
+    const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
+    const SubMesh opened = facesWithLabels(cut.mesh, parts.labels, chosen);
+    const SubMesh kept = facesWithLabels(imprinted.mesh, parts.labels, chosen);
+    const auto originOf = [&](int vertex) { return cut.origin[opened.vertices[vertex]]; };
+    FilledParts result;
+    for (const std::vector<int>& rim : rimsOf(opened.mesh.faces)) {
+        std::size_t around = 0;
+        std::vector<int> walk;
+        for (std::size_t i = 0; i < rim.size(); ++i) {
+            const int from = originOf(rim[i]);
+            const int to = originOf(rim[(i + 1) % rim.size()]);
+            const auto [low, high] = std::minmax(from, to);
+            around += std::ranges::binary_search(edges, std::array{low, high}) ? 1 : 0;
+            walk.push_back(indexIn(kept.vertices, from));
+        }
+        if (around == rim.size()) {
+            for (std::vector<int>& loop : simpleLoops(walk)) {
+                result.rims.push_back(std::move(loop));
+            }
+        } else if (around > 0) {
+            ++result.openRims;
+        }
+    }
+    if (result.rims.empty()) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            "there is no hole to fill: the boundary of the mesh is part of each rim that is cut; "
+            "cut along closed curves, or fill nothing"
+        );
+    }
+    FilledMesh filled = fillHoles(kept.mesh, result.rims, shape);
+    result.firstNew = std::move(filled.firstNew);
+    result.endOfNew = static_cast<int>(filled.mesh.vertices.size());
+    CutMesh parted = partFans(filled.mesh, doubledIn(cut, imprinted.mesh.vertices.size(), kept));
+    result.mesh = std::move(parted.mesh);
+    for (const int vertex : parted.origin) {
+        const bool isNew = vertex >= static_cast<int>(kept.vertices.size());
+        result.origin.push_back(isNew ? -1 : kept.vertices[vertex]);
+    }
+    for (const int face : kept.faces) {
+        result.labels.push_back(parts.labels[face]);
+    }
+    result.labels.resize(result.mesh.faces.size(), -1);
+    return result;
+}
+
+}  // namespace bspline_curve

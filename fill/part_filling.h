@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fill/fill_holes.h"
+#include "imprint/part_choice.h"
+
+#include <span>
+#include <vector>
+
+namespace bspline_curve {
+
+/// Chosen parts of an imprinted mesh, with the holes filled that the others leave.
+struct FilledParts {
+    TriangleMesh mesh;
+    std::vector<int> origin;             ///< for each vertex that of the imprinted mesh; -1: new
+    std::vector<int> labels;             ///< for each face its part; -1: new
+    std::vector<std::vector<int>> rims;  ///< of the filled holes, vertices of `mesh`
+    std::vector<int> firstNew;           ///< for each of these its first new vertex
+    int endOfNew = 0;  ///< behind the last; copies follow, of vertices where holes meet
+    int openRims = 0;  ///< left open, since the boundary of the input is part of them
+
+    /// Values at the vertices, from those of the imprinted mesh: a new vertex has the mean of its
+    /// hole's rim.
+    [[nodiscard]] std::vector<double> carried(std::span<const double> imprintedValues) const;
+};
+
+/// Takes the parts `chosen` (labels, ascending) and fills each hole whose rim is made of curves
+/// between them and other parts. Curves between two chosen parts, or with one on both sides, stay
+/// closed. Throws InputError (NoPath) where no hole is left to fill, and as fillHoles() does.
+[[nodiscard]] FilledParts fillAround(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const std::vector<int>& chosen,
+    FillShape shape
+);
+
+}  // namespace bspline_curve

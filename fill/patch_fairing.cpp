@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fill/patch_fairing.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace bspline_curve {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+/// Steps end where points move by less than this of the patch's size.
+constexpr double kMoveRelative = 1e-4;
+/// Areas of points are at least this of their size's square, so that needles do not outweigh all.
+constexpr double kLeastAreaRelative = 1e-3;
+
+/// The patch as finite elements: #points rows, one column for each inner point.
+struct Elements {
+    Sparse laplacian;  // of the inner points' positions
+    Rows constant;     // what rim and surroundings add
+    Eigen::VectorXd area;
+    Rows normal;  // unit
+};
+
+Elements elementsOf(const Patch& patch, const RimSurroundings& around) {
+    const auto count = static_cast<int>(patch.points.size());
+    const int inner = count - patch.rimCount;
+    Elements result{
+        .laplacian = Sparse(count, inner),
+        .constant = Rows::Zero(count, 3),
+        .area = Eigen::VectorXd::Zero(count),
+        .normal = Rows::Zero(count, 3)
+    };
+    for (int i = 0; i < patch.rimCount; ++i) {
+        result.constant.row(i) = around.laplacians[i];
+        result.normal.row(i) = around.normals[i];
+    }
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](int row, int of, double weight) {
+        if (patch.isOnRim(of)) {
+            result.constant.row(row) += weight * patch.points[of];
+        } else {
+            entries.emplace_back(row, of - patch.rimCount, weight);
+        }
+    };
+    for (const Triangle& face : patch.faces) {
+        const Vec3& p = patch.points[face[0]];
+        const Vec3 normal = (patch.points[face[1]] - p).cross(patch.points[face[2]] - p);
+        const double twiceArea = std::max(normal.norm(), std::numeric_limits<double>::min());
+        for (int k = 0; k < 3; ++k) {
+            const int i = face[(k + 1) % 3];
+            const int j = face[(k + 2) % 3];
+            const Vec3& apex = patch.points[face[k]];
+            const double weight = 0.5 * (patch.points[i] - apex).dot(patch.points[j] - apex) /
+                                  twiceArea;  // half the cotangent
+            add(i, j, weight);
+            add(i, i, -weight);
+            add(j, i, weight);
+            add(j, j, -weight);
+            result.normal.row(face[k]) += normal;
+            // A point of the rim has as much surface outside.
+            result.area[face[k]] += twiceArea / 6.0 * (patch.isOnRim(face[k]) ? 2.0 : 1.0);
+        }
+    }
+    for (int i = 0; i < count; ++i) {
+        const double least = kLeastAreaRelative * patch.sizes[i] * patch.sizes[i];
+        result.area[i] = std::max(result.area[i], least);
+        result.normal.row(i).stableNormalize();
+    }
+    result.laplacian.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+/// Mean of the Laplacian along the normal over the inner points: twice the mean curvature.
+double meanCurvature(const Elements& elements, const Rows& laplacians, int rimCount) {
+    const auto inner = elements.area.size() - rimCount;
+    const double sum =
+        laplacians.bottomRows(inner).cwiseProduct(elements.normal.bottomRows(inner)).sum();
+    return sum / elements.area.tail(inner).sum();
+}
+
+double extentOf(const Patch& patch) {
+    Vec3 low = patch.points[0];
+    Vec3 high = low;
+    for (int i = 0; i < patch.rimCount; ++i) {
+        low = low.cwiseMin(patch.points[i]);
+        high = high.cwiseMax(patch.points[i]);
+    }
+    return (high - low).norm();
+}
+
+}  // namespace
+
+void fairPatch(Patch& patch, const RimSurroundings& around, int steps) {
+    const auto inner = static_cast<int>(patch.points.size()) - patch.rimCount;
+    if (inner == 0) {
+        return;
+    }
+    const double enough = kMoveRelative * extentOf(patch);
+    Eigen::SimplicialLDLT<Sparse> factors;
+    double lastMove = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < steps; ++step) {
+        const Elements elements = elementsOf(patch, around);
+        Rows points(inner, 3);
+        for (int i = 0; i < inner; ++i) {
+            points.row(i) = patch.points[patch.rimCount + i];
+        }
+        // The first step has no curvature to go by: the patch is still flat.
+        const Rows laplacians = elements.laplacian * points + elements.constant;
+        const double curvature =
+            step == 0 ? 0.0 : meanCurvature(elements, laplacians, patch.rimCount);
+        const Rows aim = curvature * (elements.area.asDiagonal() * elements.normal);
+        Eigen::VectorXd weight = elements.area.cwiseInverse();
+        for (int i = 0; i < patch.rimCount; ++i) {
+            weight[i] *= around.isKnown[i] != 0 ? 1.0 : 0.0;
+        }
+        const Sparse weighted = weight.asDiagonal() * elements.laplacian;
+        const Sparse system = elements.laplacian.transpose() * weighted;
+        const Rows right = weighted.transpose() * (aim - elements.constant);
+        if (step == 0) {
+            factors.analyzePattern(system);  // points move, faces stay
+        }
+        factors.factorize(system);
+        if (factors.info() != Eigen::Success) {
+            return;  // the last positions are kept
+        }
+        const Rows solution = factors.solve(right);
+        const double move = (solution - points).rowwise().norm().maxCoeff();
+        // A step that moves farther than the one before leads away (NaN too).
+        const bool leadsAway =
+            !(move <= (step < 2 ? std::numeric_limits<double>::max() : lastMove));
+        if (leadsAway) {
+            return;
+        }
+        for (int i = 0; i < inner; ++i) {
+            patch.points[patch.rimCount + i] = solution.row(i);
+        }
+        if (move < enough) {
+            return;
+        }
+        lastMove = move;
+    }
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fill/patch_refinement.h"
+
+#include "surface/half_edges.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace bspline_curve {
+
+namespace {
+
+/// Edges longer than this times their size are halved; the halves are then as near to it.
+constexpr double kLongRelative = 1.4;
+/// Edges between points of the rim longer than this times their size are halved, so that no large
+/// face hangs on the rim alone and cannot be faired.
+constexpr double kLongChordRelative = 0.5;
+/// Sums of cotangents below minus this are not Delaunay; a margin against endless turns.
+constexpr double kDelaunayMargin = 1e-9;
+constexpr int kMostRounds = 40;
+constexpr int kMostFlipPasses = 50;
+constexpr int kRelaxations = 2;  // in each round
+constexpr double kRelaxationStep = 0.5;
+
+/// An edge inside the patch, its faces (a, b, c) and (b, a, d).
+struct InnerEdge {
+    int a, b, c, d;
+    int first, second;  ///< those faces
+};
+
+std::vector<InnerEdge> innerEdges(const std::vector<Triangle>& faces) {
+    std::vector<InnerEdge> edges;
+    forEachEdge(sortedHalfEdges(faces), [&](std::span<const HalfEdge> sides) {
+        if (sides.size() == 2) {
+            const auto& [one, other] = std::array{sides[0], sides[1]};
+            edges.push_back({
+                .a = faces[one.face][(one.k + 1) % 3],
+                .b = faces[one.face][(one.k + 2) % 3],
+                .c = faces[one.face][one.k],
+                .d = faces[other.face][other.k],
+                .first = one.face,
+                .second = other.face,
+            });
+        }
+    });
+    return edges;
+}
+
+/// Lets every face change once.
+class ChangedFaces {
+public:
+    explicit ChangedFaces(std::size_t count) : isChanged_(count, 0) {}
+
+    /// False where one of the faces has changed already.
+    bool take(const InnerEdge& edge) {
+        if (isChanged_[edge.first] != 0 || isChanged_[edge.second] != 0) {
+            return false;
+        }
+        isChanged_[edge.first] = isChanged_[edge.second] = 1;
+        return true;
+    }
+
+private:
+    std::vector<char> isChanged_;
+};
+
+/// Length over size; chords of the rim count more.
+double excess(const Patch& patch, const InnerEdge& edge) {
+    const double length = (patch.points[edge.a] - patch.points[edge.b]).norm();
+    const double size = 0.5 * (patch.sizes[edge.a] + patch.sizes[edge.b]);
+    const bool isChord = patch.isOnRim(edge.a) && patch.isOnRim(edge.b);
+    return length / (size * (isChord ? kLongChordRelative : kLongRelative));
+}
+
+bool halveLongEdges(Patch& patch) {
+    std::vector<std::pair<double, InnerEdge>> tooLong;
+    for (const InnerEdge& edge : innerEdges(patch.faces)) {
+        const double much = excess(patch, edge);
+        if (much > 1.0) {
+            tooLong.emplace_back(much, edge);
+        }
+    }
+    std::ranges::stable_sort(tooLong, std::greater(), [](const auto& each) { return each.first; });
+    ChangedFaces changed(patch.faces.size());
+    for (const auto& [much, edge] : tooLong) {
+        if (!changed.take(edge)) {
+            continue;
+        }
+        const auto& [a, b, c, d, first, second] = edge;
+        const auto middle = static_cast<int>(patch.points.size());
+        patch.points.emplace_back(0.5 * (patch.points[a] + patch.points[b]));
+        patch.sizes.push_back(0.5 * (patch.sizes[a] + patch.sizes[b]));
+        patch.faces[first] = {a, middle, c};
+        patch.faces[second] = {b, middle, d};
+        patch.faces.push_back({middle, b, c});
+        patch.faces.push_back({middle, a, d});
+    }
+    return !tooLong.empty();
+}
+
+Vec3 normalOf(const Patch& patch, int a, int b, int c) {
+    const Vec3& p = patch.points[a];
+    return (patch.points[b] - p).cross(patch.points[c] - p);
+}
+
+double cotangentAt(const Patch& patch, int apex, int b, int c) {
+    const Vec3 to = patch.points[b] - patch.points[apex];
+    const Vec3 from = patch.points[c] - patch.points[apex];
+    const double sine = std::max(to.cross(from).norm(), 1e-300);
+    return to.dot(from) / sine;
+}
+
+/// Whether the other diagonal is Delaunay, and folds nothing.
+bool isBetterFlipped(const Patch& patch, const InnerEdge& edge) {
+    const auto& [a, b, c, d, first, second] = edge;
+    if (cotangentAt(patch, c, a, b) + cotangentAt(patch, d, a, b) >= -kDelaunayMargin) {
+        return false;
+    }
+    const Vec3 before = normalOf(patch, a, b, c) + normalOf(patch, b, a, d);
+    return normalOf(patch, c, d, b).dot(before) > 0.0 && normalOf(patch, d, c, a).dot(before) > 0.0;
+}
+
+bool isFree(const Patch& patch, const EdgeSet& edges, const std::array<int, 2>& edge) {
+    const bool isChord = patch.isOnRim(edge[0]) && patch.isOnRim(edge[1]);
+    if (isChord) {
+        const double length = (patch.points[edge[0]] - patch.points[edge[1]]).norm();
+        const double size = 0.5 * (patch.sizes[edge[0]] + patch.sizes[edge[1]]);
+        if (length > kLongChordRelative * size) {
+            return false;  // it would be halved again
+        }
+    }
+    return !edges.contains(edge) && !patch.forbidden.contains(edge);
+}
+
+void flipToDelaunay(Patch& patch) {
+    for (int pass = 0; pass < kMostFlipPasses; ++pass) {
+        EdgeSet edges;
+        for (const HalfEdge& side : sortedHalfEdges(patch.faces)) {
+            edges.insert({side.low, side.high});
+        }
+        ChangedFaces changed(patch.faces.size());
+        bool any = false;
+        for (const InnerEdge& edge : innerEdges(patch.faces)) {
+            const auto [low, high] = std::minmax(edge.c, edge.d);
+            if (!isBetterFlipped(patch, edge) || !isFree(patch, edges, {low, high}) ||
+                !changed.take(edge)) {
+                continue;
+            }
+            edges.insert({low, high});
+            patch.faces[edge.first] = {edge.c, edge.d, edge.b};
+            patch.faces[edge.second] = {edge.d, edge.c, edge.a};
+            any = true;
+        }
+        if (!any) {
+            return;
+        }
+    }
+}
+
+void relax(Patch& patch, Relaxing relaxing) {
+    std::vector<Vec3> sum(patch.points.size(), Vec3::Zero());
+    std::vector<Vec3> normal(patch.points.size(), Vec3::Zero());
+    std::vector<int> count(patch.points.size(), 0);
+    for (const auto& [a, b, c] : patch.faces) {
+        const Vec3 area = normalOf(patch, a, b, c);
+        for (const auto& [from, to] : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) {
+            sum[from] += patch.points[to];
+            normal[from] += area;
+            ++count[from];
+        }
+    }
+    for (std::size_t i = patch.rimCount; i < patch.points.size(); ++i) {
+        Vec3 move = kRelaxationStep * (sum[i] / count[i] - patch.points[i]);
+        const double length = normal[i].norm();
+        if (relaxing == Relaxing::Tangential && length > 0.0) {
+            move -= move.dot(normal[i]) / (length * length) * normal[i];
+        }
+        patch.points[i] += move;
+    }
+}
+
+}  // namespace
+
+void refinePatch(Patch& patch, Relaxing relaxing) {
+    flipToDelaunay(patch);
+    for (int round = 0; round < kMostRounds && halveLongEdges(patch); ++round) {
+        flipToDelaunay(patch);
+        for (int i = 0; i < kRelaxations; ++i) {
+            relax(patch, relaxing);
+        }
+        flipToDelaunay(patch);
+    }
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fill/rim_triangulation.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// A piece of surface that fills a hole. Its first points are those of the rim, which stay.
+struct Patch {
+    std::vector<Vec3> points;
+    std::vector<double> sizes;  ///< for each point the length that edges should have there
+    std::vector<Triangle> faces;
+    int rimCount = 0;
+    EdgeSet forbidden;  ///< edges between points of the rim that the mesh has already
+
+    [[nodiscard]] bool isOnRim(int point) const { return point < rimCount; }
+};
+
+enum class Relaxing {
+    Free,        ///< points move to the middle of their neighbours
+    Tangential,  ///< within the surface only
+};
+
+/// Halves edges that are longer than their points ask for, and long ones between points of the
+/// rim; flips edges to Delaunay's; and relaxes points, in turn (after P. Liepa, Filling holes in
+/// meshes, 2003). O(n log n) a round, of which there are O(log of the largest length over size).
+void refinePatch(Patch& patch, Relaxing relaxing);
+
+}  // namespace bspline_curve
