@@ -36,10 +36,13 @@ def checkout(program, tmp_path):
 
 
 @pytest.mark.parametrize(("page", "section", "made"), [
-    ("README.md", "Command line", ["build/curve.ply", "build/report.json", "build/ridge.ply", "build/shell.vtu",
+    ("README.md", "Command line", ["build/curve.ply", "build/report.json", "build/ridge.ply", "build/shell.vtu", "build/filled.ply",
                                    "examples/batch/jobs.results.csv", "examples/batch/bunny-straight.dxf"]),
     ("docs/COMMAND_LINE.md", "Fields", ["build/ridge.ply"]),
     ("docs/COMMAND_LINE.md", "Shells", ["build/shell.vtu"]),
+    ("docs/COMMAND_LINE.md", "Imprints", ["build/imprinted.ply", "build/map.json"]),
+    ("docs/COMMAND_LINE.md", "Cuts", ["build/opened.ply"]),
+    ("docs/COMMAND_LINE.md", "Offsets", ["build/offset.ply"]),
 ])
 def test_the_commands_of_a_page_make_what_they_say(checkout, page, section, made):
     commands = commands_of(page, section)
