@@ -17,14 +17,11 @@ using Words = std::vector<std::string_view>;
 class ObjParser {
 public:
     ObjParser(const std::filesystem::path& file, std::string_view bytes)
-        : file_(file), lines_(bytes) {}
+        : file_(file), lines_(withoutTrailingZeros(bytes)) {}
 
     ParsedMesh run() {
         while (lines_.next()) {
-            if (lines_.line().find('\0') != std::string_view::npos) {
-                refuse("holds a zero byte; is it a text?");
-            }
-            readLine(lines_.line());
+            readLine(wholeLine());
         }
         if (vertices().empty()) {
             refuseFile(file_, "has no vertices; is it an OBJ mesh?");
@@ -45,15 +42,38 @@ public:
 private:
     std::vector<Vec3>& vertices() { return parsed_.mesh.vertices; }
 
+    /// The line with those that a backslash at its end joins to it.
+    std::string_view wholeLine() {
+        refuseZeroByte();
+        std::string_view line = lines_.line();
+        if (!line.ends_with('\\') || line.starts_with('#')) {
+            return line;
+        }
+        joined_.clear();
+        while (line.ends_with('\\')) {
+            joined_ += line.substr(0, line.size() - 1);
+            if (!lines_.next()) {
+                refuse("the file ends where a line should go on");
+            }
+            refuseZeroByte();
+            line = lines_.line();
+        }
+        joined_ += line;
+        return joined_;
+    }
+
+    void refuseZeroByte() const {
+        if (lines_.line().find('\0') != std::string_view::npos) {
+            refuse("holds a zero byte; is it a text?");
+        }
+    }
+
     void readLine(std::string_view line) {
         if (line.starts_with("#MRGB")) {
             zbrushColours_ += (line.size() - std::min<std::size_t>(line.size(), 6)) / 8;
         }
         if (line.empty() || line.front() == '#') {
             return;
-        }
-        if (line.ends_with('\\')) {
-            refuse("lines continued with a backslash are not supported");
         }
         const Words words = splitAtBlanks(line);
         if (words.empty()) {
@@ -102,7 +122,7 @@ private:
         for (std::size_t k = 1; k < words.size(); ++k) {
             corners_.push_back(vertexId(words[k], fromZero));
         }
-        addFan(corners_, parsed_.mesh.faces);
+        addPolygon(corners_, vertices(), parsed_.mesh.faces);
         if (sortAndFindRepeated(corners_)) {
             parsed_.repeating.push_back(faces_);
         }
@@ -145,6 +165,7 @@ private:
 
     const std::filesystem::path& file_;
     LineReader lines_;
+    std::string joined_;  // of the current line, where it is more than one
     ParsedMesh parsed_;
     std::vector<int> corners_;
     std::int64_t faces_ = 0;

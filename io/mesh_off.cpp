@@ -113,7 +113,7 @@ private:
             }
             corners_.push_back(static_cast<int>(id));
         }
-        addFan(corners_, parsed_.mesh.faces);
+        addPolygon(corners_, parsed_.mesh.vertices, parsed_.mesh.faces);
     }
 
     [[noreturn]] void refuse(const std::string& reason) const {

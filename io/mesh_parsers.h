@@ -17,6 +17,7 @@ struct ParsedMesh {
     TriangleMesh mesh;
     std::vector<double> quality;  ///< one value per vertex (PLY only), or empty
     /// Faces of a PLY or OBJ file, before polygons are cut, that name a vertex twice; ascending.
+    /// Triangles of strips count as faces.
     std::vector<std::int64_t> repeating;
 };
 
@@ -26,8 +27,12 @@ struct ParsedMesh {
 /// Three vertices per triangle.
 [[nodiscard]] ParsedMesh parseStl(const std::filesystem::path& file, std::string_view bytes);
 
-/// Cuts a polygon of at least three corners into triangles that share its first corner.
-void addFan(std::span<const int> corners, std::vector<Triangle>& faces);
+/// Cuts a polygon of at least three corners into triangles: a fan at its first corner where that
+/// does not fold, as it never does where the polygon is flat and convex; else a triangulation of
+/// least area. Vertices that are not known yet make it a fan. O(n), else O(n^3) up to 400 corners.
+void addPolygon(
+    std::span<const int> corners, const std::vector<Vec3>& vertices, std::vector<Triangle>& faces
+);
 
 /// Whether a vertex is named twice; sorts the corners.
 [[nodiscard]] bool sortAndFindRepeated(std::span<int> corners);

@@ -110,8 +110,14 @@ private:
 
 class DataParser {
 public:
-    DataParser(const std::filesystem::path& file, const PlyHeader& header, std::string_view data)
-        : file_(file), header_(header), cursor_(data, header.format) {}
+    /// `strips`: the list to make triangles of, or null.
+    DataParser(
+        const std::filesystem::path& file,
+        const PlyHeader& header,
+        const PlyProperty* strips,
+        std::string_view data
+    )
+        : file_(file), header_(header), strips_(strips), cursor_(data, header.format) {}
 
     ParsedMesh run() {
         for (const PlyElement& element : header_.elements) {
@@ -154,6 +160,8 @@ private:
                 const PlyProperty& property = element.properties[k];
                 if (property.countType == PlyScalar::None) {
                     *targets[k] = cursor_.number(property.type);
+                } else if (&property == strips_) {
+                    readStrips(element, property, i);
                 } else {
                     readList(element, property, i);
                 }
@@ -205,10 +213,48 @@ private:
             }
         }
         if (isFace && !cursor_.failed()) {
-            addFan(corners_, parsed_.mesh.faces);
+            addPolygon(corners_, parsed_.mesh.vertices, parsed_.mesh.faces);
             if (sortAndFindRepeated(corners_)) {
                 parsed_.repeating.push_back(static_cast<std::int64_t>(i));
             }
+        }
+    }
+
+    /// Triangles of three vertices in a row, every second one turned; -1 starts a new strip.
+    void readStrips(const PlyElement& element, const PlyProperty& property, std::size_t i) {
+        const double count = cursor_.number(property.countType);
+        corners_.clear();
+        for (double k = 0; k < count && !cursor_.failed(); ++k) {
+            const double corner = cursor_.number(property.type);
+            const bool isRestart = corner == -1 || (corner == 0xffffffff);
+            if (!cursor_.failed() && !isRestart && (corner < 0 || corner >= vertices_)) {
+                refuseFile(
+                    file_,
+                    element.name + " " + std::to_string(i) + " names vertex " +
+                        std::to_string(static_cast<long long>(corner)) + " of " +
+                        std::to_string(static_cast<long long>(vertices_)) + ", counted from 0"
+                );
+            }
+            if (isRestart) {
+                corners_.clear();
+                continue;
+            }
+            corners_.push_back(static_cast<int>(corner));
+            if (corners_.size() >= 3 && !cursor_.failed()) {
+                addStripTriangle();
+            }
+        }
+    }
+
+    void addStripTriangle() {
+        const std::size_t first = corners_.size() - 3;
+        Triangle face{corners_[first], corners_[first + 1], corners_[first + 2]};
+        if (first % 2 == 1) {
+            std::swap(face[0], face[1]);
+        }
+        parsed_.mesh.faces.push_back(face);
+        if (sortAndFindRepeated(face)) {
+            parsed_.repeating.push_back(std::ssize(parsed_.mesh.faces) - 1);
         }
     }
 
@@ -226,6 +272,7 @@ private:
 
     const std::filesystem::path& file_;
     const PlyHeader& header_;
+    const PlyProperty* strips_;
     DataCursor cursor_;
     double vertices_ = 0.0;
     Vec3 point_ = Vec3::Zero();
@@ -258,8 +305,8 @@ void checkVertices(const std::filesystem::path& file, const PlyHeader& header) {
 
 void checkElementsKnown(const std::filesystem::path& file, const PlyHeader& header) {
     for (const PlyElement& element : header.elements) {
-        if (element.name == "tristrips" || element.name == "range_grid") {
-            refuseFile(file, "has " + inQuotes(element.name) + ", not faces; save it as triangles");
+        if (element.name == "range_grid") {
+            refuseFile(file, "has a range_grid, not faces; save it as triangles");
         }
         if (element.name == "edge" && (findProperty(element, "vertex1") == nullptr ||
                                        findProperty(element, "vertex2") == nullptr)) {
@@ -268,25 +315,42 @@ void checkElementsKnown(const std::filesystem::path& file, const PlyHeader& head
     }
 }
 
+/// The element of that name if it has any, else null.
+const PlyElement* findFilled(const PlyHeader& header, std::string_view name) {
+    const auto found = std::ranges::find(header.elements, name, &PlyElement::name);
+    return found == header.elements.end() || found->count == 0 ? nullptr : &*found;
+}
+
+/// The list of vertices of faces or strips.
+const PlyProperty* findIndices(const std::filesystem::path& file, const PlyElement& element) {
+    const PlyProperty* indices = findProperty(element, "vertex_indices");
+    indices = indices != nullptr ? indices : findProperty(element, "vertex_index");
+    if (indices == nullptr || indices->countType == PlyScalar::None) {
+        refuseFile(file, "its element " + element.name + " has no list vertex_indices");
+    }
+    if (isFloating(indices->type)) {
+        refuseFile(
+            file,
+            "the vertex indices of its " + element.name + " are of type " + nameOf(indices->type)
+        );
+    }
+    return indices;
+}
+
 }  // namespace
 
 ParsedMesh parsePly(const std::filesystem::path& file, std::string_view bytes) {
     const PlyHeader header = readPlyHeader(file, bytes);
     checkVertices(file, header);
     checkElementsKnown(file, header);
-    const auto face = std::ranges::find(header.elements, "face", &PlyElement::name);
-    if (face == header.elements.end() || face->count == 0) {
+    const PlyElement* const faces = findFilled(header, "face");
+    const PlyElement* const strips = faces == nullptr ? findFilled(header, "tristrips") : nullptr;
+    if (faces == nullptr && strips == nullptr) {
         refuseFile(file, "has no faces");
     }
-    const PlyProperty* indices = findProperty(*face, "vertex_indices");
-    indices = indices != nullptr ? indices : findProperty(*face, "vertex_index");
-    if (indices == nullptr || indices->countType == PlyScalar::None) {
-        refuseFile(file, "the faces have no list vertex_indices");
-    }
-    if (isFloating(indices->type)) {
-        refuseFile(file, "the faces' vertex indices are of type " + nameOf(indices->type));
-    }
-    return DataParser(file, header, bytes.substr(header.size)).run();
+    const PlyProperty* const indices = findIndices(file, faces != nullptr ? *faces : *strips);
+    const PlyProperty* const stripIndices = strips != nullptr ? indices : nullptr;
+    return DataParser(file, header, stripIndices, bytes.substr(header.size)).run();
 }
 
 }  // namespace bspline_curve

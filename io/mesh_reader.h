@@ -19,11 +19,11 @@ enum class RepeatedVertices : std::uint8_t { Refuse, Keep };
 
 /// A mesh with its per-vertex quality (PLY only): .ply, .obj, .off and .stl.
 /// Coordinates keep the precision of the file; vertices and faces keep its order. Polygons are cut
-/// into fans of triangles at their first corner. The vertices of an STL file that have equal
-/// coordinates are made one, in order of first use. Only what the file says is checked, not whether
-/// it is a surface. Throws InputError (UnreadableFile, or
-/// DegenerateFace where a face of a PLY or OBJ file names a vertex twice and is not to be kept),
-/// naming file and reason.
+/// into triangles: fans at their first corner, or, where a fan folds, triangulations of least area.
+/// Strips of triangles are read where a PLY file has no faces. The vertices of an STL file that
+/// have equal coordinates are made one, in order of first use. Only what the file says is checked,
+/// not whether it is a surface. Throws InputError (UnreadableFile, or DegenerateFace where a face
+/// of a PLY or OBJ file names a vertex twice and is not to be kept), naming file and reason.
 [[nodiscard]] MeshFile readMeshFile(
     const std::filesystem::path& file, RepeatedVertices repeated = RepeatedVertices::Refuse
 );

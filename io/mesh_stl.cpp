@@ -22,10 +22,29 @@ std::size_t binaryTriangles(std::string_view bytes) {
     return count;
 }
 
-/// Binary where the size fits the count, or where the beginning is not text.
+/// Whether one of the first lines starts with "facet", as no header does.
+bool startsWithFacet(std::string_view bytes) {
+    constexpr std::size_t kLongestStart = 4096;  // of names and comments before the first facet
+    LineReader lines(bytes.substr(0, kLongestStart));
+    while (lines.next()) {
+        const std::string_view line = trimmed(lines.line());
+        const std::string keyword = lowerCase(line.substr(0, line.find_first_of(" \t")));
+        if (keyword == "facet" && line.find('\0') == std::string_view::npos) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Binary where the size fits the count, or where the beginning is no text. Neither the word
+/// "solid" tells, which binary files may start with, nor letters beyond ASCII, which names may
+/// have.
 bool isBinary(std::string_view bytes) {
     if (bytes.size() == kHeaderSize + kTriangleSize * binaryTriangles(bytes)) {
         return true;
+    }
+    if (startsWithFacet(bytes)) {
+        return false;
     }
     const std::string_view start = bytes.substr(kHeaderSize, 1000);
     return std::ranges::any_of(start, [](char c) { return static_cast<unsigned char>(c) > 127; });
@@ -69,24 +88,26 @@ Vec3 parseAsciiVertex(
 }
 
 void parseAscii(const std::filesystem::path& file, std::string_view bytes, TriangleMesh& mesh) {
-    LineReader lines(bytes);
+    LineReader lines(withoutTrailingZeros(bytes));
     std::size_t facets = 0;
     bool ended = false;
-    for (std::size_t statement = 0; lines.next();) {
+    while (lines.next()) {
         const auto words = splitAtBlanks(lines.line());
         if (words.empty()) {
             continue;
         }
         const std::string keyword = lowerCase(words[0]);
-        if (statement++ == 0 && keyword != "solid") {
-            refuseFile(file, "is neither a binary STL file nor a text that starts with \"solid\"");
-        }
         if (keyword == "facet") {
             ++facets;
+            ended = false;
         } else if (keyword == "vertex") {
             mesh.vertices.push_back(parseAsciiVertex(file, lines.number(), words));
         }
-        ended = keyword == "endsolid";
+        const bool isTwoWords = keyword == "end" && words.size() > 1;
+        ended = ended || keyword == "endsolid" || (isTwoWords && lowerCase(words[1]) == "solid");
+    }
+    if (facets == 0 && !ended) {
+        refuseFile(file, "is neither a binary STL file nor a text with facets");
     }
     if (!ended || mesh.vertices.size() != 3 * facets) {
         refuseFile(

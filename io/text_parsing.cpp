@@ -115,6 +115,11 @@ std::optional<long long> parseInteger(std::string_view token) {
     return parseWhole<long long>(token);
 }
 
+std::string_view withoutTrailingZeros(std::string_view text) {
+    const std::size_t last = text.find_last_not_of('\0');
+    return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(kBlanks);
     if (first == std::string_view::npos) {

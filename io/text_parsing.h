@@ -34,6 +34,8 @@ namespace bspline_curve {
 [[nodiscard]] std::optional<float> parseFloat(std::string_view token);
 [[nodiscard]] std::optional<long long> parseInteger(std::string_view token);
 
+/// Without the zero bytes at the end, which some programs leave.
+[[nodiscard]] std::string_view withoutTrailingZeros(std::string_view text);
 /// Without blanks at both ends (a carriage return is a blank).
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 /// The words between blanks.

@@ -169,7 +169,7 @@ TEST_F(DamagedMesh, WordsForNumbersAreRefused) {
 
 TEST_F(DamagedMesh, WhatOtherProgramsMisreadIsRefused) {
     expectContains(refused("a.obj", "v 0 0 0\n v 1 0 0\nv 0 1 0\nf 1 2 3\n"), "line 2");
-    expectContains(refused("b.obj", kObj + "f 1 2\\\n 3\n"), "backslash");
+    expectContains(refused("b.obj", kObj + "f 1 2 3\\"), "line 4");
     expectContains(
         refused("c.obj", "#MRGB ffffffff\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "MRGB"
     );
@@ -184,9 +184,19 @@ TEST_F(DamagedMesh, WhatOtherProgramsMisreadIsRefused) {
     std::string unusual = kPly + "3 0 1 2\n3 0 2 3\n";
     unusual.replace(unusual.find("uchar int"), 9, "uchar float");
     expectContains(refused("unusual.ply", unusual), "type float");
-    std::string strips = kPly + "3 0 1 2\n3 0 2 3\n";
+    std::string grid = kPly + "3 0 1 2\n3 0 2 3\n";
+    grid.replace(grid.find("element face"), 12, "element range_grid");
+    expectContains(refused("grid.ply", grid), "range_grid");
+}
+
+TEST_F(DamagedMesh, StripsThatNameNoVertexAreRefused) {
+    std::string strips = kPly + "4 0 1 2 3\n4 -1 0 1 4\n";
     strips.replace(strips.find("element face"), 12, "element tristrips");
-    expectContains(refused("strips.ply", strips), "tristrips");
+    expectContains(refused("a.ply", strips), "tristrips 1 names vertex 4 of 4");
+    strips.replace(strips.find("-1 0 1 4"), 8, "-2 0 1 2");
+    expectContains(refused("b.ply", strips), "names vertex -2 of 4");
+    strips.replace(strips.find("uchar int"), 9, "uchar float");
+    expectContains(refused("c.ply", strips), "type float");
 }
 
 /// vcglib's importer counts three vertices here and writes four.

@@ -23,11 +23,14 @@ const std::vector<Triangle> kTwoFaces{{0, 1, 2}, {0, 2, 3}};
 constexpr double kFine = 0.1234567890123456;
 
 std::string plyHeader(
-    const std::string& format, const std::string& scalar, const std::string& more = ""
+    const std::string& format,
+    const std::string& scalar,
+    const std::string& more = "",
+    const std::string& faces = "face 2\nproperty list uchar int"
 ) {
     return "ply\nformat " + format + " 1.0\nelement vertex 4\nproperty " + scalar +
-           " x\nproperty " + scalar + " y\nproperty " + scalar + " z\n" + more +
-           "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+           " x\nproperty " + scalar + " y\nproperty " + scalar + " z\n" + more + "element " +
+           faces + " vertex_indices\nend_header\n";
 }
 
 template <class Scalar>
@@ -59,6 +62,13 @@ void expectSquare(const TriangleMesh& mesh) {
         EXPECT_EQ(mesh.vertices[i], kSquare[i]) << "vertex " << i;
     }
     EXPECT_EQ(mesh.faces, kTwoFaces);
+}
+
+/// Seen from above.
+double signedArea(const std::vector<Vec3>& vertices, const Triangle& face) {
+    const Vec3 a = vertices[face[1]] - vertices[face[0]];
+    const Vec3 b = vertices[face[2]] - vertices[face[0]];
+    return 0.5 * (a.x() * b.y() - a.y() * b.x());
 }
 
 }  // namespace
@@ -180,14 +190,106 @@ TEST_F(MeshReader, CutsPolygonsIntoFans) {
     EXPECT_EQ(read("a.obj", obj + "f 3 4 5 6 1 2\nf 1 7 8\n").faces, fan);
 }
 
+/// An L, whose fan at some corners folds over.
+TEST_F(MeshReader, CutsConcavePolygonsWithoutAFold) {
+    const TriangleMesh corners =
+        read("corners.off", "OFF\n6 1 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 0\n2 0 0\n3 0 1 2\n");
+    const std::string vertices = "v 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\nv 2 0 0\n";
+    for (const char* face :
+         {"1 2 3 4 5 6",
+          "2 3 4 5 6 1",
+          "3 4 5 6 1 2",
+          "4 5 6 1 2 3",
+          "5 6 1 2 3 4",
+          "6 1 2 3 4 5"}) {
+        const auto faces = read("a.obj", vertices + "f " + face).faces;
+        EXPECT_EQ(faces.size(), 4U) << face;
+        double area = 0.0;
+        for (const Triangle& triangle : faces) {
+            area += std::abs(signedArea(corners.vertices, triangle));
+            EXPECT_GT(signedArea(corners.vertices, triangle), 0.0) << face;
+        }
+        EXPECT_EQ(area, 3.0) << face;
+    }
+}
+
+TEST_F(MeshReader, CutsConcavePolygonsOfOffAndPlyTheSameWay) {
+    const std::string vertices = "2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 0\n2 0 0\n";
+    const std::vector<Triangle> faces =
+        read("a.off", "OFF\n6 1 0\n" + vertices + "6 0 1 2 3 4 5\n").faces;
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 6\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    EXPECT_EQ(read("a.ply", ply + vertices + "6 0 1 2 3 4 5\n").faces, faces);
+    EXPECT_NE(faces[0], (Triangle{0, 1, 2})) << "which would be of a fan, and fold";
+}
+
+TEST_F(MeshReader, ReadsStripsOfTriangles) {
+    const std::string file =
+        plyHeader("ascii", "float", "", "tristrips 2\nproperty list uchar int") +
+        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n10 0 1 2 -1 -1 0 1 2 3 0\n3 2 1 3\n";
+    const std::vector<Triangle> faces{{0, 1, 2}, {0, 1, 2}, {2, 1, 3}, {2, 3, 0}, {2, 1, 3}};
+    EXPECT_EQ(read("a.ply", file).faces, faces);
+
+    const auto binary = [&](const std::string& format, const std::string& type, bool swapped) {
+        std::string bytes =
+            plyHeader(format, "float", "", "tristrips 1\nproperty list " + type + " " + type);
+        const std::string body = plyBody<float>(swapped);
+        bytes += body.substr(0, 4 * 3 * sizeof(float));
+        for (const int number : {7, 0, 1, 2, -1, 0, 2, 3}) {
+            std::string four = bytesOf(number);
+            if (swapped) {
+                std::ranges::reverse(four);
+            }
+            bytes += four;
+        }
+        return bytes;
+    };
+    expectSquare(read("b.ply", binary("binary_little_endian", "int", false)));
+    expectSquare(read("c.ply", binary("binary_big_endian", "int", true)));
+    expectSquare(read("d.ply", binary("binary_little_endian", "uint", false)));
+}
+
+TEST_F(MeshReader, TakesFacesWhereAFileHasStripsToo) {
+    const std::string header = plyHeader(
+        "ascii",
+        "float",
+        "",
+        "face 2\nproperty list uchar int vertex_indices\nelement tristrips 1\nproperty list int int"
+    );
+    expectSquare(
+        read("a.ply", header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n4 0 1 2 3\n")
+    );
+}
+
+TEST_F(MeshReader, OverlooksZeroBytesAtTheEndOfTexts) {
+    const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+    const std::string off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+    expectSquare(read("a.obj", obj + '\0'));
+    expectSquare(read("b.obj", obj + std::string(512, '\0')));
+    expectSquare(read("a.off", off + std::string(9, '\0')));
+}
+
+TEST_F(MeshReader, JoinsLinesOfObjThatEndInABackslash) {
+    expectSquare(read(
+        "a.obj", "v 0 0 0\nv 1 0 \\\n0\nv 1 1 0\r\nv 0 1 0\nf 1 \\\r\n 2 \\\n3\n# no\\\nf 1 3 4\n"
+    ));
+}
+
+/// A position with several texture coordinates is one vertex, so a seam parts nothing.
+TEST_F(MeshReader, TakesSeamsOfTexturesForOneSurface) {
+    expectSquare(read(
+        "a.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0\nvt 0.5 0.5\nvt 0 "
+        "0.5\nf 1/1 2/2 3/3\nf 1/4 3/5 4/6\n"
+    ));
+}
+
 TEST_F(MeshReader, CutsQuadsOfAnyFormatIntoTwo) {
     const TriangleMesh mesh = read("a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
     ASSERT_EQ(mesh.faces.size(), 2U);
     for (const Triangle& face : mesh.faces) {
-        const auto at = [&](std::size_t k) { return mesh.vertices[face[k]]; };
-        const Vec3 a = at(1) - at(0);
-        const Vec3 b = at(2) - at(0);
-        EXPECT_EQ(a.x() * b.y() - a.y() * b.x(), 1.0) << "twice the area, oriented upwards";
+        EXPECT_EQ(signedArea(mesh.vertices, face), 0.5) << "oriented upwards";
     }
 }
 
@@ -213,6 +315,43 @@ TEST_F(MeshReader, WeldsEqualVerticesOfStl) {
         binary += bytesOf(std::uint16_t{0});
     }
     expectSquare(read("b.stl", binary));
+}
+
+TEST_F(MeshReader, ReadsStlWhoseHeaderOrEndMisleads) {
+    const std::string facets =
+        "facet normal 0 0 1\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n vertex 1 1 0\n"
+        " endloop\nendfacet\nfacet normal 0 0 1\n outer loop\n vertex 0 0 0\n vertex 1 1 0\n"
+        " vertex 0 1 0\n endloop\nendfacet\n";
+    expectSquare(read("a.stl", "solid square\n" + facets + "end solid square\n"));
+    expectSquare(read("b.stl", "Made by hand\n" + facets + "END SOLID\n"));
+    expectSquare(read("c.stl", "\n  Solid\n" + facets + "  EndSolid  \n\nmade by hand\n"));
+    // Letters that are no ASCII, beyond the place where a binary header would end.
+    std::string name(90, 'n');
+    for (int k = 0; k < 40; ++k) {
+        name += "\xc3\xb6";
+    }
+    expectSquare(read("d.stl", "solid " + name + "\n" + facets + "endsolid " + name + "\n"));
+    expectSquare(read("e.stl", "solid\n" + facets + "endsolid\n" + std::string(7, '\0')));
+    const std::size_t half = facets.size() / 2;
+    const std::string two = "solid a\n" + facets.substr(0, half) + "endsolid a\nsolid b\n";
+    expectSquare(read("f.stl", two + facets.substr(half) + "endsolid b\n"));
+}
+
+TEST_F(MeshReader, ReadsBinaryStlThatSaysSolid) {
+    std::string bytes = "solid square";
+    bytes.resize(80, ' ');
+    bytes += bytesOf(std::uint32_t{2});
+    for (const Triangle& face : kTwoFaces) {
+        bytes += bytesOf(0.0F) + bytesOf(0.0F) + bytesOf(1.0F);
+        for (const int id : face) {
+            for (const double x : kSquare[id]) {
+                bytes += bytesOf(static_cast<float>(x));
+            }
+        }
+        bytes += bytesOf(std::uint16_t{0});
+    }
+    expectSquare(read("a.stl", bytes));
+    expectSquare(read("b.stl", bytes + std::string(4, '\xff')));
 }
 
 TEST_F(MeshReader, DoesNotWeldVerticesThatOnlyNearlyMeet) {
