@@ -7,4 +7,5 @@ target_compile_options(bspline_curve_build_options INTERFACE
   -ffp-contract=off
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Woverloaded-virtual
   -Wconversion -Wdouble-promotion -Wformat=2
+  $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>  # g++ has it apart from -Wconversion
   $<$<BOOL:${BSPLINE_CURVE_WERROR}>:-Werror>)
