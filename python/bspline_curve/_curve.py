@@ -4,15 +4,15 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, _spline
 from ._arrays import Floats, Int32s, face_ids, numbers, one_pick
-from ._errors import InputError, PickError
-from ._options import Progress, Value, changed
+from ._errors import InputError, MeshError, PickError
+from ._options import Option, Progress, Value, changed, checked_number, checked_value
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -20,6 +20,11 @@ if TYPE_CHECKING:
     from ._keywords import CurveOptions
     from ._mesh import Mesh
 
+
+Side: TypeAlias = Literal["left", "right", "both"]
+
+DISTANCE = Option("double", None, 0.0, None, True, ())
+SIDE = Option("enum", "both", None, None, False, ("left", "right", "both"))
 
 _Array = TypeVar("_Array", bound=npt.NDArray[Any])
 
@@ -254,6 +259,45 @@ class Curve:
             raise TypeError(f"with_options() has no option {unknown[0]!r}; it has {', '.join([*CURVE, 'field', 'avoid'])}")
         return drawing._replace(options=changed(CURVE, {**drawing.options, **given})).draw(None, progress)
 
+    def offset(self, distance: float, side: Side = "both") -> list[Curve]:
+        """Draw the lines at a distance from this curve, measured along the surface.
+
+        Where a line runs into itself it ends there, so that no piece crosses itself or another.
+
+        Parameters
+        ----------
+        distance : float > 0
+            In the unit of the mesh.
+        side : {"left", "right", "both"}, default "both"
+            Seen along the curve, the surface's normal upwards; "both" runs round the ends of an open curve.
+
+        Returns
+        -------
+        list of Curve
+            The longest piece first; none where no point has that distance. They have no picks, and are splines of
+            degree 1; t is the length along the piece.
+
+        Raises
+        ------
+        MeshError
+            The mesh had to be mended: draw on repair(vertices, faces).mesh.
+        OptionError
+            `distance` or `side` is not allowed.
+        """
+        near = self._near(distance, side)
+        drawing = Drawing(self.mesh, np.empty((0, 3)), {}, None, None)
+        return [Curve(piece, drawing) for piece in _core.offset(*near)]
+
+    def faces_within(self, distance: float, side: Side = "both") -> npt.NDArray[np.bool_]:
+        """Find the faces near this curve: (m,), whether the middle of each is within a distance. As offset()."""
+        return _core.faces_within(*self._near(distance, side)).astype(np.bool_)
+
+    def _near(self, distance: float, side: str) -> tuple[_core.Designer, _core.Curve, float, str]:
+        if self.mesh.mending:
+            raise MeshError("the mesh was mended for curves: draw on repair(vertices, faces).mesh", "bad-argument")
+        length = checked_number("distance", DISTANCE, distance)
+        return self.mesh._designer, self._core, length, str(checked_value("side", SIDE, side))
+
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the curve to a .json file, from which load() makes it again; the file appears wholly, or not at all."""
         from ._files import save
@@ -295,6 +339,8 @@ class Curve:
     def _index(self, pick: int, end: int) -> int:
         if isinstance(pick, bool) or not isinstance(pick, (int, np.integer)):
             raise TypeError(f"pick is {pick!r}, but must be an integer")
+        if not len(self.picks):
+            raise PickError("this curve has no picks: it is an offset; draw one with Mesh.curve()", "too-few-picks")
         if not -end <= pick < end:
             raise PickError(f"pick is {pick}, but must be in [{-end}, {end - 1}]", "index-out-of-range")
         return int(pick) % end

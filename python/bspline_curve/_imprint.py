@@ -3,14 +3,23 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Literal, NamedTuple, TypeAlias, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Int32s, numbers
-from ._errors import FieldError
+from ._errors import FieldError, InputError, OptionError
+from ._options import Option, checked_value
+
+Keep: TypeAlias = "Literal['largest', 'smallest', 'inside'] | Sequence[float] | Floats"
+Fill: TypeAlias = Literal["none", "flat", "smooth"]
+
+SNAP = Option("double", 1e-9, 0.0, 0.01, False, ())
+KEEP = Option("enum", "largest", None, None, False, ("largest", "smallest", "inside"))
+FILL = Option("enum", "none", None, None, False, ("none", "flat", "smooth"))
 
 
 class Part(NamedTuple):
@@ -24,11 +33,12 @@ class Part(NamedTuple):
 
 
 class Cut(NamedTuple):
-    """The mesh opened along its curves: vertices on them are doubled; copies come last."""
+    """The mesh, or parts of it, opened along its curves: vertices on them are doubled."""
 
-    vertices: Floats  # (n, 3)
+    vertices: Floats  # (n, 3); copies come last
     faces: Int32s  # (m, 3), in the order of the imprint
-    origins: Int32s  # (n,): the vertex of the imprint of each
+    origins: Int32s  # (n,): the vertex of the imprint of each; -1: new, in a filled hole
+    labels: Int32s  # (m,): the part of each face, an index into Imprint.parts; -1: new
 
 
 class Imprint:
@@ -92,9 +102,46 @@ class Imprint:
     def parts(self) -> list[Part]:
         return self._measured()[1]
 
-    def cut(self) -> Cut:
-        """Open the mesh along the curves; an open curve becomes a slit with joined ends. O(m log m)."""
-        return Cut(*self._core.cut())
+    def cut(self, keep: Keep | None = None, fill: Fill = "none") -> Cut:
+        """Open the mesh along the curves; an open curve becomes a slit with joined ends. O(m log m).
+
+        Parameters
+        ----------
+        keep : "largest", "smallest", "inside" or (3,) array of float, default None
+            Return one part at the curves, all of these but the largest ("inside"), or the part at a point; None: all parts.
+        fill : {"none", "flat", "smooth"}, default "none"
+            Fill the holes that the other parts leave: with the area that is least and no new vertices, or as dense as
+            around, with its tangent planes. Needs `keep`.
+
+        Returns
+        -------
+        Cut
+
+        Raises
+        ------
+        InputError
+            The curves open nothing; with `keep`, they part nothing (a PickError), or no part or two are at the point.
+        OptionError
+            `keep` or `fill` is none of these, or `fill` is there without `keep`.
+        """
+        shape = cast(str, checked_value("fill", FILL, fill))
+        if keep is None:
+            if shape != "none":
+                raise OptionError(f"fill is {shape!r}, which needs keep", "bad-option")
+            vertices, faces, origins = self._core.cut()
+            if len(vertices) == len(self.vertices):
+                raise InputError(
+                    "there is nothing to cut: the curves run along the boundary, or are one edge long and end inside the mesh",
+                    "no-path",
+                )
+            return Cut(vertices, faces, origins, self.labels)
+        if isinstance(keep, str):
+            which, seed = cast(str, checked_value("keep", KEEP, keep)), [0.0, 0.0, 0.0]
+        else:
+            which, seed = "seed", numbers(keep, "keep").tolist()
+            if np.shape(seed) != (3,):
+                raise InputError(f"keep has shape {np.shape(seed)}, but must be a word or have (3,)", "bad-array")
+        return Cut(*self._core.take(which, seed, shape)[:4])
 
     def values(self, given: npt.ArrayLike, faces: npt.ArrayLike) -> Floats:
         """Values at the vertices of the mesh, at those of the imprint: linear in each face of the mesh.

@@ -14,12 +14,10 @@ from . import _core
 from ._arrays import Floats, Int32s, Picks, face_ids, finite_points, per_vertex, pick_points
 from ._curve import Curve, Drawing
 from ._errors import FieldError, InputError, MeshError, MeshWarning
-from ._imprint import Imprint
+from ._imprint import SNAP, Cut, Fill, Imprint, Keep
 from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Kind, MeshKeywords
-from ._options import Option, Progress, Value, changed, checked_number
-
-SNAP = Option("double", 1e-9, 0.0, 0.01, False, ())
+from ._options import Progress, Value, changed, checked_number
 
 
 class Projection(NamedTuple):
@@ -144,6 +142,35 @@ class Mesh(MeshKeywords):
             if curve.mesh is not self:
                 raise InputError(f"curves[{i}] is of another mesh")
         return Imprint(_core.imprint(self._designer, [curve._core for curve in given], checked_number("snap", SNAP, snap)))
+
+    def cut(
+        self, curves: Iterable[Curve], keep: Keep | None = None, fill: Fill = "none", snap: float = 1e-9
+    ) -> Cut:
+        """Open a copy of the mesh along curves: imprint(curves, snap).cut(keep, fill)."""
+        return self.imprint(curves, snap).cut(keep, fill)
+
+    def segment(self, curves: Iterable[Curve], snap: float = 1e-9) -> Imprint:
+        """Label the parts that curves leave: an imprint whose `labels` and `parts` are more than those of the mesh.
+
+        Parameters
+        ----------
+        curves, snap
+            As of imprint().
+
+        Returns
+        -------
+        Imprint
+            `labels` has the part of each of its faces, `parts` their figures.
+
+        Raises
+        ------
+        InputError
+            The curves part nothing, or as imprint() does.
+        """
+        imprint = self.imprint(curves, snap)
+        if len(imprint.parts) <= self.components:
+            raise InputError("the curves part nothing: close them, or let them reach the boundary or each other", "no-path")
+        return imprint
 
     def _make_field(
         self,

@@ -2,15 +2,18 @@
 #include "python/core/imprint_data.h"
 
 #include "design/designer_surface.h"
+#include "fill/part_filling.h"
 #include "imprint/imprint.h"
 #include "imprint/mesh_parts.h"
+#include "imprint/part_choice.h"
 #include "python/core/arrays.h"
 #include "python/core/mesh_designer.h"
 
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
-#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -80,6 +83,64 @@ nb::tuple cutTuple(const ImprintedMesh& imprint) {
     return nb::make_tuple(arrays[0], arrays[1], arrayOf(std::move(cut.origin)));
 }
 
+PartChoice choiceOf(const std::string& which, const std::vector<double>& seed) {
+    using Which = PartChoice::Which;
+    if (which == "seed") {
+        return {.which = Which::Seed, .seed = Vec3(seed.at(0), seed.at(1), seed.at(2))};
+    }
+    return {
+        .which = which == "largest"    ? Which::Largest
+                 : which == "smallest" ? Which::Smallest
+                                       : Which::Inside
+    };
+}
+
+// Chosen parts opened along the curves, or with their holes filled; origins and labels of what is
+// new are -1.
+FilledParts takenParts(
+    const ImprintedMesh& imprint, const PartChoice& choice, const std::string& fill
+) {
+    const MeshParts parts = partsOf(imprint);
+    const std::vector<int> chosen = chosenParts(imprint, parts, choice);
+    if (fill != "none") {
+        return fillAround(
+            imprint, parts, chosen, fill == "flat" ? FillShape::Flat : FillShape::Smooth
+        );
+    }
+    const CutMesh cut = cutAlongCurves(imprint);
+    SubMesh part = facesWithLabels(cut.mesh, parts.labels, chosen);
+    FilledParts taken;
+    taken.mesh = std::move(part.mesh);
+    for (const int vertex : part.vertices) {
+        taken.origin.push_back(cut.origin[vertex]);
+    }
+    for (const int face : part.faces) {
+        taken.labels.push_back(parts.labels[face]);
+    }
+    return taken;
+}
+
+// (vertices, faces, imprinted vertex of each vertex, part of each face, rims left open).
+nb::tuple takeTuple(
+    const ImprintedMesh& imprint,
+    const std::string& which,
+    const std::vector<double>& seed,
+    const std::string& fill
+) {
+    FilledParts taken = [&] {
+        const nb::gil_scoped_release unlocked;
+        return takenParts(imprint, choiceOf(which, seed), fill);
+    }();
+    const nb::tuple arrays = arraysOf(taken.mesh);
+    return nb::make_tuple(
+        arrays[0],
+        arrays[1],
+        arrayOf(std::move(taken.origin)),
+        arrayOf(std::move(taken.labels)),
+        taken.openRims
+    );
+}
+
 }  // namespace
 
 void bindImprint(nb::module_& module) {
@@ -99,7 +160,8 @@ void bindImprint(nb::module_& module) {
         .def_prop_ro("origins", originsOf)
         .def_ro("largest_move", &ImprintedMesh::largestMove)
         .def("parts", partsTuple)
-        .def("cut", cutTuple);
+        .def("cut", cutTuple)
+        .def("take", takeTuple);
     module.def("imprint", imprinted);
 }
 

@@ -9,6 +9,7 @@
 #include "python/core/errors.h"
 #include "python/core/imprint_data.h"
 #include "python/core/mesh_designer.h"
+#include "python/core/offset_data.h"
 #include "python/core/option_values.h"
 #include "python/core/python_progress.h"
 #include "surface/repair.h"
@@ -216,6 +217,7 @@ NB_MODULE(_core, module) {
     bindCurve(module);
     bindDesigner(module);
     bindImprint(module);
+    bindOffset(module);
     module.attr("__version__") = BSPLINE_CURVE_VERSION;
     module.def("repaired", repaired<Faces32>);
     module.def("repaired", repaired<Faces64>);

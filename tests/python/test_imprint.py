@@ -65,3 +65,91 @@ def test_what_cannot_be_imprinted_is_refused(mesh, arrays, crossing):
         mesh.imprint([crossing[0], bspline_curve.Mesh(*arrays).curve(arrays[0][[45, 700]])])
     with pytest.raises(bspline_curve.OptionError, match="snap is 0.5"):
         mesh.imprint(crossing, snap=0.5)
+
+
+@pytest.fixture(scope="module")
+def ring(mesh, arrays):
+    return mesh.curve(arrays[0][[500, 530, 1250, 1200]], closed=True)
+
+
+def boundary_edges(faces):
+    """How many edges have one face only, or more than two."""
+    sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    counts = np.unique(sides, axis=0, return_counts=True)[1]
+    return (counts == 1).sum(), (counts > 2).sum()
+
+
+def test_parts_are_taken_by_size_and_by_a_point(mesh, ring):
+    imprint = mesh.segment([ring])
+    outer, inner = imprint.parts
+    whole = mesh.cut([ring])
+    inside = mesh.project([ring.points.mean(axis=0)]).points[0]
+    assert len(whole.vertices) == len(imprint.vertices) + len(imprint.curves[0])
+    np.testing.assert_array_equal(whole.labels, imprint.labels)
+    for keep, part in [("largest", outer), ("smallest", inner), ("inside", inner), (inside, inner)]:
+        taken = mesh.cut([ring], keep=keep)
+        assert len(taken.faces) == len(part.faces)
+        assert areas(taken.vertices, taken.faces).sum() == pytest.approx(part.area)
+        np.testing.assert_array_equal(taken.vertices, imprint.vertices[taken.origins])
+        assert set(taken.labels) == {int(part is inner)}
+
+
+def test_holes_are_filled(mesh, ring):
+    open_ = mesh.cut([ring], keep="largest")
+    flat, smooth = (mesh.cut([ring], keep="largest", fill=fill) for fill in ("flat", "smooth"))
+    edge = boundary_edges(mesh.faces)[0]
+    assert boundary_edges(open_.faces) == (edge + len(mesh.imprint([ring]).curves[0]), 0)
+    for filled in (flat, smooth):
+        assert boundary_edges(filled.faces) == (edge, 0)
+        assert (filled.labels == -1).sum() == len(filled.faces) - len(open_.faces)
+    assert len(flat.vertices) == len(open_.vertices) < len(smooth.vertices)
+    assert (smooth.origins == -1).sum() == len(smooth.vertices) - len(open_.vertices)
+    areas_of = [areas(filled.vertices, filled.faces).sum() for filled in (flat, smooth)]
+    assert areas_of[0] < areas_of[1] < 1.2 * areas(mesh.vertices, mesh.faces).sum()
+
+
+def test_an_open_curve_parts_nothing(mesh, arrays, ring):
+    slit = mesh.curve(arrays[0][[500, 900]])
+    assert len(mesh.cut([slit]).vertices) > len(mesh.imprint([slit]).vertices)
+    for refused in (lambda: mesh.segment([slit]), lambda: mesh.cut([slit], keep="inside")):
+        with pytest.raises(bspline_curve.InputError, match="part nothing"):
+            refused()
+    with pytest.raises(bspline_curve.InputError, match="nothing to cut"):
+        mesh.cut([])
+    with pytest.raises(bspline_curve.OptionError, match="keep is 'best'"):
+        mesh.cut([ring], keep="best")
+    with pytest.raises(bspline_curve.OptionError, match="needs keep"):
+        mesh.cut([ring], fill="flat")
+    with pytest.raises(bspline_curve.OptionError, match="fill is 'round'"):
+        mesh.cut([ring], keep="inside", fill="round")
+    with pytest.raises(bspline_curve.InputError, match="keep has shape"):
+        mesh.cut([ring], keep=[0.0, 1.0])
+
+
+def test_offsets_keep_their_distance():
+    side = np.linspace(-1, 1, 41)
+    x, y = np.meshgrid(side, side, indexing="ij")
+    corner = (np.arange(40)[:, None] * 41 + np.arange(40)).reshape(-1, 1)
+    faces = np.concatenate([corner + [0, 41, 42], corner + [0, 42, 1]])
+    flat = bspline_curve.Mesh(np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3), faces)
+    line = flat.curve([[-0.6, 0.01, 0], [0.6, 0.01, 0]])
+    (around,) = line.offset(0.2)
+    assert around.closed and around.usable and around.degree == 1 and len(around.picks) == 0
+    assert around.length == pytest.approx(2 * 1.2 + 2 * np.pi * 0.2, rel=2e-3)
+    beyond = np.maximum(np.abs(around.points[:, 0]) - 0.6, 0.0)
+    np.testing.assert_allclose(np.hypot(beyond, around.points[:, 1] - 0.01), 0.2, atol=1e-3)
+    sides = [line.offset(0.2, side=side)[0] for side in ("left", "right")]
+    assert [np.sign(piece.points[len(piece) // 2, 1]) for piece in sides] == [1, -1]
+    near = line.faces_within(0.2)
+    assert near.dtype == bool and near.shape == (len(faces),)
+    assert areas(flat.vertices, flat.faces)[near].sum() == pytest.approx(1.2 * 0.4 + np.pi * 0.04, rel=0.03)
+    left, right = (line.faces_within(0.2, side) for side in ("left", "right"))
+    assert left.any() and right.any() and not (left & right).any() and not ((left | right) & ~near).any()
+    assert line.offset(5.0) == []
+    assert len(flat.imprint([line, around]).parts) == 2
+    with pytest.raises(bspline_curve.PickError, match="no picks"):
+        around.move(0, [0, 0, 0])
+    with pytest.raises(bspline_curve.OptionError, match="distance is -1"):
+        line.offset(-1)
+    with pytest.raises(bspline_curve.OptionError, match="side is 'up'"):
+        line.offset(0.1, side="up")
