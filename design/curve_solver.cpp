@@ -119,9 +119,7 @@ Solved CurveSolver::solveInTurn(const Progress& progress) const {
     std::optional<Solved> inShell =
         solveInShell(partOf(rest, kStrategy.tightlyShare, kStrategy.cellsShare));
     const bool isInside = inShell && std::isfinite(inShell->solution.report.maxDistance);
-    // Where picks are a penalty, curves that miss them are as they should be.
-    const bool mayMissPicks = options_.interpolation == Interpolation::Penalty;
-    if (isInside && (inShell->solution.report.usable || mayMissPicks)) {
+    if (isInside && inShell->solution.report.usable) {
         return std::move(*inShell);
     }
     if (!tight) {

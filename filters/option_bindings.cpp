@@ -21,6 +21,20 @@ Binding<Options> bound(const std::string& id, Value Options::* member) {
     };
 }
 
+/// Binds a number of the paper.
+template <class Value>
+Binding<SolverOptions> boundInPaper(const std::string& id, Value PaperOptions::* member) {
+    return {
+        .id = id,
+        .read = [member](
+                    const ParameterValue& value, SolverOptions& options
+                ) { options.paper.*member = std::get<Value>(value); },
+        .write = [member](const SolverOptions& options) -> ParameterValue {
+            return options.paper.*member;
+        }
+    };
+}
+
 template <class Enum>
 using Names = std::vector<std::pair<std::string, Enum>>;
 
@@ -138,10 +152,34 @@ Bindings<SolverOptions> methodBindings() {
                 {"feature-function", KnotRule::FeatureFunction}
             }
         ),
-        bound("samples_per_span", &S::samplesPerSpan),
         bound("max_rounds", &S::maxRounds),
         bound("max_iterations", &S::maxIterations),
         bound("minimum_span", &S::minimumSpan),
+    };
+}
+
+/// What only the paper's settings use.
+Bindings<SolverOptions> paperBindings() {
+    using P = PaperOptions;
+    return {
+        chosen(
+            "relative_height",
+            &SolverOptions::relativeHeight,
+            Names<RelativeHeight>{
+                {"smooth", RelativeHeight::Smooth}, {"linear", RelativeHeight::Linear}
+            }
+        ),
+        boundInPaper("curve_segments", &P::curveSegments),
+        boundInPaper("gauss_points", &P::gaussPoints),
+        boundInPaper("barrier_margin", &P::barrierMargin),
+        boundInPaper("height_scale", &P::heightScale),
+        boundInPaper("alpha_min", &P::alphaMin),
+        boundInPaper("alpha_max", &P::alphaMax),
+        boundInPaper("beta_first", &P::betaFirst),
+        boundInPaper("beta_min", &P::betaMin),
+        boundInPaper("beta_max", &P::betaMax),
+        boundInPaper("knot_ratio", &P::knotRatio),
+        boundInPaper("feature_tolerance", &P::featureTolerance),
     };
 }
 
@@ -149,7 +187,8 @@ Bindings<SolverOptions> methodBindings() {
 
 Bindings<SolverOptions> solverBindings() {
     Bindings<SolverOptions> all = shapeBindings();
-    for (const Bindings<SolverOptions>& more : {modelBindings(), methodBindings()}) {
+    for (const Bindings<SolverOptions>& more :
+         {modelBindings(), methodBindings(), paperBindings()}) {
         all.insert(all.end(), more.begin(), more.end());
     }
     return all;

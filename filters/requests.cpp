@@ -21,6 +21,19 @@ void readAll(const ParameterValues& values, const Bindings<Options>& bindings, O
     }
 }
 
+// What is left at its default is what the preset says.
+template <class Options>
+void readBesidePreset(
+    const ParameterValues& values, const Bindings<Options>& bindings, Options& options
+) {
+    for (const Binding<Options>& binding : bindings) {
+        const ParameterValue& value = values.value(binding.id);
+        if (value != curveFilter().parameter(binding.id).defaultValue) {
+            binding.read(value, options);
+        }
+    }
+}
+
 void checkTubeRadius(double radius) {
     if (!(radius >= 0.0) || !std::isfinite(radius)) {
         throw InputError(
@@ -70,8 +83,11 @@ CurveRequest curveRequest(const ParameterValues& values) {
     }
     if (values.get<std::string>("preset") == "paper") {
         request.solver = paperPreset();
+        request.shell.kind = ShellKind::Simplified;
+        readBesidePreset(values, solverBindings(), request.solver);
+    } else {
+        readAll(values, solverBindings(), request.solver);
     }
-    readAll(values, solverBindings(), request.solver);
     if (request.field && values.get<std::string>("field_cost") == kNatural) {
         request.solver.fieldCost = naturalCost(request.field->options.kind);
     }

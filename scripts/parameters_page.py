@@ -37,6 +37,7 @@ GROUPS = {
     "advanced.field": "The field",
     "advanced.method": "The method",
     "advanced.shell": "The shell",
+    "advanced.paper": "The paper's numbers",
     "advanced.limits": "Limits",
 }
 

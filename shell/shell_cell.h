@@ -85,6 +85,13 @@ struct ShellCell {
         return (w - surface) / (1.0 - w * surface);
     }
 
+    /// d exactly as in (10), never negative: linear between the surface and top or bottom.
+    [[nodiscard]] double linearHeight(const Vec3& p) const {
+        const double w = height.at(p);
+        const double surface = surfaceHeight.at(p);
+        return w >= surface ? (w - surface) / (1.0 - surface) : (surface - w) / (1.0 + surface);
+    }
+
     [[nodiscard]] bool isSame(const ShellCell& other) const {
         return tet == other.tet && foot == other.foot && face == other.face;
     }

@@ -3,6 +3,7 @@
 
 #include "solver/knot_insertion.h"
 #include "solver/paper/paper_settings.h"
+#include "solver/sample_rule.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
@@ -82,7 +83,7 @@ public:
             }
             EnergyWeights next = weights_;
             next.alpha = policy_.schedule.next(weights_.alpha, ratio);
-            paper_.adjustNext(weights_, minimum.value.terms, largestHeight, next);
+            paper_.adjustNext(weights_, minimum.value.terms, next);
             if (breaks == energy_.space().breaks() && next.alpha <= weights_.alpha &&
                 next.beta <= weights_.beta) {
                 report_.status = SolveStatus::KnotLimit;
@@ -90,6 +91,7 @@ public:
             }
             weights_ = next;
             insertKnots(std::move(breaks));
+            paper_.setBarrier(energy_, largestHeight, weights_);
         }
         return finish();
     }
@@ -178,7 +180,7 @@ private:
         const KnotDemand gain = energy_.refinementGain();
         return gain.isNegligible
                    ? energy_.space().breaks()
-                   : halveLargest(energy_.space(), gain, problem_.options.minimumSpan);
+                   : halveLargest(energy_.space(), gain, shortestSpan(problem_.options));
     }
 
     // Minimises to the end, with frozen directions refreshed until they no longer move the curve,
@@ -235,7 +237,7 @@ private:
             const bool isKnown = span == 0 || std::isfinite(perSpan[span - 1]);
             marked[span] = perSpan[span] >= problem_.distanceTolerance && isKnown ? 1 : 0;
         }
-        return halveSpans(space, marked, problem_.options.minimumSpan);
+        return halveSpans(space, marked, shortestSpan(problem_.options));
     }
 
     void insertKnots(std::vector<double> breaks) {

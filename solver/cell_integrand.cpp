@@ -50,7 +50,8 @@ CellIntegrand::CellIntegrand(
       height_(cell.height),
       heightScale_(heightScale),
       hasSurfaceHeight_(!problem.shell->isFullResolution()),
-      hasBeyond_(problem.shell->isGhost(cell.face)) {
+      hasBeyond_(problem.shell->isGhost(cell.face)),
+      isLinear_(problem.options.relativeHeight == RelativeHeight::Linear) {
     if (hasSurfaceHeight_) {
         surfaceHeight_ = cell.surfaceHeight;
     }
@@ -69,8 +70,8 @@ CellIntegrand::CellIntegrand(
     }
 }
 
-CellIntegrand::RelativeHeight CellIntegrand::relativeHeightAt(const Vec3& p) const {
-    RelativeHeight result;
+CellIntegrand::HeightValue CellIntegrand::relativeHeightAt(const Vec3& p) const {
+    HeightValue result;
     const double w = height_.at(p);
     result.byHeight = heightScale_;
     if (!hasSurfaceHeight_) {
@@ -79,6 +80,9 @@ CellIntegrand::RelativeHeight CellIntegrand::relativeHeightAt(const Vec3& p) con
     }
     // d = (w - v) / (1 - w v) with v the height of the surface.
     const double v = surfaceHeight_.at(p);
+    if (isLinear_) {
+        return linearHeightAt(w, v);
+    }
     const double inverse = 1.0 / (1.0 - w * v);
     const double square = heightScale_ * inverse * inverse;
     const double byHeight = (1.0 - v * v) * square;
@@ -89,6 +93,21 @@ CellIntegrand::RelativeHeight CellIntegrand::relativeHeightAt(const Vec3& p) con
     result.byHeightTwice = 2.0 * v * inverse * byHeight;
     result.byBoth = 2.0 * (w - v) * inverse * square;
     result.bySurfaceTwice = 2.0 * w * inverse * bySurface;
+    return result;
+}
+
+// (10), negative below the surface; its first derivatives jump there, but those of the even barrier
+// vanish.
+CellIntegrand::HeightValue CellIntegrand::linearHeightAt(double w, double v) const {
+    const double side = w >= v ? 1.0 : -1.0;
+    const double inverse = 1.0 / (1.0 - side * v);
+    const double square = heightScale_ * inverse * inverse;
+    HeightValue result;
+    result.value = heightScale_ * (w - v) * inverse;
+    result.byHeight = heightScale_ * inverse;
+    result.bySurface = -(1.0 - side * w) * square;
+    result.byBoth = side * square;
+    result.bySurfaceTwice = 2.0 * side * inverse * result.bySurface;
     return result;
 }
 
@@ -121,7 +140,7 @@ bool CellIntegrand::add(const Vec3& p, double weight, EnergyTerms& terms) const 
 bool CellIntegrand::add(
     const Vec3& p, double weight, EnergyTerms& terms, PointDerivatives& derivatives
 ) const {
-    const RelativeHeight d = relativeHeightAt(p);
+    const HeightValue d = relativeHeightAt(p);
     if (isAvoided_ || std::abs(d.value) >= weights_.barrierWidth) {
         return false;
     }
@@ -199,7 +218,7 @@ void CellIntegrand::addAvoidance(
 
 Vec3 CellIntegrand::gradient(const Vec3& p) const {
     Vec3 sum = Vec3::Zero();
-    const RelativeHeight d = relativeHeightAt(p);
+    const HeightValue d = relativeHeightAt(p);
     if (std::abs(d.value) < weights_.barrierWidth) {
         const double slope = weights_.alpha * barrier(d.value, weights_.barrierWidth).slope;
         sum += slope * d.byHeight * height_.gradient;

@@ -43,13 +43,14 @@ public:
 
 private:
     // The height d relative to the surface and its derivatives by w and w_S.
-    struct RelativeHeight {
+    struct HeightValue {
         double value = 0.0;
         double byHeight = 1.0, bySurface = 0.0;
         double byHeightTwice = 0.0, byBoth = 0.0, bySurfaceTwice = 0.0;
     };
 
-    [[nodiscard]] RelativeHeight relativeHeightAt(const Vec3& p) const;
+    [[nodiscard]] HeightValue relativeHeightAt(const Vec3& p) const;
+    [[nodiscard]] HeightValue linearHeightAt(double w, double v) const;
     void addAvoidance(
         const Vec3& p, double weight, EnergyTerms& terms, PointDerivatives& derivatives
     ) const;
@@ -59,7 +60,7 @@ private:
     FieldCost cost_;
     AffineForm height_, surfaceHeight_, beyond_, field_;
     double heightScale_;
-    bool hasSurfaceHeight_, hasBeyond_;
+    bool hasSurfaceHeight_, hasBeyond_, isLinear_;
     bool isAvoided_ = false, hasCloseness_ = false;
     ClosenessForm closeness_;
 };

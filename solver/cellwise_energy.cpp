@@ -44,16 +44,18 @@ struct CellwiseNewtonConstants {
 
 constexpr CellwiseNewtonConstants kNewton;
 
-int firstSegments(const CurveProblem& problem) {
+SampleRule firstRule(const CurveProblem& problem) {
     if (problem.options.quadrature == Quadrature::Samples) {
-        return (problem.options.samplesPerSpan + 1) / 2;  // two samples each
+        return segmentsOfCurve(problem.options.paper);
     }
     // A field draws the samples into its valleys, and the curve between them over its ridges.
     const bool isSmooth =
         problem.options.tension <= kConstants.highestRoughTension && !hasPull(problem);
     // Straight walks between samples cut the corners of what the curve avoids.
     const bool isFree = problem.obstacles == nullptr;
-    return problem.shell->isFullResolution() || !isSmooth || !isFree ? 0 : kConstants.roughSegments;
+    return problem.shell->isFullResolution() || !isSmooth || !isFree
+               ? SampleRule{}
+               : segmentsOfSpans(kConstants.roughSegments);
 }
 
 double shortestPickDistance(const CurveProblem& problem) {
@@ -77,12 +79,12 @@ NewtonPolicy cellwiseNewton() {
 
 CellwiseEnergy::CellwiseEnergy(const CurveProblem& problem, SplineCurve curve, double tensionFloor)
     : Energy(problem, std::move(curve.space)),
-      segments_(firstSegments(problem)),
+      rule_(firstRule(problem)),
       tensionFloor_(tensionFloor),
       restingMove_(
           std::min(problem.distanceTolerance, kConstants.moveShare * shortestPickDistance(problem))
       ),
-      integrals_(std::make_unique<CellwiseIntegrals>(problem, space(), picks().rows(), segments_)),
+      integrals_(std::make_unique<CellwiseIntegrals>(problem, space(), picks().rows(), rule_)),
       controls_(std::move(curve.controls)) {}
 
 void CellwiseEnergy::setWeights(const EnergyWeights& weights) {
@@ -130,18 +132,18 @@ void CellwiseEnergy::acceptStep() {
 }
 
 bool CellwiseEnergy::isRough() const {
-    return problem_.options.quadrature != Quadrature::Samples && segments_ > 0;
+    return problem_.options.quadrature != Quadrature::Samples && !rule_.isExact();
 }
 
-void CellwiseEnergy::setSegments(int segments) {
-    segments_ = segments;
-    integrals_->setSegments(segments);
+void CellwiseEnergy::setRule(const SampleRule& rule) {
+    rule_ = rule;
+    integrals_->setRule(rule);
     isDifferentiated_ = false;
 }
 
 void CellwiseEnergy::makeExact() {
     if (isRough()) {
-        setSegments(0);
+        setRule({});
     }
 }
 
@@ -150,10 +152,10 @@ void CellwiseEnergy::freezeDirections(double freshShare) {
         return;
     }
     std::optional<BendingDirections> fresh =
-        bendingDirectionsAlong(problem_, space(), controls_, segments_);
+        bendingDirectionsAlong(problem_, space(), controls_, rule_);
     if (!fresh && isRough()) {
         makeExact();
-        fresh = bendingDirectionsAlong(problem_, space(), controls_, segments_);
+        fresh = bendingDirectionsAlong(problem_, space(), controls_, rule_);
     }
     if (!fresh) {
         return;
@@ -184,7 +186,7 @@ KnotDemand CellwiseEnergy::refinementGain() {
     );
     ControlPoints refined = refine(space(), controls_, halved);
     CellwiseEnergy fine(problem_, {std::move(halved), std::move(refined)}, tensionFloor_);
-    fine.setSegments(isRough() ? kConstants.roughSegments / 2 : segments_);
+    fine.setRule(isRough() ? segmentsOfSpans(kConstants.roughSegments / 2) : rule_);
     fine.setWeights(weights_);
     const double negligible =
         isRough() ? kConstants.negligibleSampledGain : kConstants.negligibleGain;
@@ -194,9 +196,9 @@ KnotDemand CellwiseEnergy::refinementGain() {
                             (tensionFloor_ > 0.0 && largestMove < restingMove_);
         return gain;
     };
-    if (problem_.options.bending == Bending::Geodesic) {
+    if (!directions_.samples.empty()) {
         std::optional<BendingDirections> resampled =
-            bendingDirectionsAlong(problem_, fine.space(), fine.controls(), fine.segments_);
+            bendingDirectionsAlong(problem_, fine.space(), fine.controls(), fine.rule_);
         if (!resampled) {
             return withVerdict(0.0);
         }
@@ -235,7 +237,7 @@ KnotDemand CellwiseEnergy::refinementGain() {
 void CellwiseEnergy::insertKnots(SplineSpace finer) {
     const auto coarse = std::exchange(basis_, std::make_unique<Basis>(problem_, std::move(finer)));
     controls_ = refine(coarse->space, controls_, space());
-    integrals_ = std::make_unique<CellwiseIntegrals>(problem_, space(), picks().rows(), segments_);
+    integrals_ = std::make_unique<CellwiseIntegrals>(problem_, space(), picks().rows(), rule_);
     isDifferentiated_ = false;
 }
 

@@ -14,7 +14,8 @@ namespace bspline_curve {
 [[nodiscard]] NewtonPolicy cellwiseNewton();
 
 /// The energy (7) of a spline in a shell, cell by cell, or in rounds that only prepare the next one
-/// at a few samples. Bending directions stay frozen until freezeDirections().
+/// at a few samples; or at the paper's samples. Bending directions stay frozen until
+/// freezeDirections().
 class CellwiseEnergy final : public Energy {
 public:
     /// `tensionFloor`: what no knot can save of E_int.
@@ -48,9 +49,9 @@ public:
     void insertKnots(SplineSpace finer) override;
 
 private:
-    void setSegments(int segments);
+    void setRule(const SampleRule& rule);
 
-    int segments_;  // on each span, of two samples each; 0: integrals cell by cell
+    SampleRule rule_;
     double tensionFloor_;
     double restingMove_;  // more knots change nothing where they move the curve less than this
     std::unique_ptr<CellwiseIntegrals> integrals_;

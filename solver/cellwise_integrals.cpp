@@ -6,27 +6,24 @@
 #include <cmath>
 
 namespace bspline_curve {
+
 CellwiseIntegrals::CellwiseIntegrals(
     const CurveProblem& problem,
     const SplineSpace& space,
     const std::vector<InterpolationRow>& rows,
-    int segments
+    const SampleRule& rule
 )
-    : problem_(problem),
-      space_(space),
-      rows_(rows),
-      internal_(problem, space),
-      segments_(segments) {}
+    : problem_(problem), space_(space), rows_(rows), internal_(problem, space, rule), rule_(rule) {}
 
 EnergyValue CellwiseIntegrals::evaluate(
     const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
 ) const {
     EnergyValue value;
     value.inside =
-        segments_ == 0
+        rule_.isExact()
             ? integrateCells(problem_, space_, controls, weights, value.terms, derivatives)
             : integrateSamples(
-                  problem_, space_, controls, weights, segments_, value.terms, derivatives
+                  problem_, space_, controls, weights, rule_, value.terms, derivatives
               );
     if (!value.inside) {
         return value;

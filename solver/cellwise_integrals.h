@@ -10,21 +10,21 @@
 namespace bspline_curve {
 
 /// The terms of (7) of splines of one space in a shell, with their derivatives.
-/// `segments`: E_dist and E_ext at two samples on each of so many parts of a span; 0: cell by cell,
-/// exactly.
+/// `rule`: where E_dist and E_ext are sampled.
 class CellwiseIntegrals {
 public:
     CellwiseIntegrals(
         const CurveProblem& problem,
         const SplineSpace& space,
         const std::vector<InterpolationRow>& rows,
-        int segments
+        const SampleRule& rule
     );
 
     /// See InternalEnergy::setDirections.
     void setDirections(const BendingDirections& directions) { internal_.setDirections(directions); }
 
-    void setSegments(int segments) { segments_ = segments; }
+    /// Another one of spans.
+    void setRule(const SampleRule& rule) { rule_ = rule; }
 
     [[nodiscard]] EnergyValue evaluate(
         const ControlPoints& controls, const EnergyWeights& weights
@@ -49,7 +49,7 @@ private:
     const SplineSpace& space_;
     const std::vector<InterpolationRow>& rows_;
     InternalEnergy internal_;
-    int segments_;
+    SampleRule rule_;
 };
 
 }  // namespace bspline_curve

@@ -36,6 +36,10 @@ struct CellwiseConstants {
     double fieldRoundDecrement = 1e-2, fieldFineDecrement = 1e-4;
     /// Iterations at rest under a field: strong ones still creep then.
     int fieldRestIterations = 15;
+    /// At the paper's samples: cells between samples are not seen, so that the energy is not smooth
+    /// enough for more digits.
+    double sampledDecrement = 1e-3;
+    int sampledRestIterations = 30;
     /// The line search gives up below this share of a step; rough energies have kinks, at which it
     /// stalls: less than half a step is not worth it.
     double leastStep = 1e-10, leastRoughStep = 0.3;
@@ -81,19 +85,28 @@ SolvePolicy policyFor(const CurveProblem& problem) {
     if (hasPull(problem)) {
         policy.restIterations = kCellwise.fieldRestIterations;
     }
+    if (problem.options.quadrature == Quadrature::Samples) {
+        policy.round.decrement = kCellwise.sampledDecrement;
+        policy.rest.decrement = kCellwise.sampledDecrement;
+        policy.restIterations = kCellwise.sampledRestIterations;
+        policy.fineDecrement = 0.0;
+    }
     policy.meetsPicks = true;
     return policy;
 }
 
-EnergyWeights firstWeights(const CurveProblem& problem, double largestHeight) {
+EnergyWeights firstWeights(const CurveProblem& problem, Energy& energy) {
     EnergyWeights weights;
     weights.alpha = kCellwise.firstAlpha;
-    PaperSettings(problem).adjustFirst(largestHeight, weights);
+    weights.avoidance = kCellwise.avoidance;
+    PaperSettings(problem).adjustFirst(energy, energy.trace().largestHeight, weights);
+    if (problem.options.distanceWeight == DistanceWeight::Adaptive) {
+        return weights;
+    }
     // E_dist goes with the square of the relative height, so a thick shell is softer. A strong
     // field must not press the first curve against top and bottom.
     const double reach = relativeReach(problem);
     weights.alpha *= reach * reach * (1.0 + fieldStrength(problem));
-    weights.avoidance = kCellwise.avoidance;
     return weights;
 }
 
@@ -103,7 +116,7 @@ Solution solveInShell(
     const CurveProblem& problem, const InitialPath& initialPath, SplineCurve first
 ) {
     CellwiseEnergy energy(problem, std::move(first), tensionFloor(problem, initialPath));
-    const EnergyWeights weights = firstWeights(problem, energy.trace().largestHeight);
+    const EnergyWeights weights = firstWeights(problem, energy);
     return solve(problem, energy, weights, policyFor(problem));
 }
 

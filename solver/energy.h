@@ -23,7 +23,7 @@ struct EnergyValue {
     EnergyTerms terms;
 };
 
-/// What knots would gain, or by (19) need, span by span.
+/// What knots would gain, span by span.
 struct KnotDemand {
     double total = 0.0;
     std::vector<double> perSpan;

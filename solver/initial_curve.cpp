@@ -128,7 +128,7 @@ std::optional<SplineCurve> makeFirstCurve(
 ) {
     return problem.options.initialCurve == InitialCurve::GeodesicFit
                ? fitInitialPath(problem, initialPath)
-               : makeControlPolygon(problem, initialPath);
+               : makeControlPolygon(problem);
 }
 
 SplineCurve fitLoosely(

@@ -2,12 +2,14 @@
 #include "solver/internal_energy.h"
 
 #include "projection/cell_tracer.h"
+#include "solver/paper/finite_differences.h"
 #include "solver/paper/sample_walker.h"
 #include "solver/problem_traces.h"
 #include "spline/gauss_rule.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bspline_curve {
 namespace {
@@ -66,26 +68,29 @@ std::optional<BendingDirections> directionsAtSamples(
     const CurveProblem& problem,
     const SplineSpace& space,
     const ControlPoints& controls,
-    int segments
+    const SampleRule& rule
 ) {
     BendingDirections result;
     SampleWalker walker(problem, space, controls);
-    for (int span = 0; span < space.spanCount(); ++span) {
-        const PolynomialCurve curve = space.polynomial(controls, span);
-        for (int i = 0; i < 2 * segments; ++i) {
-            const double tau = sampleParameter(i, segments);
-            walker.moveTo(curve.at(tau));
-            if (walker.outside()) {
-                return std::nullopt;
-            }
-            result.samples.push_back(
-                {space.breaks()[span] + tau * space.spanLength(span),
-                 0.5 * space.spanLength(span) / segments,
-                 directionIn(problem, walker.cell(), walker.position())}
-            );
+    int current = -1;
+    PolynomialCurve curve;
+    const bool isInside = forEachSample(space, rule, [&](int span, double tau, double weight) {
+        if (span != current) {
+            current = span;
+            curve = space.polynomial(controls, span);
         }
-    }
-    return result;
+        walker.moveTo(curve.at(tau));
+        if (walker.outside()) {
+            return false;
+        }
+        result.samples.push_back(
+            {space.breaks()[span] + tau * space.spanLength(span),
+             weight,
+             directionIn(problem, walker.cell(), walker.position())}
+        );
+        return true;
+    });
+    return isInside ? std::optional(std::move(result)) : std::nullopt;
 }
 
 }  // namespace
@@ -109,10 +114,10 @@ std::optional<BendingDirections> bendingDirectionsAlong(
     const CurveProblem& problem,
     const SplineSpace& space,
     const ControlPoints& controls,
-    int segments
+    const SampleRule& rule
 ) {
-    return segments == 0 ? directionsInCells(problem, space, controls)
-                         : directionsAtSamples(problem, space, controls, segments);
+    return rule.isExact() ? directionsInCells(problem, space, controls)
+                          : directionsAtSamples(problem, space, controls, rule);
 }
 
 SplineSpace::BasisMatrix ambientProducts(
@@ -130,12 +135,19 @@ SplineSpace::BasisMatrix ambientProducts(
     return basis * (bend * seconds + stretch * firsts) * basis.transpose();
 }
 
-InternalEnergy::InternalEnergy(const CurveProblem& problem, const SplineSpace& space)
+InternalEnergy::InternalEnergy(
+    const CurveProblem& problem, const SplineSpace& space, const SampleRule& rule
+)
     : problem_(problem), space_(space) {
     const int n = space.basisCount();
+    std::vector<SplineSpace::BasisMatrix> differences;
+    if (rule.isOfCurve) {
+        differences = differenceProducts(problem, space, rule);
+    }
     ambient_.assign(space.spanCount(), SpanMatrix::Zero(3 * n, 3 * n));
     for (int span = 0; span < space.spanCount(); ++span) {
-        const SplineSpace::BasisMatrix products = ambientProducts(problem, space, span);
+        const SplineSpace::BasisMatrix products =
+            rule.isOfCurve ? differences[span] : ambientProducts(problem, space, span);
         for (int j1 = 0; j1 < n; ++j1) {
             for (int j2 = 0; j2 < n; ++j2) {
                 for (int axis = 0; axis < 3; ++axis) {

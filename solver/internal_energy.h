@@ -3,6 +3,7 @@
 
 #include "solver/curve_problem.h"
 #include "solver/energy_derivatives.h"
+#include "solver/sample_rule.h"
 
 #include <optional>
 #include <vector>
@@ -24,13 +25,13 @@ struct BendingDirections {
     [[nodiscard]] Vec3 at(double parameter) const;
 };
 
-/// Bending directions along a curve: cell by cell, or (segments > 0) at two samples on each of so
-/// many parts of a span. Nothing where the curve leaves the shell.
+/// Bending directions along a curve: cell by cell, or at samples. Nothing where the curve leaves
+/// the shell.
 [[nodiscard]] std::optional<BendingDirections> bendingDirectionsAlong(
     const CurveProblem& problem,
     const SplineSpace& space,
     const ControlPoints& controls,
-    int segments
+    const SampleRule& rule
 );
 
 /// E_int (4) of a span with all of the second derivative is x^T A x / 2 for each axis of its
@@ -39,10 +40,11 @@ struct BendingDirections {
     const CurveProblem& problem, const SplineSpace& space, int span
 );
 
-/// E_int (4): quadratic in the control points, integrated exactly but for the normal part.
+/// E_int (4): quadratic in the control points, integrated exactly but for the normal part; at
+/// samples of the curve by differences, as in (14).
 class InternalEnergy {
 public:
-    InternalEnergy(const CurveProblem& problem, const SplineSpace& space);
+    InternalEnergy(const CurveProblem& problem, const SplineSpace& space, const SampleRule& rule);
 
     /// Leaves the part of bending along these directions out of E_int, but for the share
     /// SolverOptions::normalBendingWeight (Bending::Geodesic).

@@ -2,6 +2,7 @@
 #include "bspline_curve/options.h"
 
 #include "bspline_curve/error.h"
+#include "spline/gauss_rule.h"
 
 #include <cmath>
 #include <sstream>
@@ -16,6 +17,50 @@ void require(bool holds, const char* field, Value value, const char* rule) {
         message << field << " is " << value << ", but must be " << rule;
         throw InputError(InputErrorCode::BadOption, message.str());
     }
+}
+
+void requirePositive(const char* field, double value) {
+    require(value > 0.0 && std::isfinite(value), field, value, "finite and above 0");
+}
+
+void validatePaper(const PaperOptions& paper) {
+    constexpr int kMostSegments = 10000;
+    require(
+        paper.curveSegments >= 1 && paper.curveSegments <= kMostSegments,
+        "curve segments",
+        paper.curveSegments,
+        "in [1, 10000]"
+    );
+    require(
+        paper.gaussPoints >= 1 && paper.gaussPoints <= kMostGaussPoints,
+        "Gauss points",
+        paper.gaussPoints,
+        "1, 2, 3 or 4"
+    );
+    require(
+        paper.barrierMargin > 0.0 && paper.barrierMargin <= 1.0,
+        "barrier margin",
+        paper.barrierMargin,
+        "in (0, 1]"
+    );
+    require(
+        paper.heightScale > 0.0 && paper.heightScale <= 1.0,
+        "height scale",
+        paper.heightScale,
+        "in (0, 1]"
+    );
+    requirePositive("alpha min", paper.alphaMin);
+    requirePositive("alpha max", paper.alphaMax);
+    requirePositive("beta first", paper.betaFirst);
+    requirePositive("beta min", paper.betaMin);
+    requirePositive("beta max", paper.betaMax);
+    requirePositive("knot ratio", paper.knotRatio);
+    require(
+        paper.featureTolerance >= 0.0 && std::isfinite(paper.featureTolerance),
+        "feature tolerance",
+        paper.featureTolerance,
+        "finite and not negative"
+    );
 }
 
 }  // namespace
@@ -47,10 +92,10 @@ void SolverOptions::validate() const {
         normalBendingWeight,
         "in (0, 1]"
     );
-    require(samplesPerSpan >= 4, "samples per span", samplesPerSpan, "at least 4");
     require(maxRounds >= 1, "maximal rounds", maxRounds, "at least 1");
     require(maxIterations >= 1, "maximal iterations", maxIterations, "at least 1");
     require(minimumSpan > 0.0 && minimumSpan <= 0.1, "minimum span", minimumSpan, "in (0, 0.1]");
+    validatePaper(paper);
 }
 
 SolverOptions paperPreset() {
@@ -63,6 +108,9 @@ SolverOptions paperPreset() {
     options.distanceWeight = DistanceWeight::Adaptive;
     options.interpolation = Interpolation::Penalty;
     options.knotRule = KnotRule::FeatureFunction;
+    options.relativeHeight = RelativeHeight::Linear;
+    options.fieldWeight = 1.0;
+    options.minimumSpan = 0.005;
     return options;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/cell_integrand.h"
+#include "solver/sample_rule.h"
 
 namespace bspline_curve {
 
@@ -20,15 +21,15 @@ namespace bspline_curve {
     EnergyDerivatives* derivatives
 );
 
-/// The same at evenly spaced parameters, two Gauss points on each of `segments` parts of a span
-/// (15), (16), as in the paper. False where a sample lies beyond the barrier, or outside of the
-/// shell unless EnergyWeights::outsideAllowed is set, which needs CurveProblem::boundary.
+/// The same at samples (15), (16), as in the paper. False where a sample lies beyond the barrier,
+/// or outside of the shell unless EnergyWeights::outsideAllowed is set, which needs
+/// CurveProblem::boundary.
 [[nodiscard]] bool integrateSamples(
     const CurveProblem& problem,
     const SplineSpace& space,
     const ControlPoints& controls,
     const EnergyWeights& weights,
-    int segments,
+    const SampleRule& rule,
     EnergyTerms& terms,
     EnergyDerivatives* derivatives
 );

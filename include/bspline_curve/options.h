@@ -23,12 +23,33 @@ enum class Interpolation { Constraint, Penalty };
 /// Which spans get knots: those where energy or distance asks for them, or the feature function
 /// (19)-(23).
 enum class KnotRule { EnergyAndDistance, FeatureFunction };
+/// The height relative to the surface in a simplified shell: linear below and above the surface, as
+/// in (10), or a smooth map with the same values at bottom, surface and top.
+enum class RelativeHeight { Smooth, Linear };
 
 /// In units of the square root of the surface's area. On finer meshes the tolerance would ask for
 /// more knots, and more time, than what anyone sees of a curve: with the default tolerance the
 /// spline then is within a thousandth of that root of the surface, on which its polyline lies in
 /// any case.
 inline constexpr double kFinestEdge = 0.01;
+
+/// Numbers of the paper's own settings; each is used only where the option that it belongs to is
+/// the paper's.
+struct PaperOptions {
+    int curveSegments = 200;  ///< M of (14)-(16): even segments of the whole curve, in [1, 10000]
+    int gaussPoints = 2;      ///< M' of (14)-(16): Gauss points on each segment, in [1, 4]
+    double barrierMargin = 0.02;  ///< epsilon_b of (12), of the relative height, in (0, 1]
+    double heightScale = 0.99;  ///< eta of Sect. 4.2: relative height of points outside, in (0, 1]
+    double alphaMin = 1.0;      ///< of (18), > 0
+    double alphaMax = 1e8;      ///< of (18), > 0
+    double betaFirst = 1e6;     ///< beta of the first round, > 0
+    double betaMin = 10.0;      ///< of (18) for beta, > 0
+    double betaMax = 1e10;      ///< the same, > 0
+    double knotRatio = 1.0;     ///< r of (22), > 0; more of it inserts more knots in a round
+    double featureTolerance =
+        1.0;  ///< epsilon_d of the stop rules 1 and 2, relative to the energy,
+              ///< >= 0
+};
 
 /// Options of one curve. The defaults are what measured best; paperPreset() is what the paper says.
 struct SolverOptions {
@@ -55,12 +76,12 @@ struct SolverOptions {
     /// to knotRule; other curves, and those that do not come to lie in the shell that way, are
     /// integrated by Cells.
     Quadrature quadrature = Quadrature::FootPoints;
-    /// Evenly spaced samples per knot span for Quadrature::Samples, >= 4; odd: one more.
-    int samplesPerSpan = 48;
     BarrierWidth barrierWidth = BarrierWidth::Full;
     DistanceWeight distanceWeight = DistanceWeight::Schedule;
     Interpolation interpolation = Interpolation::Constraint;
     KnotRule knotRule = KnotRule::EnergyAndDistance;
+    RelativeHeight relativeHeight = RelativeHeight::Smooth;
+    PaperOptions paper{};
     int maxRounds = 24;       ///< rounds of minimisation and knot insertion, >= 1
     int maxIterations = 100;  ///< Newton iterations per round, >= 1
     double minimumSpan =
@@ -71,7 +92,7 @@ struct SolverOptions {
 };
 
 /// The settings of the paper (2023), for comparison; degree, closed, tension and field stay at
-/// their defaults.
+/// their defaults. They are meant for a simplified shell (ShellKind::Simplified).
 [[nodiscard]] SolverOptions paperPreset();
 
 /// How finely the polyline follows the spline. The crossings of mesh edges and the picks are always

@@ -16,7 +16,7 @@ from ._options import Option, Progress
 if TYPE_CHECKING:
     from ._curve import Curve
 
-Shell: TypeAlias = Literal["local", "full", "simplified"]
+Shell: TypeAlias = Literal["local", "full", "simplified", "preset"]
 FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
 Preset: TypeAlias = Literal["default", "paper"]
 Bending: TypeAlias = Literal["preset", "geodesic", "ambient"]
@@ -27,6 +27,7 @@ BarrierWidth: TypeAlias = Literal["preset", "full", "tight"]
 DistanceWeight: TypeAlias = Literal["preset", "schedule", "adaptive"]
 Interpolation: TypeAlias = Literal["preset", "constraint", "penalty"]
 KnotRule: TypeAlias = Literal["preset", "energy-and-distance", "feature-function"]
+RelativeHeight: TypeAlias = Literal["preset", "smooth", "linear"]
 FieldKind: TypeAlias = Literal[
     "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance", "quality",
     "obstacle",
@@ -36,7 +37,7 @@ Kind: TypeAlias = Literal[
 ]
 
 SHELL: dict[str, Option] = {
-    "shell": Option("enum", "local", None, None, False, ("local", "full", "simplified")),
+    "shell": Option("enum", "preset", None, None, False, ("local", "full", "simplified", "preset")),
     "target_thickness": Option("double", 0.135, 0.0, 1.0, True, ()),
     "target_edge_length": Option("double", 1.0, 0.0, 1.0, True, ()),
     "shell_thickness": Option("double", 0.75, 0.0, 1000.0, True, ()),
@@ -63,7 +64,18 @@ CURVE: dict[str, Option] = {
     "distance_weight": Option("enum", "preset", None, None, False, ("preset", "schedule", "adaptive")),
     "interpolation": Option("enum", "preset", None, None, False, ("preset", "constraint", "penalty")),
     "knot_rule": Option("enum", "preset", None, None, False, ("preset", "energy-and-distance", "feature-function")),
-    "samples_per_span": Option("int", 48, 4, None, False, ()),
+    "relative_height": Option("enum", "preset", None, None, False, ("preset", "smooth", "linear")),
+    "curve_segments": Option("int", 200, 1, 10000, False, ()),
+    "gauss_points": Option("int", 2, 1, 4, False, ()),
+    "barrier_margin": Option("double", 0.02, 0.0, 1.0, True, ()),
+    "height_scale": Option("double", 0.99, 0.0, 1.0, True, ()),
+    "alpha_min": Option("double", 1.0, 0.0, None, True, ()),
+    "alpha_max": Option("double", 100000000.0, 0.0, None, True, ()),
+    "beta_first": Option("double", 1000000.0, 0.0, None, True, ()),
+    "beta_min": Option("double", 10.0, 0.0, None, True, ()),
+    "beta_max": Option("double", 10000000000.0, 0.0, None, True, ()),
+    "knot_ratio": Option("double", 1.0, 0.0, None, True, ()),
+    "feature_tolerance": Option("double", 1.0, 0.0, None, False, ()),
     "max_rounds": Option("int", 24, 1, None, False, ()),
     "max_iterations": Option("int", 100, 1, None, False, ()),
     "minimum_span": Option("double", 0.0001, 0.0, 0.1, True, ()),
@@ -103,7 +115,18 @@ class CurveOptions(TypedDict, total=False):
     distance_weight: DistanceWeight
     interpolation: Interpolation
     knot_rule: KnotRule
-    samples_per_span: int
+    relative_height: RelativeHeight
+    curve_segments: int
+    gauss_points: int
+    barrier_margin: float
+    height_scale: float
+    alpha_min: float
+    alpha_max: float
+    beta_first: float
+    beta_min: float
+    beta_max: float
+    knot_ratio: float
+    feature_tolerance: float
     max_rounds: int
     max_iterations: int
     minimum_span: float
@@ -119,7 +142,7 @@ class MeshKeywords(ABC):
         vertices: Any,
         faces: npt.ArrayLike | None = None,
         *,
-        shell: Shell = "local",
+        shell: Shell = "preset",
         target_thickness: float = 0.135,
         target_edge_length: float = 1.0,
         shell_thickness: float = 0.75,
@@ -139,10 +162,11 @@ class MeshKeywords(ABC):
             A mesh of trimesh, pyvista, meshio or pymeshlab, or a pair of arrays, serves in place of both.
         faces : (m, 3) array of int, optional
             Ids of vertices, from 0 on, all oriented alike.
-        shell : {'local', 'full', 'simplified'}, default 'local'
+        shell : {'local', 'full', 'simplified', 'preset'}, default 'preset'
             Where curves are sought. local: no prisms: the fibres of a full shell are followed beneath the curve; a shell is
             built only for a curve that needs one; full: a shell of one thin prism per face, built at the start; simplified:
-            a shell of few thick prisms, which takes seconds to build on large meshes and is kept for the next curve.
+            a shell of few thick prisms, which takes seconds to build on large meshes and is kept for the next curve;
+            preset: as the preset says, by default local.
         target_thickness : float in (0, 1], default 0.135
             Simplified shell: longest pillar, bottom to top, relative to the longest side of the mesh's box.
         target_edge_length : float in (0, 1], default 1.0
@@ -203,7 +227,18 @@ class MeshKeywords(ABC):
         distance_weight: DistanceWeight = "preset",
         interpolation: Interpolation = "preset",
         knot_rule: KnotRule = "preset",
-        samples_per_span: int = 48,
+        relative_height: RelativeHeight = "preset",
+        curve_segments: int = 200,
+        gauss_points: int = 2,
+        barrier_margin: float = 0.02,
+        height_scale: float = 0.99,
+        alpha_min: float = 1.0,
+        alpha_max: float = 100000000.0,
+        beta_first: float = 1000000.0,
+        beta_min: float = 10.0,
+        beta_max: float = 10000000000.0,
+        knot_ratio: float = 1.0,
+        feature_tolerance: float = 1.0,
         max_rounds: int = 24,
         max_iterations: int = 100,
         minimum_span: float = 0.0001,
@@ -241,8 +276,8 @@ class MeshKeywords(ABC):
         avoid_margin : float in (0, 1], default 0.02
             Distance within which faces to avoid push the curve away, relative to the diagonal of the mesh's box.
         preset : {'default', 'paper'}, default 'default'
-            The values of the settings below that are left at preset. default: the settings that gave the best curves;
-            paper: those of the paper (2023), for comparison.
+            The values of the settings that are left at preset, and of the numbers that are left at their default. default:
+            the settings that gave the best curves; paper: those of the paper (2023), for comparison.
         bending : {'preset', 'geodesic', 'ambient'}, default 'preset'
             What smoothness means. preset: as the preset says, by default geodesic; geodesic: only bending within the
             surface is penalised; ambient: all bending, as in the paper.
@@ -274,8 +309,34 @@ class MeshKeywords(ABC):
             Where knots are inserted. preset: as the preset says, by default energy-and-distance; energy-and-distance: where
             they lower the energy most, and where the spline is too far from the surface; feature-function: (19)-(23) of the
             paper.
-        samples_per_span : int ≥ 4, default 48
-            Evenly spaced samples per knot span, for quadrature samples; an odd number counts as the next even one.
+        relative_height : {'preset', 'smooth', 'linear'}, default 'preset'
+            The height d relative to the surface, in a simplified shell. preset: as the preset says, by default smooth;
+            smooth: a smooth map with the same values at bottom, surface and top; linear: (10) of the paper, with a kink at
+            the surface.
+        curve_segments : int in [1, 10000], default 200
+            M of (14) to (16): quadrature samples divides the curve into so many even segments.
+        gauss_points : int in [1, 4], default 2
+            M' of (14) to (16). The paper gives no number.
+        barrier_margin : float in (0, 1], default 0.02
+            ε_b of (12), for barrier width tight.
+        height_scale : float in (0, 1], default 0.99
+            η of Sect. 4.2: the relative height of samples outside the shell, and the scale of all heights while there are
+            any.
+        alpha_min : float > 0, default 1.0
+            α_min of (18), for weight of distance adaptive.
+        alpha_max : float > 0, default 100000000.0
+            α_max of (18).
+        beta_first : float > 0, default 1000000.0
+            β of (9) in the first round, for interpolation penalty.
+        beta_min : float > 0, default 10.0
+            β_min of (18) for β.
+        beta_max : float > 0, default 10000000000.0
+            β_max of (18) for β.
+        knot_ratio : float > 0, default 1.0
+            r of (22), for knot rule feature-function: more of it inserts more knots in a round.
+        feature_tolerance : float ≥ 0, default 1.0
+            ε_d: a curve within the tolerance gets no more knots where every span has less of the feature function, or the
+            whole of it changes by less, relative to the energy. The paper gives no number.
         max_rounds : int ≥ 1, default 24
             Largest number of rounds of minimisation and knot insertion.
         max_iterations : int ≥ 1, default 100
@@ -323,7 +384,18 @@ class MeshKeywords(ABC):
                 "distance_weight": distance_weight,
                 "interpolation": interpolation,
                 "knot_rule": knot_rule,
-                "samples_per_span": samples_per_span,
+                "relative_height": relative_height,
+                "curve_segments": curve_segments,
+                "gauss_points": gauss_points,
+                "barrier_margin": barrier_margin,
+                "height_scale": height_scale,
+                "alpha_min": alpha_min,
+                "alpha_max": alpha_max,
+                "beta_first": beta_first,
+                "beta_min": beta_min,
+                "beta_max": beta_max,
+                "knot_ratio": knot_ratio,
+                "feature_tolerance": feature_tolerance,
                 "max_rounds": max_rounds,
                 "max_iterations": max_iterations,
                 "minimum_span": minimum_span,

@@ -16,7 +16,7 @@ Field: TypeAlias = Literal[
 ]
 FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
 Avoid: TypeAlias = Literal["none", "selected-faces", "selected-vertices", "under-threshold", "over-threshold"]
-Shell: TypeAlias = Literal["local", "full", "simplified"]
+Shell: TypeAlias = Literal["local", "full", "simplified", "preset"]
 FieldRegion: TypeAlias = Literal["selected-faces", "selected-vertices"]
 Preset: TypeAlias = Literal["default", "paper"]
 Bending: TypeAlias = Literal["preset", "geodesic", "ambient"]
@@ -27,6 +27,7 @@ BarrierWidth: TypeAlias = Literal["preset", "full", "tight"]
 DistanceWeight: TypeAlias = Literal["preset", "schedule", "adaptive"]
 Interpolation: TypeAlias = Literal["preset", "constraint", "penalty"]
 KnotRule: TypeAlias = Literal["preset", "energy-and-distance", "feature-function"]
+RelativeHeight: TypeAlias = Literal["preset", "smooth", "linear"]
 Kind: TypeAlias = Literal[
     "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance", "quality",
     "obstacle",
@@ -53,7 +54,7 @@ def generate_bspline_curve_on_surface(
     samples: int = 256,
     max_segment_length: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     save: str = "",
-    shell: Shell = "local",
+    shell: Shell = "preset",
     control_polygon: bool = False,
     shell_layers: bool = False,
     avoid_margin: float = 0.02,
@@ -81,7 +82,18 @@ def generate_bspline_curve_on_surface(
     target_edge_length: float = 1.0,
     shell_thickness: float = 0.75,
     shell_smoothing_passes: int = 3,
-    samples_per_span: int = 48,
+    relative_height: RelativeHeight = "preset",
+    curve_segments: int = 200,
+    gauss_points: int = 2,
+    barrier_margin: float = 0.02,
+    height_scale: float = 0.99,
+    alpha_min: float = 1.0,
+    alpha_max: float = 100000000.0,
+    beta_first: float = 1000000.0,
+    beta_min: float = 10.0,
+    beta_max: float = 10000000000.0,
+    knot_ratio: float = 1.0,
+    feature_tolerance: float = 1.0,
     max_rounds: int = 24,
     max_iterations: int = 100,
     minimum_span: float = 0.0001,
@@ -152,11 +164,11 @@ def generate_bspline_curve_on_surface(
         A file that the curve is written to, in world coordinates: the polyline, or the spline itself where the name
         ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality or the
         spline. Empty: no file.
-    shell : {'local', 'full', 'simplified'}, default 'local'
+    shell : {'local', 'full', 'simplified', 'preset'}, default 'preset'
         Where the curve is sought. local: no prisms: the fibres of a full shell are followed beneath the curve; a shell
         is built only for a curve that needs one; full: a shell of one thin prism per face, built at the start;
         simplified: a shell of few thick prisms, which takes seconds to build on large meshes and is kept for the next
-        curve.
+        curve; preset: as the preset says, by default local.
     control_polygon : bool, default False
         The control points of the spline and the segments between them become a layer too.
     shell_layers : bool, default False
@@ -187,8 +199,8 @@ def generate_bspline_curve_on_surface(
     field_inverted : bool, default False
         Turns x into minimum + maximum - x.
     preset : {'default', 'paper'}, default 'default'
-        The values of the settings below that are left at preset. default: the settings that gave the best curves;
-        paper: those of the paper (2023), for comparison.
+        The values of the settings that are left at preset, and of the numbers that are left at their default. default:
+        the settings that gave the best curves; paper: those of the paper (2023), for comparison.
     bending : {'preset', 'geodesic', 'ambient'}, default 'preset'
         What smoothness means. preset: as the preset says, by default geodesic; geodesic: only bending within the
         surface is penalised; ambient: all bending, as in the paper.
@@ -222,17 +234,43 @@ def generate_bspline_curve_on_surface(
         paper.
     target_thickness : float in (0, 1], default 0.135
         Simplified shell: longest pillar, bottom to top, relative to the longest side of the mesh's box. Only with shell
-        simplified.
+        simplified or preset.
     target_edge_length : float in (0, 1], default 1.0
         Simplified shell: shorter edges are collapsed where its invariants allow it, relative to the longest side of the
-        mesh's box. Only with shell simplified.
+        mesh's box. Only with shell simplified or preset.
     shell_thickness : float in (0, 1000], default 0.75
         Full shell, also where local builds one: largest distance of its top and bottom from the surface, in mean edge
-        lengths. Only with shell local or full.
+        lengths. Only with shell local or full or preset.
     shell_smoothing_passes : int ≥ 0, default 3
         Rounds of averaging of the pillar directions (the directions of the fibres).
-    samples_per_span : int ≥ 4, default 48
-        Evenly spaced samples per knot span, for quadrature samples; an odd number counts as the next even one.
+    relative_height : {'preset', 'smooth', 'linear'}, default 'preset'
+        The height d relative to the surface, in a simplified shell. preset: as the preset says, by default smooth;
+        smooth: a smooth map with the same values at bottom, surface and top; linear: (10) of the paper, with a kink at
+        the surface.
+    curve_segments : int in [1, 10000], default 200
+        M of (14) to (16): quadrature samples divides the curve into so many even segments.
+    gauss_points : int in [1, 4], default 2
+        M' of (14) to (16). The paper gives no number.
+    barrier_margin : float in (0, 1], default 0.02
+        ε_b of (12), for barrier width tight.
+    height_scale : float in (0, 1], default 0.99
+        η of Sect. 4.2: the relative height of samples outside the shell, and the scale of all heights while there are
+        any.
+    alpha_min : float > 0, default 1.0
+        α_min of (18), for weight of distance adaptive.
+    alpha_max : float > 0, default 100000000.0
+        α_max of (18).
+    beta_first : float > 0, default 1000000.0
+        β of (9) in the first round, for interpolation penalty.
+    beta_min : float > 0, default 10.0
+        β_min of (18) for β.
+    beta_max : float > 0, default 10000000000.0
+        β_max of (18) for β.
+    knot_ratio : float > 0, default 1.0
+        r of (22), for knot rule feature-function: more of it inserts more knots in a round.
+    feature_tolerance : float ≥ 0, default 1.0
+        ε_d: a curve within the tolerance gets no more knots where every span has less of the feature function, or the
+        whole of it changes by less, relative to the energy. The paper gives no number.
     max_rounds : int ≥ 1, default 24
         Largest number of rounds of minimisation and knot insertion.
     max_iterations : int ≥ 1, default 100
@@ -301,7 +339,18 @@ def generate_bspline_curve_on_surface(
             "target_edge_length": target_edge_length,
             "shell_thickness": shell_thickness,
             "shell_smoothing_passes": shell_smoothing_passes,
-            "samples_per_span": samples_per_span,
+            "relative_height": relative_height,
+            "curve_segments": curve_segments,
+            "gauss_points": gauss_points,
+            "barrier_margin": barrier_margin,
+            "height_scale": height_scale,
+            "alpha_min": alpha_min,
+            "alpha_max": alpha_max,
+            "beta_first": beta_first,
+            "beta_min": beta_min,
+            "beta_max": beta_max,
+            "knot_ratio": knot_ratio,
+            "feature_tolerance": feature_tolerance,
             "max_rounds": max_rounds,
             "max_iterations": max_iterations,
             "minimum_span": minimum_span,

@@ -3,87 +3,92 @@
 
 #include "projection/curve_distance.h"
 #include "shell/polynomial_trace.h"
+#include "solver/paper/edge_path.h"
 #include "solver/problem_traces.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace bspline_curve {
 namespace {
 
-// Intervals of the way shorter than this are not halved any more: the polygon may then leave the
-// shell, which the sampled energy can bear.
+// Parts of a way shorter than this, by the curve's parameter, are not halved any more: the polygon
+// may then leave the shell, which the sampled energy can bear.
 constexpr double kShortestInterval = 1e-3;
 // How near to top and bottom the control points lie: on them, rounding would decide the side.
 constexpr double kControlHeight = 0.98;
+// Cell by cell a curve must begin inside the shell: its polygon is halved up to so many times.
+constexpr int kMostHalvings = 8;
 
 struct ControlVertex {
-    double parameter;  // along the initial path
+    double parameter;
     SurfacePoint point;
     Vec3 position;
 };
 
-SurfacePoint pathPoint(const InitialPath& initialPath, double t) {
-    const auto above = std::lower_bound(
-        initialPath.points.begin(),
-        initialPath.points.end(),
-        t,
-        [](const InitialPath::Point& p, double value) { return p.parameter < value; }
-    );
-    // The nearer of the initial path's own points: Mid() of Alg. 2 is a vertex of the path as well.
-    if (above == initialPath.points.begin()) {
-        return above->point;
-    }
-    if (above == initialPath.points.end()) {
-        return initialPath.points.back().point;
-    }
-    return t - (above - 1)->parameter < above->parameter - t ? (above - 1)->point : above->point;
-}
-
 class PolygonMaker {
 public:
-    // No interval of the way between two control points is longer than `longest`.
-    PolygonMaker(const CurveProblem& problem, const InitialPath& initialPath, double longest)
-        : problem_(problem), path_(initialPath), longest_(longest) {}
+    explicit PolygonMaker(const CurveProblem& problem)
+        : problem_(problem), isTop_(surfaceHeightAt(problem.picks[1].point) > 0.0) {}
 
-    // Alg. 2: picks in turn to top and bottom; between two of them the middle of the way is added
-    // until the segments stay in the shell.
+    // Alg. 2: picks in turn to top and bottom, but for the first and, of an open curve, the last. A
+    // closed one comes back to the first.
     std::vector<ControlVertex> make() {
         const std::vector<PickConstraint>& picks = problem_.picks;
         polygon_.push_back({0.0, picks[0].point, picks[0].position});
         for (std::size_t i = 1; i < picks.size(); ++i) {
-            const bool last = i + 1 == picks.size() && !problem_.options.closed;
-            connect(picks[i].parameter, picks[i].point, last, picks[i].position);
+            const bool isLast = i + 1 == picks.size() && !problem_.options.closed;
+            connect(picks[i], picks[i].parameter, isLast);
         }
         if (problem_.options.closed) {
-            connect(1.0, picks[0].point, true, picks[0].position);
+            connect(picks[0], 1.0, true);
             polygon_.pop_back();
         }
-        return polygon_;
+        return std::move(polygon_);
     }
 
 private:
-    void connect(
-        double parameter, const SurfacePoint& point, bool onSurface, const Vec3& position
-    ) {
-        const ControlVertex from = polygon_.back();
-        const ControlVertex to = {
-            parameter, point, onSurface ? position : problem_.shell->lift(point, height())
-        };
-        const double interval = parameter - from.parameter;
-        if (interval > longest_ || (interval > kShortestInterval && leavesShell(from, to))) {
-            const double middle = 0.5 * (from.parameter + parameter);
-            const SurfacePoint between = pathPoint(path_, middle);
-            connect(middle, between, false, Vec3::Zero());
-            connect(parameter, point, onSurface, position);
-            return;
-        }
-        polygon_.push_back(to);
-        top_ = !top_;
+    // f of the surface: 0 in a shell of full resolution.
+    [[nodiscard]] double surfaceHeightAt(const SurfacePoint& point) const {
+        const ShellCell cell(*problem_.shell, point);
+        return cell.surfaceHeight.at(problem_.extended->position(point));
     }
 
-    [[nodiscard]] double height() const { return top_ ? kControlHeight : -kControlHeight; }
+    // Lines 4 to 22: the pick on one side. While the segment to it leaves the shell, the middle of
+    // what is left of the way comes between, on the other side.
+    void connect(const PickConstraint& pick, double parameter, bool isOnSurface) {
+        const ControlVertex before = polygon_.back();
+        const ControlVertex to{
+            parameter, pick.point, isOnSurface ? pick.position : lift(pick.point, isTop_)
+        };
+        std::optional<EdgePath> way;
+        double walked = 0.0;
+        while (leavesShell(polygon_.back(), to) &&
+               parameter - polygon_.back().parameter > kShortestInterval) {
+            if (!way) {
+                way = EdgePath::shortest(problem_, before.point, pick.point);
+            }
+            if (!way) {
+                break;
+            }
+            walked = 0.5 * (walked + way->length());
+            const double share = way->length() > 0.0 ? walked / way->length() : 1.0;
+            const SurfacePoint middle = way->at(walked);
+            polygon_.push_back(
+                {before.parameter + share * (parameter - before.parameter),
+                 middle,
+                 lift(middle, !isTop_)}
+            );
+        }
+        polygon_.push_back(to);
+        isTop_ = !isTop_;
+    }
+
+    [[nodiscard]] Vec3 lift(const SurfacePoint& point, bool isTop) const {
+        return problem_.shell->lift(point, isTop ? kControlHeight : -kControlHeight);
+    }
 
     [[nodiscard]] bool leavesShell(const ControlVertex& from, const ControlVertex& to) const {
         // From the surface up to the control point along its fibre, then along the segment.
@@ -94,10 +99,8 @@ private:
     }
 
     const CurveProblem& problem_;
-    const InitialPath& path_;
-    double longest_;
     std::vector<ControlVertex> polygon_;
-    bool top_ = true;
+    bool isTop_;
 };
 
 // Breaks such that the averages of `degree` consecutive knots (the places where control points act)
@@ -123,26 +126,34 @@ std::vector<double> averagedBreaks(
     return breaks;
 }
 
-SplineCurve splineOf(const CurveProblem& problem, const InitialPath& initialPath, double longest) {
+// A spline needs degree + 1 control points, a closed one one more: the middles of the ways between
+// the picks come between, on the surface.
+std::vector<ControlVertex> withMiddles(
+    const CurveProblem& problem, const std::vector<ControlVertex>& polygon
+) {
+    std::vector<ControlVertex> finer;
+    const std::size_t segments = polygon.size() - (problem.options.closed ? 0 : 1);
+    for (std::size_t i = 0; i < segments; ++i) {
+        const ControlVertex& from = polygon[i];
+        const ControlVertex& to = polygon[(i + 1) % polygon.size()];
+        const double end = i + 1 < polygon.size() ? to.parameter : 1.0;
+        finer.push_back(from);
+        if (const std::optional<EdgePath> way = EdgePath::shortest(problem, from.point, to.point)) {
+            const SurfacePoint middle = way->at(0.5 * way->length());
+            finer.push_back(
+                {0.5 * (from.parameter + end), middle, problem.extended->position(middle)}
+            );
+        }
+    }
+    if (!problem.options.closed) {
+        finer.push_back(polygon.back());
+    }
+    return finer;
+}
+
+SplineCurve splineOf(const CurveProblem& problem, const std::vector<ControlVertex>& polygon) {
     const int degree = problem.options.degree;
     const bool closed = problem.options.closed;
-    std::vector<ControlVertex> polygon = PolygonMaker(problem, initialPath, longest).make();
-    // Few picks in a thick shell: a spline needs degree + 1 control points.
-    while (static_cast<int>(polygon.size()) < degree + 1 + (closed ? 1 : 0)) {
-        std::vector<ControlVertex> finer;
-        const std::size_t segments = polygon.size() - (closed ? 0 : 1);
-        for (std::size_t i = 0; i < segments; ++i) {
-            const double end = i + 1 < polygon.size() ? polygon[i + 1].parameter : 1.0;
-            const double middle = 0.5 * (polygon[i].parameter + end);
-            const SurfacePoint point = pathPoint(initialPath, middle);
-            finer.push_back(polygon[i]);
-            finer.push_back({middle, point, problem.extended->position(point)});
-        }
-        if (!closed) {
-            finer.push_back(polygon.back());
-        }
-        polygon.swap(finer);
-    }
     SplineSpace space(degree, closed, averagedBreaks(polygon, degree, closed));
     ControlPoints controls(space.controlCount(), 3);
     for (int c = 0; c < space.controlCount(); ++c) {
@@ -154,19 +165,32 @@ SplineCurve splineOf(const CurveProblem& problem, const InitialPath& initialPath
     return {std::move(space), std::move(controls)};
 }
 
+// A polygon inside the shell does not keep the curve inside, since a thin shell is not convex.
+bool isOutside(const CurveProblem& problem, const SplineCurve& curve) {
+    return !std::isfinite(
+        measureDistance(traceStartOf(problem), curve.space, curve.controls).largest
+    );
+}
+
 }  // namespace
 
-SplineCurve makeControlPolygon(const CurveProblem& problem, const InitialPath& initialPath) {
-    // A polygon inside the shell does not keep the curve inside, since a thin shell is not convex:
-    // shorter segments do.
-    double longest = 1.0;
-    SplineCurve curve = splineOf(problem, initialPath, longest);
-    while (!std::isfinite(
-               measureDistance(traceStartOf(problem), curve.space, curve.controls).largest
-           ) &&
-           longest > kShortestInterval) {
-        longest *= 0.5;
-        curve = splineOf(problem, initialPath, longest);
+std::optional<SplineCurve> makeControlPolygon(const CurveProblem& problem) {
+    std::vector<ControlVertex> polygon = PolygonMaker(problem).make();
+    const std::size_t needed =
+        static_cast<std::size_t>(problem.options.degree) + (problem.options.closed ? 2 : 1);
+    while (polygon.size() < needed) {
+        std::vector<ControlVertex> finer = withMiddles(problem, polygon);
+        if (finer.size() == polygon.size()) {
+            return std::nullopt;
+        }
+        polygon.swap(finer);
+    }
+    SplineCurve curve = splineOf(problem, polygon);
+    if (problem.options.quadrature != Quadrature::Samples) {
+        for (int i = 0; i < kMostHalvings && isOutside(problem, curve); ++i) {
+            polygon = withMiddles(problem, polygon);
+            curve = splineOf(problem, polygon);
+        }
     }
     return curve;
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/paper/feature_knots.h"
 
-#include "projection/cell_tracer.h"
 #include "solver/barrier.h"
-#include "solver/problem_traces.h"
+#include "solver/paper/sample_walker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,61 +11,60 @@
 namespace bspline_curve {
 namespace {
 
-// The barrier in the feature function is cut off here, below its pole.
+// The barrier in the feature function is cut off at this share of its width, below its pole.
 constexpr double kHighest = 0.999;
+
+// Within a cell the shadow is an affine image of the curve, so are its derivatives.
+Vec3 shadowOf(const CurveProblem& problem, const ShellCell& cell, const Vec3& derivative) {
+    const Triangle& face = problem.extended->faces[cell.face];
+    Vec3 image = Vec3::Zero();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        image += cell.shadowForm(corner).gradient.dot(derivative) *
+                 problem.extended->vertices[face[corner]];
+    }
+    return image;
+}
 
 }  // namespace
 
-KnotDemand featureFunction(
+FeatureFunction featureFunction(
     const CurveProblem& problem,
     const SplineSpace& space,
     const ControlPoints& controls,
     const EnergyWeights& weights
 ) {
-    KnotDemand feature;
+    FeatureFunction feature;
     feature.perSpan.assign(space.spanCount(), 0.0);
     const double tension = problem.options.tension;
-    const auto onPiece = [&](int span,
-                             const PolynomialCurve& curve,
-                             const ShellCell& cell,
-                             double tau0,
-                             double tau1) {
+    SampleWalker walker(problem, space, controls);
+    int current = -1;
+    PolynomialCurve curve;
+    const SampleRule rule = segmentsOfCurve(problem.options.paper);
+    (void)forEachSample(space, rule, [&](int span, double tau, double weight) {
+        if (span != current) {
+            current = span;
+            curve = space.polynomial(controls, span);
+        }
+        walker.moveTo(curve.at(tau));
         const double length = space.spanLength(span);
-        const double tau = 0.5 * (tau0 + tau1);
-        const Triangle& face = problem.extended->faces[cell.face];
-        // Within a cell the shadow is an affine image of the curve, so are its derivatives.
-        const auto shadowOf = [&](const Vec3& derivative) {
-            Vec3 image = Vec3::Zero();
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                image += cell.shadowForm(corner).gradient.dot(derivative) *
-                         problem.extended->vertices[face[corner]];
-            }
-            return image;
-        };
         const Vec3 first = curve.derivativeAt(tau) / length;
         const Vec3 second = curve.secondDerivativeAt(tau) / (length * length);
-        const double height =
-            std::min(std::abs(cell.relativeHeight(curve.at(tau))), kHighest * weights.barrierWidth);
-        feature.perSpan[span] += (tau1 - tau0) * length *
-                                 (tension * (first - shadowOf(first)).squaredNorm() +
-                                  (1.0 - tension) * (second - shadowOf(second)).squaredNorm() +
-                                  weights.alpha * barrierValue(height, weights.barrierWidth));
-    };
-    traceCurve(
-        traceStartOf(problem),
-        space,
-        controls,
-        onPiece,
-        [](int, const PolynomialCurve&, const ShellCell&, const ShellCell&, double, int) {}
-    );
+        const double height = std::min(walker.relativeHeight(), kHighest * weights.barrierWidth);
+        const Vec3 firstOff = first - shadowOf(problem, walker.cell(), first);
+        const Vec3 secondOff = second - shadowOf(problem, walker.cell(), second);
+        feature.perSpan[span] +=
+            weight * (tension * firstOff.squaredNorm() + (1.0 - tension) * secondOff.squaredNorm() +
+                      weights.alpha * barrierValue(height, weights.barrierWidth));
+        return true;
+    });
     feature.total = std::accumulate(feature.perSpan.begin(), feature.perSpan.end(), 0.0);
     return feature;
 }
 
 std::vector<double> insertByFeature(
-    const SplineSpace& space, const KnotDemand& feature, double minimumSpan
+    const SplineSpace& space, const FeatureFunction& feature, double ratio, double minimumSpan
 ) {
-    const double average = feature.total / space.spanCount();  // (21), (22) with r = 1
+    const double average = feature.total / (ratio * space.spanCount());  // (21), (22)
     std::vector<double> breaks{space.breaks().front()};
     for (int span = 0; span < space.spanCount(); ++span) {
         const double length = space.spanLength(span);

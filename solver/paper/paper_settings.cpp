@@ -2,6 +2,7 @@
 #include "solver/paper/paper_settings.h"
 
 #include "solver/paper/feature_knots.h"
+#include "solver/paper/sample_walker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,20 +12,6 @@
 namespace bspline_curve {
 namespace {
 
-struct PaperConstants {
-    /// Bounds of alpha (18), which is dimensionless; the first is its first value as well.
-    double alphaMin = 1.0, alphaMax = 1e8;
-    /// The same for beta, and its first value.
-    double betaMin = 10.0, betaMax = 1e10, betaFirst = 1e6;
-    /// epsilon_b of (12), of the relative height.
-    double barrierMargin = 0.02;
-    /// Rules 1 and 2 for the end of knot insertion: share of the energy below which the features of
-    /// all spans, or the change of their sum, are negligible.
-    double negligibleFeature = 0.03;
-};
-
-constexpr PaperConstants kPaper;
-
 double adaptive(double others, double own, double least, double most) {
     const double ratio = own > 0.0 ? others / own : std::numeric_limits<double>::infinity();
     return std::min(least * std::max(ratio, 1.0), most);
@@ -32,54 +19,81 @@ double adaptive(double others, double own, double least, double most) {
 
 }  // namespace
 
-void PaperSettings::setBarrier(double largestHeight, EnergyWeights& weights) const {
-    weights.barrierWidth = problem_.options.barrierWidth == BarrierWidth::Full
+void PaperSettings::setBarrier(
+    const Energy& energy, double largestHeight, EnergyWeights& weights
+) const {
+    const SolverOptions& options = problem_.options;
+    const double height =
+        options.quadrature == Quadrature::Samples
+            ? largestSampledHeight(
+                  problem_, energy.space(), energy.controls(), segmentsOfCurve(options.paper)
+              )
+            : largestHeight;
+    weights.barrierWidth = options.barrierWidth == BarrierWidth::Full
                                ? 1.0
-                               : std::min(largestHeight + kPaper.barrierMargin, 1.0);
-    weights.outsideAllowed = largestHeight >= 1.0;
+                               : std::min(height + options.paper.barrierMargin, 1.0);
+    weights.outsideAllowed = height >= 1.0;
 }
 
-void PaperSettings::adjustFirst(double largestHeight, EnergyWeights& first) const {
-    if (problem_.options.distanceWeight == DistanceWeight::Adaptive) {
-        first.alpha = kPaper.alphaMin;
-    }
+void PaperSettings::adjustFirst(Energy& energy, double largestHeight, EnergyWeights& first) const {
+    const PaperOptions& paper = problem_.options.paper;
     if (problem_.options.interpolation == Interpolation::Penalty) {
-        first.beta = kPaper.betaFirst;
+        first.beta = paper.betaFirst;
     }
-    setBarrier(largestHeight, first);
+    setBarrier(energy, largestHeight, first);
+    if (problem_.options.distanceWeight == DistanceWeight::Adaptive) {
+        first.alpha = paper.alphaMin;
+        energy.setWeights(first);
+        const EnergyValue value = energy.differentiate();
+        if (value.inside) {
+            adjustAlpha(first, value.terms, first);
+        }
+    }
+}
+
+void PaperSettings::adjustAlpha(
+    const EnergyWeights& before, const EnergyTerms& terms, EnergyWeights& next
+) const {
+    const double rest = terms.internal + fieldWeight(problem_) * terms.external;
+    next.alpha = adaptive(
+        rest + before.beta * terms.fit,
+        terms.distance,
+        problem_.options.paper.alphaMin,
+        problem_.options.paper.alphaMax
+    );
 }
 
 void PaperSettings::adjustNext(
-    const EnergyWeights& before, const EnergyTerms& terms, double largestHeight, EnergyWeights& next
+    const EnergyWeights& before, const EnergyTerms& terms, EnergyWeights& next
 ) const {
-    const double rest = terms.internal + fieldWeight(problem_) * terms.external;
+    const PaperOptions& paper = problem_.options.paper;
     if (problem_.options.distanceWeight == DistanceWeight::Adaptive) {
-        next.alpha = adaptive(
-            rest + before.beta * terms.fit, terms.distance, kPaper.alphaMin, kPaper.alphaMax
-        );
+        adjustAlpha(before, terms, next);
     }
     if (problem_.options.interpolation == Interpolation::Penalty) {
-        next.beta = adaptive(
-            rest + before.alpha * terms.distance, terms.fit, kPaper.betaMin, kPaper.betaMax
-        );
+        const double rest = terms.internal + fieldWeight(problem_) * terms.external;
+        next.beta =
+            adaptive(rest + before.alpha * terms.distance, terms.fit, paper.betaMin, paper.betaMax);
     }
-    setBarrier(largestHeight, next);
 }
 
 std::vector<double> PaperSettings::chooseBreaks(
     const Energy& energy, const EnergyWeights& weights, double scale, bool isNear
 ) {
-    const KnotDemand feature =
+    const PaperOptions& paper = problem_.options.paper;
+    const FeatureFunction feature =
         featureFunction(problem_, energy.space(), energy.controls(), weights);
     const double before = std::exchange(feature_, feature.total);
     // The paper's rules 1 and 2; rule 3 is that insertByFeature finds no room.
-    const double threshold = kPaper.negligibleFeature * scale;
+    const double threshold = paper.featureTolerance * scale;
     const bool isSmall =
         std::ranges::all_of(feature.perSpan, [&](double value) { return value < threshold; });
     if (isNear && (isSmall || std::abs(feature.total - before) < threshold)) {
         return energy.space().breaks();
     }
-    return insertByFeature(energy.space(), feature, problem_.options.minimumSpan);
+    return insertByFeature(
+        energy.space(), feature, paper.knotRatio, shortestSpan(problem_.options)
+    );
 }
 
 bool PaperSettings::arePicksNear(const Energy& energy) const {

@@ -14,16 +14,18 @@ class PaperSettings {
 public:
     explicit PaperSettings(const CurveProblem& problem) : problem_(problem) {}
 
-    /// `largestHeight`: of the first curve, 1 where it leaves the shell.
-    void adjustFirst(double largestHeight, EnergyWeights& first) const;
+    /// alpha by (18) from the terms of the first curve, and the first beta. `largestHeight`: of the
+    /// first curve as traced, 1 where it leaves the shell.
+    void adjustFirst(Energy& energy, double largestHeight, EnergyWeights& first) const;
 
-    /// From the weights and terms of the round before.
+    /// (18) from the weights and terms of the round before.
     void adjustNext(
-        const EnergyWeights& before,
-        const EnergyTerms& terms,
-        double largestHeight,
-        EnergyWeights& next
+        const EnergyWeights& before, const EnergyTerms& terms, EnergyWeights& next
     ) const;
+
+    /// (12) for the curve as it is: by its samples where these are all that the energy sees, else
+    /// by `largestHeight`, that of all of it.
+    void setBarrier(const Energy& energy, double largestHeight, EnergyWeights& weights) const;
 
     /// Breaks by the feature function; `scale`: of the energy.
     [[nodiscard]] std::vector<double> chooseBreaks(
@@ -39,7 +41,9 @@ public:
     double meetPicks(Energy& energy, const NewtonPolicy& policy) const;
 
 private:
-    void setBarrier(double largestHeight, EnergyWeights& weights) const;
+    void adjustAlpha(
+        const EnergyWeights& before, const EnergyTerms& terms, EnergyWeights& next
+    ) const;
 
     const CurveProblem& problem_;
     double feature_ = 0.0;  // (19) of the round before

@@ -4,16 +4,17 @@
 #include "shell/polynomial_trace.h"
 #include "shell/shell_boundary.h"
 #include "solver/curve_problem.h"
-#include "spline/gauss_rule.h"
+#include "solver/sample_rule.h"
 #include "spline/spline_space.h"
 
+#include <cmath>
 #include <optional>
 
 namespace bspline_curve {
 
-/// Follows samples of a curve through the shell, from each to the next by a straight walk, and back
-/// in through the nearest point of the boundary where the curve was outside. Without
-/// CurveProblem::boundary it stays outside.
+/// Follows samples of a curve through the shell, from each to the next by a straight walk (the
+/// paper's ray tracing), and back in through the nearest point of the boundary where the curve was
+/// outside. Without CurveProblem::boundary it stays outside.
 class SampleWalker {
 public:
     SampleWalker(
@@ -56,6 +57,16 @@ public:
     /// The sample itself, or its nearest point of the boundary.
     [[nodiscard]] const Vec3& position() const { return here_; }
 
+    /// d of the sample (10), as the options say; 1 where it is outside.
+    [[nodiscard]] double relativeHeight() const {
+        if (outside_) {
+            return 1.0;
+        }
+        return problem_.options.relativeHeight == RelativeHeight::Linear
+                   ? state_.cell.linearHeight(here_)
+                   : std::abs(state_.cell.relativeHeight(here_));
+    }
+
 private:
     bool walk(const Vec3& from, const Vec3& to) {
         return walkStraight(*problem_.shell, from, to, state_);
@@ -66,5 +77,13 @@ private:
     Vec3 here_;
     bool outside_ = false;
 };
+
+/// Largest relative height of the samples; 1 where one is outside.
+[[nodiscard]] double largestSampledHeight(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    const SampleRule& rule
+);
 
 }  // namespace bspline_curve

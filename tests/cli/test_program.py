@@ -283,7 +283,7 @@ def test_help_names_every_option_with_range_and_default(run):
     process = run("--help")
     assert process.returncode == 0 and process.stderr == ""
     for text in ("--picks", "--tension,--lambda", "[0, 1]", "--field-weight,--mu", "--degree", "[2, 4]", "--preset",
-                 "--shell local|full|simplified=", "--target-thickness", "--target-edge-length", "--shell-thickness", "edge lengths",
+                 "--shell local|full|simplified|preset=", "--target-thickness", "--target-edge-length", "--shell-thickness", "edge lengths",
                  "--max-rounds", "Exit status"):
         assert text in process.stdout
 

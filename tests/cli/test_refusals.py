@@ -40,7 +40,7 @@ pytestmark = pytest.mark.usefixtures("plate")
         (("--distance-tolerance", "0"), "> 0"),
         (("--minimum-span", "0.2"), "0.1"),
         (("--max-rounds", "0"), ">= 1"),
-        (("--samples-per-span", "3"), ">= 4"),
+        (("--curve-segments", "0"), "[1, 10000]"),
         (("--shell-thickness", "0"), "(0, 1000]"),
     ],
 )
@@ -78,7 +78,7 @@ def test_missing_files(refused):
         (1, (*DEFAULT, "--field", "valey"), ["--field valey: there is no such file", "|valley|", "did you mean valley?"]),
         (1, (*DEFAULT, "--field", "none.npy"), ["none.npy: there is no such file", "|obstacle|auto\n"]),
         (1, (*DEFAULT, "--avoid", "selected"), ["--avoid selected: there is no such file", "over-threshold"]),
-        (2, (*DEFAULT, "--shell", "ful"), ["ful is none of local|full|simplified; did you mean full?"]),
+        (2, (*DEFAULT, "--shell", "ful"), ["ful is none of local|full|simplified|preset; did you mean full?"]),
     ],
 )
 def test_mistyped_words(refused, status, words, parts):

@@ -38,6 +38,9 @@ TEST(CurveRequest, FollowsThePresetWhereNothingElseWasGiven) {
     expected.bending = Bending::Geodesic;
     expected.maxRounds = 7;
     expectEqual(curveRequest(values).solver, expected);
+    EXPECT_EQ(curveRequest(values).shell.kind, ShellKind::Simplified);
+    values.set("shell", Text("full"));
+    EXPECT_EQ(curveRequest(values).shell.kind, ShellKind::FullResolution);
 }
 
 TEST(CurveRequest, TakesTheNaturalCostOfItsFieldUnlessAnotherIsGiven) {

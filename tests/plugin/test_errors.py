@@ -91,7 +91,7 @@ def test_a_coordinate_that_is_not_finite(plate, plate_picks):
     [("degree", 1), ("degree", 5), ("field_weight", -1.0), ("samples", -1),
      ("distance_tolerance", 0.0), ("shell_thickness", 0.0), ("shell_smoothing_passes", -1),
      ("target_thickness", 1.5), ("target_edge_length", -1.0), ("max_rounds", 0), ("max_iterations", 0),
-     ("samples_per_span", 3), ("normal_bending_weight", 0.0), ("minimum_span", 0.5)],
+     ("curve_segments", 0), ("normal_bending_weight", 0.0), ("minimum_span", 0.5)],
 )
 def test_a_value_out_of_its_range_is_refused_with_the_value(plate, plate_picks, name, value):
     assert_refuses(plate, f"{value:g}", picks=as_text(plate_picks), **{name: value})

@@ -135,9 +135,9 @@ TEST_P(CellwiseDerivatives, AgreeWithDifferences) {
     const SplineCurve curve = fitInitialPath(fixture.problem(), fixture.initialPath()).value();
     const std::vector<InterpolationRow> rows =
         interpolationRows(curve.space, fixture.problem().picks);
-    CellwiseIntegrals energy(fixture.problem(), curve.space, rows, 0);
+    CellwiseIntegrals energy(fixture.problem(), curve.space, rows, {});
     const std::optional<BendingDirections> directions =
-        bendingDirectionsAlong(fixture.problem(), curve.space, curve.controls, 0);
+        bendingDirectionsAlong(fixture.problem(), curve.space, curve.controls, {});
     ASSERT_TRUE(directions.has_value());
     energy.setDirections(*directions);
     EnergyWeights weights{20.0, 5.0, 1.0};

@@ -55,27 +55,34 @@ TEST(HalveLargest, MakesNoSpanShorterThanAllowed) {
     EXPECT_GE(breaks.size(), 40U);
 }
 
-// (21), (22) with r = 1: as many knots as the span's feature has averages, rounded down.
+// (21), (22): as many knots as the span's feature has averages, rounded down.
 TEST(InsertByFeature, InsertsAsManyKnotsAsTheFeatureHasAverages) {
     const SplineSpace space = spaceOf({0.0, 0.25, 0.5, 0.75, 1.0});
     EXPECT_EQ(
-        insertByFeature(space, {8.0, {0.5, 5.0, 2.0, 0.5}}, 1e-4),
+        insertByFeature(space, {{0.5, 5.0, 2.0, 0.5}, 8.0}, 1.0, 1e-4),
         (std::vector<double>{0.0, 0.25, 0.25 + 0.25 / 3.0, 0.25 + 0.5 / 3.0, 0.5, 0.625, 0.75, 1.0})
     );
 }
 
+TEST(InsertByFeature, InsertsMoreWithALargerRatio) {
+    const SplineSpace space = spaceOf({0.0, 0.25, 0.5, 0.75, 1.0});
+    const FeatureFunction feature{{0.5, 5.0, 2.0, 0.5}, 8.0};
+    EXPECT_EQ(insertByFeature(space, feature, 2.0, 1e-4).size(), 5U + 5U + 2U);
+    EXPECT_EQ(insertByFeature(space, feature, 0.3, 1e-4), space.breaks());
+}
+
 TEST(InsertByFeature, ChangesNothingWithoutFeature) {
     const SplineSpace space = spaceOf({0.0, 0.25, 1.0});
-    EXPECT_EQ(insertByFeature(space, {0.0, {0.0, 0.0}}, 1e-4), space.breaks());
+    EXPECT_EQ(insertByFeature(space, {{0.0, 0.0}, 0.0}, 1.0, 1e-4), space.breaks());
 }
 
 TEST(InsertByFeature, MakesNoSpanShorterThanAllowed) {
     std::vector<double> breaks = {0.0, 0.1, 0.2, 1.0};
     for (int i = 0; i < 20; ++i) {
-        KnotDemand feature{0.0, std::vector<double>(breaks.size() - 1, 0.1)};
+        FeatureFunction feature{std::vector<double>(breaks.size() - 1, 0.1), 0.0};
         feature.perSpan[1] = 100.0;
         feature.total = 100.0 + 0.1 * static_cast<double>(breaks.size() - 2);
-        const std::vector<double> finer = insertByFeature(spaceOf(breaks), feature, 0.01);
+        const std::vector<double> finer = insertByFeature(spaceOf(breaks), feature, 1.0, 0.01);
         EXPECT_TRUE(std::includes(finer.begin(), finer.end(), breaks.begin(), breaks.end()));
         breaks = finer;
     }
@@ -92,7 +99,7 @@ TEST(FeatureFunction, IsZeroOnAPlane) {
             options
         );
         const SplineCurve curve = fitInitialPath(fixture.problem(), fixture.initialPath()).value();
-        const KnotDemand feature =
+        const FeatureFunction feature =
             featureFunction(fixture.problem(), curve.space, curve.controls, {10.0, 0.0, 1.0});
         EXPECT_LT(feature.total, 1e-18);
         EXPECT_EQ(static_cast<int>(feature.perSpan.size()), curve.space.spanCount());
@@ -104,7 +111,7 @@ TEST(FeatureFunction, IsPositiveOnASphereAndTheSumOfItsSpans) {
         test_support::icosphere(3), {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}}, {}
     );
     const SplineCurve curve = fitInitialPath(fixture.problem(), fixture.initialPath()).value();
-    const KnotDemand feature =
+    const FeatureFunction feature =
         featureFunction(fixture.problem(), curve.space, curve.controls, {10.0, 0.0, 1.0});
     double sum = 0.0;
     for (const double value : feature.perSpan) {

@@ -32,6 +32,22 @@ void expectRefused(
 }
 
 template <class Value>
+void expectPaperRefused(
+    Value PaperOptions::* field, Value value, const std::string& name, const std::string& shown
+) {
+    SolverOptions options;
+    options.paper.*field = value;
+    try {
+        options.validate();
+        ADD_FAILURE() << name << " = " << value << " was accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), InputErrorCode::BadOption);
+        EXPECT_NE(std::string(error.what()).find(name + " is " + shown), std::string::npos)
+            << error.what();
+    }
+}
+
+template <class Value>
 void expectAccepted(Value SolverOptions::* field, Value value) {
     SolverOptions options;
     options.*field = value;
@@ -55,8 +71,6 @@ TEST(SolverOptionsValidation, ChecksWholeNumbers) {
     for (const int degree : {-3, 0, 1, 5}) {
         expectRefused(&SolverOptions::degree, degree, "degree", std::to_string(degree));
     }
-    expectAccepted(&SolverOptions::samplesPerSpan, 4);
-    expectRefused(&SolverOptions::samplesPerSpan, 3, "samples per span", "3");
     expectAccepted(&SolverOptions::maxRounds, 1);
     expectRefused(&SolverOptions::maxRounds, 0, "maximal rounds", "0");
     expectAccepted(&SolverOptions::maxIterations, 1);
@@ -79,6 +93,22 @@ TEST(SolverOptionsValidation, ChecksNumbers) {
     expectAccepted(&SolverOptions::minimumSpan, 0.1);
     expectRefused(&SolverOptions::minimumSpan, 0.0, "minimum span", "0");
     expectRefused(&SolverOptions::minimumSpan, 0.25, "minimum span", "0.25");
+}
+
+TEST(SolverOptionsValidation, ChecksTheNumbersOfThePaper) {
+    using P = PaperOptions;
+    expectPaperRefused(&P::curveSegments, 0, "curve segments", "0");
+    expectPaperRefused(&P::curveSegments, 10001, "curve segments", "10001");
+    expectPaperRefused(&P::gaussPoints, 5, "Gauss points", "5");
+    expectPaperRefused(&P::barrierMargin, 0.0, "barrier margin", "0");
+    expectPaperRefused(&P::heightScale, 1.5, "height scale", "1.5");
+    expectPaperRefused(&P::alphaMin, 0.0, "alpha min", "0");
+    expectPaperRefused(&P::alphaMax, 0.0, "alpha max", "0");
+    expectPaperRefused(&P::betaFirst, -1.0, "beta first", "-1");
+    expectPaperRefused(&P::betaMin, kInfinity, "beta min", "inf");
+    expectPaperRefused(&P::betaMax, -2.0, "beta max", "-2");
+    expectPaperRefused(&P::knotRatio, 0.0, "knot ratio", "0");
+    expectPaperRefused(&P::featureTolerance, kNotANumber, "feature tolerance", "nan");
 }
 
 TEST(SolverOptionsValidation, RefusesNotANumber) {

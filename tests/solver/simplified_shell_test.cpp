@@ -77,7 +77,9 @@ Eigen::Matrix3d dense(const SymmetricMatrix& m) {
     return matrix;
 }
 
-TEST(IntegrandOfACell, HasTheDerivativesOfItsDifferences) {
+class IntegrandOfACell : public testing::TestWithParam<RelativeHeight> {};
+
+TEST_P(IntegrandOfACell, HasTheDerivativesOfItsDifferences) {
     for (const CoarseShellCase& mesh : coarseShellCases()) {
         SCOPED_TRACE(mesh.name);
         const CoarseShell coarse(mesh.fine, mesh.coarse, mesh.height);
@@ -86,6 +88,7 @@ TEST(IntegrandOfACell, HasTheDerivativesOfItsDifferences) {
         problem.extended = coarse.extended.get();
         problem.options.fieldWeight = 1.0;
         problem.options.fieldCost = FieldCost::Square;
+        problem.options.relativeHeight = GetParam();
         std::vector<double> field;
         for (const Vec3& v : coarse.extended->vertices) {
             field.push_back(std::sin(3.0 * v.x()) + v.y() * v.z());
@@ -95,7 +98,7 @@ TEST(IntegrandOfACell, HasTheDerivativesOfItsDifferences) {
         for (const CellPoint& point : cellsAlongLines(coarse, 51)) {
             const double height = point.cell.relativeHeight(point.position);
             const Vec3 shadow = point.cell.shadow(point.position);
-            if (std::abs(height) > 0.95 || shadow.minCoeff() < 1e-3) {
+            if (std::abs(height) > 0.95 || std::abs(height) < 1e-4 || shadow.minCoeff() < 1e-3) {
                 continue;
             }
             for (const double scale : {1.0, 0.99}) {
@@ -122,6 +125,26 @@ TEST(IntegrandOfACell, HasTheDerivativesOfItsDifferences) {
                 // Gauss-Newton for the field: no second derivative of an affine function.
                 EXPECT_LT((hessian - exactHessian).norm(), 1e-5 * exactHessian.norm());
             }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Heights, IntegrandOfACell, testing::Values(RelativeHeight::Smooth, RelativeHeight::Linear)
+);
+
+// (10): 0 on the surface, 1 at top and bottom, linear between.
+TEST(LinearHeight, IsLinearFromTheSurfaceToTopAndBottom) {
+    for (const CoarseShellCase& mesh : coarseShellCases()) {
+        SCOPED_TRACE(mesh.name);
+        const CoarseShell coarse(mesh.fine, mesh.coarse, mesh.height);
+        for (const CellPoint& point : cellsAlongLines(coarse, 52)) {
+            const double w = point.cell.height.at(point.position);
+            const double v = point.cell.surfaceHeight.at(point.position);
+            const double d = point.cell.linearHeight(point.position);
+            EXPECT_GE(d, 0.0);
+            // The share of the way from the surface to top or bottom.
+            EXPECT_NEAR(v + d * ((w >= v ? 1.0 : -1.0) - v), w, 1e-12);
         }
     }
 }
