@@ -267,7 +267,12 @@ void writeResults(
         const std::vector<double> quality =
             drawn.field.empty() ? std::vector<double>()
                                 : fieldAlong(drawn.curve.polyline, surface.faces(), drawn.field);
-        writeCurve(arguments.output, onGivenMesh(drawn.curve, prepared.mended.repair()), quality);
+        writeCurve(
+            arguments.output,
+            onGivenMesh(drawn.curve, prepared.mended.repair()),
+            quality,
+            prepared.loaded.checksum
+        );
     }
     if (report) {
         report->commit();

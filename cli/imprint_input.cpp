@@ -55,8 +55,9 @@ ImprintedFile readAndImprint(const ImprintInput& input, ProgressBar& bar) {
     const Surface surface(std::move(file.mesh));
     figures.surfaceSeconds = watch.lap();
     std::vector<SurfacePolyline> curves;
+    const MeshChecksum checksum = checksumOf(surface.mesh());
     for (const std::filesystem::path& curve : input.curves) {
-        curves.push_back(readCurve(curve, surface));
+        curves.push_back(readCurve(curve, surface, checksum));
     }
     figures.readSeconds += watch.lap();
     throwIfInterrupted();

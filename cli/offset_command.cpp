@@ -129,7 +129,8 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
     bar.show(0.0, "reading");
     constexpr bool kStrict = true;  // nothing is mended here
     const Surface surface(readInputMesh(arguments.mesh, kStrict).mesh);
-    const SurfacePolyline curve = readCurve(arguments.curve, surface);
+    const MeshChecksum checksum = checksumOf(surface.mesh());
+    const SurfacePolyline curve = readCurve(arguments.curve, surface, checksum);
     if (interrupted()) {
         throw Cancelled();
     }
@@ -152,7 +153,7 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
         const Curve piece{
             .polyline = pieces[i], .spline = polygonSpline(pieces[i]), .report = {}, .shell = {}
         };
-        files.emplace_back(file, curveBytes(file, piece));
+        files.emplace_back(file, curveBytes(file, piece, {}, checksum));
     }
     if (!arguments.band.empty()) {
         const std::vector<char> within = facesWithin(surface, curve, arguments.offset);

@@ -34,6 +34,7 @@ LoadedMesh loadMesh(const CurveArguments& arguments) {
     loaded.readMemoryBytes = peakMemoryBytes();
     loaded.givenVertices = loaded.mesh.mesh.vertices.size();
     loaded.givenFaces = loaded.mesh.mesh.faces.size();
+    loaded.checksum = checksumOf(loaded.mesh.mesh);
     if (interrupted()) {
         throw Cancelled();
     }

@@ -5,6 +5,7 @@
 #include "cli/curve_options.h"
 #include "io/mesh_reader.h"
 #include "surface/mending.h"
+#include "surface/mesh_checksum.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,7 @@ namespace bspline_curve::cli {
 struct LoadedMesh {
     MeshFile mesh;
     std::size_t givenVertices = 0, givenFaces = 0;
+    MeshChecksum checksum;  ///< of the mesh as it was given
     double readSeconds = 0.0;
     std::int64_t readMemoryBytes = 0;
 };

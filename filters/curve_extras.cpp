@@ -45,6 +45,7 @@ void checkTube(const CurveRequest& request, const Surface& surface) {
 
 void addExtras(
     const CurveRequest& request,
+    const TriangleMesh& given,
     const CurveDesigner& designer,
     std::span<const double> field,
     CurveResult& result
@@ -62,7 +63,7 @@ void addExtras(
     if (request.saveFile.empty()) {
         return;
     }
-    writeCurve(utf8Path(request.saveFile), curve, field);
+    writeCurve(utf8Path(request.saveFile), curve, field, checksumOf(given));
 }
 
 }  // namespace bspline_curve

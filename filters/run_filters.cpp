@@ -224,7 +224,7 @@ CurveResult runCurveFilter(
     if (repair != nullptr) {
         bringBack(result.curve.polyline, *repair);
     }
-    addExtras(request, designer, along, result);
+    addExtras(request, layer.mesh, designer, along, result);
     return result;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "surface/mesh_checksum.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,6 +18,7 @@ namespace bspline_curve {
 struct CurveContent {
     const Curve& curve;
     std::span<const double> field{};  ///< per vertex of the polyline; empty: there is none
+    std::optional<MeshChecksum> mesh{};  ///< the one that its faces are of; none: not known
 
     /// What is shown along the curve: the field or, where there is none, t.
     [[nodiscard]] std::span<const double> quality() const {

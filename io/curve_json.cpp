@@ -42,7 +42,7 @@ Json polylineJson(const CurveContent& content) {
 
 std::string curveJson(const CurveContent& content) {
     const SplineData& spline = content.curve.spline;
-    const Json document = {
+    Json document = {
         {"closed", content.curve.polyline.closed},
         {"polyline", polylineJson(content)},
         {"spline",
@@ -52,6 +52,11 @@ std::string curveJson(const CurveContent& content) {
           {"control_points", pointsJson(spline.controlPoints)},
           {"pick_parameters", spline.pickParameters}}},
     };
+    if (const auto& mesh = content.mesh) {
+        document["mesh"] = {
+            {"vertices", mesh->vertices}, {"faces", mesh->faces}, {"crc32", mesh->digits()}
+        };
+    }
     return document.dump() + "\n";
 }
 

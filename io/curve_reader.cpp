@@ -75,9 +75,40 @@ SurfacePoint pointOf(
     return {.face = static_cast<int>(index), .barycentric = coordinates};
 }
 
+/// Refuses a curve of another mesh, where the file names its own.
+void checkMesh(
+    const std::filesystem::path& file, const Json& document, const MeshChecksum& mesh
+) {
+    if (!document.contains("mesh")) {
+        return;
+    }
+    const Json& named = document.at("mesh");
+    const auto count = [&](const char* key) {
+        if (!named.is_object() || !named.contains(key) || !named.at(key).is_number_integer()) {
+            refuseFile(file, std::string("no whole number \"") + key + "\" in \"mesh\"");
+        }
+        return named.at(key).get<std::int64_t>();
+    };
+    const MeshChecksum then{.vertices = count("vertices"), .faces = count("faces"), .crc32 = mesh.crc32};
+    if (!named.contains("crc32") || !named.at("crc32").is_string()) {
+        refuseFile(file, R"(no text "crc32" in "mesh")");
+    }
+    if (then == mesh && named.at("crc32").get<std::string>() == mesh.digits()) {
+        return;
+    }
+    throw InputError(
+        InputErrorCode::NoPath,
+        file.string() + ": the mesh changed since the curve was drawn: " +
+            describeChange(then, mesh) +
+            "; give the mesh that it was drawn on, or draw it again"
+    );
+}
+
 }  // namespace
 
-SurfacePolyline readCurve(const std::filesystem::path& file, const Surface& surface) {
+SurfacePolyline readCurve(
+    const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
+) {
     if (lowerCaseExtension(file) != ".json") {
         refuseFile(file, "curves are read from .json; write the curve with --output CURVE.json");
     }
@@ -93,6 +124,7 @@ SurfacePolyline readCurve(const std::filesystem::path& file, const Surface& surf
             "CURVE.json"
         );
     }
+    checkMesh(file, document, mesh);
     const Json& polyline = document.at("polyline");
     const Json& points = arrayIn(file, polyline, "points");
     const Json& faces = arrayIn(file, polyline, "faces");

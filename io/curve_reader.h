@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "surface/mesh_checksum.h"
 #include "surface/surface.h"
 
 #include <filesystem>
@@ -9,10 +10,13 @@
 namespace bspline_curve {
 
 /// The polyline of a curve file that writeCurve() wrote as .json, by its faces and barycentric
-/// coordinates, so exactly where it was drawn. Throws InputError (UnreadableFile: another format,
-/// missing keys, values that are no surface points; NoPath: not on this mesh, since a face does not
-/// exist, a position differs by more than 1e-6 diagonals or a segment leaves its face), naming
-/// file, vertex and what to do. O(n).
-[[nodiscard]] SurfacePolyline readCurve(const std::filesystem::path& file, const Surface& surface);
+/// coordinates, so exactly where it was drawn. `mesh`: that of the surface. Throws InputError
+/// (UnreadableFile: another format, missing keys, values that are no surface points; NoPath: not on
+/// this mesh, since the file names the checksum of another, a face does not exist, a position
+/// differs by more than 1e-6 diagonals or a segment leaves its face), naming file, vertex and what
+/// to do. Files without a checksum are read as well. O(n).
+[[nodiscard]] SurfacePolyline readCurve(
+    const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
+);
 
 }  // namespace bspline_curve

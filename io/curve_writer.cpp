@@ -81,16 +81,26 @@ void checkCurveExtension(const path& file) {
     static_cast<void>(formatOf(file));
 }
 
-std::string curveBytes(const path& file, const Curve& curve, std::span<const double> field) {
+std::string curveBytes(
+    const path& file,
+    const Curve& curve,
+    std::span<const double> field,
+    const std::optional<MeshChecksum>& mesh
+) {
     const CurveFormat& format = formatOf(file);
     assert(curve.polyline.surfacePoints.size() == curve.polyline.points.size());
     assert(curve.polyline.parameters.size() == curve.polyline.points.size());
     assert(field.empty() || field.size() == curve.polyline.points.size());
-    return format.bytes({.curve = curve, .field = field});
+    return format.bytes({.curve = curve, .field = field, .mesh = mesh});
 }
 
-void writeCurve(const path& file, const Curve& curve, std::span<const double> field) {
-    AtomicFile(file, curveBytes(file, curve, field)).commit();
+void writeCurve(
+    const path& file,
+    const Curve& curve,
+    std::span<const double> field,
+    const std::optional<MeshChecksum>& mesh
+) {
+    AtomicFile(file, curveBytes(file, curve, field, mesh)).commit();
 }
 
 }  // namespace bspline_curve

@@ -3,8 +3,10 @@
 
 #include "bspline_curve/curve.h"
 #include "bspline_curve/mesh.h"
+#include "surface/mesh_checksum.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,16 +42,24 @@ void checkCurveExtension(const std::filesystem::path& file);
 ///   .csv          the polyline: x,y,z,t,face,b0,b1,b2,quality,is_pick, one line per vertex
 ///   .json         {"closed", "polyline": {"points", "faces", "barycentrics", "t", "picks"},
 ///                 "spline": {"degree", "closed", "knots", "control_points", "pick_parameters"}};
-///                 "quality" in "polyline" where there is a field
+///                 "quality" in "polyline" where there is a field, and {"mesh": {"vertices",
+///                 "faces", "crc32"}} where the mesh is given
 /// Numbers are written without loss. `field`: one value per polyline vertex, or empty; quality is
-/// the field or, without one, t. Throws InputError (UnwritableFile).
+/// the field or, without one, t. `mesh`: the one that the curve's faces are of. Throws InputError
+/// (UnwritableFile).
 [[nodiscard]] std::string curveBytes(
-    const std::filesystem::path& file, const Curve& curve, std::span<const double> field = {}
+    const std::filesystem::path& file,
+    const Curve& curve,
+    std::span<const double> field = {},
+    const std::optional<MeshChecksum>& mesh = {}
 );
 
 /// Writes curveBytes() to the file: wholly, or not at all. Throws InputError (UnwritableFile).
 void writeCurve(
-    const std::filesystem::path& file, const Curve& curve, std::span<const double> field = {}
+    const std::filesystem::path& file,
+    const Curve& curve,
+    std::span<const double> field = {},
+    const std::optional<MeshChecksum>& mesh = {}
 );
 
 }  // namespace bspline_curve

@@ -7,6 +7,7 @@ import contextlib
 import json
 import os
 import tempfile
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,7 @@ def document_of(curve: Curve) -> dict[str, Any]:
             "control_points": curve.control_points.tolist(),
             "pick_parameters": curve.pick_parameters.tolist(),
         },
+        "mesh": named(curve.mesh),
         "drawn_by": {
             "picks": curve.picks.tolist(),
             "options": drawing.options,
@@ -52,6 +54,14 @@ def document_of(curve: Curve) -> dict[str, Any]:
         },
         "report": finite(curve.report),
     }
+
+
+def named(mesh: Mesh) -> dict[str, Any]:
+    """By what a mesh is known again: as docs/FILES.md tells."""
+    with np.errstate(over="ignore"):
+        vertices = mesh.vertices.astype("<f4") + np.float32(0)  # -0 + 0 is 0
+    crc32 = zlib.crc32(mesh.faces.astype("<i4").tobytes(), zlib.crc32(vertices.tobytes()))
+    return {"vertices": len(vertices), "faces": len(mesh.faces), "crc32": f"{crc32:08x}"}
 
 
 def finite(value: Any) -> Any:
@@ -101,7 +111,7 @@ def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
     Raises
     ------
     FileError
-        The file cannot be read, holds no curve, or its points are not on this mesh.
+        The file cannot be read, holds no curve, or its points are not on this mesh, or the mesh changed since.
     """
     path = Path(file)
     try:
@@ -138,6 +148,7 @@ def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
         raise FileError(f"{path} cannot be read: {error}", "unreadable-file") from error
     except (ValueError, KeyError, TypeError, IndexError, AttributeError) as error:
         raise FileError(f"{path} holds no curve: {error!r}", "unreadable-file") from error
+    require_same(mesh, document.get("mesh"), path)
     require_on(mesh, state, path)
     return restored(drawing, state, report)
 
@@ -147,6 +158,15 @@ def rows(numbers: Any) -> Floats:
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError("rows of three numbers are needed")
     return array
+
+
+def require_same(mesh: Mesh, then: Any, path: Path) -> None:
+    """Refuses the mesh where the file names another; older files name none."""
+    if then is not None and then != named(mesh):
+        raise FileError(
+            f"{path} is a curve of another mesh, or the mesh changed since the curve was drawn: draw it again",
+            "unreadable-file",
+        )
 
 
 def require_on(mesh: Mesh, state: dict[str, Any], path: Path) -> None:

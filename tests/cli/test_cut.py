@@ -127,7 +127,7 @@ def test_refuses_by_name_and_writes_nothing(refused, tmp_path, ring):
     refused(1, "segment", "hill.ply", *RING, "--output", "out.ply", "--table", "t.xls", says=["tables are written as .csv or .json"])
     vertices, faces = meshes.plate(cells=12, height=0.3)
     meshes.write_ply(tmp_path / "other.ply", vertices, faces)
-    refused(1, "cut", "other.ply", *RING, "--output", "out.ply", says=["does not lie on this mesh"])
+    refused(1, "cut", "other.ply", *RING, "--output", "out.ply", says=["ring.json: the mesh changed since the curve was drawn"])
     assert not (tmp_path / "out.ply").exists()
 
 

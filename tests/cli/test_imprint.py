@@ -56,10 +56,22 @@ def test_other_formats_hold_the_same_faces(run, tmp_path, drawn, extension):
     assert np.allclose(one.triangles, other.triangles, atol=1e-7 if extension == "stl" else 0)
 
 
-def test_refuses_another_mesh_and_what_it_cannot_write(refused, tmp_path, drawn):
+def test_refuses_another_mesh_and_what_it_cannot_write(run, refused, tmp_path, drawn):
     vertices, faces = meshes.plate(cells=12, height=0.3)
     meshes.write_ply(tmp_path / "other.ply", vertices, faces)
-    refused(1, "imprint", "other.ply", *CURVES, "--output", "out.ply", says=["does not lie on this mesh", "give the mesh"])
+    drawn_on = ["curve-0.json: the mesh changed since the curve was drawn", "give the mesh"]
+    refused(1, "imprint", "other.ply", *CURVES, "--output", "out.ply", says=drawn_on)
+    refused(1, "cut", "other.ply", *CURVES, "--output", "out.ply", says=drawn_on)
+    refused(1, "segment", "other.ply", *CURVES, "--output", "out.ply", says=drawn_on)
+    refused(1, "offset", "other.ply", *CURVES[:2], "--distance", 0.1, "--output", "out.json", says=drawn_on)
+    document = json.loads((tmp_path / "curve-0.json").read_text())
+    document["mesh"]["crc32"] = 5
+    (tmp_path / "odd.json").write_text(json.dumps(document))
+    refused(1, "imprint", "hill.ply", "--curve", "odd.json", "--output", "out.ply", says=["crc32"])
+    del document["mesh"]  # as older versions wrote it
+    (tmp_path / "old.json").write_text(json.dumps(document))
+    refused(1, "imprint", "other.ply", "--curve", "old.json", "--output", "out.ply", says=["does not lie on this mesh"])
+    assert run("imprint", "hill.ply", "--curve", "old.json", "--output", "new.ply").returncode == 0
     refused(1, "imprint", "hill.ply", *CURVES, "--output", "out.xyz", says=["meshes are written as .ply, .obj, .off or .stl"])
     refused(2, "imprint", "hill.ply", *CURVES, "--output", "out.ply", "--snap", 0.5, says=["must be in [0, 0.01]"])
     refused(2, "imprint", "hill.ply", "--output", "out.ply", says=["--curve"])

@@ -59,7 +59,7 @@ def test_refuses_another_mesh_and_distances_that_no_point_has(run, refused, tmp_
     vertices, faces = meshes.plate(cells=12, height=0.3)
     meshes.write_ply(tmp_path / "hill.ply", vertices, faces)
     words = ("--curve", "curve.json", "--output", "offset.json")
-    refused(1, "offset", "hill.ply", *words, "--distance", 0.1, says=["does not lie on this mesh", "give the mesh"])
+    refused(1, "offset", "hill.ply", *words, "--distance", 0.1, says=["the mesh changed since the curve was drawn", "give the mesh"])
     refused(1, "offset", "plate.ply", *words, "--distance", 1e6, says=["smaller --distance"])
     refused(2, "offset", "plate.ply", *words, "--distance", -1, says=["must be > 0"])
     assert not (tmp_path / "offset.json").exists()

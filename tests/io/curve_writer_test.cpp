@@ -158,6 +158,14 @@ TEST_F(CurveWriter, JsonHoldsPolylineAndSplineExactly) {
         spline["control_points"][3].get<std::vector<double>>(), (std::vector<double>{3, 0.1, 0})
     );
     EXPECT_EQ(spline["pick_parameters"].get<std::vector<double>>(), curve.spline.pickParameters);
+    EXPECT_FALSE(document.contains("mesh"));
+}
+
+TEST_F(CurveWriter, JsonNamesTheMeshWhereItIsGiven) {
+    const MeshChecksum mesh{.vertices = 5, .faces = 6, .crc32 = 0xab};
+    writeCurve(path("a.json"), smallCurve(true), {}, mesh);
+    const auto document = nlohmann::json::parse(read(path("a.json")));
+    EXPECT_EQ(document["mesh"].dump(), R"({"crc32":"000000ab","faces":6,"vertices":5})");
 }
 
 TEST_F(CurveWriter, RefusesOtherExtensionsAndPlaces) {

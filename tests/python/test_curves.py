@@ -150,6 +150,8 @@ def test_files_that_are_no_curves_are_refused(mesh, picks, tmp_path):
         "is no curve": ("{}", mesh),
         "cut": (text[: len(text) // 2], mesh),
         "of another mesh": (text, bspline_curve.Mesh(mesh.vertices * 2, mesh.faces)),
+        "of a mesh without a name": (text.replace('"mesh"', '"no"'), bspline_curve.Mesh(mesh.vertices * 2, mesh.faces)),
+        "of a mesh that changed": (text, bspline_curve.Mesh(np.vstack([mesh.vertices, [[0.0, 0.0, 0.0]]]), mesh.faces)),
         "faces": (text.replace('"faces": [', '"faces": [99999, '), mesh),
     }
     for name, (content, on) in refused.items():
