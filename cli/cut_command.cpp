@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve cut MESH --curve FILE …: the mesh opened along curves, whole or in parts.
-#include "bspline_curve/error.h"
 #include "cli/command.h"
 #include "cli/imprint_input.h"
 #include "cli/numbered_file.h"
@@ -13,7 +12,6 @@
 #include "io/atomic_file.h"
 #include "io/imprint_writer.h"
 #include "io/mesh_writer.h"
-#include "io/text_parsing.h"
 #include "utility/stopwatch.h"
 
 #include <CLI/CLI.hpp>
@@ -21,7 +19,6 @@
 #include <filesystem>
 #include <iostream>
 #include <list>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -138,62 +135,12 @@ private:
     std::string fill_ = "none";
 };
 
-/// Some parts of the mesh, opened along all curves.
-struct OpenedParts {
-    TriangleMesh mesh;
-    std::vector<int> labels;      ///< of faces
-    std::vector<double> quality;  ///< of vertices, where the input has it
-};
-
-OpenedParts openedParts(
-    const ImprintedFile& file, const CutMesh& cut, const std::vector<int>& chosen
-) {
-    SubMesh part = facesWithLabels(cut.mesh, file.parts.labels, chosen);
-    OpenedParts opened{.mesh = std::move(part.mesh), .labels = {}, .quality = {}};
-    for (const int face : part.faces) {
-        opened.labels.push_back(file.parts.labels[face]);
-    }
-    if (!file.quality.empty()) {
-        for (const int vertex : part.vertices) {
-            opened.quality.push_back(file.quality[cut.origin[vertex]]);
-        }
-    }
-    return opened;
-}
-
-OpenedParts filledParts(
-    const ImprintedFile& file, const std::vector<int>& chosen, FillShape shape, CutFigures& figures
-) {
-    FilledParts filled = fillAround(file.imprinted, file.parts, chosen, shape);
-    figures.filledHoles = static_cast<int>(filled.rims.size());
-    OpenedParts parts{.mesh = {}, .labels = std::move(filled.labels), .quality = {}};
-    if (!file.quality.empty()) {
-        parts.quality = filled.carried(file.quality);
-    }
-    parts.mesh = std::move(filled.mesh);
-    if (filled.openRims > 0) {
-        std::cerr << "bspline_curve: " << filled.openRims
+/// Says of rims that were not filled.
+void sayOpenRims(int openRims) {
+    if (openRims > 0) {
+        std::cerr << "bspline_curve: " << openRims
                   << " rims stay open, since the boundary of the mesh is part of them\n";
     }
-    return parts;
-}
-
-std::vector<std::vector<int>> partsPerFile(
-    const CutArguments& arguments, const ImprintedFile& file
-) {
-    std::vector<int> all(file.parts.parts.size());
-    std::iota(all.begin(), all.end(), 0);
-    if (arguments.keep) {
-        return {chosenParts(file.imprinted, file.parts, *arguments.keep)};
-    }
-    if (!arguments.split) {
-        return {all};
-    }
-    std::vector<std::vector<int>> each;
-    for (const int part : all) {
-        each.push_back({part});
-    }
-    return each;
 }
 
 ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
@@ -206,29 +153,24 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
     throwIfInterrupted();
     bar.show(0.7, "cutting");
     Stopwatch watch;
-    const CutMesh cut = cutAlongCurves(file.imprinted);
+    const CutMesh cut = openedAlongCurves(file.imprinted);
     const std::size_t doubled = cut.mesh.vertices.size() - file.imprinted.mesh.vertices.size();
-    if (doubled == 0) {
-        throw InputError(
-            InputErrorCode::NoPath,
-            "there is nothing to cut: the curves run along the boundary, or are one edge long and "
-            "end inside the mesh"
-        );
-    }
-    const std::vector<std::vector<int>> files = partsPerFile(arguments, file);
+    const std::vector<std::vector<int>> files =
+        partsPerMesh(file.imprinted, file.parts, arguments.keep, arguments.split);
     CutFigures figures{.doubledVertices = static_cast<int>(doubled), .cutSeconds = 0.0, .kept = {}};
     // All files appear, or none.
     std::list<AtomicFile> written;
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::filesystem::path name = numberedFile(arguments.output, i);
-        const OpenedParts parts = arguments.fill
-                                      ? filledParts(file, files[i], *arguments.fill, figures)
-                                      : openedParts(file, cut, files[i]);
+        const FilledParts taken =
+            takenParts(file.imprinted, cut, file.parts, files[i], arguments.fill);
+        const std::vector<double> quality =
+            file.quality.empty() ? std::vector<double>() : taken.carried(file.quality);
+        figures.filledHoles += static_cast<int>(taken.rims.size());
+        sayOpenRims(taken.openRims);
         written.emplace_back(
             name,
-            meshBytes(
-                name, parts.mesh, {.vertexQuality = parts.quality, .faceLabels = parts.labels}
-            )
+            meshBytes(name, taken.mesh, {.vertexQuality = quality, .faceLabels = taken.labels})
         );
         figures.kept.insert(figures.kept.end(), files[i].begin(), files[i].end());
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace bspline_curve {
@@ -112,8 +113,45 @@ FilledParts fillAround(
     for (const int face : kept.faces) {
         result.labels.push_back(parts.labels[face]);
     }
+    result.faces = kept.faces;
+    result.faces.resize(result.mesh.faces.size(), -1);
     result.labels.resize(result.mesh.faces.size(), -1);
     return result;
+}
+
+FilledParts wholeImprint(const ImprintedMesh& imprinted, const MeshParts& parts) {
+    FilledParts whole;
+    whole.mesh = imprinted.mesh;
+    whole.origin.resize(whole.mesh.vertices.size());
+    std::iota(whole.origin.begin(), whole.origin.end(), 0);
+    whole.faces.resize(whole.mesh.faces.size());
+    std::iota(whole.faces.begin(), whole.faces.end(), 0);
+    whole.labels = parts.labels;
+    return whole;
+}
+
+FilledParts openParts(const CutMesh& cut, const MeshParts& parts, const std::vector<int>& chosen) {
+    SubMesh part = facesWithLabels(cut.mesh, parts.labels, chosen);
+    FilledParts taken;
+    taken.mesh = std::move(part.mesh);
+    for (const int vertex : part.vertices) {
+        taken.origin.push_back(cut.origin[vertex]);
+    }
+    for (const int face : part.faces) {
+        taken.labels.push_back(parts.labels[face]);
+    }
+    taken.faces = std::move(part.faces);
+    return taken;
+}
+
+FilledParts takenParts(
+    const ImprintedMesh& imprinted,
+    const CutMesh& cut,
+    const MeshParts& parts,
+    const std::vector<int>& chosen,
+    const std::optional<FillShape>& fill
+) {
+    return fill ? fillAround(imprinted, parts, chosen, *fill) : openParts(cut, parts, chosen);
 }
 
 }  // namespace bspline_curve

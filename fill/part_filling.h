@@ -4,15 +4,18 @@
 #include "fill/fill_holes.h"
 #include "imprint/part_choice.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace bspline_curve {
 
-/// Chosen parts of an imprinted mesh, with the holes filled that the others leave.
+/// Chosen parts of an imprinted mesh, opened along its curves, or with the holes filled that the
+/// others leave.
 struct FilledParts {
     TriangleMesh mesh;
     std::vector<int> origin;             ///< for each vertex that of the imprinted mesh; -1: new
+    std::vector<int> faces;              ///< for each face that of the imprinted mesh; -1: new
     std::vector<int> labels;             ///< for each face its part; -1: new
     std::vector<std::vector<int>> rims;  ///< of the filled holes, vertices of `mesh`
     std::vector<int> firstNew;           ///< for each of these its first new vertex
@@ -32,6 +35,23 @@ struct FilledParts {
     const MeshParts& parts,
     const std::vector<int>& chosen,
     FillShape shape
+);
+
+/// The whole imprinted mesh, as it is.
+[[nodiscard]] FilledParts wholeImprint(const ImprintedMesh& imprinted, const MeshParts& parts);
+
+/// The parts `chosen` (labels, ascending) of a mesh that was cut along its curves. O(n).
+[[nodiscard]] FilledParts openParts(
+    const CutMesh& cut, const MeshParts& parts, const std::vector<int>& chosen
+);
+
+/// openParts() where nothing is to be filled, else fillAround().
+[[nodiscard]] FilledParts takenParts(
+    const ImprintedMesh& imprinted,
+    const CutMesh& cut,
+    const MeshParts& parts,
+    const std::vector<int>& chosen,
+    const std::optional<FillShape>& fill
 );
 
 }  // namespace bspline_curve

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <string>
 
@@ -129,6 +130,39 @@ std::vector<int> chosenParts(
             break;
     }
     return {partAt(imprinted.mesh, parts.labels, choice.seed)};
+}
+
+std::vector<std::vector<int>> partsPerMesh(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const std::optional<PartChoice>& choice,
+    bool split
+) {
+    if (choice) {
+        return {chosenParts(imprinted, parts, *choice)};
+    }
+    std::vector<int> all(parts.parts.size());
+    std::iota(all.begin(), all.end(), 0);
+    if (!split) {
+        return {all};
+    }
+    std::vector<std::vector<int>> each;
+    for (const int part : all) {
+        each.push_back({part});
+    }
+    return each;
+}
+
+CutMesh openedAlongCurves(const ImprintedMesh& imprinted) {
+    CutMesh cut = cutAlongCurves(imprinted);
+    if (cut.mesh.vertices.size() == imprinted.mesh.vertices.size()) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            "there is nothing to cut: the curves run along the boundary, or are one edge long and "
+            "end inside the mesh"
+        );
+    }
+    return cut;
 }
 
 std::vector<std::array<int, 2>> edgesAround(

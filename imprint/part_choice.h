@@ -3,6 +3,7 @@
 
 #include "imprint/mesh_parts.h"
 
+#include <optional>
 #include <vector>
 
 namespace bspline_curve {
@@ -33,6 +34,18 @@ struct PartChoice {
 [[nodiscard]] std::vector<int> chosenParts(
     const ImprintedMesh& imprinted, const MeshParts& parts, const PartChoice& choice
 );
+
+/// The parts of each mesh that a cut makes (labels, ascending): the chosen ones, or where none is
+/// chosen each by itself (`split`), or all in one. Throws like chosenParts().
+[[nodiscard]] std::vector<std::vector<int>> partsPerMesh(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const std::optional<PartChoice>& choice,
+    bool split
+);
+
+/// cutAlongCurves() where that opens something. Throws InputError (NoPath) where it does not.
+[[nodiscard]] CutMesh openedAlongCurves(const ImprintedMesh& imprinted);
 
 /// Edges of curves between chosen parts and others, each (lower, higher vertex), ascending.
 [[nodiscard]] std::vector<std::array<int, 2>> edgesAround(

@@ -13,6 +13,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,27 +98,16 @@ PartChoice choiceOf(const std::string& which, const std::vector<double>& seed) {
 
 // Chosen parts opened along the curves, or with their holes filled; origins and labels of what is
 // new are -1.
-FilledParts takenParts(
+FilledParts partsMeant(
     const ImprintedMesh& imprint, const PartChoice& choice, const std::string& fill
 ) {
     const MeshParts parts = partsOf(imprint);
-    const std::vector<int> chosen = chosenParts(imprint, parts, choice);
+    std::optional<FillShape> shape;
     if (fill != "none") {
-        return fillAround(
-            imprint, parts, chosen, fill == "flat" ? FillShape::Flat : FillShape::Smooth
-        );
+        shape = fill == "flat" ? FillShape::Flat : FillShape::Smooth;
     }
-    const CutMesh cut = cutAlongCurves(imprint);
-    SubMesh part = facesWithLabels(cut.mesh, parts.labels, chosen);
-    FilledParts taken;
-    taken.mesh = std::move(part.mesh);
-    for (const int vertex : part.vertices) {
-        taken.origin.push_back(cut.origin[vertex]);
-    }
-    for (const int face : part.faces) {
-        taken.labels.push_back(parts.labels[face]);
-    }
-    return taken;
+    const std::vector<int> chosen = chosenParts(imprint, parts, choice);
+    return takenParts(imprint, cutAlongCurves(imprint), parts, chosen, shape);
 }
 
 // (vertices, faces, imprinted vertex of each vertex, part of each face, rims left open).
@@ -129,7 +119,7 @@ nb::tuple takeTuple(
 ) {
     FilledParts taken = [&] {
         const nb::gil_scoped_release unlocked;
-        return takenParts(imprint, choiceOf(which, seed), fill);
+        return partsMeant(imprint, choiceOf(which, seed), fill);
     }();
     const nb::tuple arrays = arraysOf(taken.mesh);
     return nb::make_tuple(
