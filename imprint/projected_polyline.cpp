@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "imprint/projected_polyline.h"
+
+#include "bspline_curve/error.h"
+#include "surface/error_messages.h"
+#include "surface/geodesic_path.h"
+#include "surface/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace bspline_curve {
+
+namespace {
+
+/// How often the way between two vertices is halved at most.
+constexpr int kMostHalvings = 20;
+
+struct Foot {
+    SurfacePoint point;
+    Vec3 at;  // in space, on the polyline
+};
+
+double distanceToSegment(const Vec3& point, const Vec3& from, const Vec3& to) {
+    const Vec3 along = to - from;
+    const double squared = along.squaredNorm();
+    const double share =
+        squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
+    return (point - from - share * along).norm();
+}
+
+class Projector {
+public:
+    Projector(const Surface& surface, const TriangleTree& tree, double distance)
+        : surface_(surface), tree_(tree), distance_(distance), paths_(surface, {}) {}
+
+    SurfacePolyline project(const SpacePolyline& line) {
+        const std::size_t count = line.points.size();
+        Foot last = footOf(line.points[0], 0);
+        const Foot first = last;
+        add(last.point);
+        for (std::size_t i = 1; i < count; ++i) {
+            const Foot next = footOf(line.points[i], i);
+            connect(last, next, i, 0);
+            last = next;
+        }
+        if (line.closed) {
+            connect(last, first, 0, 0);
+        }
+        return finished(line.closed);
+    }
+
+private:
+    [[nodiscard]] Foot footOf(const Vec3& position, std::size_t vertex) const {
+        const TriangleTree::Closest closest = tree_.closestPoint(position);
+        const double away = std::sqrt(closest.squaredDistance);
+        if (!(away <= distance_)) {
+            throw InputError(
+                InputErrorCode::PickTooFar,
+                "vertex " + std::to_string(vertex) + ", or what leads to it, is " +
+                    describeNumber(away) + " away from the mesh, and " + describeNumber(distance_) +
+                    " at most is allowed",
+                {static_cast<std::int64_t>(vertex)}
+            );
+        }
+        return {.point = snapped(closest.point, kOnEdgeBarycentric), .at = position};
+    }
+
+    void add(const SurfacePoint& point) {
+        const Vec3 position = surface_.position(point);
+        if (line_.points.empty() || position != line_.points.back()) {
+            line_.surfacePoints.push_back(point);
+            line_.points.push_back(position);
+        }
+    }
+
+    [[nodiscard]] double sizeAt(const SurfacePoint& point) const {
+        const Triangle& face = surface_.faces()[point.face];
+        double longest = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 side = surface_.vertices()[face[(k + 1) % 3]] - surface_.vertices()[face[k]];
+            longest = std::max(longest, side.norm());
+        }
+        return longest;
+    }
+
+    void connect(const Foot& from, const Foot& to, std::size_t vertex, int halvings) {
+        if (commonFace(surface_, from.point, to.point) >= 0) {
+            add(to.point);
+            return;
+        }
+        const double length = (to.at - from.at).norm();
+        const double size = std::min(sizeAt(from.point), sizeAt(to.point));
+        if (halvings < kMostHalvings && length > 0.5 * size) {
+            const Foot middle = footOf(0.5 * (from.at + to.at), vertex);
+            connect(from, middle, vertex, halvings + 1);
+            connect(middle, to, vertex, halvings + 1);
+        } else {
+            follow(from, to, vertex, distance_ + length);
+        }
+    }
+
+    void follow(const Foot& from, const Foot& to, std::size_t vertex, double reach) {
+        const std::optional<GeodesicPath> path = paths_.find(from.point, to.point);
+        bool isNear = path.has_value();
+        for (std::size_t i = 0; isNear && i < path->points.size(); ++i) {
+            isNear = distanceToSegment(path->positions[i], from.at, to.at) <= reach;
+        }
+        if (!isNear) {
+            throw InputError(
+                InputErrorCode::NoPath,
+                "the segment that ends in vertex " + std::to_string(vertex) +
+                    " leads over a gap of the mesh, or to another part of it",
+                {static_cast<std::int64_t>(vertex)}
+            );
+        }
+        for (std::size_t i = 1; i < path->points.size(); ++i) {
+            add(path->points[i]);
+        }
+    }
+
+    SurfacePolyline finished(bool closed) {
+        if (closed && line_.points.size() > 1 && line_.points.back() == line_.points.front()) {
+            line_.points.pop_back();
+            line_.surfacePoints.pop_back();
+        }
+        if (line_.points.size() < (closed ? 3U : 2U)) {
+            throw InputError(
+                InputErrorCode::NoPath, "vertex 0 and all others are one point on the mesh", {0}
+            );
+        }
+        line_.closed = closed;
+        double length = 0.0;
+        for (std::size_t i = 0; i < line_.points.size(); ++i) {
+            length += i > 0 ? (line_.points[i] - line_.points[i - 1]).norm() : 0.0;
+            line_.parameters.push_back(length);
+        }
+        length += closed ? (line_.points.front() - line_.points.back()).norm() : 0.0;
+        for (double& t : line_.parameters) {
+            t /= length;
+        }
+        return std::move(line_);
+    }
+
+    const Surface& surface_;
+    const TriangleTree& tree_;
+    double distance_;
+    GeodesicPathFinder paths_;
+    SurfacePolyline line_;
+};
+
+}  // namespace
+
+SurfacePolyline projectedPolyline(
+    const Surface& surface, const TriangleTree& tree, const SpacePolyline& line, double distance
+) {
+    return Projector(surface, tree, distance).project(line);
+}
+
+}  // namespace bspline_curve
