@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/filter_bspline_curve.h"
 
-#include "bspline_curve/error.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
-#include "filter_bspline_curve/common/layer_arrays.h"
-#include "filter_bspline_curve/common/result_layers.h"
-#include "filter_bspline_curve/common/show_curve.h"
-#include "filter_bspline_curve/common/surface_choice.h"
+#include "filter_bspline_curve/common/run_on_document.h"
 #include "filter_bspline_curve/common/window.h"
 #include "filters/description_html.h"
-#include "filters/labels.h"
 
+#include <cstddef>
 #include <exception>
 #include <variant>
 
@@ -30,8 +26,9 @@ Progress hostProgress(vcg::CallBackPos* callback) {
     };
 }
 
+/// The number of a filter is its place among all filters.
 const FilterDescription& description(int filter) {
-    return filter == FilterBsplineCurvePlugin::ScalarFieldForCurves ? fieldFilter() : curveFilter();
+    return *allFilters().at(filter);
 }
 
 QVariant toVariant(const std::vector<double>& values) {
@@ -57,7 +54,9 @@ std::map<std::string, QVariant> asHostExpects(const Figures& figures) {
 }  // namespace
 
 FilterBsplineCurvePlugin::FilterBsplineCurvePlugin() {
-    typeList = {BsplineCurveOnSurface, ScalarFieldForCurves};
+    for (std::size_t i = 0; i < allFilters().size(); ++i) {
+        typeList.push_back(static_cast<ActionIDType>(i));
+    }
     for (const ActionIDType type : types()) {
         actionList.push_back(new QAction(filterName(type), this));
     }
@@ -87,15 +86,23 @@ QString FilterBsplineCurvePlugin::filterInfo(ActionIDType filter) const {
 }
 
 FilterPlugin::FilterClass FilterBsplineCurvePlugin::getClass(const QAction* action) const {
-    return ID(action) == ScalarFieldForCurves ? FilterPlugin::Quality : FilterPlugin::MeshCreation;
+    switch (menuOf(description(ID(action)))) {
+        case Menu::Quality:
+            return FilterPlugin::Quality;
+        case Menu::Remeshing:
+            return FilterPlugin::Remeshing;
+        case Menu::Creation:
+            break;
+    }
+    return FilterPlugin::MeshCreation;
 }
 
 FilterPlugin::FilterArity FilterBsplineCurvePlugin::filterArity(const QAction* action) const {
-    return ID(action) == ScalarFieldForCurves ? FilterPlugin::SINGLE_MESH : FilterPlugin::FIXED;
+    return isField(description(ID(action))) ? FilterPlugin::SINGLE_MESH : FilterPlugin::FIXED;
 }
 
 int FilterBsplineCurvePlugin::postCondition(const QAction* action) const {
-    return ID(action) == ScalarFieldForCurves ? MeshModel::MM_VERTQUALITY : MeshModel::MM_NONE;
+    return changesOf(description(ID(action)));
 }
 
 RichParameterList FilterBsplineCurvePlugin::initParameterList(
@@ -111,60 +118,23 @@ std::map<std::string, QVariant> FilterBsplineCurvePlugin::applyFilter(
     unsigned int& postConditionMask,
     vcg::CallBackPos* callback
 ) {
-    const bool isField = ID(action) == ScalarFieldForCurves;
+    const FilterDescription& filter = description(ID(action));
     postConditionMask = static_cast<unsigned int>(postCondition(action));
     try {
-        return asHostExpects(
-            isField ? computeField(document, parameters, callback)
-                    : drawCurve(document, parameters, callback)
-        );
+        const FilterAnswer answer =
+            runOnDocument(filter, document, parameters, designers_, hostProgress(callback));
+        writeLog(answer.log);
+        return asHostExpects(answer.figures);
     } catch (const std::exception& error) {
-        const std::string message = describeFailure(isField ? "field" : "curve", error);
-        throw MLException(
-            QString::fromStdString(
-                hasWindow() ? withLabels(message, description(ID(action))) : message
-            )
-        );
+        throw MLException(QString::fromStdString(failureOf(filter, error)));
     }
-}
-
-Figures FilterBsplineCurvePlugin::drawCurve(
-    MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
-) {
-    const CurveRequest request = curveRequest(valuesOf(parameters, curveFilter()));
-    const MeshModel& surface = surfaceOf(document, request);
-    const LayerArrays arrays = arraysOf(surface);
-    const CurveResult result = runCurveFilter(
-        arrays.input,
-        pickCandidates(document, surface, request),
-        request,
-        designers_,
-        hostProgress(callback)
-    );
-    showCurve(document, surface, arrays, request, result);
-    writeLog(result.log);
-    return result.figures;
-}
-
-Figures FilterBsplineCurvePlugin::computeField(
-    MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
-) {
-    MeshModel* const layer = document.mm();
-    if (layer == nullptr) {
-        throw InputError(
-            InputErrorCode::EmptyMesh, "there is no layer: load a triangle mesh first"
-        );
-    }
-    const FieldRequest request = fieldRequest(valuesOf(parameters, fieldFilter()));
-    const LayerArrays arrays = arraysOf(*layer);
-    const FieldResult result = runFieldFilter(arrays.input, request, hostProgress(callback));
-    setQuality(*layer, arrays, result);
-    writeLog(result.log);
-    return result.figures;
 }
 
 void FilterBsplineCurvePlugin::writeLog(const FilterLog& written) {
     log(written.figures);
+    for (const std::string& line : written.table) {
+        log(line);
+    }
     for (const std::string& warning : written.warnings) {
         log(GLLogStream::WARNING, warning);
     }

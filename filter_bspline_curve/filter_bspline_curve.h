@@ -14,8 +14,6 @@ class FilterBsplineCurvePlugin : public QObject, public FilterPlugin {
     Q_INTERFACES(FilterPlugin)
 
 public:
-    enum Filter : ActionIDType { BsplineCurveOnSurface, ScalarFieldForCurves };
-
     FilterBsplineCurvePlugin();
 
     [[nodiscard]] QString pluginName() const override;
@@ -40,12 +38,6 @@ public:
     ) override;
 
 private:
-    bspline_curve::Figures drawCurve(
-        MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
-    );
-    bspline_curve::Figures computeField(
-        MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
-    );
     void writeLog(const bspline_curve::FilterLog& written);
 
     bspline_curve::DesignerCache designers_;

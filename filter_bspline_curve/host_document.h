@@ -33,6 +33,14 @@ inline void removeLayer(MeshDocument& document, int id) {
     document.delMesh(static_cast<unsigned int>(id));
 }
 
+/// Names and pictures of textures.
+inline void copyTextures(const MeshModel& from, MeshModel& to) {
+    to.cm.textures = from.cm.textures;
+    for (const auto& [name, picture] : from.getTextures()) {
+        to.addTexture(name, picture);
+    }
+}
+
 /// Null where the mesh has no such attribute of this type.
 template <class Value>
 [[nodiscard]] const Value* perMeshAttribute(const CMeshO& mesh, const std::string& name) {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve_legacy/filter_bspline_curve_legacy.h"
 
-#include "bspline_curve/error.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
-#include "filter_bspline_curve/common/layer_arrays.h"
-#include "filter_bspline_curve/common/result_layers.h"
-#include "filter_bspline_curve/common/show_curve.h"
-#include "filter_bspline_curve/common/surface_choice.h"
+#include "filter_bspline_curve/common/run_on_document.h"
 #include "filter_bspline_curve/common/window.h"
 #include "filters/description_html.h"
-#include "filters/labels.h"
-#include "filters/run_filters.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -45,15 +39,22 @@ Progress hostProgress(vcg::CallBackPos* callback) {
     };
 }
 
+/// The filters stand in the order of allFilters(); after them comes the twin of the first, with all
+/// options.
+int twin() {
+    return static_cast<int>(allFilters().size());
+}
+
 const FilterDescription& description(int filter) {
-    return filter == FilterBsplineCurveLegacyPlugin::ScalarFieldForCurves ? fieldFilter()
-                                                                          : curveFilter();
+    return *allFilters().at(filter == twin() ? 0 : filter);
 }
 
 }  // namespace
 
 FilterBsplineCurveLegacyPlugin::FilterBsplineCurveLegacyPlugin() {
-    typeList = {BsplineCurveOnSurface, BsplineCurveAllOptions, ScalarFieldForCurves};
+    for (int filter = 0; filter <= twin(); ++filter) {
+        typeList.push_back(filter);
+    }
     for (const FilterIDType type : types()) {
         actionList.push_back(new QAction(filterName(type), this));
     }
@@ -65,7 +66,7 @@ QString FilterBsplineCurveLegacyPlugin::pluginName() const {
 
 QString FilterBsplineCurveLegacyPlugin::filterName(FilterIDType filter) const {
     const QString name = QString::fromStdString(description(filter).name);
-    return filter == BsplineCurveAllOptions ? name + " (All Options)" : name;
+    return filter == twin() ? name + " (All Options)" : name;
 }
 
 QString FilterBsplineCurveLegacyPlugin::filterScriptFunctionName(FilterIDType filter) {
@@ -80,17 +81,25 @@ QString FilterBsplineCurveLegacyPlugin::filterInfo(FilterIDType filter) const {
 }
 
 MeshFilterInterface::FilterClass FilterBsplineCurveLegacyPlugin::getClass(QAction* action) {
-    return ID(action) == ScalarFieldForCurves ? Quality : MeshCreation;
+    switch (menuOf(description(ID(action)))) {
+        case Menu::Quality:
+            return Quality;
+        case Menu::Remeshing:
+            return Remeshing;
+        case Menu::Creation:
+            break;
+    }
+    return MeshCreation;
 }
 
 MeshFilterInterface::FILTER_ARITY FilterBsplineCurveLegacyPlugin::filterArity(
     QAction* action
 ) const {
-    return ID(action) == ScalarFieldForCurves ? SINGLE_MESH : FIXED;
+    return isField(description(ID(action))) ? SINGLE_MESH : FIXED;
 }
 
 int FilterBsplineCurveLegacyPlugin::postCondition(QAction* action) const {
-    return ID(action) == ScalarFieldForCurves ? MeshModel::MM_VERTQUALITY : MeshModel::MM_NONE;
+    return changesOf(description(ID(action)));
 }
 
 void FilterBsplineCurveLegacyPlugin::initParameterSet(
@@ -98,7 +107,7 @@ void FilterBsplineCurveLegacyPlugin::initParameterSet(
 ) {
     const FilterIDType filter = ID(action);
     const Offered usual = hasWindow() ? Offered::Main : Offered::Usual;
-    const Offered offered = filter == BsplineCurveOnSurface ? usual : Offered::All;
+    const Offered offered = filter == 0 ? usual : Offered::All;
     parameters = dialogParameters(description(filter), document, offered);
 }
 
@@ -108,17 +117,14 @@ bool FilterBsplineCurveLegacyPlugin::applyFilter(
     const RichParameterList& parameters,
     vcg::CallBackPos* callback
 ) {
-    const bool isField = ID(action) == ScalarFieldForCurves;
+    const FilterDescription& filter = description(ID(action));
     errorMessage.clear();
     FilterLog written;
     try {
-        written = isField ? computeField(document, parameters, callback)
-                          : drawCurve(document, parameters, callback);
+        written =
+            runOnDocument(filter, document, parameters, designers_, hostProgress(callback)).log;
     } catch (const std::exception& error) {
-        const std::string message = describeFailure(isField ? "field" : "curve", error);
-        errorMessage = QString::fromStdString(
-            hasWindow() ? withLabels(message, description(ID(action))) : message
-        );
+        errorMessage = QString::fromStdString(failureOf(filter, error));
     }
     if (callback != nullptr) {
         callback(kAllDone, isServer() ? "" : "done");
@@ -131,41 +137,11 @@ bool FilterBsplineCurveLegacyPlugin::applyFilter(
     return true;
 }
 
-FilterLog FilterBsplineCurveLegacyPlugin::drawCurve(
-    MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
-) {
-    const CurveRequest request = curveRequest(valuesOf(parameters, curveFilter()));
-    const MeshModel& surface = surfaceOf(document, request);
-    const LayerArrays arrays = arraysOf(surface);
-    const CurveResult result = runCurveFilter(
-        arrays.input,
-        pickCandidates(document, surface, request),
-        request,
-        designers_,
-        hostProgress(callback)
-    );
-    showCurve(document, surface, arrays, request, result);
-    return result.log;
-}
-
-FilterLog FilterBsplineCurveLegacyPlugin::computeField(
-    MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
-) {
-    MeshModel* const layer = document.mm();
-    if (layer == nullptr) {
-        throw InputError(
-            InputErrorCode::EmptyMesh, "there is no layer: load a triangle mesh first"
-        );
-    }
-    const FieldRequest request = fieldRequest(valuesOf(parameters, fieldFilter()));
-    const LayerArrays arrays = arraysOf(*layer);
-    const FieldResult result = runFieldFilter(arrays.input, request, hostProgress(callback));
-    setQuality(*layer, arrays, result);
-    return result.log;
-}
-
 void FilterBsplineCurveLegacyPlugin::writeLog(const FilterLog& written) {
     Log(GLLogStream::FILTER, written.figures);
+    for (const std::string& line : written.table) {
+        Log(GLLogStream::FILTER, line);
+    }
     for (const std::string& warning : written.warnings) {
         Log(GLLogStream::WARNING, warning);
     }

@@ -16,12 +16,6 @@ class FilterBsplineCurveLegacyPlugin : public QObject, public MeshFilterInterfac
     Q_INTERFACES(MeshFilterInterface)
 
 public:
-    enum Filter : FilterIDType {
-        BsplineCurveOnSurface,
-        BsplineCurveAllOptions,
-        ScalarFieldForCurves,
-    };
-
     FilterBsplineCurveLegacyPlugin();
 
     [[nodiscard]] QString pluginName() const override;
@@ -45,13 +39,6 @@ public:
     ) override;
 
 private:
-    bspline_curve::FilterLog drawCurve(
-        MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
-    );
-    bspline_curve::FilterLog computeField(
-        MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback
-    );
-
     void writeLog(const bspline_curve::FilterLog& written);
 
     bspline_curve::DesignerCache designers_;

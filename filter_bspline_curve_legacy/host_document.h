@@ -29,6 +29,11 @@ inline void removeLayer(MeshDocument& document, int id) {
     document.delMesh(document.getMesh(id));
 }
 
+/// Names of textures: this version reads the pictures by them.
+inline void copyTextures(const MeshModel& from, MeshModel& to) {
+    to.cm.textures = from.cm.textures;
+}
+
 /// Null where the mesh has no such attribute of this type.
 template <class Value>
 [[nodiscard]] const Value* perMeshAttribute(const CMeshO& mesh, const std::string& name) {

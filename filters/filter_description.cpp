@@ -309,4 +309,20 @@ const FilterDescription& fieldFilter() {
     return filterNamed("compute_scalar_field_for_curves_per_vertex");
 }
 
+const FilterDescription& imprintFilter() {
+    return filterNamed("imprint_curves");
+}
+
+const FilterDescription& cutFilter() {
+    return filterNamed("cut_along_curves");
+}
+
+const FilterDescription& segmentFilter() {
+    return filterNamed("segment_by_curves");
+}
+
+const FilterDescription& offsetFilter() {
+    return filterNamed("offset_curve_on_surface");
+}
+
 }  // namespace bspline_curve

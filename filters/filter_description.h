@@ -115,4 +115,10 @@ struct FilterDescription {
 /// The filter that computes fields, parsed once.
 [[nodiscard]] const FilterDescription& fieldFilter();
 
+// Those that use curves, parsed once.
+[[nodiscard]] const FilterDescription& imprintFilter();
+[[nodiscard]] const FilterDescription& cutFilter();
+[[nodiscard]] const FilterDescription& segmentFilter();
+[[nodiscard]] const FilterDescription& offsetFilter();
+
 }  // namespace bspline_curve

@@ -5,7 +5,7 @@
 #include "bspline_curve/field.h"
 #include "bspline_curve/options.h"
 #include "bspline_curve/shell.h"
-#include "filters/parameter_value.h"
+#include "filters/parameter_values.h"
 #include "filters/requests.h"
 
 #include <functional>
@@ -27,6 +27,14 @@ struct Binding {
 
 template <class Options>
 using Bindings = std::vector<Binding<Options>>;
+
+/// Sets all members that are bound to what the user gave.
+template <class Options>
+void readAll(const ParameterValues& values, const Bindings<Options>& bindings, Options& options) {
+    for (const Binding<Options>& binding : bindings) {
+        binding.read(values.value(binding.id), options);
+    }
+}
 
 [[nodiscard]] Bindings<SolverOptions> solverBindings();
 [[nodiscard]] Bindings<SamplingOptions> samplingBindings();

@@ -14,13 +14,6 @@ namespace {
 constexpr const char* kNone = "none";
 constexpr const char* kNatural = "natural";
 
-template <class Options>
-void readAll(const ParameterValues& values, const Bindings<Options>& bindings, Options& options) {
-    for (const Binding<Options>& binding : bindings) {
-        binding.read(values.value(binding.id), options);
-    }
-}
-
 // What is left at its default is what the preset says.
 template <class Options>
 void readBesidePreset(

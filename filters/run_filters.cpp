@@ -9,6 +9,7 @@
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
 #include "filters/curve_notes.h"
+#include "filters/layer_ids.h"
 #include "filters/mended_layer.h"
 #include "io/curve_writer.h"
 #include "io/report_writer.h"
@@ -31,24 +32,6 @@ namespace {
 // Shares of the work, for progress only.
 constexpr double kSurfaceShare = 0.5;
 constexpr double kFieldShare = 0.6;
-
-/// Makes something from the arrays of a layer. Ids in errors count elements that are not deleted;
-/// where the layer has others, a message with ids has to say so.
-template <class Make>
-auto madeFrom(const LayerInput& layer, const Make& make) {
-    try {
-        return make();
-    } catch (const InputError& error) {
-        if (layer.hasLayersIds || error.elements().empty()) {
-            throw;
-        }
-        throw InputError(
-            error.code(),
-            error.what() + std::string(" (ids count without the layer's deleted elements)"),
-            error.elements()
-        );
-    }
-}
 
 std::span<const double> qualityOf(const LayerInput& layer) {
     if (layer.quality.empty()) {

@@ -20,6 +20,7 @@ namespace bspline_curve {
 /// What a host is to write into its log.
 struct FilterLog {
     std::string figures;                ///< one line "key=value key=value …"
+    std::vector<std::string> table{};   ///< further lines of that kind, one for each part
     std::vector<std::string> warnings;  ///< whole sentences
 };
 
@@ -64,7 +65,7 @@ struct FieldResult {
     const LayerInput& layer, const FieldRequest& request, const Progress& progress = {}
 );
 
-/// What to tell the user about an exception of a filter. `what`: "curve" or "field".
+/// What to tell the user about an exception of a filter. `what`: "curve", "field", "imprint" …
 [[nodiscard]] std::string describeFailure(const char* what, const std::exception& error);
 
 }  // namespace bspline_curve

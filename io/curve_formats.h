@@ -17,7 +17,7 @@ namespace bspline_curve {
 /// What a curve file is made from.
 struct CurveContent {
     const Curve& curve;
-    std::span<const double> field{};  ///< per vertex of the polyline; empty: there is none
+    std::span<const double> field{};     ///< per vertex of the polyline; empty: there is none
     std::optional<MeshChecksum> mesh{};  ///< the one that its faces are of; none: not known
 
     /// What is shown along the curve: the field or, where there is none, t.

@@ -76,20 +76,20 @@ SurfacePoint pointOf(
 }
 
 /// Refuses a curve of another mesh, where the file names its own.
-void checkMesh(
-    const std::filesystem::path& file, const Json& document, const MeshChecksum& mesh
-) {
+void checkMesh(const std::filesystem::path& file, const Json& document, const MeshChecksum& mesh) {
     if (!document.contains("mesh")) {
         return;
     }
     const Json& named = document.at("mesh");
     const auto count = [&](const char* key) {
         if (!named.is_object() || !named.contains(key) || !named.at(key).is_number_integer()) {
-            refuseFile(file, std::string("no whole number \"") + key + "\" in \"mesh\"");
+            refuseFile(file, std::string("no whole number \"") + key + R"(" in "mesh")");
         }
         return named.at(key).get<std::int64_t>();
     };
-    const MeshChecksum then{.vertices = count("vertices"), .faces = count("faces"), .crc32 = mesh.crc32};
+    const MeshChecksum then{
+        .vertices = count("vertices"), .faces = count("faces"), .crc32 = mesh.crc32
+    };
     if (!named.contains("crc32") || !named.at("crc32").is_string()) {
         refuseFile(file, R"(no text "crc32" in "mesh")");
     }
@@ -99,8 +99,7 @@ void checkMesh(
     throw InputError(
         InputErrorCode::NoPath,
         file.string() + ": the mesh changed since the curve was drawn: " +
-            describeChange(then, mesh) +
-            "; give the mesh that it was drawn on, or draw it again"
+            describeChange(then, mesh) + "; give the mesh that it was drawn on, or draw it again"
     );
 }
 

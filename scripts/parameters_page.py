@@ -32,6 +32,7 @@ GROUPS = {
     "further.avoid": "Faces to avoid",
     "further.polyline": "The polyline",
     "further.shell": "Where the curve is sought",
+    "advanced.curves": "How curves come onto the mesh",
     "advanced.layers": "Further layers",
     "advanced.avoid": "How faces are avoided",
     "advanced.field": "The field",
@@ -45,6 +46,7 @@ GROUPS = {
 OF_HOSTS = {
     "surface_layer", "replace", "picks_layer", "picks_file", "picks", "field_region", "region",
     "tube_radius", "save", "control_polygon", "shell_layers",
+    "curve_layer", "max_distance", "project_curves", "seed", "offset", "select_band",
 }
 
 

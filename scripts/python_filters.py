@@ -148,7 +148,7 @@ def field_function(flt, parameters):
 
 
 def functions(filters):
-    curve, field = ([p for p in f["parameters"] if p["id"] not in LEFT_OUT] for f in filters)
+    curve, field = ([p for p in f["parameters"] if p["id"] not in LEFT_OUT] for f in filters[:2])
     return "\n".join([
         HEAD + '"""Curves and fields on arrays."""', "",
         "from __future__ import annotations", "", "import os", "from typing import Literal, TypeAlias", "",

@@ -152,7 +152,7 @@ def kinds(kind):
 
 def keywords(filters):
     """The text of _keywords.py."""
-    of_curve, of_field = filters
+    of_curve, of_field = filters[:2]
     shell = parameters_of(of_curve, is_of_shell)
     drawing = parameters_of(of_curve, lambda p: not is_of_shell(p) and not is_of_field(p))
     kind = next(p for p in of_field["parameters"] if p["id"] == "kind")

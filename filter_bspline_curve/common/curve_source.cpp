@@ -67,6 +67,10 @@ void attachToCurve(MeshModel& layer, const MeshModel& curve) {
     Allocator::AddPerMeshAttribute<int>(layer.cm, kOfCurve)() = curve.id();
 }
 
+bool isOfCurve(const MeshModel& layer) {
+    return host::perMeshAttribute<int>(layer.cm, kOfCurve) != nullptr;
+}
+
 void setCurveVisible(MeshDocument& document, int curve, bool isVisible) {
     for (const int layer : layersOfCurve(document, curve)) {
         document.setVisible(layer, isVisible);

@@ -42,6 +42,9 @@ void keepSource(
 /// Marks a layer as one that goes with a curve: its tube, its control polygon, …
 void attachToCurve(MeshModel& layer, const MeshModel& curve);
 
+/// Whether a layer goes with a curve, and is none itself.
+[[nodiscard]] bool isOfCurve(const MeshModel& layer);
+
 /// Shows or hides the layer of a curve, and those that go with it.
 void setCurveVisible(MeshDocument& document, int curve, bool isVisible);
 

@@ -100,6 +100,27 @@ LayerArrays arraysOf(const MeshModel& layer) {
     return arrays;
 }
 
+MeshChecksum checksumOf(const MeshModel& layer) {
+    MeshChecksumBuilder builder;
+    std::vector<int> newIds(layer.cm.vert.size(), -1);
+    int count = 0;
+    for (std::size_t v = 0; v < layer.cm.vert.size(); ++v) {
+        if (!layer.cm.vert[v].IsD()) {
+            newIds[v] = count++;
+            builder.addVertex(toVec3(layer.cm.vert[v].cP()));
+        }
+    }
+    for (const CFaceO& face : layer.cm.face) {
+        if (!face.IsD()) {
+            const auto corner = [&](int k) {
+                return newIds[vcg::tri::Index(layer.cm, face.cV(k))];
+            };
+            builder.addFace({corner(0), corner(1), corner(2)});
+        }
+    }
+    return builder.checksum();
+}
+
 std::vector<Vec3> pointsOf(const MeshModel& layer) {
     std::vector<Vec3> points;
     const ToWorld toWorld(layer);

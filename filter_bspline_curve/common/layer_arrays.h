@@ -3,6 +3,7 @@
 
 #include "filters/layer_input.h"
 #include "host_document.h"
+#include "surface/mesh_checksum.h"
 
 #include <vector>
 
@@ -21,6 +22,9 @@ struct LayerArrays {
 
 /// Vertices of a layer in order, without deleted ones, in world coordinates.
 [[nodiscard]] std::vector<Vec3> pointsOf(const MeshModel& layer);
+
+/// Of a layer in its own coordinates, so that its matrix does not matter.
+[[nodiscard]] MeshChecksum checksumOf(const MeshModel& layer);
 
 [[nodiscard]] inline Vec3 toVec3(const Point3m& p) {
     return {double(p[0]), double(p[1]), double(p[2])};

@@ -31,6 +31,8 @@ const MeshModel* surfaceOfCurve(const MeshDocument& document, const MeshModel& l
     return id == nullptr ? nullptr : host::layerWithId(document, *id);
 }
 
+}  // namespace
+
 const MeshModel& layerNamed(
     const MeshDocument& document, const LayerId& layer, const char* parameter
 ) {
@@ -43,8 +45,6 @@ const MeshModel& layerNamed(
     }
     return *found;
 }
-
-}  // namespace
 
 const MeshModel* defaultSurface(const MeshDocument& document) {
     const MeshModel* current = document.mm();

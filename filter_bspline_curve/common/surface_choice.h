@@ -16,6 +16,11 @@ inline constexpr const char* kSurfaceLayerAttribute = "bspline_curve_surface_lay
 /// a document without a current layer.
 [[nodiscard]] const MeshModel* defaultSurface(const MeshDocument& document);
 
+/// The layer that a parameter names. Throws InputError where there is none.
+[[nodiscard]] const MeshModel& layerNamed(
+    const MeshDocument& document, const LayerId& layer, const char* parameter
+);
+
 /// The layer that the request names. Throws InputError where there is none.
 [[nodiscard]] const MeshModel& surfaceOf(const MeshDocument& document, const CurveRequest& request);
 

@@ -2,7 +2,8 @@
 """Smooth B-spline curves through picked points on triangle meshes.
 
 `draw_curve` and `compute_field` take and return numpy arrays. The import also loads the plugin into pymeshlab and makes its
-filters methods of `pymeshlab.MeshSet`: `generate_bspline_curve_on_surface` and `compute_scalar_field_for_curves_per_vertex`.
+filters methods of `pymeshlab.MeshSet`: `generate_bspline_curve_on_surface`, `compute_scalar_field_for_curves_per_vertex`, and
+those that use curves, `imprint_curves`, `cut_along_curves`, `segment_by_curves` and `offset_curve_on_surface`.
 """
 
 from .curve import Curve, Tube

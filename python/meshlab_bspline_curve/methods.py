@@ -33,6 +33,9 @@ Kind: TypeAlias = Literal[
     "obstacle",
 ]
 Region: TypeAlias = Literal["selected-faces", "selected-vertices"]
+Keep: TypeAlias = Literal["all", "largest", "smallest", "inside", "seed"]
+Fill: TypeAlias = Literal["none", "flat", "smooth"]
+Side: TypeAlias = Literal["both", "left", "right"]
 
 
 def generate_bspline_curve_on_surface(
@@ -446,7 +449,270 @@ def compute_scalar_field_for_curves_per_vertex(
     )
 
 
+def imprint_curves(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    curve_layer: int | None = None,
+    max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    project_curves: bool = False,
+    snap: float = 1e-09,
+) -> dict[str, Any]:
+    """Makes curves edges of a copy of the mesh.
+
+    Makes curves edges of a copy of the mesh, a new layer. Vertices of the mesh come first, as they are; only faces that
+    a curve passes are divided, and no new face is flat or turned over. Curves may cross themselves and each other, and
+    run along edges and through vertices; crossings become vertices. Colours, qualities, texture coordinates, selections
+    and custom attributes of numbers and points come along, interpolated linearly in each face. Vertices know whether
+    they are on a curve (`on_curve`), faces of which face they are part (`parent`).
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
+        on if it is a curve of this plugin, else the only layer with faces.
+    curve_layer : int, optional
+        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
+        without those that were drawn on another layer and are not near.
+    max_distance : float ≥ 0, default 0.0
+        Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+    project_curves : bool, default False
+        Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
+        otherwise.
+    snap : float in [0, 0.01], default 1e-09
+        Points that are nearer to each other, to an edge, a vertex or another curve are taken as one, relative to the
+        altitudes of a face. 0: only where they are one.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "imprint_curves",
+        {
+            "surface_layer": surface_layer,
+            "curve_layer": curve_layer,
+            "max_distance": max_distance,
+            "project_curves": project_curves,
+            "snap": snap,
+        },
+    )
+
+
+def cut_along_curves(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    curve_layer: int | None = None,
+    keep: Keep = "all",
+    seed: str = "",
+    fill: Fill = "none",
+    split: bool = False,
+    max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    project_curves: bool = False,
+    snap: float = 1e-09,
+) -> dict[str, Any]:
+    """Opens a copy of the mesh along curves, whole or in parts.
+
+    Opens a copy of the mesh along curves: vertices on them are doubled, so that each side has its own, and an open
+    curve becomes a slit. The result is one layer, a layer for each part, or the part that is kept, whose holes can be
+    filled. Colours, qualities, texture coordinates, selections and custom attributes of numbers and points come along,
+    interpolated linearly in each face.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
+        on if it is a curve of this plugin, else the only layer with faces.
+    curve_layer : int, optional
+        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
+        without those that were drawn on another layer and are not near.
+    keep : {'all', 'largest', 'smallest', 'inside', 'seed'}, default 'all'
+        Which parts the result has. all: all parts; largest: the part at curves with the largest area; smallest: the one
+        with the smallest area; inside: all parts at curves but the largest; seed: the part at a point.
+    seed : str, optional
+        A point of the part to keep, "x y z" in world coordinates. Empty: the one point of Edit > PickPoints on the
+        surface. Only with keep seed.
+    fill : {'none', 'flat', 'smooth'}, default 'none'
+        What becomes of the holes that parts leave which are not kept. none: they stay open; flat: a triangulation of
+        least area, without new vertices; smooth: as dense as around, with its tangent planes. Only with keep largest or
+        smallest or inside or seed.
+    split : bool, default False
+        Makes a layer of each part, the largest first. Only with keep all.
+    max_distance : float ≥ 0, default 0.0
+        Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+    project_curves : bool, default False
+        Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
+        otherwise.
+    snap : float in [0, 0.01], default 1e-09
+        Points that are nearer to each other, to an edge, a vertex or another curve are taken as one, relative to the
+        altitudes of a face. 0: only where they are one.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "cut_along_curves",
+        {
+            "surface_layer": surface_layer,
+            "curve_layer": curve_layer,
+            "keep": keep,
+            "seed": seed,
+            "fill": fill,
+            "split": split,
+            "max_distance": max_distance,
+            "project_curves": project_curves,
+            "snap": snap,
+        },
+    )
+
+
+def segment_by_curves(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    curve_layer: int | None = None,
+    split: bool = False,
+    max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    project_curves: bool = False,
+    snap: float = 1e-09,
+) -> dict[str, Any]:
+    """Labels, colours and measures the parts that curves leave.
+
+    Labels, colours and measures the parts that curves leave, in a copy of the mesh, a new layer: the quality of a face
+    is the number of its part, from 0 for the largest area on. The log has faces, area, perimeter, centroid and Euler
+    characteristic of each. Colours, qualities, texture coordinates, selections and custom attributes of numbers and
+    points come along, interpolated linearly in each face.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
+        on if it is a curve of this plugin, else the only layer with faces.
+    curve_layer : int, optional
+        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
+        without those that were drawn on another layer and are not near.
+    split : bool, default False
+        Makes a layer of each part, the largest first.
+    max_distance : float ≥ 0, default 0.0
+        Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+    project_curves : bool, default False
+        Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
+        otherwise.
+    snap : float in [0, 0.01], default 1e-09
+        Points that are nearer to each other, to an edge, a vertex or another curve are taken as one, relative to the
+        altitudes of a face. 0: only where they are one.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "segment_by_curves",
+        {
+            "surface_layer": surface_layer,
+            "curve_layer": curve_layer,
+            "split": split,
+            "max_distance": max_distance,
+            "project_curves": project_curves,
+            "snap": snap,
+        },
+    )
+
+
+def offset_curve_on_surface(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    curve_layer: int | None = None,
+    offset: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    side: Side = "both",
+    select_band: bool = False,
+    max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    project_curves: bool = False,
+) -> dict[str, Any]:
+    """Draws the lines at a distance from curves, measured along the surface.
+
+    Draws the lines at a distance from curves, measured along the surface, as new layers that are curves of this plugin.
+    Where a line runs into itself it ends there, so that no piece crosses itself or another.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
+        on if it is a curve of this plugin, else the only layer with faces.
+    curve_layer : int, optional
+        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
+        without those that were drawn on another layer and are not near.
+    offset : float ≥ 0, default 0.0
+        Distance from the curve along the surface. 0: 2 % of the diagonal.
+    side : {'both', 'left', 'right'}, default 'both'
+        On which side of the curve. both: also round the ends of an open curve; left: seen along the curve, the
+        surface's normal upwards; right: likewise.
+    select_band : bool, default False
+        Selects the faces of the surface whose middle is within the distance, on the side asked for.
+    max_distance : float ≥ 0, default 0.0
+        Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+    project_curves : bool, default False
+        Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
+        otherwise.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "offset_curve_on_surface",
+        {
+            "surface_layer": surface_layer,
+            "curve_layer": curve_layer,
+            "offset": offset,
+            "side": side,
+            "select_band": select_band,
+            "max_distance": max_distance,
+            "project_curves": project_curves,
+        },
+    )
+
+
 def bind() -> None:
     """Makes them methods of pymeshlab.MeshSet."""
     pymeshlab.MeshSet.generate_bspline_curve_on_surface = generate_bspline_curve_on_surface
     pymeshlab.MeshSet.compute_scalar_field_for_curves_per_vertex = compute_scalar_field_for_curves_per_vertex
+    pymeshlab.MeshSet.imprint_curves = imprint_curves
+    pymeshlab.MeshSet.cut_along_curves = cut_along_curves
+    pymeshlab.MeshSet.segment_by_curves = segment_by_curves
+    pymeshlab.MeshSet.offset_curve_on_surface = offset_curve_on_surface

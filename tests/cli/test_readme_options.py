@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text()
 PAGE = (ROOT / "docs" / "COMMAND_LINE.md").read_text()
 FILTERS = json.loads((ROOT / "filters" / "filters.json").read_text())["filters"]
-CURVE, FIELD = ({p["id"]: p for p in f["parameters"]} for f in FILTERS)
+CURVE, FIELD = ({p["id"]: p for p in f["parameters"]} for f in FILTERS[:2])
 
 # Layers, selections, and files that the program has options of its own for.
 OF_HOSTS = {"surface_layer", "replace", "picks_layer", "picks_file", "picks", "field_region", "region", "tube_radius", "save",

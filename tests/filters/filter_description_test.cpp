@@ -44,9 +44,13 @@ FilterDescription parsed(const json& document) {
 }
 
 TEST(FilterDescription, TheEmbeddedOneIsWhole) {
-    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 2u);
+    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 6u);
     EXPECT_EQ(curveFilter().name, "B-spline Curve on Surface");
     EXPECT_EQ(fieldFilter().name, "Scalar Field for Curves");
+    EXPECT_EQ(imprintFilter().name, "Imprint Curves");
+    EXPECT_EQ(cutFilter().name, "Cut along Curves");
+    EXPECT_EQ(segmentFilter().name, "Segment by Curves");
+    EXPECT_EQ(offsetFilter().name, "Offset Curve on Surface");
     EXPECT_EQ(curveFilter().publications.at(0).year, 2023);
 }
 
@@ -146,13 +150,31 @@ TEST(FilterDescription, BothFiltersSayTheSameOfTheSameParameters) {
     }
 }
 
+TEST(FilterDescription, FiltersThatUseCurvesSayTheSameOfTheSameParameters) {
+    for (const FilterDescription* const filter :
+         {&cutFilter(), &segmentFilter(), &offsetFilter()}) {
+        for (const ParameterDescription& parameter : imprintFilter().parameters) {
+            if (filter == &offsetFilter() && parameter.id == "snap") {
+                continue;
+            }
+            const ParameterDescription& other = filter->parameter(parameter.id);
+            EXPECT_EQ(parameter.label, other.label);
+            EXPECT_EQ(parameter.help, other.help);
+            EXPECT_EQ(parameter.group, other.group);
+            EXPECT_EQ(parameter.defaultValue, other.defaultValue) << parameter.id;
+            EXPECT_EQ(parameter.min, other.min) << parameter.id;
+            EXPECT_EQ(parameter.max, other.max) << parameter.id;
+        }
+    }
+}
+
 TEST(FilterDescription, HasEightParametersAboveTheFoldAtMost) {
     const auto isShown = [](const ParameterDescription& parameter) {
         return !parameter.isFolded();
     };
-    for (const FilterDescription* const filter : {&curveFilter(), &fieldFilter()}) {
-        const auto shown = std::ranges::count_if(filter->parameters, isShown);
-        EXPECT_LE(shown, filter == &curveFilter() ? 8 : 10) << filter->name;
+    for (const FilterDescription& filter : parseFilterDescriptions(filterDescriptionsJson())) {
+        const auto shown = std::ranges::count_if(filter.parameters, isShown);
+        EXPECT_LE(shown, filter.id == fieldFilter().id ? 10 : 8) << filter.name;
     }
     EXPECT_TRUE(curveFilter().parameter("replace").isOfWindow());
     EXPECT_TRUE(curveFilter().parameter("picks").isFolded());

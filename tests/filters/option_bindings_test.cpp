@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "filters/filter_description.h"
+#include "filters/imprint_requests.h"
 #include "filters/parameter_values.h"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,8 @@ TEST(OptionBindings, EveryMemberOfTheOptionsHasAParameterOfItsOwn) {
     expectAllMembersBound(curveFilter(), shellBindings());
     expectAllMembersBound(curveFilter(), fieldBindings("field", "field_"));
     expectAllMembersBound(fieldFilter(), fieldBindings("kind", ""));
+    expectAllMembersBound(cutFilter(), placingBindings());
+    expectAllMembersBound(cutFilter(), imprintBindings());
 }
 
 template <class Options>
@@ -121,6 +124,21 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
     addIds(field, fieldBindings("kind", ""));
     addIds(field, regionBindings(""));
     EXPECT_EQ(field, idsOf(fieldFilter()));
+
+    std::multiset<std::string> use;
+    addIds(use, useBindings());
+    addIds(use, placingBindings());
+    std::multiset<std::string> offset = use;
+    addIds(offset, offsetBindings());
+    addIds(offset, bandBindings());
+    EXPECT_EQ(offset, idsOf(offsetFilter()));
+    addIds(use, imprintBindings());
+    EXPECT_EQ(use, idsOf(imprintFilter()));
+    std::multiset<std::string> cut = use;
+    addIds(cut, cutBindings());
+    EXPECT_EQ(cut, idsOf(cutFilter()));
+    addIds(use, segmentBindings());
+    EXPECT_EQ(use, idsOf(segmentFilter()));
 }
 
 template <class Options>
@@ -152,6 +170,16 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(curveFilter(), curveBindings());
     expectDefaults(fieldFilter(), fieldBindings("kind", ""));
     expectDefaults(fieldFilter(), regionBindings(""));
+    expectDefaults(cutFilter(), useBindings());
+    expectDefaults(cutFilter(), placingBindings());
+    expectDefaults(cutFilter(), imprintBindings());
+    expectDefaults(segmentFilter(), segmentBindings());
+    expectDefaults(offsetFilter(), offsetBindings());
+    expectDefaults(offsetFilter(), bandBindings());
+    const CutChoice choice;
+    for (const Binding<CutChoice>& binding : cutBindings()) {
+        EXPECT_EQ(cutFilter().parameter(binding.id).defaultValue, binding.write(choice));
+    }
 }
 
 /// Whether a value is one of the enumerators: compilers write others as casts.
@@ -210,6 +238,8 @@ TEST(OptionBindings, EnumOptionsAreTheEnumerators) {
     check(regionBindings("field_"), "field_region", &FieldRequest::region);
     check(fieldBindings("field", "field_"), "field", &FieldOptions::kind);
     expectEnumerators(fieldFilter(), named(fieldBindings("kind", ""), "kind"), &FieldOptions::kind);
+    expectEnumerators(cutFilter(), named(cutBindings(), "keep"), &CutChoice::keep);
+    expectEnumerators(offsetFilter(), named(offsetBindings(), "side"), &OffsetOptions::sides);
 }
 
 TEST(OptionBindings, EnumOptionsAreWhatCanBeAvoided) {
@@ -240,6 +270,10 @@ bool isAccepted(
     try {
         if (isCurve) {
             static_cast<void>(curveRequest(values));
+        } else if (&filter == &cutFilter()) {
+            static_cast<void>(cutRequest(values));
+        } else if (&filter == &offsetFilter()) {
+            static_cast<void>(offsetRequest(values));
         } else {
             static_cast<void>(fieldRequest(values));
         }
@@ -283,7 +317,8 @@ void expectRealRange(const FilterDescription& filter, const ParameterDescription
 }
 
 TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
-    for (const FilterDescription* const filter : {&curveFilter(), &fieldFilter()}) {
+    for (const FilterDescription* const filter :
+         {&curveFilter(), &fieldFilter(), &cutFilter(), &offsetFilter()}) {
         for (const ParameterDescription& parameter : filter->parameters) {
             if (parameter.type == ParameterType::Int) {
                 expectWholeRange(*filter, parameter);

@@ -20,6 +20,7 @@ EXAMPLES = ROOT / "examples"
 SCRIPTS = sorted(path.name for path in (EXAMPLES / "mlx").glob("*.mlx"))
 CURVE = "generate_bspline_curve_on_surface"
 FIELD = "compute_scalar_field_for_curves_per_vertex"
+CUT, SEGMENT = "cut_along_curves", "segment_by_curves"
 ALL_OPTIONS = CURVE + "_all_options"
 SPHERE_PICKS = "1 0 0; 0 1 0; 0 0 1; -1 0 0"
 
@@ -181,6 +182,34 @@ def test_the_filter_saves_the_curve_and_adds_a_tube(serve, sphere, write_script,
     assert 0.015 < distance < 0.021  # a tube with corners is a little thinner between them
 
 
+RING = {"picks": "0.8 0 0.6; 0 0.8 0.6; -0.8 0 0.6; 0 -0.8 0.6", "closed": True}
+SPHERE_AREA = 4 * np.pi
+
+
+def test_a_hole_is_cut_along_a_curve_and_filled(serve, sphere, write_script, tmp_path):
+    script = write_script((CURVE, RING), (CUT, {"keep": "largest", "fill": "smooth"}))
+    run = serve("-i", sphere, "-s", script, "-o", tmp_path / "filled.ply")
+    assert run.status == 0, run.output
+    figures = run.figures[-1]
+    assert (figures["curves"], figures["projected_curves"], figures["parts"], figures["filled_holes"]) == ("1", "0", "2", "1")
+    document = pymeshlab.MeshSet()
+    document.load_new_mesh(str(tmp_path / "filled.ply"))
+    assert document.get_topological_measures()["boundary_edges"] == 0
+    assert document.get_geometric_measures()["surface_area"] == pytest.approx(SPHERE_AREA, rel=0.01)
+
+
+def test_segments_are_in_the_log_and_in_the_quality_of_faces(serve, sphere, write_script, tmp_path):
+    run = serve("-i", sphere, "-s", write_script((CURVE, RING), (SEGMENT, {})), "-o", tmp_path / "parts.ply", "-m", "fq")
+    assert run.status == 0, run.output
+    table = [f for f in run.figures if "part" in f][-2:]
+    assert [f["part"] for f in table] == ["0", "1"]
+    assert sum(float(f["area"]) for f in table) == pytest.approx(SPHERE_AREA, rel=0.01)
+    document = pymeshlab.MeshSet()
+    document.load_new_mesh(str(tmp_path / "parts.ply"))
+    counts = np.bincount(document.current_mesh().face_scalar_array().astype(int))
+    assert counts.tolist() == [int(f["faces"]) for f in table]
+
+
 def test_the_twin_has_the_advanced_options(serve, sphere, write_script, tmp_path):
     script = write_script((ALL_OPTIONS, {"picks": SPHERE_PICKS, "distance_tolerance": 0.01, "preset": "default"}))
     run = serve("-i", sphere, "-s", script, "-o", tmp_path / "curve.obj")
@@ -205,6 +234,19 @@ def test_errors_are_lines_of_the_log_and_nothing_is_written(changes, expected, s
     assert run.status != 0
     assert any(expected in line for line in run.output.splitlines()), run.output
     assert not output.exists()
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        ({"keep": "seed", "seed": "9 9 9"}, "the seed (9, 9, 9) is"),
+        ({"fill": "flat"}, "fill needs keep"),
+    ],
+)
+def test_a_cut_that_cannot_be_is_refused(changes, expected, serve, sphere, write_script, tmp_path):
+    run = serve("-i", sphere, "-s", write_script((CURVE, RING), (CUT, changes)), "-o", tmp_path / "cut.ply")
+    assert run.status != 0 and any(expected in line for line in run.output.splitlines()), run.output
+    assert not (tmp_path / "cut.ply").exists()
 
 
 def test_a_mesh_without_faces_is_refused(serve, write_script, tmp_path):

@@ -97,7 +97,7 @@ def test_arguments_of_functions_are_the_described_ones(home):
         "    assert inspect.getdoc(function).count(' : ') >= len(inspect.signature(function).parameters)"
     )
     of_layers = {"surface_layer", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers"}
-    for described, function, of_arrays in zip(FILTERS, ("draw_curve", "compute_field"), ({"quality"}, {"quality"}), strict=True):
+    for described, function, of_arrays in zip(FILTERS[:2], ("draw_curve", "compute_field"), ({"quality"}, {"quality"}), strict=True):
         expected = {p["id"]: p["default"] for p in described["parameters"] if p["id"] not in of_layers and p["group"] != "window"}
         expected |= {name: None for name in ("save", "field_region", "region") if name in expected} | {n: None for n in of_arrays}
         assert json.loads(str(answer[function])) == expected

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/common/layer_making.h"
+
+#include "filter_bspline_curve/common/surface_choice.h"
+
+#include <Eigen/LU>
+
+#include <cstddef>
+
+namespace bspline_curve {
+
+namespace {
+
+using Allocator = vcg::tri::Allocator<CMeshO>;
+
+}  // namespace
+
+QString nameOf(const MeshModel& layer) {
+    const QString extension = "." + layer.suffixName();
+    const QString label = layer.label();
+    return extension.size() > 1 && label.endsWith(extension)
+               ? label.left(label.size() - extension.size())
+               : label;
+}
+
+void addEdges(CMeshO& mesh, bool closed) {
+    const std::size_t count = mesh.vert.size();
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        Allocator::AddEdge(mesh, i, i + 1);
+    }
+    if (closed) {
+        Allocator::AddEdge(mesh, count - 1, 0);
+    }
+}
+
+void attachTo(const MeshModel& surface, MeshModel& layer) {
+    Allocator::AddPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() = surface.id();
+    layer.cm.Tr = surface.cm.Tr;
+    vcg::tri::UpdateBounding<CMeshO>::Box(layer.cm);
+}
+
+FromWorld::FromWorld(const Matrix44m& matrix) : isIdentity_(matrix == Matrix44m::Identity()) {
+    Eigen::Matrix4d toWorld;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            toWorld(row, column) = static_cast<double>(matrix.ElementAt(row, column));
+        }
+    }
+    inverse_ = toWorld.inverse();
+}
+
+Point3m FromWorld::operator()(const Vec3& world) const {
+    return toPoint3m(isIdentity_ ? world : Vec3((inverse_ * world.homogeneous()).hnormalized()));
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/common/polyline_layer.h"
+
+#include "filter_bspline_curve/common/layer_making.h"
+#include "filter_bspline_curve/common/polyline_attributes.h"
+
+#include <vcg/complex/algorithms/update/normal.h>
+
+#include <cstddef>
+#include <string>
+
+namespace bspline_curve {
+
+namespace {
+
+using Allocator = vcg::tri::Allocator<CMeshO>;
+
+const std::string kChecksum = "bspline_curve_surface_checksum";
+
+/// Positions in the coordinates of the surface's layer, from the layer's own vertices.
+void addVertices(
+    CMeshO& curve,
+    const MeshModel& surface,
+    const LayerArrays& arrays,
+    const SurfacePolyline& polyline
+) {
+    Allocator::AddVertices(curve, polyline.surfacePoints.size());
+    for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
+        const auto& [face, barycentric] = polyline.surfacePoints[i];
+        const int layerFace = arrays.faceIds[face];
+        const CFaceO& corners = surface.cm.face[layerFace];
+        const Vec3 position = toVec3(corners.cP(0)) * barycentric[0] +
+                              toVec3(corners.cP(1)) * barycentric[1] +
+                              toVec3(corners.cP(2)) * barycentric[2];
+        curve.vert[i].P() = toPoint3m(position);
+        curve.vert[i].N() = vcg::TriangleNormal(corners).Normalize();
+        curve.vert[i].C() = kCurveColour;
+    }
+}
+
+void setAttributes(CMeshO& curve, const LayerArrays& arrays, const SurfacePolyline& polyline) {
+    auto faceIndex = Allocator::AddPerVertexAttribute<Scalarm>(curve, kFaceIndexAttribute);
+    auto barycentric = Allocator::AddPerVertexAttribute<Point3m>(curve, kBarycentricAttribute);
+    auto parameter = Allocator::AddPerVertexAttribute<Scalarm>(curve, kParameterAttribute);
+    for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
+        const SurfacePoint& point = polyline.surfacePoints[i];
+        const int face = arrays.faceIds[point.face];
+        faceIndex[i] = static_cast<Scalarm>(face);
+        barycentric[i] = toPoint3m(point.barycentric);
+        parameter[i] = static_cast<Scalarm>(polyline.parameters[i]);
+    }
+}
+
+}  // namespace
+
+MeshModel& addPolylineLayer(
+    MeshDocument& document,
+    const SurfaceLayer& surface,
+    const SurfacePolyline& polyline,
+    const PolylineLook& look
+) {
+    MeshModel& layer = *document.addNewMesh("", look.name, look.isCurrent);
+    layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+    addVertices(layer.cm, surface.layer, surface.arrays, polyline);
+    addEdges(layer.cm, polyline.closed);
+    for (std::size_t i = 0; i < look.quality.size(); ++i) {
+        layer.cm.vert[i].Q() = static_cast<CVertexO::QualityType>(look.quality[i]);
+    }
+    setAttributes(layer.cm, surface.arrays, polyline);
+    attachTo(surface.layer, layer);
+    Allocator::AddPerMeshAttribute<MeshChecksum>(layer.cm, kChecksum)() = checksumOf(surface.layer);
+    return layer;
+}
+
+const MeshChecksum* checksumOfSurface(const MeshModel& polyline) {
+    return host::perMeshAttribute<MeshChecksum>(polyline.cm, kChecksum);
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/curve.h"
+#include "filter_bspline_curve/common/layer_arrays.h"
+#include "host_document.h"
+#include "surface/mesh_checksum.h"
+
+#include <QString>
+#include <span>
+
+namespace bspline_curve {
+
+/// A layer and its arrays.
+struct SurfaceLayer {
+    const MeshModel& layer;
+    const LayerArrays& arrays;
+};
+
+struct PolylineLook {
+    QString name;
+    std::span<const double> quality;  ///< per vertex
+    bool isCurrent = false;           ///< it becomes the document's current layer
+};
+
+/// Adds a layer with a polyline on the surface: vertices in order with edges between them, in the
+/// coordinates of the surface's layer and under its matrix. Per vertex: quality, the surface's
+/// normal, colour, and the custom attributes face_index (in the surface's layer), barycentric, t.
+/// The layer remembers the surface and its checksum.
+MeshModel& addPolylineLayer(
+    MeshDocument& document,
+    const SurfaceLayer& surface,
+    const SurfacePolyline& polyline,
+    const PolylineLook& look
+);
+
+/// The checksum of the surface that addPolylineLayer() kept; null where the layer is none of ours.
+[[nodiscard]] const MeshChecksum* checksumOfSurface(const MeshModel& polyline);
+
+}  // namespace bspline_curve

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_bspline_curve/common/run_on_document.h"
+
+#include "bspline_curve/error.h"
+#include "filter_bspline_curve/common/curve_layers.h"
+#include "filter_bspline_curve/common/dialog_parameters.h"
+#include "filter_bspline_curve/common/layer_arrays.h"
+#include "filter_bspline_curve/common/made_layers.h"
+#include "filter_bspline_curve/common/picked_points.h"
+#include "filter_bspline_curve/common/result_layers.h"
+#include "filter_bspline_curve/common/show_curve.h"
+#include "filter_bspline_curve/common/surface_choice.h"
+#include "filter_bspline_curve/common/window.h"
+#include "filters/labels.h"
+#include "filters/run_curve_uses.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+/// What a filter runs with.
+struct Run {
+    MeshDocument& document;
+    ParameterValues values;
+    DesignerCache& designers;
+    const Progress& progress;
+};
+
+using Runner = FilterAnswer (*)(const Run& run);
+
+FilterAnswer drawCurve(const Run& run) {
+    const CurveRequest request = curveRequest(run.values);
+    const MeshModel& surface = surfaceOf(run.document, request);
+    const LayerArrays arrays = arraysOf(surface);
+    const CurveResult result = runCurveFilter(
+        arrays.input,
+        pickCandidates(run.document, surface, request),
+        request,
+        run.designers,
+        run.progress
+    );
+    showCurve(run.document, surface, arrays, request, result);
+    return {.figures = result.figures, .log = result.log};
+}
+
+FilterAnswer computeField(const Run& run) {
+    MeshModel* const layer = run.document.mm();
+    if (layer == nullptr) {
+        throw InputError(
+            InputErrorCode::EmptyMesh, "there is no layer: load a triangle mesh first"
+        );
+    }
+    const FieldRequest request = fieldRequest(run.values);
+    const LayerArrays arrays = arraysOf(*layer);
+    const FieldResult result = runFieldFilter(arrays.input, request, run.progress);
+    setQuality(*layer, arrays, result);
+    return {.figures = result.figures, .log = result.log};
+}
+
+/// The layer of a use of curves, and what it is in arrays.
+struct Used {
+    MeshModel& surface;
+    LayerArrays arrays;
+    CurvesOnLayer input;
+};
+
+Used usedLayers(const Run& run, const CurveUse& use) {
+    const MeshModel& surface = layerNamed(run.document, use.surface, "surface_layer");
+    LayerArrays arrays = arraysOf(surface);
+    CurvesOnLayer input = curvesOnLayer(run.document, surface, arrays, use);
+    return {
+        .surface = *run.document.getMesh(surface.id()),
+        .arrays = std::move(arrays),
+        .input = std::move(input)
+    };
+}
+
+FilterAnswer shown(const Run& run, const Used& used, const MeshesResult& result) {
+    addMadeLayers(run.document, {used.surface, used.arrays}, result);
+    return {.figures = result.figures, .log = result.log};
+}
+
+FilterAnswer imprintCurves(const Run& run) {
+    const ImprintRequest request = imprintRequest(run.values);
+    const Used used = usedLayers(run, request.use);
+    return shown(run, used, runImprintFilter(used.input, request, run.progress));
+}
+
+FilterAnswer cutAlong(const Run& run) {
+    const CutRequest request = cutRequest(run.values);
+    const Used used = usedLayers(run, request.imprint.use);
+    std::vector<Vec3> toolPoints;
+    for (const Point3m& point : pickedPointsOf(used.surface.cm)) {
+        toolPoints.push_back(toVec3(point));
+    }
+    return shown(run, used, runCutFilter(used.input, toolPoints, request, run.progress));
+}
+
+FilterAnswer segmentBy(const Run& run) {
+    const SegmentRequest request = segmentRequest(run.values);
+    const Used used = usedLayers(run, request.imprint.use);
+    return shown(run, used, runSegmentFilter(used.input, request, run.progress));
+}
+
+FilterAnswer offsetCurves(const Run& run) {
+    const OffsetRequest request = offsetRequest(run.values);
+    const Used used = usedLayers(run, request.use);
+    const OffsetResult result = runOffsetFilter(used.input, request, run.progress);
+    addOffsetLayers(run.document, used.surface, used.arrays, result);
+    return {.figures = result.figures, .log = result.log};
+}
+
+/// A filter, what runs it, and what it makes, for messages.
+struct Entry {
+    const FilterDescription* filter;
+    Runner run;
+    const char* product;
+};
+
+const std::vector<Entry>& entries() {
+    static const std::vector<Entry> all = {
+        {.filter = &curveFilter(), .run = drawCurve, .product = "curve"},
+        {.filter = &fieldFilter(), .run = computeField, .product = "field"},
+        {.filter = &imprintFilter(), .run = imprintCurves, .product = "imprint"},
+        {.filter = &cutFilter(), .run = cutAlong, .product = "cut"},
+        {.filter = &segmentFilter(), .run = segmentBy, .product = "segmentation"},
+        {.filter = &offsetFilter(), .run = offsetCurves, .product = "offset"},
+    };
+    return all;
+}
+
+const Entry& entryOf(const FilterDescription& filter) {
+    for (const Entry& entry : entries()) {
+        if (entry.filter == &filter) {
+            return entry;
+        }
+    }
+    throw std::logic_error("no way to run " + filter.id);
+}
+
+}  // namespace
+
+const std::vector<const FilterDescription*>& allFilters() {
+    static const std::vector<const FilterDescription*> filters = [] {
+        std::vector<const FilterDescription*> all;
+        for (const Entry& entry : entries()) {
+            all.push_back(entry.filter);
+        }
+        return all;
+    }();
+    return filters;
+}
+
+bool isField(const FilterDescription& filter) {
+    return &filter == &fieldFilter();
+}
+
+Menu menuOf(const FilterDescription& filter) {
+    if (isField(filter)) {
+        return Menu::Quality;
+    }
+    return filter.categories.front().starts_with("Remeshing") ? Menu::Remeshing : Menu::Creation;
+}
+
+int changesOf(const FilterDescription& filter) {
+    if (isField(filter)) {
+        return MeshModel::MM_VERTQUALITY;
+    }
+    return &filter == &offsetFilter() ? MeshModel::MM_FACEFLAGSELECT : MeshModel::MM_NONE;
+}
+
+FilterAnswer runOnDocument(
+    const FilterDescription& filter,
+    MeshDocument& document,
+    const RichParameterList& parameters,
+    DesignerCache& designers,
+    const Progress& progress
+) {
+    return entryOf(filter).run({
+        .document = document,
+        .values = valuesOf(parameters, filter),
+        .designers = designers,
+        .progress = progress,
+    });
+}
+
+std::string failureOf(const FilterDescription& filter, const std::exception& error) {
+    const std::string message = describeFailure(entryOf(filter).product, error);
+    return hasWindow() ? withLabels(message, filter) : message;
+}
+
+}  // namespace bspline_curve

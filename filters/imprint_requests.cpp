@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/imprint_requests.h"
+
+#include "bspline_curve/error.h"
+#include "filters/binding_makers.h"
+#include "io/picks_reader.h"
+#include "surface/error_messages.h"
+
+#include <cmath>
+
+namespace bspline_curve {
+
+Bindings<CurveUse> useBindings() {
+    return {
+        bound("surface_layer", &CurveUse::surface),
+        bound("curve_layer", &CurveUse::curve),
+    };
+}
+
+Bindings<Placing> placingBindings() {
+    return {
+        bound("max_distance", &Placing::distance),
+        bound("project_curves", &Placing::project),
+    };
+}
+
+Bindings<ImprintOptions> imprintBindings() {
+    return {bound("snap", &ImprintOptions::snap)};
+}
+
+Bindings<CutChoice> cutBindings() {
+    using C = CutChoice;
+    return {
+        chosen(
+            "keep",
+            &C::keep,
+            Names<KeptParts>{
+                {"all", KeptParts::All},
+                {"largest", KeptParts::Largest},
+                {"smallest", KeptParts::Smallest},
+                {"inside", KeptParts::Inside},
+                {"seed", KeptParts::Seed}
+            }
+        ),
+        bound("seed", &C::seed),
+        chosen(
+            "fill",
+            &C::fill,
+            Names<FillKind>{
+                {"none", FillKind::None}, {"flat", FillKind::Flat}, {"smooth", FillKind::Smooth}
+            }
+        ),
+        bound("split", &C::split),
+    };
+}
+
+Bindings<SegmentRequest> segmentBindings() {
+    return {bound("split", &SegmentRequest::split)};
+}
+
+Bindings<OffsetOptions> offsetBindings() {
+    return {
+        bound("offset", &OffsetOptions::distance),
+        chosen(
+            "side",
+            &OffsetOptions::sides,
+            Names<OffsetSides>{
+                {"both", OffsetSides::Both},
+                {"left", OffsetSides::Left},
+                {"right", OffsetSides::Right}
+            }
+        ),
+    };
+}
+
+Bindings<OffsetRequest> bandBindings() {
+    return {bound("select_band", &OffsetRequest::selectBand)};
+}
+
+namespace {
+
+void checkLength(const char* id, double length) {
+    if (!(length >= 0.0) || !std::isfinite(length)) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            std::string(id) + " is " + describeNumber(length) +
+                ", but must be finite and not negative"
+        );
+    }
+}
+
+CurveUse readUse(const ParameterValues& values) {
+    CurveUse use;
+    readAll(values, useBindings(), use);
+    readAll(values, placingBindings(), use.placing);
+    checkLength("max_distance", use.placing.distance);
+    return use;
+}
+
+[[noreturn]] void refuseChoice(const std::string& message) {
+    throw InputError(InputErrorCode::BadOption, message);
+}
+
+}  // namespace
+
+ImprintRequest imprintRequest(const ParameterValues& values) {
+    ImprintRequest request{.use = readUse(values), .imprint = {}};
+    readAll(values, imprintBindings(), request.imprint);
+    request.imprint.validate();
+    return request;
+}
+
+CutRequest cutRequest(const ParameterValues& values) {
+    CutRequest request{.imprint = imprintRequest(values), .choice = {}};
+    const CutChoice& choice = request.choice;
+    readAll(values, cutBindings(), request.choice);
+    if (choice.keep == KeptParts::All && choice.fill != FillKind::None) {
+        refuseChoice("fill needs keep: with all parts there is no hole to fill");
+    }
+    if (choice.keep != KeptParts::All && choice.split) {
+        refuseChoice("split makes a layer of every part, so it needs keep to be all");
+    }
+    return request;
+}
+
+SegmentRequest segmentRequest(const ParameterValues& values) {
+    SegmentRequest request{.imprint = imprintRequest(values)};
+    readAll(values, segmentBindings(), request);
+    return request;
+}
+
+OffsetRequest offsetRequest(const ParameterValues& values) {
+    OffsetRequest request{.use = readUse(values), .offset = {}};
+    readAll(values, offsetBindings(), request.offset);
+    readAll(values, bandBindings(), request);
+    checkLength("offset", request.offset.distance);
+    return request;
+}
+
+std::optional<PartChoice> partChoice(const CutChoice& choice, const std::vector<Vec3>& toolPoints) {
+    using Which = PartChoice::Which;
+    switch (choice.keep) {
+        case KeptParts::All:
+            return std::nullopt;
+        case KeptParts::Largest:
+            return PartChoice{.which = Which::Largest};
+        case KeptParts::Smallest:
+            return PartChoice{.which = Which::Smallest};
+        case KeptParts::Inside:
+            return PartChoice{.which = Which::Inside};
+        case KeptParts::Seed:
+            break;
+    }
+    const std::vector<Vec3> points = choice.seed.empty() ? toolPoints : parsePicksText(choice.seed);
+    if (points.size() != 1) {
+        refuseChoice(
+            "keep is seed, but there are " + std::to_string(points.size()) +
+            " points: give one as seed \"x y z\", or pick one on the surface with Edit > PickPoints"
+        );
+    }
+    return PartChoice{.which = Which::Seed, .seed = points.front()};
+}
+
+std::optional<FillShape> fillShape(FillKind fill) {
+    if (fill == FillKind::None) {
+        return std::nullopt;
+    }
+    return fill == FillKind::Flat ? FillShape::Flat : FillShape::Smooth;
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fill/fill_holes.h"
+#include "filters/option_bindings.h"
+#include "filters/parameter_values.h"
+#include "filters/polyline_layers.h"
+#include "imprint/imprint.h"
+#include "imprint/part_choice.h"
+#include "offset/offset_curves.h"
+
+#include <optional>
+#include <string>
+
+// What users ask for of the filters that use curves, as the libraries take it.
+namespace bspline_curve {
+
+/// What all of them take.
+struct CurveUse {
+    LayerId surface;
+    LayerId curve;  ///< the surface itself, or no id: all visible layers of polylines
+    Placing placing;
+};
+
+struct ImprintRequest {
+    CurveUse use;
+    ImprintOptions imprint;
+};
+
+/// The parts that a cut keeps, as users name them.
+enum class KeptParts { All, Largest, Smallest, Inside, Seed };
+enum class FillKind { None, Flat, Smooth };
+
+struct CutChoice {
+    KeptParts keep = KeptParts::All;
+    std::string seed;  ///< "x y z"; empty: the one point of the host's own tool
+    FillKind fill = FillKind::None;
+    bool split = false;
+};
+
+struct CutRequest {
+    ImprintRequest imprint;
+    CutChoice choice;
+};
+
+struct SegmentRequest {
+    ImprintRequest imprint;
+    bool split = false;
+};
+
+struct OffsetRequest {
+    CurveUse use;
+    OffsetOptions offset;  ///< distance 0: kOffsetRelative
+    bool selectBand = false;
+};
+
+/// The distance of an offset if none is given, relative to the diagonal.
+inline constexpr double kOffsetRelative = 0.02;
+
+[[nodiscard]] Bindings<CurveUse> useBindings();
+[[nodiscard]] Bindings<Placing> placingBindings();
+[[nodiscard]] Bindings<ImprintOptions> imprintBindings();
+[[nodiscard]] Bindings<CutChoice> cutBindings();
+[[nodiscard]] Bindings<SegmentRequest> segmentBindings();
+[[nodiscard]] Bindings<OffsetOptions> offsetBindings();
+[[nodiscard]] Bindings<OffsetRequest> bandBindings();
+
+// Of imprintFilter(), cutFilter(), segmentFilter() and offsetFilter(). Throw InputError (BadOption)
+// naming the value and its range where a number is outside, or where two choices exclude each
+// other.
+[[nodiscard]] ImprintRequest imprintRequest(const ParameterValues& values);
+[[nodiscard]] CutRequest cutRequest(const ParameterValues& values);
+[[nodiscard]] SegmentRequest segmentRequest(const ParameterValues& values);
+[[nodiscard]] OffsetRequest offsetRequest(const ParameterValues& values);
+
+/// The part that a choice keeps, none: all. `toolPoints`: of the host's own tool, in world
+/// coordinates. Throws InputError where a seed is meant and there is none, or more than one.
+[[nodiscard]] std::optional<PartChoice> partChoice(
+    const CutChoice& choice, const std::vector<Vec3>& toolPoints
+);
+
+[[nodiscard]] std::optional<FillShape> fillShape(FillKind fill);
+
+}  // namespace bspline_curve

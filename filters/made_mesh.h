@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fill/part_filling.h"
+#include "imprint/imprint.h"
+#include "surface/surface.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace bspline_curve {
+
+/// A mesh that was made from a layer by imprinting curves, and where all of it comes from, so that
+/// hosts can carry over what the layer has. Ids are those of the LayerInput. Shares the imprint
+/// with other parts of it.
+class MadeMesh {
+public:
+    MadeMesh(
+        std::shared_ptr<const Surface> surface,
+        std::shared_ptr<const ImprintedMesh> imprint,
+        FilledParts taken
+    );
+
+    [[nodiscard]] const TriangleMesh& mesh() const { return taken_.mesh; }
+
+    /// For each face its part; -1: it fills a hole.
+    [[nodiscard]] const std::vector<int>& labels() const { return taken_.labels; }
+
+    /// The layer's vertex that a vertex is, at the same place; -1: it is new.
+    [[nodiscard]] int vertexOf(int vertex) const;
+    /// The layer's face that a face is part of; -1: it fills a hole.
+    [[nodiscard]] int faceOf(int face) const;
+    /// Barycentric coordinates of a corner of a face in the layer's face that it is part of.
+    /// Expects a face that is part of one.
+    [[nodiscard]] Vec3 placeOf(int face, int corner) const;
+    /// Values at the vertices, from those at the layer's: linear in each face; in a filled hole the
+    /// mean of its rim.
+    [[nodiscard]] std::vector<double> carried(std::span<const double> layerValues) const;
+    /// 1 for each vertex on a curve, else 0.
+    [[nodiscard]] std::vector<double> curveFlags() const;
+
+private:
+    std::shared_ptr<const Surface> surface_;
+    std::shared_ptr<const ImprintedMesh> imprint_;
+    FilledParts taken_;
+};
+
+}  // namespace bspline_curve

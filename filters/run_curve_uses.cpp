@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/run_curve_uses.h"
+
+#include "bspline_curve/error.h"
+#include "filters/layer_ids.h"
+#include "imprint/mesh_parts.h"
+#include "imprint/part_choice.h"
+#include "utility/report_progress.h"
+#include "utility/stopwatch.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+// Shares of the work, for progress only.
+constexpr double kSurfaceShare = 0.4;
+constexpr double kPlacedShare = 0.5;
+constexpr double kImprintedShare = 0.8;
+constexpr double kPartsShare = 0.9;
+
+int countOf(std::size_t count) {
+    return static_cast<int>(count);
+}
+
+double lengthOf(const SurfacePolyline& line) {
+    double length = line.closed ? (line.points.front() - line.points.back()).norm() : 0.0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        length += (line.points[i] - line.points[i - 1]).norm();
+    }
+    return length;
+}
+
+/// What all of these filters do first.
+struct PlacedInput {
+    std::shared_ptr<const Surface> surface;
+    PlacedCurves placed;
+};
+
+PlacedInput placedInput(const CurvesOnLayer& input, const CurveUse& use, const Progress& progress) {
+    report(progress, 0.0, "surface");
+    PlacedInput result;
+    result.surface = madeFrom(input.surface, [&] {
+        return std::make_shared<const Surface>(input.surface.mesh);
+    });
+    report(progress, kSurfaceShare, "curves");
+    result.placed = placedCurves(*result.surface, input, use.placing);
+    report(progress, kPlacedShare, "curves");
+    return result;
+}
+
+std::vector<std::string> warningsOf(const PlacedCurves& placed, const LayerInput& surface) {
+    std::vector<std::string> warnings;
+    for (const std::string& label : placed.leftOut) {
+        warnings.push_back(
+            "Layer \"" + label + "\" was left out: it is not near layer \"" + surface.label + "\"."
+        );
+    }
+    return warnings;
+}
+
+struct Imprinted {
+    PlacedInput input;
+    std::shared_ptr<const ImprintedMesh> imprint;
+    MeshParts parts;
+    Figures figures;
+    std::vector<std::string> warnings;
+};
+
+Imprinted imprinted(
+    const CurvesOnLayer& input, const ImprintRequest& request, const Progress& progress
+) {
+    Imprinted result;
+    result.input = placedInput(input, request.use, progress);
+    const PlacedCurves& placed = result.input.placed;
+    std::vector<SurfacePolyline> lines;
+    for (const PlacedCurve& curve : placed.curves) {
+        lines.push_back(curve.line);
+    }
+    result.imprint = std::make_shared<const ImprintedMesh>(
+        imprint(*result.input.surface, lines, request.imprint)
+    );
+    report(progress, kImprintedShare, "parts");
+    result.parts = partsOf(*result.imprint);
+    report(progress, kPartsShare, "layers");
+    result.warnings = warningsOf(placed, input.surface);
+    const ImprintedMesh& mesh = *result.imprint;
+    result.figures = {
+        {"curves", countOf(placed.curves.size())},
+        {"projected_curves", placed.projected},
+        {"vertices", countOf(mesh.mesh.vertices.size())},
+        {"new_vertices", countOf(mesh.newVertices.size())},
+        {"faces", countOf(mesh.mesh.faces.size())},
+        {"divided_faces", mesh.dividedFaces},
+        {"crossings", countOf(mesh.crossings.size())},
+        {"largest_move", mesh.largestMove},
+        {"parts", countOf(result.parts.parts.size())},
+    };
+    return result;
+}
+
+/// One list for each column of the table of parts.
+void addPartFigures(const MeshParts& parts, Figures& figures) {
+    std::vector<double> faces;
+    std::vector<double> areas;
+    std::vector<double> perimeters;
+    std::vector<double> centroids;
+    std::vector<double> eulers;
+    for (const MeshPart& part : parts.parts) {
+        faces.push_back(part.faces);
+        areas.push_back(part.area);
+        perimeters.push_back(part.perimeter);
+        centroids.insert(centroids.end(), part.centroid.begin(), part.centroid.end());
+        eulers.push_back(part.euler);
+    }
+    figures.push_back({"part_faces", std::move(faces)});
+    figures.push_back({"part_areas", std::move(areas)});
+    figures.push_back({"part_perimeters", std::move(perimeters)});
+    figures.push_back({"part_centroids", std::move(centroids)});
+    figures.push_back({"part_eulers", std::move(eulers)});
+}
+
+std::vector<std::string> partTable(const MeshParts& parts) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < parts.parts.size(); ++i) {
+        const MeshPart& part = parts.parts[i];
+        lines.push_back(keyValueText({
+            {"part", countOf(i)},
+            {"faces", part.faces},
+            {"area", part.area},
+            {"perimeter", part.perimeter},
+            {"centroid_x", part.centroid.x()},
+            {"centroid_y", part.centroid.y()},
+            {"centroid_z", part.centroid.z()},
+            {"euler", part.euler},
+        }));
+    }
+    return lines;
+}
+
+MeshesResult finished(
+    Imprinted&& imprinted, std::vector<MeshLayer> layers, Stopwatch& watch, bool withTable
+) {
+    MeshesResult result;
+    result.layers = std::move(layers);
+    result.figures = std::move(imprinted.figures);
+    result.figures.push_back({"seconds", watch.lap()});
+    result.log.figures = keyValueText(result.figures);
+    result.log.warnings = std::move(imprinted.warnings);
+    if (withTable) {
+        result.log.table = partTable(imprinted.parts);
+    }
+    addPartFigures(imprinted.parts, result.figures);
+    return result;
+}
+
+std::string partSuffix(const std::vector<int>& chosen) {
+    return " part " + std::to_string(chosen.front());
+}
+
+MeshLayer layerOf(
+    const Imprinted& from, std::string suffix, FilledParts taken, bool showsParts = false
+) {
+    return {
+        .suffix = std::move(suffix),
+        .made = MadeMesh(from.input.surface, from.imprint, std::move(taken)),
+        .showsParts = showsParts
+    };
+}
+
+}  // namespace
+
+MeshesResult runImprintFilter(
+    const CurvesOnLayer& input, const ImprintRequest& request, const Progress& progress
+) {
+    Stopwatch watch;
+    Imprinted from = imprinted(input, request, progress);
+    std::vector<MeshLayer> layers;
+    layers.push_back(layerOf(from, " imprinted", wholeImprint(*from.imprint, from.parts)));
+    return finished(std::move(from), std::move(layers), watch, false);
+}
+
+MeshesResult runCutFilter(
+    const CurvesOnLayer& input,
+    const std::vector<Vec3>& toolPoints,
+    const CutRequest& request,
+    const Progress& progress
+) {
+    Stopwatch watch;
+    const std::optional<PartChoice> choice = partChoice(request.choice, toolPoints);
+    const std::optional<FillShape> fill = fillShape(request.choice.fill);
+    Imprinted from = imprinted(input, request.imprint, progress);
+    const CutMesh cut = openedAlongCurves(*from.imprint);
+    const std::size_t doubled = cut.mesh.vertices.size() - from.imprint->mesh.vertices.size();
+    std::vector<MeshLayer> layers;
+    int filledHoles = 0;
+    for (const std::vector<int>& chosen :
+         partsPerMesh(*from.imprint, from.parts, choice, request.choice.split)) {
+        FilledParts taken = takenParts(*from.imprint, cut, from.parts, chosen, fill);
+        filledHoles += countOf(taken.rims.size());
+        if (taken.openRims > 0) {
+            from.warnings.push_back(
+                std::to_string(taken.openRims) +
+                " rims stay open, since the boundary of the mesh is part of them."
+            );
+        }
+        const std::string suffix = choice                 ? " part"
+                                   : request.choice.split ? partSuffix(chosen)
+                                                          : " cut";
+        layers.push_back(layerOf(from, suffix, std::move(taken)));
+    }
+    from.figures.push_back({"doubled_vertices", countOf(doubled)});
+    from.figures.push_back({"filled_holes", filledHoles});
+    return finished(std::move(from), std::move(layers), watch, false);
+}
+
+MeshesResult runSegmentFilter(
+    const CurvesOnLayer& input, const SegmentRequest& request, const Progress& progress
+) {
+    Stopwatch watch;
+    Imprinted from = imprinted(input, request.imprint, progress);
+    if (partedParts(*from.imprint, from.parts).empty()) {
+        refuseNothingParted();
+    }
+    std::vector<MeshLayer> layers;
+    if (request.split) {
+        const CutMesh cut = cutAlongCurves(*from.imprint);
+        for (const std::vector<int>& chosen :
+             partsPerMesh(*from.imprint, from.parts, std::nullopt, true)) {
+            layers.push_back(
+                layerOf(from, partSuffix(chosen), openParts(cut, from.parts, chosen), true)
+            );
+        }
+    } else {
+        layers.push_back(
+            layerOf(from, " segmented", wholeImprint(*from.imprint, from.parts), true)
+        );
+    }
+    return finished(std::move(from), std::move(layers), watch, true);
+}
+
+namespace {
+
+/// The lines beside a curve; refuses where there is none.
+std::vector<SurfacePolyline> linesBeside(
+    const Surface& surface, const PlacedCurve& curve, const OffsetOptions& options
+) {
+    std::vector<SurfacePolyline> lines = offsetPolylines(surface, curve.line, options);
+    if (lines.empty()) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            "layer \"" + curve.label +
+                "\": no point of the surface on that side is at this distance from the curve; "
+                "give a smaller offset"
+        );
+    }
+    return lines;
+}
+
+void addBand(
+    const Surface& surface,
+    const PlacedCurve& curve,
+    const OffsetOptions& options,
+    std::vector<char>& band
+) {
+    const std::vector<char> within = facesWithin(surface, curve.line, options);
+    band.resize(within.size(), 0);
+    for (std::size_t f = 0; f < within.size(); ++f) {
+        band[f] = static_cast<char>(band[f] | within[f]);
+    }
+}
+
+}  // namespace
+
+OffsetResult runOffsetFilter(
+    const CurvesOnLayer& input, const OffsetRequest& request, const Progress& progress
+) {
+    Stopwatch watch;
+    const PlacedInput placed = placedInput(input, request.use, progress);
+    const Surface& surface = *placed.surface;
+    OffsetOptions options = request.offset;
+    if (options.distance == 0.0) {
+        options.distance = kOffsetRelative * surface.diagonal();
+    }
+    OffsetResult result;
+    double length = 0.0;
+    for (const PlacedCurve& curve : placed.placed.curves) {
+        report(progress, kPlacedShare, "distances");
+        for (SurfacePolyline& line : linesBeside(surface, curve, options)) {
+            length += lengthOf(line);
+            result.pieces.push_back({.line = std::move(line), .curve = curve.label});
+        }
+        if (request.selectBand) {
+            addBand(surface, curve, options, result.band);
+        }
+    }
+    result.figures = {
+        {"curves", countOf(placed.placed.curves.size())},
+        {"projected_curves", placed.placed.projected},
+        {"offset", options.distance},
+        {"pieces", countOf(result.pieces.size())},
+        {"length", length},
+        {"seconds", watch.lap()},
+    };
+    result.log = {
+        .figures = keyValueText(result.figures),
+        .warnings = warningsOf(placed.placed, input.surface)
+    };
+    return result;
+}
+
+}  // namespace bspline_curve

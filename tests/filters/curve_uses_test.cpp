@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/run_curve_uses.h"
+#include "filters/runs_on_plates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+using namespace test_support;
+
+PolylineLayer polyline(const std::string& label, std::vector<Vec3> points, bool closed) {
+    PolylineLayer layer;
+    layer.label = label;
+    const auto count = static_cast<int>(points.size());
+    layer.points = std::move(points);
+    for (int i = 0; i + 1 < count; ++i) {
+        layer.edges.push_back({i, i + 1});
+    }
+    if (closed) {
+        layer.edges.push_back({count - 1, 0});
+    }
+    return layer;
+}
+
+PolylineLayer square(double z = 0.0) {
+    return polyline(
+        "square", {{0.3, 0.3, z}, {0.7, 0.31, z}, {0.69, 0.72, z}, {0.33, 0.68, z}}, true
+    );
+}
+
+CurvesOnLayer onPlate(std::vector<PolylineLayer> curves) {
+    CurvesOnLayer input{.surface = plateLayer(), .checksum = {}, .curves = std::move(curves)};
+    input.checksum = checksumOf(input.surface.mesh);
+    return input;
+}
+
+double areaOf(const TriangleMesh& mesh) {
+    double area = 0.0;
+    for (const Triangle& face : mesh.faces) {
+        const Vec3& a = mesh.vertices[face[0]];
+        area += 0.5 * (mesh.vertices[face[1]] - a).cross(mesh.vertices[face[2]] - a).norm();
+    }
+    return area;
+}
+
+std::vector<double> xOf(const TriangleMesh& mesh) {
+    std::vector<double> x;
+    for (const Vec3& vertex : mesh.vertices) {
+        x.push_back(vertex.x());
+    }
+    return x;
+}
+
+TEST(ImprintFilter, MakesOneLayerThatKnowsWhereItComesFrom) {
+    const CurvesOnLayer input = onPlate({square(0.005)});
+    const MeshesResult result = runImprintFilter(input, {});
+    ASSERT_EQ(result.layers.size(), 1U);
+    EXPECT_EQ(result.layers[0].suffix, " imprinted");
+    const MadeMesh& made = result.layers[0].made;
+    const TriangleMesh& mesh = made.mesh();
+    EXPECT_EQ(figure<int>(result.figures, "curves"), 1);
+    EXPECT_EQ(figure<int>(result.figures, "projected_curves"), 1);
+    EXPECT_EQ(figure<int>(result.figures, "parts"), 2);
+    EXPECT_NEAR(areaOf(mesh), 1.0, 1e-12);
+    const std::vector<double> carried = made.carried(xOf(input.surface.mesh));
+    const std::vector<double> flags = made.curveFlags();
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const int id = made.vertexOf(static_cast<int>(i));
+        EXPECT_NEAR(carried[i], mesh.vertices[i].x(), 1e-14);
+        EXPECT_EQ(id < 0, i >= input.surface.mesh.vertices.size());
+        EXPECT_TRUE(id >= 0 || flags[i] == 1.0);
+    }
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const Triangle& parent = input.surface.mesh.faces[made.faceOf(static_cast<int>(f))];
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 place = made.placeOf(static_cast<int>(f), k);
+            Vec3 position = Vec3::Zero();
+            for (int j = 0; j < 3; ++j) {
+                position += place[j] * input.surface.mesh.vertices[parent[j]];
+            }
+            EXPECT_LT((position - mesh.vertices[mesh.faces[f][k]]).norm(), 1e-14);
+        }
+    }
+}
+
+TEST(ImprintFilter, TakesCurvesThatKnowTheirPlacesExactly) {
+    CurveRequest request;
+    request.solver.closed = true;
+    const CurveResult drawn = draw(plateLayer(), request);
+    PolylineLayer layer = polyline("curve", drawn.curve.polyline.points, true);
+    layer.places = drawn.curve.polyline.surfacePoints;
+    layer.drawnOn = checksumOf(plateLayer().mesh);
+    CurvesOnLayer input = onPlate({layer});
+    EXPECT_EQ(figure<int>(runImprintFilter(input, {}).figures, "projected_curves"), 0);
+    // Moved by hand: where it lies now.
+    input.curves[0].points[5] += Vec3(0.01, 0.0, 0.0);
+    EXPECT_EQ(figure<int>(runImprintFilter(input, {}).figures, "projected_curves"), 1);
+    // On a mesh that changed.
+    input.surface.mesh.vertices[0].x() -= 0.1;
+    input.checksum = checksumOf(input.surface.mesh);
+    const std::string refused = refusal([&] { return runImprintFilter(input, {}); });
+    expectPart(refused, "layer \"curve\" was drawn on layer \"plate\"");
+    expectPart(refused, "whose mesh changed since the curve was drawn");
+    ImprintRequest projecting;
+    projecting.use.placing.project = true;
+    EXPECT_EQ(figure<int>(runImprintFilter(input, projecting).figures, "projected_curves"), 1);
+}
+
+TEST(ImprintFilter, RefusesWhatIsNotNearByItsLayerAndDistance) {
+    const CurvesOnLayer far = onPlate({square(), polyline("far", {{0, 0, 0}, {1, 1, 1}}, false)});
+    const std::string refused = refusal([&] { return runImprintFilter(far, {}); });
+    expectPart(refused, "layer \"far\" is not near layer \"plate\": vertex 1");
+    expectPart(refused, "is 1 away");
+    expectPart(refused, "max_distance");
+    CurvesOnLayer optional = far;
+    optional.curves[1].isOptional = true;
+    const MeshesResult result = runImprintFilter(optional, {});
+    EXPECT_EQ(figure<int>(result.figures, "curves"), 1);
+    ASSERT_EQ(result.log.warnings.size(), 1U);
+    expectPart(result.log.warnings[0], "Layer \"far\" was left out");
+    optional.curves.erase(optional.curves.begin());
+    expectPart(refusal([&] { return runImprintFilter(optional, {}); }), "layer \"far\" is not");
+    expectPart(refusal([&] { return runImprintFilter(onPlate({}), {}); }), "no visible layer");
+}
+
+TEST(CutFilter, MakesALayerForAllForEachOrForOnePart) {
+    const CurvesOnLayer input = onPlate({square()});
+    CutRequest request;
+    MeshesResult result = runCutFilter(input, {}, request);
+    ASSERT_EQ(result.layers.size(), 1U);
+    EXPECT_EQ(result.layers[0].suffix, " cut");
+    EXPECT_GT(figure<int>(result.figures, "doubled_vertices"), 4);
+    request.choice.split = true;
+    result = runCutFilter(input, {}, request);
+    ASSERT_EQ(result.layers.size(), 2U);
+    EXPECT_EQ(result.layers[1].suffix, " part 1");
+    const double inside = areaOf(result.layers[1].made.mesh());
+    EXPECT_NEAR(areaOf(result.layers[0].made.mesh()) + inside, 1.0, 1e-12);
+    request.choice = {.keep = KeptParts::Seed, .seed = "0.5 0.5 0"};
+    result = runCutFilter(input, {}, request);
+    ASSERT_EQ(result.layers.size(), 1U);
+    EXPECT_EQ(result.layers[0].suffix, " part");
+    EXPECT_NEAR(areaOf(result.layers[0].made.mesh()), inside, 1e-12);
+    request.choice.seed.clear();
+    result = runCutFilter(input, {Vec3(0.1, 0.1, 0.0)}, request);
+    EXPECT_NEAR(areaOf(result.layers[0].made.mesh()), 1.0 - inside, 1e-12);
+}
+
+TEST(CutFilter, FillsWhatIsTakenAway) {
+    CutRequest request;
+    request.choice = {.keep = KeptParts::Largest, .seed = "", .fill = FillKind::Smooth};
+    const CurvesOnLayer input = onPlate({square()});
+    const MeshesResult result = runCutFilter(input, {}, request);
+    const MadeMesh& made = result.layers[0].made;
+    EXPECT_EQ(figure<int>(result.figures, "filled_holes"), 1);
+    EXPECT_NEAR(areaOf(made.mesh()), 1.0, 1e-6);
+    EXPECT_EQ(made.faceOf(static_cast<int>(made.mesh().faces.size()) - 1), -1);
+    const std::vector<double> carried = made.carried(xOf(input.surface.mesh));
+    for (std::size_t i = 0; i < carried.size(); ++i) {
+        const bool isNew = made.vertexOf(static_cast<int>(i)) < 0;
+        EXPECT_NEAR(carried[i], made.mesh().vertices[i].x(), isNew ? 0.3 : 0.0);
+    }
+}
+
+TEST(CutFilter, RefusesWhatCannotBeByName) {
+    CutRequest request;
+    const auto refused = [&](const CurvesOnLayer& input) {
+        return refusal([&] { return runCutFilter(input, {}, request); });
+    };
+    const CurvesOnLayer rim = onPlate({polyline("rim", {{0, 0, 0}, {1, 0, 0}}, false)});
+    expectPart(refused(rim), "there is nothing to cut");
+    request.choice = {.keep = KeptParts::Seed, .seed = "0.3 0.3 0"};
+    expectPart(refused(onPlate({square()})), "lies on a curve");
+    request.choice.seed.clear();
+    expectPart(refused(onPlate({square()})), "there are 0 points");
+    ParameterValues values(cutFilter());
+    values.set("fill", std::string("flat"));
+    expectPart(refusal([&] { return cutRequest(values); }), "fill needs keep");
+    values.set("keep", std::string("inside"));
+    values.set("split", true);
+    expectPart(refusal([&] { return cutRequest(values); }), "split");
+}
+
+TEST(SegmentFilter, LabelsAndMeasuresParts) {
+    const CurvesOnLayer input = onPlate({square()});
+    SegmentRequest request;
+    MeshesResult result = runSegmentFilter(input, request);
+    ASSERT_EQ(result.layers.size(), 1U);
+    EXPECT_TRUE(result.layers[0].showsParts);
+    const auto areas = figure<std::vector<double>>(result.figures, "part_areas");
+    ASSERT_EQ(areas.size(), 2U);
+    EXPECT_NEAR(areas[0] + areas[1], 1.0, 1e-12);
+    EXPECT_EQ(figure<std::vector<double>>(result.figures, "part_centroids").size(), 6U);
+    EXPECT_EQ(
+        figure<std::vector<double>>(result.figures, "part_eulers"), (std::vector<double>{0, 1})
+    );
+    ASSERT_EQ(result.log.table.size(), 2U);
+    expectPart(result.log.table[1], "part=1 faces=");
+    request.split = true;
+    result = runSegmentFilter(input, request);
+    ASSERT_EQ(result.layers.size(), 2U);
+    EXPECT_NEAR(areaOf(result.layers[1].made.mesh()), areas[1], 1e-12);
+    const CurvesOnLayer slit = onPlate({polyline("slit", {{0.2, 0.2, 0}, {0.8, 0.7, 0}}, false)});
+    expectPart(refusal([&] { return runSegmentFilter(slit, {}); }), "the curves part nothing");
+}
+
+TEST(OffsetFilter, DrawsLinesAndTheBandBetween) {
+    const CurvesOnLayer input = onPlate({polyline("line", {{0.3, 0.5, 0}, {0.7, 0.5, 0}}, false)});
+    OffsetRequest request;
+    request.offset.distance = 0.1;
+    request.selectBand = true;
+    OffsetResult result = runOffsetFilter(input, request);
+    ASSERT_EQ(result.pieces.size(), 1U);
+    EXPECT_EQ(result.pieces[0].curve, "line");
+    EXPECT_TRUE(result.pieces[0].line.closed);
+    EXPECT_NEAR(figure<double>(result.figures, "length"), 0.8 + 0.2 * 3.14159, 0.01);
+    EXPECT_EQ(result.band.size(), input.surface.mesh.faces.size());
+    request.offset.sides = OffsetSides::Left;
+    result = runOffsetFilter(input, request);
+    EXPECT_FALSE(result.pieces[0].line.closed);
+    EXPECT_NEAR(result.pieces[0].line.points[2].y(), 0.6, 1e-6);
+    request.offset.distance = 5.0;
+    expectPart(
+        refusal([&] { return runOffsetFilter(input, request); }), "layer \"line\": no point"
+    );
+    request.offset.distance = 0.0;
+    request.selectBand = false;
+    result = runOffsetFilter(input, request);
+    EXPECT_NEAR(figure<double>(result.figures, "offset"), 0.02 * std::sqrt(2.0), 1e-12);
+    EXPECT_TRUE(result.band.empty());
+}
+
+}  // namespace
+}  // namespace bspline_curve
