@@ -8,8 +8,11 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <algorithm>
 #include <exception>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -55,8 +58,16 @@ FilterBsplineCurveLegacyPlugin::FilterBsplineCurveLegacyPlugin() {
     for (int filter = 0; filter <= twin(); ++filter) {
         typeList.push_back(filter);
     }
-    for (const FilterIDType type : types()) {
-        actionList.push_back(new QAction(filterName(type), this));
+    // The search of the window lists filters whose names match alike by the address of their
+    // actions, so those of earlier filters get lower ones: the first goes before its twin.
+    std::vector<QAction*> actions;
+    for (int filter = 0; filter <= twin(); ++filter) {
+        actions.push_back(new QAction(this));
+    }
+    std::ranges::sort(actions, std::less<>());
+    for (int filter = 0; filter <= twin(); ++filter) {
+        actions[filter]->setText(filterName(filter));
+        actionList.push_back(actions[filter]);
     }
 }
 
