@@ -35,8 +35,7 @@ struct Mended {
     [[nodiscard]] const MeshRepair* repair() const { return mending ? &mending->repair : nullptr; }
 };
 
-/// Mends the mesh; throws the refusal where that is not among what repairMesh can mend, or where
-/// the surface is one-sided.
+/// Mends the mesh; throws the refusal where that is not among what repairMesh can mend.
 [[nodiscard]] Mending mend(RefusedMesh& refused);
 
 /// What `make` makes of a mesh, which validates it by constructing a Surface. A mesh that is

@@ -74,9 +74,10 @@ struct MeshRepair {
 ///   of faces with the same vertices only the first stays;
 ///   where more than two faces meet in an edge, the pairs that bend least stay joined, the others
 ///   are parted; parts that share a vertex only get a vertex each;
+///   one-sided surfaces are cut open;
 ///   patches are oriented by the majority of their faces.
 /// The same input gives the same result. O(n log n).
-/// Throws InputError: as checkArrays; InconsistentOrientation, where the surface is one-sided.
+/// Throws InputError as checkArrays.
 [[nodiscard]] MeshRepair repairMesh(TriangleMesh mesh);
 
 }  // namespace bspline_curve

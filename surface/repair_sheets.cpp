@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which faces belong to one sheet, which way it looks, and where sheets are parted.
-#include "bspline_curve/error.h"
-#include "surface/error_messages.h"
 #include "surface/half_edges.h"
 #include "surface/repair_steps.h"
 #include "surface/surface_point.h"
@@ -84,28 +82,20 @@ private:
         joints_[b.face][b.k] = a.face;
     }
 
+    /// A one-sided surface is cut open where the sides disagree. Round a vertex that is surrounded
+    /// by faces they do so at an even number of edges, so the cut ends only at boundaries.
     void joinPlainEdges() {
-        std::vector<std::int64_t> conflicting;
         forEachEdge(halfEdges_, [&](std::span<const HalfEdge> edge) {
-            if (edge.size() == 2) {
+            if (edge.size() != 2) {
+                return;
+            }
+            const bool areOpposed = areParallel(faces_, edge[0], edge[1]);
+            if (patches_.join(edge[0].face, edge[1].face, areOpposed)) {
                 link(edge[0], edge[1]);
-                const bool areOpposed = areParallel(faces_, edge[0], edge[1]);
-                if (!patches_.join(edge[0].face, edge[1].face, areOpposed)) {
-                    conflicting.push_back(repair_.faceOrigins[edge[0].face]);
-                    conflicting.push_back(repair_.faceOrigins[edge[1].face]);
-                }
+            } else {
+                repair_.report.cutEdges.push_back({edge[0].low, edge[0].high});
             }
         });
-        if (!conflicting.empty()) {
-            sortUnique(conflicting);
-            refuseElements(
-                InputErrorCode::InconsistentOrientation,
-                "the surface is one-sided like a Moebius strip and has no orientation",
-                "found at faces",
-                conflicting,
-                "cut it open along the edges between these faces"
-            );
-        }
     }
 
     [[nodiscard]] Vec3 normal(int face) const {

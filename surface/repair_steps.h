@@ -13,8 +13,7 @@ void removeDuplicateFaces(MeshRepair& repair);
 /// For each half-edge the face that it stays joined to, by face and k, or -1.
 using Joints = std::vector<Triangle>;
 
-/// Decides which faces are joined along edges, and turns patches; throws InputError
-/// (InconsistentOrientation).
+/// Decides which faces are joined along edges, and turns patches.
 [[nodiscard]] Joints joinAndOrient(MeshRepair& repair);
 
 /// Gives each part of the surface that meets others only in a vertex a vertex of its own.

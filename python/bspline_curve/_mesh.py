@@ -251,7 +251,7 @@ def repair(vertices: Any, faces: npt.ArrayLike | None = None, **options: Any) ->
     Raises
     ------
     MeshError
-        A coordinate is not finite, a face names a vertex that is not there, or the surface is one-sided.
+        A coordinate is not finite, or a face names a vertex that is not there.
     """
     mended, corners, changes, summary = _core.repaired(*mesh_arrays(vertices, faces))
     return Repair(Mesh(mended, corners, **options), changes, summary)

@@ -96,7 +96,7 @@ def test_a_sound_mesh_is_left_alone_and_no_word_said(run, tmp_path):
     assert (tmp_path / "curve.ply").read_bytes() == plain
 
 
-def test_one_sided_surfaces_stay_refused_by_name(run, tmp_path):
+def test_one_sided_surfaces_are_cut_open_and_strictly_refused_by_name(run, tmp_path):
     angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
     rim = lambda side: np.stack([(1 + side * np.cos(angle / 2)) * np.cos(angle),
                                  (1 + side * np.cos(angle / 2)) * np.sin(angle), side * np.sin(angle / 2)], 1)
@@ -105,9 +105,10 @@ def test_one_sided_surfaces_stay_refused_by_name(run, tmp_path):
     other = np.where(j == 0, 40, 0)  # the strip comes back upside down
     F = np.vstack([np.stack([i, j + other, i + 40], 1), np.stack([j + other, (j + 40 - other), i + 40], 1)])
     meshes.write_ply(tmp_path / "moebius.ply", V, F)
-    for words in ((), ("--strict",)):
-        process = run("shell", "moebius.ply", "--check", *words)
-        assert process.returncode == 1 and "Moebius" in process.stderr and process.stderr.count("\n") == 1
+    process = run("shell", "moebius.ply", "--check", "--strict")
+    assert process.returncode == 1 and "Moebius" in process.stderr and process.stderr.count("\n") == 1
+    process, report, _ = run_curve(run, tmp_path, "moebius.ply", V, F)
+    assert report["usable"] and len(report["repair"]["cut_edges"]) == 1 and len(report["repair"]["duplicated_vertices"]) == 2
 
 
 def test_a_field_is_carried_over_to_duplicated_vertices(run, tmp_path):

@@ -61,7 +61,7 @@ TEST(MakeMended, RefusesWhereItIsStrictOrNothingHelps) {
     };
     EXPECT_EQ(codeOf(bowTie(), true), InputErrorCode::NonManifoldVertex);
     EXPECT_EQ(codeOf({}, false), InputErrorCode::EmptyMesh);
-    EXPECT_EQ(codeOf(moebiusStrip(12), false), InputErrorCode::InconsistentOrientation);
+    EXPECT_EQ(codeOf(moebiusStrip(12), true), InputErrorCode::InconsistentOrientation);
     TriangleMesh flat = plate(1, 1);
     for (Vec3& vertex : flat.vertices) {
         vertex = Vec3::Zero();
