@@ -58,7 +58,9 @@ std::optional<Solution> followedOnSheet(
     const PreparedSurface& prepared, const CurveProblem& problem, const Solution& lost
 ) {
     const auto& [space, controls] = lost.curve;
-    CurveDistance distance = measureOnSheet(sheetStartOf(prepared, problem), space, controls);
+    SheetTraceStart traced = sheetStartOf(prepared, problem);
+    traced.mostDistance = problem.distanceTolerance;
+    CurveDistance distance = measureOnSheet(traced, space, controls);
     if (distance.largest >= problem.distanceTolerance || !isClear(problem, distance)) {
         return std::nullopt;
     }
@@ -80,6 +82,7 @@ Solution tightAlong(const PreparedSurface& prepared, CurveProblem problem, Initi
     }
     SheetTraceStart traced = sheetStartOf(prepared, problem);
     traced.guide = guide;
+    traced.mostDistance = kLadder.farthestFit * problem.distanceTolerance;
     Solution solution{
         fitLoosely(problem, path, kLadder.tightDistance * problem.distanceTolerance), {}, {}
     };
@@ -89,8 +92,7 @@ Solution tightAlong(const PreparedSurface& prepared, CurveProblem problem, Initi
     report.knotsFirst = report.knotsLast = static_cast<int>(space.knotVector().size());
     report.seconds.initial = watch.lap();
     CurveDistance distance = measureOnSheet(traced, space, controls);
-    if (distance.largest > kLadder.farthestFit * problem.distanceTolerance ||
-        !isClear(problem, distance)) {
+    if (distance.largest > traced.mostDistance || !isClear(problem, distance)) {
         distance = measureOnPath(traced, space, controls);
         if (distance.largest >= problem.distanceTolerance) {
             report.status = SolveStatus::ShortestPath;

@@ -30,12 +30,15 @@ struct StrategyConstants {
     /// Chords of paths for tight fits lie within so many tolerances of the surface. With more,
     /// curves bend more, and fewer of them are solved at samples.
     double chordTolerances = 0.1;
+    /// Work (see workOf()) at samples, in all attempts together: so much, and for each pick. Usual
+    /// curves through few picks take less than a tenth of it.
+    double mostWork = 10000.0, mostWorkPerPick = 10000.0;
     /// Shares of the field by which paths follow it, cell by cell: less where no spline along them
     /// stays in the shell.
     std::array<double, 3> guideShares = {1.0, 0.25, 0.0};
     /// With a shell a curve that no attempt without one leads to takes some tenths of a second on
     /// surfaces of up to so many faces, through so many picks. Else a tight fit comes first.
-    int mostFaces = 5000;
+    int mostFaces = 2000;
     std::size_t mostPicks = 12;
     /// No such shell is built where a vertex has more faces around it: they are all near to each
     /// other there, and would be tested pair by pair.
@@ -263,7 +266,7 @@ std::optional<Solved> CurveSolver::relaxOver(
     Lost lost;
     std::optional<Solved> solved = relaxed(loose, quick.path, {}, StopPolicy::Short, &lost);
     // With obstacles it is mostly these that are in its way.
-    if (!solved && context_.obstacles == nullptr) {
+    if (!solved && context_.obstacles == nullptr && workLeft(lost) > 0.0) {
         lap.lap();
         const PickPath close = pathRound(blocked, travel, PathKind::Close);
         pathSeconds += lap.lap();
@@ -291,6 +294,9 @@ std::optional<Solved> CurveSolver::relaxTightly(
     const double share = 1.0 / static_cast<double>(kStrategy.stiffnesses.size());
     double done = 0.0;
     for (const double stiffness : kStrategy.stiffnesses) {
+        if (workLeft(lost) <= 0.0) {
+            break;
+        }
         const Progress part = partOf(progress, done, done + share);
         CurveProblem problem = problemOn(path, shell, part);
         SampledStart start = stiffStart(problem, path.path, stiffness);
@@ -304,6 +310,15 @@ std::optional<Solved> CurveSolver::relaxTightly(
     return std::nullopt;
 }
 
+double CurveSolver::workLeft(const Lost& lost) const {
+    double left =
+        kStrategy.mostWork + kStrategy.mostWorkPerPick * static_cast<double>(picks_.size());
+    for (const Solved& one : lost) {
+        left -= workOf(one.solution.report);
+    }
+    return left;
+}
+
 // Nothing where there is no such curve; it is then added to those that are lost.
 std::optional<Solved> CurveSolver::relaxed(
     CurveProblem problem,
@@ -312,10 +327,11 @@ std::optional<Solved> CurveSolver::relaxed(
     StopPolicy stopPolicy,
     Lost* lost
 ) const {
-    if (!isForSamples(problem)) {
+    const double work = lost != nullptr ? workLeft(*lost) : workLeft({});
+    if (!isForSamples(problem) || work <= 0.0) {
         return std::nullopt;
     }
-    Solution solution = relaxAtSamples(problem, initialPath, std::move(start), stopPolicy);
+    Solution solution = relaxAtSamples(problem, initialPath, std::move(start), stopPolicy, work);
     problem.progress = {};  // it ends here
     if (solution.report.usable) {
         return Solved{std::move(problem), std::move(solution)};
@@ -349,6 +365,9 @@ std::optional<Solved> CurveSolver::solveInCells(
     if (options_.quadrature == Quadrature::Samples) {
         boundary.emplace(whole.build.shell);
     }
+    // Where attempts at samples have failed, it is a last one.
+    const StopPolicy stopPolicy =
+        isLocal() && hasTriedSamples() ? StopPolicy::Short : StopPolicy::Long;
     Stopwatch lap;
     for (const double share : kStrategy.guideShares) {
         const FieldTravel travel = context_.field.travel(options_, share);
@@ -360,7 +379,7 @@ std::optional<Solved> CurveSolver::solveInCells(
         CurveProblem problem = problemOn(path, &whole.build.shell, progress);
         problem.boundary = boundary ? &*boundary : nullptr;
         const double pathSeconds = lap.lap();
-        if (std::optional<Solution> solution = solveCellwise(problem, path.path)) {
+        if (std::optional<Solution> solution = solveCellwise(problem, path.path, stopPolicy)) {
             problem.boundary = nullptr;  // it ends here
             problem.progress = {};
             solution->report.seconds.path = pathSeconds;

@@ -84,6 +84,8 @@ private:
         StopPolicy stopPolicy,
         Lost* lost = nullptr
     ) const;
+    // At samples, after these attempts.
+    [[nodiscard]] double workLeft(const Lost& lost) const;
     [[nodiscard]] std::optional<Solved> onSheet(Lost lost) const;
     [[nodiscard]] std::optional<Solved> solveInShell(const Progress& progress) const;
     [[nodiscard]] std::optional<Solved> solveInCells(

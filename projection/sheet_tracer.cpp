@@ -54,7 +54,7 @@ public:
             } else {
                 foot.point = nearestFrom(startOf(t), user(at(t)));
             }
-            if (!join(ways, foot)) {
+            if (distance_.largest > traced_.mostDistance || !join(ways, foot)) {
                 distance_.largest = kInfinity;
                 return std::move(distance_);
             }

@@ -6,6 +6,7 @@
 #include "spline/pick_constraint.h"
 #include "surface/surface.h"
 
+#include <limits>
 #include <span>
 
 namespace bspline_curve {
@@ -20,6 +21,8 @@ struct SheetTraceStart {
     /// Points of a path beside the spline, by ascending parameter: feet are sought from there.
     /// Empty: each is sought from the one before.
     std::span<const EdgeCrossing> guide{};
+    /// measureOnSheet() ends where a foot is farther; the distance is then infinite.
+    double mostDistance = std::numeric_limits<double>::infinity();
 };
 
 /// Follows a spline by the nearest points of the sheet of the surface that it lies on, whatever the

@@ -8,6 +8,7 @@
 #include "utility/report_progress.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace bspline_curve {
@@ -20,6 +21,9 @@ struct BuilderConstants {
     double intersectingShrink = 0.5;
     /// Half pillars below this share of the wanted length are not shortened; faces are blocked.
     double leastShare = 1e-9;
+    /// Rounds after which the factor is squared, cubed, …: sheets that touch are never parted, and
+    /// their pillars must become too short some time.
+    int patientRounds = 8;
     /// Rounds after which ghosts that intersect something are blocked: needles otherwise.
     int ghostRounds = 6;
 };
@@ -106,7 +110,8 @@ public:
             } else if (!markOverlappingComponents()) {
                 return;
             }
-            shorten(kBuilder.intersectingShrink);
+            const int haste = std::max(0, round - kBuilder.patientRounds);
+            shorten(std::pow(kBuilder.intersectingShrink, 1 + haste));
             makePositive();
         }
     }

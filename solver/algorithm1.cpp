@@ -52,7 +52,8 @@ public:
     }
 
     Solution run() {
-        for (round_ = 0; round_ < problem_.options.maxRounds; ++round_) {
+        for (round_ = 0; round_ < problem_.options.maxRounds && workOf(report_) <= policy_.mostWork;
+             ++round_) {
             const double left = std::pow(kSolve.progressLeft, round_);
             bspline_curve::report(
                 problem_.progress, kSolve.roundsProgress * (1.0 - left), "minimising"
@@ -111,8 +112,17 @@ private:
                stopRule_.isInVain(problem_, energy_, report_, isNear);
     }
 
+    // Steps that may be done on as many knots as there are now; one always may.
+    [[nodiscard]] int stepsLeft() const {
+        const double left = (policy_.mostWork - workOf(report_)) / knotCount();
+        return static_cast<int>(
+            std::clamp(left, 1.0, static_cast<double>(problem_.options.maxIterations))
+        );
+    }
+
     MinimiseResult minimiseTo(NewtonGoal goal) {
-        goal.mostIterations = std::min(goal.mostIterations, problem_.options.maxIterations);
+        goal.mostIterations =
+            std::min({goal.mostIterations, problem_.options.maxIterations, stepsLeft()});
         MinimiseResult result =
             minimise(energy_, weights_, problem_.options.interpolation, policy_.newton, goal);
         for (IterationReport entry : result.iterations) {

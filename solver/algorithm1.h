@@ -15,6 +15,8 @@ namespace bspline_curve {
 struct SolvePolicy {
     WeightSchedule schedule;
     StopPolicy stop = StopPolicy::Long;
+    /// After so much work (see workOf()) a round ends, and no other one begins.
+    double mostWork = std::numeric_limits<double>::infinity();
     NewtonPolicy newton;
     NewtonGoal rough;  ///< of rounds whose integrals are rough
     NewtonGoal round;  ///< of the others

@@ -113,21 +113,28 @@ EnergyWeights firstWeights(const CurveProblem& problem, Energy& energy) {
 }  // namespace
 
 Solution solveInShell(
-    const CurveProblem& problem, const InitialPath& initialPath, SplineCurve first
+    const CurveProblem& problem,
+    const InitialPath& initialPath,
+    SplineCurve first,
+    StopPolicy stopPolicy
 ) {
     CellwiseEnergy energy(problem, std::move(first), tensionFloor(problem, initialPath));
     const EnergyWeights weights = firstWeights(problem, energy);
-    return solve(problem, energy, weights, policyFor(problem));
+    SolvePolicy policy = policyFor(problem);
+    policy.stop = stopPolicy;
+    return solve(problem, energy, weights, policy);
 }
 
-std::optional<Solution> solveCellwise(const CurveProblem& problem, const InitialPath& initialPath) {
+std::optional<Solution> solveCellwise(
+    const CurveProblem& problem, const InitialPath& initialPath, StopPolicy stopPolicy
+) {
     Stopwatch watch;
     std::optional<SplineCurve> first = makeFirstCurve(problem, initialPath);
     if (!first) {
         return std::nullopt;
     }
     const double initial = watch.lap();
-    Solution solution = solveInShell(problem, initialPath, std::move(*first));
+    Solution solution = solveInShell(problem, initialPath, std::move(*first), stopPolicy);
     solution.report.seconds.initial = initial;
     return solution;
 }

@@ -17,8 +17,9 @@ namespace {
 // Next to a sharp corner of the initial path spans are halved one by one; more than 16 fits were
 // needed once in 350 curves.
 constexpr int kMaxFits = 40;
-// Where there is no shell, spans are halved without end, each in two.
-constexpr std::size_t kMostBreaks = 5000;
+// Where there is no shell, spans are halved without end, each in two. So many breaks, and as many
+// for each of the first.
+constexpr std::size_t kMostBreaks = 1000, kMostBreaksEach = 50;
 // A first curve that comes nearer to the top or the bottom than this is fitted again with more
 // spans: close to the pole of the barrier, Newton's method stalls at once.
 constexpr double kHighestStart = 0.9;
@@ -174,7 +175,8 @@ std::optional<SplineCurve> fitInitialPath(
 ) {
     std::vector<double> breaks = firstBreaks(problem);
     const double highestStart = kHighestStart / relativeReach(problem);
-    for (int attempt = 0; attempt < kMaxFits && breaks.size() <= kMostBreaks; ++attempt) {
+    const std::size_t mostBreaks = kMostBreaks + kMostBreaksEach * breaks.size();
+    for (int attempt = 0; attempt < kMaxFits && breaks.size() <= mostBreaks; ++attempt) {
         SplineSpace space(problem.options.degree, problem.options.closed, breaks);
         ControlPoints controls = fitSpline(problem, space, targetsOf(initialPath, space));
         std::vector<double> finer{breaks.front()};

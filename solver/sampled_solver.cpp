@@ -111,7 +111,8 @@ Solution relaxAtSamples(
     const CurveProblem& problem,
     const InitialPath& initialPath,
     std::optional<SampledStart> start,
-    StopPolicy stopPolicy
+    StopPolicy stopPolicy,
+    double mostWork
 ) {
     Stopwatch watch;
     const double startAlpha = start ? start->alpha : 0.0;
@@ -127,8 +128,9 @@ Solution relaxAtSamples(
     const double initial = watch.lap();
     EnergyWeights weights;
     weights.alpha = std::max(firstAlphaOf(problem), kSampled.restartShare * startAlpha);
-    Solution solution =
-        solve(problem, energy, weights, sampledPolicy(problem, stopPolicy, startAlpha));
+    SolvePolicy policy = sampledPolicy(problem, stopPolicy, startAlpha);
+    policy.mostWork = mostWork;
+    Solution solution = solve(problem, energy, weights, policy);
     solution.report.isSampled = true;
     solution.report.seconds.initial = initial;
     if (solution.report.usable && !isClear(problem, solution)) {

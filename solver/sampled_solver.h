@@ -6,6 +6,7 @@
 #include "solver/stop_rule.h"
 #include "solver/weight_schedule.h"
 
+#include <limits>
 #include <optional>
 
 namespace bspline_curve {
@@ -126,12 +127,14 @@ inline constexpr SampledConstants kSampled;
 );
 
 /// The same for a problem that isForSamples(), also where the curve does not come to lie there:
-/// report.usable tells. Such a curve may still be near to the surface, where fibres cross.
+/// report.usable tells. Such a curve may still be near to the surface, where fibres cross. No round
+/// begins after `mostWork`, see workOf().
 [[nodiscard]] Solution relaxAtSamples(
     const CurveProblem& problem,
     const InitialPath& initialPath,
     std::optional<SampledStart> start,
-    StopPolicy stopPolicy
+    StopPolicy stopPolicy,
+    double mostWork = std::numeric_limits<double>::infinity()
 );
 
 }  // namespace bspline_curve

@@ -46,6 +46,14 @@ double shortestSpan(const Energy& energy) {
 
 }  // namespace
 
+double workOf(const SolveReport& report) {
+    double work = 0.0;
+    for (const RoundReport& round : report.rounds) {
+        work += static_cast<double>(round.knots) * round.iterations;
+    }
+    return work;
+}
+
 bool StopRule::isInVain(
     const CurveProblem& problem, const Energy& energy, const SolveReport& report, bool isNear
 ) {

@@ -11,6 +11,9 @@ enum class StopPolicy {
     Long,   ///< after SolverOptions::maxRounds
 };
 
+/// What the rounds have cost: steps of Newton's method times the knots of each.
+[[nodiscard]] double workOf(const SolveReport& report);
+
 /// Tells after each round whether the next ones would be in vain.
 class StopRule {
 public:

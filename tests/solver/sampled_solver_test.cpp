@@ -297,6 +297,26 @@ TEST(SampledSteps, StopWhereTheCallbackSaysSo) {
     }
 }
 
+TEST(SampledSteps, BeginNoRoundAfterTheWorkThatIsGranted) {
+    SolverOptions options;
+    options.distanceTolerance *= 0.1;  // so that it takes some rounds
+    const ProblemFixture fixture = makeFixture(noisySphere(true), options);
+    const auto relaxedWithin = [&](double mostWork) {
+        return relaxAtSamples(
+            fixture.problem(), fixture.initialPath(), {}, StopPolicy::Long, mostWork
+        );
+    };
+    const Solution whole = relaxedWithin(1e9);
+    const double work = workOf(whole.report);
+    ASSERT_TRUE(whole.report.usable);
+    ASSERT_GT(whole.report.rounds.size(), 2U);
+    expectSame(relaxedWithin(3.0 * work), whole);
+    const Solution stopped = relaxedWithin(0.3 * work);
+    EXPECT_FALSE(stopped.report.usable);
+    EXPECT_LT(stopped.report.rounds.size(), whole.report.rounds.size());
+    EXPECT_LT(workOf(stopped.report), 0.5 * work);
+}
+
 // ---- Curves that are not ----
 
 void expectByCells(ProblemFixture fixture) {
