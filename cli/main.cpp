@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -98,6 +99,9 @@ ExitCode reportingErrors(const std::function<ExitCode()>& run) {
 int main(int argc, char** argv) {
     using namespace bspline_curve::cli;
     returnLargeArrays();
+#ifdef SIGXFSZ
+    static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));  // a file that grows too large is an error
+#endif
     const Arguments all(argv, argc);
     return static_cast<int>(reportingErrors([&] {
         return run(all.subspan(std::min<std::size_t>(all.size(), 1)));
