@@ -98,6 +98,62 @@ def test_polylines_have_as_many_points_as_the_samples_that_splines_get(script, b
     assert 0.7 < energies[1] < 1.4, "both minimise the same energy"
 
 
+def zoo_of(folder):
+    """Two tori, one with a face twice and a bow tie, each with picks of each kind; and one mesh that is none."""
+    (folder / "picks").mkdir(parents=True)
+    for name, size in (("sound", 24), ("broken", 30)):
+        vertices, faces = cases.bumpy_torus(size, 12)
+        if name == "broken":
+            faces = np.vstack([faces, faces[:1], [[0, len(vertices), len(vertices) + 1]]])
+            vertices = np.vstack([vertices, [[3, 0, 0], [3, 1, 0]]])
+        cases.write_ply(folder / f"{name}.ply", vertices, faces)
+        for kind, count in (("A", 4), ("B", 6), ("C", 4)):
+            picks = vertices[np.linspace(0, 12 * size - 60, count).astype(int)]
+            (folder / "picks" / f"{name}.{kind}.picks.json").write_text(json.dumps({"picks": picks.tolist(), "closed": kind == "B"}))
+    (folder / "none.obj").write_text("no mesh")
+    (folder / "none.picks.json").write_text(json.dumps({"picks": [[0, 0, 0], [1, 0, 0]]}))
+
+
+def test_the_zoo_counts_answers_and_what_was_mended_and_asks_the_judge(script, bench_program, tmp_path):
+    zoo_of(tmp_path / "zoo")
+    page, judge = tmp_path / "page.md", tmp_path / "judge.py"
+    shutil.copy(ROOT / "docs" / "ROBUSTNESS.md", page)
+    judge.write_text("import sys\nmesh, curve, option, picks = sys.argv[1:5]\nassert option == '--picks' and open(curve).read()\n"
+                     "print('FAIL: C' if '.C.' in picks else '')\nsys.exit('.C.' in picks)\n")
+    done = script("zoo.py", tmp_path / "zoo", "--program", bench_program, "--judge", judge, "--json", tmp_path / "z.json", "--page", page)
+    assert done.returncode == 1, done.stdout + done.stderr
+    rows = json.loads((tmp_path / "z.json").read_text())["rows"]
+    drawn = [row for row in rows if row["answer"]]
+    assert [row["mesh"] for row in rows if not row["answer"]] == ["none.obj"] and len(drawn) == 6
+    for row in drawn:
+        broken = row["mesh"] == "broken.ply"
+        assert row["usable"] and row["cpu"] > 0 and row["faces"] > 500 and row["ratio"] > 0
+        assert (row["mended"] is not None) == broken and row["judged"] == ("FAIL: C" if row["kind"] == "C" else "")
+        assert not broken or (row["mended"]["removed_duplicate_faces"], row["mended"]["duplicated_vertices"]) == (1, 1)
+    for line in ("| answers, % | at least 99.5 | 85.7 | **no** |", "| closed, 6 picks | 2 | 2 | 2 |",
+                 "| judged right, or strict by the faces that they name, % | at least 100 | 100.0 | yes |",
+                 "| duplicate faces removed | 1 | 1, 1 |", "| taken as they are | 1 |"):
+        assert line in done.stdout and line in page.read_text()
+    assert "no answer: none.obj" in done.stdout and "judged wrong: sound.ply C: FAIL: C; 0 segments" in done.stdout
+
+
+def test_segments_that_leave_their_faces_are_counted(tmp_path):
+    import zoo
+
+    vertices, faces = cases.bumpy_torus(24, 12)
+    cases.write_ply(tmp_path / "torus.ply", vertices, faces)
+    weights = np.array([[1, 0, 0], [0.5, 0.5, 0], [0, 1, 0], [0.2, 0.3, 0.5]])
+    line = {"faces": [0, 0, 0, 0], "barycentrics": weights.tolist(), "points": (weights[:, :, None] * vertices[faces[0]]).sum(1).tolist()}
+    for change, count in ((None, 0), (("faces", 3, 200), 1), (("points", 1, [9, 9, 9]), 2)):
+        polyline = json.loads(json.dumps(line))
+        if change:
+            polyline[change[0]][change[1]] = change[2]
+            if change[0] == "faces":
+                polyline["points"][3] = (weights[3, :, None] * vertices[faces[200]]).sum(0).tolist()
+        (tmp_path / "curve.json").write_text(json.dumps({"polyline": polyline, "closed": False}))
+        assert zoo.loose_segments(tmp_path / "torus.ply", tmp_path / "curve.json") == count
+
+
 @needs("potpourri3d", "meshlib")
 def test_peers_are_timed_on_the_same_curves(script, bench_program, tmp_path):
     text = succeed(script("peers.py", "--quick", "--program", bench_program, "--json", tmp_path / "p.json"))
