@@ -216,7 +216,7 @@ def failures(rows):
 def write_page(page, rows):
     info = machine()
     meshes = len({row["mesh"] for row in rows})
-    replace_table(page, "machine", f"{meshes} meshes, {len(rows)} curves; {info['processor']}, {info['cores']} cores.")
+    replace_table(page, "machine", f"{meshes} meshes, {len(rows)} curves; {info['processor']}, {info['cores']} cores, load average {info['load']}.")
     for name, made in (("targets", targets_table), ("kinds", kinds_table), ("mended", mended_table), ("times", times_table)):
         replace_table(page, name, made(rows))
 
