@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def rows():
-    table = (ROOT / "docs/PAPER.md").read_text().partition("## Numbers")[2]
+    table = (ROOT / "docs/PAPER.md").read_text().partition("## Numbers")[2].partition("\n## ")[0]
     cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in table.splitlines() if line.startswith("|")]
     return [(symbol, float(number), name.strip("`"), path.strip("`")) for symbol, _, number, name, path in cells[2:]]
 
