@@ -121,7 +121,7 @@ public:
         arguments_.solver = request.solver;
         arguments_.sampling = request.sampling;
         arguments_.shell = request.shell;
-        arguments_.strict = request.strict;
+        arguments_.mending = request.mending;
         setField(request);
         setAvoided(request);
         return arguments_;

@@ -6,6 +6,7 @@
 #include "bspline_curve/shell.h"
 #include "cli/command.h"
 #include "cli/field_input.h"
+#include "surface/mending.h"
 
 #include <filesystem>
 #include <optional>
@@ -25,7 +26,7 @@ struct CurveArguments {
     RegionArguments
         avoid;       ///< thresholds are for the field, or for the quality where there is none
     int repeat = 0;  ///< further curves to time
-    bool strict = false;
+    MendingOptions mending{};
     bool requireUsable = false;
     bool noCache = false;
     SolverOptions solver;  ///< the preset with what was given explicitly; closed where --closed

@@ -66,7 +66,7 @@ ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
     figures.naturalCost = name(naturalCost(arguments.field.kind));
     bar.show(0.0, "reading");
     Stopwatch watch;
-    MeshFile file = readInputMesh(arguments.mesh, arguments.strict);
+    MeshFile file = readInputMesh(arguments.mesh, arguments.mending.strict);
     figures.seconds.read = watch.lap();
     if (interrupted()) {
         throw Cancelled();
@@ -75,7 +75,7 @@ ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
         refuseMissingQuality(arguments.mesh);
     }
     const TriangleMesh given = file.mesh;
-    const auto [surface, mending] = surfaceOfMended(std::move(file.mesh), arguments.strict);
+    const auto [surface, mending] = surfaceOfMended(std::move(file.mesh), arguments.mending);
     sayMended(mending);
     figures.seconds.validate = watch.lap();
     figures.repair = reportOf(mending);

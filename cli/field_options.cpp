@@ -56,7 +56,7 @@ public:
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         const FieldRequest request = fieldRequest(options_.values());
         arguments_.field = request.options;
-        arguments_.strict = request.strict;
+        arguments_.mending = request.mending;
         checkRegion(arguments_.region, arguments_.field.kind, kPrefix);
         return arguments_;
     }

@@ -3,6 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/field_input.h"
+#include "surface/mending.h"
 
 #include <filesystem>
 #include <variant>
@@ -13,7 +14,7 @@ namespace bspline_curve::cli {
 struct FieldArguments {
     std::filesystem::path mesh, output;
     std::filesystem::path report;  ///< empty: none asked for
-    bool strict = false;
+    MendingOptions mending{};
     FieldOptions field;
     RegionArguments region;
 };

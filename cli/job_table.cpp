@@ -88,7 +88,8 @@ std::string preparationOf(const CurveArguments& curve) {
           static_cast<double>(shell.smoothingPasses),
           shell.targetThickness,
           shell.targetEdgeLength,
-          curve.strict ? 1.0 : 0.0,
+          curve.mending.strict ? 1.0 : 0.0,
+          curve.mending.weld,
           curve.noCache ? 1.0 : 0.0}) {
         text += ' ' + numberText(value);
     }

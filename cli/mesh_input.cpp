@@ -26,15 +26,15 @@ void refuseMissingQuality(const std::filesystem::path& file) {
     );
 }
 
-Mended<Surface> surfaceOfMended(TriangleMesh given, bool strict) {
-    return makeMended(std::move(given), strict, [](TriangleMesh mesh) {
+Mended<Surface> surfaceOfMended(TriangleMesh given, const MendingOptions& options) {
+    return makeMended(std::move(given), options, [](TriangleMesh mesh) {
         return Surface(std::move(mesh));
     });
 }
 
 void sayMended(const std::optional<Mending>& mending) {
     if (mending) {
-        printError("note: " + mending->note() + "; --strict refuses it");
+        printError("note: " + mending->note() + (mending->refusal ? "; --strict refuses it" : ""));
     }
 }
 

@@ -24,8 +24,8 @@ void addRepairOption(CLI::App& app);
 /// Throws InputError (BadField): a mesh file without the quality that was asked for.
 [[noreturn]] void refuseMissingQuality(const std::filesystem::path& file);
 
-/// The surface of a mesh, mended where that is needed and not `strict`. Throws InputError.
-[[nodiscard]] Mended<Surface> surfaceOfMended(TriangleMesh given, bool strict);
+/// The surface of a mesh, see makeMended(). Throws InputError.
+[[nodiscard]] Mended<Surface> surfaceOfMended(TriangleMesh given, const MendingOptions& options);
 
 /// Says on stderr what was mended, if anything.
 void sayMended(const std::optional<Mending>& mending);

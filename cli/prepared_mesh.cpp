@@ -19,7 +19,7 @@ Mended<CurveDesigner> designerFor(
     TriangleMesh given, const CurveArguments& arguments, const Progress& progress
 ) {
     const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
-    return makeMended(std::move(given), arguments.strict, [&](TriangleMesh mesh) {
+    return makeMended(std::move(given), arguments.mending, [&](TriangleMesh mesh) {
         return CurveDesigner(std::move(mesh), arguments.shell, progress, cache ? &*cache : nullptr);
     });
 }
@@ -29,7 +29,7 @@ Mended<CurveDesigner> designerFor(
 LoadedMesh loadMesh(const CurveArguments& arguments) {
     LoadedMesh loaded;
     Stopwatch watch;
-    loaded.mesh = readInputMesh(arguments.mesh, arguments.strict);
+    loaded.mesh = readInputMesh(arguments.mesh, arguments.mending.strict);
     loaded.readSeconds = watch.lap();
     loaded.readMemoryBytes = peakMemoryBytes();
     loaded.givenVertices = loaded.mesh.mesh.vertices.size();

@@ -71,7 +71,7 @@ Built buildStages(
     Stopwatch watch;
     figures.faces = static_cast<int>(mesh.faces.size());
     bar.show(0.0, "validating");
-    auto [surface, mending] = surfaceOfMended(std::move(mesh), arguments.strict);
+    auto [surface, mending] = surfaceOfMended(std::move(mesh), arguments.mending);
     sayMended(mending);
     figures.repair = reportOf(mending);
     figures.seconds.validate = watch.lap();
@@ -167,7 +167,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
     figures.meshFile = arguments.mesh.string();
     bar.show(0.0, "reading");
     Stopwatch watch;
-    TriangleMesh mesh = readInputMesh(arguments.mesh, arguments.strict).mesh;
+    TriangleMesh mesh = readInputMesh(arguments.mesh, arguments.mending.strict).mesh;
     figures.seconds.read = watch.lap();
     if (interrupted()) {
         throw Cancelled();

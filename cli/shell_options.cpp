@@ -58,7 +58,8 @@ public:
               "target_edge_length",
               "shell_thickness",
               "shell_smoothing_passes",
-              "strict"}) {
+              "strict",
+              "weld"}) {
             options_.add(id, kGroup);
         }
     }
@@ -72,7 +73,7 @@ public:
         }
         const CurveRequest request = curveRequest(options_.values());
         arguments_.shell = request.shell;
-        arguments_.strict = request.strict;
+        arguments_.mending = request.mending;
         if (arguments_.shell.kind == ShellKind::Local) {
             throw CLI::ValidationError(
                 "--shell",

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/shell.h"
 #include "cli/command.h"
+#include "surface/mending.h"
 
 #include <filesystem>
 #include <variant>
@@ -14,7 +15,7 @@ struct ShellArguments {
     std::filesystem::path mesh;
     std::filesystem::path output, report;  ///< empty: not asked for
     bool check = false;
-    bool strict = false;
+    MendingOptions mending{};
     bool noCache = false;
     ShellOptions shell{.kind = ShellKind::Simplified};
 };

@@ -64,11 +64,12 @@ bool isSame(const TriangleMesh& a, const TriangleMesh& b) {
 }  // namespace
 
 std::optional<DesignerCache::Found> DesignerCache::find(
-    std::uint64_t hash, const TriangleMesh& mesh, const ShellOptions& options
+    std::uint64_t hash, const TriangleMesh& mesh, const ShellOptions& options, double weld
 ) {
     const std::scoped_lock lock(mutex_);
     const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
-        return entry.hash == hash && entry.options == options && isSame(mesh, entry.mesh());
+        return entry.hash == hash && entry.options == options && entry.weld == weld &&
+               isSame(mesh, entry.mesh());
     });
     if (found == entries_.end()) {
         return std::nullopt;
@@ -80,16 +81,18 @@ std::optional<DesignerCache::Found> DesignerCache::find(
 DesignerCache::Found DesignerCache::findOrMake(
     const TriangleMesh& mesh,
     const ShellOptions& options,
-    const std::function<Mended<CurveDesigner>()>& make
+    const std::function<Mended<CurveDesigner>()>& make,
+    double weld
 ) {
     const std::uint64_t hash = hashOf(mesh, options);
-    if (std::optional<Found> found = find(hash, mesh, options)) {
+    if (std::optional<Found> found = find(hash, mesh, options, weld)) {
         return *std::move(found);
     }
     Mended<CurveDesigner> mended = make();
     Entry entry{
         .hash = hash,
         .options = options,
+        .weld = weld,
         .designer = std::make_shared<const CurveDesigner>(std::move(mended.made)),
         .mending = nullptr
     };

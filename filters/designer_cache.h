@@ -16,8 +16,9 @@ namespace bspline_curve {
 
 /// The designers of the last few surfaces, for further curves in the same session: mesh validated,
 /// shell built. What belongs to a mesh is decided by its content alone (every bit of the vertices,
-/// the faces, the options of the shell), so none is ever stale, however a document changed, and an
-/// edit that was undone finds its designer again. Several threads may use one cache.
+/// the faces, the options of the shell, the distance of MendingOptions::weld), so none is ever
+/// stale, however a document changed, and an edit that was undone finds its designer again. Several
+/// threads may use one cache.
 class DesignerCache {
 public:
     /// A designer takes about as much memory as its shell; few are kept.
@@ -37,13 +38,15 @@ public:
     [[nodiscard]] Found findOrMake(
         const TriangleMesh& mesh,
         const ShellOptions& options,
-        const std::function<Mended<CurveDesigner>()>& make
+        const std::function<Mended<CurveDesigner>()>& make,
+        double weld = 0.0
     );
 
 private:
     struct Entry {
         std::uint64_t hash = 0;
         ShellOptions options;
+        double weld = 0.0;
         std::shared_ptr<const CurveDesigner> designer;
         std::shared_ptr<const Mending> mending;
         TriangleMesh given{};  ///< only where it was mended; else the designer has it
@@ -54,7 +57,7 @@ private:
     };
 
     [[nodiscard]] std::optional<Found> find(
-        std::uint64_t hash, const TriangleMesh& mesh, const ShellOptions& options
+        std::uint64_t hash, const TriangleMesh& mesh, const ShellOptions& options, double weld
     );
 
     std::size_t capacity_;

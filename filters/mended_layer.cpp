@@ -33,9 +33,8 @@ void bringBack(SurfacePolyline& line, const MeshRepair& repair) {
 std::string describeMending(const Mending& mending) {
     std::string note = mending.note();
     note.front() = 'T';
-    return note +
-           ". This is done on a copy in memory; the layer is unchanged, and strict refuses "
-           "such a mesh.";
+    return note + ". This is done on a copy in memory; the layer is unchanged" +
+           (mending.refusal ? ", and strict refuses such a mesh." : ".");
 }
 
 }  // namespace bspline_curve

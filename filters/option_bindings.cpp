@@ -233,7 +233,6 @@ Bindings<CurveRequest> curveBindings() {
         bound("control_polygon", &C::controlPolygon),
         bound("shell_layers", &C::shellLayers),
         bound("replace", &C::replace),
-        bound("strict", &C::strict),
     };
 }
 

@@ -37,6 +37,22 @@ void checkTubeRadius(double radius) {
     }
 }
 
+MendingOptions readMending(const ParameterValues& values) {
+    const double most = values.filter().parameter("weld").max.value_or(0.0);
+    const MendingOptions mending{
+        .strict = values.get<bool>("strict"), .weld = values.get<double>("weld")
+    };
+    if (!(mending.weld >= 0.0) || mending.weld > most) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "weld is " + describeNumber(mending.weld) + ", but must be in [0, " +
+                describeNumber(most) + "]"
+        );
+    }
+    checkMending(mending);
+    return mending;
+}
+
 FieldRequest readField(
     const ParameterValues& values, const std::string& kind, const std::string& prefix
 ) {
@@ -90,12 +106,13 @@ CurveRequest curveRequest(const ParameterValues& values) {
     request.sampling.validate();
     request.shell.validate();
     checkTubeRadius(request.tubeRadius);
+    request.mending = readMending(values);
     return request;
 }
 
 FieldRequest fieldRequest(const ParameterValues& values) {
     FieldRequest request = readField(values, "kind", "");
-    request.strict = values.get<bool>("strict");
+    request.mending = readMending(values);
     return request;
 }
 

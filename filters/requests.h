@@ -6,6 +6,7 @@
 #include "bspline_curve/options.h"
 #include "bspline_curve/shell.h"
 #include "filters/parameter_values.h"
+#include "surface/mending.h"
 
 #include <optional>
 #include <string>
@@ -23,7 +24,7 @@ inline constexpr const char* kAutomaticField = "auto";
 struct FieldRequest {
     FieldOptions options;
     RegionSource region = RegionSource::SelectedFaces;
-    bool strict = false;     ///< of fieldFilter(): a mesh that is broken is refused, not mended
+    MendingOptions mending{};  ///< of fieldFilter()
     bool automatic = false;  ///< nobody asked: only where isFollowedUnasked() holds for the quality
 };
 
@@ -44,7 +45,7 @@ struct CurveRequest {
     SolverOptions solver;
     SamplingOptions sampling;
     ShellOptions shell;
-    bool strict = false;  ///< a mesh that is broken is refused, not mended
+    MendingOptions mending;
     // What the curve leaves besides its layer.
     double tubeRadius = 0.0;      ///< world units; 0: no tube
     std::string saveFile;         ///< UTF-8, the format by its extension; empty: none

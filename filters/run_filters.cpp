@@ -105,16 +105,18 @@ DesignerCache::Found designerFor(
     const Progress& progress
 ) {
     return madeFrom(layer, [&] {
-        DesignerCache::Found found = designers.findOrMake(layer.mesh, request.shell, [&] {
+        const auto make = [&] {
             const std::optional<ShellCache> cache = ShellCache::ofUser();
-            return makeMended(layer.mesh, request.strict, [&](TriangleMesh mesh) {
+            return makeMended(layer.mesh, request.mending, [&](TriangleMesh mesh) {
                 return CurveDesigner(
                     std::move(mesh), request.shell, progress, cache ? &*cache : nullptr
                 );
             });
-        });
-        if (found.mending && request.strict) {
-            throw InputError(found.mending->refusal);
+        };
+        DesignerCache::Found found =
+            designers.findOrMake(layer.mesh, request.shell, make, request.mending.weld);
+        if (found.mending && found.mending->refusal && request.mending.strict) {
+            throw InputError(*found.mending->refusal);
         }
         return found;
     });
@@ -217,7 +219,7 @@ FieldResult runFieldFilter(
     FieldResult result;
     result.values = madeFrom(layer, [&] {
         const auto [surface, mending] = makeMended(
-            layer.mesh, request.strict, [](TriangleMesh mesh) { return Surface(std::move(mesh)); }
+            layer.mesh, request.mending, [](TriangleMesh mesh) { return Surface(std::move(mesh)); }
         );
         if (!mending) {
             return fieldOf(layer, surface, request, progress);

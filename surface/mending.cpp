@@ -34,6 +34,15 @@ std::vector<double> Mending::toOrigin(std::vector<double> values) const {
     return values;
 }
 
+void checkMending(const MendingOptions& options) {
+    if (options.strict && options.weld > 0.0) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "strict takes a mesh as it is and weld joins its vertices: choose one of them"
+        );
+    }
+}
+
 Mending mend(RefusedMesh& refused) {
     if (!canBeMended(refused.code())) {
         throw errorOf(refused);

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "surface/error_messages.h"
+#include "surface/near_vertices.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
@@ -15,6 +16,9 @@
 namespace bspline_curve {
 
 namespace {
+
+/// Components that vertices within so many diagonals part only look parted.
+constexpr double kGapRelative = 1e-6;
 
 std::string pickName(std::int64_t pick) {
     return "pick " + std::to_string(pick);
@@ -102,6 +106,36 @@ LocatedPicks withoutRepeats(
     return located;
 }
 
+// Whether welding vertices would join the components that picks lie on.
+bool onlyGapsPart(const Surface& surface, const std::vector<int>& components) {
+    DisjointSets near = nearVertices(surface.vertices(), kGapRelative * surface.diagonal());
+    DisjointSets joined(surface.componentCount());
+    std::vector<int> componentAt(surface.vertexCount(), -1);
+    for (int f = 0; f < surface.faceCount(); ++f) {
+        const int component = surface.faceComponents()[f];
+        for (const int v : surface.faces()[f]) {
+            int& first = componentAt[near.find(v)];
+            first = first < 0 ? component : joined.unite(first, component);
+        }
+    }
+    return std::ranges::all_of(components, [&](int component) {
+        return joined.find(component) == joined.find(components.front());
+    });
+}
+
+// What else to do where picks lie on several components; empty where they lie on one.
+std::string adviceOnGaps(const Surface& surface, const std::vector<int>& components) {
+    if (std::ranges::count(components, components.front()) == std::ssize(components)) {
+        return "";
+    }
+    return onlyGapsPart(surface, components)
+               ? "; only gaps of less than " + describeNumber(kGapRelative) +
+                     " of the diagonal part them, which the option weld closes (" +
+                     describeNumber(kGapRelative) + ")"
+               : ", or join them with MeshLab's filter 'Merge Close Vertices' or the option weld "
+                 "if they only look joined";
+}
+
 }  // namespace
 
 LocatedPicks locatePicks(
@@ -127,18 +161,18 @@ LocatedPicks locatePicks(
         }
     );
 
-    const auto componentOf = [&](std::size_t i) {
-        return surface.faceComponents()[projections[i].point.face];
-    };
+    std::vector<int> components;
+    for (const TriangleTree::Closest& projection : projections) {
+        components.push_back(surface.faceComponents()[projection.point.face]);
+    }
     refuseWhere(
         InputErrorCode::PicksOnDifferentComponents,
         count,
-        [&](std::size_t i) { return componentOf(i) != componentOf(0); },
+        [&](std::size_t i) { return components[i] != components[0]; },
         [](std::size_t) {
             return " lies on another connected component of the surface than " + pickName(0);
         },
-        "pick points on one component, or join them with MeshLab's filter 'Merge Close Vertices' "
-        "if they only look joined"
+        "pick points on one component" + adviceOnGaps(surface, components)
     );
 
     return withoutRepeats(projections, kPickSeparationRelative * surface.diagonal(), closed);

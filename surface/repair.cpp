@@ -5,6 +5,8 @@
 #include "surface/mesh_checks.h"
 #include "surface/repair_steps.h"
 
+#include <Eigen/Geometry>
+
 #include <numeric>
 
 namespace bspline_curve {
@@ -47,7 +49,21 @@ SurfacePoint MeshRepair::toOrigin(const SurfacePoint& point) const {
     };
 }
 
-MeshRepair repairMesh(TriangleMesh mesh) {
+namespace {
+
+double diagonalOf(const TriangleMesh& mesh) {
+    Eigen::AlignedBox3d box;
+    for (const Triangle& face : mesh.faces) {
+        for (const int v : face) {
+            box.extend(mesh.vertices[v]);
+        }
+    }
+    return box.diagonal().norm();
+}
+
+}  // namespace
+
+MeshRepair repairMesh(TriangleMesh mesh, double weld) {
     checkArrays(mesh);
     MeshRepair repair;
     repair.mesh = std::move(mesh);
@@ -56,6 +72,9 @@ MeshRepair repairMesh(TriangleMesh mesh) {
     repair.faceOrigins.resize(repair.mesh.faces.size());
     std::iota(repair.faceOrigins.begin(), repair.faceOrigins.end(), 0);
 
+    if (weld > 0.0) {
+        repair_steps::weldVertices(repair, weld * diagonalOf(repair.mesh));
+    }
     repair_steps::removeDegenerateFaces(repair);
     repair_steps::removeDuplicateFaces(repair);
     repair_steps::Joints joints = repair_steps::joinAndOrient(repair);

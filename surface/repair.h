@@ -15,7 +15,7 @@ namespace bspline_curve {
 
 /// What repairMesh changed; ids are those of the mesh that it was given, ascending.
 struct RepairReport {
-    /// Vertices and what they were merged into: ends of edges without length.
+    /// Vertices and what they were merged into: ends of edges without length, and what was welded.
     std::vector<std::pair<int, int>> mergedVertices;
     /// Faces with a repeated vertex or no area.
     std::vector<int> removedDegenerateFaces;
@@ -69,6 +69,7 @@ struct MeshRepair {
 };
 
 /// Makes a mesh one that Surface accepts, with no more than rounding of its coordinates:
+///   vertices within `weld` diagonals of each other are merged, where that is not 0;
 ///   faces without area are removed; their short edge is merged, or the face across the long edge
 ///   is split, so that no gap stays;
 ///   of faces with the same vertices only the first stays;
@@ -78,6 +79,6 @@ struct MeshRepair {
 ///   patches are oriented by the majority of their faces.
 /// The same input gives the same result. O(n log n).
 /// Throws InputError as checkArrays.
-[[nodiscard]] MeshRepair repairMesh(TriangleMesh mesh);
+[[nodiscard]] MeshRepair repairMesh(TriangleMesh mesh, double weld = 0.0);
 
 }  // namespace bspline_curve

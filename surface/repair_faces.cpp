@@ -2,6 +2,7 @@
 // Faces without area and faces that are there twice.
 #include "surface/half_edges.h"
 #include "surface/mesh_checks.h"
+#include "surface/near_vertices.h"
 #include "surface/repair_steps.h"
 #include "utility/disjoint_sets.h"
 #include "utility/index_sets.h"
@@ -198,6 +199,24 @@ private:
 };
 
 }  // namespace
+
+void weldVertices(MeshRepair& repair, double distance) {
+    DisjointSets near = nearVertices(repair.mesh.vertices, distance);
+    std::vector<int> merged;
+    for (Triangle& face : repair.mesh.faces) {
+        for (int& v : face) {
+            const int into = near.find(v);
+            if (into != v) {
+                merged.push_back(v);
+                v = into;
+            }
+        }
+    }
+    sortUnique(merged);
+    for (const int v : merged) {
+        repair.report.mergedVertices.emplace_back(v, near.find(v));
+    }
+}
 
 void removeDegenerateFaces(MeshRepair& repair) {
     for (bool last = false;;) {

@@ -6,6 +6,9 @@
 // The steps of repairMesh; each takes what the one before has left.
 namespace bspline_curve::repair_steps {
 
+/// Merges vertices within a distance of each other; faces may be left without area.
+void weldVertices(MeshRepair& repair, double distance);
+
 /// Removes or splits away faces without area.
 void removeDegenerateFaces(MeshRepair& repair);
 void removeDuplicateFaces(MeshRepair& repair);

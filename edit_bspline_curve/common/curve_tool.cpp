@@ -54,9 +54,8 @@ CurveTool::CurveTool(
       panel_(&view),
       preparing_(std::async(std::launch::async, [mesh = std::move(surface)]() mutable {
           // Strictness is the filter's, which makes the layers.
-          constexpr bool kStrict = false;
           Mended<CurveDesigner> mended =
-              makeMended(std::move(mesh), kStrict, [](TriangleMesh given) {
+              makeMended(std::move(mesh), MendingOptions{}, [](TriangleMesh given) {
                   return CurveDesigner(std::move(given));
               });
           return std::make_shared<const CurveDesigner>(std::move(mended.made));

@@ -43,6 +43,7 @@ SHELL: dict[str, Option] = {
     "shell_thickness": Option("double", 0.75, 0.0, 1000.0, True, ()),
     "shell_smoothing_passes": Option("int", 3, 0, None, False, ()),
     "strict": Option("bool", False, None, None, False, ()),
+    "weld": Option("double", 0.0, 0.0, 0.01, False, ()),
 }
 CURVE: dict[str, Option] = {
     "closed": Option("bool", False, None, None, False, ()),
@@ -148,6 +149,7 @@ class MeshKeywords(ABC):
         shell_thickness: float = 0.75,
         shell_smoothing_passes: int = 3,
         strict: bool = False,
+        weld: float = 0.0,
         progress: Progress | None = None,
     ) -> None:
         """Prepare a triangle mesh for curves.
@@ -180,6 +182,9 @@ class MeshKeywords(ABC):
         strict : bool, default False
             Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
             turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+        weld : float in [0, 0.01], default 0.0
+            Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+            none. For parts that only look joined.
         progress : callable, optional
             Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.
 
@@ -200,6 +205,7 @@ class MeshKeywords(ABC):
                 "shell_thickness": shell_thickness,
                 "shell_smoothing_passes": shell_smoothing_passes,
                 "strict": strict,
+                "weld": weld,
             },
             progress,
         )

@@ -80,7 +80,8 @@ class Mesh(MeshKeywords):
         self._designer = _core.Designer(*mesh_arrays(vertices, faces), self._options, progress)
         if self._designer.mending:
             of_the_caller = 3
-            warnings.warn(f"{self._designer.mending}; strict=True refuses it", MeshWarning, of_the_caller)
+            refused = "" if self._options.get("weld") else "; strict=True refuses it"
+            warnings.warn(f"{self._designer.mending}{refused}", MeshWarning, of_the_caller)
 
     @property
     def vertices(self) -> Floats:
@@ -234,7 +235,8 @@ def _restored(vertices: Floats, faces: Int32s, options: dict[str, Any]) -> Mesh:
 def repair(vertices: Any, faces: npt.ArrayLike | None = None, **options: Any) -> Repair:
     """Make a mesh that can be drawn on of one that cannot, with no more than rounding of its coordinates.
 
-    Removes faces without area and duplicates, parts faces where more than two meet, turns faces alike.
+    Removes faces without area and duplicates, parts faces where more than two meet, turns faces alike; joins vertices within
+    `weld` diagonals of each other first, if that is given.
 
     Parameters
     ----------
@@ -253,5 +255,6 @@ def repair(vertices: Any, faces: npt.ArrayLike | None = None, **options: Any) ->
     MeshError
         A coordinate is not finite, or a face names a vertex that is not there.
     """
-    mended, corners, changes, summary = _core.repaired(*mesh_arrays(vertices, faces))
+    weld = checked_number("weld", SHELL["weld"], options.pop("weld", 0.0))
+    mended, corners, changes, summary = _core.repaired(*mesh_arrays(vertices, faces), weld)
     return Repair(Mesh(mended, corners, **options), changes, summary)

@@ -44,10 +44,13 @@ void makeDesigner(
     nb::object progress
 ) {
     const ShellOptions shell = shellOptions(options);
-    const bool strict = options.contains("strict") && nb::cast<bool>(options["strict"]);
+    const MendingOptions mending{
+        .strict = options.contains("strict") && nb::cast<bool>(options["strict"]),
+        .weld = options.contains("weld") ? nb::cast<double>(options["weld"]) : 0.0
+    };
     PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
         const auto given = [&] { return TriangleMesh{toVectors(vertices), toTriangles(faces)}; };
-        Mended<CurveDesigner> made = makeMended(given(), strict, [&](TriangleMesh mesh) {
+        Mended<CurveDesigner> made = makeMended(given(), mending, [&](TriangleMesh mesh) {
             return CurveDesigner(std::move(mesh), shell, goesOn);
         });
         const bool isMended = made.mending.has_value();
@@ -122,10 +125,10 @@ nb::tuple shellLayers(const MeshDesigner& designer) {
 }
 
 template <class Faces>
-nb::tuple repaired(const Points& vertices, const Faces& faces) {
+nb::tuple repaired(const Points& vertices, const Faces& faces, double weld) {
     const MeshRepair repair = [&] {
         const nb::gil_scoped_release unlocked;
-        return repairMesh({toVectors(vertices), toTriangles(faces)});
+        return repairMesh({toVectors(vertices), toTriangles(faces)}, weld);
     }();
     const RepairReport& report = repair.report;
     nb::dict changes;

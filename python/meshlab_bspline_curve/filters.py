@@ -96,6 +96,7 @@ def draw_curve(
     max_iterations: int = 100,
     minimum_span: float = 0.0001,
     strict: bool = False,
+    weld: float = 0.0,
 ) -> Curve:
     """Draw a smooth curve through points on a triangle mesh.
 
@@ -263,6 +264,9 @@ def draw_curve(
     strict : bool, default False
         Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
         turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
 
     Returns
     -------
@@ -332,6 +336,7 @@ def draw_curve(
             "max_iterations": max_iterations,
             "minimum_span": minimum_span,
             "strict": strict,
+            "weld": weld,
         },
     )
 
@@ -352,6 +357,7 @@ def compute_field(
     normalised: bool = False,
     inverted: bool = False,
     strict: bool = False,
+    weld: float = 0.0,
 ) -> Floats:
     """Compute a scalar per vertex that curves can follow or avoid.
 
@@ -397,6 +403,9 @@ def compute_field(
     strict : bool, default False
         Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
         turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
 
     Returns
     -------
@@ -425,5 +434,6 @@ def compute_field(
             "normalised": normalised,
             "inverted": inverted,
             "strict": strict,
+            "weld": weld,
         },
     )

@@ -101,6 +101,7 @@ def generate_bspline_curve_on_surface(
     max_iterations: int = 100,
     minimum_span: float = 0.0001,
     strict: bool = False,
+    weld: float = 0.0,
 ) -> dict[str, Any]:
     """Draws a smooth curve through picked points on a triangle mesh.
 
@@ -283,6 +284,9 @@ def generate_bspline_curve_on_surface(
     strict : bool, default False
         Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
         turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
 
     Returns
     -------
@@ -358,6 +362,7 @@ def generate_bspline_curve_on_surface(
             "max_iterations": max_iterations,
             "minimum_span": minimum_span,
             "strict": strict,
+            "weld": weld,
         },
     )
 
@@ -376,6 +381,7 @@ def compute_scalar_field_for_curves_per_vertex(
     normalised: bool = False,
     inverted: bool = False,
     strict: bool = False,
+    weld: float = 0.0,
 ) -> dict[str, Any]:
     """Computes a scalar per vertex that curves can follow or avoid.
 
@@ -419,6 +425,9 @@ def compute_scalar_field_for_curves_per_vertex(
     strict : bool, default False
         Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
         turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
 
     Returns
     -------
@@ -445,6 +454,7 @@ def compute_scalar_field_for_curves_per_vertex(
             "normalised": normalised,
             "inverted": inverted,
             "strict": strict,
+            "weld": weld,
         },
     )
 

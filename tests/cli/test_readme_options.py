@@ -25,7 +25,7 @@ OF_PROGRAM = {
     ("field",): {"output", "report", "region", "region-under", "region-over"},
     ("shell",): {"output", "report", "check", "no-cache"},
 }
-OF_SHELLS = {"shell", "target_thickness", "target_edge_length", "shell_thickness", "shell_smoothing_passes", "strict"}
+OF_SHELLS = {"shell", "target_thickness", "target_edge_length", "shell_thickness", "shell_smoothing_passes", "strict", "weld"}
 
 
 def helped(run, *verb):

@@ -173,3 +173,45 @@ def test_a_batch_mends_and_refuses_by_the_line(run, tmp_path):
     results = (tmp_path / "jobs.results.csv").read_text()
     assert (tmp_path / "a.ply").exists() and not (tmp_path / "b.ply").exists()
     assert "more than two faces" in results
+
+
+def two_halves(gap):
+    """Two plates side by side, so far apart; the second has vertices of its own."""
+    V, F = meshes.plate(cells=8)
+    return np.vstack([V, V + [1 + gap, 0, 0]]), np.vstack([F, F + len(V)])
+
+
+def test_parts_that_only_look_joined_are_welded_where_that_is_asked(run, refused, tmp_path):
+    V, F = two_halves(1e-8)
+    meshes.write_ply(tmp_path / "halves.ply", V, F)
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": V[[20, 100, 140]].tolist()}))
+    words = ("halves.ply", "--picks", "picks.json", "--output", "curve.ply")
+    line = refused(1, *words, says=["pick 1", "another connected component", "only gaps of less than", "option weld"])
+    assert "1e-06" in line
+    process = run(*words, "--weld", "1e-6")
+    assert process.returncode == 0 and process.stderr == "bspline_curve: note: the mesh was mended: 9 vertices merged\n"
+    vertex = read_ply(tmp_path / "curve.ply")["vertex"]
+    points = np.stack([vertex[name] for name in "xyz"], 1)
+    weights = np.stack([vertex[f"barycentric_{k}"] for k in range(3)], 1)
+    assert np.abs((V[F[vertex["face"]]] * weights[:, :, None]).sum(1) - points).max() < 2e-8
+    assert vertex["face"].min() < len(F) / 2 <= vertex["face"].max(), "faces are those of the file"
+    refused(2, *words, "--weld", "1e-6", "--strict", says=["strict", "weld", "choose one"])
+    refused(2, *words, "--weld", "0.5", says=["--weld", "0.01"])
+
+
+def test_parts_that_a_wide_gap_parts_get_other_advice(refused, tmp_path):
+    V, F = two_halves(1e-3)
+    meshes.write_ply(tmp_path / "halves.ply", V, F)
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": V[[20, 100]].tolist()}))
+    line = refused(1, "halves.ply", "--picks", "picks.json", "--output", "curve.ply", says=["Merge Close Vertices", "weld"])
+    assert "only gaps" not in line
+
+
+def test_fields_and_shells_of_welded_parts_are_those_of_one(run, tmp_path):
+    V, F = two_halves(0)
+    meshes.write_ply(tmp_path / "halves.ply", V, F)
+    assert run("field", "halves.ply", "--kind", "boundary-distance", "--output", "f.npy", "--weld", "1e-9").returncode == 0
+    field = np.load(tmp_path / "f.npy")
+    seam = np.flatnonzero(np.isclose(V[:, 0], 1) & (np.abs(V[:, 1] - 0.5) < 0.1))
+    assert len(field) == len(V) and len(seam) == 2 and field[seam[0]] == field[seam[1]] and field[seam[0]] > field.min()
+    assert run("shell", "halves.ply", "--check", "--weld", "1e-9").returncode == 0

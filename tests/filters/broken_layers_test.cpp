@@ -93,7 +93,7 @@ TEST(RunCurveFilter, RefusesBrokenMeshesWhereItIsStrictEvenAfterOneWasDrawn) {
         SCOPED_TRACE(broken.name);
         DesignerCache designers;
         CurveRequest strict;
-        strict.strict = true;
+        strict.mending.strict = true;
         const auto refused = [&] { return draw(broken.layer, strict, designers); };
         expectPart(refusal(refused), broken.refused);
         static_cast<void>(draw(broken.layer, {}, designers));
@@ -137,7 +137,7 @@ TEST(RunFieldFilter, HasAValueForEachVertexOfABrokenLayer) {
         EXPECT_EQ(result.values, broken.layer.quality);
         ASSERT_EQ(result.log.warnings.size(), 1u);
         expectPart(result.log.warnings[0], broken.said);
-        request.strict = true;
+        request.mending.strict = true;
         expectPart(refusal([&] { return runFieldFilter(broken.layer, request); }), broken.refused);
     }
 }

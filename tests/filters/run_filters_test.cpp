@@ -191,7 +191,7 @@ TEST(RunCurveFilter, SaysThatIdsLeaveOutDeletedElements) {
     LayerInput layer;
     layer.mesh = bowTie();
     CurveRequest request;
-    request.strict = true;
+    request.mending.strict = true;
     expectPart(refusal([&] { return draw(layer, request); }), "vert");
     layer.hasLayersIds = false;
     expectPart(

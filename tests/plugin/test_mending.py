@@ -52,3 +52,19 @@ def test_a_field_has_a_value_for_each_vertex_of_the_layer(plate, kind):
     assert np.array_equal(document.current_mesh().vertex_scalar_array(), vertices[:, 1] ** 2)
     assert np.array_equal(document.current_mesh().face_matrix(), faces)
     assert_refuses(broken(plate, kind)[0], "edge|vert", name=FIELD, kind="boundary-distance", strict=True)
+
+
+def test_parts_that_only_look_joined_are_welded(plate):
+    vertices, faces = plate.mesh(0).vertex_matrix(), plate.mesh(0).face_matrix().astype(int)
+    both = np.vstack([vertices, vertices * [-1, 1, 1] - [1e-8, 0, 0]]), np.vstack([faces, faces[:, ::-1] + len(vertices)])
+    picks = both[0][[20 * 41 + 20, len(vertices) + 15 * 41 + 25]]
+    document = pymeshlab.MeshSet()
+    document.add_mesh(pymeshlab.Mesh(*both))
+    assert_refuses(document, "option weld", picks="; ".join(" ".join(map(repr, p)) for p in picks.tolist()))
+    document = pymeshlab.MeshSet()
+    document.add_mesh(pymeshlab.Mesh(*both))
+    for _ in range(2):  # the second time with the surface that was kept
+        layer, figures = draw(document, picks, weld=1e-6, surface_layer=0)
+        assert figures["usable"] and np.ptp(CurveLayer(layer).points[:, 0]) > 0.8
+    document.set_current_mesh(0)
+    assert_refuses(document, "option weld", picks="; ".join(" ".join(map(repr, p)) for p in picks.tolist()))

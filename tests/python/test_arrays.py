@@ -220,3 +220,22 @@ def test_the_import_needs_no_other_package():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "['bspline_curve']"
+
+
+def test_parts_that_only_look_joined_are_welded(wavy):
+    vertices, faces = wavy(21)
+    mirrored = vertices * [-1, 1, 1] + [2 + 1e-8, 0, 0]
+    both = np.vstack([vertices, mirrored]), np.vstack([faces, faces[:, ::-1] + len(vertices)])
+    picks = both[0][[30, 500, 860]]
+    with pytest.raises(bspline_curve.PickError, match="option weld"):
+        bspline_curve.Mesh(*both).curve(picks)
+    with pytest.warns(bspline_curve.MeshWarning, match="vertices merged$"):
+        welded = bspline_curve.Mesh(*both, weld=1e-6)
+    assert welded.components == 1
+    curve = welded.curve(picks)
+    on_faces = (both[0][both[1][curve.faces]] * curve.barycentrics[..., None]).sum(1)
+    np.testing.assert_allclose(on_faces, curve.points, atol=2e-8)
+    repaired = bspline_curve.repair(*both, weld=1e-6)
+    assert len(repaired.changes["merged_vertices"]) == 21 and repaired.mesh.components == 1
+    with pytest.raises(bspline_curve.OptionError, match="choose one"):
+        bspline_curve.Mesh(*both, weld=1e-6, strict=True)
