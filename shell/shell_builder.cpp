@@ -23,7 +23,7 @@ struct BuilderConstants {
     double leastShare = 1e-9;
     /// Rounds after which the factor is squared, cubed, …: sheets that touch are never parted, and
     /// their pillars must become too short some time.
-    int patientRounds = 8;
+    int patientRounds = 16;
     /// Rounds after which ghosts that intersect something are blocked: needles otherwise.
     int ghostRounds = 6;
 };
