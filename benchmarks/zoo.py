@@ -27,7 +27,7 @@ from collections import Counter
 from pathlib import Path
 
 import numpy as np
-from cases import PROGRAM, ROOT, machine, read_mesh, replace_table, write_json
+from cases import PROGRAM, ROOT, machine, replace_table, write_json
 
 MESHES = (".ply", ".obj", ".off", ".stl")
 KINDS = {"A": "open, 4 picks", "B": "closed, 6 picks", "C": "open, field `valley`", "": "other picks"}
@@ -78,10 +78,18 @@ def judged(judge, mesh, curve, picks):
     return "" if done.returncode == 0 else done.stdout.strip().splitlines()[-1]
 
 
+def read_every_face(mesh):
+    """Also those without area, which MeshLab leaves out: the program numbers faces as the file does."""
+    import trimesh
+
+    loaded = trimesh.load(mesh, force="mesh", process=False, maintain_order=True)
+    return np.asarray(loaded.vertices), np.asarray(loaded.faces)
+
+
 def loose_segments(mesh, curve):
     """How many segments have ends that share none of the faces that the curve names for them; points that are not where their
     barycentric coordinates say share none."""
-    vertices, faces, _ = read_mesh(mesh)
+    vertices, faces = read_every_face(mesh)
     corners = vertices[faces]
     faces = np.unique(vertices, axis=0, return_inverse=True)[1].reshape(-1)[faces]  # the same place is the same vertex
     line = json.loads(Path(curve).read_text())
