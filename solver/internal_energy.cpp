@@ -71,15 +71,11 @@ std::optional<BendingDirections> directionsAtSamples(
     const SampleRule& rule
 ) {
     BendingDirections result;
-    SampleWalker walker(problem, space, controls);
-    int current = -1;
-    PolynomialCurve curve;
-    const bool isInside = forEachSample(space, rule, [&](int span, double tau, double weight) {
-        if (span != current) {
-            current = span;
-            curve = space.polynomial(controls, span);
-        }
-        walker.moveTo(curve.at(tau));
+    const auto visit = [&](const SampleWalker& walker,
+                           const PolynomialCurve& /*curve*/,
+                           int span,
+                           double tau,
+                           double weight) {
         if (walker.outside()) {
             return false;
         }
@@ -89,7 +85,8 @@ std::optional<BendingDirections> directionsAtSamples(
              directionIn(problem, walker.cell(), walker.position())}
         );
         return true;
-    });
+    };
+    const bool isInside = walkSamples(problem, space, controls, rule, visit);
     return isInside ? std::optional(std::move(result)) : std::nullopt;
 }
 

@@ -36,16 +36,11 @@ FeatureFunction featureFunction(
     FeatureFunction feature;
     feature.perSpan.assign(space.spanCount(), 0.0);
     const double tension = problem.options.tension;
-    SampleWalker walker(problem, space, controls);
-    int current = -1;
-    PolynomialCurve curve;
-    const SampleRule rule = segmentsOfCurve(problem.options.paper);
-    (void)forEachSample(space, rule, [&](int span, double tau, double weight) {
-        if (span != current) {
-            current = span;
-            curve = space.polynomial(controls, span);
-        }
-        walker.moveTo(curve.at(tau));
+    const auto visit = [&](const SampleWalker& walker,
+                           const PolynomialCurve& curve,
+                           int span,
+                           double tau,
+                           double weight) {
         const double length = space.spanLength(span);
         const Vec3 first = curve.derivativeAt(tau) / length;
         const Vec3 second = curve.secondDerivativeAt(tau) / (length * length);
@@ -56,7 +51,8 @@ FeatureFunction featureFunction(
             weight * (tension * firstOff.squaredNorm() + (1.0 - tension) * secondOff.squaredNorm() +
                       weights.alpha * barrierValue(height, weights.barrierWidth));
         return true;
-    });
+    };
+    (void)walkSamples(problem, space, controls, segmentsOfCurve(problem.options.paper), visit);
     feature.total = std::accumulate(feature.perSpan.begin(), feature.perSpan.end(), 0.0);
     return feature;
 }

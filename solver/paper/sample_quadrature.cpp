@@ -16,21 +16,17 @@ bool integrateSamples(
     EnergyTerms& terms,
     EnergyDerivatives* derivatives
 ) {
-    SampleWalker walker(problem, space, controls);
     const double scale = weights.outsideAllowed ? problem.options.paper.heightScale : 1.0;
     bool belowBarrier = true;
     std::optional<DerivativeCollector> collector;
     if (derivatives != nullptr) {
         collector.emplace(space, *derivatives);
     }
-    int current = -1;
-    PolynomialCurve curve;
-    const bool isWhole = forEachSample(space, rule, [&](int span, double tau, double weight) {
-        if (span != current) {
-            current = span;
-            curve = space.polynomial(controls, span);
-        }
-        walker.moveTo(curve.at(tau));
+    const auto visit = [&](const SampleWalker& walker,
+                           const PolynomialCurve& /*curve*/,
+                           int span,
+                           double tau,
+                           double weight) {
         if (walker.outside() && !weights.outsideAllowed) {
             return false;
         }
@@ -44,7 +40,8 @@ bool integrateSamples(
         belowBarrier &= integrand.add(walker.position(), weight, terms, point);
         collector->add(span, tau, point);
         return true;
-    });
+    };
+    const bool isWhole = walkSamples(problem, space, controls, rule, visit);
     if (collector) {
         collector->finish();
     }
@@ -57,19 +54,12 @@ double largestSampledHeight(
     const ControlPoints& controls,
     const SampleRule& rule
 ) {
-    SampleWalker walker(problem, space, controls);
     double largest = 0.0;
-    int current = -1;
-    PolynomialCurve curve;
-    (void)forEachSample(space, rule, [&](int span, double tau, double) {
-        if (span != current) {
-            current = span;
-            curve = space.polynomial(controls, span);
-        }
-        walker.moveTo(curve.at(tau));
+    const auto visit = [&](const SampleWalker& walker, const auto&...) {
         largest = std::max(largest, walker.relativeHeight());
         return true;
-    });
+    };
+    (void)walkSamples(problem, space, controls, rule, visit);
     return largest;
 }
 

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace bspline_curve {
 
@@ -77,6 +78,29 @@ private:
     Vec3 here_;
     bool outside_ = false;
 };
+
+/// Follows all samples of a spline, and calls visit(walker, curve, span, tau, weight) at each, with
+/// the span's polynomial; else as forEachSample().
+template <class Visit>
+bool walkSamples(
+    const CurveProblem& problem,
+    const SplineSpace& space,
+    const ControlPoints& controls,
+    const SampleRule& rule,
+    const Visit& visit
+) {
+    SampleWalker walker(problem, space, controls);
+    int current = -1;
+    PolynomialCurve curve;
+    return forEachSample(space, rule, [&](int span, double tau, double weight) {
+        if (span != current) {
+            current = span;
+            curve = space.polynomial(controls, span);
+        }
+        walker.moveTo(curve.at(tau));
+        return visit(std::as_const(walker), std::as_const(curve), span, tau, weight);
+    });
+}
 
 /// Largest relative height of the samples; 1 where one is outside.
 [[nodiscard]] double largestSampledHeight(
