@@ -261,19 +261,6 @@ def bunny_picks(mesh, count=4):
     return nearest(mesh, *(low + np.array(share) * size for share in shares[count]))
 
 
-def turning(points):
-    """Sum of the angles between segments, degrees."""
-    steps = normalised(np.diff(points, axis=0)[np.linalg.norm(np.diff(points, axis=0), axis=1) > 1e-12])
-    return float(np.degrees(np.arccos(np.clip((steps[1:] * steps[:-1]).sum(1), -1, 1))).sum())
-
-
-def sharpest(curve, points=400):
-    """Largest angle, in degrees, between steps of the curve at even arc lengths."""
-    line = resampled(ring(curve) if hasattr(curve, "points") else curve, points)
-    steps = normalised(np.diff(line, axis=0))
-    return float(np.degrees(np.arccos(np.clip((steps[1:] * steps[:-1]).sum(1), -1, 1))).max())
-
-
 def resampled(line, count):
     at = np.r_[0, np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))]
     even = np.linspace(0, at[-1], count)
@@ -284,10 +271,6 @@ def apart(one, other):
     """Largest distance of points of one line from the other."""
     a, b = resampled(one, 600), resampled(other, 3000)
     return float(np.sqrt(((a[:, None] - b[None]) ** 2).sum(-1).min(1)).max())
-
-
-def knots_text(curves):
-    return "; ".join(f"`{preset}` {c.report['knots_first']} → {c.report['knots_last']}" for preset, c in curves.items())
 
 
 def each(curves, say):
@@ -362,7 +345,7 @@ def projected():
     low, size = mesh[0].min(0), np.ptp(mesh[0], axis=0)
     picks = nearest(mesh, *(low + np.array(share) * size for share in ((0.3, 0.45, 1), (0.2, 0.95, 0.6), (0.72, 0.9, 0.6), (0.8, 0.45, 1))))
     curves = both(mesh, picks)
-    rivals = {"closest point": projected_spline(mesh, picks), "Phong": phong_spline(mesh, picks)}
+    rivals = {"closest point": projected_spline(prepared(mesh, "default"), picks), "Phong": phong_spline(prepared(mesh, "default"), picks)}
     panels = [panel("paper (blue), default (red)", scene_of(mesh, curves, picks))]
     said = []
     for name, line in rivals.items():
@@ -380,7 +363,7 @@ def projected():
 def bezier():
     mesh = bunny()
     picks = bunny_picks(mesh)
-    line = bezier_by_geodesics(mesh, picks)
+    line = bezier_by_geodesics(prepared(mesh, "default"), picks)
     curves = both(mesh, picks)
     misses = np.linalg.norm(line[None] - picks[:, None], axis=-1).min(1)
     diagonal = prepared(mesh, "default").diagonal
@@ -397,7 +380,7 @@ def tension():
     panels, said = [], []
     for closed in (False, True):
         picks = bunny_picks(mesh, 6 if closed else 4)
-        ways = [geodesic(mesh, a, b) for a, b in zip(picks, np.roll(picks, -1, axis=0) if closed else picks[1:])]
+        ways = [geodesic(prepared(mesh, "default"), a, b) for a, b in zip(picks, np.roll(picks, -1, axis=0) if closed else picks[1:])]
         shortest = sum(np.linalg.norm(np.diff(way, axis=0), axis=1).sum() for way in ways)
         lengths = {preset: [] for preset, _ in PRESETS}
         for share in (1.0, 0.5, 0.0):
@@ -465,7 +448,7 @@ def crossing():
     t = np.linspace(0, 2 * np.pi, 8, endpoint=False) + 0.2
     picks = normalised(np.stack([np.sin(t), np.sin(2 * t) * 0.6, 1.2 * np.ones_like(t)], 1))
     curves = both(mesh, picks, closed=True)
-    contours = heat_level_set(mesh, picks)
+    contours = heat_level_set(prepared(mesh, "default"), picks)
     turns = each(curves, lambda c: f"{self_crossings(c)} crossing")
     scene = Scene(*mesh, [(line, GREEN) for line in contours], list(picks))
     longest = max(np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in contours)
@@ -484,7 +467,7 @@ def self_crossings(curve):
 def concave():
     mesh = grooved_plate()
     x = np.array([-0.85, -0.2, 0.3, 0.85])
-    picks = nearest(mesh, *np.stack([x, 0.35 * np.sin(2.5 * x) + np.array([0.0, 0.0, 0.0, 0.0]), 0 * x], 1))[[0, 3]]
+    picks = nearest(mesh, *np.stack([x, 0.35 * np.sin(2.5 * x), 0 * x], 1))[[0, 3]]
     values = prepared(mesh, "default").field("normal-variation")
     return with_field(mesh, picks, values, "normal-variation", (0.0, -0.5, 1.0))
 
@@ -526,7 +509,7 @@ def obstacles():
     mesh = bunny()
     vertices, faces = mesh
     picks = bunny_picks(mesh)[[0, 3]]
-    way = geodesic(mesh, *picks)
+    way = geodesic(prepared(mesh, "default"), *picks)
     centres = [way[len(way) // 3], way[2 * len(way) // 3]]
     diagonal = prepared(mesh, "default").diagonal
     middle = vertices[faces].mean(1)

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Small stand-ins for other ways to draw curves on meshes, for the figures of docs/PAPER.md: curves that are projected point by
-point, Bézier curves by geodesics, level sets. None of them is tuned; each shows what its kind of method does."""
+point, Bézier curves by geodesics, level sets. None of them is tuned; each shows what its kind of method does. A mesh is a bspline_curve.Mesh."""
 from dataclasses import dataclass
-from functools import lru_cache
 
-import bspline_curve
 import numpy as np
 from bspline_curve._rendering import normalised, vertex_normals
 from scipy.interpolate import CubicSpline
@@ -28,22 +26,9 @@ class Projected:
         return [part for part in np.split(self.points, ends) if len(part) > 1]
 
 
-@lru_cache(maxsize=8)
-def _prepared(key):
-    return bspline_curve.Mesh(*_meshes[key])
-
-
-_meshes = {}
-
-
-def prepared(mesh):
-    _meshes[id(mesh[0])] = mesh
-    return _prepared(id(mesh[0]))
-
-
 def geodesic(mesh, start, end):
     """The curve with λ = 1 through two picks: points."""
-    return prepared(mesh).curve([start, end], tension=1.0).points
+    return mesh.curve([start, end], tension=1.0).points
 
 
 # ---------------------------------------------------------------- spline in space, then projected [21]
@@ -55,16 +40,16 @@ def space_spline(picks):
 
 def projected_spline(mesh, picks):
     """By the closest point of the surface."""
-    return Projected(prepared(mesh).project(space_spline(picks)).points, 0)
+    return Projected(mesh.project(space_spline(picks)).points, 0)
 
 
 def phong_spline(mesh, picks, rings=3):
     """By normals that are interpolated as Phong's shading does: the point of the surface whose normal leads to the sample,
     among the faces near the closest point; the nearest where there are several."""
-    vertices, faces = mesh
+    vertices, faces = mesh.vertices, mesh.faces
     normals = vertex_normals(vertices, faces)
     samples = space_spline(picks)
-    near = prepared(mesh).project(samples)
+    near = mesh.project(samples)
     around = faces_around(mesh)
     found = []
     for sample, face in zip(samples, near.faces):
@@ -82,9 +67,8 @@ def phong_spline(mesh, picks, rings=3):
 
 
 def faces_around(mesh):
-    vertices, faces = mesh
-    around = [[] for _ in vertices]
-    for f, face in enumerate(faces):
+    around = [[] for _ in mesh.vertices]
+    for f, face in enumerate(mesh.faces):
         for v in face:
             around[v].append(f)
     return around
@@ -147,7 +131,7 @@ def laplacian(vertices, faces):
 def heat_level_set(mesh, picks, band=0.06):
     """The zero set of a harmonic function that is 1 to the left and -1 to the right of the closed polygon of geodesics
     through the picks, near it: lines of points."""
-    vertices, faces = mesh
+    vertices, faces = mesh.vertices, mesh.faces
     normals = vertex_normals(vertices, faces)
     lines = [geodesic(mesh, a, b) for a, b in zip(picks, np.roll(picks, -1, axis=0))]
     starts = np.concatenate([line[:-1] for line in lines])

@@ -4,9 +4,6 @@
 #include "bspline_curve/error.h"
 #include "filters/binding_makers.h"
 #include "io/picks_reader.h"
-#include "surface/error_messages.h"
-
-#include <cmath>
 
 namespace bspline_curve {
 
@@ -78,16 +75,6 @@ Bindings<OffsetRequest> bandBindings() {
 }
 
 namespace {
-
-void checkLength(const char* id, double length) {
-    if (!(length >= 0.0) || !std::isfinite(length)) {
-        throw InputError(
-            InputErrorCode::BadOption,
-            std::string(id) + " is " + describeNumber(length) +
-                ", but must be finite and not negative"
-        );
-    }
-}
 
 CurveUse readUse(const ParameterValues& values) {
     CurveUse use;

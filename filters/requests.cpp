@@ -27,16 +27,6 @@ void readBesidePreset(
     }
 }
 
-void checkTubeRadius(double radius) {
-    if (!(radius >= 0.0) || !std::isfinite(radius)) {
-        throw InputError(
-            InputErrorCode::BadOption,
-            "radius of the tube is " + describeNumber(radius) +
-                ", but must be finite and not negative"
-        );
-    }
-}
-
 MendingOptions readMending(const ParameterValues& values) {
     const double most = values.filter().parameter("weld").max.value_or(0.0);
     const MendingOptions mending{
@@ -74,6 +64,15 @@ FieldRequest automaticField(const ParameterValues& values) {
 
 }  // namespace
 
+void checkLength(const std::string& what, double length) {
+    if (!(length >= 0.0) || !std::isfinite(length)) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            what + " is " + describeNumber(length) + ", but must be finite and not negative"
+        );
+    }
+}
+
 bool hasThreshold(Avoid avoid) {
     return avoid == Avoid::UnderThreshold || avoid == Avoid::OverThreshold;
 }
@@ -105,7 +104,7 @@ CurveRequest curveRequest(const ParameterValues& values) {
     request.solver.validate();
     request.sampling.validate();
     request.shell.validate();
-    checkTubeRadius(request.tubeRadius);
+    checkLength("radius of the tube", request.tubeRadius);
     request.mending = readMending(values);
     return request;
 }

@@ -54,6 +54,9 @@ struct CurveRequest {
     bool replace = false;         ///< in place of the curve whose picks were moved
 };
 
+/// Throws InputError (BadOption) where a length is negative or not finite; `what` names it.
+void checkLength(const std::string& what, double length);
+
 /// Whether faces to avoid are those under or over a threshold.
 [[nodiscard]] bool hasThreshold(Avoid avoid);
 

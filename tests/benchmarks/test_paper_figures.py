@@ -11,7 +11,8 @@ from PIL import Image
 
 BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", Path(__file__).resolve().parents[2] / "build" / "release"))
 sys.path.insert(0, str(BUILD / "python"))
-surface_baselines = pytest.importorskip("surface_baselines", reason="needs the Python package of the build, and scipy")
+bspline_curve = pytest.importorskip("bspline_curve", reason="needs the Python package of the build")
+surface_baselines = pytest.importorskip("surface_baselines", reason="needs scipy")
 
 
 @pytest.fixture(scope="module")
@@ -21,7 +22,7 @@ def plate():
     i, j = np.meshgrid(np.arange(n - 1), np.arange(n - 1), indexing="ij")
     a = (i * n + j).ravel()
     faces = np.concatenate([np.stack([a, a + n, a + n + 1], 1), np.stack([a, a + n + 1, a + 1], 1)])
-    return np.stack([x, y, 0 * x], -1).reshape(-1, 3), faces
+    return bspline_curve.Mesh(np.stack([x, y, 0 * x], -1).reshape(-1, 3), faces)
 
 
 def test_figures_are_drawn_and_told(script, tmp_path):
@@ -48,7 +49,7 @@ def test_phong_projection_of_a_flat_face_is_the_foot():
 def test_projected_splines_fall_apart_where_the_nearest_side_changes():
     vertices, faces = cases.bumpy_torus(90, 40)
     across = np.array([[1.36, 0, 0], [0.95, 0.95, 0.1], [-1.36, 0, 0]])  # a spline through the hole of the torus
-    line = surface_baselines.projected_spline((vertices, faces), across[[0, 2, 1]])
+    line = surface_baselines.projected_spline(bspline_curve.Mesh(vertices, faces), across[[0, 2, 1]])
     assert line.failed == 0 and len(line.parts()) > 1
 
 
