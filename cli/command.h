@@ -43,6 +43,9 @@ void printError(const std::string& message);
 /// The verb offset: curves at a distance from a curve, along the surface.
 [[nodiscard]] ExitCode runOffset(Arguments arguments);
 
+/// The verb pattern: a planar drawing carried to the surface.
+[[nodiscard]] ExitCode runPattern(Arguments arguments);
+
 /// The verb segment: labels, colours and measures of the parts between curves.
 [[nodiscard]] ExitCode runSegment(Arguments arguments);
 

@@ -57,7 +57,9 @@ ImprintedFile readAndImprint(const ImprintInput& input, ProgressBar& bar) {
     std::vector<SurfacePolyline> curves;
     const MeshChecksum checksum = checksumOf(surface.mesh());
     for (const std::filesystem::path& curve : input.curves) {
-        curves.push_back(readCurve(curve, surface, checksum));
+        for (SurfacePolyline& line : readCurves(curve, surface, checksum)) {
+            curves.push_back(std::move(line));
+        }
     }
     figures.readSeconds += watch.lap();
     throwIfInterrupted();

@@ -33,6 +33,7 @@ constexpr std::array kVerbs{
     Verb{.name = "field", .run = runField},
     Verb{.name = "imprint", .run = runImprint},
     Verb{.name = "offset", .run = runOffset},
+    Verb{.name = "pattern", .run = runPattern},
     Verb{.name = "segment", .run = runSegment},
     Verb{.name = "shell", .run = runShell}
 };

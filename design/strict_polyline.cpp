@@ -175,4 +175,12 @@ bool isStrict(const Surface& surface, const SurfacePolyline& line) {
     return true;
 }
 
+double lengthOf(const SurfacePolyline& line) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        length += (line.points[i] - line.points[i - 1]).norm();
+    }
+    return line.closed ? length + (line.points.front() - line.points.back()).norm() : length;
+}
+
 }  // namespace bspline_curve

@@ -23,4 +23,7 @@ namespace bspline_curve {
 /// are two. O(n).
 [[nodiscard]] bool isStrict(const Surface& surface, const SurfacePolyline& line);
 
+/// The length of a polyline, with the segment that closes it.
+[[nodiscard]] double lengthOf(const SurfacePolyline& line);
+
 }  // namespace bspline_curve

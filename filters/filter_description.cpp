@@ -325,4 +325,8 @@ const FilterDescription& offsetFilter() {
     return filterNamed("offset_curve_on_surface");
 }
 
+const FilterDescription& patternFilter() {
+    return filterNamed("pattern_on_surface");
+}
+
 }  // namespace bspline_curve

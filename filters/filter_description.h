@@ -120,5 +120,6 @@ struct FilterDescription {
 [[nodiscard]] const FilterDescription& cutFilter();
 [[nodiscard]] const FilterDescription& segmentFilter();
 [[nodiscard]] const FilterDescription& offsetFilter();
+[[nodiscard]] const FilterDescription& patternFilter();
 
 }  // namespace bspline_curve

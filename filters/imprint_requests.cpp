@@ -74,15 +74,15 @@ Bindings<OffsetRequest> bandBindings() {
     return {bound("select_band", &OffsetRequest::selectBand)};
 }
 
-namespace {
-
-CurveUse readUse(const ParameterValues& values) {
+CurveUse curveUse(const ParameterValues& values) {
     CurveUse use;
     readAll(values, useBindings(), use);
     readAll(values, placingBindings(), use.placing);
     checkLength("max_distance", use.placing.distance);
     return use;
 }
+
+namespace {
 
 [[noreturn]] void refuseChoice(const std::string& message) {
     throw InputError(InputErrorCode::BadOption, message);
@@ -91,7 +91,7 @@ CurveUse readUse(const ParameterValues& values) {
 }  // namespace
 
 ImprintRequest imprintRequest(const ParameterValues& values) {
-    ImprintRequest request{.use = readUse(values), .imprint = {}};
+    ImprintRequest request{.use = curveUse(values), .imprint = {}};
     readAll(values, imprintBindings(), request.imprint);
     request.imprint.validate();
     return request;
@@ -117,7 +117,7 @@ SegmentRequest segmentRequest(const ParameterValues& values) {
 }
 
 OffsetRequest offsetRequest(const ParameterValues& values) {
-    OffsetRequest request{.use = readUse(values), .offset = {}};
+    OffsetRequest request{.use = curveUse(values), .offset = {}};
     readAll(values, offsetBindings(), request.offset);
     readAll(values, bandBindings(), request);
     checkLength("offset", request.offset.distance);

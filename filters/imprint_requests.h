@@ -65,6 +65,9 @@ inline constexpr double kOffsetRelative = 0.02;
 [[nodiscard]] Bindings<OffsetOptions> offsetBindings();
 [[nodiscard]] Bindings<OffsetRequest> bandBindings();
 
+/// What all filters that use curves take. Throws InputError (BadOption).
+[[nodiscard]] CurveUse curveUse(const ParameterValues& values);
+
 // Of imprintFilter(), cutFilter(), segmentFilter() and offsetFilter(). Throw InputError (BadOption)
 // naming the value and its range where a number is outside, or where two choices exclude each
 // other.

@@ -167,4 +167,14 @@ PlacedCurves placedCurves(
     return CurvePlacer(surface, input, placing).place();
 }
 
+std::vector<std::string> leftOutWarnings(const PlacedCurves& placed, const LayerInput& surface) {
+    std::vector<std::string> warnings;
+    for (const std::string& label : placed.leftOut) {
+        warnings.push_back(
+            "Layer \"" + label + "\" was left out: it is not near layer \"" + surface.label + "\"."
+        );
+    }
+    return warnings;
+}
+
 }  // namespace bspline_curve

@@ -59,4 +59,9 @@ struct PlacedCurves {
     const Surface& surface, const CurvesOnLayer& input, const Placing& placing
 );
 
+/// What to say of layers that were left out.
+[[nodiscard]] std::vector<std::string> leftOutWarnings(
+    const PlacedCurves& placed, const LayerInput& surface
+);
+
 }  // namespace bspline_curve

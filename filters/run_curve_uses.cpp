@@ -53,16 +53,6 @@ PlacedInput placedInput(const CurvesOnLayer& input, const CurveUse& use, const P
     return result;
 }
 
-std::vector<std::string> warningsOf(const PlacedCurves& placed, const LayerInput& surface) {
-    std::vector<std::string> warnings;
-    for (const std::string& label : placed.leftOut) {
-        warnings.push_back(
-            "Layer \"" + label + "\" was left out: it is not near layer \"" + surface.label + "\"."
-        );
-    }
-    return warnings;
-}
-
 struct Imprinted {
     PlacedInput input;
     std::shared_ptr<const ImprintedMesh> imprint;
@@ -87,7 +77,7 @@ Imprinted imprinted(
     report(progress, kImprintedShare, "parts");
     result.parts = partsOf(*result.imprint);
     report(progress, kPartsShare, "layers");
-    result.warnings = warningsOf(placed, input.surface);
+    result.warnings = leftOutWarnings(placed, input.surface);
     const ImprintedMesh& mesh = *result.imprint;
     result.figures = {
         {"curves", countOf(placed.curves.size())},
@@ -308,7 +298,7 @@ OffsetResult runOffsetFilter(
     };
     result.log = {
         .figures = keyValueText(result.figures),
-        .warnings = warningsOf(placed.placed, input.surface)
+        .warnings = leftOutWarnings(placed.placed, input.surface)
     };
     return result;
 }

@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "surface/error_messages.h"
 #include "surface/geodesic_path.h"
+#include "surface/segment_distance.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>
@@ -23,14 +24,6 @@ struct Foot {
     SurfacePoint point;
     Vec3 at;  // in space, on the polyline
 };
-
-double distanceToSegment(const Vec3& point, const Vec3& from, const Vec3& to) {
-    const Vec3 along = to - from;
-    const double squared = along.squaredNorm();
-    const double share =
-        squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
-    return (point - from - share * along).norm();
-}
 
 class Projector {
 public:

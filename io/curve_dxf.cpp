@@ -11,10 +11,12 @@ namespace bspline_curve {
 
 namespace {
 
-Eigen::AlignedBox3d boxOf(const std::vector<Vec3>& points) {
+Eigen::AlignedBox3d boxOf(std::span<const CurveContent> contents) {
     Eigen::AlignedBox3d box;
-    for (const Vec3& p : points) {
-        box.extend(p);
+    for (const CurveContent& content : contents) {
+        for (const Vec3& p : content.curve.polyline.points) {
+            box.extend(p);
+        }
     }
     return box;
 }
@@ -276,27 +278,37 @@ constexpr const char* kObjectsOfR2000 = R"(0 SECTION
 
 }  // namespace
 
-std::string curveDxf(const CurveContent& content) {
-    const SurfacePolyline& polyline = content.curve.polyline;
+namespace {
+
+void addPolyline(DxfText& dxf, const SurfacePolyline& polyline) {
     constexpr int kClosed = 1;
     constexpr int kPolyline3d = 8;
     constexpr int kVertex3d = 32;
-    DxfText dxf;
-    dxf.addPairs("0 SECTION\n2 HEADER\n9 $ACADVER\n1 AC1009\n");
-    addExtent(dxf, boxOf(polyline.points));
-    dxf.addPairs(
-        "0 ENDSEC\n0 SECTION\n2 TABLES\n0 TABLE\n2 LTYPE\n70 1\n0 LTYPE\n2 CONTINUOUS\n70 0\n"
-        "3 Solid line\n72 65\n73 0\n40 0.0\n0 ENDTAB\n0 TABLE\n2 LAYER\n70 1\n0 LAYER\n"
-        "2 POLYLINE\n70 0\n62 7\n6 CONTINUOUS\n0 ENDTAB\n0 ENDSEC\n0 SECTION\n2 ENTITIES\n"
-        "0 POLYLINE\n8 POLYLINE\n66 1\n10 0.0\n20 0.0\n30 0.0\n"
-    );
+    dxf.addPairs("0 POLYLINE\n8 POLYLINE\n66 1\n10 0.0\n20 0.0\n30 0.0\n");
     dxf.add(70, kPolyline3d + (polyline.closed ? kClosed : 0));
     for (const Vec3& p : polyline.points) {
         dxf.addPairs("0 VERTEX\n8 POLYLINE\n");
         dxf.add(10, p);
         dxf.add(70, kVertex3d);
     }
-    dxf.addPairs("0 SEQEND\n8 POLYLINE\n0 ENDSEC\n0 EOF\n");
+    dxf.addPairs("0 SEQEND\n8 POLYLINE\n");
+}
+
+}  // namespace
+
+std::string curveDxf(std::span<const CurveContent> contents) {
+    DxfText dxf;
+    dxf.addPairs("0 SECTION\n2 HEADER\n9 $ACADVER\n1 AC1009\n");
+    addExtent(dxf, boxOf(contents));
+    dxf.addPairs(
+        "0 ENDSEC\n0 SECTION\n2 TABLES\n0 TABLE\n2 LTYPE\n70 1\n0 LTYPE\n2 CONTINUOUS\n70 0\n"
+        "3 Solid line\n72 65\n73 0\n40 0.0\n0 ENDTAB\n0 TABLE\n2 LAYER\n70 1\n0 LAYER\n"
+        "2 POLYLINE\n70 0\n62 7\n6 CONTINUOUS\n0 ENDTAB\n0 ENDSEC\n0 SECTION\n2 ENTITIES\n"
+    );
+    for (const CurveContent& content : contents) {
+        addPolyline(dxf, content.curve.polyline);
+    }
+    dxf.addPairs("0 ENDSEC\n0 EOF\n");
     return dxf.text();
 }
 
@@ -306,7 +318,7 @@ std::string splineDxf(const CurveContent& content) {
     const SplineData spline = clamped(content.curve.spline);
     DxfText dxf;
     dxf.addPairs("0 SECTION\n2 HEADER\n9 $ACADVER\n1 AC1015\n9 $HANDSEED\n5 100\n");
-    addExtent(dxf, boxOf(content.curve.polyline.points));
+    addExtent(dxf, boxOf({&content, 1}));
     dxf.addPairs("0 ENDSEC\n");
     dxf.addPairs(kTablesOfR2000);
     dxf.addPairs(

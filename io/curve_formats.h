@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// The formats of curves, one function each; curveBytes() chooses among them.
+// The formats of curves, one function each; curveBytes() and curvesBytes() choose among them.
 namespace bspline_curve {
 
 /// What a curve file is made from.
@@ -35,15 +35,19 @@ struct CurveContent {
 /// Per vertex: 1 where a pick is, else 0.
 [[nodiscard]] std::vector<char> pickFlags(const SurfacePolyline& polyline);
 
-// The polyline.
-[[nodiscard]] std::string curvePly(const CurveContent& content);
-[[nodiscard]] std::string curveObj(const CurveContent& content);
-[[nodiscard]] std::string curveDxf(const CurveContent& content);
+// The polylines of one curve or several.
+[[nodiscard]] std::string curvePly(std::span<const CurveContent> contents);
+[[nodiscard]] std::string curveObj(std::span<const CurveContent> contents);
+[[nodiscard]] std::string curveDxf(std::span<const CurveContent> contents);
+
+// The polyline of one.
 [[nodiscard]] std::string curveVtu(const CurveContent& content);
 [[nodiscard]] std::string curveCsv(const CurveContent& content);
 
 // Polyline and spline.
 [[nodiscard]] std::string curveJson(const CurveContent& content);
+/// Several curves of one mesh, as a list.
+[[nodiscard]] std::string curvesJson(std::span<const CurveContent> contents);
 
 // The spline alone.
 [[nodiscard]] std::string splineObj(const CurveContent& content);

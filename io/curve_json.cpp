@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <utility>
+
 namespace bspline_curve {
 
 namespace {
@@ -38,11 +40,9 @@ Json polylineJson(const CurveContent& content) {
     return result;
 }
 
-}  // namespace
-
-std::string curveJson(const CurveContent& content) {
+Json contentJson(const CurveContent& content) {
     const SplineData& spline = content.curve.spline;
-    Json document = {
+    return {
         {"closed", content.curve.polyline.closed},
         {"polyline", polylineJson(content)},
         {"spline",
@@ -52,11 +52,31 @@ std::string curveJson(const CurveContent& content) {
           {"control_points", pointsJson(spline.controlPoints)},
           {"pick_parameters", spline.pickParameters}}},
     };
-    if (const auto& mesh = content.mesh) {
+}
+
+void addMesh(Json& document, const std::optional<MeshChecksum>& mesh) {
+    if (mesh) {
         document["mesh"] = {
             {"vertices", mesh->vertices}, {"faces", mesh->faces}, {"crc32", mesh->digits()}
         };
     }
+}
+
+}  // namespace
+
+std::string curveJson(const CurveContent& content) {
+    Json document = contentJson(content);
+    addMesh(document, content.mesh);
+    return document.dump() + "\n";
+}
+
+std::string curvesJson(std::span<const CurveContent> contents) {
+    Json curves = Json::array();
+    for (const CurveContent& content : contents) {
+        curves.push_back(contentJson(content));
+    }
+    Json document = {{"curves", std::move(curves)}};
+    addMesh(document, contents.empty() ? std::nullopt : contents.front().mesh);
     return document.dump() + "\n";
 }
 

@@ -20,12 +20,17 @@ void appendVertices(std::string& bytes, std::span<const Vec3> points) {
 
 }  // namespace
 
-std::string curveObj(const CurveContent& content) {
-    const SurfacePolyline& polyline = content.curve.polyline;
+std::string curveObj(std::span<const CurveContent> contents) {
     std::string bytes = std::string(kTitle) + ": its polyline\n";
-    appendVertices(bytes, polyline.points);
-    for (const auto& [from, to] : segmentsOf(polyline)) {
-        bytes += "l " + std::to_string(from + 1) + ' ' + std::to_string(to + 1) + '\n';
+    std::size_t before = 1;  // vertices count from 1
+    for (const CurveContent& content : contents) {
+        const SurfacePolyline& polyline = content.curve.polyline;
+        appendVertices(bytes, polyline.points);
+        for (const auto& [from, to] : segmentsOf(polyline)) {
+            bytes +=
+                "l " + std::to_string(before + from) + ' ' + std::to_string(before + to) + '\n';
+        }
+        before += polyline.points.size();
     }
     return bytes;
 }

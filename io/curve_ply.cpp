@@ -6,19 +6,11 @@
 
 namespace bspline_curve {
 
-std::string curvePly(const CurveContent& content) {
+namespace {
+
+void appendVertices(std::string& bytes, const CurveContent& content) {
     const SurfacePolyline& polyline = content.curve.polyline;
-    const auto edges = segmentsOf(polyline);
     const std::vector<char> isPick = pickFlags(polyline);
-    std::string bytes =
-        "ply\nformat binary_little_endian 1.0\ncomment B-spline curve on a triangle mesh\n"
-        "element vertex " +
-        std::to_string(polyline.points.size()) +
-        "\nproperty double x\nproperty double y\nproperty double z\nproperty double quality\n"
-        "property double t\nproperty int face\nproperty double barycentric_0\n"
-        "property double barycentric_1\nproperty double barycentric_2\nproperty uchar is_pick\n"
-        "element edge " +
-        std::to_string(edges.size()) + "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
     for (std::size_t i = 0; i < polyline.points.size(); ++i) {
         for (const double x : polyline.points[i]) {
             appendBinary(bytes, x);
@@ -31,11 +23,33 @@ std::string curvePly(const CurveContent& content) {
         }
         appendBinary(bytes, isPick[i]);
     }
-    for (const auto& [from, to] : edges) {
-        appendBinary(bytes, static_cast<std::int32_t>(from));
-        appendBinary(bytes, static_cast<std::int32_t>(to));
+}
+
+}  // namespace
+
+std::string curvePly(std::span<const CurveContent> contents) {
+    std::size_t vertexCount = 0;
+    std::size_t edgeCount = 0;
+    std::string vertices;
+    std::string edges;
+    for (const CurveContent& content : contents) {
+        appendVertices(vertices, content);
+        for (const auto& [from, to] : segmentsOf(content.curve.polyline)) {
+            appendBinary(edges, static_cast<std::int32_t>(vertexCount + from));
+            appendBinary(edges, static_cast<std::int32_t>(vertexCount + to));
+            ++edgeCount;
+        }
+        vertexCount += content.curve.polyline.points.size();
     }
-    return bytes;
+    return "ply\nformat binary_little_endian 1.0\ncomment B-spline curve on a triangle mesh\n"
+           "element vertex " +
+           std::to_string(vertexCount) +
+           "\nproperty double x\nproperty double y\nproperty double z\nproperty double quality\n"
+           "property double t\nproperty int face\nproperty double barycentric_0\n"
+           "property double barycentric_1\nproperty double barycentric_2\nproperty uchar is_pick\n"
+           "element edge " +
+           std::to_string(edgeCount) +
+           "\nproperty int vertex1\nproperty int vertex2\nend_header\n" + vertices + edges;
 }
 
 }  // namespace bspline_curve

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace bspline_curve {
 
@@ -103,18 +104,10 @@ void checkMesh(const std::filesystem::path& file, const Json& document, const Me
     );
 }
 
-}  // namespace
-
-SurfacePolyline readCurve(
-    const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
+/// `file`: as messages name it.
+SurfacePolyline curveOf(
+    const std::filesystem::path& file, const Json& document, const Surface& surface
 ) {
-    if (lowerCaseExtension(file) != ".json") {
-        refuseFile(file, "curves are read from .json; write the curve with --output CURVE.json");
-    }
-    const Json document = Json::parse(readWholeFile(file), nullptr, false);
-    if (document.is_discarded()) {
-        refuseFile(file, "is not JSON");
-    }
     if (!document.is_object() || !document.contains("polyline") || !document.contains("closed") ||
         !document.at("closed").is_boolean()) {
         refuseFile(
@@ -123,7 +116,6 @@ SurfacePolyline readCurve(
             "CURVE.json"
         );
     }
-    checkMesh(file, document, mesh);
     const Json& polyline = document.at("polyline");
     const Json& points = arrayIn(file, polyline, "points");
     const Json& faces = arrayIn(file, polyline, "faces");
@@ -165,6 +157,48 @@ SurfacePolyline readCurve(
         );
     }
     return line;
+}
+
+}  // namespace
+
+std::vector<SurfacePolyline> readCurves(
+    const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
+) {
+    if (lowerCaseExtension(file) != ".json") {
+        refuseFile(file, "curves are read from .json; write the curve with --output CURVE.json");
+    }
+    const Json document = Json::parse(readWholeFile(file), nullptr, false);
+    if (document.is_discarded()) {
+        refuseFile(file, "is not JSON");
+    }
+    if (document.is_object()) {
+        checkMesh(file, document, mesh);
+    }
+    if (!document.is_object() || !document.contains("curves")) {
+        return {curveOf(file, document, surface)};
+    }
+    const Json& list = document.at("curves");
+    if (!list.is_array() || list.empty()) {
+        refuseFile(file, R"("curves" is no list of curves)");
+    }
+    std::vector<SurfacePolyline> curves;
+    for (const Json& curve : list) {
+        const std::string name = file.string() + ", curve " + std::to_string(curves.size());
+        curves.push_back(curveOf(name, curve, surface));
+    }
+    return curves;
+}
+
+SurfacePolyline readCurve(
+    const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
+) {
+    std::vector<SurfacePolyline> curves = readCurves(file, surface, mesh);
+    if (curves.size() != 1) {
+        refuseFile(
+            file, "has " + std::to_string(curves.size()) + " curves, and one is needed here"
+        );
+    }
+    return std::move(curves.front());
 }
 
 }  // namespace bspline_curve

@@ -17,21 +17,30 @@ namespace {
 
 using std::filesystem::path;
 
+using Contents = std::span<const CurveContent>;
+
 struct CurveFormat {
     std::string_view end;  ///< of the file's name, in lower case
     std::string (*bytes)(const CurveContent& content);
+    std::string (*bytesOfMany)(Contents contents) = nullptr;  ///< null: it holds one curve alone
 };
+
+/// A format of several curves, for one.
+template <std::string (*bytesOfMany)(Contents)>
+std::string ofOne(const CurveContent& content) {
+    return bytesOfMany(Contents(&content, 1));
+}
 
 // A name has the first format that it ends with, so longer ends go before shorter ones.
 constexpr std::array kFormats{
-    CurveFormat{.end = ".ply", .bytes = curvePly},
+    CurveFormat{.end = ".ply", .bytes = ofOne<curvePly>, .bytesOfMany = curvePly},
     CurveFormat{.end = ".bspline.obj", .bytes = splineObj},
-    CurveFormat{.end = ".obj", .bytes = curveObj},
+    CurveFormat{.end = ".obj", .bytes = ofOne<curveObj>, .bytesOfMany = curveObj},
     CurveFormat{.end = ".bspline.dxf", .bytes = splineDxf},
-    CurveFormat{.end = ".dxf", .bytes = curveDxf},
+    CurveFormat{.end = ".dxf", .bytes = ofOne<curveDxf>, .bytesOfMany = curveDxf},
     CurveFormat{.end = ".vtu", .bytes = curveVtu},
     CurveFormat{.end = ".csv", .bytes = curveCsv},
-    CurveFormat{.end = ".json", .bytes = curveJson},
+    CurveFormat{.end = ".json", .bytes = curveJson, .bytesOfMany = curvesJson},
 };
 
 const CurveFormat& formatOf(const path& file) {
@@ -47,6 +56,19 @@ const CurveFormat& formatOf(const path& file) {
         );
     }
     return *found;
+}
+
+/// Refuses a format that holds one curve alone.
+const CurveFormat& formatOfMany(const path& file) {
+    const CurveFormat& format = formatOf(file);
+    if (format.bytesOfMany == nullptr) {
+        throw InputError(
+            InputErrorCode::UnwritableFile,
+            file.string() + ": a file " + std::string(format.end) +
+                " holds one curve; several are written to one of " + manyCurvesExtensions()
+        );
+    }
+    return format;
 }
 
 }  // namespace
@@ -77,6 +99,20 @@ std::string curveExtensions() {
     return text;
 }
 
+std::string manyCurvesExtensions() {
+    std::string text;
+    for (const CurveFormat& format : kFormats) {
+        if (format.bytesOfMany != nullptr) {
+            text.append(text.empty() ? "" : ", ").append(format.end);
+        }
+    }
+    return text;
+}
+
+void checkManyCurvesExtension(const path& file) {
+    static_cast<void>(formatOfMany(file));
+}
+
 void checkCurveExtension(const path& file) {
     static_cast<void>(formatOf(file));
 }
@@ -92,6 +128,16 @@ std::string curveBytes(
     assert(curve.polyline.parameters.size() == curve.polyline.points.size());
     assert(field.empty() || field.size() == curve.polyline.points.size());
     return format.bytes({.curve = curve, .field = field, .mesh = mesh});
+}
+
+std::string curvesBytes(
+    const path& file, std::span<const Curve* const> curves, const std::optional<MeshChecksum>& mesh
+) {
+    std::vector<CurveContent> contents;
+    for (const Curve* const curve : curves) {
+        contents.push_back({.curve = *curve, .field = {}, .mesh = mesh});
+    }
+    return formatOfMany(file).bytesOfMany(contents);
 }
 
 void writeCurve(

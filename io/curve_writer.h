@@ -54,6 +54,21 @@ void checkCurveExtension(const std::filesystem::path& file);
     const std::optional<MeshChecksum>& mesh = {}
 );
 
+/// The ends of names of files that hold several curves.
+[[nodiscard]] std::string manyCurvesExtensions();
+
+/// Throws InputError (UnwritableFile) where the file's name is none of a format for several curves.
+void checkManyCurvesExtension(const std::filesystem::path& file);
+
+/// Several curves of one mesh in one file: the polylines of .ply, .obj and .dxf one after the
+/// other; .json {"curves": [{"closed", "polyline", "spline"}, …], "mesh"}. Throws InputError
+/// (UnwritableFile).
+[[nodiscard]] std::string curvesBytes(
+    const std::filesystem::path& file,
+    std::span<const Curve* const> curves,
+    const std::optional<MeshChecksum>& mesh = {}
+);
+
 /// Writes curveBytes() to the file: wholly, or not at all. Throws InputError (UnwritableFile).
 void writeCurve(
     const std::filesystem::path& file,

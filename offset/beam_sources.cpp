@@ -2,11 +2,11 @@
 #include "offset/beam_sources.h"
 
 #include "offset/face_layout.h"
+#include "offset/surface_fan.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -20,112 +20,16 @@ constexpr double kQuarterTurn = std::numbers::pi / 2;
 /// Sectors narrower than this hold no way that counts: an angle of rounding.
 constexpr double kLeastAngle = 1e-12;
 
-/// A part of the surroundings of a point: what one side of one face subtends.
-struct Wedge {
-    int face, exit;
-    Vec2 source, first, last;  ///< in the face's layout with frame 0; directions, counter-clockwise
-    double start, width;       ///< angles
-};
-
-struct Fan {
-    std::vector<Wedge> wedges;  ///< counter-clockwise
-    double angle = 0.0;         ///< of all
-    bool closed = true;         ///< false: the surface's boundary lies between last and first
-};
-
-double angleBetween(const Vec2& a, const Vec2& b) {
-    return std::atan2(cross(a, b), a.dot(b));
-}
-
-void addWedge(Fan& fan, const Surface& surface, const SurfacePoint& at, int exit) {
-    const FaceLayout layout(surface.vertices(), surface.faces()[at.face], 0);
-    const Vec2 source = layout.position(at.barycentric);
-    const Vec2 first = (layout.corners[(exit + 1) % 3] - source).normalized();
-    const Vec2 last = (layout.corners[(exit + 2) % 3] - source).normalized();
-    const double width = angleBetween(first, last);
-    fan.wedges.push_back(
-        {.face = at.face,
-         .exit = exit,
-         .source = source,
-         .first = first,
-         .last = last,
-         .start = fan.angle,
-         .width = width}
-    );
-    fan.angle += width;
-}
-
-Fan fanOfVertex(const Surface& surface, int vertex) {
-    Fan fan;
-    fan.closed = !surface.isBoundaryVertex(vertex);
-    for (const int f : surface.facesAround(vertex)) {
-        const int corner = cornerOf(surface.faces()[f], vertex);
-        addWedge(fan, surface, {.face = f, .barycentric = Vec3::Unit(corner)}, corner);
-    }
-    return fan;
-}
-
-Fan fanOf(const Surface& surface, const SurfacePoint& given) {
-    const SurfacePoint point = snapped(given, kOnEdgeBarycentric);
-    std::vector<int> zeros;
-    for (int k = 0; k < 3; ++k) {
-        if (point.barycentric[k] == 0.0) {
-            zeros.push_back(k);
-        }
-    }
-    if (zeros.size() == 2) {
-        return fanOfVertex(surface, surface.faces()[point.face][3 - zeros[0] - zeros[1]]);
-    }
-    Fan fan;
-    if (zeros.empty()) {
-        for (int k = 0; k < 3; ++k) {
-            addWedge(fan, surface, point, k);
-        }
-        return fan;
-    }
-    const int side = zeros.front();
-    addWedge(fan, surface, point, (side + 1) % 3);
-    addWedge(fan, surface, point, (side + 2) % 3);
-    const int across = surface.faceNeighbours()[point.face][side];
-    fan.closed = across >= 0;
-    if (fan.closed) {
-        const SurfacePoint there = inFace(surface, point, across);
-        int thatSide = 0;
-        there.barycentric.minCoeff(&thatSide);
-        addWedge(fan, surface, there, (thatSide + 1) % 3);
-        addWedge(fan, surface, there, (thatSide + 2) % 3);
-    }
-    return fan;
-}
-
-/// The angle in the fan at which another point lies that shares a face with the fan's point.
-double angleTowards(
-    const Surface& surface, const Fan& fan, const SurfacePoint& from, const SurfacePoint& to
-) {
-    const int face = commonFace(surface, from, to);
-    const FaceLayout layout(surface.vertices(), surface.faces()[face], 0);
-    const Vec2 target = layout.position(inFace(surface, to, face).barycentric);
-    double best = std::numeric_limits<double>::infinity();
-    double angle = 0.0;
-    for (const Wedge& wedge : fan.wedges) {
-        if (wedge.face == face) {
-            const double within = angleBetween(wedge.first, target - wedge.source);
-            const double outside = std::max({-within, within - wedge.width, 0.0});
-            if (outside < best) {
-                best = outside;
-                angle = wedge.start + std::clamp(within, 0.0, wedge.width);
-            }
-        }
-    }
-    return angle;
-}
-
 /// Beams into the angles [from, to] of a fan.
 void addSector(
-    std::vector<DistanceBeam>& beams, const Fan& fan, double from, double to, SidedDistance distance
+    std::vector<DistanceBeam>& beams,
+    const SurfaceFan& fan,
+    double from,
+    double to,
+    SidedDistance distance
 ) {
     const double shift = fan.closed ? fan.angle : 0.0;
-    for (const Wedge& wedge : fan.wedges) {
+    for (const FanWedge& wedge : fan.wedges) {
         for (const double turn : {-shift, 0.0, shift}) {
             const double low = std::max(from + turn - wedge.start, 0.0);
             const double high = std::min(to + turn - wedge.start, wedge.width);
@@ -150,7 +54,7 @@ void addSector(
 
 void addPoint(
     std::vector<DistanceBeam>& beams,
-    const Fan& fan,
+    const SurfaceFan& fan,
     std::optional<double> next,
     std::optional<double> previous
 ) {
@@ -233,7 +137,7 @@ std::vector<DistanceBeam> beamsOfPolyline(const Surface& surface, const SurfaceP
         const bool hasPrevious = line.closed || i > 0;
         const SurfacePoint& next = points[(i + 1) % count];
         const SurfacePoint& previous = points[(i + count - 1) % count];
-        const Fan fan = fanOf(surface, points[i]);
+        const SurfaceFan fan = fanOf(surface, points[i]);
         std::optional<double> ahead;
         std::optional<double> behind;
         if (hasNext) {
@@ -251,7 +155,7 @@ std::vector<DistanceBeam> beamsOfPolyline(const Surface& surface, const SurfaceP
 std::vector<DistanceBeam> beamsOfVertex(
     const Surface& surface, int vertex, const SidedDistance& distance
 ) {
-    const Fan fan = fanOfVertex(surface, vertex);
+    const SurfaceFan fan = fanOfVertex(surface, vertex);
     const double whole = fan.closed ? 2 * std::numbers::pi : std::numbers::pi;
     std::vector<DistanceBeam> beams;
     if (fan.angle > whole * (1 + kLeastAngle)) {

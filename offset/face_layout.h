@@ -6,12 +6,19 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace bspline_curve {
 
 [[nodiscard]] inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The angle from one direction to another, counter-clockwise, in (-pi, pi].
+[[nodiscard]] inline double angleBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return std::atan2(cross(a, b), a.dot(b));
 }
 
 /// A quarter turn to the left.

@@ -32,6 +32,7 @@ GROUPS = {
     "further.avoid": "Faces to avoid",
     "further.polyline": "The polyline",
     "further.shell": "Where the curve is sought",
+    "further.pattern": "More of patterns",
     "advanced.curves": "How curves come onto the mesh",
     "advanced.layers": "Further layers",
     "advanced.avoid": "How faces are avoided",

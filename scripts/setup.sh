@@ -7,7 +7,7 @@ export LC_ALL=C.UTF-8
 
 build_packages=(
     ca-certificates cmake ninja-build g++ dpkg-dev xz-utils python3-venv
-    libeigen3-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev
+    libeigen3-dev libtinyxml2-dev libfreetype-dev nlohmann-json3-dev libcli11-dev
     qtbase5-dev libqt5opengl5-dev libglew-dev
     libgl1 libopengl0 libegl1 libglu1-mesa  # pymeshlab's wheel loads them
 )

@@ -23,14 +23,17 @@ QString nameOf(const MeshModel& layer) {
                : label;
 }
 
-void addEdges(CMeshO& mesh, bool closed) {
-    const std::size_t count = mesh.vert.size();
-    for (std::size_t i = 0; i + 1 < count; ++i) {
+void addEdges(CMeshO& mesh, std::size_t first, std::size_t end, bool closed) {
+    for (std::size_t i = first; i + 1 < end; ++i) {
         Allocator::AddEdge(mesh, i, i + 1);
     }
     if (closed) {
-        Allocator::AddEdge(mesh, count - 1, 0);
+        Allocator::AddEdge(mesh, end - 1, first);
     }
+}
+
+void addEdges(CMeshO& mesh, bool closed) {
+    addEdges(mesh, 0, mesh.vert.size(), closed);
 }
 
 void attachTo(const MeshModel& surface, MeshModel& layer) {

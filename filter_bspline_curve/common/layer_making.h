@@ -5,6 +5,7 @@
 #include "host_document.h"
 
 #include <QString>
+#include <cstddef>
 
 // What all new layers need.
 namespace bspline_curve {
@@ -14,6 +15,10 @@ inline const vcg::Color4b kCurveColour(225, 60, 30, 255);
 
 /// The layer's label without the extension of its file.
 [[nodiscard]] QString nameOf(const MeshModel& layer);
+
+/// Edges from each vertex of [first, end) to the next, and where it is closed from the last to the
+/// first.
+void addEdges(CMeshO& mesh, std::size_t first, std::size_t end, bool closed);
 
 /// Edges from each vertex to the next, and where it is closed from the last to the first.
 void addEdges(CMeshO& mesh, bool closed);

@@ -6,7 +6,9 @@
 
 #include <vcg/complex/algorithms/update/normal.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 
 namespace bspline_curve {
@@ -53,7 +55,10 @@ void setAttributes(CMeshO& curve, const LayerArrays& arrays, const SurfacePolyli
 
 }  // namespace
 
-MeshModel& addPolylineLayer(
+namespace {
+
+/// A layer without edges.
+MeshModel& addPointsLayer(
     MeshDocument& document,
     const SurfaceLayer& surface,
     const SurfacePolyline& polyline,
@@ -62,13 +67,48 @@ MeshModel& addPolylineLayer(
     MeshModel& layer = *document.addNewMesh("", look.name, look.isCurrent);
     layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
     addVertices(layer.cm, surface.layer, surface.arrays, polyline);
-    addEdges(layer.cm, polyline.closed);
     for (std::size_t i = 0; i < look.quality.size(); ++i) {
         layer.cm.vert[i].Q() = static_cast<CVertexO::QualityType>(look.quality[i]);
     }
     setAttributes(layer.cm, surface.arrays, polyline);
     attachTo(surface.layer, layer);
     Allocator::AddPerMeshAttribute<MeshChecksum>(layer.cm, kChecksum)() = checksumOf(surface.layer);
+    return layer;
+}
+
+}  // namespace
+
+MeshModel& addPolylineLayer(
+    MeshDocument& document,
+    const SurfaceLayer& surface,
+    const SurfacePolyline& polyline,
+    const PolylineLook& look
+) {
+    MeshModel& layer = addPointsLayer(document, surface, polyline, look);
+    addEdges(layer.cm, polyline.closed);
+    return layer;
+}
+
+MeshModel& addPolylinesLayer(
+    MeshDocument& document,
+    const SurfaceLayer& surface,
+    std::span<const SurfacePolyline* const> polylines,
+    const QString& name
+) {
+    SurfacePolyline all;
+    for (const SurfacePolyline* const line : polylines) {
+        std::ranges::copy(line->surfacePoints, std::back_inserter(all.surfacePoints));
+        std::ranges::copy(line->parameters, std::back_inserter(all.parameters));
+    }
+    MeshModel& layer = addPointsLayer(
+        document, surface, all, {.name = name, .quality = all.parameters, .isCurrent = true}
+    );
+    std::size_t first = 0;
+    for (const SurfacePolyline* const line : polylines) {
+        const std::size_t end = first + line->surfacePoints.size();
+        addEdges(layer.cm, first, end, line->closed);
+        first = end;
+    }
     return layer;
 }
 

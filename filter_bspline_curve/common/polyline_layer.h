@@ -34,7 +34,16 @@ MeshModel& addPolylineLayer(
     const PolylineLook& look
 );
 
-/// The checksum of the surface that addPolylineLayer() kept; null where the layer is none of ours.
+/// The same with several polylines, each with edges of its own; quality is their t. It becomes the
+/// current layer.
+MeshModel& addPolylinesLayer(
+    MeshDocument& document,
+    const SurfaceLayer& surface,
+    std::span<const SurfacePolyline* const> polylines,
+    const QString& name
+);
+
+/// The checksum of the surface that these keep; null where the layer is none of ours.
 [[nodiscard]] const MeshChecksum* checksumOfSurface(const MeshModel& polyline);
 
 }  // namespace bspline_curve

@@ -5,14 +5,17 @@
 #include "filter_bspline_curve/common/curve_layers.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
+#include "filter_bspline_curve/common/layer_making.h"
 #include "filter_bspline_curve/common/made_layers.h"
 #include "filter_bspline_curve/common/picked_points.h"
+#include "filter_bspline_curve/common/polyline_layer.h"
 #include "filter_bspline_curve/common/result_layers.h"
 #include "filter_bspline_curve/common/show_curve.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 #include "filter_bspline_curve/common/window.h"
 #include "filters/labels.h"
 #include "filters/run_curve_uses.h"
+#include "filters/run_pattern.h"
 
 #include <stdexcept>
 #include <utility>
@@ -89,14 +92,21 @@ FilterAnswer imprintCurves(const Run& run) {
     return shown(run, used, runImprintFilter(used.input, request, run.progress));
 }
 
+/// Points of MeshLab's own tool, in world coordinates.
+std::vector<Vec3> toolPointsOf(const MeshModel& surface) {
+    std::vector<Vec3> points;
+    for (const Point3m& point : pickedPointsOf(surface.cm)) {
+        points.push_back(toVec3(point));
+    }
+    return points;
+}
+
 FilterAnswer cutAlong(const Run& run) {
     const CutRequest request = cutRequest(run.values);
     const Used used = usedLayers(run, request.imprint.use);
-    std::vector<Vec3> toolPoints;
-    for (const Point3m& point : pickedPointsOf(used.surface.cm)) {
-        toolPoints.push_back(toVec3(point));
-    }
-    return shown(run, used, runCutFilter(used.input, toolPoints, request, run.progress));
+    return shown(
+        run, used, runCutFilter(used.input, toolPointsOf(used.surface), request, run.progress)
+    );
 }
 
 FilterAnswer segmentBy(const Run& run) {
@@ -110,6 +120,24 @@ FilterAnswer offsetCurves(const Run& run) {
     const Used used = usedLayers(run, request.use);
     const OffsetResult result = runOffsetFilter(used.input, request, run.progress);
     addOffsetLayers(run.document, used.surface, used.arrays, result);
+    return {.figures = result.figures, .log = result.log};
+}
+
+FilterAnswer drawPattern(const Run& run) {
+    const PatternRequest request = patternRequest(run.values);
+    const MeshModel& surface = layerNamed(run.document, request.use.surface, "surface_layer");
+    const LayerArrays arrays = arraysOf(surface);
+    const CurvesOnLayer input =
+        request.place == PatternPlace::Curve
+            ? curvesOnLayer(run.document, surface, arrays, request.use)
+            : CurvesOnLayer{.surface = arrays.input, .checksum = {}, .curves = {}};
+    const PatternResult result =
+        runPatternFilter(input, toolPointsOf(surface), request, run.designers, run.progress);
+    std::vector<const SurfacePolyline*> lines;
+    for (const PatternCurve& each : result.curves) {
+        lines.push_back(&each.curve.polyline);
+    }
+    addPolylinesLayer(run.document, {surface, arrays}, lines, nameOf(surface) + " pattern");
     return {.figures = result.figures, .log = result.log};
 }
 
@@ -128,6 +156,7 @@ const std::vector<Entry>& entries() {
         {.filter = &cutFilter(), .run = cutAlong, .product = "cut"},
         {.filter = &segmentFilter(), .run = segmentBy, .product = "segmentation"},
         {.filter = &offsetFilter(), .run = offsetCurves, .product = "offset"},
+        {.filter = &patternFilter(), .run = drawPattern, .product = "pattern"},
     };
     return all;
 }

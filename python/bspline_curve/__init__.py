@@ -13,11 +13,13 @@ from ._errors import Cancelled, FieldError, FileError, InputError, MeshError, Me
 from ._files import load
 from ._imprint import Cut, Imprint, Part
 from ._mesh import Mesh, Repair, repair
+from ._pattern import Distortion, Pattern
 
 __all__ = [
     "Cancelled",
     "Curve",
     "Cut",
+    "Distortion",
     "FieldError",
     "FileError",
     "Imprint",
@@ -27,6 +29,7 @@ __all__ = [
     "MeshWarning",
     "OptionError",
     "Part",
+    "Pattern",
     "PickError",
     "Repair",
     "__version__",

@@ -340,7 +340,7 @@ class Curve:
         if isinstance(pick, bool) or not isinstance(pick, (int, np.integer)):
             raise TypeError(f"pick is {pick!r}, but must be an integer")
         if not len(self.picks):
-            raise PickError("this curve has no picks: it is an offset; draw one with Mesh.curve()", "too-few-picks")
+            raise PickError("this curve has no picks: it is an offset or of a pattern; draw one with Mesh.curve()", "too-few-picks")
         if not -end <= pick < end:
             raise PickError(f"pick is {pick}, but must be in [{-end}, {end - 1}]", "index-out-of-range")
         return int(pick) % end

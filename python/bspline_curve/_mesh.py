@@ -18,6 +18,7 @@ from ._imprint import SNAP, Cut, Fill, Imprint, Keep
 from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Kind, MeshKeywords
 from ._options import Progress, Value, changed, checked_number
+from ._pattern import Pattern, Planar, drawn
 
 
 class Projection(NamedTuple):
@@ -172,6 +173,83 @@ class Mesh(MeshKeywords):
         if len(imprint.parts) <= self.components:
             raise InputError("the curves part nothing: close them, or let them reach the boundary or each other", "no-path")
         return imprint
+
+    def pattern(
+        self,
+        drawing: Planar,
+        centre: npt.ArrayLike | None = None,
+        along: Curve | None = None,
+        *,
+        up: npt.ArrayLike | None = None,
+        size: float = 0.0,
+        scale: float = 0.0,
+        repeat: int = 0,
+        spacing: float = 0.0,
+        start: float = 0.0,
+        shift: float = 0.0,
+        corner_angle: float = 20.0,
+        tolerance: float = 0.0,
+        progress: Progress | None = None,
+    ) -> Pattern:
+        """Carry a planar drawing to the mesh, each path as curves through picks of its own.
+
+        Parameters
+        ----------
+        drawing : file name, str or sequence of (n, 2) arrays
+            A file .svg, path data of SVG ("M0 0 L1 1"), or polylines, y upwards; one that ends where it begins is closed.
+        centre : (3,) array of float
+            Carry the drawing round this point: its middle comes to lie there, and other points at the ends of straightest
+            geodesics of their distances (exponential map).
+        along : Curve
+            In place of `centre`: the drawing's x axis runs along this curve, its y axis to the left of it, seen with the
+            surface's normal upwards.
+        up : (3,) array of float, default None
+            Direction in space that the drawing's up follows at the centre; None: the y axis, or z where the surface faces
+            along y.
+        size : float ≥ 0, default 0
+            Longer side of the drawing, in the unit of the mesh; 0: as `scale` says; if that is 0 as well, 10 % of the
+            diagonal, or along a curve so that copies touch.
+        scale : float ≥ 0, default 0
+            Units of the mesh for one of the drawing.
+        repeat : int ≥ 0, default 0
+            Copies along the curve, evenly spaced; 0: as many as `spacing` says, or one.
+        spacing : float ≥ 0, default 0
+            Length of the curve from one copy to the next; on a closed curve the nearest that divides its length.
+        start : float ≥ 0, default 0
+            Length of the curve before the first copy.
+        shift : float, default 0
+            Moves the drawing to the left of the curve.
+        corner_angle : float in (0, 179], default 20
+            Paths are parted into curves where they turn by more than this, in degrees.
+        tolerance : float ≥ 0, default 0
+            Largest distance of the curves to the carried drawing; 0: 0.1 % of the mean size of its paths.
+        progress : callable, default None
+            Called with a fraction and a stage; returning False cancels.
+
+        Returns
+        -------
+        Pattern
+
+        Raises
+        ------
+        InputError
+            A path leads over the boundary or an end of the curve (the message names it), or an argument is wrong.
+        FileError
+            The file cannot be read.
+        MeshError
+            The mesh had to be mended: draw on repair(vertices, faces).mesh.
+        """
+        options = {
+            "size": size,
+            "scale": scale,
+            "repeat": repeat,
+            "spacing": spacing,
+            "start": start,
+            "shift": shift,
+            "corner_angle": corner_angle,
+            "tolerance": tolerance,
+        }
+        return drawn(self, drawing, centre, along, up, options, progress)
 
     def _make_field(
         self,

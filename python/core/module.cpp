@@ -11,6 +11,7 @@
 #include "python/core/mesh_designer.h"
 #include "python/core/offset_data.h"
 #include "python/core/option_values.h"
+#include "python/core/pattern_data.h"
 #include "python/core/python_progress.h"
 #include "surface/repair.h"
 
@@ -221,6 +222,7 @@ NB_MODULE(_core, module) {
     bindDesigner(module);
     bindImprint(module);
     bindOffset(module);
+    bindPattern(module);
     module.attr("__version__") = BSPLINE_CURVE_VERSION;
     module.def("repaired", repaired<Faces32>);
     module.def("repaired", repaired<Faces64>);

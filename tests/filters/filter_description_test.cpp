@@ -44,13 +44,14 @@ FilterDescription parsed(const json& document) {
 }
 
 TEST(FilterDescription, TheEmbeddedOneIsWhole) {
-    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 6u);
+    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 7u);
     EXPECT_EQ(curveFilter().name, "B-spline Curve on Surface");
     EXPECT_EQ(fieldFilter().name, "Scalar Field for Curves");
     EXPECT_EQ(imprintFilter().name, "Imprint Curves");
     EXPECT_EQ(cutFilter().name, "Cut along Curves");
     EXPECT_EQ(segmentFilter().name, "Segment by Curves");
     EXPECT_EQ(offsetFilter().name, "Offset Curve on Surface");
+    EXPECT_EQ(patternFilter().name, "Pattern on Surface");
     EXPECT_EQ(curveFilter().publications.at(0).year, 2023);
 }
 

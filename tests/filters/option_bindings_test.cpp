@@ -5,6 +5,7 @@
 #include "filters/filter_description.h"
 #include "filters/imprint_requests.h"
 #include "filters/parameter_values.h"
+#include "filters/pattern_requests.h"
 
 #include <gtest/gtest.h>
 
@@ -132,6 +133,12 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
     addIds(offset, offsetBindings());
     addIds(offset, bandBindings());
     EXPECT_EQ(offset, idsOf(offsetFilter()));
+    std::multiset<std::string> pattern = use;
+    addIds(pattern, patternBindings());
+    addIds(pattern, scaleBindings());
+    addIds(pattern, rowBindings());
+    addIds(pattern, carryingBindings());
+    EXPECT_EQ(pattern, idsOf(patternFilter()));
     addIds(use, imprintBindings());
     EXPECT_EQ(use, idsOf(imprintFilter()));
     std::multiset<std::string> cut = use;
@@ -176,6 +183,10 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(segmentFilter(), segmentBindings());
     expectDefaults(offsetFilter(), offsetBindings());
     expectDefaults(offsetFilter(), bandBindings());
+    expectDefaults(patternFilter(), patternBindings());
+    expectDefaults(patternFilter(), scaleBindings());
+    expectDefaults(patternFilter(), rowBindings());
+    expectDefaults(patternFilter(), carryingBindings());
     const CutChoice choice;
     for (const Binding<CutChoice>& binding : cutBindings()) {
         EXPECT_EQ(cutFilter().parameter(binding.id).defaultValue, binding.write(choice));
@@ -240,6 +251,7 @@ TEST(OptionBindings, EnumOptionsAreTheEnumerators) {
     expectEnumerators(fieldFilter(), named(fieldBindings("kind", ""), "kind"), &FieldOptions::kind);
     expectEnumerators(cutFilter(), named(cutBindings(), "keep"), &CutChoice::keep);
     expectEnumerators(offsetFilter(), named(offsetBindings(), "side"), &OffsetOptions::sides);
+    expectEnumerators(patternFilter(), named(patternBindings(), "place"), &PatternRequest::place);
 }
 
 TEST(OptionBindings, EnumOptionsAreWhatCanBeAvoided) {
@@ -274,6 +286,9 @@ bool isAccepted(
             static_cast<void>(cutRequest(values));
         } else if (&filter == &offsetFilter()) {
             static_cast<void>(offsetRequest(values));
+        } else if (&filter == &patternFilter()) {
+            values.set("drawing", std::string("a.svg"));
+            static_cast<void>(patternRequest(values));
         } else {
             static_cast<void>(fieldRequest(values));
         }
@@ -318,12 +333,13 @@ void expectRealRange(const FilterDescription& filter, const ParameterDescription
 
 TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
     for (const FilterDescription* const filter :
-         {&curveFilter(), &fieldFilter(), &cutFilter(), &offsetFilter()}) {
+         {&curveFilter(), &fieldFilter(), &cutFilter(), &offsetFilter(), &patternFilter()}) {
         for (const ParameterDescription& parameter : filter->parameters) {
             if (parameter.type == ParameterType::Int) {
                 expectWholeRange(*filter, parameter);
             } else if (std::holds_alternative<double>(parameter.defaultValue) &&
-                       parameter.id != "avoid_threshold") {  // any number: values of fields are
+                       parameter.id != "avoid_threshold" && parameter.id != "shift") {
+                // avoid_threshold and shift may be any number.
                 expectRealRange(*filter, parameter);
             }
         }

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/pattern_requests.h"
+
+#include "bspline_curve/error.h"
+#include "filters/binding_makers.h"
+#include "io/picks_reader.h"
+
+namespace bspline_curve {
+
+namespace {
+
+[[noreturn]] void refuseChoice(const std::string& message) {
+    throw InputError(InputErrorCode::BadOption, message);
+}
+
+void checkDrawing(const PatternRequest& request) {
+    if (request.drawingFile.empty() == request.text.empty()) {
+        refuseChoice("give a drawing or a text, and not both");
+    }
+    if (!request.text.empty() && request.fontFile.empty()) {
+        refuseChoice("a text needs a font file");
+    }
+}
+
+}  // namespace
+
+Bindings<PatternRequest> patternBindings() {
+    using R = PatternRequest;
+    return {
+        bound("drawing", &R::drawingFile),
+        bound("text", &R::text),
+        bound("font", &R::fontFile),
+        chosen(
+            "place",
+            &R::place,
+            Names<PatternPlace>{{"point", PatternPlace::Point}, {"curve", PatternPlace::Curve}}
+        ),
+        bound("centre", &R::centre),
+        bound("up", &R::up),
+    };
+}
+
+Bindings<DrawingScale> scaleBindings() {
+    return {bound("size", &DrawingScale::size), bound("scale", &DrawingScale::scale)};
+}
+
+Bindings<RowLayout> rowBindings() {
+    using L = RowLayout;
+    return {
+        bound("repeat", &L::repeat),
+        bound("spacing", &L::spacing),
+        bound("start", &L::start),
+        bound("shift", &L::shift),
+    };
+}
+
+Bindings<PatternOptions> carryingBindings() {
+    using O = PatternOptions;
+    return {bound("corner_angle", &O::cornerAngle), bound("tolerance", &O::tolerance)};
+}
+
+PatternRequest patternRequest(const ParameterValues& values) {
+    PatternRequest request;
+    request.use = curveUse(values);
+    readAll(values, patternBindings(), request);
+    readAll(values, scaleBindings(), request.row.scale);
+    readAll(values, rowBindings(), request.row);
+    readAll(values, carryingBindings(), request.pattern);
+    request.row.validate();
+    request.pattern.validate();
+    checkDrawing(request);
+    return request;
+}
+
+Vec3 patternCentre(const PatternRequest& request, const std::vector<Vec3>& toolPoints) {
+    const std::vector<Vec3> points =
+        request.centre.empty() ? toolPoints : parsePicksText(request.centre);
+    if (points.size() != 1) {
+        refuseChoice(
+            "there are " + std::to_string(points.size()) +
+            " points for the centre: give one as centre \"x y z\", or pick one on the surface with "
+            "Edit > PickPoints"
+        );
+    }
+    return points.front();
+}
+
+std::optional<Vec3> patternUp(const PatternRequest& request) {
+    if (request.up.empty()) {
+        return std::nullopt;
+    }
+    const std::vector<Vec3> directions = parsePicksText(request.up);
+    if (directions.size() != 1) {
+        refuseChoice("up is a direction \"x y z\"");
+    }
+    return directions.front();
+}
+
+}  // namespace bspline_curve

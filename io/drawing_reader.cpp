@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/drawing_reader.h"
+
+#include "io/drawing_formats.h"
+#include "io/text_parsing.h"
+
+namespace bspline_curve {
+
+DrawingFile readDrawing(const std::filesystem::path& file) {
+    const std::string extension = lowerCaseExtension(file);
+    if (extension != ".svg") {
+        refuseFile(file, "drawings are read from .svg; save the drawing as one of these");
+    }
+    const std::string bytes = readWholeFile(file);
+    DrawingFile result = drawingOfSvg(file, xmlTreeOf(file, bytes));
+    if (result.drawing.paths.empty()) {
+        refuseFile(
+            file,
+            "has no path that is longer than 0; turn shapes and text into paths in your drawing "
+            "program"
+        );
+    }
+    return result;
+}
+
+}  // namespace bspline_curve

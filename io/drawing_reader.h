@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "pattern/drawing.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace bspline_curve {
+
+struct DrawingFile {
+    Drawing drawing;                 ///< y upwards
+    std::vector<std::string> notes;  ///< what of the file was left out
+};
+
+/// Reads the paths of a planar drawing: .svg (all shapes and path commands, groups, transforms,
+/// viewBox, use; text and images are left out). The unit is that of the file; of an SVG whose width
+/// has a physical unit, millimetres. Throws InputError (UnreadableFile) naming file, line and what
+/// is wrong, also where there is no path at all.
+[[nodiscard]] DrawingFile readDrawing(const std::filesystem::path& file);
+
+}  // namespace bspline_curve

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/pattern_report.h"
+
+#include "design/strict_polyline.h"
+
+#include <nlohmann/json.hpp>
+
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json distortionJson(const Distortion& distortion) {
+    const Vec3& at = distortion.position;
+    return {
+        {"ratio", distortion.ratio},
+        {"path", distortion.path},
+        {"copy", distortion.copy},
+        {"position", {at.x(), at.y(), at.z()}},
+    };
+}
+
+Json curveJsonOf(const PatternCurve& each) {
+    const SurfacePolyline& line = each.curve.polyline;
+    return {
+        {"path", each.path},
+        {"copy", each.copy},
+        {"closed", line.closed},
+        {"picks", line.picks.size()},
+        {"length", lengthOf(line)},
+        {"usable", each.curve.report.usable},
+    };
+}
+
+}  // namespace
+
+std::string patternReportBytes(const Pattern& pattern, const PatternFigures& figures) {
+    constexpr int kIndent = 1;
+    Json curves = Json::array();
+    for (const PatternCurve& each : pattern.curves) {
+        curves.push_back(curveJsonOf(each));
+    }
+    const Json document{
+        {"curves", std::move(curves)},
+        {"tolerance", pattern.tolerance},
+        {"largest_deviation", pattern.largestDeviation},
+        {"distortion",
+         {{"shortest", distortionJson(pattern.shortest)},
+          {"longest", distortionJson(pattern.longest)}}},
+        {"seconds",
+         {{"read", figures.readSeconds},
+          {"prepare", figures.prepareSeconds},
+          {"draw", figures.drawSeconds}}},
+    };
+    return document.dump(kIndent) + "\n";
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern/draw_pattern.h"
+
+#include "bspline_curve/error.h"
+#include "design/designer_surface.h"
+#include "pattern/curve_chart.h"
+#include "pattern/point_chart.h"
+#include "surface/error_messages.h"
+#include "surface/picks.h"
+#include "surface/surface_point.h"
+
+#include <cmath>
+
+namespace bspline_curve {
+
+namespace {
+
+SurfacePoint centreOn(const CurveDesigner& designer, const Vec3& centre) {
+    if (!centre.allFinite()) {
+        throw InputError(
+            InputErrorCode::NonFiniteCoordinate, "the centre must have three finite coordinates"
+        );
+    }
+    const TriangleTree::Closest closest = treeOf(designer).closestPoint(centre);
+    const double away = std::sqrt(closest.squaredDistance);
+    if (away > kPickReachRelative * surfaceOf(designer).diagonal()) {
+        throw InputError(
+            InputErrorCode::PickTooFar,
+            "the centre is " + describeNumber(away) +
+                " away from the mesh; give a point on it (within 1 % of its diagonal)"
+        );
+    }
+    return snapped(closest.point, kOnEdgeBarycentric);
+}
+
+}  // namespace
+
+Pattern patternRoundPoint(
+    const CurveDesigner& designer,
+    const Drawing& drawing,
+    const Vec3& centre,
+    const std::optional<Vec3>& up,
+    const DrawingScale& scale,
+    const PatternOptions& options,
+    const Progress& progress
+) {
+    const Surface& surface = surfaceOf(designer);
+    const SurfacePoint origin = centreOn(designer, centre);
+    const PointChart chart(surface, origin, up ? *up : PointChart::defaultUp(surface, origin));
+    return carriedDrawing(
+        designer, chart, laidRoundPoint(drawing, scale, surface.diagonal()), options, progress
+    );
+}
+
+Pattern patternAlongCurve(
+    const CurveDesigner& designer,
+    const Drawing& drawing,
+    const SurfacePolyline& curve,
+    const RowLayout& layout,
+    const PatternOptions& options,
+    const Progress& progress
+) {
+    const Surface& surface = surfaceOf(designer);
+    const CurveChart chart(surface, curve, surface.averageEdgeLength());
+    return carriedDrawing(
+        designer,
+        chart,
+        laidAlongCurve(drawing, layout, chart.length(), chart.closed()),
+        options,
+        progress
+    );
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Planar drawings carried to a mesh."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from xml.parsers import expat
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, Int32s, numbers
+from ._curve import Curve, Drawing
+from ._errors import FileError, InputError, MeshError
+from ._options import Option, Progress, checked_number
+
+if TYPE_CHECKING:
+    from ._mesh import Mesh
+
+Planar: TypeAlias = "str | os.PathLike[str] | Sequence[npt.ArrayLike]"
+
+OPTIONS = {
+    "size": Option("double", 0.0, 0.0, None, False, ()),
+    "scale": Option("double", 0.0, 0.0, None, False, ()),
+    "repeat": Option("int", 0, 0, 100000, False, ()),
+    "spacing": Option("double", 0.0, 0.0, None, False, ()),
+    "start": Option("double", 0.0, 0.0, None, False, ()),
+    "shift": Option("double", 0.0, None, None, False, ()),
+    "corner_angle": Option("double", 20.0, 0.0, 179.0, True, ()),
+    "tolerance": Option("double", 0.0, 0.0, None, False, ()),
+}
+
+
+class Distortion(NamedTuple):
+    """A part of a curve, between two picks, and how long it is relative to what was drawn."""
+
+    ratio: float
+    path: int  # of the drawing, from 0
+    copy: int  # of the drawing, from 0
+    position: Floats  # (3,)
+
+
+class Pattern(NamedTuple):
+    """A drawing on a mesh."""
+
+    curves: list[Curve]  # in the order of the paths, and along them
+    paths: Int32s  # (n,): the path of the drawing that each is a part of
+    copies: Int32s  # (n,): and of which copy
+    tolerance: float
+    largest_deviation: float  # of a carried point to its curve
+    shortest: Distortion
+    longest: Distortion
+
+
+def drawn(
+    mesh: Mesh,
+    drawing: Planar,
+    centre: npt.ArrayLike | None,
+    along: Curve | None,
+    up: npt.ArrayLike | None,
+    options: dict[str, Any],
+    progress: Progress | None,
+) -> Pattern:
+    if mesh.mending:
+        raise MeshError("the mesh was mended for curves: draw on repair(vertices, faces).mesh", "bad-argument")
+    if (centre is None) == (along is None):
+        raise InputError("give one of centre and along", "bad-option")
+    if along is not None and along.mesh is not mesh:
+        raise InputError("along is a curve of another mesh")
+    place: dict[str, Any] = {name: checked_number(name, OPTIONS[name], value) for name, value in options.items()}
+    place["centre"] = None if centre is None else _three(centre, "centre")
+    place["up"] = None if up is None else _three(up, "up")
+    place["along"] = None if along is None else along._core
+    try:
+        curves, paths, copies, tolerance, deviation, *extremes = _core.pattern(
+            mesh._designer, planar_drawing(drawing), place, progress
+        )
+    except InputError as error:
+        # Ids are those of paths, which the message names.
+        raise (InputError(str(error), error.code) if error.code == "no-path" else error) from None
+    nothing = Drawing(mesh, np.empty((0, 3)), {}, None, None)
+    return Pattern(
+        [Curve(curve, nothing) for curve in curves],
+        paths,
+        copies,
+        tolerance,
+        deviation,
+        *(Distortion(ratio, path, copy, np.array(position)) for ratio, path, copy, position in extremes),
+    )
+
+
+def planar_drawing(given: Planar) -> _core.Drawing:
+    """A file, path data, or polylines, as the core takes it."""
+    if not isinstance(given, (str, os.PathLike)):
+        return _core.polyline_drawing([_polyline(line, i) for i, line in enumerate(given)])
+    name = os.fspath(given)
+    if not name.lower().endswith(".svg"):
+        if isinstance(given, str) and name.lstrip()[:1] in ("M", "m"):
+            return _core.path_drawing(name)
+        raise FileError(f"{name}: drawings are read from .svg; path data begin with M", "unreadable-file")
+    drawing, notes = _core.svg_drawing(name, _xml_tree(name))
+    for note in notes:
+        of_the_caller = 4
+        warnings.warn(note, stacklevel=of_the_caller)
+    if not drawing.path_count:
+        raise FileError(f"{name}: has no path that is longer than 0", "unreadable-file")
+    return drawing
+
+
+def _xml_tree(file: str) -> Any:
+    """(name, attributes, children, line) of the root element."""
+    parser = expat.ParserCreate()
+    open_nodes: list[Any] = [("", [], [], 0)]
+
+    def start(name: str, attributes: dict[str, str]) -> None:
+        node = (name.rpartition(":")[2], list(attributes.items()), [], parser.CurrentLineNumber)
+        open_nodes[-1][2].append(node)
+        open_nodes.append(node)
+
+    parser.StartElementHandler = start
+    parser.EndElementHandler = lambda name: open_nodes.pop()
+    try:
+        with open(file, "rb") as stream:
+            parser.ParseFile(stream)
+    except OSError as error:
+        raise FileError(f"{file}: cannot be read: {error.strerror}", "unreadable-file") from error
+    except expat.ExpatError as error:
+        raise FileError(f"{file}, line {error.lineno}: is not XML ({error})", "unreadable-file") from error
+    return open_nodes[0][2][0]
+
+
+def _polyline(given: npt.ArrayLike, index: int) -> Floats:
+    points = numbers(given, f"drawing[{index}]")
+    if points.ndim != 2 or points.shape[1] != 2 or not np.isfinite(points).all():
+        raise InputError(f"drawing[{index}] has shape {points.shape}, but must be finite and have (n, 2)", "bad-array")
+    return np.ascontiguousarray(points)
+
+
+def _three(given: npt.ArrayLike, name: str) -> tuple[float, ...]:
+    values = numbers(given, name)
+    if values.shape != (3,) or not np.isfinite(values).all():
+        raise InputError(f"{name} must be three finite numbers", "bad-array")
+    return tuple(values.tolist())

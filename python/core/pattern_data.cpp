@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/core/pattern_data.h"
+
+#include "bspline_curve/curve.h"
+#include "bspline_curve/error.h"
+#include "io/drawing_formats.h"
+#include "pattern/draw_pattern.h"
+#include "pattern/drawing_builder.h"
+#include "python/core/arrays.h"
+#include "python/core/mesh_designer.h"
+#include "python/core/python_progress.h"
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve::python {
+
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+using Triple = std::array<double, 3>;
+
+/// Of (name, [(key, value), ...], [children], line).
+XmlElement elementOf(const nb::tuple& node) {
+    XmlElement element{
+        .name = nb::cast<std::string>(node[0]),
+        .attributes = {},
+        .children = {},
+        .line = nb::cast<std::size_t>(node[3])
+    };
+    for (const nb::handle pair : nb::cast<nb::list>(node[1])) {
+        const auto words = nb::cast<nb::tuple>(pair);
+        element.attributes.emplace_back(
+            nb::cast<std::string>(words[0]), nb::cast<std::string>(words[1])
+        );
+    }
+    for (const nb::handle child : nb::cast<nb::list>(node[2])) {
+        element.children.push_back(elementOf(nb::cast<nb::tuple>(child)));
+    }
+    return element;
+}
+
+// (drawing, notes)
+nb::tuple svgDrawing(const std::string& file, const nb::tuple& root) {
+    DrawingFile read = drawingOfSvg(file, elementOf(root));
+    return nb::make_tuple(std::move(read.drawing), read.notes);
+}
+
+/// Of path data as SVG has it, y downwards.
+Drawing pathDrawing(const std::string& data) {
+    DrawingBuilder pen;
+    try {
+        drawSvgPath(data, pen);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(InputErrorCode::BadOption, std::string("the path data: ") + error.what());
+    }
+    return mapped(pen.take(), Eigen::Affine2d(Eigen::Scaling(1.0, -1.0)));
+}
+
+/// Of polylines, y upwards; one whose last point is the first is closed.
+Drawing polylineDrawing(const std::vector<Rows<double, 2>>& lines) {
+    DrawingBuilder pen;
+    for (const Rows<double, 2>& line : lines) {
+        for (std::size_t i = 0; i < line.shape(0); ++i) {
+            const Vec2 point(line(i, 0), line(i, 1));
+            if (i == 0) {
+                pen.moveTo(point);
+            } else {
+                pen.lineTo(point);
+            }
+        }
+    }
+    return pen.take();
+}
+
+Vec3 vectorOf(const Triple& values) {
+    return {values[0], values[1], values[2]};
+}
+
+/// Where a drawing goes, and how large it is there.
+struct Place {
+    std::optional<Triple> centre, up;
+    const Curve* along = nullptr;
+    RowLayout row;
+    PatternOptions pattern;
+};
+
+Place placeOf(const nb::dict& options) {
+    const auto number = [&](const char* name) { return nb::cast<double>(options[name]); };
+    return {
+        .centre = nb::cast<std::optional<Triple>>(options["centre"]),
+        .up = nb::cast<std::optional<Triple>>(options["up"]),
+        .along = options["along"].is_none() ? nullptr : nb::cast<const Curve*>(options["along"]),
+        .row =
+            {.scale = {.size = number("size"), .scale = number("scale")},
+             .repeat = nb::cast<int>(options["repeat"]),
+             .spacing = number("spacing"),
+             .start = number("start"),
+             .shift = number("shift")},
+        .pattern = {.cornerAngle = number("corner_angle"), .tolerance = number("tolerance")}
+    };
+}
+
+Pattern drawn(
+    const CurveDesigner& designer,
+    const Drawing& drawing,
+    const Place& place,
+    const Progress& goesOn
+) {
+    if (place.along != nullptr) {
+        return patternAlongCurve(
+            designer, drawing, place.along->polyline, place.row, place.pattern, goesOn
+        );
+    }
+    return patternRoundPoint(
+        designer,
+        drawing,
+        vectorOf(place.centre.value()),
+        place.up ? std::optional(vectorOf(*place.up)) : std::nullopt,
+        place.row.scale,
+        place.pattern,
+        goesOn
+    );
+}
+
+// (ratio, path, copy, position)
+nb::tuple tupleOf(const Distortion& distortion) {
+    const Vec3& at = distortion.position;
+    return nb::make_tuple(
+        distortion.ratio, distortion.path, distortion.copy, Triple{at.x(), at.y(), at.z()}
+    );
+}
+
+// (curves, paths, copies, tolerance, largest deviation, shortest, longest)
+nb::tuple pattern(
+    const MeshDesigner& designer,
+    const Drawing& drawing,
+    const nb::dict& options,
+    nb::object progress
+) {
+    const Place place = placeOf(options);
+    Pattern made = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        return drawn(designer.designer(), drawing, place, goesOn);
+    });
+    std::vector<Curve> curves;
+    std::vector<std::int32_t> paths;
+    std::vector<std::int32_t> copies;
+    for (PatternCurve& each : made.curves) {
+        curves.push_back(std::move(each.curve));
+        paths.push_back(each.path);
+        copies.push_back(each.copy);
+    }
+    return nb::make_tuple(
+        std::move(curves),
+        arrayOf(std::move(paths)),
+        arrayOf(std::move(copies)),
+        made.tolerance,
+        made.largestDeviation,
+        tupleOf(made.shortest),
+        tupleOf(made.longest)
+    );
+}
+
+}  // namespace
+
+void bindPattern(nb::module_& module) {
+    nb::class_<Drawing>(module, "Drawing").def_prop_ro("path_count", [](const Drawing& drawing) {
+        return drawing.paths.size();
+    });
+    module.def("svg_drawing", svgDrawing);
+    module.def("path_drawing", pathDrawing);
+    module.def("polyline_drawing", polylineDrawing);
+    module.def("pattern", pattern, nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
+}
+
+}  // namespace bspline_curve::python

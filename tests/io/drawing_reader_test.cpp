@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings of files, as paths.
+#include "io/drawing_reader.h"
+
+#include "temporary_files.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace bspline_curve::io_tests {
+
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+constexpr double kPi = std::numbers::pi;
+
+class Drawings : public FileTest {
+protected:
+    /// The drawing of an SVG file with these elements; y is upwards in it.
+    [[nodiscard]] Drawing svg(const std::string& body, const std::string& root = "") const {
+        return readDrawing(write("a.svg", "<svg " + root + ">" + body + "</svg>")).drawing;
+    }
+
+    [[nodiscard]] Drawing path(const std::string& data) const {
+        return svg("<path d='" + data + "'/>");
+    }
+
+    [[nodiscard]] std::string refusedSvg(const std::string& body) const {
+        return refusal([&] { return svg(body); });
+    }
+};
+
+/// Start, then the end of each arc.
+std::vector<Vec2> joints(const DrawingPath& path) {
+    std::vector<Vec2> points{path.arcs.front().points.front()};
+    for (const DrawingArc& arc : path.arcs) {
+        points.push_back(arc.points.back());
+    }
+    return points;
+}
+
+void expectNear(const std::vector<Vec2>& points, const std::vector<Vec2>& expected) {
+    ASSERT_EQ(points.size(), expected.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_LT((points[i] - expected[i]).norm(), 1e-9)
+            << i << ": " << points[i].transpose() << ", not " << expected[i].transpose();
+    }
+}
+
+void expectJoints(const DrawingPath& path, const std::vector<Vec2>& expected) {
+    expectNear(joints(path), expected);
+}
+
+TEST_F(Drawings, LinesOfPathsAreAbsoluteAndRelative) {
+    const Drawing drawing = path("M1 2L3,4h-2v1l1-.5.5.25 H0 V-1z m1 1 2 2");
+    ASSERT_EQ(drawing.paths.size(), 2U);
+    expectJoints(
+        drawing.paths[0],
+        {{1, -2}, {3, -4}, {1, -4}, {1, -5}, {2, -4.5}, {2.5, -4.75}, {0, -4.75}, {0, 1}, {1, -2}}
+    );
+    EXPECT_TRUE(drawing.paths[0].closed);
+    expectJoints(drawing.paths[1], {{2, -3}, {4, -5}});
+    EXPECT_FALSE(drawing.paths[1].closed);
+    EXPECT_EQ(drawing.paths[1].number, 1);
+}
+
+TEST_F(Drawings, CurvesOfPathsHaveTheirControlPoints) {
+    const Drawing drawing = path("M0 0C1 1 2 1 3 0s2-1 3 0Q7 1 8 0t2 0T12 0");
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    const std::vector<DrawingArc>& arcs = drawing.paths[0].arcs;
+    ASSERT_EQ(arcs.size(), 5U);
+    expectNear(arcs[0].points, {{0, 0}, {1, -1}, {2, -1}, {3, 0}});
+    expectNear(arcs[1].points, {{3, 0}, {4, 1}, {5, 1}, {6, 0}});
+    expectNear(arcs[2].points, {{6, 0}, {7, -1}, {8, 0}});
+    expectNear(arcs[3].points, {{8, 0}, {9, 1}, {10, 0}});
+    expectNear(arcs[4].points, {{10, 0}, {11, -1}, {12, 0}});
+}
+
+TEST_F(Drawings, SmoothCommandsWithoutACurveBeforeBeginAtThePen) {
+    const Drawing drawing = path("M1 1S2 2 3 1M5 5T6 6");
+    expectNear(drawing.paths[0].arcs[0].points, {{1, -1}, {1, -1}, {2, -2}, {3, -1}});
+    expectNear(drawing.paths[1].arcs[0].points, {{5, -5}, {5, -5}, {6, -6}});
+}
+
+TEST_F(Drawings, ArcsOfPathsAreEllipses) {
+    for (const std::string flags : {"0 0", "0 1", "1 0", "1 1"}) {
+        SCOPED_TRACE(flags);
+        // Compact flags, as editors write them.
+        const std::string compact = flags.substr(0, 1) + flags.substr(2);
+        const Drawing drawing = path("M2 1a3 2 30 " + compact + "1 1.5");
+        const DrawingPath& arc = drawing.paths.front();
+        EXPECT_LT((joints(arc).back() - Vec2(3, -2.5)).norm(), 1e-12);
+        // All points are on one ellipse of these radii, and its turn is as the flags say.
+        double turn = 0.0;
+        const Vec2 right(std::cos(kPi / 6), -std::sin(kPi / 6));
+        const Vec2 up(right.y(), -right.x());
+        const auto flat = [&](const Vec2& p) { return Vec2(p.dot(right) / 3, p.dot(up) / 2); };
+        std::vector<Vec2> points;
+        for (const DrawingArc& each : arc.arcs) {
+            for (int i = 0; i <= 8; ++i) {
+                points.push_back(flat(each.at(i / 8.0)));
+            }
+        }
+        const Vec2 first = points.front();
+        const Vec2 last = points.back();
+        const Vec2 middle = points[points.size() / 2];
+        // The centre of the circle through three points.
+        Eigen::Matrix2d rows;
+        rows << (middle - first).transpose(), (last - first).transpose();
+        const Vec2 centre = rows.inverse() * Vec2(
+                                                 0.5 * (middle.squaredNorm() - first.squaredNorm()),
+                                                 0.5 * (last.squaredNorm() - first.squaredNorm())
+                                             );
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            EXPECT_NEAR((points[i] - centre).norm(), 1.0, 1e-9);
+            if (i > 0) {
+                const Vec2 a = points[i - 1] - centre;
+                const Vec2 b = points[i] - centre;
+                turn += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+            }
+        }
+        EXPECT_EQ(std::abs(turn) > kPi, flags[0] == '1');
+        EXPECT_EQ(turn > 0.0, flags[2] == '1');
+    }
+}
+
+TEST_F(Drawings, ArcsThatAreTooSmallGrowAndFlatOnesAreLines) {
+    const Drawing half = path("M0 0A1 1 0 0 1 4 0");
+    const auto box = half.box();
+    EXPECT_NEAR(box.sizes().x(), 4.0, 1e-9);
+    EXPECT_NEAR(box.sizes().y(), 2.0, 1e-9);
+    const Drawing line = path("M0 0A0 5 0 0 1 4 0");
+    EXPECT_TRUE(line.paths[0].arcs[0].isLine());
+}
+
+TEST_F(Drawings, ShapesAreClosedPaths) {
+    const Drawing drawing =
+        svg("<circle cx='1' cy='2' r='3'/><ellipse cx='1' cy='2' rx='3' ry='1'/>"
+            "<rect x='1' y='2' width='4' height='3'/><rect width='4' height='3' rx='1'/>"
+            "<polygon points='0,0 1,0 1,1'/><polyline points='0 0 1 0, 1 1'/>"
+            "<line x1='1' y1='1' x2='2' y2='3'/><circle r='0'/><path d=''/>");
+    ASSERT_EQ(drawing.paths.size(), 7U);
+    for (int i = 0; i < 7; ++i) {
+        EXPECT_EQ(drawing.paths[i].closed, i < 5) << i;
+    }
+    const auto box = [&](int i) { return Drawing{.paths = {drawing.paths[i]}}.box(); };
+    expectNear({box(0).min(), box(0).max()}, {{-2, -5}, {4, 1}});
+    expectNear({box(1).min(), box(1).max()}, {{-2, -3}, {4, -1}});
+    expectJoints(drawing.paths[2], {{1, -2}, {5, -2}, {5, -5}, {1, -5}, {1, -2}});
+    expectJoints(
+        drawing.paths[3],
+        {{1, 0}, {3, 0}, {4, -1}, {4, -2}, {3, -3}, {1, -3}, {0, -2}, {0, -1}, {1, 0}}
+    );
+    EXPECT_EQ(smoothPieces({.paths = {drawing.paths[3]}}, 0.3).size(), 1U);
+    expectJoints(drawing.paths[4], {{0, 0}, {1, 0}, {1, -1}, {0, 0}});
+    expectJoints(drawing.paths[6], {{1, -1}, {2, -3}});
+}
+
+TEST_F(Drawings, TransformsAreAppliedFromTheInsideOut) {
+    const Drawing drawing =
+        svg("<g transform='translate(10 20) scale(2)'><path transform='rotate(90)' d='M1 0L2 0'/>"
+            "<path transform='matrix(1 2 3 4 5 6)' d='M1 0L0 1'/></g>"
+            "<path transform='rotate(180, 1, 1)' d='M0 0L1 0'/>"
+            "<path transform='skewX(45)skewY(0)' d='M0 1L1 1'/>");
+    expectJoints(drawing.paths[0], {{10, -22}, {10, -24}});
+    expectJoints(drawing.paths[1], {{22, -36}, {26, -40}});
+    expectJoints(drawing.paths[2], {{2, -2}, {1, -2}});
+    expectJoints(drawing.paths[3], {{1, -1}, {2, -1}});
+}
+
+TEST_F(Drawings, UsedElementsAreDrawnWhereTheyAreUsed) {
+    const Drawing drawing =
+        svg("<defs><path id='a' d='M0 0L1 0'/><g id='b'><use href='#a' x='1'/></g>"
+            "<symbol id='s' viewBox='0 0 10 10'><path d='M0 0L10 10'/></symbol></defs>"
+            "<use xlink:href='#b' transform='scale(2)' y='3'/>"
+            "<use href='#s' width='5' height='5'/>"
+            "<g display='none'><path d='M0 0L9 9'/></g>"
+            "<g style='fill:red; display:none'><path d='M0 0L9 9'/></g>");
+    ASSERT_EQ(drawing.paths.size(), 2U);
+    expectJoints(drawing.paths[0], {{2, -6}, {4, -6}});
+}
+
+TEST_F(Drawings, HaveMillimetresWhereTheirWidthIsAPhysicalOne) {
+    const std::string line = "<path d='M0 0L10 0'/>";
+    const auto length = [&](const std::string& root) { return svg(line, root).box().sizes().x(); };
+    EXPECT_DOUBLE_EQ(length(""), 10.0);
+    EXPECT_DOUBLE_EQ(length("viewBox='0 0 100 50'"), 10.0);
+    EXPECT_DOUBLE_EQ(length("width='500px' viewBox='0 0 100 50'"), 10.0);
+    EXPECT_DOUBLE_EQ(length("width='50mm' viewBox='0 0 100 50'"), 5.0);
+    EXPECT_DOUBLE_EQ(length("width='5cm' viewBox='0 0 100 50'"), 5.0);
+    EXPECT_DOUBLE_EQ(length("width='2in'"), 10.0 * 25.4 / 96.0);
+}
+
+TEST_F(Drawings, PercentagesAreOfTheViewBox) {
+    const Drawing drawing =
+        svg("<rect x='10%' width='50%' height='2mm'/>", "viewBox='0 0 200 100'");
+    const auto box = drawing.box();
+    EXPECT_NEAR(box.min().x(), 20.0, 1e-9);
+    EXPECT_NEAR(box.sizes().x(), 100.0, 1e-9);
+    EXPECT_NEAR(box.sizes().y(), 2.0 * 96.0 / 25.4, 1e-9);
+}
+
+TEST_F(Drawings, TextIsLeftOutAndToldOf) {
+    const DrawingFile file = readDrawing(
+        write("t.svg", "<svg><text>a</text><path d='M0 0L1 1'/><g><text>b</text></g></svg>")
+    );
+    ASSERT_EQ(file.notes.size(), 1U);
+    expectContains(file.notes[0], "2 <text> left out");
+    EXPECT_EQ(file.drawing.paths.size(), 1U);
+}
+
+TEST_F(Drawings, BadSvgIsRefusedWithItsLine) {
+    expectContains(refusedSvg("<text>a</text>"), "no path");
+    expectContains(refusedSvg("\n<path d='M0 0L1'/>"), "line 2: <path>: there is no number");
+    expectContains(refusedSvg("<path d='L1 1'/>"), "begin with M");
+    expectContains(refusedSvg("<path d='M0 0X1 1'/>"), "\"X\" is no command");
+    expectContains(refusedSvg("<path d='M0 0A1 1 0 2 0 1 1'/>"), "no flag");
+    expectContains(refusedSvg("<path d='M0 0L1e999 1'/>"), "no number");
+    expectContains(refusedSvg("<path transform='turn(3)' d='M0 0L1 1'/>"), "no transform \"turn\"");
+    expectContains(refusedSvg("<path transform='scale 3' d='M0 0L1 1'/>"), "no (");
+    expectContains(refusedSvg("<circle r='-1'/>"), "below 0");
+    expectContains(refusedSvg("<rect width='3em' height='1'/>"), "\"em\"");
+    expectContains(refusedSvg("<use href='#no'/>"), "no element \"#no\"");
+    expectContains(refusedSvg("<g id='a'><use href='#a'/></g>"), "without end");
+    expectContains(refusedSvg("<svg viewBox='0 0 0 1'/>"), "viewBox");
+    expectContains(refusal([&] { return readDrawing(write("b.svg", "<svg>")); }), "not XML");
+    expectContains(refusal([&] { return readDrawing(write("c.svg", "<html/>")); }), "not SVG");
+    expectContains(refusal([&] { return readDrawing(write("d.png", "x")); }), "read from .svg");
+}
+
+}  // namespace
+
+}  // namespace bspline_curve::io_tests
