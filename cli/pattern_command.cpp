@@ -84,7 +84,7 @@ private:
         app_.add_option("MESH", arguments_.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
             ->required()
             ->type_name("");
-        app_.add_option("--drawing", arguments_.drawing, "Planar drawing to carry: .svg")
+        app_.add_option("--drawing", arguments_.drawing, "Planar drawing to carry: .svg or .dxf")
             ->type_name("FILE");
         app_.add_option(
                 "--text",

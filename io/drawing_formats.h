@@ -12,6 +12,10 @@ namespace bspline_curve {
 
 [[nodiscard]] DrawingFile drawingOfSvg(const std::filesystem::path& file, const XmlElement& root);
 
+/// LINE, POLYLINE, LWPOLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE and INSERT; curves whose ends meet are
+/// one path.
+[[nodiscard]] DrawingFile drawingOfDxf(const std::filesystem::path& file, std::string_view bytes);
+
 /// Draws path data ("M 0 0 L 1 1 …") as they are, y downwards. Throws std::invalid_argument saying
 /// what is wrong at which character.
 void drawSvgPath(std::string_view data, DrawingBuilder& pen);

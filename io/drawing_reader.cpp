@@ -8,11 +8,12 @@ namespace bspline_curve {
 
 DrawingFile readDrawing(const std::filesystem::path& file) {
     const std::string extension = lowerCaseExtension(file);
-    if (extension != ".svg") {
-        refuseFile(file, "drawings are read from .svg; save the drawing as one of these");
+    if (extension != ".svg" && extension != ".dxf") {
+        refuseFile(file, "drawings are read from .svg and .dxf; save the drawing as one of these");
     }
     const std::string bytes = readWholeFile(file);
-    DrawingFile result = drawingOfSvg(file, xmlTreeOf(file, bytes));
+    DrawingFile result = extension == ".dxf" ? drawingOfDxf(file, bytes)
+                                             : drawingOfSvg(file, xmlTreeOf(file, bytes));
     if (result.drawing.paths.empty()) {
         refuseFile(
             file,

@@ -19,8 +19,8 @@ struct XmlElement {
 
     /// The value of an attribute; empty where there is none.
     [[nodiscard]] std::string_view attribute(std::string_view key) const {
-        for (const auto& [name, value] : attributes) {
-            if (name == key) {
+        for (const auto& [own, value] : attributes) {
+            if (own == key) {
                 return value;
             }
         }

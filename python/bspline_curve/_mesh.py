@@ -196,7 +196,7 @@ class Mesh(MeshKeywords):
         Parameters
         ----------
         drawing : file name, str or sequence of (n, 2) arrays
-            A file .svg, path data of SVG ("M0 0 L1 1"), or polylines, y upwards; one that ends where it begins is closed.
+            A file .svg or .dxf, path data of SVG ("M0 0 L1 1"), or polylines, y upwards; one that ends where it begins is closed.
         centre : (3,) array of float
             Carry the drawing round this point: its middle comes to lie there, and other points at the ends of straightest
             geodesics of their distances (exponential map).

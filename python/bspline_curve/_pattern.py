@@ -98,11 +98,13 @@ def planar_drawing(given: Planar) -> _core.Drawing:
     if not isinstance(given, (str, os.PathLike)):
         return _core.polyline_drawing([_polyline(line, i) for i, line in enumerate(given)])
     name = os.fspath(given)
-    if not name.lower().endswith(".svg"):
+    kind = name.lower()[-4:]
+    if kind not in (".svg", ".dxf"):
         if isinstance(given, str) and name.lstrip()[:1] in ("M", "m"):
             return _core.path_drawing(name)
-        raise FileError(f"{name}: drawings are read from .svg; path data begin with M", "unreadable-file")
-    drawing, notes = _core.svg_drawing(name, _xml_tree(name))
+        raise FileError(f"{name}: drawings are read from .svg and .dxf; path data begin with M", "unreadable-file")
+    data = _bytes(name)
+    drawing, notes = _core.dxf_drawing(name, data) if kind == ".dxf" else _core.svg_drawing(name, _xml_tree(name, data))
     for note in notes:
         of_the_caller = 4
         warnings.warn(note, stacklevel=of_the_caller)
@@ -111,7 +113,15 @@ def planar_drawing(given: Planar) -> _core.Drawing:
     return drawing
 
 
-def _xml_tree(file: str) -> Any:
+def _bytes(file: str) -> bytes:
+    try:
+        with open(file, "rb") as stream:
+            return stream.read()
+    except OSError as error:
+        raise FileError(f"{file}: cannot be read: {error.strerror}", "unreadable-file") from error
+
+
+def _xml_tree(file: str, data: bytes) -> Any:
     """(name, attributes, children, line) of the root element."""
     parser = expat.ParserCreate()
     open_nodes: list[Any] = [("", [], [], 0)]
@@ -121,13 +131,13 @@ def _xml_tree(file: str) -> Any:
         open_nodes[-1][2].append(node)
         open_nodes.append(node)
 
+    def end(name: str) -> None:
+        open_nodes.pop()
+
     parser.StartElementHandler = start
-    parser.EndElementHandler = lambda name: open_nodes.pop()
+    parser.EndElementHandler = end
     try:
-        with open(file, "rb") as stream:
-            parser.ParseFile(stream)
-    except OSError as error:
-        raise FileError(f"{file}: cannot be read: {error.strerror}", "unreadable-file") from error
+        parser.Parse(data, True)
     except expat.ExpatError as error:
         raise FileError(f"{file}, line {error.lineno}: is not XML ({error})", "unreadable-file") from error
     return open_nodes[0][2][0]

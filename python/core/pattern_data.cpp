@@ -20,6 +20,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,12 @@ XmlElement elementOf(const nb::tuple& node) {
 // (drawing, notes)
 nb::tuple svgDrawing(const std::string& file, const nb::tuple& root) {
     DrawingFile read = drawingOfSvg(file, elementOf(root));
+    return nb::make_tuple(std::move(read.drawing), read.notes);
+}
+
+// (drawing, notes)
+nb::tuple dxfDrawing(const std::string& file, const nb::bytes& bytes) {
+    DrawingFile read = drawingOfDxf(file, std::string_view(bytes.c_str(), bytes.size()));
     return nb::make_tuple(std::move(read.drawing), read.notes);
 }
 
@@ -178,6 +185,7 @@ void bindPattern(nb::module_& module) {
         return drawing.paths.size();
     });
     module.def("svg_drawing", svgDrawing);
+    module.def("dxf_drawing", dxfDrawing);
     module.def("path_drawing", pathDrawing);
     module.def("polyline_drawing", polylineDrawing);
     module.def("pattern", pattern, nb::arg(), nb::arg(), nb::arg(), nb::arg().none());

@@ -36,6 +36,7 @@ Region: TypeAlias = Literal["selected-faces", "selected-vertices"]
 Keep: TypeAlias = Literal["all", "largest", "smallest", "inside", "seed"]
 Fill: TypeAlias = Literal["none", "flat", "smooth"]
 Side: TypeAlias = Literal["both", "left", "right"]
+Place: TypeAlias = Literal["point", "curve"]
 
 
 def generate_bspline_curve_on_surface(
@@ -718,6 +719,121 @@ def offset_curve_on_surface(
     )
 
 
+def pattern_on_surface(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    drawing: str = "",
+    text: str = "",
+    font: str = "",
+    place: Place = "point",
+    centre: str = "",
+    curve_layer: int | None = None,
+    size: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    scale: float = 0.0,
+    up: str = "",
+    repeat: int = 0,
+    spacing: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    start: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    shift: float = 0.0,
+    tolerance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    corner_angle: float = 20.0,
+    max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    project_curves: bool = False,
+) -> dict[str, Any]:
+    """Carries a planar drawing or a text to the surface, as curves.
+
+    Carries a planar drawing or a text to the surface: round a point, along straightest geodesics from it (exponential
+    map), or along a curve, repeated as often as asked. Each path becomes curves through picks of its own, parted at its
+    corners, where they meet exactly. All of them are one new layer of polylines, which the filters that use curves
+    take. The log tells how much lengths are distorted.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
+        on if it is a curve of this plugin, else the only layer with faces.
+    drawing : str, optional
+        A file with a planar drawing: the paths of .svg, or the curves of .dxf. Empty: a text.
+    text : str, optional
+        A text to carry in place of a drawing, as outlines of the letters of the font. Empty: a drawing.
+    font : str, optional
+        The font file of the text.
+    place : {'point', 'curve'}, default 'point'
+        Where the drawing goes. point: the middle of the drawing comes to lie on the centre; curve: the drawing's x axis
+        along the curve, its y axis to the left, seen with the surface's normal upwards.
+    centre : str, optional
+        The point "x y z" in world coordinates. Empty: the one point of Edit > PickPoints on the surface. Only with
+        place point.
+    curve_layer : int, optional
+        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
+        without those that were drawn on another layer and are not near.
+    size : float ≥ 0, default 0.0
+        The longer side of the drawing, or of the whole text, in the unit of the mesh. 0: as Scale says; if that is 0 as
+        well, 10 % of the diagonal, or along a curve so that copies touch.
+    scale : float ≥ 0, default 0.0
+        Units of the mesh for one of the drawing (of a text: for the height of the font, its em). 0: as Size says.
+    up : str, optional
+        The direction "x y z" in space that the drawing's up follows at the centre. Empty: the y axis, or z where the
+        surface faces along y. Only with place point.
+    repeat : int in [0, 100000], default 0
+        Copies along each curve, evenly spaced. 0: as many as Spacing says, or one. Only with place curve.
+    spacing : float ≥ 0, default 0.0
+        Length of the curve from one copy to the next; on a closed curve the nearest that divides its length. 0: as
+        Copies says. Only with place curve.
+    start : float ≥ 0, default 0.0
+        Length of the curve before the first copy. Only with place curve.
+    shift : float, default 0.0
+        Moves the drawing to the left of the curve, in the unit of the mesh; negative: to the right. Only with place
+        curve.
+    tolerance : float ≥ 0, default 0.0
+        Largest distance of the curves to the carried drawing, in the unit of the mesh. 0: 0.1 % of the mean size of its
+        paths.
+    corner_angle : float in (0, 179], default 20.0
+        Paths are parted into curves where they turn by more than this, in degrees.
+    max_distance : float ≥ 0, default 0.0
+        Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+    project_curves : bool, default False
+        Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
+        otherwise.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "pattern_on_surface",
+        {
+            "surface_layer": surface_layer,
+            "drawing": drawing,
+            "text": text,
+            "font": font,
+            "place": place,
+            "centre": centre,
+            "curve_layer": curve_layer,
+            "size": size,
+            "scale": scale,
+            "up": up,
+            "repeat": repeat,
+            "spacing": spacing,
+            "start": start,
+            "shift": shift,
+            "tolerance": tolerance,
+            "corner_angle": corner_angle,
+            "max_distance": max_distance,
+            "project_curves": project_curves,
+        },
+    )
+
+
 def bind() -> None:
     """Makes them methods of pymeshlab.MeshSet."""
     pymeshlab.MeshSet.generate_bspline_curve_on_surface = generate_bspline_curve_on_surface
@@ -726,3 +842,4 @@ def bind() -> None:
     pymeshlab.MeshSet.cut_along_curves = cut_along_curves
     pymeshlab.MeshSet.segment_by_curves = segment_by_curves
     pymeshlab.MeshSet.offset_curve_on_surface = offset_curve_on_surface
+    pymeshlab.MeshSet.pattern_on_surface = pattern_on_surface

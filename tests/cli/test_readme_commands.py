@@ -43,6 +43,7 @@ def checkout(program, tmp_path):
     ("docs/COMMAND_LINE.md", "Imprints", ["build/imprinted.ply", "build/map.json"]),
     ("docs/COMMAND_LINE.md", "Cuts", ["build/opened.ply"]),
     ("docs/COMMAND_LINE.md", "Offsets", ["build/offset.ply"]),
+    ("docs/COMMAND_LINE.md", "Patterns", ["build/star.json", "build/starred.ply"]),
 ])
 def test_the_commands_of_a_page_make_what_they_say(checkout, page, section, made):
     commands = commands_of(page, section)

@@ -2,6 +2,7 @@
 // Drawings of files, as paths.
 #include "io/drawing_reader.h"
 
+#include "io/text_outlines.h"
 #include "temporary_files.h"
 
 #include <gtest/gtest.h>
@@ -230,7 +231,151 @@ TEST_F(Drawings, BadSvgIsRefusedWithItsLine) {
     expectContains(refusedSvg("<svg viewBox='0 0 0 1'/>"), "viewBox");
     expectContains(refusal([&] { return readDrawing(write("b.svg", "<svg>")); }), "not XML");
     expectContains(refusal([&] { return readDrawing(write("c.svg", "<html/>")); }), "not SVG");
-    expectContains(refusal([&] { return readDrawing(write("d.png", "x")); }), "read from .svg");
+    expectContains(
+        refusal([&] { return readDrawing(write("d.png", "x")); }), "read from .svg and .dxf"
+    );
+}
+
+// ---- DXF ----
+
+class DxfDrawings : public FileTest {
+protected:
+    /// The file of these pairs, "0 LINE|10 1|…", in the section ENTITIES.
+    [[nodiscard]] Drawing dxf(const std::string& entities, const std::string& blocks = "") const {
+        std::string pairs;
+        if (!blocks.empty()) {
+            pairs += "0 SECTION|2 BLOCKS|" + blocks + "|0 ENDSEC|";
+        }
+        pairs += "0 SECTION|2 ENTITIES|" + entities + "|0 ENDSEC|0 EOF|";
+        std::string text;
+        for (const char c : pairs) {
+            text += c == ' ' || c == '|' ? '\n' : c;
+        }
+        return readDrawing(write("a.dxf", text)).drawing;
+    }
+};
+
+TEST_F(DxfDrawings, LinesWhoseEndsMeetAreOnePath) {
+    const Drawing drawing =
+        dxf("0 LINE|10 0|20 0|11 1|21 0|0 LINE|10 1|20 1|11 1|21 0|0 LINE|10 5|20 5|11 6|21 6|"
+            "0 ARC|10 0|20 1|40 1|50 0|51 90");
+    ASSERT_EQ(drawing.paths.size(), 2U);
+    expectJoints(drawing.paths[0], {{0, 0}, {1, 0}, {1, 1}, {0, 2}});
+    EXPECT_FALSE(drawing.paths[0].closed);
+    expectJoints(drawing.paths[1], {{5, 5}, {6, 6}});
+}
+
+TEST_F(DxfDrawings, LinesThatLeadBackAreClosedAndForksStayApart) {
+    const std::string triangle =
+        "0 LINE|10 0|20 0|11 1|21 0|0 LINE|10 1|20 0|11 0|21 1|0 LINE|10 0|20 0|11 0|21 1";
+    const Drawing closed = dxf(triangle);
+    ASSERT_EQ(closed.paths.size(), 1U);
+    EXPECT_TRUE(closed.paths[0].closed);
+    EXPECT_EQ(closed.paths[0].arcs.size(), 3U);
+    // With a tail at the corner 0 0 the other two corners still join three lines to one.
+    const Drawing forked = dxf(triangle + "|0 LINE|10 0|20 0|11 -1|21 -1");
+    ASSERT_EQ(forked.paths.size(), 2U);
+    EXPECT_EQ(forked.paths[0].arcs.size(), 3U);
+    EXPECT_FALSE(forked.paths[0].closed);
+}
+
+TEST_F(DxfDrawings, BulgesAreArcs) {
+    const Drawing drawing = dxf("0 LWPOLYLINE|90 2|70 1|10 0|20 0|42 1|10 2|20 0|42 1");
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    EXPECT_TRUE(drawing.paths[0].closed);
+    const auto box = drawing.box();
+    expectNear({box.min(), box.max()}, {{0, -1}, {2, 1}});
+    const Drawing quarter = dxf("0 LWPOLYLINE|10 1|20 0|42 0.41421356237309503|10 0|20 1");
+    for (const double t : {0.2, 0.5, 0.9}) {
+        EXPECT_NEAR(quarter.paths[0].arcs[0].at(t).norm(), 1.0, 1e-12);
+    }
+    const Drawing old = dxf(
+        "0 POLYLINE|66 1|70 0|0 VERTEX|10 1|20 0|42 0.41421356237309503|0 VERTEX|10 0|20 1|0 SEQEND"
+    );
+    EXPECT_NEAR(old.paths[0].arcs[0].at(0.3).norm(), 1.0, 1e-12);
+}
+
+TEST_F(DxfDrawings, CirclesAndEllipsesAreClosed) {
+    const Drawing drawing =
+        dxf("0 CIRCLE|10 1|20 2|40 3|0 ELLIPSE|10 0|20 0|11 2|21 0|40 0.5|"
+            "0 ELLIPSE|10 0|20 0|11 0|21 2|40 0.5|41 0|42 1.5707963267948966|"
+            "0 CIRCLE|10 1|20 0|40 1|230 -1");
+    ASSERT_EQ(drawing.paths.size(), 4U);
+    EXPECT_TRUE(drawing.paths[0].closed);
+    EXPECT_TRUE(drawing.paths[1].closed);
+    const auto box = [&](int i) { return Drawing{.paths = {drawing.paths[i]}}.box(); };
+    expectNear({box(0).min(), box(0).max()}, {{-2, -1}, {4, 5}});
+    expectNear({box(1).min(), box(1).max()}, {{-2, -1}, {2, 1}});
+    expectJoints(drawing.paths[2], {{0, 2}, {-1, 0}});
+    expectNear({box(3).min(), box(3).max()}, {{-2, -1}, {0, 1}});  // seen from behind
+}
+
+TEST_F(DxfDrawings, SplinesAreTheirArcs) {
+    // A quarter of a circle as a rational spline, and a cubic with a knot inside.
+    const Drawing drawing =
+        dxf("0 SPLINE|70 4|71 2|40 0|40 0|40 0|40 1|40 1|40 1|41 1|41 0.70710678118654757|41 1|"
+            "10 1|20 0|10 1|20 1|10 0|20 1|"
+            "0 SPLINE|71 3|40 0|40 0|40 0|40 0|40 0.5|40 1|40 1|40 1|40 1|"
+            "10 4|20 0|10 5|20 1|10 6|20 0|10 7|20 1|10 8|20 0");
+    ASSERT_EQ(drawing.paths.size(), 2U);
+    for (const double t : {0.1, 0.5, 0.8}) {
+        EXPECT_NEAR(drawing.paths[0].arcs[0].at(t).norm(), 1.0, 1e-12);
+    }
+    ASSERT_EQ(drawing.paths[1].arcs.size(), 2U);
+    expectJoints(drawing.paths[1], {{4, 0}, {6, 0.5}, {8, 0}});
+}
+
+TEST_F(DxfDrawings, BlocksAreInserted) {
+    const Drawing drawing =
+        dxf("0 INSERT|2 B|10 10|20 0|41 2|42 2|50 90",
+            "0 BLOCK|2 B|10 1|20 1|0 LINE|10 1|20 1|11 2|21 1|0 ENDBLK");
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    expectJoints(drawing.paths[0], {{10, 0}, {10, 2}});
+}
+
+TEST_F(DxfDrawings, BadFilesAreRefused) {
+    const auto refused = [&](const std::string& entities, const std::string& blocks = "") {
+        return refusal([&] { return dxf(entities, blocks); });
+    };
+    expectContains(refused("0 TEXT|1 a"), "no path");
+    expectContains(refused("0 CIRCLE|40 0"), "radius");
+    expectContains(refused("0 LINE|10 a|11 1"), "not a finite number");
+    expectContains(refused("0 SPLINE|71 3|10 0|20 0"), "more points");
+    expectContains(refused("0 SPLINE|71 1|40 0|40 0|40 1|10 0|20 0|10 1|20 0"), "knots");
+    expectContains(refused("0 INSERT|2 B"), "no block \"B\"");
+    expectContains(refused("0 INSERT|2 B", "0 BLOCK|2 B|0 INSERT|2 B|0 ENDBLK"), "without end");
+    expectContains(refusal([&] { return readDrawing(write("b.dxf", "0\nEOF\n")); }), "ENTITIES");
+    expectContains(refusal([&] { return readDrawing(write("c.dxf", "x\n")); }), "no group code");
+}
+
+// ---- text ----
+
+TEST_F(Drawings, TextIsItsOutlinesOnTheBaseline) {
+    const std::filesystem::path font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+    if (!std::filesystem::exists(font)) {
+        GTEST_SKIP() << "no " << font;
+    }
+    const Drawing drawing = textOutlines("oI \xC3\xA4", font);
+    ASSERT_EQ(
+        drawing.paths.size(), 2U + 1U + 4U
+    );  // a letter a with dots has two contours of its own
+    EXPECT_EQ(drawing.baseline, 0.0);
+    for (const DrawingPath& path : drawing.paths) {
+        EXPECT_TRUE(path.closed);
+    }
+    const auto letter = Drawing{.paths = {drawing.paths[2]}}.box();
+    EXPECT_NEAR(letter.min().y(), 0.0, 1e-3);
+    EXPECT_NEAR(letter.max().y(), 0.73, 0.02);  // an I is seven tenths of the em high
+    EXPECT_GT(letter.min().x(), Drawing{.paths = {drawing.paths[0]}}.box().max().x());
+    const auto refused = [&](std::string_view text, InputErrorCode code) {
+        return refusal([&] { return textOutlines(text, font); }, code);
+    };
+    expectContains(refused("  ", InputErrorCode::BadOption), "blanks");
+    expectContains(refused("a\xFF", InputErrorCode::BadOption), "UTF-8");
+    expectContains(refused("\xF0\x9F\xA6\x84", InputErrorCode::UnreadableFile), "U+1F984");
+    expectContains(
+        refusal([&] { return textOutlines("a", write("no.ttf", "no font")); }), "no font file"
+    );
 }
 
 }  // namespace
