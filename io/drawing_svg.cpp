@@ -190,13 +190,11 @@ private:
         if (attributeOf(element, "display") == "none") {
             return true;
         }
-        for (const std::string_view part : splitAt(attributeOf(element, "style"), ';')) {
+        const std::vector<std::string_view> parts = splitAt(attributeOf(element, "style"), ';');
+        return std::ranges::any_of(parts, [](std::string_view part) {
             const std::vector<std::string_view> words = splitAt(part, ':');
-            if (words.size() == 2 && words[0] == "display" && words[1] == "none") {
-                return true;
-            }
-        }
-        return false;
+            return words.size() == 2 && words[0] == "display" && words[1] == "none";
+        });
     }
 
     void drawChildren(const Element& element, const Viewport& viewport) {

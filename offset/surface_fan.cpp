@@ -44,31 +44,31 @@ SurfaceFan fanOfVertex(const Surface& surface, int vertex) {
     return fan;
 }
 
-SurfaceFan fanOf(const Surface& surface, const SurfacePoint& given) {
-    const SurfacePoint point = snapped(given, kOnEdgeBarycentric);
+SurfaceFan fanOf(const Surface& surface, const SurfacePoint& point) {
+    const SurfacePoint at = snapped(point, kOnEdgeBarycentric);
     std::vector<int> zeros;
     for (int k = 0; k < 3; ++k) {
-        if (point.barycentric[k] == 0.0) {
+        if (at.barycentric[k] == 0.0) {
             zeros.push_back(k);
         }
     }
     if (zeros.size() == 2) {
-        return fanOfVertex(surface, surface.faces()[point.face][3 - zeros[0] - zeros[1]]);
+        return fanOfVertex(surface, surface.faces()[at.face][3 - zeros[0] - zeros[1]]);
     }
     SurfaceFan fan;
     if (zeros.empty()) {
         for (int k = 0; k < 3; ++k) {
-            addWedge(fan, surface, point, k);
+            addWedge(fan, surface, at, k);
         }
         return fan;
     }
     const int side = zeros.front();
-    addWedge(fan, surface, point, (side + 1) % 3);
-    addWedge(fan, surface, point, (side + 2) % 3);
-    const int across = surface.faceNeighbours()[point.face][side];
+    addWedge(fan, surface, at, (side + 1) % 3);
+    addWedge(fan, surface, at, (side + 2) % 3);
+    const int across = surface.faceNeighbours()[at.face][side];
     fan.closed = across >= 0;
     if (fan.closed) {
-        const SurfacePoint there = inFace(surface, point, across);
+        const SurfacePoint there = inFace(surface, at, across);
         int thatSide = 0;
         there.barycentric.minCoeff(&thatSide);
         addWedge(fan, surface, there, (thatSide + 1) % 3);

@@ -135,7 +135,8 @@ void takeDistortion(Pattern& pattern, const Distortion& part) {
 }  // namespace
 
 void PatternOptions::validate() const {
-    if (!(cornerAngle > 0.0 && cornerAngle <= 179.0)) {
+    constexpr double kMostDegrees = 179.0;
+    if (std::isnan(cornerAngle) || cornerAngle <= 0.0 || cornerAngle > kMostDegrees) {
         throw InputError(
             InputErrorCode::BadOption, "corner angle must be above 0 and at most 179 degrees"
         );

@@ -21,7 +21,8 @@ constexpr int kBoxSteps = 16;
 constexpr int kBoxNarrowings = 40;
 
 /// The unit direction from the first point to the first one elsewhere.
-Vec2 directionAlong(auto first, auto last) {
+template <class Iterator>
+Vec2 directionAlong(const Iterator& first, const Iterator& last) {
     for (auto next = first; next != last; ++next) {
         if (*next != *first) {
             return (*next - *first).normalized();
@@ -74,9 +75,8 @@ std::vector<std::size_t> cornersOf(
     std::vector<std::size_t> corners;
     for (std::size_t i = 0; i < arcs.size(); ++i) {
         const DrawingArc& before = arcs[i > 0 ? i - 1 : arcs.size() - 1];
-        if (i == 0 && !closed) {
-            corners.push_back(i);
-        } else if (turnBetween(before, arcs[i]) > cornerAngle) {
+        const bool isStart = i == 0 && !closed;
+        if (isStart || turnBetween(before, arcs[i]) > cornerAngle) {
             corners.push_back(i);
         }
     }

@@ -56,10 +56,10 @@ void DrawingBuilder::follow(const std::vector<DrawingArc>& arcs) {
 }
 
 void DrawingBuilder::close() {
+    if (path_ && !endsAtStart(*path_)) {
+        lineTo(start_);
+    }
     if (path_) {
-        if (!endsAtStart(*path_)) {
-            lineTo(start_);
-        }
         path_->arcs.back().points.back() = start_;
         path_->closed = true;
     }

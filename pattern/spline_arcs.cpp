@@ -25,9 +25,8 @@ void check(const PlanarSpline& spline) {
     if (!std::ranges::is_sorted(spline.knots)) {
         throw std::invalid_argument("the knots of a spline are not ascending");
     }
-    if (!spline.weights.empty() &&
-        (spline.weights.size() != spline.points.size() ||
-         std::ranges::min(spline.weights) <= 0.0)) {
+    if (!spline.weights.empty() && (spline.weights.size() != spline.points.size() ||
+                                    std::ranges::min(spline.weights) <= 0.0)) {
         throw std::invalid_argument("a spline needs one weight > 0 for each control point");
     }
 }

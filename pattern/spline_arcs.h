@@ -9,10 +9,10 @@ namespace bspline_curve {
 
 /// A planar B-spline, rational where it has weights.
 struct PlanarSpline {
-    int degree = 3;                ///< >= 1
-    std::vector<double> knots;     ///< ascending; as many as control points, plus degree + 1
+    int degree = 3;             ///< >= 1
+    std::vector<double> knots;  ///< ascending; as many as control points, plus degree + 1
     std::vector<Eigen::Vector2d> points;
-    std::vector<double> weights;   ///< one for each point, > 0; empty: all are 1
+    std::vector<double> weights;  ///< one for each point, > 0; empty: all are 1
 };
 
 /// The spline's pieces between its knots, as arcs that are the same curve. Throws

@@ -133,7 +133,7 @@ private:
         const Vec2 end = at_ + left_ * direction_;
         const double first = end.y() / layout.corners[0].y();
         const double last = (end.x() - first * layout.corners[0].x()) / layout.corners[2].x();
-        SurfacePoint point{.face = face_, .barycentric = {first, 1.0 - first - last, last}};
+        const SurfacePoint point{.face = face_, .barycentric = {first, 1.0 - first - last, last}};
         path_.points.push_back(snapped(point, kOnEdgeBarycentric));
         path_.length += left_;
         isGoing_ = false;
