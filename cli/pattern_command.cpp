@@ -195,6 +195,15 @@ private:
             ->capture_default_str()
             ->type_name("NUMBER");
         app_.add_option(
+                "--smoothing",
+                arguments_.pattern.smoothing,
+                "Smooth a copy of the mesh along its normals this often, and find the ways of the "
+                "drawing on it: evens patterns on rough scans"
+        )
+            ->check(Interval<int>{.low = 0, .high = 1000}.validator())
+            ->capture_default_str()
+            ->type_name("N");
+        app_.add_option(
                 "--tolerance",
                 arguments_.pattern.tolerance,
                 "Largest distance of curves to the carried drawing, in the mesh's unit; default: "

@@ -56,7 +56,11 @@ Bindings<RowLayout> rowBindings() {
 
 Bindings<PatternOptions> carryingBindings() {
     using O = PatternOptions;
-    return {bound("corner_angle", &O::cornerAngle), bound("tolerance", &O::tolerance)};
+    return {
+        bound("corner_angle", &O::cornerAngle),
+        bound("tolerance", &O::tolerance),
+        bound("smoothing", &O::smoothing),
+    };
 }
 
 PatternRequest patternRequest(const ParameterValues& values) {

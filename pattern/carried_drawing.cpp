@@ -144,6 +144,10 @@ void PatternOptions::validate() const {
     if (!std::isfinite(tolerance) || tolerance < 0.0) {
         throw InputError(InputErrorCode::BadOption, "tolerance must be a number >= 0");
     }
+    constexpr int kMostPasses = 1000;
+    if (smoothing < 0 || smoothing > kMostPasses) {
+        throw InputError(InputErrorCode::BadOption, "smoothing must be in [0, 1000]");
+    }
 }
 
 Pattern carriedDrawing(

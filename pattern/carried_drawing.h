@@ -16,6 +16,10 @@ struct PatternOptions {
     /// How far a curve may be from the carried drawing, user's unit; 0: kPatternToleranceRelative.
     double tolerance = 0.0;
 
+    /// Passes of smoothedRelief() over a copy of the surface on which the ways of the drawing are
+    /// found, in [0, 1000]: on rough scans the drawing comes out more evenly.
+    int smoothing = 0;
+
     /// Throws InputError (BadOption).
     void validate() const;
 };

@@ -5,6 +5,7 @@
 #include "design/designer_surface.h"
 #include "pattern/curve_chart.h"
 #include "pattern/point_chart.h"
+#include "pattern/relief_smoothing.h"
 #include "surface/error_messages.h"
 #include "surface/picks.h"
 #include "surface/surface_point.h"
@@ -33,6 +34,22 @@ SurfacePoint centreOn(const CurveDesigner& designer, const Vec3& centre) {
     return snapped(closest.point, kOnEdgeBarycentric);
 }
 
+/// The surface that the ways of a drawing are found on: one of the same faces.
+class WaySurface {
+public:
+    WaySurface(const Surface& given, int passes) : given_(given) {
+        if (passes > 0) {
+            smoothed_.emplace(smoothedRelief(given, passes));
+        }
+    }
+
+    [[nodiscard]] const Surface& surface() const { return smoothed_ ? *smoothed_ : given_; }
+
+private:
+    const Surface& given_;
+    std::optional<Surface> smoothed_;
+};
+
 }  // namespace
 
 Pattern patternRoundPoint(
@@ -44,11 +61,17 @@ Pattern patternRoundPoint(
     const PatternOptions& options,
     const Progress& progress
 ) {
-    const Surface& surface = surfaceOf(designer);
+    options.validate();
+    const WaySurface ways(surfaceOf(designer), options.smoothing);
+    const Surface& surface = ways.surface();
     const SurfacePoint origin = centreOn(designer, centre);
     const PointChart chart(surface, origin, up ? *up : PointChart::defaultUp(surface, origin));
     return carriedDrawing(
-        designer, chart, laidRoundPoint(drawing, scale, surface.diagonal()), options, progress
+        designer,
+        chart,
+        laidRoundPoint(drawing, scale, surfaceOf(designer).diagonal()),
+        options,
+        progress
     );
 }
 
@@ -60,7 +83,9 @@ Pattern patternAlongCurve(
     const PatternOptions& options,
     const Progress& progress
 ) {
-    const Surface& surface = surfaceOf(designer);
+    options.validate();
+    const WaySurface ways(surfaceOf(designer), options.smoothing);
+    const Surface& surface = ways.surface();
     const CurveChart chart(surface, curve, surface.averageEdgeLength());
     return carriedDrawing(
         designer,

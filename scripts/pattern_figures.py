@@ -124,7 +124,7 @@ def drawing_on_bunny(folder, output):
     side = low + size * [0.62, 0.42, 1.0]
     near = np.argmax(vertices[:, 2] - 8 * np.linalg.norm(vertices[:, :2] - side[:2], axis=1))
     centre = ",".join(f"{x:.9g}" for x in vertices[near])
-    lines = list(scene.pattern("--drawing", "drawing.svg", "--centre", centre, "--size", 0.42 * size.max()))
+    lines = list(scene.pattern("--drawing", "drawing.svg", "--centre", centre, "--size", 0.42 * size.max(), "--smoothing", 5))
     scene.picture(output / "pattern-drawing.png", lines, (0.1, 0.15, 1.0), (0, 1, 0), 0.004 * size.max())
 
 

@@ -189,6 +189,7 @@ class Mesh(MeshKeywords):
         shift: float = 0.0,
         corner_angle: float = 20.0,
         tolerance: float = 0.0,
+        smoothing: int = 0,
         progress: Progress | None = None,
     ) -> Pattern:
         """Carry a planar drawing to the mesh, each path as curves through picks of its own.
@@ -223,6 +224,9 @@ class Mesh(MeshKeywords):
             Paths are parted into curves where they turn by more than this, in degrees.
         tolerance : float ≥ 0, default 0
             Largest distance of the curves to the carried drawing; 0: 0.1 % of the mean size of its paths.
+        smoothing : int in [0, 1000], default 0
+            Smooth a copy of the mesh along its normals this often, and find the ways of the drawing on it: evens patterns
+            on rough scans.
         progress : callable, default None
             Called with a fraction and a stage; returning False cancels.
 
@@ -248,6 +252,7 @@ class Mesh(MeshKeywords):
             "shift": shift,
             "corner_angle": corner_angle,
             "tolerance": tolerance,
+            "smoothing": smoothing,
         }
         return drawn(self, drawing, centre, along, up, options, progress)
 

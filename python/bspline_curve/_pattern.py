@@ -32,6 +32,7 @@ OPTIONS = {
     "shift": Option("double", 0.0, None, None, False, ()),
     "corner_angle": Option("double", 20.0, 0.0, 179.0, True, ()),
     "tolerance": Option("double", 0.0, 0.0, None, False, ()),
+    "smoothing": Option("int", 0, 0, 1000, False, ()),
 }
 
 

@@ -114,7 +114,11 @@ Place placeOf(const nb::dict& options) {
              .spacing = number("spacing"),
              .start = number("start"),
              .shift = number("shift")},
-        .pattern = {.cornerAngle = number("corner_angle"), .tolerance = number("tolerance")}
+        .pattern = {
+            .cornerAngle = number("corner_angle"),
+            .tolerance = number("tolerance"),
+            .smoothing = nb::cast<int>(options["smoothing"])
+        }
     };
 }
 

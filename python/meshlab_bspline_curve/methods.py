@@ -736,6 +736,7 @@ def pattern_on_surface(
     spacing: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     start: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     shift: float = 0.0,
+    smoothing: int = 0,
     tolerance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     corner_angle: float = 20.0,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
@@ -786,6 +787,9 @@ def pattern_on_surface(
     shift : float, default 0.0
         Moves the drawing to the left of the curve, in the unit of the mesh; negative: to the right. Only with place
         curve.
+    smoothing : int in [0, 1000], default 0
+        Smooths a copy of the mesh along its normals this often, and finds the ways of the drawing on it: evens patterns
+        on rough scans. The curves lie on the mesh itself.
     tolerance : float ≥ 0, default 0.0
         Largest distance of the curves to the carried drawing, in the unit of the mesh. 0: 0.1 % of the mean size of its
         paths.
@@ -826,6 +830,7 @@ def pattern_on_surface(
             "spacing": spacing,
             "start": start,
             "shift": shift,
+            "smoothing": smoothing,
             "tolerance": tolerance,
             "corner_angle": corner_angle,
             "max_distance": max_distance,

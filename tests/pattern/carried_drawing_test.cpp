@@ -5,9 +5,11 @@
 #include "design/designer_surface.h"
 #include "design/strict_polyline.h"
 #include "pattern/curve_chart.h"
+#include "pattern/draw_pattern.h"
 #include "pattern/drawing_builder.h"
 #include "pattern/pattern_layout.h"
 #include "pattern/point_chart.h"
+#include "pattern/relief_smoothing.h"
 #include "support/meshes.h"
 #include "support/refusal.h"
 #include "surface/segment_distance.h"
@@ -168,6 +170,29 @@ TEST(CarriedDrawing, RepeatsAMotifRoundAClosedCurve) {
     }
     // Wide on the outer equator of the torus, shorter to both of its sides.
     EXPECT_LE(pattern.longest.ratio, 1.001);
+}
+
+TEST(CarriedDrawing, ComesOutMoreEvenlyWhereARoughSurfaceIsSmoothed) {
+    const CurveDesigner designer(withNoise(icosphere(4), 0.008, 3));
+    const Vec3 centre = Vec3(0.2, 0.3, 0.9).normalized();
+    const auto worst = [&](int passes) {
+        const Pattern pattern = patternRoundPoint(
+            designer, shapes(), centre, std::nullopt, {.size = 0.9}, {.smoothing = passes}
+        );
+        return std::max(pattern.longest.ratio - 1.0, 1.0 - pattern.shortest.ratio);
+    };
+    EXPECT_LT(worst(5), 0.6 * worst(0));
+}
+
+TEST(ReliefSmoothing, LeavesWhatIsFlat) {
+    const Surface surface(jitteredPlate(9, 9, 0.25, 3));
+    const TriangleMesh smoothed = smoothedRelief(surface, 7);
+    EXPECT_EQ(smoothed.vertices, surface.vertices());
+    EXPECT_EQ(smoothed.faces, surface.faces());
+    const Surface sphere(icosphere(3));
+    for (const Vec3& vertex : smoothedRelief(sphere, 10).vertices) {
+        EXPECT_NEAR(vertex.norm(), 1.0, 0.01);
+    }
 }
 
 TEST(PatternLayout, FitsCopiesToTheCurve) {
