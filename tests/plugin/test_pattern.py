@@ -53,7 +53,7 @@ def test_its_curves_cut_the_mesh(plate, star):
 def test_a_drawing_along_a_curve(plate, star):
     vertices, _ = wavy_plate()
     draw(plate, vertices[[20 * 41 + 5, 20 * 41 + 20, 20 * 41 + 35]], field="none")
-    figures = plate.apply_filter("pattern_on_surface", surface_layer=0, place="Along curves", drawing=star, repeat=3,
+    figures = plate.apply_filter("pattern_on_surface", surface_layer=0, place="curve", drawing=star, repeat=3,
                                  size=pymeshlab.PureValue(0.1))
     assert figures["curves"] == 27
 
@@ -73,7 +73,7 @@ def test_a_text(plate):
     ({"drawing": "star.svg", "text": "a"}, "not both"),
     ({"drawing": "star.svg"}, "0 points"),
     ({"drawing": "star.svg", "centre": "0 0 9"}, "away from the mesh"),
-    ({"drawing": "star.svg", "place": "Along curves"}, "curve"),
+    ({"drawing": "star.svg", "place": "curve"}, "polyline"),
     ({"drawing": "star.svg", "centre": "middle", "size": 9.0}, "path 0"),
 ])
 def test_refusals_leave_the_document_as_it_was(plate, star, options, said):
