@@ -3,7 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "design/strict_polyline.h"
-#include "filters/polyline_chains.h"
+#include "imprint/polyline_chains.h"
 #include "imprint/projected_polyline.h"
 #include "surface/error_messages.h"
 #include "surface/picks.h"

@@ -1,112 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mesh_parsers.h"
+#include "io/ply_cursor.h"
 #include "io/ply_header.h"
 #include "io/text_parsing.h"
 #include "utility/large_array.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 #include <vector>
 
 namespace bspline_curve {
 
 namespace {
-
-/// Runs over the numbers of the data part. Where one is missing or is not a number, `failed` stays
-/// true.
-class DataCursor {
-public:
-    DataCursor(std::string_view data, PlyFormat format) : data_(data), format_(format) {}
-
-    [[nodiscard]] bool failed() const { return failed_; }
-
-    /// Many scalars at once, without looking at them; binary only.
-    void skipBytes(std::size_t count) { static_cast<void>(take(count)); }
-
-    [[nodiscard]] std::size_t bytesLeft() const { return data_.size(); }
-
-    double number(PlyScalar type) {
-        if (format_ == PlyFormat::Ascii) {
-            return asciiNumber(type);
-        }
-        switch (type) {
-            case PlyScalar::None:
-                return 0.0;
-            case PlyScalar::Int8:
-                return binaryNumber<std::int8_t>();
-            case PlyScalar::UInt8:
-                return binaryNumber<std::uint8_t>();
-            case PlyScalar::Int16:
-                return binaryNumber<std::int16_t>();
-            case PlyScalar::UInt16:
-                return binaryNumber<std::uint16_t>();
-            case PlyScalar::Int32:
-                return binaryNumber<std::int32_t>();
-            case PlyScalar::UInt32:
-                return binaryNumber<std::uint32_t>();
-            case PlyScalar::Float:
-                return static_cast<double>(binaryNumber<float>());
-            case PlyScalar::Double:
-                return binaryNumber<double>();
-        }
-        return 0.0;
-    }
-
-private:
-    double asciiNumber(PlyScalar type) {
-        constexpr std::string_view kBlanks = " \t\r\n";
-        const std::size_t first = std::min(data_.find_first_not_of(kBlanks), data_.size());
-        const std::size_t end = std::min(data_.find_first_of(kBlanks, first), data_.size());
-        const std::string_view token = data_.substr(first, end - first);
-        data_.remove_prefix(end);
-        if (type == PlyScalar::Float) {
-            const auto value = parseFloat(token);
-            failed_ = failed_ || !value;
-            return static_cast<double>(value.value_or(0.0F));
-        }
-        if (type == PlyScalar::Double) {
-            const auto value = parseNumber(token);
-            failed_ = failed_ || !value;
-            return value.value_or(0.0);
-        }
-        const auto value = parseInteger(token);
-        failed_ = failed_ || !value;
-        return static_cast<double>(value.value_or(0));
-    }
-
-    std::string_view take(std::size_t count) {
-        if (data_.size() < count) {
-            failed_ = true;
-            return {};
-        }
-        const std::string_view taken = data_.substr(0, count);
-        data_.remove_prefix(count);
-        return taken;
-    }
-
-    template <class Number>
-    Number binaryNumber() {
-        const std::string_view bytes = take(sizeof(Number));
-        Number value{};
-        if (bytes.size() != sizeof(Number)) {
-            return value;
-        }
-        std::array<char, sizeof(Number)> copy{};
-        std::ranges::copy(bytes, copy.begin());
-        if (format_ == PlyFormat::BigEndian) {
-            std::ranges::reverse(copy);
-        }
-        std::memcpy(&value, copy.data(), sizeof value);
-        return value;
-    }
-
-    std::string_view data_;
-    PlyFormat format_;
-    bool failed_ = false;
-};
 
 class DataParser {
 public:
@@ -273,7 +179,7 @@ private:
     const std::filesystem::path& file_;
     const PlyHeader& header_;
     const PlyProperty* strips_;
-    DataCursor cursor_;
+    PlyCursor cursor_;
     double vertices_ = 0.0;
     Vec3 point_ = Vec3::Zero();
     double quality_ = 0.0, ignored_ = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filters/polyline_chains.h"
+#include "imprint/polyline_chains.h"
 
 #include <gtest/gtest.h>
 
