@@ -5,6 +5,7 @@
 #include "design/designer_surface.h"
 #include "design/field_cache.h"
 #include "design/prepared_surface.h"
+#include "design/spline_data.h"
 #include "design/strict_polyline.h"
 #include "projection/fibre_tracer.h"
 #include "projection/projected_curve.h"
@@ -164,20 +165,6 @@ double clearanceOf(const SurfacePolyline& line, const Surface& surface, const Re
     return least;
 }
 
-SplineData exported(const SplineCurve& curve, const CurveProblem& problem) {
-    const auto& [space, controls] = curve;
-    SplineData data{space.degree(), space.closed(), space.knotVector(), {}, {}};
-    const int repeated = data.closed ? data.degree : 0;
-    for (int i = 0; i < space.controlCount() + repeated; ++i) {
-        const int c = i % space.controlCount();
-        data.controlPoints.push_back(problem.extended->frame.toUser(controls.row(c).transpose()));
-    }
-    for (const PickConstraint& pick : problem.picks) {
-        data.pickParameters.push_back(pick.parameter);
-    }
-    return data;
-}
-
 // The part of a curve whose polyline is farther from its spline than the tolerance.
 std::optional<FarPart> farPartOf(
     const CurveProblem& problem, const SplineCurve& spline, const SurfacePolyline& line
@@ -209,7 +196,7 @@ Curve curveOf(const Surface& surface, Solved& solved, const SamplingOptions& sam
     describeShell(problem, solution, curve);
     curve.polyline =
         polylineOf(surface, problem, solution.curve, std::move(solution.trace), sampling);
-    curve.spline = exported(solution.curve, problem);
+    curve.spline = splineDataOf(solution.curve, problem.extended->frame, problem.picks);
     curve.report = solution.report;
     if (!curve.report.usable) {
         curve.report.farPart = farPartOf(problem, solution.curve, curve.polyline);

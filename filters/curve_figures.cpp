@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/curve_figures.h"
 
+#include "design/strict_polyline.h"
+
 namespace bspline_curve {
 
 namespace {
-
-double lengthOf(const SurfacePolyline& polyline) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < polyline.points.size(); ++i) {
-        length += (polyline.points[i] - polyline.points[i - 1]).norm();
-    }
-    return polyline.closed ? length + (polyline.points.front() - polyline.points.back()).norm()
-                           : length;
-}
 
 /// Of one curve on a surface that is ready.
 double secondsOf(const SolveReport& report) {

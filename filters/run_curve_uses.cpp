@@ -2,12 +2,16 @@
 #include "filters/run_curve_uses.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/shell.h"
+#include "design/strict_polyline.h"
 #include "filters/layer_ids.h"
 #include "imprint/mesh_parts.h"
 #include "imprint/part_choice.h"
+#include "shell/extended_surface.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -25,14 +29,6 @@ constexpr double kPartsShare = 0.9;
 
 int countOf(std::size_t count) {
     return static_cast<int>(count);
-}
-
-double lengthOf(const SurfacePolyline& line) {
-    double length = line.closed ? (line.points.front() - line.points.back()).norm() : 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-        length += (line.points[i] - line.points[i - 1]).norm();
-    }
-    return length;
 }
 
 /// What all of these filters do first.
@@ -236,10 +232,13 @@ MeshesResult runSegmentFilter(
 namespace {
 
 /// The lines beside a curve; refuses where there is none.
-std::vector<SurfacePolyline> linesBeside(
-    const Surface& surface, const PlacedCurve& curve, const OffsetOptions& options
+std::vector<FittedLine> linesBeside(
+    const Surface& surface,
+    const ExtendedSurface& extended,
+    const PlacedCurve& curve,
+    const OffsetOptions& options
 ) {
-    std::vector<SurfacePolyline> lines = offsetPolylines(surface, curve.line, options);
+    std::vector<FittedLine> lines = offsetCurves(surface, extended, curve.line, options);
     if (lines.empty()) {
         throw InputError(
             InputErrorCode::NoPath,
@@ -278,11 +277,14 @@ OffsetResult runOffsetFilter(
     }
     OffsetResult result;
     double length = 0.0;
+    double deviation = 0.0;
+    const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
     for (const PlacedCurve& curve : placed.placed.curves) {
         report(progress, kPlacedShare, "distances");
-        for (SurfacePolyline& line : linesBeside(surface, curve, options)) {
-            length += lengthOf(line);
-            result.pieces.push_back({.line = std::move(line), .curve = curve.label});
+        for (FittedLine& fitted : linesBeside(surface, extended, curve, options)) {
+            length += lengthOf(fitted.line);
+            deviation = std::max(deviation, fitted.deviation);
+            result.pieces.push_back({.line = std::move(fitted.line), .curve = curve.label});
         }
         if (request.selectBand) {
             addBand(surface, curve, options, result.band);
@@ -294,6 +296,7 @@ OffsetResult runOffsetFilter(
         {"offset", options.distance},
         {"pieces", countOf(result.pieces.size())},
         {"length", length},
+        {"largest_deviation", deviation},
         {"seconds", watch.lap()},
     };
     result.log = {

@@ -3,16 +3,27 @@
 
 #include "bspline_curve/error.h"
 #include "design/strict_polyline.h"
+#include "imprint/imprint.h"
 #include "offset/distance_beams.h"
 #include "offset/level_lines.h"
+#include "offset/line_corners.h"
+#include "utility/index_sets.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <utility>
 
 namespace bspline_curve {
 
 namespace {
+
+/// How far distances are known, in distances of the offset: fitted lines may be beyond it.
+constexpr double kReach = 1.02;
+/// Lines that cross are fitted again with this times the tolerance, so often at most.
+constexpr double kCloser = 0.25;
+constexpr int kCloserFits = 3;
 
 bool isOn(CurveSide side, OffsetSides sides) {
     return sides == OffsetSides::Both ||
@@ -72,6 +83,52 @@ std::pair<double, SurfacePolyline> polylineOf(const Surface& surface, const Leve
     return {length, std::move(result)};
 }
 
+/// The pieces of all lines at the distance on the sides asked for, the longest first.
+std::vector<SurfacePolyline> linesAt(
+    const Surface& surface, const DistanceBeams& beams, const OffsetOptions& options
+) {
+    std::vector<std::pair<double, SurfacePolyline>> pieces;
+    for (const LevelLine& level : levelLines(surface, beams, options.distance, options.step)) {
+        for (const LevelLine& part : partsOn(level, options.sides)) {
+            for (const LevelLine& smooth : cutAtCorners(surface, part, options.distance)) {
+                pieces.push_back(polylineOf(surface, smooth));
+            }
+        }
+    }
+    std::erase_if(pieces, [](const auto& piece) {
+        const SurfacePolyline& line = piece.second;
+        return line.points.size() < (line.closed ? 3U : 2U);
+    });
+    std::ranges::stable_sort(pieces, std::greater(), [](const auto& piece) { return piece.first; });
+    std::vector<SurfacePolyline> result;
+    for (auto& piece : pieces) {
+        result.push_back(std::move(piece.second));
+    }
+    return result;
+}
+
+/// Lines that cross themselves or others, ascending.
+std::vector<int> crossedLines(const Surface& surface, const std::vector<FittedLine>& fitted) {
+    std::vector<SurfacePolyline> lines;
+    for (const FittedLine& each : fitted) {
+        lines.push_back(each.line);
+    }
+    if (lines.empty()) {
+        return {};
+    }
+    const ImprintedMesh imprinted = imprint(surface, lines, {});
+    std::vector<int> crossed;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::vector<int>& vertices = imprinted.curves[i].vertices;
+        if (std::ranges::any_of(vertices, [&](int v) {
+                return indexIn(imprinted.crossings, v) >= 0;
+            })) {
+            crossed.push_back(static_cast<int>(i));
+        }
+    }
+    return crossed;
+}
+
 void checkInput(const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options) {
     options.validate();
     if (line.surfacePoints.size() < 2) {
@@ -98,42 +155,45 @@ void OffsetOptions::validate() const {
     if (!std::isfinite(step) || step <= 0.0 || step > 1.0) {
         throw InputError(InputErrorCode::BadOption, "step must be above 0 and at most 1");
     }
+    if (!std::isfinite(tolerance) || tolerance <= 0.0 || tolerance > 0.1) {
+        throw InputError(InputErrorCode::BadOption, "tolerance must be above 0 and at most 0.1");
+    }
 }
 
 std::vector<SurfacePolyline> offsetPolylines(
     const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options
 ) {
     checkInput(surface, line, options);
-    const DistanceBeams beams(surface, line, options.distance);
-    std::vector<std::pair<double, SurfacePolyline>> pieces;
-    for (const LevelLine& level : levelLines(surface, beams, options.distance, options.step)) {
-        for (const LevelLine& part : partsOn(level, options.sides)) {
-            pieces.push_back(polylineOf(surface, part));
-        }
-    }
-    std::erase_if(pieces, [](const auto& piece) { return piece.second.points.size() < 2; });
-    std::ranges::stable_sort(pieces, std::greater(), [](const auto& piece) { return piece.first; });
-    std::vector<SurfacePolyline> result;
-    for (auto& piece : pieces) {
-        result.push_back(std::move(piece.second));
-    }
-    return result;
+    return linesAt(surface, DistanceBeams(surface, line, options.distance), options);
 }
 
-SplineData polygonSpline(const SurfacePolyline& line) {
-    SplineData spline;
-    spline.degree = 1;
-    spline.closed = line.closed;
-    spline.controlPoints = line.points;
-    const std::vector<double>& t = line.parameters;
-    spline.knots.push_back(line.closed ? t.back() - 1.0 : t.front());
-    spline.knots.insert(spline.knots.end(), t.begin(), t.end());
-    spline.knots.push_back(1.0);
-    if (line.closed) {
-        spline.controlPoints.push_back(line.points.front());
-        spline.knots.push_back(1.0 + t[1]);
+std::vector<FittedLine> offsetCurves(
+    const Surface& surface,
+    const ExtendedSurface& extended,
+    const SurfacePolyline& line,
+    const OffsetOptions& options
+) {
+    checkInput(surface, line, options);
+    const DistanceBeams beams(surface, line, kReach * options.distance);
+    const std::vector<SurfacePolyline> lines = linesAt(surface, beams, options);
+    const LineFitter fitter(surface, extended, beams, options.distance);
+    std::vector<FittedLine> fitted;
+    for (const SurfacePolyline& each : lines) {
+        fitted.push_back(fitter.fitted(each, options.tolerance));
     }
-    return spline;
+    double tolerance = options.tolerance;
+    for (int attempt = 0; attempt <= kCloserFits; ++attempt) {
+        const std::vector<int> crossed = crossedLines(surface, fitted);
+        if (crossed.empty()) {
+            break;
+        }
+        tolerance *= kCloser;
+        for (const int i : crossed) {
+            fitted[i] = attempt < kCloserFits ? fitter.fitted(lines[i], tolerance)
+                                              : fitter.unfitted(lines[i]);
+        }
+    }
+    return fitted;
 }
 
 std::vector<char> facesWithin(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/core/curve_data.h"
 
+#include "design/strict_polyline.h"
 #include "filters/curve_notes.h"
 #include "python/core/arrays.h"
 #include "python/core/report_dict.h"
@@ -32,15 +33,6 @@ Array barycentricsOf(const Curve& curve) {
         weights.insert(weights.end(), point.barycentric.begin(), point.barycentric.end());
     }
     return arrayOf(std::move(weights), 3);
-}
-
-double lengthOf(const Curve& curve) {
-    const std::vector<Vec3>& points = curve.polyline.points;
-    double length = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        length += (points[i] - points[i - 1]).norm();
-    }
-    return curve.polyline.closed ? length + (points.front() - points.back()).norm() : length;
 }
 
 // What a curve is kept by in files: enough to be shown, written and moved on from; its report is
@@ -115,7 +107,7 @@ void bindCurve(nb::module_& module) {
         .def_prop_ro("degree", [](const Curve& c) { return c.spline.degree; })
         .def_prop_ro("closed", [](const Curve& c) { return c.polyline.closed; })
         .def_prop_ro("usable", [](const Curve& c) { return c.report.usable; })
-        .def_prop_ro("length", lengthOf)
+        .def_prop_ro("length", [](const Curve& curve) { return lengthOf(curve.polyline); })
         .def("report", reportDict)
         .def("why_unusable", [](const Curve& c) { return describeUnusable(c.report); });
 }

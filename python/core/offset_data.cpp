@@ -2,10 +2,12 @@
 #include "python/core/offset_data.h"
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/shell.h"
 #include "design/designer_surface.h"
 #include "offset/offset_curves.h"
 #include "python/core/arrays.h"
 #include "python/core/mesh_designer.h"
+#include "shell/extended_surface.h"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -28,18 +30,18 @@ OffsetOptions optionsOf(double distance, const std::string& side) {
     };
 }
 
-// Lines at a distance, each with itself as its spline.
-std::vector<Curve> offsetCurves(
+std::vector<Curve> curvesBeside(
     const MeshDesigner& designer, const Curve& curve, double distance, const std::string& side
 ) {
     const nb::gil_scoped_release unlocked;
+    const Surface& surface = surfaceOf(designer.designer());
+    const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
     std::vector<Curve> result;
-    for (SurfacePolyline& piece : offsetPolylines(
-             surfaceOf(designer.designer()), curve.polyline, optionsOf(distance, side)
-         )) {
+    for (FittedLine& piece :
+         offsetCurves(surface, extended, curve.polyline, optionsOf(distance, side))) {
         Curve made;
-        made.spline = polygonSpline(piece);
-        made.polyline = std::move(piece);
+        made.spline = std::move(piece.spline);
+        made.polyline = std::move(piece.line);
         made.report.usable = true;
         result.push_back(std::move(made));
     }
@@ -64,7 +66,7 @@ Array facesNear(
 }  // namespace
 
 void bindOffset(nb::module_& module) {
-    module.def("offset", offsetCurves);
+    module.def("offset", curvesBeside);
     module.def("faces_within", facesNear);
 }
 

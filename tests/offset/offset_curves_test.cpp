@@ -5,13 +5,17 @@
 #include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
 #include "design/strict_polyline.h"
+#include "imprint/imprint.h"
 #include "offset/distance_beams.h"
+#include "shell/extended_surface.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -41,15 +45,6 @@ double distanceTo(const SurfacePolyline& line, const Vec3& point) {
     return best;
 }
 
-double lengthOf(const SurfacePolyline& line) {
-    double length = 0.0;
-    const std::size_t count = line.points.size();
-    for (std::size_t i = 0; i + 1 < count + (line.closed ? 1 : 0); ++i) {
-        length += (line.points[(i + 1) % count] - line.points[i]).norm();
-    }
-    return length;
-}
-
 /// Largest error of vertices and middles of segments, in distances.
 double planeError(const SurfacePolyline& curve, const SurfacePolyline& offset, double distance) {
     double worst = 0.0;
@@ -62,13 +57,68 @@ double planeError(const SurfacePolyline& curve, const SurfacePolyline& offset, d
     return worst / distance;
 }
 
-/// One closed, strict piece, everywhere at its distance.
+/// Strict pieces, everywhere at their distance, that make one ring together.
 void expectRingAtDistance(const Surface& surface, const SurfacePolyline& curve, double distance) {
     const auto pieces = offsetPolylines(surface, curve, {.distance = distance});
-    ASSERT_EQ(pieces.size(), 1U);
-    EXPECT_TRUE(pieces[0].closed);
-    EXPECT_TRUE(isStrict(surface, pieces[0]));
-    EXPECT_LT(planeError(curve, pieces[0], distance), 1e-3);
+    ASSERT_GE(pieces.size(), 1U);
+    EXPECT_EQ(pieces[0].closed, pieces.size() == 1);
+    Vec3 ends = Vec3::Zero();
+    for (const SurfacePolyline& piece : pieces) {
+        EXPECT_TRUE(isStrict(surface, piece));
+        EXPECT_LT(planeError(curve, piece, distance), 1e-3);
+        ends += piece.closed ? Vec3::Zero().eval() : Vec3(piece.points.back() - piece.points[0]);
+    }
+    EXPECT_LT(ends.norm(), 1e-14);
+}
+
+std::vector<FittedLine> fittedBeside(
+    const Surface& surface, const SurfacePolyline& curve, const OffsetOptions& options
+) {
+    const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
+    return offsetCurves(surface, extended, curve, options);
+}
+
+/// Neither a piece with itself nor with another.
+bool doCross(const Surface& surface, const std::vector<FittedLine>& pieces) {
+    std::vector<SurfacePolyline> lines;
+    for (const FittedLine& piece : pieces) {
+        lines.push_back(piece.line);
+    }
+    return !imprint(surface, lines, {}).crossings.empty();
+}
+
+/// Where the spline of a piece is at a parameter.
+Vec3 splineAt(const SplineData& spline, double t) {
+    const int degree = spline.degree;
+    const auto count = static_cast<int>(spline.controlPoints.size());
+    int k = degree;
+    while (k + 1 < count && spline.knots[k + 1] <= t) {
+        ++k;
+    }
+    std::vector<Vec3> points(
+        spline.controlPoints.begin() + k - degree, spline.controlPoints.begin() + k + 1
+    );
+    for (int r = 1; r <= degree; ++r) {
+        for (int j = degree; j >= r; --j) {
+            const double low = spline.knots[j + k - degree];
+            const double share = (t - low) / (spline.knots[j + 1 + k - r] - low);
+            points[j] = (1 - share) * points[j - 1] + share * points[j];
+        }
+    }
+    return points[degree];
+}
+
+/// Cubic, everywhere at the distance, and each vertex where the spline is.
+void expectFitted(const SurfacePolyline& curve, const FittedLine& piece, double distance) {
+    EXPECT_TRUE(piece.isFitted);
+    EXPECT_EQ(piece.spline.degree, 3);
+    EXPECT_LT(planeError(curve, piece.line, distance), 1e-3);
+    EXPECT_LT(piece.deviation, 1e-3);
+    EXPECT_LT(5 * piece.spline.controlPoints.size(), piece.line.points.size());
+    for (std::size_t i = 0; i < piece.line.points.size(); ++i) {
+        const Vec3 at = splineAt(piece.spline, piece.line.parameters[i]);
+        ASSERT_LT((at - piece.line.points[i]).norm(), 1e-9) << i;
+    }
 }
 
 TEST(OffsetCurves, OfACurveOnAPlaneAreAtTheirDistanceWhateverTheFaces) {
@@ -112,6 +162,119 @@ SurfacePolyline onSide(
     auto pieces = offsetPolylines(surface, curve, {.distance = distance, .sides = sides});
     EXPECT_EQ(pieces.size(), 1U);
     return pieces.empty() ? SurfacePolyline{} : pieces.front();
+}
+
+TEST(OffsetCurves, AreFittedByFewControlPointsOnAPlane) {
+    for (const int cells : {9, 60}) {
+        const TriangleMesh mesh = jitteredPlate(cells, cells, 0.25, 7);
+        const Surface surface(mesh);
+        const SurfacePolyline curve =
+            drawn(mesh, {{0.25, 0.4, 0}, {0.5, 0.6, 0}, {0.75, 0.4, 0}}, false);
+        for (const double distance : {0.02, 0.08, 0.2}) {
+            SCOPED_TRACE(testing::Message() << cells << " cells, distance " << distance);
+            const auto pieces = fittedBeside(surface, curve, {.distance = distance});
+            ASSERT_GE(pieces.size(), 1U);
+            for (const FittedLine& piece : pieces) {
+                EXPECT_TRUE(isStrict(surface, piece.line));
+                expectFitted(curve, piece, distance);
+            }
+            EXPECT_FALSE(doCross(surface, pieces));
+        }
+    }
+}
+
+/// The closed line of a mesh at a height.
+SurfacePolyline sectionAt(const Surface& surface, double height) {
+    const auto above = [&](int f, int k) {
+        return surface.vertices()[surface.faces()[f][k]].z() > height;
+    };
+    // The side through which the line leaves a face, with what is above to its left.
+    const auto exitOf = [&](int f) {
+        int k = 0;
+        while (k < 3 && !(above(f, (k + 1) % 3) && !above(f, (k + 2) % 3))) {
+            ++k;
+        }
+        return k;
+    };
+    int first = 0;
+    while (exitOf(first) == 3) {
+        ++first;
+    }
+    SurfacePolyline line;
+    line.closed = true;
+    int face = first;
+    do {
+        const int k = exitOf(face);
+        const double high = surface.vertices()[surface.faces()[face][(k + 1) % 3]].z();
+        const double low = surface.vertices()[surface.faces()[face][(k + 2) % 3]].z();
+        SurfacePoint point{.face = face};
+        point.barycentric[(k + 1) % 3] = (height - low) / (high - low);
+        point.barycentric[(k + 2) % 3] = 1 - point.barycentric[(k + 1) % 3];
+        line.surfacePoints.push_back(point);
+        line.points.push_back(surface.position(point));
+        line.parameters.push_back(static_cast<double>(line.points.size()));
+        face = surface.faceNeighbours()[face][k];
+    } while (face != first);
+    for (double& t : line.parameters) {
+        t = (t - 1) / static_cast<double>(line.points.size());
+    }
+    return line;
+}
+
+TEST(OffsetCurves, OfACircleOfLatitudeAreCirclesOfLatitude) {
+    const TriangleMesh mesh = icosphere(6);
+    const Surface surface(mesh);
+    const double latitude = 0.4;
+    const SurfacePolyline curve = sectionAt(surface, std::sin(latitude));
+    ASSERT_TRUE(isStrict(surface, curve));
+    for (const double distance : {0.1, 0.3, 0.6}) {
+        SCOPED_TRACE(distance);
+        const auto pieces = fittedBeside(surface, curve, {.distance = distance});
+        ASSERT_EQ(pieces.size(), 2U);
+        for (const FittedLine& piece : pieces) {
+            EXPECT_TRUE(piece.isFitted && piece.line.closed);
+            EXPECT_LT(piece.deviation, 1e-3);
+            for (const Vec3& point : piece.line.points) {
+                const double away = std::abs(std::asin(point.normalized().z()) - latitude);
+                ASSERT_NEAR(away, distance, 1e-3 * distance);
+            }
+        }
+        EXPECT_FALSE(doCross(surface, pieces));
+    }
+}
+
+TEST(OffsetCurves, AreCutAtCorners) {
+    // Two sides of a right angle, rounded by the curve with a small radius: the inner offset has
+    // one corner, and is symmetric about the diagonal.
+    const TriangleMesh mesh = jitteredPlate(30, 30, 0.2, 5);
+    const Surface surface(mesh);
+    const SurfacePolyline curve = drawn(
+        mesh,
+        {{0.2, 0.9, 0},
+         {0.2, 0.5, 0},
+         {0.2, 0.25, 0},
+         {0.25, 0.2, 0},
+         {0.5, 0.2, 0},
+         {0.9, 0.2, 0}},
+        false
+    );
+    const auto pieces = fittedBeside(surface, curve, {.distance = 0.2, .sides = OffsetSides::Left});
+    ASSERT_EQ(pieces.size(), 2U);
+    EXPECT_FALSE(doCross(surface, pieces));
+    const std::array ends{
+        pieces[0].line.points.front(),
+        pieces[0].line.points.back(),
+        pieces[1].line.points.front(),
+        pieces[1].line.points.back()
+    };
+    const bool meet = ends[0] == ends[3] || ends[1] == ends[2];
+    EXPECT_TRUE(meet);
+    const Vec3 corner = ends[0] == ends[3] ? ends[0] : ends[1];
+    EXPECT_NEAR(corner.x(), 0.4, 0.02);
+    EXPECT_NEAR(corner.y(), 0.4, 0.02);
+    for (const FittedLine& piece : pieces) {
+        expectFitted(curve, piece, 0.2);
+    }
 }
 
 TEST(OffsetCurves, LieOnTheSideThatIsAskedFor) {
@@ -211,6 +374,9 @@ TEST(OffsetCurves, RefuseDistancesThatAreNone) {
     EXPECT_THROW((void)offsetPolylines(surface, curve, {.distance = 0.0}), InputError);
     EXPECT_THROW((void)offsetPolylines(surface, curve, {.distance = std::nan("")}), InputError);
     EXPECT_THROW((void)offsetPolylines(surface, {}, {.distance = 0.1}), InputError);
+    EXPECT_THROW(
+        (void)offsetPolylines(surface, curve, {.distance = 1, .tolerance = 0}), InputError
+    );
     EXPECT_TRUE(offsetPolylines(surface, curve, {.distance = 5.0}).empty());
 }
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/curve.h"
+#include "offset/distance_beams.h"
+#include "shell/extended_surface.h"
+
+namespace bspline_curve {
+
+/// A line at a distance as one of our curves.
+struct FittedLine {
+    SurfacePolyline line;    ///< the spline's projection, strictly on the surface
+    SplineData spline;       ///< of degree 3, or 1 where isFitted is false
+    double deviation = 0.0;  ///< largest of vertices and middles of segments, in distances
+    bool isFitted = false;   ///< else no spline came near enough: the line itself
+};
+
+/// The polyline as a spline of degree 1: its vertices are the control points, its t the knots.
+[[nodiscard]] SplineData polygonSpline(const SurfacePolyline& line);
+
+/// Fits cubic splines to lines at one distance from a curve, and projects them along the fibres.
+class LineFitter {
+public:
+    /// `beams` must reach beyond the distance. All must outlive this.
+    LineFitter(
+        const Surface& surface,
+        const ExtendedSurface& extended,
+        const DistanceBeams& beams,
+        double distance
+    )
+        : surface_(surface), extended_(extended), beams_(beams), distance_(distance) {}
+
+    /// By least squares with few knots; spans are halved where vertices of the projection are off
+    /// the distance by more than `tolerance` times it, or the spline leaves the surface. The ends
+    /// of an open line stay. The line itself where no spline with as many knots as the line has
+    /// vertices will do. O(n log n) for n vertices.
+    [[nodiscard]] FittedLine fitted(const SurfacePolyline& line, double tolerance) const;
+
+    /// The line with itself as its spline.
+    [[nodiscard]] FittedLine unfitted(const SurfacePolyline& line) const;
+
+private:
+    const Surface& surface_;
+    const ExtendedSurface& extended_;
+    const DistanceBeams& beams_;
+    double distance_;
+};
+
+}  // namespace bspline_curve
