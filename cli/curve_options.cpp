@@ -3,30 +3,21 @@
 
 #include "bspline_curve/error.h"
 #include "bspline_curve/version.h"
-#include "cli/described_options.h"
+#include "cli/drawing_options.h"
 #include "cli/mesh_input.h"
 #include "cli/parse_with.h"
 #include "cli/shell_cache_option.h"
 #include "cli/value_checks.h"
-#include "filters/requests.h"
 #include "io/curve_writer.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace bspline_curve::cli {
 
 namespace {
-
-constexpr const char* kMain = "Options";
-constexpr const char* kAdvanced = "Advanced options";
-constexpr const char* kFieldGroup = "Options of the field";
-constexpr const char* kFieldPrefix = "--field-";
 
 void addFiles(CLI::App& app, CurveArguments& arguments) {
     app.add_option("MESH", arguments.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
@@ -73,114 +64,26 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
     addCacheOption(app, arguments.noCache);
 }
 
-/// Parameters of the filter that have no meaning here: layers, selections, and files, which the
-/// program has options of its own for.
-constexpr std::array<std::string_view, 10> kOfHosts = {
-    "surface_layer",
-    "picks_layer",
-    "picks_file",
-    "picks",
-    "field_region",
-    "tube_radius",
-    "save",
-    "control_polygon",
-    "shell_layers",
-    "replace"
-};
-
-std::string groupOf(const ParameterDescription& parameter) {
-    if (parameter.group == "advanced.field") {
-        return kFieldGroup;
-    }
-    return parameter.isAdvanced() ? kAdvanced : kMain;
-}
-
 /// The command line of one curve, and what was given on it.
 class CurveParser {
 public:
     CurveParser() {
         app_.set_version_flag("--version", "bspline_curve " BSPLINE_CURVE_VERSION);
         addFiles(app_, arguments_);
-        for (const ParameterDescription& parameter : curveFilter().parameters) {
-            if (std::ranges::find(kOfHosts, parameter.id) == kOfHosts.end()) {
-                options_.add(parameter.id, groupOf(parameter), extrasOf(parameter.id));
-            }
-        }
-        addRegionOptions(app_, kFieldGroup, kFieldPrefix, arguments_.fieldRegion);
+        drawing_.addAll();
     }
 
     /// Throws CLI::ParseError, InputError (BadOption).
     CurveArguments parse(Arguments words) {
         // CLI11 takes them in reverse order.
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-        if (!fieldFile_.empty()) {
-            // The values of a file are treated as those of a mesh.
-            options_.setDefault("field", std::string(name(FieldKind::Quality)));
-        }
-        const CurveRequest request = curveRequest(options_.values());
-        arguments_.solver = request.solver;
-        arguments_.sampling = request.sampling;
-        arguments_.shell = request.shell;
-        arguments_.mending = request.mending;
-        setField(request);
-        setAvoided(request);
+        drawing_.finish();
         return arguments_;
     }
 
     [[nodiscard]] const CLI::App& app() const { return app_; }
 
 private:
-    [[nodiscard]] OptionExtras extrasOf(std::string_view id) {
-        if (id == "tension") {
-            return {.aliases = ",--lambda"};
-        }
-        if (id == "field_weight") {
-            return {.aliases = ",--mu"};
-        }
-        if (id == "field") {
-            return {.file = &fieldFile_, .fileHelp = ".npy, or a text of one number per vertex."};
-        }
-        if (id == "avoid_threshold") {
-            return {.hasDefault = false};  // --avoid needs it
-        }
-        if (id == "avoid") {
-            return {
-                .file = &avoidFile_,
-                .fileHelp = "ids of the faces from 0 on, .npy of integers or a text."
-            };
-        }
-        return {};
-    }
-
-    void setField(const CurveRequest& request) {
-        arguments_.fieldOptions.kind = FieldKind::Quality;
-        if (request.field) {
-            arguments_.fieldOptions = request.field->options;
-            arguments_.field = request.field->automatic ? kAutomaticField
-                               : fieldFile_.empty()     ? name(arguments_.fieldOptions.kind)
-                                                        : fieldFile_;
-        }
-        checkRegion(arguments_.fieldRegion, arguments_.fieldOptions.kind, kFieldPrefix);
-    }
-
-    /// Throws CLI::ValidationError where there is a threshold without a use, or none for one.
-    void setAvoided(const CurveRequest& request) {
-        const bool isUnder = request.avoid == Avoid::UnderThreshold;
-        const bool isOver = request.avoid == Avoid::OverThreshold;
-        const bool needsThreshold = avoidFile_.empty() && (isUnder || isOver);
-        if (needsThreshold != options_.isGiven("avoid_threshold")) {
-            throw CLI::ValidationError(
-                "--avoid-threshold is for --avoid under-threshold and --avoid over-threshold, "
-                "which "
-                "need it"
-            );
-        }
-        arguments_.avoid.file = avoidFile_;
-        if (needsThreshold) {
-            (isUnder ? arguments_.avoid.under : arguments_.avoid.over) = request.avoidThreshold;
-        }
-    }
-
     CLI::App app_{
         "Draws a smooth B-spline curve through picked points on a triangle mesh and writes it as "
         "a\n"
@@ -192,8 +95,7 @@ private:
         "bspline_curve"
     };
     CurveArguments arguments_;
-    std::string fieldFile_, avoidFile_;  // empty: none
-    DescribedOptions options_{app_, curveFilter()};
+    DrawingOptions drawing_{app_, arguments_};
 };
 
 }  // namespace

@@ -65,7 +65,6 @@ std::optional<PartChoice> partChoiceOf(const std::string& word) {
 class CutParser {
 public:
     CutParser() {
-        addImprintOptions(app_, arguments_.input);
         app_.add_option(
                 "--output",
                 arguments_.output,
@@ -111,6 +110,7 @@ public:
     CutArguments parse(Arguments words) {
         // CLI11 takes them in reverse order.
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        input_.finish();
         arguments_.keep = partChoiceOf(keep_);
         if (fill_ != "none") {
             arguments_.fill = fill_ == "flat" ? FillShape::Flat : FillShape::Smooth;
@@ -131,6 +131,7 @@ private:
         "bspline_curve cut"
     };
     CutArguments arguments_;
+    ImprintInputOptions input_{app_, arguments_.input};
     std::string keep_;
     std::string fill_ = "none";
 };

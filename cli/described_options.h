@@ -45,6 +45,8 @@ public:
     /// Whether the option was on the command line.
     [[nodiscard]] bool isGiven(std::string_view id) const { return given_.contains(id); }
 
+    [[nodiscard]] bool isAnyGiven() const { return !given_.empty(); }
+
 private:
     void keep(const std::string& id, ParameterValue value);
     CLI::Option* addChoice(

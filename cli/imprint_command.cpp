@@ -30,7 +30,6 @@ struct ImprintArguments {
 class ImprintParser {
 public:
     ImprintParser() {
-        addImprintOptions(app_, arguments_.input);
         app_.add_option(
                 "--output",
                 arguments_.output,
@@ -51,6 +50,7 @@ public:
     ImprintArguments parse(Arguments words) {
         // CLI11 takes them in reverse order.
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        input_.finish();
         return arguments_;
     }
 
@@ -65,6 +65,7 @@ private:
         "bspline_curve imprint"
     };
     ImprintArguments arguments_;
+    ImprintInputOptions input_{app_, arguments_.input};
 };
 
 ExitCode imprintCurves(const ImprintArguments& arguments, ProgressBar& bar) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/curve_input.h"
 #include "cli/progress_bar.h"
 #include "imprint/imprint.h"
 #include "imprint/mesh_parts.h"
 #include "io/imprint_writer.h"
 
-#include <filesystem>
 #include <vector>
 
 namespace CLI {
@@ -17,13 +17,22 @@ class App;
 namespace bspline_curve::cli {
 
 struct ImprintInput {
-    std::filesystem::path mesh;
-    std::vector<std::filesystem::path> curves;
+    CurveInput use;
     ImprintOptions options;
 };
 
-/// MESH, --curve and --snap.
-void addImprintOptions(CLI::App& app, ImprintInput& input);
+/// The options of curves, and --snap.
+class ImprintInputOptions {
+public:
+    /// Both must outlive this.
+    ImprintInputOptions(CLI::App& app, ImprintInput& input);
+
+    /// After parsing, see CurveInputOptions.
+    void finish() { use_.finish(); }
+
+private:
+    CurveInputOptions use_;
+};
 
 struct ImprintedFile {
     ImprintedMesh imprinted;
@@ -32,10 +41,7 @@ struct ImprintedFile {
     ImprintFigures figures;
 };
 
-/// Reads and imprints. Shows the bar up to 0.7. Throws InputError, Cancelled.
+/// Reads, draws and imprints. Shows the bar up to 0.7. Throws InputError, Cancelled.
 [[nodiscard]] ImprintedFile readAndImprint(const ImprintInput& input, ProgressBar& bar);
-
-/// Throws Cancelled after Ctrl-C.
-void throwIfInterrupted();
 
 }  // namespace bspline_curve::cli

@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bspline_curve offset MESH --curve FILE --distance D …: curves beside a curve.
+// bspline_curve offset MESH --curve FILE --distance D …: curves beside curves.
 #include "bspline_curve/error.h"
-#include "bspline_curve/progress.h"
+#include "bspline_curve/shell.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
-#include "cli/mesh_input.h"
+#include "cli/curve_input.h"
 #include "cli/numbered_file.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"
 #include "cli/value_checks.h"
 #include "cli/verb.h"
 #include "io/atomic_file.h"
-#include "io/curve_reader.h"
 #include "io/curve_writer.h"
 #include "io/mesh_writer.h"
+#include "io/offset_report.h"
 #include "io/text_parsing.h"
 #include "offset/offset_curves.h"
+#include "shell/extended_surface.h"
+#include "utility/stopwatch.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
+#include <limits>
 #include <list>
 #include <string>
 #include <utility>
@@ -32,22 +37,15 @@ namespace bspline_curve::cli {
 namespace {
 
 struct OffsetArguments {
-    std::filesystem::path mesh, curve, output;
-    std::filesystem::path band;  ///< empty: none asked for
+    CurveInput input;
+    std::filesystem::path output;
+    std::filesystem::path band, report;  ///< empty: none asked for
     OffsetOptions offset;
 };
 
 class OffsetParser {
 public:
     OffsetParser() {
-        app_.add_option("MESH", arguments_.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
-            ->required()
-            ->type_name("");
-        app_.add_option(
-                "--curve", arguments_.curve, "Curve on this mesh, as this program writes it: .json"
-        )
-            ->required()
-            ->type_name("FILE.json");
         app_.add_option(
                 "--distance",
                 arguments_.offset.distance,
@@ -86,12 +84,19 @@ public:
                 "side asked for, else 0, as label and quality of faces"
         )
             ->type_name("FILE.ply");
+        app_.add_option(
+                "--report",
+                arguments_.report,
+                "Write length, largest deviation and spline of each piece, and seconds"
+        )
+            ->type_name("FILE.json");
     }
 
     /// Throws CLI::ParseError.
     OffsetArguments parse(Arguments words) {
         // CLI11 takes them in reverse order.
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        input_.finish();
         arguments_.offset.sides = side_ == "left"    ? OffsetSides::Left
                                   : side_ == "right" ? OffsetSides::Right
                                                      : OffsetSides::Both;
@@ -102,13 +107,15 @@ public:
 
 private:
     CLI::App app_{
-        "Draws the lines at a distance from a curve, measured along the surface. Where an offset "
-        "runs\ninto itself it ends there, so that no piece crosses itself or another.\n\n"
+        "Draws the lines at a distance from a curve, measured along the surface; from several "
+        "curves, those\nof each. Where an offset runs into itself it ends there, so that no piece "
+        "crosses itself or another\nof its curve.\n\n"
         "Exit status: 0 done; 1 bad mesh or file, or no point has that distance; 2 wrong usage; "
         "130\ninterrupted by Ctrl-C. No output is written unless the status is 0.\n",
         "bspline_curve offset"
     };
     OffsetArguments arguments_;
+    CurveInputOptions input_{app_, arguments_.input};
     std::string side_ = "both";
 };
 
@@ -126,16 +133,23 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
         }
         checkWritable(arguments.band);
     }
-    bar.show(0.0, "reading");
-    constexpr bool kStrict = true;  // nothing is mended here
-    const Surface surface(readInputMesh(arguments.mesh, kStrict).mesh);
-    const MeshChecksum checksum = checksumOf(surface.mesh());
-    const SurfacePolyline curve = readCurve(arguments.curve, surface, checksum);
-    if (interrupted()) {
-        throw Cancelled();
+    if (!arguments.report.empty()) {
+        checkWritable(arguments.report);
     }
-    bar.show(0.3, "measuring distances");
-    const std::vector<SurfacePolyline> pieces = offsetPolylines(surface, curve, arguments.offset);
+    constexpr double kReadShare = 0.3;
+    const CurvesOnMesh read(arguments.input, bar, kReadShare);
+    const Surface& surface = read.surface();
+    Stopwatch watch;
+    throwIfInterrupted();
+    bar.show(kReadShare, "measuring distances");
+    const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
+    std::vector<FittedLine> pieces;
+    for (const SurfacePolyline& curve : read.curves()) {
+        std::ranges::move(
+            offsetCurves(surface, extended, curve, arguments.offset), std::back_inserter(pieces)
+        );
+        throwIfInterrupted();
+    }
     if (pieces.empty()) {
         throw InputError(
             InputErrorCode::NoPath,
@@ -143,23 +157,32 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
             "smaller --distance"
         );
     }
-    if (interrupted()) {
-        throw Cancelled();
-    }
+    const double offsetSeconds = watch.lap();
     // All files appear, or none.
     std::list<AtomicFile> files;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::filesystem::path file = numberedFile(arguments.output, i);
         const Curve piece{
-            .polyline = pieces[i], .spline = polygonSpline(pieces[i]), .report = {}, .shell = {}
+            .polyline = pieces[i].line, .spline = pieces[i].spline, .report = {}, .shell = {}
         };
-        files.emplace_back(file, curveBytes(file, piece, {}, checksum));
+        files.emplace_back(file, curveBytes(file, piece, {}, read.checksum()));
     }
     if (!arguments.band.empty()) {
-        const std::vector<char> within = facesWithin(surface, curve, arguments.offset);
-        const std::vector<int> labels(within.begin(), within.end());
+        std::vector<int> labels(surface.faceCount(), 0);
+        for (const SurfacePolyline& curve : read.curves()) {
+            const std::vector<char> within = facesWithin(surface, curve, arguments.offset);
+            for (std::size_t f = 0; f < within.size(); ++f) {
+                labels[f] |= within[f];
+            }
+        }
         files.emplace_back(
             arguments.band, meshBytes(arguments.band, surface.mesh(), {.faceLabels = labels})
+        );
+    }
+    if (!arguments.report.empty()) {
+        files.emplace_back(
+            arguments.report,
+            offsetReportBytes(pieces, arguments.offset, read.seconds().draw, offsetSeconds)
         );
     }
     bar.clear();

@@ -34,7 +34,6 @@ struct SegmentArguments {
 class SegmentParser {
 public:
     SegmentParser() {
-        addImprintOptions(app_, arguments_.input);
         app_.add_option(
                 "--output",
                 arguments_.output,
@@ -55,6 +54,7 @@ public:
     SegmentArguments parse(Arguments words) {
         // CLI11 takes them in reverse order.
         app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        input_.finish();
         return arguments_;
     }
 
@@ -70,6 +70,7 @@ private:
         "bspline_curve segment"
     };
     SegmentArguments arguments_;
+    ImprintInputOptions input_{app_, arguments_.input};
 };
 
 void checkExtension(

@@ -84,6 +84,7 @@ Json reportOf(
         {"seconds",
          {{"read", figures.readSeconds},
           {"surface", figures.surfaceSeconds},
+          {"draw", figures.drawSeconds},
           {"imprint", figures.imprintSeconds}}},
     };
 }

@@ -14,6 +14,7 @@ namespace bspline_curve {
 struct ImprintFigures {
     double readSeconds = 0.0;     ///< files
     double surfaceSeconds = 0.0;  ///< validation and adjacency
+    double drawSeconds = 0.0;     ///< polylines projected, curves drawn through picks
     double imprintSeconds = 0.0;  ///< surface and curves in memory to arrays
     double snap = 0.0;            ///< as asked for
 };

@@ -74,5 +74,69 @@ def test_refuses_another_mesh_and_what_it_cannot_write(run, refused, tmp_path, d
     assert run("imprint", "hill.ply", "--curve", "old.json", "--output", "new.ply").returncode == 0
     refused(1, "imprint", "hill.ply", *CURVES, "--output", "out.xyz", says=["meshes are written as .ply, .obj, .off or .stl"])
     refused(2, "imprint", "hill.ply", *CURVES, "--output", "out.ply", "--snap", 0.5, says=["must be in [0, 0.01]"])
-    refused(2, "imprint", "hill.ply", "--output", "out.ply", says=["--curve"])
+    refused(2, "imprint", "hill.ply", "--output", "out.ply", says=["--curve or --picks is required"])
     assert not (tmp_path / "out.ply").exists()
+
+
+@pytest.mark.parametrize("extension", ["ply", "obj", "dxf"])
+def test_polylines_of_other_formats_are_projected(run, refused, tmp_path, drawn, extension):
+    """What was written and read again is where it was drawn, up to rounding."""
+    assert run("imprint", "hill.ply", "--curve", "curve-0.json", "--output", "exact.ply", "--map", "exact.json").returncode == 0
+    line = json.loads((tmp_path / "curve-0.json").read_text())["polyline"]["points"]
+    write_polyline(tmp_path / f"line.{extension}", line)
+    words = ("--curve", f"line.{extension}", "--output", "out.ply", "--map", "map.json", "--report", "report.json")
+    assert run("imprint", "hill.ply", *words).returncode == 0
+    exact, other = (trimesh.load(tmp_path / name, process=False) for name in ("exact.ply", "out.ply"))
+    ids = json.loads((tmp_path / "map.json").read_text())["curves"][0]["vertices"]
+    first = json.loads((tmp_path / "exact.json").read_text())["curves"][0]["vertices"]
+    gaps = np.linalg.norm(other.vertices[ids][:, None] - exact.vertices[first][None], axis=2).min(axis=1)
+    assert gaps.max() < 1e-6
+    assert json.loads((tmp_path / "report.json").read_text())["seconds"]["draw"] > 0
+    write_polyline(tmp_path / f"far.{extension}", np.array(line) + [0, 0, 0.05])
+    far = ("imprint", "hill.ply", "--curve", f"far.{extension}", "--output", "far.ply")
+    refused(1, *far, says=[f"far.{extension}: is not near the mesh: vertex 0", "larger --max-distance"])
+    assert run(*far, "--max-distance", 0.06).returncode == 0
+
+
+def write_polyline(path, points):
+    """An open polyline: elements of PLY, statements of OBJ, or lines of DXF."""
+    points = np.array(points)
+    ends = list(zip(range(len(points)), range(1, len(points))))
+    rows = ["%.17g %.17g %.17g" % tuple(p) for p in points]
+    if path.suffix == ".ply":
+        head = ["ply", "format ascii 1.0", f"element vertex {len(points)}", *(f"property double {x}" for x in "xyz")]
+        head += [f"element edge {len(ends)}", "property int vertex1", "property int vertex2", "end_header"]
+        text = "\n".join(head + rows + [f"{a} {b}" for a, b in ends]) + "\n"
+    elif path.suffix == ".obj":
+        text = "\n".join(["v " + row for row in rows] + [f"l {a + 1} {b + 1}" for a, b in ends]) + "\n"
+    else:
+        pairs = [(0, "SECTION"), (2, "ENTITIES")]
+        for a, b in ends:
+            pairs += [(0, "LINE"), (8, "0")] + [(10 * (k + 1) + e, "%.17g" % points[i][k]) for e, i in ((0, a), (1, b)) for k in range(3)]
+        text = "".join(f"{code}\n{value}\n" for code, value in [*pairs, (0, "ENDSEC"), (0, "EOF")])
+    path.write_text(text)
+
+
+def test_every_verb_draws_curves_through_picks_first(run, refused, tmp_path, drawn):
+    """A curve that is drawn on the way is the one that is drawn alone."""
+    vertices = drawn[0]
+    centre, size = vertices.mean(axis=0), np.ptp(vertices[:, 0])
+    near = lambda u, v: vertices[np.abs(vertices[:, :2] - centre[:2] - [u * size, v * size]).sum(axis=1).argmin()].tolist()  # noqa: E731
+    ring = [near(-0.2, -0.2), near(0.2, -0.2), near(0.2, 0.2), near(-0.2, 0.2)]
+    (tmp_path / "ring.json").write_text(json.dumps({"picks": ring, "closed": True}))
+    options = ("--field", "none", "--tension", 0.3)
+    assert run("hill.ply", "--picks", "ring.json", *options, "--output", "ring-curve.json").returncode == 0
+    for verb, *more in (["imprint"], ["cut"], ["segment"], ["offset", "--distance", 0.05]):
+        outputs = []
+        for name, words in (("drawn", ("--picks", "ring.json", *options)), ("read", ("--curve", "ring-curve.json"))):
+            extension = "json" if verb == "offset" else "ply"
+            result = run(verb, "hill.ply", *words, *more, "--output", f"{verb}-{name}.{extension}")
+            assert result.returncode == 0, result.stderr
+            outputs.append((tmp_path / f"{verb}-{name}.{extension}").read_bytes())
+        assert outputs[0] == outputs[1], verb
+    both = run("imprint", "hill.ply", "--picks", "ring.json", *options, *CURVES, "--output", "both.ply", "--map", "both.json")
+    assert both.returncode == 0, both.stderr
+    assert [c["closed"] for c in json.loads((tmp_path / "both.json").read_text())["curves"]] == [False, False, True]
+    refused(2, "imprint", "hill.ply", *CURVES, *options, "--output", "out.ply", says=["options of curves are for --picks"])
+    (tmp_path / "off.json").write_text(json.dumps({"picks": [ring[0], [9, 9, 9]]}))
+    refused(1, "cut", "hill.ply", "--picks", "off.json", "--output", "out.ply", says=["pick 1"])

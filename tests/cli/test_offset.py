@@ -30,12 +30,20 @@ def distances(points, curve):
 
 def test_points_are_at_the_distance(run, tmp_path, curve):
     distance = 0.2 * np.ptp(curve[:, 0])
-    result = run("offset", "plate.ply", "--curve", "curve.json", "--distance", distance, "--output", "offset.json")
+    result = run("offset", "plate.ply", "--curve", "curve.json", "--distance", distance, "--output", "offset.json",
+                 "--report", "report.json")
     assert result.returncode == 0, result.stderr
     offset = json.loads((tmp_path / "offset.json").read_text())
     points = np.array(offset["polyline"]["points"])
     assert offset["closed"]
-    assert np.abs(distances(points, curve) / distance - 1).max() < 1e-6
+    assert np.abs(distances(points, curve) / distance - 1).max() < 5e-4
+    report = json.loads((tmp_path / "report.json").read_text())
+    (piece,) = report["pieces"]
+    middles = (points + np.roll(points, -1, axis=0)) / 2
+    off = np.abs(distances(np.vstack([points, middles]), curve) / distance - 1).max()
+    assert piece["deviation"] == pytest.approx(off, abs=1e-7) and off < 1e-3
+    assert piece["fitted"] and piece["closed"] and piece["degree"] == offset["degree"] == 3
+    assert piece["control_points"] == len(offset["control_points"]) - 3 < len(points) / 10
     assert not (tmp_path / "offset-2.json").exists()
 
 
