@@ -25,6 +25,9 @@ namespace bspline_curve {
 namespace {
 
 constexpr int kFairingSteps = 20;
+/// Points of a rim that are triangulated at once: smoothly filled ones, and all others.
+constexpr int kFewRimPoints = 120;
+constexpr int kManyRimPoints = 400;
 /// How far a middle in line with an edge is lifted off it, relative to the edges around.
 constexpr double kLift = 1e-3;
 constexpr int kSizeAverages = 4;  // along the rim, since faces beside curves are uneven
@@ -174,7 +177,13 @@ private:
                 }
             }
         }
-        patch.faces = triangulateRim(patch.points, patch.forbidden);
+        // What is refined afterwards need not begin with the least area.
+        if (shape == FillShape::Smooth) {
+            patch.faces = triangulateRim(patch.points, patch.forbidden, kFewRimPoints);
+        }
+        if (patch.faces.empty()) {
+            patch.faces = triangulateRim(patch.points, patch.forbidden, kManyRimPoints);
+        }
         if (patch.faces.empty() || isFaceOfMesh(vertices)) {
             closeWithMiddle(patch, rim, shape);
         }

@@ -2,13 +2,17 @@
 #include "fill/patch_refinement.h"
 
 #include "surface/half_edges.h"
+#include "surface/surface_point.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <span>
+#include <unordered_set>
 
 namespace bspline_curve {
 
@@ -22,8 +26,8 @@ constexpr double kLongChordRelative = 0.5;
 /// Sums of cotangents below minus this are not Delaunay; a margin against endless turns.
 constexpr double kDelaunayMargin = 1e-9;
 constexpr int kMostRounds = 40;
-constexpr int kMostFlipPasses = 50;
-constexpr int kRelaxations = 2;  // in each round
+constexpr std::size_t kMostFlips = 150;  // tried, for each face
+constexpr int kRelaxations = 2;          // in each round
 constexpr double kRelaxationStep = 0.5;
 
 /// An edge inside the patch, its faces (a, b, c) and (b, a, d).
@@ -124,41 +128,106 @@ bool isBetterFlipped(const Patch& patch, const InnerEdge& edge) {
     return normalOf(patch, c, d, b).dot(before) > 0.0 && normalOf(patch, d, c, a).dot(before) > 0.0;
 }
 
-bool isFree(const Patch& patch, const EdgeSet& edges, const std::array<int, 2>& edge) {
-    const bool isChord = patch.isOnRim(edge[0]) && patch.isOnRim(edge[1]);
-    if (isChord) {
-        const double length = (patch.points[edge[0]] - patch.points[edge[1]]).norm();
-        const double size = 0.5 * (patch.sizes[edge[0]] + patch.sizes[edge[1]]);
-        if (length > kLongChordRelative * size) {
-            return false;  // it would be halved again
+/// Flips edges until none is better flipped, each again where one of its faces changed.
+class Flips {
+public:
+    explicit Flips(Patch& patch) : patch_(patch) {
+        Triangle none;
+        none.fill(-1);
+        beside_.assign(patch.faces.size(), none);
+        for (const InnerEdge& edge : innerEdges(patch.faces)) {
+            beside_[edge.first][cornerOf(patch.faces[edge.first], edge.c)] = edge.second;
+            beside_[edge.second][cornerOf(patch.faces[edge.second], edge.d)] = edge.first;
+            suspects_.push_back({edge.first, cornerOf(patch.faces[edge.first], edge.c)});
+        }
+        for (const Triangle& face : patch.faces) {
+            for (int k = 0; k < 3; ++k) {
+                edges_.insert(keyOf(face[k], face[(k + 1) % 3]));
+            }
         }
     }
-    return !edges.contains(edge) && !patch.forbidden.contains(edge);
-}
 
-void flipToDelaunay(Patch& patch) {
-    for (int pass = 0; pass < kMostFlipPasses; ++pass) {
-        EdgeSet edges;
-        for (const HalfEdge& side : sortedHalfEdges(patch.faces)) {
-            edges.insert({side.low, side.high});
+    void run() {
+        // An end also where rounding would have two edges take turns.
+        std::size_t left = kMostFlips * patch_.faces.size();
+        for (; !suspects_.empty() && left > 0; --left) {
+            const auto [face, k] = suspects_.front();
+            suspects_.pop_front();
+            tryFlip(face, k);
         }
-        ChangedFaces changed(patch.faces.size());
-        bool any = false;
-        for (const InnerEdge& edge : innerEdges(patch.faces)) {
-            const auto [low, high] = std::minmax(edge.c, edge.d);
-            if (!isBetterFlipped(patch, edge) || !isFree(patch, edges, {low, high}) ||
-                !changed.take(edge)) {
-                continue;
+    }
+
+private:
+    struct Side {
+        int face, k;  // opposite to corner k
+    };
+
+    static std::uint64_t keyOf(int a, int b) {
+        const auto [low, high] = std::minmax(a, b);
+        return static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint32_t>(high);
+    }
+
+    [[nodiscard]] bool isFree(int c, int d) const {
+        const auto [low, high] = std::minmax(c, d);
+        if (patch_.isOnRim(c) && patch_.isOnRim(d)) {
+            const double length = (patch_.points[c] - patch_.points[d]).norm();
+            const double size = 0.5 * (patch_.sizes[c] + patch_.sizes[d]);
+            if (length > kLongChordRelative * size) {
+                return false;  // it would be halved again
             }
-            edges.insert({low, high});
-            patch.faces[edge.first] = {edge.c, edge.d, edge.b};
-            patch.faces[edge.second] = {edge.d, edge.c, edge.a};
-            any = true;
         }
-        if (!any) {
+        return !edges_.contains(keyOf(c, d)) && !patch_.forbidden.contains({low, high});
+    }
+
+    void tryFlip(int face, int k) {
+        const int other = beside_[face][k];
+        if (other < 0) {
             return;
         }
+        const Triangle one = patch_.faces[face];
+        const int a = one[(k + 1) % 3];
+        const int b = one[(k + 2) % 3];
+        const int c = one[k];
+        const int j = (cornerOf(patch_.faces[other], a) + 1) % 3;
+        const int d = patch_.faces[other][j];
+        const InnerEdge edge{.a = a, .b = b, .c = c, .d = d, .first = face, .second = other};
+        if (!isBetterFlipped(patch_, edge) || !isFree(c, d)) {
+            return;
+        }
+        const Triangle besideOne = beside_[face];
+        const Triangle besideOther = beside_[other];
+        const int pastBC = besideOne[(k + 1) % 3];
+        const int pastCA = besideOne[(k + 2) % 3];
+        const int pastAD = besideOther[(j + 1) % 3];
+        const int pastDB = besideOther[(j + 2) % 3];
+        patch_.faces[face] = {c, d, b};
+        patch_.faces[other] = {d, c, a};
+        beside_[face] = {pastDB, pastBC, other};
+        beside_[other] = {pastCA, pastAD, face};
+        renameBeside(pastDB, other, face);
+        renameBeside(pastCA, face, other);
+        edges_.erase(keyOf(a, b));
+        edges_.insert(keyOf(c, d));
+        for (const int changed : {face, other}) {
+            suspects_.push_back({changed, 0});
+            suspects_.push_back({changed, 1});
+        }
     }
+
+    void renameBeside(int face, int from, int to) {
+        if (face >= 0) {
+            std::ranges::replace(beside_[face], from, to);
+        }
+    }
+
+    Patch& patch_;
+    std::vector<Triangle> beside_;  // the face across the side opposite to each corner, or -1
+    std::deque<Side> suspects_;
+    std::unordered_set<std::uint64_t> edges_;
+};
+
+void flipToDelaunay(Patch& patch) {
+    Flips(patch).run();
 }
 
 void relax(Patch& patch, Relaxing relaxing) {

@@ -14,7 +14,6 @@ namespace bspline_curve {
 
 namespace {
 
-constexpr int kLargestPolygon = 400;
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
 /// A triangle is flat where twice its area is less than this of its longest side's square.
 constexpr double kFlatRelative = 1e-10;
@@ -60,11 +59,15 @@ private:
         return static_cast<std::size_t>(i) * count_ + j;
     }
 
-    [[nodiscard]] double costOf(int i, int m, int j) const {
+    /// Twice the area of a triangle; impossible where it is flat, or not below `limit`.
+    [[nodiscard]] double costOf(int i, int m, int j, double limit) const {
         const Vec3& a = polygon_[places_[i]];
         const Vec3& b = polygon_[places_[m]];
         const Vec3& c = polygon_[places_[j]];
         const double area = (b - a).cross(c - a).norm();
+        if (area >= limit) {
+            return kImpossible;
+        }
         const double longest =
             std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
         return area > kFlatRelative * longest && hasArea(a, b, c) ? area : kImpossible;
@@ -84,7 +87,7 @@ private:
             if (parts >= best) {
                 continue;
             }
-            const double cost = parts + costOf(i, m, j);
+            const double cost = parts + costOf(i, m, j, best - parts);
             if (cost < best) {
                 best = cost;
                 middle_[at(i, j)] = m;
@@ -102,9 +105,11 @@ private:
 
 }  // namespace
 
-std::vector<Triangle> triangulateRim(const std::vector<Vec3>& polygon, const EdgeSet& forbidden) {
+std::vector<Triangle> triangulateRim(
+    const std::vector<Vec3>& polygon, const EdgeSet& forbidden, int most
+) {
     const auto count = static_cast<int>(polygon.size());
-    const int coarseCount = std::min(count, kLargestPolygon);
+    const int coarseCount = std::min(count, most);
     const auto placeOf = [&](int i) {
         return static_cast<int>(static_cast<std::int64_t>(i) * count / coarseCount);
     };

@@ -15,11 +15,11 @@ using EdgeSet = std::set<std::array<int, 2>>;
 /// A triangulation of a closed polygon in space without new points, of least area (G. Barequet and
 /// M. Sharir, Filling gaps in the boundary of a polyhedron, 1995). Triangles name points by their
 /// place in the polygon and pass its edges in its order. No triangle has an edge of `forbidden` as
-/// a chord, or is flat. Polygons of more than 400 points are
-/// triangulated with 400 of them first, then the rest. O(n^3) up to there. Empty where there is
+/// a chord, or is flat. Polygons of more than `most` points are
+/// triangulated with so many of them first, then the rest. O(n^3) up to there. Empty where there is
 /// no such triangulation.
 [[nodiscard]] std::vector<Triangle> triangulateRim(
-    const std::vector<Vec3>& polygon, const EdgeSet& forbidden
+    const std::vector<Vec3>& polygon, const EdgeSet& forbidden, int most
 );
 
 }  // namespace bspline_curve
