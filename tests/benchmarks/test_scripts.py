@@ -182,3 +182,57 @@ def test_the_page_shows_every_count_that_is_kept():
     counts = json.loads((ROOT / "benchmarks" / "instructions.json").read_text())["paths"]
     page = (ROOT / "docs" / "PERFORMANCE.md").read_text()
     assert [name for name in counts if f"| {name.replace('_', ' ')} |" not in page] == []
+
+
+def test_random_sets_of_curves_are_imprinted_as_promised(script, bench_program, tmp_path):
+    done = script("random_imprints.py", "--sets", 40, "--seed", 7, "--program", bench_program, "--json", tmp_path / "r.json")
+    succeed(done)
+    rows = json.loads((tmp_path / "r.json").read_text())["rows"]
+    assert sum(row["sets"] for row in rows) == 40 and len(rows) == 5 and all(row["wrong"] == 0 for row in rows)
+
+
+def test_the_checks_of_imprints_see_what_is_wrong(bench_program, tmp_path):
+    import random_curves
+    import random_imprints as imprints
+
+    mesh = random_curves.Mesh(*imprints.plate(6))
+    quality = mesh.vertices @ [1.0, 2.0, 0.0]
+    curves = random_curves.random_set(mesh, np.random.default_rng(3), 4)
+    given = type("Given", (), {"program": bench_program})
+    assert imprints.check_set(given, None, mesh, quality, curves, tmp_path) == []
+    told, report = (json.loads((tmp_path / name).read_text()) for name in ("map.json", "report.json"))
+    whole = imprints.read_result(tmp_path / "out.ply")
+    words = [word for k in range(len(curves)) for word in ("--curve", tmp_path / f"curve-{k}.json")]
+
+    def complaints(vertices=whole[0], values=whole[1], faces=whole[2], told=told, report=report):
+        result = (vertices, values, faces, whole[3])
+        wrong = imprints.wrong_imprint(mesh, quality, curves, result, told)
+        return {text.partition(":")[0].partition(" ")[0] for text in
+                wrong + imprints.wrong_parts(bench_program, tmp_path, mesh, words, result, told, report)}
+
+    count = len(mesh.vertices)
+    moved = whole[0].copy()
+    moved[-1] += [1e-3, 0, 0]
+    assert "quality" in complaints(vertices=moved)
+    moved = whole[0].copy()
+    moved[0, 2] = 1e-300
+    assert "vertices" in complaints(vertices=moved)
+    assert "faces" in complaints(faces=whole[2][:, ::-1])
+    assert "parents" in complaints(told=told | {"parents": told["parents"][1:] + told["parents"][:1]})
+    swapped = [c | {"vertices": c["vertices"][::2]} for c in told["curves"]]
+    assert "curve" in complaints(told=told | {"curves": swapped})
+    parts = [report["parts"][0] | {"area": 1.1 * report["parts"][0]["area"]}, *report["parts"][1:]]
+    assert "parts" in complaints(report=report | {"parts": parts})
+    parts = [report["parts"][0] | {"euler": 7}, *report["parts"][1:]]
+    assert "parts" in complaints(report=report | {"parts": parts})
+    assert count < len(whole[0])
+
+
+@needs("meshlib")
+def test_imprinting_is_timed_beside_meshlib(script, bench_program, tmp_path):
+    succeed(script("peers_cut.py", "--quick", "--program", bench_program, "--json", tmp_path / "p.json"))
+    rows = json.loads((tmp_path / "p.json").read_text())["rows"]
+    assert len(rows) == 6
+    for row in rows:
+        assert row["ours"] > 0 and row["our_faces"] > row["faces"] and row["segments"] > 100
+    assert any(row["meshlib"] for row in rows)
