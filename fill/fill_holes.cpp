@@ -25,9 +25,8 @@ namespace bspline_curve {
 namespace {
 
 constexpr int kFairingSteps = 20;
-/// Points of a rim that are triangulated at once: smoothly filled ones, and all others.
+/// Points of a rim that is filled smoothly that are triangulated at once.
 constexpr int kFewRimPoints = 120;
-constexpr int kManyRimPoints = 400;
 /// How far a middle in line with an edge is lifted off it, relative to the edges around.
 constexpr double kLift = 1e-3;
 constexpr int kSizeAverages = 4;  // along the rim, since faces beside curves are uneven
@@ -182,7 +181,7 @@ private:
             patch.faces = triangulateRim(patch.points, patch.forbidden, kFewRimPoints);
         }
         if (patch.faces.empty()) {
-            patch.faces = triangulateRim(patch.points, patch.forbidden, kManyRimPoints);
+            patch.faces = triangulateRim(patch.points, patch.forbidden);
         }
         if (patch.faces.empty() || isFaceOfMesh(vertices)) {
             closeWithMiddle(patch, rim, shape);

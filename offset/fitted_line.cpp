@@ -27,8 +27,8 @@ constexpr double kFirstSpan = 2.0;
 /// Closed splines need so many spans.
 constexpr int kFewestSpans = kDegree + 1;
 constexpr int kMostFirstSpans = 64;
-/// Halving all spans so often leads from the first to as many as any line needs.
-constexpr int kMostFits = 24;
+/// More than any line needs: next to creases spans are halved one by one.
+constexpr int kMostFits = 60;
 /// Vertices of the polyline are at most so many distances apart: arcs of that radius are then
 /// within 1e-4 of their chords.
 constexpr double kVertexStep = 0.025;
@@ -82,6 +82,8 @@ public:
             std::optional<SurfacePolyline> projected = project(curve);
             if (projected) {
                 markFar(space, *projected, tolerance);
+            } else {
+                markLoose(curve, targets);
             }
             if (projected && std::ranges::find(isFar_, 1) == isFar_.end()) {
                 return result(curve, std::move(*projected));
@@ -175,6 +177,19 @@ private:
             const int span = space.spanAt(std::clamp(projected.parameters[i], 0.0, 1.0));
             if (isFar_[span] == 0 && errorAt(projected.surfacePoints[i]) > tolerance) {
                 isFar_[span] = 1;
+            }
+        }
+    }
+
+    /// Marks spans that are far from the line in space, where no trace tells more.
+    void markLoose(const SplineCurve& curve, const std::vector<SpanTarget>& targets) {
+        for (int span = 0; span < curve.space.spanCount(); ++span) {
+            const PolynomialCurve part = curve.space.polynomial(curve.controls, span);
+            for (int i = 0; i < SpanTarget::kSamples; ++i) {
+                const Vec3 gap = part.at(SpanTarget::tau(i)) - targets[span].positions[i];
+                if (gap.norm() > problem_.distanceTolerance) {
+                    isFar_[span] = 1;
+                }
             }
         }
     }
