@@ -30,14 +30,6 @@ struct Target {
     TriangleTree tree{surface.vertices(), surface.faces()};
 };
 
-double lengthOf(const SurfacePolyline& line) {
-    double length = line.closed ? (line.points.front() - line.points.back()).norm() : 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-        length += (line.points[i] - line.points[i - 1]).norm();
-    }
-    return length;
-}
-
 TEST(ProjectedPolyline, IsTheFootOfSegmentsOverAPlate) {
     const Target plate(test_support::plate(9, 9));
     const SurfacePolyline line =
