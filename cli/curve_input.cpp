@@ -117,7 +117,7 @@ CurvesOnMesh::CurvesOnMesh(const CurveInput& input, ProgressBar& bar, double sha
         checkDrawingFiles(input.drawing);
     }
     readMesh(input, bar, share);
-    readCurves(input);
+    takeCurves(input);
     throwIfInterrupted();
     drawCurves(input, bar);
 }
@@ -142,7 +142,7 @@ void CurvesOnMesh::readMesh(const CurveInput& input, ProgressBar& bar, double sh
     throwIfInterrupted();
 }
 
-void CurvesOnMesh::readCurves(const CurveInput& input) {
+void CurvesOnMesh::takeCurves(const CurveInput& input) {
     Stopwatch watch;
     const double distance =
         input.maxDistance > 0.0 ? input.maxDistance : kPickReachRelative * surface().diagonal();

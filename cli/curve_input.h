@@ -66,7 +66,7 @@ public:
 
 private:
     void readMesh(const CurveInput& input, ProgressBar& bar, double share);
-    void readCurves(const CurveInput& input);
+    void takeCurves(const CurveInput& input);
     void drawCurves(const CurveInput& input, ProgressBar& bar);
 
     std::optional<PreparedMesh> prepared_;  // where curves are drawn
