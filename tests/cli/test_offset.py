@@ -42,8 +42,8 @@ def test_points_are_at_the_distance(run, tmp_path, curve):
     middles = (points + np.roll(points, -1, axis=0)) / 2
     off = np.abs(distances(np.vstack([points, middles]), curve) / distance - 1).max()
     assert piece["deviation"] == pytest.approx(off, abs=1e-7) and off < 1e-3
-    assert piece["fitted"] and piece["closed"] and piece["degree"] == offset["degree"] == 3
-    assert piece["control_points"] == len(offset["control_points"]) - 3 < len(points) / 10
+    assert piece["fitted"] and piece["closed"] and piece["degree"] == offset["spline"]["degree"] == 3
+    assert piece["control_points"] == len(offset["spline"]["control_points"]) - 3 < len(points) / 10
     assert not (tmp_path / "offset-2.json").exists()
 
 
