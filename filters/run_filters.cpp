@@ -3,18 +3,16 @@
 
 #include "bspline_curve/error.h"
 #include "design/designer_surface.h"
-#include "field/make_field.h"
-#include "filters/automatic_field.h"
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
+#include "filters/curve_guides.h"
 #include "filters/curve_notes.h"
 #include "filters/layer_ids.h"
 #include "filters/mended_layer.h"
 #include "io/curve_writer.h"
 #include "io/report_writer.h"
 #include "io/shell_cache.h"
-#include "surface/region.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
@@ -32,70 +30,6 @@ namespace {
 // Shares of the work, for progress only.
 constexpr double kSurfaceShare = 0.5;
 constexpr double kFieldShare = 0.6;
-
-std::span<const double> qualityOf(const LayerInput& layer) {
-    if (layer.quality.empty()) {
-        throw InputError(
-            InputErrorCode::BadField,
-            "layer \"" + layer.label +
-                "\" has no per-vertex quality: compute one first, or choose another field"
-        );
-    }
-    return layer.quality;
-}
-
-Region selectedRegion(const LayerInput& layer, const Surface& surface, RegionSource source) {
-    if (source == RegionSource::SelectedVertices) {
-        return layer.selectedVertices.empty() ? Region()
-                                              : facesOfVertices(surface, layer.selectedVertices);
-    }
-    Region region;
-    for (std::size_t f = 0; f < layer.selectedFaces.size(); ++f) {
-        if (layer.selectedFaces[f] != 0) {
-            region.push_back(static_cast<int>(f));
-        }
-    }
-    return region;
-}
-
-std::vector<double> fieldOf(
-    const LayerInput& layer,
-    const Surface& surface,
-    const FieldRequest& request,
-    const Progress& progress
-) {
-    std::span<const double> quality;
-    Region region;
-    if (request.options.kind == FieldKind::Quality) {
-        quality = qualityOf(layer);
-    } else if (request.options.kind == FieldKind::Obstacle) {
-        region = selectedRegion(layer, surface, request.region);
-    }
-    return makeField(surface, request.options, {.quality = quality, .region = region}, progress);
-}
-
-/// The faces to avoid. `field` is empty where there is none.
-Region avoidedRegion(
-    const CurveRequest& request,
-    const LayerInput& layer,
-    const Surface& surface,
-    std::span<const double> field
-) {
-    const auto values = [&] { return field.empty() ? qualityOf(layer) : field; };
-    switch (request.avoid) {
-        case Avoid::SelectedFaces:
-            return selectedRegion(layer, surface, RegionSource::SelectedFaces);
-        case Avoid::SelectedVertices:
-            return selectedRegion(layer, surface, RegionSource::SelectedVertices);
-        case Avoid::UnderThreshold:
-            return facesUnder(surface, values(), request.avoidThreshold);
-        case Avoid::OverThreshold:
-            return facesOver(surface, values(), request.avoidThreshold);
-        case Avoid::Nothing:
-            break;
-    }
-    return {};
-}
 
 /// A kept designer, else one whose shell comes from the cache on disk or is built.
 DesignerCache::Found designerFor(
@@ -171,27 +105,17 @@ CurveResult runCurveFilter(
         repair == nullptr ? std::nullopt : std::optional(carriedOver(layer, *repair));
     const LayerInput& inputs = carried ? *carried : layer;
     checkTube(request, surfaceOf(designer));
-    const bool hasField =
-        request.field && (!request.field->automatic || isFollowedUnasked(inputs.quality));
-    std::vector<double> field;
-    if (hasField) {
-        field = madeFrom(inputs, [&] {
-            return fieldOf(
-                inputs,
-                surfaceOf(designer),
-                *request.field,
-                partOf(progress, kSurfaceShare, kFieldShare)
-            );
-        });
-    }
-    const Region avoid = avoidedRegion(request, inputs, surfaceOf(designer), field);
+    const CurveGuides guides = curveGuides(
+        inputs, surfaceOf(designer), request, partOf(progress, kSurfaceShare, kFieldShare)
+    );
+    const std::vector<double>& field = guides.field;
     CurveResult result;
-    result.followsField = hasField;
+    result.followsField = guides.hasField;
     result.curve = designer.design(
         chosen.picks,
         options,
         request.sampling,
-        {.field = field, .avoid = avoid},
+        {.field = field, .avoid = guides.avoid},
         partOf(progress, kFieldShare, 1.0)
     );
     const std::vector<double> along =
@@ -202,8 +126,8 @@ CurveResult runCurveFilter(
     result.log = {
         // Names are no figures, since pymeshlab warns of texts.
         .figures = std::string("shell=") + shellName(result.curve) +
-                   " field=" + (hasField ? name(request.field->options.kind) : "none") + " " +
-                   keyValueText(result.figures),
+                   " field=" + (guides.hasField ? name(request.field->options.kind) : "none") +
+                   " " + keyValueText(result.figures),
         .warnings = warningsOf(result.curve, found)
     };
     if (repair != nullptr) {

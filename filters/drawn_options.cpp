@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/drawn_options.h"
+
+#include "filters/option_bindings.h"
+
+#include <algorithm>
+
+namespace bspline_curve {
+
+namespace {
+
+constexpr const char* kNoField = "none";
+
+template <class Options>
+bool areSame(const Bindings<Options>& bindings, const Options& a, const Options& b) {
+    return std::ranges::all_of(bindings, [&](const Binding<Options>& binding) {
+        return binding.write(a) == binding.write(b);
+    });
+}
+
+bool areSame(const std::optional<FieldRequest>& a, const std::optional<FieldRequest>& b) {
+    if (!a || !b) {
+        return a.has_value() == b.has_value();
+    }
+    return areSame(fieldBindings("field", "field_"), a->options, b->options) &&
+           areSame(regionBindings("field_"), *a, *b);
+}
+
+std::string avoidedOf(const CurveRequest& request) {
+    const Bindings<CurveRequest> bindings = curveBindings();
+    const auto found = std::ranges::find(bindings, "avoid", &Binding<CurveRequest>::id);
+    return std::get<std::string>(found->write(request));
+}
+
+std::string fieldOf(const CurveRequest& request) {
+    if (!request.field) {
+        return kNoField;
+    }
+    return request.field->automatic ? kAutomaticField : name(request.field->options.kind);
+}
+
+}  // namespace
+
+const std::vector<std::string>& drawnParameters() {
+    static const std::vector<std::string> ids = {
+        "closed", "degree", "tension", "field", "field_weight", "avoid", "avoid_threshold"
+    };
+    return ids;
+}
+
+ParameterValues valuesOf(const DrawnOptions& options) {
+    ParameterValues values(curveFilter());
+    values.set("closed", options.closed);
+    values.set("degree", options.degree);
+    values.set("tension", options.tension);
+    values.set("field", options.field);
+    values.set("field_weight", options.fieldWeight);
+    values.set("avoid", options.avoid);
+    values.set("avoid_threshold", options.avoidThreshold);
+    return values;
+}
+
+std::optional<DrawnOptions> drawnOptions(const CurveRequest& request) {
+    const DrawnOptions options{
+        .closed = request.solver.closed,
+        .degree = request.solver.degree,
+        .tension = request.solver.tension,
+        .field = fieldOf(request),
+        .fieldWeight = request.solver.fieldWeight,
+        .avoid = avoidedOf(request),
+        .avoidThreshold = request.avoidThreshold,
+    };
+    const CurveRequest same = curveRequest(valuesOf(options));
+    const bool isOffered =
+        areSame(solverBindings(), request.solver, same.solver) &&
+        areSame(samplingBindings(), request.sampling, same.sampling) &&
+        areSame(shellBindings(), request.shell, same.shell) && areSame(request.field, same.field) &&
+        request.mending.strict == same.mending.strict && request.mending.weld == same.mending.weld;
+    return isOffered ? std::optional(options) : std::nullopt;
+}
+
+}  // namespace bspline_curve
