@@ -121,17 +121,24 @@ void CurveWorker::serve() {
     }
 }
 
+Progress CurveWorker::untilTheEnd() const {
+    return [this](double, const char*) {
+        const std::scoped_lock lock(mutex_);
+        return !isEnding_;
+    };
+}
+
 SolveAnswer CurveWorker::answerTo(const SolveRequest& request, const Progress& progress) const {
     SolveAnswer answer{request.id, request.picks, nullptr, {}};
     CurveInputs inputs;
-    if (request.options.field) {
-        inputs.field = *request.options.field;
-    }
-    if (request.options.avoid) {
-        inputs.avoid = *request.options.avoid;
-    }
     inputs.start = request.start.get();
     try {
+        if (request.options.guides) {
+            // Further requests need it as well, so it is finished where this one is given up.
+            const SketchGuides::Values& values = request.options.guides->values(untilTheEnd());
+            inputs.field = values.field;
+            inputs.avoid = values.avoid;
+        }
         answer.curve = std::make_shared<const Curve>(
             designer_->design(request.picks, request.options.solver, {}, inputs, progress)
         );

@@ -59,11 +59,12 @@ public:
 
 private:
     void serve();
+    [[nodiscard]] Progress untilTheEnd() const;
     [[nodiscard]] SolveAnswer answerTo(const SolveRequest& request, const Progress& progress) const;
 
     std::shared_ptr<const CurveDesigner> designer_;
     std::function<void()> wake_;
-    std::mutex mutex_;  // of all below
+    mutable std::mutex mutex_;  // of all below
     std::condition_variable changed_;
     std::optional<SolveRequest> live_;
     std::vector<SolveRequest> others_;

@@ -62,6 +62,10 @@ public:
     void setClosed(bool closed);
     /// Of the active curve, where there is one, and of new ones.
     void setOptions(const SketchCurveOptions& options);
+
+    /// What picks snap to from now on.
+    void setSnapping(const SnapOptions& snapping) { settings_.snapping = snapping; }
+
     void newCurve();
     void removeCurve(int curve);
     void undo();

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/curve.h"
 #include "bspline_curve/options.h"
+#include "sketch/sketch_guides.h"
 
 #include <cstddef>
 #include <memory>
@@ -11,11 +12,10 @@
 
 namespace bspline_curve {
 
-/// How one curve of a sketch is drawn. Field and avoided faces are shared, since they are large.
+/// How one curve of a sketch is drawn.
 struct SketchCurveOptions {
-    SolverOptions solver{};  ///< `closed` too
-    std::shared_ptr<const std::vector<double>> field;
-    std::shared_ptr<const std::vector<int>> avoid;
+    SolverOptions solver{};                      ///< `closed` too
+    std::shared_ptr<const SketchGuides> guides;  ///< null: neither a field nor faces to avoid
 };
 
 struct SketchPick {

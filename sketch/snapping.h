@@ -12,10 +12,12 @@ namespace bspline_curve {
 /// What picks snap to, besides what the mesh and the sketch show by themselves.
 struct SnapOptions {
     double creaseAngle = 40.0;  ///< edges whose faces' normals differ by more are creases, degrees
-    /// Fields of FieldKind::Ridge and FieldKind::Valley, one value per vertex, normalised; null:
-    /// picks do not snap to these.
+    /// Fields of FieldKind::Ridge and FieldKind::Valley, one value per vertex; null: picks do not
+    /// snap to these.
     std::shared_ptr<const std::vector<double>> ridge, valley;
-    double leastCrest = 0.5;  ///< least value of a vertex on a ridge or in a valley
+    /// Least value of a vertex on a ridge or in a valley: that of a cylinder whose radius is a
+    /// tenth of the diagonal.
+    double leastCrest = 0.5;
 };
 
 enum class SnapKind { None, Pick, Boundary, Crease, Ridge, Valley, Vertex };

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace bspline_curve {
@@ -24,6 +25,10 @@ protected:
     }
 
     [[nodiscard]] std::size_t count() const { return s_.session.sketch().curves.size(); }
+
+    static std::shared_ptr<const SketchGuides> guides(SketchGuides::Values values) {
+        return std::make_shared<const SketchGuides>(std::move(values));
+    }
 
     // Three picks on the front side.
     void drawArc() {
@@ -155,7 +160,7 @@ TEST_P(ASession, RemovesPicksAndCurves) {
 TEST_P(ASession, KeepsTheLastCurveAndSaysWhyThereIsNoOther) {
     drawArc();
     SketchCurveOptions options;
-    options.avoid = std::make_shared<const std::vector<int>>(1, curve().picks[1].point.face);
+    options.guides = guides({.field = {}, .avoid = {curve().picks[1].point.face}});
     const std::vector<Vec3> before = curve().shownPoints();
     s_.session.setOptions(options);
     s_.session.settle();
@@ -177,6 +182,34 @@ TEST_P(ASession, SnapsWhileTheKeyIsHeld) {
     EXPECT_EQ(cube.session.sketch().curves[0]->picks[0].position.y(), 0.0);
 }
 
+TEST_P(ASession, SnapsToRidgesOnceTheyAreKnown) {
+    SessionSettings settings;
+    settings.snapPixels = 30.0;  // one and a half edges
+    SessionFixture s(s_.designer->mesh(), Vec3::UnitZ(), settings);
+    s.camera = s_.camera;
+    const std::vector<Vec3>& vertices = s.designer->mesh().vertices;
+    const auto nearestTo = [&](const Vec3& place, const Vec3& other) {
+        return *std::ranges::min_element(vertices, {}, [&](const Vec3& vertex) {
+            return vertex == other ? 10.0 : (vertex - place).norm();
+        });
+    };
+    const Vec3 top = nearestTo(Vec3::UnitZ(), Vec3::Zero());
+    const Vec3 beside = nearestTo(top, top);
+    Pointer pointer = s.camera.over(top);
+    pointer.snaps = true;
+    s.click(pointer);
+    EXPECT_EQ(s.session.sketch().curves[0]->positions(), std::vector<Vec3>{top});
+    s.session.undo();
+
+    std::vector<double> ridge(vertices.size(), 0.0);
+    ridge[std::ranges::find(vertices, beside) - vertices.begin()] = 1.0;
+    SnapOptions snapping;
+    snapping.ridge = std::make_shared<const std::vector<double>>(std::move(ridge));
+    s.session.setSnapping(snapping);
+    s.click(pointer);
+    EXPECT_EQ(s.session.sketch().curves[0]->positions(), std::vector<Vec3>{beside});
+}
+
 TEST_P(ASession, TakesFieldsAndOtherOptionsPerCurve) {
     drawArc();
     std::vector<double> field;
@@ -184,7 +217,7 @@ TEST_P(ASession, TakesFieldsAndOtherOptionsPerCurve) {
         field.push_back(0.5 + 0.5 * std::sin(4.0 * v.x()) * v.y());
     }
     SketchCurveOptions options;
-    options.field = std::make_shared<const std::vector<double>>(std::move(field));
+    options.guides = guides({.field = std::move(field), .avoid = {}});
     options.solver.degree = 4;
     const Curve without = *curve().settled;
     s_.session.setOptions(options);
@@ -195,6 +228,39 @@ TEST_P(ASession, TakesFieldsAndOtherOptionsPerCurve) {
     EXPECT_NE(curve().settled->polyline.points, without.polyline.points);
     options.solver.degree = 7;
     EXPECT_THROW(s_.session.setOptions(options), std::runtime_error);
+}
+
+TEST_P(ASession, MakesAFieldOnceAndSaysWhyItCannot) {
+    drawArc();
+    int made = 0;
+    SketchCurveOptions options;
+    options.guides = std::make_shared<const SketchGuides>([&](const Progress&) {
+        ++made;
+        return SketchGuides::Values{
+            std::vector<double>(s_.designer->mesh().vertices.size(), 0.5), {}
+        };
+    });
+    s_.session.setOptions(options);
+    s_.session.settle();
+    s_.drag(s_.camera.over(points_[1]), s_.camera.beside(points_[1], 20.0));
+    s_.session.settle();
+    EXPECT_EQ(made, 1);
+    s_.expectAsDrawn();
+
+    int refused = 0;
+    options.guides =
+        std::make_shared<const SketchGuides>([&](const Progress&) -> SketchGuides::Values {
+            ++refused;
+            throw InputError(InputErrorCode::BadField, "no field here");
+        });
+    s_.session.setOptions(options);
+    s_.session.settle();
+    EXPECT_FALSE(curve().settled);
+    EXPECT_EQ(curve().problem.message, "no field here");
+    EXPECT_FALSE(curve().shownPoints().empty());
+    s_.drag(s_.camera.over(points_[0]), s_.camera.beside(points_[0], 20.0));
+    s_.session.settle();
+    EXPECT_EQ(refused, 1);
 }
 
 TEST_P(ASession, DoesByKeysAndCallsWhatTheMouseDoes) {

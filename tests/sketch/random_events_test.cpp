@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any events in any order: nothing is lost, and undo and redo lead to the same curves.
+// Any events in any order: nothing is lost, undo and redo lead to the same curves, and what the
+// mouse reached is reached by keys and by calls as well.
+#include "design/designer_surface.h"
 #include "session_fixture.h"
 #include "support/many_cases.h"
 #include "support/meshes.h"
@@ -25,6 +27,9 @@ struct Ground {
 std::ostream& operator<<(std::ostream& stream, const Ground& ground) {
     return stream << ground.name;
 }
+
+/// Two rays through a point meet the surface at the same place to within this.
+constexpr double kSeenTwice = 1e-9;
 
 class RandomEvents : public testing::TestWithParam<Ground> {};
 
@@ -74,6 +79,97 @@ std::vector<std::vector<Vec3>> polylinesOf(const DrawingSession& session) {
     return lines;
 }
 
+void expectSame(const Sketch& a, const Sketch& b, double tolerance) {
+    ASSERT_EQ(a.curves.size(), b.curves.size());
+    for (std::size_t c = 0; c < a.curves.size(); ++c) {
+        const std::vector<Vec3> positions = a.curves[c]->positions();
+        const std::vector<Vec3> others = b.curves[c]->positions();
+        ASSERT_EQ(positions.size(), others.size());
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            EXPECT_LE((positions[i] - others[i]).norm(), tolerance);
+        }
+        EXPECT_EQ(a.curves[c]->options.solver.closed, b.curves[c]->options.solver.closed);
+    }
+    EXPECT_EQ(a.active, b.active);
+    EXPECT_EQ(a.selected, b.selected);
+}
+
+// The same state by calls.
+void reachByCalls(const SessionFixture& s) {
+    DrawingSession calls(s.designer);
+    const Sketch& wanted = s.session.sketch();
+    for (const std::shared_ptr<SketchCurve>& curve : wanted.curves) {
+        calls.newCurve();
+        for (const SketchPick& pick : curve->picks) {
+            calls.addPick(pick.point);
+        }
+        calls.setClosed(curve->options.solver.closed);
+    }
+    calls.newCurve();
+    if (wanted.active >= 0) {
+        calls.select(wanted.active, wanted.selected);
+    }
+    expectSame(calls.sketch(), wanted, 0.0);
+}
+
+// Whether the camera sees the picks of a sketch: those that were snapped may lie on its far side.
+bool seesPicks(const SessionFixture& s, const Sketch& sketch) {
+    for (const std::shared_ptr<SketchCurve>& curve : sketch.curves) {
+        for (const Vec3& position : curve->positions()) {
+            const Pointer pointer = s.camera.over(position);
+            const TriangleTree::Hit seen =
+                treeOf(*s.designer).firstHit(pointer.origin, pointer.direction);
+            if (seen.point.face < 0 || (seen.position - position).norm() > kSeenTwice) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+// A pick at the end of the active curve, wherever there is room for one.
+void addSomewhere(SessionFixture& keys, Random& random) {
+    const std::vector<Vec3>& vertices = keys.designer->mesh().vertices;
+    const auto last = static_cast<int>(vertices.size()) - 1;
+    while (true) {
+        const Pointer pointer = keys.camera.over(vertices[random.integer(0, last)]);
+        keys.session.move(pointer);
+        if (keys.session.hovered() == SketchHit() && keys.session.key(SketchKey::Add, pointer)) {
+            return;
+        }
+    }
+}
+
+// The same state by keys, where the mouse only points.
+void reachByKeys(const SessionFixture& s, Random& random) {
+    const Sketch& wanted = s.session.sketch();
+    SessionFixture keys(s.designer->mesh(), Vec3::UnitZ());
+    keys.camera = s.camera;
+    const auto press = [&](SketchKey key) { keys.session.key(key, s.camera.off()); };
+    for (const std::shared_ptr<SketchCurve>& curve : wanted.curves) {
+        press(SketchKey::NewCurve);
+        for (const Vec3& position : curve->positions()) {
+            addSomewhere(keys, random);
+            keys.session.key(SketchKey::Move, s.camera.over(position));
+        }
+        if (curve->options.solver.closed) {
+            press(SketchKey::Close);
+        }
+    }
+    if (wanted.active < 0) {
+        press(SketchKey::NewCurve);
+    } else {
+        while (keys.session.sketch().active != wanted.active) {
+            press(SketchKey::NextCurve);
+        }
+        press(SketchKey::Cancel);
+        for (int i = 0; i <= wanted.selected; ++i) {
+            press(SketchKey::Next);
+        }
+    }
+    expectSame(keys.session.sketch(), wanted, kSeenTwice);
+}
+
 // How many, for long runs: BSPLINE_CURVE_SEQUENCES.
 int sequenceCount() {
     const char* const asked = std::getenv("BSPLINE_CURVE_SEQUENCES");
@@ -83,6 +179,7 @@ int sequenceCount() {
 TEST_P(RandomEvents, LoseNothing) {
     constexpr int kEvents = 60;
     const int sequences = sequenceCount();
+    int reached = 0;
     for (int seed = 1; seed <= sequences; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
@@ -135,11 +232,17 @@ TEST_P(RandomEvents, LoseNothing) {
         }
         s.session.settle();
         EXPECT_EQ(polylinesOf(s.session), last);
+        reachByCalls(s);
+        if (seesPicks(s, s.session.sketch())) {
+            reachByKeys(s, random);
+            ++reached;
+        }
         const std::size_t settled = std::ranges::count_if(
             s.session.sketch().curves, [](const auto& curve) { return curve->settled != nullptr; }
         );
         EXPECT_EQ(s.session.commit().size(), settled);
     }
+    EXPECT_GT(reached, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -70,8 +70,9 @@ void SessionFixture::click(const std::vector<Vec3>& points) {
 
 Curve SessionFixture::drawn(const SketchCurve& curve) const {
     CurveInputs inputs;
-    if (curve.options.field) {
-        inputs.field = *curve.options.field;
+    if (curve.options.guides) {
+        inputs.field = curve.options.guides->values().field;
+        inputs.avoid = curve.options.guides->values().avoid;
     }
     return designer->design(curve.positions(), curve.options.solver, {}, inputs);
 }

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves that a session asks its worker for, and what it does with the answers.
+#include "sketch/drawing_session.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bspline_curve {
+
+std::uint64_t DrawingSession::ask(Asking kind, std::shared_ptr<SketchCurve> curve) {
+    asked_.push_back({++lastId_, kind, std::move(curve)});
+    return lastId_;
+}
+
+void DrawingSession::askLive() {
+    preview_.reset();
+    const std::shared_ptr<SketchCurve>& curve = sketch_.curves[sketch_.active];
+    if (!curve->isDrawable()) {
+        return;
+    }
+    const bool canStart = curve->last && curve->lastPicks.size() == curve->picks.size();
+    worker_.askLive(
+        {ask(Asking::Live, curve),
+         curve->positions(),
+         curve->options,
+         canStart ? curve->last : nullptr}
+    );
+}
+
+void DrawingSession::askPreview(const SurfacePoint& point) {
+    const SketchCurve& curve = *sketch_.activeCurve();
+    std::vector<Vec3> picks = curve.positions();
+    picks.push_back(pickAt(point).position);
+    worker_.askLive({ask(Asking::Preview, nullptr), std::move(picks), curve.options, nullptr});
+}
+
+// From scratch, in the order of the sketch.
+void DrawingSession::askSettled() {
+    std::erase_if(asked_, [&](const Asked& asked) {
+        return asked.kind == Asking::Settled &&
+               std::ranges::find(sketch_.curves, asked.curve) == sketch_.curves.end();
+    });
+    std::vector<SolveRequest> requests;
+    for (const std::shared_ptr<SketchCurve>& curve : sketch_.curves) {
+        if (curve->isSettled()) {
+            continue;
+        }
+        const auto before = std::ranges::find_if(asked_, [&](const Asked& asked) {
+            return asked.kind == Asking::Settled && asked.curve == curve;
+        });
+        const std::uint64_t id = before != asked_.end() ? before->id : ask(Asking::Settled, curve);
+        requests.push_back({id, curve->positions(), curve->options, nullptr});
+    }
+    worker_.askOthers(std::move(requests));
+}
+
+void DrawingSession::dropLive() {
+    preview_.reset();
+    worker_.dropLive();
+    std::erase_if(asked_, [](const Asked& asked) { return asked.kind != Asking::Settled; });
+}
+
+bool DrawingSession::update() {
+    bool isOther = false;
+    for (const SolveAnswer& answer : worker_.takeAnswers()) {
+        isOther = take(answer) || isOther;
+    }
+    return isOther;
+}
+
+bool DrawingSession::take(const SolveAnswer& answer) {
+    const auto place = std::ranges::find(asked_, answer.id, &Asked::id);
+    if (place == asked_.end()) {
+        return false;
+    }
+    const Asked asked = std::move(*place);
+    asked_.erase(place);
+    if (asked.kind == Asking::Settled) {
+        SketchCurve& curve = *asked.curve;
+        curve.settled = answer.curve;
+        curve.isAnswered = true;
+        curve.problem = answer.problem;
+        if (answer.curve) {
+            curve.last = answer.curve;
+            curve.lastPicks = answer.picks;
+        }
+        return true;
+    }
+    // Answers come in the order of their requests; older requests were replaced.
+    std::erase_if(asked_, [&](const Asked& other) {
+        return other.kind != Asking::Settled && other.id < answer.id;
+    });
+    if (asked.kind == Asking::Preview) {
+        preview_ = mode_ == Mode::Idle ? answer.curve : nullptr;
+        return true;
+    }
+    SketchCurve* const curve = mode_ == Mode::Dragging ? sketch_.activeCurve() : nullptr;
+    if (curve == nullptr || curve->picks.size() != answer.picks.size()) {
+        return false;
+    }
+    if (answer.curve) {
+        curve->last = answer.curve;
+        curve->lastPicks = answer.picks;
+        curve->problem = {};
+    } else if (curve->positions() == answer.picks) {
+        curve->problem = answer.problem;
+    }
+    return true;
+}
+
+bool DrawingSession::isSettled() const {
+    return std::ranges::all_of(sketch_.curves, [](const std::shared_ptr<SketchCurve>& curve) {
+        return curve->isSettled();
+    });
+}
+
+void DrawingSession::settle() {
+    static_cast<void>(update());
+    while (!isSettled()) {
+        worker_.wait();
+        static_cast<void>(update());
+    }
+}
+
+}  // namespace bspline_curve
