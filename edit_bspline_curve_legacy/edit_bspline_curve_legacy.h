@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "edit_bspline_curve/common/curve_tool.h"
+#include "edit_bspline_curve/common/document_drawing.h"
 
 #include <common/interfaces.h>
 #include <common/ml_shared_data_context.h>
@@ -34,15 +34,7 @@ public:
     void wheelEvent(QWheelEvent* event, MeshModel& layer, GLArea* area) override;
 
 private:
-    void makeLayers(const bspline_curve::CurveTool::Curves& curves);
-    void makeLayer(const bspline_curve::SketchCurve& curve, QAction& filter);
-
-    MeshDocument* document_ = nullptr;
-    MLSceneGLSharedDataContext* shared_ = nullptr;
-    QGLWidget* view_ = nullptr;
-    int surface_ = -1;   ///< id of its layer
-    int reopened_ = -1;  ///< id of the layer of the curve that was taken up again
-    std::unique_ptr<bspline_curve::CurveTool> tool_;
+    std::unique_ptr<bspline_curve::DocumentDrawing> drawing_;
 };
 
 class EditBsplineCurveLegacyFactory : public QObject, public MeshEditInterfaceFactory {

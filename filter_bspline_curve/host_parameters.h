@@ -21,6 +21,11 @@ using FileOpen = RichOpenFile;
 using FileSave = RichSaveFile;
 #endif
 
+// What values of parameters are set with.
+using EnumNumber = IntValue;
+using SliderNumber = FloatValue;
+using PercentageNumber = FloatValue;
+
 /// Adds a parameter; `values`: what its constructor takes between the name and the texts.
 template <class Rich, class... Values>
 void add(
@@ -45,6 +50,11 @@ inline void addLayer(
 ) {
     const unsigned int id = standard == nullptr ? 0U : static_cast<unsigned int>(standard->id());
     list.addParam(RichMesh(name, id, &document, label, help, isFolded));
+}
+
+/// Of a parameter that names a layer.
+[[nodiscard]] inline IntValue layerValue(MeshDocument& /*document*/, int id) {
+    return IntValue(id);
 }
 
 [[nodiscard]] inline LayerId layerOf(const RichParameterList& list, const QString& name) {

@@ -15,6 +15,11 @@ using Percentage = RichAbsPerc;
 using FileOpen = RichOpenFile;
 using FileSave = RichSaveFile;
 
+// What values of parameters are set with.
+using EnumNumber = EnumValue;
+using SliderNumber = DynamicFloatValue;
+using PercentageNumber = AbsPercValue;
+
 /// Adds a parameter; `values`: what its constructor takes between the name and the texts. These
 /// dialogs fold nothing away.
 template <class Rich, class... Values>
@@ -44,6 +49,11 @@ inline void addLayer(
             standard == nullptr ? document.meshList.front() : document.getMesh(standard->id());
         list.addParam(RichMesh(name, layer, &document, label, help));
     }
+}
+
+/// Of a parameter that names a layer.
+[[nodiscard]] inline MeshValue layerValue(MeshDocument& document, int id) {
+    return MeshValue(document.getMesh(id));
 }
 
 [[nodiscard]] inline LayerId layerOf(const RichParameterList& list, const QString& name) {

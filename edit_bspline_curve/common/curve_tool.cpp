@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/curve_tool.h"
 
+#include "bspline_curve/error.h"
+#include "design/designer_surface.h"
 #include "edit_bspline_curve/common/sketch_painter.h"
+#include "field/make_field.h"
+#include "filters/mended_layer.h"
 #include "surface/mending.h"
 
 #include <QCoreApplication>
@@ -42,30 +46,41 @@ constexpr std::array kBindings = {
 }  // namespace
 
 CurveTool::CurveTool(
-    QGLWidget& view,
-    TriangleMesh surface,
-    std::optional<DrawnCurve> reopened,
-    std::function<void(const Curves&)> commit
+    QGLWidget& view, LayerInput surface, std::optional<DrawnCurve> reopened, ToolHost host
 )
     : view_(view),
-      makeLayers_(std::move(commit)),
+      host_(std::move(host)),
       reopened_(std::move(reopened)),
       hadTracking_(view.hasMouseTracking()),
       panel_(&view),
-      preparing_(std::async(std::launch::async, [mesh = std::move(surface)]() mutable {
-          // Strictness is the filter's, which makes the layers.
-          Mended<CurveDesigner> mended =
-              makeMended(std::move(mesh), MendingOptions{}, [](TriangleMesh given) {
-                  return CurveDesigner(std::move(given));
-              });
-          return std::make_shared<const CurveDesigner>(std::move(mended.made));
-      })) {
+      preparing_(
+          std::async(
+              std::launch::async, [layer = std::move(surface), progress = untilTheEnd()]() mutable {
+                  // Strictness is the filter's, which makes the layers.
+                  Mended<CurveDesigner> mended =
+                      makeMended(std::move(layer.mesh), MendingOptions{}, [&](TriangleMesh given) {
+                          return CurveDesigner(std::move(given), ShellOptions{}, progress);
+                      });
+                  if (const MeshRepair* const repair = mended.repair()) {
+                      layer = carriedOver(layer, *repair);
+                  }
+                  return Prepared{
+                      std::make_shared<const CurveDesigner>(std::move(mended.made)),
+                      std::move(layer),
+                      mended.repair() != nullptr
+                  };
+              }
+          )
+      ) {
     view_.setMouseTracking(true);
     view_.installEventFilter(this);
     connect(&timer_, &QTimer::timeout, this, &CurveTool::look);
     connect(&panel_, &ToolPanel::optionsChanged, this, &CurveTool::setOptions);
     connect(&panel_, &ToolPanel::keyAsked, this, &CurveTool::runKey);
     connect(&panel_, &ToolPanel::commitAsked, this, &CurveTool::commit);
+    connect(&panel_, &ToolPanel::useAsked, this, [this](const FilterDescription* filter) {
+        use(*filter);
+    });
     connect(&panel_, &ToolPanel::keyPressed, this, [this](QKeyEvent* event) { keyPress(*event); });
     panel_.say(tr("Preparing the surface …"));
     panel_.QWidget::show();
@@ -73,6 +88,7 @@ CurveTool::CurveTool(
 }
 
 CurveTool::~CurveTool() {
+    isEnding_ = true;
     view_.removeEventFilter(this);
     view_.setMouseTracking(hadTracking_);
     if (isLent_) {
@@ -80,32 +96,84 @@ CurveTool::~CurveTool() {
     }
 }
 
+Progress CurveTool::untilTheEnd() const {
+    return [this](double, const char*) { return !isEnding_; };
+}
+
 void CurveTool::look() {
-    if (preparing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-        return;
-    }
-    timer_.stop();
+    const auto isReady = [](const auto& future) {
+        return future.valid() &&
+               future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    };
     try {
-        SessionSettings settings;
-        // The session's thread wakes ours.
-        settings.wake = [this] {
-            QMetaObject::invokeMethod(this, [this] { refresh(); }, Qt::QueuedConnection);
-        };
-        session_ = std::make_unique<DrawingSession>(preparing_.get(), std::move(settings));
-        if (reopened_) {
-            session_->reopen(std::move(reopened_->picks), reopened_->options);
+        if (isReady(preparing_)) {
+            begin(preparing_.get());
         }
-        refresh();
+        if (isReady(preparingCrests_)) {
+            session_->setSnapping(preparingCrests_.get());
+        }
     } catch (const std::exception& error) {
         panel_.say(error.what());
     }
+    if (!preparing_.valid() && !preparingCrests_.valid()) {
+        timer_.stop();
+    }
+}
+
+void CurveTool::begin(Prepared prepared) {
+    designer_ = std::move(prepared.designer);
+    options_.emplace(designer_, std::move(prepared.layer));
+    SessionSettings settings;
+    // The session's thread wakes ours.
+    settings.wake = [this] {
+        QMetaObject::invokeMethod(this, [this] { refresh(); }, Qt::QueuedConnection);
+    };
+    session_ = std::make_unique<DrawingSession>(designer_, std::move(settings));
+    if (reopened_) {
+        for (SketchPick& pick : reopened_->picks) {
+            if (prepared.isMended) {
+                pick.point = treeOf(*designer_).closestPoint(pick.position).point;
+            }
+        }
+        reopen(*reopened_);
+    }
+    refresh();
+}
+
+void CurveTool::reopen(const DrawnCurve& curve) {
+    session_->reopen(curve.picks, options_->toSketch(curve.options));
+}
+
+// Ridges and valleys take seconds on a large mesh, so they wait until somebody snaps.
+void CurveTool::prepareCrests() {
+    if (std::exchange(hasCrests_, true)) {
+        return;
+    }
+    preparingCrests_ =
+        std::async(std::launch::async, [designer = designer_, progress = untilTheEnd()] {
+            const auto field = [&](FieldKind kind) {
+                return std::make_shared<const std::vector<double>>(
+                    makeField(surfaceOf(*designer), FieldOptions{.kind = kind}, {}, progress)
+                );
+            };
+            SnapOptions snapping;
+            snapping.ridge = field(FieldKind::Ridge);
+            snapping.valley = field(FieldKind::Valley);
+            return snapping;
+        });
+    timer_.start(kLookEvery);
 }
 
 void CurveTool::refresh() {
     if (session_) {
         session_->update();
     }
-    panel_.show(session_.get());
+    const SketchCurve* const curve = session_ ? session_->sketch().activeCurve() : nullptr;
+    panel_.show(
+        session_.get(),
+        curve == nullptr ? std::nullopt : std::optional(options_->fromSketch(curve->options)),
+        hasLayers_
+    );
     view_.update();
 }
 
@@ -123,6 +191,9 @@ Pointer CurveTool::pointerOf(const QMouseEvent& event, const View& seen) {
     Pointer pointer = seen.pointerAt(event.localPos());
     pointer.snaps = event.modifiers().testFlag(Qt::ControlModifier);
     pointer.removes = event.modifiers().testFlag(Qt::ShiftModifier);
+    if (pointer.snaps) {
+        prepareCrests();
+    }
     return pointer;
 }
 
@@ -180,32 +251,50 @@ void CurveTool::runKey(SketchKey key) {
     }
 }
 
-void CurveTool::setOptions(bool closed, int degree, double tension) {
+void CurveTool::setOptions(const DrawnOptions& options) {
     if (!session_) {
         return;
     }
-    const SketchCurve* const curve = session_->sketch().activeCurve();
-    SketchCurveOptions options = curve == nullptr ? SketchCurveOptions() : curve->options;
-    options.solver.closed = closed;
-    options.solver.degree = degree;
-    options.solver.tension = tension;
-    session_->setOptions(options);
-    refresh();
+    try {
+        session_->setOptions(options_->toSketch(options));
+        refresh();
+    } catch (const InputError& error) {
+        panel_.say(error.what());
+    }
 }
 
-void CurveTool::commit() {
+// Whether there was nothing to be made, or it was made.
+bool CurveTool::commit() {
     if (!session_) {
-        return;
+        return false;
     }
-    const Curves curves = session_->commit();
+    std::vector<DrawnCurve> curves;
+    for (const std::shared_ptr<const SketchCurve>& curve : session_->commit()) {
+        curves.push_back({curve->picks, options_->fromSketch(curve->options)});
+    }
     refresh();
     try {
-        makeLayers_(curves);
+        host_.makeLayers(curves);
     } catch (const std::exception& error) {
-        for (const std::shared_ptr<const SketchCurve>& curve : curves) {
-            session_->reopen(curve->picks, curve->options);
+        for (const DrawnCurve& curve : curves) {
+            reopen(curve);
         }
         refresh();
+        panel_.say(error.what());
+        return false;
+    }
+    hasLayers_ = hasLayers_ || !curves.empty();
+    refresh();
+    return true;
+}
+
+void CurveTool::use(const FilterDescription& filter) {
+    if (!commit()) {
+        return;
+    }
+    try {
+        host_.useCurves(filter);
+    } catch (const std::exception& error) {
         panel_.say(error.what());
     }
 }

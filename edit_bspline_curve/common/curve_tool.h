@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "edit_bspline_curve/common/drawn_curve.h"
+#include "edit_bspline_curve/common/option_book.h"
 #include "edit_bspline_curve/common/tool_panel.h"
 #include "edit_bspline_curve/common/view.h"
 #include "filters/layer_input.h"
@@ -8,6 +10,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <atomic>
 #include <functional>
 #include <future>
 #include <memory>
@@ -20,10 +23,11 @@ class QWheelEvent;
 
 namespace bspline_curve {
 
-/// A curve that was drawn before.
-struct DrawnCurve {
-    std::vector<SketchPick> picks;
-    SketchCurveOptions options;
+/// What the tool asks of MeshLab's document. What these throw is shown, and curves stay.
+struct ToolHost {
+    std::function<void(const std::vector<DrawnCurve>&)> makeLayers;
+    /// Runs a filter with the curves that became layers.
+    std::function<void(const FilterDescription&)> useCurves;
 };
 
 /// The drawing tool in a view of MeshLab, whatever its version: takes Qt's events, draws with
@@ -32,15 +36,9 @@ class CurveTool : public QObject {
     Q_OBJECT
 
 public:
-    using Curves = std::vector<std::shared_ptr<const SketchCurve>>;
-
-    /// `commit` makes layers of curves; what it throws is shown, and the curves stay. `reopened`: a
-    /// curve to go on with. The view must outlive this.
+    /// `reopened`: a curve to go on with. The view must outlive this.
     CurveTool(
-        QGLWidget& view,
-        TriangleMesh surface,
-        std::optional<DrawnCurve> reopened,
-        std::function<void(const Curves&)> commit
+        QGLWidget& view, LayerInput surface, std::optional<DrawnCurve> reopened, ToolHost host
     );
     ~CurveTool() override;
     CurveTool(const CurveTool&) = delete;
@@ -58,23 +56,41 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void look();     ///< whether the surface is ready
+    /// What is prepared on a thread of its own.
+    struct Prepared {
+        std::shared_ptr<const CurveDesigner> designer;
+        LayerInput layer;  ///< quality and selections on the designer's mesh
+        bool isMended = false;
+    };
+
+    void look();  ///< whether what is prepared is ready
+    void begin(Prepared prepared);
+    void prepareCrests();
     void refresh();  ///< after any change
-    void setOptions(bool closed, int degree, double tension);
+    void setOptions(const DrawnOptions& options);
     void runKey(SketchKey key);
-    void commit();
-    [[nodiscard]] static Pointer pointerOf(const QMouseEvent& event, const View& seen);
+    bool commit();
+    void use(const FilterDescription& filter);
+    void reopen(const DrawnCurve& curve);
+    [[nodiscard]] Progress untilTheEnd() const;
+    [[nodiscard]] Pointer pointerOf(const QMouseEvent& event, const View& seen);
     void lendToCamera(QMouseEvent& event);
     void toggleCamera();
 
     QGLWidget& view_;
-    std::function<void(const Curves&)> makeLayers_;
+    ToolHost host_;
     std::optional<DrawnCurve> reopened_;  ///< until the session is there
     bool hadTracking_;
     ToolPanel panel_;
     QTimer timer_;
-    std::future<std::shared_ptr<const CurveDesigner>> preparing_;
+    std::atomic<bool> isEnding_ = false;
+    std::future<Prepared> preparing_;
+    std::future<SnapOptions> preparingCrests_;
+    std::shared_ptr<const CurveDesigner> designer_;
+    std::optional<OptionBook> options_;
     std::unique_ptr<DrawingSession> session_;
+    bool hasCrests_ = false;    ///< or they are being prepared
+    bool hasLayers_ = false;    ///< curves became layers
     std::optional<View> seen_;  ///< of the last drawing
     QPointF last_;              ///< where the mouse was
     bool isLent_ = false;       ///< the mouse moves the camera until its button is released

@@ -38,7 +38,7 @@ std::optional<DrawnCurve> reopened(
     const MeshModel& layer, const MeshModel& surface, const LayerArrays& arrays
 ) {
     const CurveSource* const source = sourceOf(layer);
-    if (source == nullptr || source->surface != surface.id() || !source->isPlain) {
+    if (source == nullptr || source->surface != surface.id() || !source->options) {
         return std::nullopt;
     }
     const TriangleMesh& mesh = arrays.input.mesh;
@@ -56,9 +56,8 @@ std::optional<DrawnCurve> reopened(
         }
         curve.picks.push_back({point, source->positions[i]});
     }
-    curve.options.solver.closed = source->closed;
-    curve.options.solver.degree = source->degree;
-    curve.options.solver.tension = source->tension;
+    curve.options = *source->options;
+    curve.options.closed = source->closed;
     return curve;
 }
 

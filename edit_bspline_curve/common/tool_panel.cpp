@@ -2,13 +2,19 @@
 #include "edit_bspline_curve/common/tool_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace bspline_curve {
 namespace {
@@ -17,6 +23,9 @@ constexpr int kMargin = 8;
 constexpr int kFrame = 24;  // height of a window's title
 constexpr int kTextWidth = 240;
 constexpr int kTextLines = 6;
+constexpr int kMostDegree = 4;
+constexpr double kLargest = 1e9;
+constexpr double kTensionStep = 0.1, kWeightStep = 500.0, kThresholdStep = 0.05;
 
 // What people want to know of a curve.
 QString describe(const SketchCurve& curve) {
@@ -28,7 +37,7 @@ QString describe(const SketchCurve& curve) {
         return QObject::tr("%1 pick: click the next one").arg(picks);
     }
     if (curve.settled == nullptr) {
-        return QObject::tr("%1 picks").arg(picks);
+        return QObject::tr("%1 picks …").arg(picks);
     }
     const SurfacePolyline& line = curve.settled->polyline;
     double length = line.closed ? (line.points.front() - line.points.back()).norm() : 0.0;
@@ -47,27 +56,77 @@ QString describe(const SketchCurve& curve) {
         .arg(1e3 * seconds, 0, 'f', 1);
 }
 
+// ---- Widgets for parameters of the filter ----
+
+const ParameterDescription& parameter(const char* id) {
+    return curveFilter().parameter(id);
+}
+
+QString helpOf(const ParameterDescription& described) {
+    return QString("<p>%1</p>")
+        .arg(QString::fromStdString(described.fullHelp()).toHtmlEscaped().replace('\n', "<br>"));
+}
+
+QComboBox* choiceOf(const char* id) {
+    const ParameterDescription& described = parameter(id);
+    auto* const box = new QComboBox;
+    for (const EnumOption& option : described.options) {
+        box->addItem(QString::fromStdString(option.label), QString::fromStdString(option.id));
+    }
+    box->setToolTip(helpOf(described));
+    box->setFocusPolicy(Qt::TabFocus);  // else letters would choose an option after a click
+    return box;
+}
+
+QDoubleSpinBox* numberOf(const char* id, double least, double most, int decimals) {
+    const ParameterDescription& described = parameter(id);
+    auto* const box = new QDoubleSpinBox;
+    box->setRange(described.min.value_or(least), described.max.value_or(most));
+    box->setDecimals(decimals);
+    box->setToolTip(helpOf(described));
+    box->setKeyboardTracking(false);  // what is half typed is no number yet
+    return box;
+}
+
+std::string chosen(const QComboBox& box) {
+    return box.currentData().toString().toStdString();
+}
+
+void choose(QComboBox& box, const std::string& id) {
+    box.setCurrentIndex(box.findData(QString::fromStdString(id)));
+}
+
+// What people can do with curves, and how buttons name it.
+struct Use {
+    const FilterDescription& filter;
+    QString text;
+};
+
+std::vector<Use> uses() {
+    return {
+        {imprintFilter(), QObject::tr("Imprint")},
+        {cutFilter(), QObject::tr("Cut")},
+        {segmentFilter(), QObject::tr("Segment")},
+    };
+}
+
 }  // namespace
 
 ToolPanel::ToolPanel(QWidget* view)
     : QWidget(view->window(), Qt::Tool),
       closed_(new QCheckBox(tr("closed"))),
       degree_(new QSpinBox),
-      tension_(new QDoubleSpinBox),
+      tension_(numberOf("tension", 0.0, 1.0, 2)),
+      field_(choiceOf("field")),
+      fieldWeight_(numberOf("field_weight", 0.0, kLargest, 1)),
+      avoid_(choiceOf("avoid")),
+      avoidThreshold_(numberOf("avoid_threshold", -kLargest, kLargest, 4)),
       buttons_(new QWidget),
       commit_(new QPushButton(tr("Make layers (Enter)"))),
+      uses_(makeUses()),
       text_(new QLabel) {
     setWindowTitle(tr("B-spline Curves"));
     setAttribute(Qt::WA_ShowWithoutActivating);
-    degree_->setRange(2, 4);
-    degree_->setValue(3);
-    tension_->setRange(0.0, 1.0);
-    tension_->setSingleStep(0.1);
-    tension_->setToolTip(tr("0: as smooth as possible, 1: as straight as possible"));
-    auto* const form = new QFormLayout;
-    form->addRow(closed_);
-    form->addRow(tr("degree"), degree_);
-    form->addRow(tr("tension"), tension_);
     auto* const grid = new QGridLayout(buttons_);
     grid->setContentsMargins(0, 0, 0, 0);
     addButton(tr("Undo"), tr("Ctrl+Z"), SketchKey::Undo);
@@ -78,18 +137,62 @@ ToolPanel::ToolPanel(QWidget* view)
     text_->setFixedSize(kTextWidth, kTextLines * fontMetrics().lineSpacing());
     text_->setAlignment(Qt::AlignTop);
     auto* const all = new QVBoxLayout(this);
-    all->addLayout(form);
+    all->addLayout(makeForm());
     all->addWidget(buttons_);
     all->addWidget(commit_);
+    all->addWidget(uses_);
     all->addWidget(text_);
     for (QWidget* const widget : findChildren<QPushButton*>()) {
         widget->setFocusPolicy(Qt::NoFocus);
     }
+    connect(commit_, &QPushButton::clicked, this, &ToolPanel::commitAsked);
+    setOptions(DrawnOptions());
+    move(view->mapToGlobal(QPoint(kMargin, kFrame)));
+}
+
+QLayout* ToolPanel::makeForm() {
+    degree_->setRange(
+        static_cast<int>(parameter("degree").min.value_or(1)),
+        static_cast<int>(parameter("degree").max.value_or(kMostDegree))
+    );
+    tension_->setSingleStep(kTensionStep);
+    fieldWeight_->setSingleStep(kWeightStep);
+    avoidThreshold_->setSingleStep(kThresholdStep);
+    auto* const form = new QFormLayout;
+    form->addRow(closed_);
+    form->addRow(tr("degree"), degree_);
+    form->addRow(tr("tension"), tension_);
+    form->addRow(tr("field"), field_);
+    form->addRow(tr("weight"), fieldWeight_);
+    form->addRow(tr("avoid"), avoid_);
+    form->addRow(tr("threshold"), avoidThreshold_);
     connect(closed_, &QCheckBox::toggled, this, &ToolPanel::changed);
     connect(degree_, qOverload<int>(&QSpinBox::valueChanged), this, &ToolPanel::changed);
-    connect(tension_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ToolPanel::changed);
-    connect(commit_, &QPushButton::clicked, this, &ToolPanel::commitAsked);
-    move(view->mapToGlobal(QPoint(kMargin, kFrame)));
+    for (const QDoubleSpinBox* const box : {tension_, fieldWeight_, avoidThreshold_}) {
+        connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ToolPanel::changed);
+    }
+    for (const QComboBox* const box : {field_, avoid_}) {
+        connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ToolPanel::changed);
+    }
+    return form;
+}
+
+QWidget* ToolPanel::makeUses() {
+    auto* const row = new QWidget;
+    auto* const layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (const Use& use : uses()) {
+        auto* const button = new QPushButton(use.text);
+        button->setToolTip(tr("Makes layers, then: %1. %2")
+                               .arg(
+                                   QString::fromStdString(use.filter.name),
+                                   QString::fromStdString(use.filter.shortDescription)
+                               ));
+        layout->addWidget(button);
+        const FilterDescription* const filter = &use.filter;
+        connect(button, &QPushButton::clicked, this, [this, filter] { emit useAsked(filter); });
+    }
+    return row;
 }
 
 void ToolPanel::addButton(const QString& text, const QString& help, SketchKey key) {
@@ -103,22 +206,59 @@ void ToolPanel::addButton(const QString& text, const QString& help, SketchKey ke
 
 void ToolPanel::changed() {
     if (!isShowing_) {
-        emit optionsChanged(closed_->isChecked(), degree_->value(), tension_->value());
+        enableOptions();
+        emit optionsChanged(options());
     }
 }
 
-void ToolPanel::show(const DrawingSession* session) {
-    isShowing_ = true;
+void ToolPanel::setOptions(const DrawnOptions& options) {
+    const bool wasShowing = std::exchange(isShowing_, true);
+    closed_->setChecked(options.closed);
+    degree_->setValue(options.degree);
+    tension_->setValue(options.tension);
+    choose(*field_, options.field);
+    fieldWeight_->setValue(options.fieldWeight);
+    choose(*avoid_, options.avoid);
+    avoidThreshold_->setValue(options.avoidThreshold);
+    enableOptions();
+    isShowing_ = wasShowing;
+}
+
+void ToolPanel::enableOptions() {
+    fieldWeight_->setEnabled(chosen(*field_) != DrawnOptions().field);
+    const std::vector<std::string>& withThreshold =
+        parameter("avoid_threshold").enabledWhen.value().values;
+    avoidThreshold_->setEnabled(
+        std::ranges::find(withThreshold, chosen(*avoid_)) != withThreshold.end()
+    );
+}
+
+DrawnOptions ToolPanel::options() const {
+    return {
+        .closed = closed_->isChecked(),
+        .degree = degree_->value(),
+        .tension = tension_->value(),
+        .field = chosen(*field_),
+        .fieldWeight = fieldWeight_->value(),
+        .avoid = chosen(*avoid_),
+        .avoidThreshold = avoidThreshold_->value()
+    };
+}
+
+void ToolPanel::show(
+    const DrawingSession* session, const std::optional<DrawnOptions>& active, bool hasLayers
+) {
     const SketchCurve* const curve = session == nullptr ? nullptr : session->sketch().activeCurve();
+    isShowing_ = true;
     closed_->setEnabled(curve != nullptr && curve->picks.size() >= 3);
-    if (curve != nullptr) {
-        closed_->setChecked(curve->options.solver.closed);
-        degree_->setValue(curve->options.solver.degree);
-        tension_->setValue(curve->options.solver.tension);
+    if (active) {
+        setOptions(*active);
     } else {
         closed_->setChecked(false);
     }
-    commit_->setEnabled(session != nullptr && !session->sketch().curves.empty());
+    const bool hasCurves = session != nullptr && !session->sketch().curves.empty();
+    commit_->setEnabled(hasCurves);
+    uses_->setEnabled(hasCurves || hasLayers);
     if (curve != nullptr) {
         say(describe(*curve));
     } else if (session != nullptr) {

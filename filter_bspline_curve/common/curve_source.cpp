@@ -45,9 +45,7 @@ void keepSource(
     }
     source.positions = pickPositions(polyline);
     source.closed = polyline.closed;
-    source.degree = request.solver.degree;
-    source.tension = request.solver.tension;
-    source.isPlain = !result.followsField && request.avoid == Avoid::Nothing;
+    source.options = drawnOptions(request);
     Allocator::AddPerMeshAttribute<CurveSource>(curve.cm, kSource)() = std::move(source);
 }
 

@@ -3,10 +3,12 @@
 
 #include "bspline_curve/mesh.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
+#include "filters/drawn_options.h"
 #include "filters/requests.h"
 #include "filters/run_filters.h"
 #include "host_document.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,9 +21,7 @@ struct CurveSource {
     std::vector<SurfacePoint> picks;  ///< faces are those of that layer
     std::vector<Vec3> positions;      ///< of the picks, in world coordinates
     bool closed = false;
-    int degree = 3;
-    double tension = 0.0;
-    bool isPlain = true;  ///< nothing else was asked for: no field, no faces to avoid
+    std::optional<DrawnOptions> options;  ///< none: more was asked for than these can say
 };
 
 /// Writes the source of a result into its curve's layer.

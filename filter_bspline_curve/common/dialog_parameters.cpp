@@ -164,6 +164,17 @@ std::string trimmedText(const QString& text) {
     return text.trimmed().toStdString();
 }
 
+void setNumber(RichParameterList& list, const ParameterDescription& p, float number) {
+    const QString name = textOf(p.id);
+    if (p.type == ParameterType::Percentage) {
+        list.setValue(name, host::PercentageNumber(number));
+    } else if (p.isSlider) {
+        list.setValue(name, host::SliderNumber(number));
+    } else {
+        list.setValue(name, FloatValue(number));
+    }
+}
+
 void read(const RichParameterList& list, const ParameterDescription& p, ParameterValues& values) {
     const QString name = textOf(p.id);
     switch (p.type) {
@@ -212,6 +223,29 @@ RichParameterList dialogParameters(
         }
     }
     return list;
+}
+
+void setParameter(
+    RichParameterList& list,
+    const ParameterDescription& parameter,
+    const ParameterValue& value,
+    MeshDocument& document
+) {
+    const QString name = textOf(parameter.id);
+    if (const auto* const flag = std::get_if<bool>(&value)) {
+        list.setValue(name, BoolValue(*flag));
+    } else if (const auto* const count = std::get_if<int>(&value)) {
+        list.setValue(name, IntValue(*count));
+    } else if (const auto* const number = std::get_if<double>(&value)) {
+        setNumber(list, parameter, static_cast<float>(*number));
+    } else if (const auto* const layer = std::get_if<LayerId>(&value)) {
+        list.setValue(name, host::layerValue(document, layer->id));
+    } else if (parameter.type == ParameterType::Enum) {
+        const std::size_t option = parameter.indexOf(std::get<std::string>(value)).value();
+        list.setValue(name, host::EnumNumber(static_cast<int>(option)));
+    } else {
+        list.setValue(name, StringValue(textOf(std::get<std::string>(value))));
+    }
 }
 
 ParameterValues valuesOf(const RichParameterList& list, const FilterDescription& filter) {

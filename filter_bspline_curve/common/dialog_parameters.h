@@ -21,6 +21,15 @@ enum class Offered {
     const FilterDescription& filter, host::DialogDocument& document, Offered offered = Offered::All
 );
 
+/// Sets a parameter of such a list, other than a file. Throws std::out_of_range or
+/// std::bad_variant_access where the filter has no such parameter or option: a bug of the caller.
+void setParameter(
+    RichParameterList& list,
+    const ParameterDescription& parameter,
+    const ParameterValue& value,
+    MeshDocument& document
+);
+
 /// What the user gave; a parameter that was not offered has its default. Throws InputError where an
 /// enumeration has no such option.
 [[nodiscard]] ParameterValues valuesOf(
