@@ -10,6 +10,8 @@ from pathlib import Path
 import pymeshlab
 import pytest
 from float_ply import write_ply
+from meshlab_window import MeshLabWindow
+from sample_bunny import bunny_ply
 from virtual_display import VirtualDisplay
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -64,6 +66,13 @@ def program_of(request, display):
     return program
 
 
+@pytest.fixture(params=["2020.09", "2025.07"])
+def meshlab(request, display, program_of, sphere):
+    """MeshLab's window with the sphere."""
+    with MeshLabWindow(display, program_of(request.param), sphere) as window:
+        yield window
+
+
 @pytest.fixture(scope="session")
 def example_scripts():
     """The module that writes filter scripts."""
@@ -87,11 +96,7 @@ def write_script(example_scripts, tmp_path):
 
 @pytest.fixture(scope="session")
 def bunny(tmp_path_factory):
-    """The bunny of pymeshlab's wheel as bunny.ply; MeshLab 2020.09 ends while it reads the wheel's OBJ file."""
-    document = pymeshlab.MeshSet()
-    document.load_new_mesh(str(Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj"))
-    mesh = document.current_mesh()
-    return write_ply(tmp_path_factory.mktemp("meshes") / "bunny.ply", mesh.vertex_matrix(), mesh.face_matrix())
+    return bunny_ply(tmp_path_factory.mktemp("meshes"))
 
 
 @pytest.fixture(scope="session")

@@ -24,6 +24,11 @@ LAYER_NAME, FIRST_LAYER, LAYER_ROW = 80, 95, 31
 BUTTON_HEIGHT = 22
 
 
+# Where the menu Filters is, and from the bottom left corner of the dialog of scripts to the middle of its button Save Script.
+FILTERS_MENU = 118, 29
+SCRIPT_BUTTON = 50, 47
+
+
 @dataclass
 class Window:
     id: str
@@ -196,6 +201,12 @@ class MeshLabWindow:
                 return row  # no letters
         raise AssertionError("no end of the list of layers")
 
+    def current_layer(self):
+        """The row of the current layer."""
+        view = self.view()
+        x, top = view.x + view.width + LAYER_NAME, self.main.y + FIRST_LAYER
+        return next(row for row in range(20) if self._is_selected(x, top + row * LAYER_ROW))
+
     def _is_selected(self, x, y):
         """Whether a row of the list is blue: above the name, where no letter is."""
         red, _, blue = self.display.picture().getpixel((x, y - LAYER_ROW // 2 + 3))
@@ -210,6 +221,20 @@ class MeshLabWindow:
         self.wait_for_window("^Choose Saving Options")
         self.key("Return")
         self.wait_for_log(f"^Saved Mesh {re.escape(str(path))}")
+
+    def save_script(self, path):
+        """Writes the filters that were applied to a file that is not there yet."""
+        self.click(*FILTERS_MENU)
+        self.wait_for_still_picture()
+        self.key("Down", "Return")  # the first that is enabled: Show current filter script
+        dialog = self.wait_for_window("^Dialog$")
+        self.click(dialog.x + SCRIPT_BUTTON[0], dialog.y + dialog.height - SCRIPT_BUTTON[1])
+        self.wait_for_window("^Save Filter Script File$")
+        self.type(path)
+        self.key("Return")
+        wait_until(path.is_file, f"the file {path}")
+        self.key("Escape")
+        self.wait_for_no_window("^Dialog$")
 
     def view(self):
         """The part of the window that shows the mesh."""
