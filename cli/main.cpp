@@ -78,12 +78,6 @@ ExitCode run(Arguments arguments) {
 
 }  // namespace
 
-void printError(const std::string& message) {
-    std::string line = message;
-    std::ranges::replace_if(line, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    std::cerr << "bspline_curve: " << line << '\n';
-}
-
 ExitCode reportingErrors(const std::function<ExitCode()>& run) {
     try {
         return run();

@@ -18,7 +18,14 @@
 #include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 
+#ifdef BSPLINE_CURVE_TETRAHEDRA
+#include "tetrahedra/conforming_tetrahedra.h"
+#endif
+
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +56,32 @@ struct Built {
 
     [[nodiscard]] const Shell& shell() const { return obtained.build.shell; }
 };
+
+#ifdef BSPLINE_CURVE_TETRAHEDRA
+std::string conformingBytes(
+    const std::filesystem::path& file, const Built& built, const Progress& progress
+) {
+    ConformingTetrahedra made = conformToSurface(
+        built.surface,
+        *built.extended,
+        built.shell(),
+        built.obtained.build.report.blockedFaces,
+        progress
+    );
+    TetrahedralGrid grid{
+        .points = std::move(made.points),
+        .heights = std::move(made.heights),
+        .tetrahedra = std::move(made.tetrahedra),
+        .slabName = "side",
+        .slabs = {},
+        .fields = {}
+    };
+    std::ranges::transform(made.sides, std::back_inserter(grid.slabs), [](SurfaceSide side) {
+        return static_cast<std::uint8_t>(side);
+    });
+    return gridBytes(file, grid);
+}
+#endif
 
 /// Figures and checks are those of building a shell, so where these are asked for it is built; it
 /// is stored all the same.
@@ -124,21 +157,31 @@ std::string failureMessage(const ShellCheck& check) {
     return text + "; please send the mesh to the authors";
 }
 
+/// The bytes of the output.
+std::string outputBytes(const ShellArguments& arguments, const Built& built, ProgressBar& bar) {
+#ifdef BSPLINE_CURVE_TETRAHEDRA
+    if (arguments.isConforming) {
+        return conformingBytes(arguments.output, built, progressPart(bar, 0.0, 1.0));
+    }
+#endif
+    return shellBytes(arguments.output, built.shell(), built.extended->frame);
+}
+
 /// Writes shell and report together: both files appear, or none. Of a shell that is wrong only the
 /// report.
 void writeResults(
     const ShellArguments& arguments,
     const Built& built,
     const std::optional<ShellCheck>& check,
-    ShellRunFigures& figures
+    ShellRunFigures& figures,
+    ProgressBar& bar
 ) {
     Stopwatch watch;
     std::optional<AtomicFile> output;
     std::optional<AtomicFile> report;
     if (!arguments.output.empty() && (!check || check->passed())) {
-        output.emplace(
-            arguments.output, shellBytes(arguments.output, built.shell(), built.extended->frame)
-        );
+        output.emplace(arguments.output, outputBytes(arguments, built, bar));
+        bar.clear();
     }
     figures.seconds.write = watch.lap();
     if (!arguments.report.empty()) {
@@ -194,7 +237,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
     bar.clear();
     figures.notes = built.obtained.notes;
     printNotes(figures.notes);
-    writeResults(arguments, built, check, figures);
+    writeResults(arguments, built, check, figures, bar);
     if (check && !check->passed()) {
         printError(failureMessage(*check));
         return ExitCode::Failure;

@@ -7,6 +7,7 @@
 #include "cli/parse_with.h"
 #include "cli/shell_cache_option.h"
 #include "filters/requests.h"
+#include "io/text_parsing.h"
 
 #include <CLI/CLI.hpp>
 
@@ -30,6 +31,14 @@ void addFiles(CLI::App& app, ShellArguments& arguments) {
            "bottom as triangles); may be left out with --report or --check"
     )
         ->type_name("FILE");
+    app.add_flag(
+        "--conforming-to-surface",
+        arguments.isConforming,
+        "Write tetrahedra of a simplified shell that the surface does not cut, made anew by "
+        "TetGen: "
+        "its vertices first, its faces among those of the tetrahedra; .vtu or .msh. Those of a "
+        "full shell conform to the surface as they are"
+    );
     app.add_option(
            "--report",
            arguments.report,
@@ -44,6 +53,24 @@ void addFiles(CLI::App& app, ShellArguments& arguments) {
     );
     addRepairOption(app);
     addCacheOption(app, arguments.noCache);
+}
+
+void checkConforming(const ShellArguments& arguments) {
+    const char* const option = "--conforming-to-surface";
+    if (arguments.output.empty()) {
+        throw CLI::RequiredError("--output with --conforming-to-surface");
+    }
+    if (lowerCaseExtension(arguments.output) == ".ply") {
+        throw CLI::ValidationError(option, "a .ply file holds no tetrahedra: use .vtu or .msh");
+    }
+    if (arguments.shell.kind != ShellKind::Simplified) {
+        throw CLI::ValidationError(
+            option, "the tetrahedra of a full shell conform to the surface as they are"
+        );
+    }
+#ifndef BSPLINE_CURVE_TETRAHEDRA
+    throw CLI::ValidationError(option, "this program was built without TetGen (libtet1.5-dev)");
+#endif
 }
 
 /// The command line of one shell, and what was given on it.
@@ -79,6 +106,9 @@ public:
                 "--shell",
                 "a local shell has no prisms, only the fibres near a curve: use simplified or full"
             );
+        }
+        if (arguments_.isConforming) {
+            checkConforming(arguments_);
         }
         return arguments_;
     }

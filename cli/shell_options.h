@@ -15,6 +15,7 @@ struct ShellArguments {
     std::filesystem::path mesh;
     std::filesystem::path output, report;  ///< empty: not asked for
     bool check = false;
+    bool isConforming = false;  ///< tetrahedra that conform to the surface
     MendingOptions mending{};
     bool noCache = false;
     ShellOptions shell{.kind = ShellKind::Simplified};

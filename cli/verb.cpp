@@ -6,10 +6,17 @@
 
 #include <CLI/CLI.hpp>
 
+#include <iostream>
 #include <string>
 #include <vector>
 
 namespace bspline_curve::cli {
+
+void printError(const std::string& message) {
+    std::string line = message;
+    std::ranges::replace_if(line, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    std::cerr << "bspline_curve: " << line << '\n';
+}
 
 ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work) {
     catchInterrupts();

@@ -40,9 +40,7 @@ struct ShellCells {
 /// Whether a prism lies beyond a boundary, where the surface has no face.
 [[nodiscard]] bool isGhostPrism(const Shell& shell, int prism);
 
-// The formats; see shellBytes().
-[[nodiscard]] std::string vtuBytes(const ShellCells& cells);
-[[nodiscard]] std::string mshBytes(const ShellCells& cells);
+/// Top, middle and bottom as triangles; see shellBytes().
 [[nodiscard]] std::string plyBytes(const ShellCells& cells);
 
 }  // namespace bspline_curve

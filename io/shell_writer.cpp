@@ -3,9 +3,36 @@
 
 #include "bspline_curve/error.h"
 #include "io/shell_cells.h"
+#include "io/tetrahedral_grid.h"
 #include "io/text_parsing.h"
 
 namespace bspline_curve {
+
+namespace {
+
+TetrahedralGrid gridOf(const ShellCells& cells) {
+    const int tets = cells.tetrahedronCount();
+    TetrahedralGrid grid{
+        .points = cells.points,
+        .heights = {},
+        .tetrahedra = cells.tetrahedra,
+        .slabName = "slab",
+        .slabs = {},
+        .fields = {{.name = "prism", .values = {}}, {.name = "ghost", .values = {}}}
+    };
+    for (int i = 0; i < static_cast<int>(cells.points.size()); ++i) {
+        grid.heights.push_back(ShellCells::height(i));
+    }
+    for (int tet = 0; tet < tets; ++tet) {
+        const std::size_t prism = ShellCells::prismOf(tet);
+        grid.slabs.push_back(static_cast<std::uint8_t>(ShellCells::slabOf(tet)));
+        grid.fields[0].values.push_back(cells.prisms[prism]);
+        grid.fields[1].values.push_back(cells.ghost[prism]);
+    }
+    return grid;
+}
+
+}  // namespace
 
 void checkShellExtension(const std::filesystem::path& file) {
     const std::string extension = lowerCaseExtension(file);
@@ -18,16 +45,19 @@ void checkShellExtension(const std::filesystem::path& file) {
     }
 }
 
+std::string gridBytes(const std::filesystem::path& file, const TetrahedralGrid& grid) {
+    return lowerCaseExtension(file) == ".vtu" ? vtuBytes(grid) : mshBytes(grid);
+}
+
 std::string shellBytes(
     const std::filesystem::path& file, const Shell& shell, const ShellFrame& frame
 ) {
     checkShellExtension(file);
     const ShellCells cells = makeShellCells(shell, frame);
-    const std::string extension = lowerCaseExtension(file);
-    if (extension == ".vtu") {
-        return vtuBytes(cells);
+    if (lowerCaseExtension(file) == ".ply") {
+        return plyBytes(cells);
     }
-    return extension == ".msh" ? mshBytes(cells) : plyBytes(cells);
+    return gridBytes(file, gridOf(cells));
 }
 
 }  // namespace bspline_curve

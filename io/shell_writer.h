@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "io/tetrahedral_grid.h"
 #include "shell/extended_surface.h"
 #include "shell/shell.h"
 
@@ -23,5 +24,8 @@ void checkShellExtension(const std::filesystem::path& file);
 [[nodiscard]] std::string shellBytes(
     const std::filesystem::path& file, const Shell& shell, const ShellFrame& frame
 );
+
+/// The same of other tetrahedra of a shell: .vtu and .msh alone.
+[[nodiscard]] std::string gridBytes(const std::filesystem::path& file, const TetrahedralGrid& grid);
 
 }  // namespace bspline_curve

@@ -57,6 +57,37 @@ def test_tetrahedra_conform_and_know_f_prism_slab_and_ghost(run, tmp_path, hill,
         assert (grid.cell_data["gmsh:physical"][0] == slab + 1).all()
 
 
+@pytest.mark.parametrize("extension", ["vtu", "msh"])
+def test_tetrahedra_conform_to_the_surface_where_that_is_asked(run, tmp_path, hill, extension):
+    V, F = hill
+    output = f"shell.{extension}"
+    succeed(run("shell", "hill.ply", "--conforming-to-surface", "--output", output, "--report", "r.json"))
+    grid = meshio.read(tmp_path / output)
+    P, T = grid.points, grid.cells[0].data
+    side = grid.cell_data["side"][0].ravel().astype(int)
+    assert np.array_equal(P[:len(V)], V), "the vertices of the mesh come first"
+    assert volumes(P, T).min() > 0
+    beside = {}
+    for tet, corners in enumerate(np.sort(T, 1).tolist()):
+        for k in range(4):
+            beside.setdefault(tuple(corners[:k] + corners[k + 1:]), []).append(tet)
+    for face in np.sort(F, 1).tolist():
+        assert sorted(side[beside[tuple(face)]]) == [0, 1], "each face lies between above and below"
+    f = grid.point_data["f"].ravel()
+    assert f.min() == -1 and f.max() == 1 and np.abs(f[:len(V)]).max() < 1
+
+
+@pytest.mark.parametrize("options, said", [
+    (["--output", "shell.ply"], "holds no tetrahedra"),
+    (["--output", "shell.vtu", "--shell", "full"], "conform to the surface as they are"),
+    (["--check"], "--output"),
+])
+def test_tetrahedra_that_cannot_conform_are_refused_before_any_work(run, tmp_path, hill, options, said):
+    result = run("shell", "hill.ply", "--conforming-to-surface", *options)
+    assert result.returncode == 2 and said in result.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["hill.ply"]
+
+
 @pytest.mark.parametrize("kind", ["simplified", "full"])
 def test_the_ply_has_three_layers_that_meshlab_colours_by_f(run, tmp_path, hill, kind):
     succeed(run("shell", "hill.ply", "--shell", kind, "--output", "shell.ply", "--report", "r.json"))

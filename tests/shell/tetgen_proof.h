@@ -23,11 +23,7 @@ struct TetgenProof {
 
 std::ostream& operator<<(std::ostream& stream, const TetgenProof& proof);
 
-/// Edges of top, surface, bottom and end walls that are shorter than this are too much for TetGen
-/// 1.5: it merges their ends, or crashes.
-inline constexpr double kLeastTetgenEdge = 1e-6;
-
-/// The shortest of these edges, in the shell's frame.
+/// The shortest edge of top, surface, bottom and end walls, in the shell's frame.
 [[nodiscard]] double shortestTetgenEdge(
     const Shell& shell, const ExtendedSurface& extended, std::span<const int> blockedFaces
 );
