@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/error.h"
+#include "design/strict_polyline.h"
+#include "fuzz/fuzz_file.h"
+#include "fuzz/fuzz_target.h"
+#include "io/byte_stream.h"
+#include "io/curve_reader.h"
+#include "io/picks_formats.h"
+#include "io/shell_file.h"
+#include "shell/extended_surface.h"
+#include "support/meshes.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+
+namespace bspline_curve::fuzz {
+
+void readPicksBytes(std::string_view bytes) {
+    if (bytes.empty()) {
+        return;
+    }
+    const std::string rest(bytes.substr(1));
+    try {
+        PicksFile read;
+        switch (static_cast<unsigned char>(bytes[0]) % 5) {
+            case 0:
+                read = picksOfPickPoints("file", rest);
+                break;
+            case 1:
+                read = picksOfJson("file", rest);
+                break;
+            case 2:
+                read = picksOfXyz("file", rest);
+                break;
+            case 3:
+                read = picksOfCsv("file", rest);
+                break;
+            default:
+                read.picks = parsePicksText(rest);
+                break;
+        }
+        require(
+            std::ranges::all_of(read.picks, [](const Vec3& pick) { return pick.allFinite(); }),
+            "picks are finite"
+        );
+    } catch (const InputError&) {
+        return;
+    }
+}
+
+void readCurveBytes(std::string_view bytes) {
+    static const Surface kSurface(test_support::icosphere(0));
+    static const MeshChecksum kMesh = checksumOf(test_support::icosphere(0));
+    const FuzzFile file("curve.json", bytes);
+    try {
+        const SurfacePolyline line = readCurve(file.path(), kSurface, kMesh);
+        require(isStrict(kSurface, line), "every segment lies in a face");
+    } catch (const InputError&) {
+        return;
+    }
+}
+
+void readShellBytes(std::string_view bytes) {
+    static const Surface kSurface(test_support::icosphere(0));
+    static const auto kExtended =
+        std::make_shared<const ExtendedSurface>(extendSurface(kSurface, 3));
+    // Damage never has the right checksum; with it, what is behind the check is tried as well.
+    constexpr std::size_t kChecksumBytes = 8;
+    std::string sealed(bytes.substr(0, bytes.size() - std::min(bytes.size(), kChecksumBytes)));
+    std::uint64_t checksum = checksumOf(std::string_view(sealed));
+    for (std::size_t i = 0; i < kChecksumBytes; ++i) {
+        sealed += static_cast<char>(checksum & 0xffU);
+        checksum >>= 8U;
+    }
+    for (const std::string_view each : {bytes, std::string_view(sealed)}) {
+        try {
+            const ShellBuild build = decodeShell("file", each, kSurface, kExtended, "parameters");
+            require(!build.shell.prisms().empty(), "a shell has prisms");
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+}
+
+}  // namespace bspline_curve::fuzz

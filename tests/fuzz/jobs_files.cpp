@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/error.h"
+#include "cli/job_table.h"
+#include "fuzz/fuzz_file.h"
+#include "fuzz/fuzz_target.h"
+
+namespace bspline_curve::fuzz {
+
+void readJobsBytes(std::string_view bytes) {
+    const FuzzFile file("jobs.csv", bytes);
+    cli::BatchArguments arguments;
+    arguments.jobs = file.path();
+    try {
+        std::size_t last = 0;
+        for (const cli::Job& job : cli::readJobs(arguments)) {
+            require(job.number > last, "jobs are in the order of the file");
+            require(!job.command().empty(), "a job is a command");
+            last = job.number;
+        }
+    } catch (const InputError&) {
+        return;
+    }
+}
+
+}  // namespace bspline_curve::fuzz

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/error.h"
+#include "fuzz/fuzz_file.h"
+#include "fuzz/fuzz_target.h"
+#include "io/field_reader.h"
+#include "io/job_results.h"
+#include "io/region_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace bspline_curve::fuzz {
+
+namespace {
+
+constexpr std::size_t kVertices = 5;
+
+/// An array for readers of .npy and of text; the first byte chooses.
+FuzzFile arrayFile(std::string_view bytes) {
+    const bool isText = bytes.empty() || bytes[0] % 2 != 0;
+    return {
+        isText ? "array.txt" : "array.npy", bytes.substr(std::min<std::size_t>(1, bytes.size()))
+    };
+}
+
+}  // namespace
+
+void readFieldBytes(std::string_view bytes) {
+    const FuzzFile file = arrayFile(bytes);
+    try {
+        const auto values = readField(file.path(), kVertices);
+        require(values.size() == kVertices, "one value per vertex");
+        require(
+            std::ranges::all_of(values, [](double value) { return std::isfinite(value); }),
+            "values are finite"
+        );
+    } catch (const InputError&) {
+        return;
+    }
+}
+
+void readFaceIdsBytes(std::string_view bytes) {
+    const FuzzFile file = arrayFile(bytes);
+    try {
+        require(!readFaceIds(file.path()).empty(), "an empty list is refused");
+    } catch (const InputError&) {
+        return;
+    }
+}
+
+void readResultsBytes(std::string_view bytes) {
+    const FuzzFile file("results", bytes);
+    try {
+        for (const JobRecord& record : readJobRecords(file.path())) {
+            require(!record.line().empty(), "a line of results can be written again");
+        }
+    } catch (const InputError&) {
+        // a report may be in it all the same
+    }
+    try {
+        static_cast<void>(readCurveFigures(file.path()));
+    } catch (const InputError&) {
+        return;
+    }
+}
+
+}  // namespace bspline_curve::fuzz
