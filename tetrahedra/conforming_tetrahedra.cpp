@@ -369,7 +369,8 @@ ConformingTetrahedra conformToSurface(
         result.heights.push_back(heights.find(filling.points[i], vertex));
     }
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        if (!sides[i]) {
+        const std::optional<SurfaceSide>& side = sides[i];
+        if (!side) {
             continue;
         }
         Tetrahedron corners = filling.tetrahedra[i];
@@ -380,7 +381,7 @@ ConformingTetrahedra conformToSurface(
             std::swap(corners[0], corners[1]);
         }
         result.tetrahedra.push_back(corners);
-        result.sides.push_back(*sides[i]);
+        result.sides.push_back(*side);
     }
     report(progress, 1.0, kStage);
     return result;

@@ -23,7 +23,7 @@ OF_PROGRAM = {
     (): {"picks", "output", "report", "repeat", "require-usable", "no-cache", "field-region",
          "field-region-under", "field-region-over"},
     ("field",): {"output", "report", "region", "region-under", "region-over"},
-    ("shell",): {"output", "report", "check", "no-cache"},
+    ("shell",): {"output", "report", "check", "conforming-to-surface", "no-cache"},
 }
 OF_SHELLS = {"shell", "target_thickness", "target_edge_length", "shell_thickness", "shell_smoothing_passes", "strict", "weld"}
 
