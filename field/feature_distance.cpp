@@ -2,6 +2,7 @@
 #include "field/feature_distance.h"
 
 #include "utility/index_sets.h"
+#include "utility/infinity.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <queue>
 #include <utility>
@@ -18,8 +18,6 @@
 namespace bspline_curve {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Collects both ends of the edges for which isFeature(face, neighbour) holds.
 template <class IsFeature>

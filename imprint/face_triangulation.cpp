@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "imprint/face_triangulation.h"
 
+#include "surface/plane_vectors.h"
 #include "surface/predicates.h"
 
 #include <Eigen/Geometry>
@@ -17,10 +18,6 @@ namespace {
 /// A side is flipped where that gains more than rounding could feign: the sine of the two opposite
 /// angles' sum.
 constexpr double kDelaunayMargin = 1e-9;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 }  // namespace
 

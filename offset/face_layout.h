@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
+#include "surface/plane_vectors.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -11,10 +12,6 @@
 #include <cmath>
 
 namespace bspline_curve {
-
-[[nodiscard]] inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// The angle from one direction to another, counter-clockwise, in (-pi, pi].
 [[nodiscard]] inline double angleBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "projection/fibre_exit.h"
 
+#include "utility/infinity.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace bspline_curve {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A foot with a barycentric coordinate this small is on the edge: rounding, where edges are 1e-4 of
 // the diagonal long, with a margin.
 constexpr double kOnWall = 1e-11;

@@ -4,18 +4,17 @@
 #include "projection/face_fibres.h"
 #include "projection/fibre_exit.h"
 #include "surface/surface_point.h"
+#include "utility/infinity.h"
 #include "utility/worker_thread.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace bspline_curve {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A walk that turns this often on so small a share of a span goes round in a circle. Where fibres
 // cross, two faces may hand it back and forth, by 1e-14 of the span at a time.
 constexpr int kMaxStalled = 128;

@@ -4,18 +4,16 @@
 #include "surface/closest_point.h"
 #include "surface/geodesic_path.h"
 #include "surface/surface_point.h"
+#include "utility/infinity.h"
 #include "utility/sparse_map.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace bspline_curve {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Constants {
     int leastFeet = 4, mostFeet = 256;  // of a span

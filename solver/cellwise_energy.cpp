@@ -42,7 +42,7 @@ struct CellwiseNewtonConstants {
     double longestStep = 64.0;
 };
 
-constexpr CellwiseNewtonConstants kNewton;
+constexpr CellwiseNewtonConstants kCellwiseNewton;
 
 SampleRule firstRule(const CurveProblem& problem) {
     if (problem.options.quadrature == Quadrature::Samples) {
@@ -71,9 +71,9 @@ double shortestPickDistance(const CurveProblem& problem) {
 
 NewtonPolicy cellwiseNewton() {
     NewtonPolicy policy;
-    policy.negativeShares = kNewton.negativeShares;
-    policy.ridges = kNewton.ridges;
-    policy.longestStep = kNewton.longestStep;
+    policy.negativeShares = kCellwiseNewton.negativeShares;
+    policy.ridges = kCellwiseNewton.ridges;
+    policy.longestStep = kCellwiseNewton.longestStep;
     return policy;
 }
 

@@ -9,12 +9,6 @@
 #include <numeric>
 
 namespace bspline_curve {
-namespace {
-
-// So many spans at once are followed by one of two threads: for some microseconds.
-constexpr std::size_t kSpansAtOnce = 8;
-
-}  // namespace
 
 void SampledIntegrals::follow(const FibreProjector& finder, FootedSpline& spline) const {
     const bool isKnown = !spline.positions.empty();

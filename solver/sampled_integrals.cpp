@@ -19,8 +19,6 @@ namespace {
 // Energies below this are rounding: a curve that strays from a straight one by 1e-7 of its length
 // has more (E_int is dimensionless).
 constexpr double kRoundingEnergy = 1e-12;
-// So many spans at once are integrated by one of two threads: for some microseconds.
-constexpr std::size_t kSpansAtOnce = 8;
 
 // At the samples of a span, one column each: derivatives of the powers of tau.
 using SampleMatrix = Eigen::Matrix<

@@ -6,10 +6,14 @@
 #include "solver/curve_problem.h"
 #include "solver/energy_derivatives.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace bspline_curve {
+
+/// So many spans at once are worked on by one of two threads: for some microseconds.
+inline constexpr std::size_t kSpansAtOnce = 8;
 
 /// A spline, the feet of its samples, and its positions and second derivatives by t there, which
 /// SampledIntegrals::follow sets.

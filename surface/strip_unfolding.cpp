@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/strip_unfolding.h"
 
+#include "surface/plane_vectors.h"
 #include "surface/surface_point.h"
 
 #include <Eigen/Geometry>
@@ -13,10 +14,6 @@ namespace bspline_curve {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 // The apex of a triangle over the base from a to b (2D), on its left, from the 3D triangle.
 Vec2 unfoldApex(const Vec2& a, const Vec2& b, const Vec3& a3, const Vec3& b3, const Vec3& c3) {

@@ -3,11 +3,11 @@
 #include "shell/check/checked_shell.h"
 #include "surface/self_intersection.h"
 #include "utility/disjoint_sets.h"
+#include "utility/infinity.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -17,7 +17,6 @@ namespace {
 
 // Range of a prism along the x axis.
 std::pair<double, double> extentOf(const CheckedShell& shell, int prism) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::pair<double, double> extent(kInfinity, -kInfinity);
     for (const int pillar : shell.prism(prism).pillars) {
         for (const Level level : {Level::Bottom, Level::Middle, Level::Top}) {
