@@ -14,6 +14,7 @@ from ._files import load
 from ._imprint import Cut, Imprint, Part
 from ._mesh import Mesh, Repair, repair
 from ._pattern import Distortion, Pattern
+from ._picker import Picker, pick
 
 __all__ = [
     "Cancelled",
@@ -31,8 +32,10 @@ __all__ = [
     "Part",
     "Pattern",
     "PickError",
+    "Picker",
     "Repair",
     "__version__",
     "load",
+    "pick",
     "repair",
 ]

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-Floats = npt.NDArray[np.float64]
-Int32s = npt.NDArray[np.int32]
-Faces = npt.NDArray[np.int32] | npt.NDArray[np.int64]
+Floats: TypeAlias = npt.NDArray[np.float64]
+Int32s: TypeAlias = npt.NDArray[np.int32]
+Faces: TypeAlias = npt.NDArray[np.int32] | npt.NDArray[np.int64]
 
 __version__: str
 
@@ -56,6 +56,26 @@ class Designer:
     ) -> Floats: ...
     def project(self, points: Floats, /) -> tuple[Int32s, Floats, Floats, Floats]: ...
     def shell_layers(self) -> tuple[tuple[Floats, Int32s], tuple[Floats, Int32s]]: ...
+
+class DrawingSession:
+    curves: list[tuple[Floats, Floats, bool, str]]
+    preview: Floats | None
+    active: int
+    selected: int
+    hovered: tuple[int, int]
+    is_dragging: bool
+    is_settled: bool
+
+    def __init__(
+        self, designer: Designer, options: Mapping[str, Any], field: Floats | None, avoid: Int32s | None, /
+    ) -> None: ...
+    def press(self, ray: Floats, pixel: float, is_orthographic: bool, snaps: bool, removes: bool, /) -> bool: ...
+    def move(self, ray: Floats, pixel: float, is_orthographic: bool, snaps: bool, removes: bool, /) -> bool: ...
+    def release(self, ray: Floats, pixel: float, is_orthographic: bool, snaps: bool, removes: bool, /) -> bool: ...
+    def leave(self) -> None: ...
+    def key(self, name: str, ray: Floats, pixel: float, is_orthographic: bool, snaps: bool, /) -> bool: ...
+    def update(self) -> bool: ...
+    def settle(self) -> None: ...
 
 class Imprint:
     vertices: Floats

@@ -43,14 +43,16 @@ class Drawing(NamedTuple):
             return self.mesh._kept_field(self.field)
         return self.field
 
-    def draw(self, start: _core.Curve | None, progress: Progress | None) -> Curve:
+    def resolved(self) -> tuple[dict[str, Value], Floats | None, Int32s | None]:
+        """Options, values of the field, and faces to avoid, as the core takes them."""
+        values = self.values()  # which checks the kind
         options = self.options
         if isinstance(self.field, str) and "field_cost" not in options:
-            values = self.values()  # which checks the kind
             options = {**options, "field_cost": _core.natural_cost(self.field)}
-        else:
-            values = self.values()
-        drawn = self.mesh._designer.design(self.picks, options, values, self.avoid, start, progress)
+        return options, values, self.avoid
+
+    def draw(self, start: _core.Curve | None, progress: Progress | None) -> Curve:
+        drawn = self.mesh._designer.design(self.picks, *self.resolved(), start, progress)
         return Curve(drawn, self)
 
 
@@ -142,7 +144,7 @@ class Curve:
         if self._values is None:
             field = self._drawing.values()
             corners = self.mesh.faces[self.faces]
-            along = self.t if field is None else (field[corners] * self.barycentrics).sum(1)
+            along: Floats = self.t if field is None else (field[corners] * self.barycentrics).sum(1)
             self._values = _read_only(along)
         return self._values
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from ._arrays import Floats, points, shape_text, triangles
 from ._errors import MeshError
 
-Faces = npt.NDArray[np.int32] | npt.NDArray[np.int64]
+Faces: TypeAlias = npt.NDArray[np.int32] | npt.NDArray[np.int64]
 
 
 def mesh_arrays(given: Any, faces: npt.ArrayLike | None) -> tuple[Floats, Faces]:

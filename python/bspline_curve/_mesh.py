@@ -291,14 +291,18 @@ class Mesh(MeshKeywords):
         avoid: npt.ArrayLike | None,
         progress: Progress | None,
     ) -> Curve:
-        drawing = Drawing(
+        return self._drawing(pick_points(picks, self.vertices, self.faces), options, field, avoid).draw(None, progress)
+
+    def _drawing(
+        self, picks: Floats, options: Mapping[str, object], field: str | npt.ArrayLike | None, avoid: npt.ArrayLike | None
+    ) -> Drawing:
+        return Drawing(
             mesh=self,
-            picks=pick_points(picks, self.vertices, self.faces),
+            picks=picks,
             options=changed(CURVE, options),
             field=field if isinstance(field, str) or field is None else self._values(field),
             avoid=None if avoid is None else face_ids(avoid, "avoid", len(self.faces)),
         )
-        return drawing.draw(None, progress)
 
     def _values(self, field: npt.ArrayLike) -> Floats:
         return per_vertex(field, "field", len(self.vertices))

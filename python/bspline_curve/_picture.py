@@ -15,6 +15,7 @@ import numpy.typing as npt
 if TYPE_CHECKING:
     from ._arrays import Floats
     from ._curve import Curve
+    from ._mesh import Mesh
 
 # A notebook waits for its pictures: of meshes with more faces there is none.
 FACES_OF_PICTURES = 60_000
@@ -88,13 +89,18 @@ def plot(curve: Curve, **options: Any) -> Any:
     raise ImportError("plot() needs pyvista or matplotlib: run pip install pyvista")
 
 
+def surface_of_pyvista(mesh: Mesh) -> Any:
+    """The mesh as a PolyData."""
+    import pyvista
+
+    return pyvista.PolyData(np.array(mesh.vertices), np.c_[np.full(len(mesh.faces), 3), mesh.faces].ravel())
+
+
 def plot_by_pyvista(curve: Curve, **options: Any) -> Any:
     import pyvista
 
-    mesh = curve.mesh
-    surface = pyvista.PolyData(np.array(mesh.vertices), np.c_[np.full(len(mesh.faces), 3), mesh.faces].ravel())
     plotter = pyvista.Plotter(**options)
-    plotter.add_mesh(surface, color="lightgray", smooth_shading=True)
+    plotter.add_mesh(surface_of_pyvista(curve.mesh), color="lightgray", smooth_shading=True)
     plotter.add_mesh(curve.to_pyvista(), color="firebrick", line_width=5)
     plotter.add_points(np.array(curve.picks), color="navy", point_size=12, render_points_as_spheres=True)
     return plotter

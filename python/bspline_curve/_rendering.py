@@ -129,8 +129,9 @@ def scan_batch(
 def camera(direction: npt.ArrayLike, up: npt.ArrayLike) -> Floats:
     """Rows: right, up, towards the viewer."""
     backward = normalised(np.asarray(direction, np.float64))
-    right = normalised(np.asarray(np.cross(np.asarray(up, np.float64), backward), np.float64))
-    return np.stack([right, np.cross(backward, right), backward])
+    right: Floats = normalised(np.asarray(np.cross(np.asarray(up, np.float64), backward), np.float64))
+    above: Floats = np.asarray(np.cross(backward, right), np.float64)
+    return np.stack([right, above, backward])
 
 
 def box_blur(image: Floats, radius: int) -> Floats:

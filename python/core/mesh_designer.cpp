@@ -37,10 +37,9 @@ Curve MeshDesigner::design(
     if (!made_.mending) {
         return made_.made.design(picks, solver, sampling, inputs, progress);
     }
-    const std::vector<double> field = onMended(inputs.field, made_.mending->repair);
-    const std::vector<int> avoid = facesOfMended(inputs.avoid, made_.mending->repair);
-    const CurveInputs carried{.field = field, .avoid = avoid};
-    Curve curve = made_.made.design(picks, solver, sampling, carried, progress);
+    const CarriedInputs on = carried(inputs);
+    const CurveInputs there{.field = on.field, .avoid = on.avoid};
+    Curve curve = made_.made.design(picks, solver, sampling, there, progress);
     for (SurfacePoint& point : curve.polyline.surfacePoints) {
         point = made_.mending->repair.toOrigin(point);
     }
@@ -58,6 +57,16 @@ std::vector<double> MeshDesigner::field(
     const std::vector<int> region = facesOfMended(inputs.region, made_.mending->repair);
     const FieldInputs carried{.quality = quality, .region = region};
     return made_.mending->toOrigin(makeField(surface, options, carried, progress));
+}
+
+CarriedInputs MeshDesigner::carried(const CurveInputs& inputs) const {
+    if (!made_.mending) {
+        return {
+            {inputs.field.begin(), inputs.field.end()}, {inputs.avoid.begin(), inputs.avoid.end()}
+        };
+    }
+    const MeshRepair& repair = made_.mending->repair;
+    return {onMended(inputs.field, repair), facesOfMended(inputs.avoid, repair)};
 }
 
 TriangleTree::Closest MeshDesigner::closestPoint(const Vec3& query) const {

@@ -14,6 +14,12 @@
 // Curves on a mesh as the caller gave it, whether or not it had to be mended for them.
 namespace bspline_curve::python {
 
+/// CurveInputs of a mesh that curves are drawn on.
+struct CarriedInputs {
+    std::vector<double> field;
+    std::vector<int> avoid;
+};
+
 /// A designer, and the way from its mesh to the given one. Faces and vertices are everywhere those
 /// of the given mesh.
 class MeshDesigner {
@@ -47,6 +53,9 @@ public:
     [[nodiscard]] std::vector<double> field(
         const FieldOptions& options, const FieldInputs& inputs, const Progress& progress
     ) const;
+
+    /// Field and avoided faces of the given mesh as those of designer().mesh().
+    [[nodiscard]] CarriedInputs carried(const CurveInputs& inputs) const;
 
     [[nodiscard]] TriangleTree::Closest closestPoint(const Vec3& query) const;
 

@@ -6,6 +6,7 @@
 #include "design/designer_surface.h"
 #include "python/core/arrays.h"
 #include "python/core/curve_data.h"
+#include "python/core/drawing_data.h"
 #include "python/core/errors.h"
 #include "python/core/imprint_data.h"
 #include "python/core/mesh_designer.h"
@@ -220,6 +221,7 @@ NB_MODULE(_core, module) {
     registerErrors();
     bindCurve(module);
     bindDesigner(module);
+    bindDrawing(module);
     bindImprint(module);
     bindOffset(module);
     bindPattern(module);
