@@ -62,6 +62,18 @@ def test_recipe_A_part_cut_out_of_a_scan(files, capsys):
     assert (files / "crown.ply").exists()
 
 
+def test_recipe_A_scan_divided_into_regions(files, capsys):
+    import trimesh
+
+    given = run("A scan divided into regions")
+    rest, crown, band = given["regions"].parts
+    assert (rest.euler, crown.euler, band.euler) == (0, 1, 0)
+    assert band.area == pytest.approx(0.15 * (given["margin"].length + given["band"].length) / 2, rel=0.05)
+    assert len(capsys.readouterr().out.splitlines()) == 3
+    colours = trimesh.load(files / "regions.ply", process=False).visual.face_colors
+    assert len(np.unique(colours, axis=0)) == 3
+
+
 def test_recipe_A_route_around_obstacles(files, capsys):
     cable = run("A route around obstacles")["cable"]
     away = np.hypot(cable.points[:, 0] + 0.2, cable.points[:, 1] + 0.2)
