@@ -21,7 +21,7 @@ function(fetch_meshlab_sources version variable)
     message(FATAL_ERROR
       "The headers of MeshLab ${version} and vcglib are not there, and could not be fetched:\n${said}\n"
       "With the network back run it again; else clone MeshLab with its submodules and set ${variable} to the checkout "
-      "(pip: -C cmake.define.${variable}=<the checkout>).")
+      "(pip: --config-settings cmake.define.${variable}=<the checkout>).")
   endif()
 endfunction()
 
