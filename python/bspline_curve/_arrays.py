@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from ._errors import FieldError, InputError, MeshError, PickError
+
+if TYPE_CHECKING:
+    from ._mesh import Mesh
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 Int32s: TypeAlias = npt.NDArray[np.int32]
@@ -109,8 +113,12 @@ def is_surface_point(given: object) -> bool:
     return np.ndim(given[0]) == 0 and np.shape(given[1]) == (3,)
 
 
-def one_pick(given: Any, vertices: Floats, faces: Int32s, index: int) -> Floats:
+def one_pick(given: Any, mesh: Mesh, index: int) -> Floats:
     """A pick as a point: (3,), or (face, barycentrics)."""
+    is_point = isinstance(given, np.ndarray) and given.dtype == np.float64 and given.shape == (3,)
+    if is_point and all(map(math.isfinite, given.tolist())):
+        return given  # at once: a drag has no time
+    vertices, faces = mesh.vertices, mesh.faces
     if not is_surface_point(given):
         point = finite_points(numbers(given, f"picks[{index}]", PickError)[None], "picks", PickError, "picks")
         return np.asarray(point[0])
@@ -124,8 +132,8 @@ def one_pick(given: Any, vertices: Floats, faces: Int32s, index: int) -> Floats:
     return np.asarray(weights @ vertices[faces[int(face)]])
 
 
-def pick_points(given: Any, vertices: Floats, faces: Int32s) -> Floats:
+def pick_points(given: Any, mesh: Mesh) -> Floats:
     """(p, 3) and finite, from points or from pairs (face, barycentrics)."""
     if isinstance(given, (tuple, list)) and len(given) and is_surface_point(given[0]):
-        return np.stack([one_pick(each, vertices, faces, i) for i, each in enumerate(given)])
+        return np.stack([one_pick(each, mesh, i) for i, each in enumerate(given)])
     return finite_points(given, "picks", PickError, "picks")

@@ -228,15 +228,15 @@ class Curve:
 
         The solver starts from this curve, which takes about half the time. Raises as Mesh.curve() does.
         """
-        index = self._index(pick, len(self.picks))
+        index = self._index(pick, len(self._drawing.picks))
         picks = self._drawing.picks.copy()
-        picks[index] = one_pick(point, self.mesh.vertices, self.mesh.faces, index)
+        picks[index] = one_pick(point, self.mesh, index)
         return self._drawing._replace(picks=picks).draw(self._core, progress)
 
     def insert(self, pick: int, point: npt.ArrayLike | tuple[int, Any], progress: Progress | None = None) -> Curve:
         """Draw the curve with one more pick, before `pick`; len(picks) puts it last."""
         index = self._index(pick, len(self.picks) + 1)
-        added = one_pick(point, self.mesh.vertices, self.mesh.faces, index)
+        added = one_pick(point, self.mesh, index)
         return self._drawing._replace(picks=np.insert(self._drawing.picks, index, added, axis=0)).draw(None, progress)
 
     def remove(self, pick: int, progress: Progress | None = None) -> Curve:
@@ -342,8 +342,13 @@ class Curve:
     def _index(self, pick: int, end: int) -> int:
         if isinstance(pick, bool) or not isinstance(pick, (int, np.integer)):
             raise TypeError(f"pick is {pick!r}, but must be an integer")
+<<<<<<< HEAD
         if not len(self.picks):
             raise PickError("this curve has no picks: it is an offset or of a pattern; draw one with Mesh.curve()", "too-few-picks")
+=======
+        if not len(self._drawing.picks):
+            raise PickError("this curve has no picks: it is an offset; draw one with Mesh.curve()", "too-few-picks")
+>>>>>>> eedc369 (Check a moved pick faster, and compare each moved curve with its own stages)
         if not -end <= pick < end:
             raise PickError(f"pick is {pick}, but must be in [{-end}, {end - 1}]", "index-out-of-range")
         return int(pick) % end

@@ -291,7 +291,7 @@ class Mesh(MeshKeywords):
         avoid: npt.ArrayLike | None,
         progress: Progress | None,
     ) -> Curve:
-        return self._drawing(pick_points(picks, self.vertices, self.faces), options, field, avoid).draw(None, progress)
+        return self._drawing(pick_points(picks, self), options, field, avoid).draw(None, progress)
 
     def _drawing(
         self, picks: Floats, options: Mapping[str, object], field: str | npt.ArrayLike | None, avoid: npt.ArrayLike | None
