@@ -342,13 +342,8 @@ class Curve:
     def _index(self, pick: int, end: int) -> int:
         if isinstance(pick, bool) or not isinstance(pick, (int, np.integer)):
             raise TypeError(f"pick is {pick!r}, but must be an integer")
-<<<<<<< HEAD
-        if not len(self.picks):
-            raise PickError("this curve has no picks: it is an offset or of a pattern; draw one with Mesh.curve()", "too-few-picks")
-=======
         if not len(self._drawing.picks):
-            raise PickError("this curve has no picks: it is an offset; draw one with Mesh.curve()", "too-few-picks")
->>>>>>> eedc369 (Check a moved pick faster, and compare each moved curve with its own stages)
+            raise PickError("this curve has no picks: it is an offset or of a pattern; draw one with Mesh.curve()", "too-few-picks")
         if not -end <= pick < end:
             raise PickError(f"pick is {pick}, but must be in [{-end}, {end - 1}]", "index-out-of-range")
         return int(pick) % end
