@@ -82,12 +82,10 @@ void makeSession(
         {.field = field ? std::span(field->data(), field->shape(0)) : std::span<const double>(),
          .avoid = avoid ? std::span(avoid->data(), avoid->shape(0)) : std::span<const int>()}
     );
-    if (field) {
-        settings.options.field =
-            std::make_shared<const std::vector<double>>(std::move(carried.field));
-    }
-    if (avoid) {
-        settings.options.avoid = std::make_shared<const std::vector<int>>(std::move(carried.avoid));
+    if (field || avoid) {
+        settings.options.guides = std::make_shared<const SketchGuides>(
+            SketchGuides::Values{std::move(carried.field), std::move(carried.avoid)}
+        );
     }
     // Not owned: nanobind keeps the designer for as long as the session.
     const std::shared_ptr<const CurveDesigner> shared(
