@@ -107,13 +107,13 @@ def compare(program, case, rounds):
 
 # ---------------------------------------------------------------- many curves on a large mesh
 def rings(vertices, faces):
-    """Closed curves across a bumpy torus, in planes of its axis, of about so many segments: where the plane cuts its edges, and
-    points between."""
+    """Closed curves across a bumpy torus, in planes of its axis, of LARGE_SEGMENTS segments: where the plane cuts its edges, and
+    middles between these."""
     from random_curves import Mesh, section_by
 
     mesh = Mesh(vertices, faces)
-    for index in range(LARGE_CURVES):
-        angle = 2 * np.pi * (index + 0.37) / LARGE_CURVES
+    for ring in range(LARGE_CURVES):
+        angle = 2 * np.pi * (ring + 0.37) / LARGE_CURVES
         normal = np.array([-np.sin(angle), np.cos(angle), 0.0])
         heights = vertices @ normal
         beside = vertices @ np.array([np.cos(angle), np.sin(angle), 0.0]) > 0
@@ -121,10 +121,11 @@ def rings(vertices, faces):
         crossed = np.flatnonzero((sign.any(1) != sign.all(1)) & beside[faces].all(1))
         points, closed = section_by(mesh, heights, int(crossed[0]))
         assert closed
-        finer, share = [], max(1, round(LARGE_SEGMENTS / len(points)))
-        for point, after in zip(points, points[1:] + points[:1]):
+        finer, missing = [], LARGE_SEGMENTS - len(points)
+        for index, (point, after) in enumerate(zip(points, points[1:] + points[:1])):
             face = int(np.intersect1d(mesh.holders(point), mesh.holders(after))[0])
             low, high = mesh.seen_from(point, face)[1], mesh.seen_from(after, face)[1]
+            share = 2 if index < missing else 1
             finer += [(face, low + (high - low) * k / share) for k in range(share)]
         yield finer
 
@@ -177,7 +178,7 @@ def page_table(results):
     told = f"Ours / MeshLib, geometric mean: {results['ratio']:.2f}. Bold: faces that MeshLib deleted."
     if "large" in results:
         large = results["large"]
-        told += (f" {large['curves']} curves of {large['segments']:,} segments on {large['faces']:,} faces take "
+        told += (f" {large['curves']} curves with {large['segments']:,} segments together on {large['faces']:,} faces take "
                  f"{large['imprint']:.2f} s; copying the mesh is {large['copy']:.2f} s of it.")
     on = results["machine"]
     return "\n".join(lines) + f"\n\n{told} On {on['cores']} cores, {on['processor']}."
@@ -204,7 +205,7 @@ def main():
     results = {"machine": machine(), "rows": rows, "ratio": geometric_mean(ratios)}
     if given.large:
         results["large"] = told = large(given.program, rounds)
-        print(f"{told['curves']} curves of {told['segments']:,} segments on {told['faces']:,} faces: {told['imprint']:.3f} s; "
+        print(f"{told['curves']} curves with {told['segments']:,} segments together on {told['faces']:,} faces: {told['imprint']:.3f} s; "
               f"copying the mesh takes {told['copy']:.3f} s")
     write_json(given.json, results)
     if given.page:
