@@ -96,7 +96,8 @@ Vec3 vectorOf(const Triple& values) {
 
 /// Where a drawing goes, and how large it is there.
 struct Place {
-    std::optional<Triple> centre, up;
+    Triple centre{};  // where there is no curve to go along
+    std::optional<Triple> up;
     const Curve* along = nullptr;
     RowLayout row;
     PatternOptions pattern;
@@ -105,7 +106,7 @@ struct Place {
 Place placeOf(const nb::dict& options) {
     const auto number = [&](const char* name) { return nb::cast<double>(options[name]); };
     return {
-        .centre = nb::cast<std::optional<Triple>>(options["centre"]),
+        .centre = nb::cast<std::optional<Triple>>(options["centre"]).value_or(Triple{}),
         .up = nb::cast<std::optional<Triple>>(options["up"]),
         .along = options["along"].is_none() ? nullptr : nb::cast<const Curve*>(options["along"]),
         .row =
@@ -136,7 +137,7 @@ Pattern drawn(
     return patternRoundPoint(
         designer,
         drawing,
-        vectorOf(place.centre.value()),
+        vectorOf(place.centre),
         place.up ? std::optional(vectorOf(*place.up)) : std::nullopt,
         place.row.scale,
         place.pattern,
