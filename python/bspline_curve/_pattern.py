@@ -128,7 +128,7 @@ def _xml_tree(file: str, data: bytes) -> Any:
     open_nodes: list[Any] = [("", [], [], 0)]
 
     def start(name: str, attributes: dict[str, str]) -> None:
-        node = (name.rpartition(":")[2], list(attributes.items()), [], parser.CurrentLineNumber)
+        node: Any = (name.rpartition(":")[2], list(attributes.items()), [], parser.CurrentLineNumber)
         open_nodes[-1][2].append(node)
         open_nodes.append(node)
 

@@ -6,6 +6,7 @@
 #include "support/many_cases.h"
 #include "support/random.h"
 #include "tetgen_proof.h"
+#include "tetrahedra/facet_complex.h"
 
 #include <gtest/gtest.h>
 
