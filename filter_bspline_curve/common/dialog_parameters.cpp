@@ -61,7 +61,7 @@ public:
                 );
                 break;
             case ParameterType::Bool:
-                addAs<RichBool>(p, p.isOfWindow() || std::get<bool>(p.defaultValue));
+                addAs<RichBool>(p, p.isOfWindow() ? hasWindow() : std::get<bool>(p.defaultValue));
                 break;
             case ParameterType::Int:
                 addAs<RichInt>(p, std::get<int>(p.defaultValue));
@@ -133,7 +133,8 @@ private:
 };
 
 bool isOffered(const ParameterDescription& parameter, Offered offered) {
-    if (parameter.isOfWindow() && !hasWindow()) {
+    // A script of the window names them, and meshlabserver refuses names that it does not know.
+    if (parameter.isOfWindow() && !runsScripts()) {
         return false;
     }
     switch (offered) {

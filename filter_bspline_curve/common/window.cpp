@@ -7,9 +7,13 @@
 
 namespace bspline_curve {
 
-bool hasWindow() {
+bool runsScripts() {
     // pymeshlab has no QApplication, and then no widgets either.
-    if (qobject_cast<QApplication*>(QCoreApplication::instance()) == nullptr) {
+    return qobject_cast<QApplication*>(QCoreApplication::instance()) != nullptr;
+}
+
+bool hasWindow() {
+    if (!runsScripts()) {
         return false;
     }
     const QWidgetList widgets = QApplication::topLevelWidgets();

@@ -20,7 +20,7 @@ DEGREE_ROW = 33
 
 
 def is_like(pixel, colour, tolerance=40):
-    return all(abs(a - b) <= tolerance for a, b in zip(pixel[:3], colour))
+    return all(abs(int(a) - int(b)) <= tolerance for a, b in zip(pixel[:3], colour))
 
 
 def is_disc(picture, place, colour):

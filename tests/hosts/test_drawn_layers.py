@@ -61,9 +61,6 @@ class Camera:
 
 
 @only_2020
-@pytest.mark.xfail(
-    strict=True, reason="scripts of a window list its parameter `replace`, which meshlabserver refuses since it has no window"
-)
 def test_the_layer_is_the_curve_of_the_filter_where_it_was_clicked(meshlab, display, prefix, sphere, tmp_path):
     tool = Tool(meshlab)
     draw(tool)
