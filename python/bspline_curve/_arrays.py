@@ -117,7 +117,8 @@ def one_pick(given: Any, mesh: Mesh, index: int) -> Floats:
     """A pick as a point: (3,), or (face, barycentrics)."""
     is_point = isinstance(given, np.ndarray) and given.dtype == np.float64 and given.shape == (3,)
     if is_point and all(map(math.isfinite, given.tolist())):
-        return given  # at once: a drag has no time
+        point: Floats = given
+        return point  # at once: a drag has no time
     vertices, faces = mesh.vertices, mesh.faces
     if not is_surface_point(given):
         point = finite_points(numbers(given, f"picks[{index}]", PickError)[None], "picks", PickError, "picks")
