@@ -248,7 +248,7 @@ def test_pick_returns_the_curves_of_the_window(mesh, picks, monkeypatch):
 
 
 def surface(arrays):
-    return pyvista.PolyData(arrays[0], np.c_[np.full(len(arrays[1]), 3), arrays[1]].ravel())
+    return pyvista.PolyData(arrays[0].copy(), np.c_[np.full(len(arrays[1]), 3), arrays[1]].ravel())
 
 
 def test_meshes_of_pyvista_draw_curves(arrays, mesh, picks):
