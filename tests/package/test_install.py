@@ -151,7 +151,7 @@ def test_without_headers_and_network_the_build_ends_with_one_error(home, tmp_pat
     said = " ".join(done.stderr.split())
     assert "The headers of MeshLab 2025.07 and vcglib are not there, and could not be fetched" in said
     assert "apt is configured with no mirror of Debian" in said
-    assert "pip: -C cmake.define.MESHLAB_SOURCE_DIR=<the checkout>" in said
+    assert "pip: --config-settings cmake.define.MESHLAB_SOURCE_DIR=<the checkout>" in said
 
 
 def test_functions_and_methods_are_what_the_description_says(tmp_path):
