@@ -166,7 +166,9 @@ void DocumentDrawing::makeLayer(const DrawnCurve& curve) {
     }
     set("surface_layer", LayerId{surface_});
     set("picks", picksText(curve));
-    set("replace", false);  // each curve has a layer of its own
+    if (parameters.hasParameter("replace")) {  // each curve has a layer of its own
+        set("replace", false);
+    }
     run(action, parameters);
 }
 

@@ -61,7 +61,7 @@ public:
                 );
                 break;
             case ParameterType::Bool:
-                addAs<RichBool>(p, p.isOfWindow() ? hasWindow() : std::get<bool>(p.defaultValue));
+                addAs<RichBool>(p, p.isOfWindow() || std::get<bool>(p.defaultValue));
                 break;
             case ParameterType::Int:
                 addAs<RichInt>(p, std::get<int>(p.defaultValue));
@@ -133,15 +133,14 @@ private:
 };
 
 bool isOffered(const ParameterDescription& parameter, Offered offered) {
-    // A script of the window names them, and meshlabserver refuses names that it does not know.
-    if (parameter.isOfWindow() && !runsScripts()) {
+    if (parameter.isOfWindow() && !hasWindow()) {
         return false;
     }
     switch (offered) {
         case Offered::Main:
             return !parameter.isFolded();
         case Offered::Usual:
-            return !parameter.isAdvanced();
+            return !parameter.isAdvanced() && !parameter.isOfWindow();
         case Offered::All:
             break;
     }

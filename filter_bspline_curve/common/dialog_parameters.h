@@ -10,7 +10,7 @@ namespace bspline_curve {
 /// Which parameters of a filter a host is told of.
 enum class Offered {
     All,
-    Usual,  ///< without the advanced ones, for scripts that must list each
+    Usual,  ///< without the advanced ones and those of a window, for scripts that must list each
     Main,   ///< those that stand above the fold, for dialogs that have none
 };
 

@@ -7,13 +7,9 @@
 
 namespace bspline_curve {
 
-bool runsScripts() {
-    // pymeshlab has no QApplication, and then no widgets either.
-    return qobject_cast<QApplication*>(QCoreApplication::instance()) != nullptr;
-}
-
 bool hasWindow() {
-    if (!runsScripts()) {
+    // pymeshlab has no QApplication, and then no widgets either.
+    if (qobject_cast<QApplication*>(QCoreApplication::instance()) == nullptr) {
         return false;
     }
     const QWidgetList widgets = QApplication::topLevelWidgets();

@@ -3,9 +3,6 @@
 
 namespace bspline_curve {
 
-/// Whether the host is MeshLab or meshlabserver, which run each other's scripts; pymeshlab is not.
-[[nodiscard]] bool runsScripts();
-
 /// Whether the host has MeshLab's window; meshlabserver and pymeshlab have none.
 [[nodiscard]] bool hasWindow();
 
