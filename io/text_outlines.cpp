@@ -5,6 +5,8 @@
 #include "io/text_parsing.h"
 #include "pattern/drawing_builder.h"
 
+#ifdef BSPLINE_CURVE_FREETYPE
+
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
@@ -234,3 +236,19 @@ Drawing textOutlines(std::string_view text, const std::filesystem::path& font) {
 }
 
 }  // namespace bspline_curve
+
+#else
+
+namespace bspline_curve {
+
+Drawing textOutlines(std::string_view /*text*/, const std::filesystem::path& /*font*/) {
+    throw InputError(
+        InputErrorCode::BadOption,
+        "this was built without FreeType, so it cannot make outlines of text; turn the text into "
+        "paths in a drawing program and give that drawing"
+    );
+}
+
+}  // namespace bspline_curve
+
+#endif
