@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -129,14 +130,16 @@ void CurvesOnMesh::readMesh(const CurveInput& input, ProgressBar& bar, double sh
         LoadedMesh loaded = loadMesh(input.drawing);
         seconds_.read = watch.lap();
         checksum_ = loaded.checksum;
-        prepared_.emplace(std::move(loaded), input.drawing, progressPart(bar, 0.0, share));
+        prepared_ = std::make_unique<PreparedMesh>(
+            std::move(loaded), input.drawing, progressPart(bar, 0.0, share)
+        );
     } else {
         constexpr bool kStrict = true;  // vertices and faces must stay those of the file
         MeshFile file = readInputMesh(input.mesh, kStrict);
         seconds_.read = watch.lap();
         quality_ = std::move(file.quality);
         checksum_ = checksumOf(file.mesh);
-        surface_.emplace(std::move(file.mesh));
+        surface_ = std::make_unique<const Surface>(std::move(file.mesh));
     }
     seconds_.surface = watch.lap();
     throwIfInterrupted();

@@ -9,7 +9,7 @@
 #include "surface/surface.h"
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace CLI {
@@ -69,9 +69,9 @@ private:
     void takeCurves(const CurveInput& input);
     void drawCurves(const CurveInput& input, ProgressBar& bar);
 
-    std::optional<PreparedMesh> prepared_;  // where curves are drawn
-    std::optional<Surface> surface_;        // else
-    std::vector<double> quality_;           // likewise
+    std::unique_ptr<PreparedMesh> prepared_;  // where curves are drawn
+    std::unique_ptr<const Surface> surface_;  // else
+    std::vector<double> quality_;             // likewise
     MeshChecksum checksum_;
     std::vector<SurfacePolyline> curves_;
     Seconds seconds_;

@@ -119,7 +119,8 @@ private:
     std::string side_ = "both";
 };
 
-ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
+/// Refuses what could only fail after the work.
+void checkOutputs(const OffsetArguments& arguments) {
     checkCurveExtension(arguments.output);
     checkWritable(arguments.output);
     if (!arguments.band.empty()) {
@@ -136,6 +137,22 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
     if (!arguments.report.empty()) {
         checkWritable(arguments.report);
     }
+}
+
+std::string bandBytes(const OffsetArguments& arguments, const CurvesOnMesh& read) {
+    const Surface& surface = read.surface();
+    std::vector<int> labels(surface.faceCount(), 0);
+    for (const SurfacePolyline& curve : read.curves()) {
+        const std::vector<char> within = facesWithin(surface, curve, arguments.offset);
+        for (std::size_t f = 0; f < within.size(); ++f) {
+            labels[f] |= within[f];
+        }
+    }
+    return meshBytes(arguments.band, surface.mesh(), {.faceLabels = labels});
+}
+
+ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
+    checkOutputs(arguments);
     constexpr double kReadShare = 0.3;
     const CurvesOnMesh read(arguments.input, bar, kReadShare);
     const Surface& surface = read.surface();
@@ -168,16 +185,7 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
         files.emplace_back(file, curveBytes(file, piece, {}, read.checksum()));
     }
     if (!arguments.band.empty()) {
-        std::vector<int> labels(surface.faceCount(), 0);
-        for (const SurfacePolyline& curve : read.curves()) {
-            const std::vector<char> within = facesWithin(surface, curve, arguments.offset);
-            for (std::size_t f = 0; f < within.size(); ++f) {
-                labels[f] |= within[f];
-            }
-        }
-        files.emplace_back(
-            arguments.band, meshBytes(arguments.band, surface.mesh(), {.faceLabels = labels})
-        );
+        files.emplace_back(arguments.band, bandBytes(arguments, read));
     }
     if (!arguments.report.empty()) {
         files.emplace_back(

@@ -54,7 +54,7 @@ inline void addLayer(
 
 /// Of a parameter that names a layer.
 [[nodiscard]] inline IntValue layerValue(MeshDocument& /*document*/, int id) {
-    return IntValue(id);
+    return {id};
 }
 
 [[nodiscard]] inline LayerId layerOf(const RichParameterList& list, const QString& name) {

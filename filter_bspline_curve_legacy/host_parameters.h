@@ -53,7 +53,7 @@ inline void addLayer(
 
 /// Of a parameter that names a layer.
 [[nodiscard]] inline MeshValue layerValue(MeshDocument& document, int id) {
-    return MeshValue(document.getMesh(id));
+    return {document.getMesh(id)};
 }
 
 [[nodiscard]] inline LayerId layerOf(const RichParameterList& list, const QString& name) {

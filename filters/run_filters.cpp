@@ -125,8 +125,8 @@ CurveResult runCurveFilter(
     result.figures = curveFigures(result.curve, found, watch.lap());
     result.log = {
         // Names are no figures, since pymeshlab warns of texts.
-        .figures = std::string("shell=") + shellName(result.curve) +
-                   " field=" + (guides.hasField ? name(request.field->options.kind) : "none") +
+        .figures = std::string("shell=") + shellName(result.curve) + " field=" +
+                   (guides.hasField && request.field ? name(request.field->options.kind) : "none") +
                    " " + keyValueText(result.figures),
         .warnings = warningsOf(result.curve, found)
     };

@@ -122,7 +122,7 @@ void CurveTool::look() {
 
 void CurveTool::begin(Prepared prepared) {
     designer_ = std::move(prepared.designer);
-    options_.emplace(designer_, std::move(prepared.layer));
+    options_ = std::make_unique<OptionBook>(designer_, std::move(prepared.layer));
     SessionSettings settings;
     // The session's thread wakes ours.
     settings.wake = [this] {

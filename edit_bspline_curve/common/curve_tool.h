@@ -87,7 +87,7 @@ private:
     std::future<Prepared> preparing_;
     std::future<SnapOptions> preparingCrests_;
     std::shared_ptr<const CurveDesigner> designer_;
-    std::optional<OptionBook> options_;
+    std::unique_ptr<OptionBook> options_;
     std::unique_ptr<DrawingSession> session_;
     bool hasCrests_ = false;    ///< or they are being prepared
     bool hasLayers_ = false;    ///< curves became layers

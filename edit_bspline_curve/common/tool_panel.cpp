@@ -226,11 +226,8 @@ void ToolPanel::setOptions(const DrawnOptions& options) {
 
 void ToolPanel::enableOptions() {
     fieldWeight_->setEnabled(chosen(*field_) != DrawnOptions().field);
-    const std::vector<std::string>& withThreshold =
-        parameter("avoid_threshold").enabledWhen.value().values;
-    avoidThreshold_->setEnabled(
-        std::ranges::find(withThreshold, chosen(*avoid_)) != withThreshold.end()
-    );
+    const auto& rule = parameter("avoid_threshold").enabledWhen;
+    avoidThreshold_->setEnabled(!rule || std::ranges::count(rule->values, chosen(*avoid_)) > 0);
 }
 
 DrawnOptions ToolPanel::options() const {
