@@ -55,7 +55,7 @@ private:
         if (axis != std::string_view::npos) {
             return &point_[static_cast<int>(axis)];
         }
-        return name == "vertex1" ? &ends_[0] : name == "vertex2" ? &ends_[1] : &ignored_;
+        return name == "vertex1" ? ends_.data() : name == "vertex2" ? &ends_[1] : &ignored_;
     }
 
     void keep(const PlyElement& element, std::size_t i) {
@@ -64,7 +64,8 @@ private:
         } else if (element.name == "edge") {
             std::array<int, 2> edge{};
             for (std::size_t k = 0; k < 2; ++k) {
-                if (!(ends_[k] >= 0 && ends_[k] <= kLargestIndex)) {
+                const bool isIndex = ends_[k] >= 0 && ends_[k] <= kLargestIndex;  // no NaN
+                if (!isIndex) {
                     refuseEnd(i, ends_[k]);
                 }
                 edge[k] = static_cast<int>(ends_[k]);
