@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <array>
 #include <charconv>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -241,8 +242,11 @@ void setParameter(
     } else if (const auto* const layer = std::get_if<LayerId>(&value)) {
         list.setValue(name, host::layerValue(document, layer->id));
     } else if (parameter.type == ParameterType::Enum) {
-        const std::size_t option = parameter.indexOf(std::get<std::string>(value)).value();
-        list.setValue(name, host::EnumNumber(static_cast<int>(option)));
+        const auto option = parameter.indexOf(std::get<std::string>(value));
+        if (!option) {
+            throw std::out_of_range(parameter.id + " has no such option");
+        }
+        list.setValue(name, host::EnumNumber(static_cast<int>(*option)));
     } else {
         list.setValue(name, StringValue(textOf(std::get<std::string>(value))));
     }
