@@ -2,7 +2,6 @@
 #include "cli/curve_input.h"
 
 #include "bspline_curve/error.h"
-#include "bspline_curve/progress.h"
 #include "cli/curve_drawing.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
@@ -58,12 +57,6 @@ std::vector<SurfacePolyline> projectedLines(
 }
 
 }  // namespace
-
-void throwIfInterrupted() {
-    if (interrupted()) {
-        throw Cancelled();
-    }
-}
 
 CurveInputOptions::CurveInputOptions(CLI::App& app, CurveInput& input)
     : input_(input), drawing_(app, input.drawing) {

@@ -77,7 +77,4 @@ private:
     Seconds seconds_;
 };
 
-/// Throws Cancelled after Ctrl-C.
-void throwIfInterrupted();
-
 }  // namespace bspline_curve::cli

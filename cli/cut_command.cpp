@@ -2,6 +2,7 @@
 // bspline_curve cut MESH --curve FILE …: the mesh opened along curves, whole or in parts.
 #include "cli/command.h"
 #include "cli/imprint_input.h"
+#include "cli/interrupt.h"
 #include "cli/numbered_file.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve field MESH --kind KIND --output FILE …: a field on a mesh.
 #include "bspline_curve/error.h"
-#include "bspline_curve/progress.h"
 #include "cli/command.h"
 #include "cli/field_options.h"
 #include "cli/interrupt.h"
@@ -68,9 +67,7 @@ ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
     Stopwatch watch;
     MeshFile file = readInputMesh(arguments.mesh, arguments.mending.strict);
     figures.seconds.read = watch.lap();
-    if (interrupted()) {
-        throw Cancelled();
-    }
+    throwIfInterrupted();
     if (arguments.field.kind == FieldKind::Quality && file.quality.empty()) {
         refuseMissingQuality(arguments.mesh);
     }

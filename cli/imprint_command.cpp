@@ -2,6 +2,7 @@
 // bspline_curve imprint MESH --curve FILE …: curves as edges of the mesh.
 #include "cli/command.h"
 #include "cli/imprint_input.h"
+#include "cli/interrupt.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"
 #include "cli/verb.h"

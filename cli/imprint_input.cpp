@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/imprint_input.h"
 
+#include "cli/interrupt.h"
 #include "cli/value_checks.h"
 #include "utility/stopwatch.h"
 

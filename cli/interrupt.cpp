@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interrupt.h"
 
+#include "bspline_curve/progress.h"
+
 #include <csignal>
 
 namespace bspline_curve::cli {
@@ -23,6 +25,12 @@ void catchInterrupts() {
 
 bool interrupted() {
     return interruptSeen != 0;
+}
+
+void throwIfInterrupted() {
+    if (interrupted()) {
+        throw Cancelled();
+    }
 }
 
 }  // namespace bspline_curve::cli

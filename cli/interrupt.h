@@ -9,4 +9,7 @@ void catchInterrupts();
 
 [[nodiscard]] bool interrupted();
 
+/// Throws Cancelled after Ctrl-C.
+void throwIfInterrupted();
+
 }  // namespace bspline_curve::cli

@@ -4,6 +4,7 @@
 #include "bspline_curve/shell.h"
 #include "cli/command.h"
 #include "cli/curve_input.h"
+#include "cli/interrupt.h"
 #include "cli/numbered_file.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"

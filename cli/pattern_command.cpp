@@ -2,7 +2,7 @@
 // bspline_curve pattern MESH --drawing FILE --centre X,Y,Z …: a drawing as curves on the surface.
 #include "bspline_curve/designer.h"
 #include "cli/command.h"
-#include "cli/imprint_input.h"
+#include "cli/interrupt.h"
 #include "cli/mesh_input.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"

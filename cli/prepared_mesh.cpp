@@ -35,9 +35,7 @@ LoadedMesh loadMesh(const CurveArguments& arguments) {
     loaded.givenVertices = loaded.mesh.mesh.vertices.size();
     loaded.givenFaces = loaded.mesh.mesh.faces.size();
     loaded.checksum = checksumOf(loaded.mesh.mesh);
-    if (interrupted()) {
-        throw Cancelled();
-    }
+    throwIfInterrupted();
     return loaded;
 }
 

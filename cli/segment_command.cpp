@@ -3,6 +3,7 @@
 #include "bspline_curve/error.h"
 #include "cli/command.h"
 #include "cli/imprint_input.h"
+#include "cli/interrupt.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"
 #include "cli/verb.h"

@@ -212,9 +212,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
     Stopwatch watch;
     TriangleMesh mesh = readInputMesh(arguments.mesh, arguments.mending.strict).mesh;
     figures.seconds.read = watch.lap();
-    if (interrupted()) {
-        throw Cancelled();
-    }
+    throwIfInterrupted();
     const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
     const ShellStore* const store = cache ? &*cache : nullptr;
     Built built = buildStages(std::move(mesh), arguments, store, figures, bar);
@@ -227,9 +225,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
             built.surface, *built.extended, built.shell(), built.obtained.build.report.blockedFaces
         );
         figures.seconds.check = watch.lap();
-        if (interrupted()) {
-            throw Cancelled();
-        }
+        throwIfInterrupted();
     }
     if (!check || check->passed()) {
         keepShell(built.surface, *built.extended, arguments.shell, store, built.obtained);
