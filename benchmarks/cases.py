@@ -19,6 +19,9 @@ from shell_kinds_table import geometric_mean  # noqa: E402, F401
 from shell_table import packaged_meshes, replace_table  # noqa: E402, F401
 
 PROGRAM = ROOT / "build" / "release" / "bin" / "bspline_curve"
+PACKAGED = ("bone", "bunny10k_textured", "airplane", "bunny")
+TORI = (3000, 12000, 50000)  # vertices
+SEED = 1
 
 
 class NoCurve(Exception):
@@ -104,6 +107,16 @@ def farthest_picks(vertices, faces, count, seed):
 
 
 # ---------------------------------------------------------------- running
+def picked_cases(layouts, quick):
+    """A case for each layout (number of picks, closed) on each of some meshes of the wheel and some tori; `quick`: on two."""
+    meshes = [(name, packaged_mesh(name)) for name in (("bone",) if quick else PACKAGED)]
+    meshes += [(f"torus of {count:,}", torus_of(count)) for count in ((1000,) if quick else TORI)]
+    for name, (vertices, faces) in meshes:
+        for count, closed in layouts:
+            picks = farthest_picks(vertices, faces, count, SEED)
+            yield Case(f"{name}, {count} {'closed' if closed else 'open'}", vertices, faces, picks, closed)
+
+
 def write_ply(path, vertices, faces):
     rows = np.zeros(len(faces), dtype=[("n", "u1"), ("v", "<i4", 3)])
     rows["n"], rows["v"] = 3, faces

@@ -20,23 +20,10 @@ import time
 from pathlib import Path
 
 import numpy as np
-from cases import (PROGRAM, Case, NoCurve, draw, farthest_picks, geometric_mean, is_in_whole_shell, machine, packaged_mesh,
-                   torus_of, write_json)
+from cases import PROGRAM, NoCurve, draw, geometric_mean, is_in_whole_shell, machine, picked_cases, write_json
 
-PACKAGED = ("bone", "bunny10k_textured", "airplane", "bunny")
-TORI = (3000, 12000, 50000)  # vertices
 LAYOUTS = ((4, False), (6, True))  # picks, closed
-SEED = 1
 SAMPLES = 400  # of MeshLib's spline, as many as our polylines have at least
-
-
-def cases(quick):
-    meshes = [("bone", packaged_mesh("bone"))] if quick else [(name, packaged_mesh(name)) for name in PACKAGED]
-    meshes += [(f"torus of {count:,}", torus_of(count)) for count in ((1000,) if quick else TORI)]
-    for name, (vertices, faces) in meshes:
-        for count, closed in LAYOUTS:
-            picks = farthest_picks(vertices, faces, count, SEED)
-            yield Case(f"{name}, {count} {'closed' if closed else 'open'}", vertices, faces, picks, closed)
 
 
 def median_seconds(call, repeat):
@@ -131,7 +118,7 @@ def main():
     print(f"{'milliseconds':28} {'vertices':>8} " + " ".join(
         f"{who + ' ' + state:>10.10}" for who in ("geod.", "meshl.", "ours") for state in ("cold", "warm")))
     rows = []
-    for case in cases(given.quick):
+    for case in picked_cases(LAYOUTS, given.quick):
         try:
             rows.append(compare(given.program, case, given.rounds, given.repeat))
         except NoCurve as failure:

@@ -21,23 +21,11 @@ import time
 from pathlib import Path
 
 import numpy as np
-from cases import (PROGRAM, ROOT, Case, farthest_picks, geometric_mean, machine, packaged_mesh, read_mesh, replace_table, torus_of,
-                   write_json, write_ply)
+from cases import (PROGRAM, ROOT, Case, geometric_mean, machine, picked_cases, read_mesh, replace_table, torus_of, write_json,
+                   write_ply)
 
-PACKAGED = ("bone", "bunny10k_textured", "airplane", "bunny")
-TORI = (3000, 12000, 50000)  # vertices
 LAYOUTS = ((4, False), (7, False), (6, True))  # picks, closed
-SEED = 1
 LARGE_VERTICES, LARGE_CURVES, LARGE_SEGMENTS = 500_000, 100, 1000
-
-
-def made_cases(quick):
-    meshes = [("bone", packaged_mesh("bone"))] if quick else [(name, packaged_mesh(name)) for name in PACKAGED]
-    meshes += [(f"torus of {count:,}", torus_of(count)) for count in ((1000,) if quick else TORI)]
-    for name, (vertices, faces) in meshes:
-        for count, closed in LAYOUTS:
-            picks = farthest_picks(vertices, faces, count, SEED)
-            yield Case(f"{name}, {count} {'closed' if closed else 'open'}", vertices, faces, picks, closed)
 
 
 def cases_of(folder):
@@ -197,7 +185,7 @@ def main():
     rounds = 1 if given.quick else given.rounds
     print(f"{'milliseconds':28} {'faces':>8} {'segments':>8} {'ours':>8} {'MeshLib':>8} {'ratio':>6} {'bad':>6} {'faces':>8} {'faces':>8}")
     rows = []
-    for case in cases_of(given.cases) if given.cases else made_cases(given.quick):
+    for case in cases_of(given.cases) if given.cases else picked_cases(LAYOUTS, given.quick):
         rows.append(compare(given.program, case, rounds))
         print(text_of(rows[-1]), flush=True)
     ratios = [row["ours"] / row["meshlib"] for row in rows if row["meshlib"]]
