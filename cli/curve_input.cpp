@@ -142,7 +142,8 @@ void CurvesOnMesh::takeCurves(const CurveInput& input) {
     Stopwatch watch;
     const double distance =
         input.maxDistance > 0.0 ? input.maxDistance : kPickReachRelative * surface().diagonal();
-    std::optional<TriangleTree> tree;
+    std::optional<TriangleTree> made;  // where no designer has one
+    const TriangleTree* tree = prepared_ ? &treeOf(prepared_->designer()) : nullptr;
     for (const std::filesystem::path& file : input.curves) {
         if (lowerCaseExtension(file) == ".json") {
             for (SurfacePolyline& line : readCurves(file, surface(), checksum_)) {
@@ -151,8 +152,8 @@ void CurvesOnMesh::takeCurves(const CurveInput& input) {
             seconds_.read += watch.lap();
             continue;
         }
-        if (!tree) {
-            tree.emplace(surface().vertices(), surface().faces());
+        if (tree == nullptr) {
+            tree = &made.emplace(surface().vertices(), surface().faces());
         }
         for (SurfacePolyline& line : projectedLines(file, surface(), *tree, distance)) {
             curves_.push_back(std::move(line));
