@@ -6,21 +6,26 @@
 #include "io/tetrahedral_grid.h"
 #include "io/text_parsing.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
 namespace bspline_curve {
 
 namespace {
 
-TetrahedralGrid gridOf(const ShellCells& cells) {
+TetrahedralGrid gridOf(ShellCells cells) {
+    const int points = static_cast<int>(cells.points.size());
     const int tets = cells.tetrahedronCount();
     TetrahedralGrid grid{
-        .points = cells.points,
+        .points = std::move(cells.points),
         .heights = {},
-        .tetrahedra = cells.tetrahedra,
+        .tetrahedra = std::move(cells.tetrahedra),
         .slabName = "slab",
         .slabs = {},
         .fields = {{.name = "prism", .values = {}}, {.name = "ghost", .values = {}}}
     };
-    for (int i = 0; i < static_cast<int>(cells.points.size()); ++i) {
+    for (int i = 0; i < points; ++i) {
         grid.heights.push_back(ShellCells::height(i));
     }
     for (int tet = 0; tet < tets; ++tet) {
@@ -53,11 +58,11 @@ std::string shellBytes(
     const std::filesystem::path& file, const Shell& shell, const ShellFrame& frame
 ) {
     checkShellExtension(file);
-    const ShellCells cells = makeShellCells(shell, frame);
+    ShellCells cells = makeShellCells(shell, frame);
     if (lowerCaseExtension(file) == ".ply") {
         return plyBytes(cells);
     }
-    return gridBytes(file, gridOf(cells));
+    return gridBytes(file, gridOf(std::move(cells)));
 }
 
 }  // namespace bspline_curve

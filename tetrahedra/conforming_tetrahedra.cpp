@@ -5,6 +5,7 @@
 #include "shell/affine_form.h"
 #include "surface/error_messages.h"
 #include "surface/predicates.h"
+#include "surface/surface_point.h"
 #include "tetrahedra/facet_complex.h"
 #include "utility/report_progress.h"
 
@@ -273,10 +274,7 @@ public:
         }
         const auto face = faceOfVertex_.find(vertex);
         if (face != faceOfVertex_.end()) {
-            const auto corner = static_cast<int>(
-                std::ranges::find(extended_.faces[face->second], vertex) -
-                extended_.faces[face->second].begin()
-            );
+            const int corner = cornerOf(extended_.faces[face->second], vertex);
             const int tet = shell_.locate({face->second, Vec3::Unit(corner)});
             if (tet >= 0) {
                 return heightIn(tet, point).second;
@@ -360,8 +358,6 @@ ConformingTetrahedra conformToSurface(
     report(progress, kFilled, kStage);
     const auto sides = SideFinder(facets, filling).find();
     ConformingTetrahedra result;
-    result.surfaceVertexCount = extended.surfaceVertexCount;
-    result.addedPoints = static_cast<int>(filling.points.size() - facets.complex.points().size());
     result.points = userPoints(surface, extended, filling.points);
     const HeightFinder heights(extended, shell);
     for (int i = 0; i < static_cast<int>(filling.points.size()); ++i) {

@@ -25,8 +25,6 @@ struct ConformingTetrahedra {
     std::vector<double> heights;                 ///< f of the shell at each point, in [-1, 1]
     std::vector<std::array<int, 4>> tetrahedra;  ///< positively oriented
     std::vector<SurfaceSide> sides;              ///< of each tetrahedron
-    int surfaceVertexCount = 0;
-    int addedPoints = 0;
 };
 
 /// TetGen's constrained tetrahedralisation of the boundary of a simplified shell and the surface

@@ -2,12 +2,11 @@
 // Every file of the corpus is an answer or a refusal, without a fuzzer: what was found once stays
 // found.
 #include "fuzz/fuzz_target.h"
+#include "io/text_parsing.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -34,10 +33,8 @@ TEST_P(Corpus, IsReadOrRefused) {
     ASSERT_FALSE(files.empty());
     for (const auto& file : files) {
         SCOPED_TRACE(file.filename().string());
-        std::ifstream stream(file, std::ios::binary);
-        std::ostringstream bytes;
-        bytes << stream.rdbuf();
-        EXPECT_NO_THROW(GetParam().run(bytes.str()));
+        const std::string bytes = readWholeFile(file);
+        EXPECT_NO_THROW(GetParam().run(bytes));
     }
 }
 
