@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-class tetgenio;
+class tetgenio;  // NOLINT(readability-identifier-naming): of TetGen
 
 namespace bspline_curve {
 
