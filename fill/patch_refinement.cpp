@@ -214,9 +214,9 @@ private:
         }
     }
 
-    void renameBeside(int face, int from, int to) {
-        if (face >= 0) {
-            std::ranges::replace(beside_[face], from, to);
+    void renameBeside(int neighbour, int before, int after) {
+        if (neighbour >= 0) {
+            std::ranges::replace(beside_[neighbour], before, after);
         }
     }
 

@@ -32,7 +32,7 @@ constexpr int kChords = 16;
 /// Picks that a drawing has at first where it turns by this angle.
 constexpr double kFirstTurn = std::numbers::pi / 5;
 /// Curves that are drawn until one is within the tolerance, at most.
-constexpr int kMostRounds = 10;
+constexpr int kMostPieceRounds = 10;
 /// Vertices of a polyline between two picks, besides its crossings.
 constexpr int kVerticesPerPick = 8;
 
@@ -76,7 +76,7 @@ public:
         for (int round = 1;; ++round) {
             drawThroughPicks();
             const std::vector<std::size_t> added = strayingSamples();
-            if (added.empty() || round == kMostRounds) {
+            if (added.empty() || round == kMostPieceRounds) {
                 break;
             }
             picks_.insert(picks_.end(), added.begin(), added.end());

@@ -42,7 +42,7 @@ HigherTerms boundHigherTerms(const double* c, int degree, double s) {
 // b. Newton kept inside the bracket.
 double bracketedRoot(const double* c, int degree, double a, double b, double sign) {
     constexpr int kMaxIterations = 60;   // more than bisection takes
-    constexpr double kRounding = 1e-15;  // of a root, relative to b
+    constexpr double kRootRounding = 1e-15;  // of a root, relative to b
     const Coefficients d = derivativeOf(c, degree);
     double s = 0.5 * (a + b);
     for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
@@ -57,7 +57,7 @@ double bracketedRoot(const double* c, int degree, double a, double b, double sig
         if (next <= a || next >= b) {
             next = 0.5 * (a + b);
         }
-        if (std::abs(next - s) <= kRounding * b || b - a <= kRounding * b) {
+        if (std::abs(next - s) <= kRootRounding * b || b - a <= kRootRounding * b) {
             return next;
         }
         s = next;
