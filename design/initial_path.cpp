@@ -80,14 +80,14 @@ SurfacePoint keptClear(
     return point;
 }
 
-struct Constants {
+struct InitialPathConstants {
     int mostPatches = 16;       // that a way is over to be straightened in a strip of faces, vertex
                                 // by vertex; over more it is shortened at points of it
     int mostFieldPatches = 11;  // likewise under a field, which the cost of each face is asked of
     double mostDetour = 2.0;    // of the way over a gap to its chord, as over a wedge of 60 degrees
 };
 
-constexpr Constants kConstants;
+constexpr InitialPathConstants kInitialPath;
 
 // Finds paths from pick to pick.
 class PathFinder {
@@ -118,7 +118,8 @@ private:
         if (!constraints_.blockedFaces.empty() || constraints_.kind == PathKind::OnSurface) {
             return std::numeric_limits<int>::max();
         }
-        return constraints_.field.empty() ? kConstants.mostPatches : kConstants.mostFieldPatches;
+        return constraints_.field.empty() ? kInitialPath.mostPatches
+                                          : kInitialPath.mostFieldPatches;
     }
 
     // A way over patches, shortened; nothing where that is of no use.
@@ -159,7 +160,7 @@ private:
             points.insert(points.end(), begin, end);
             begin = end;
             const std::optional<GeodesicPath> way = finder_.find(*(end - 1), *end);
-            if (!way || way->length > kConstants.mostDetour *
+            if (!way || way->length > kInitialPath.mostDetour *
                                           (way->positions.back() - way->positions.front()).norm()) {
                 return std::nullopt;
             }

@@ -18,7 +18,7 @@ using Matrix2 = Eigen::Matrix2d;
 using Vec2 = Eigen::Vector2d;
 using Tangents = Eigen::Matrix<double, 3, 2>;
 
-struct Constants {
+struct ShorteningConstants {
     int segments = 32;             // of the polyline; curves from 24 or 48 bend as much
     int maxSteps = 16;             // of Newton's method
     int maxFieldSteps = 6;         // likewise under a field, which the curve follows better itself
@@ -36,8 +36,8 @@ struct Constants {
     double longest = 1.001;          // times the path's length: nothing becomes longer than that
 };
 
-constexpr Constants kConstants;
-constexpr int kSegments = kConstants.segments;
+constexpr ShorteningConstants kShortening;
+constexpr int kSegments = kShortening.segments;
 // Shares of the surface's bending that are tried in turn until the Hessian is positive.
 constexpr std::array<double, 3> kTurningShares = {1.0, 0.5, 0.0};
 
@@ -71,7 +71,7 @@ public:
     }
 
     [[nodiscard]] bool comesToRest() {
-        const int steps = field_.empty() ? kConstants.maxSteps : kConstants.maxFieldSteps;
+        const int steps = field_.empty() ? kShortening.maxSteps : kShortening.maxFieldSteps;
         bool canGoOn = chord_ > 0.0;
         for (int step = 0; canGoOn && step < steps; ++step) {
             canGoOn = solve();
@@ -99,7 +99,7 @@ public:
             result.points.push_back({node.foot.face, barycentric / barycentric.sum()});
         }
         result.points.back() = path.back();
-        if (field_.empty() && length > kConstants.longest * pathLength_) {
+        if (field_.empty() && length > kShortening.longest * pathLength_) {
             return std::nullopt;
         }
         return result;
@@ -169,13 +169,14 @@ private:
     // may have slipped off the rim of a thin plate, and then it passes through it.
     [[nodiscard]] bool isJoined(const Node& from, const Node& to) const {
         const Vec3 way = to.position - from.position;
-        return std::ranges::any_of(std::array{1, kConstants.shortSteps}, [&](int steps) {
+        return std::ranges::any_of(std::array{1, kShortening.shortSteps}, [&](int steps) {
             Node walker = from;
             for (int i = 1; i <= steps; ++i) {
                 const double share = static_cast<double>(i) / steps;
                 finder_.move(from.position + share * way, walker.foot, walker.frame);
             }
-            return (positionOf(walker) - to.position).norm() <= kConstants.sameShare * way.norm() &&
+            return (positionOf(walker) - to.position).norm() <=
+                       kShortening.sameShare * way.norm() &&
                    walker.frame.direction.dot(to.frame.direction) > 0.0;
         });
     }
@@ -247,7 +248,7 @@ private:
                 (before + after) * Matrix2::Identity() + share * slope * slope.transpose() +
                 turningShare * pull.dot(node.frame.direction) * bendingAt(node.frame, row.tangents);
             block -= row.coupling.transpose() * rowBefore.inverse * row.coupling;
-            const double least = kConstants.leastDeterminant * block.squaredNorm();
+            const double least = kShortening.leastDeterminant * block.squaredNorm();
             if (block(0, 0) <= 0.0 || !(block.determinant() > least)) {
                 return false;
             }
@@ -280,25 +281,25 @@ private:
     // directions has no kinks, so whole steps meet it to rounding, unlike the energy on flat faces.
     [[nodiscard]] bool move(int step) {
         const double before = energy(now_);
-        if (!field_.empty() && decrement_ <= kConstants.settledShare * before) {
+        if (!field_.empty() && decrement_ <= kShortening.settledShare * before) {
             return true;
         }
-        const double highest = field_.empty() ? (1.0 + kConstants.riseShare) * before : before;
+        const double highest = field_.empty() ? (1.0 + kShortening.riseShare) * before : before;
         double length = firstLength_;
-        for (int attempt = 0; attempt < kConstants.maxAttempts; ++attempt) {
+        for (int attempt = 0; attempt < kShortening.maxAttempts; ++attempt) {
             placeTrial(length);
             const double after = energy(trial_);
             if (after < highest) {
-                firstLength_ = field_.empty() ? 1.0 : std::min(1.0, kConstants.stretch * length);
+                firstLength_ = field_.empty() ? 1.0 : std::min(1.0, kShortening.stretch * length);
                 std::swap(now_, trial_);
                 const double change = std::abs(before - after) / before;
-                return change <= kConstants.restShare ||
-                       (step >= kConstants.manySteps && change <= kConstants.settledShare);
+                return change <= kShortening.restShare ||
+                       (step >= kShortening.manySteps && change <= kShortening.settledShare);
             }
             // To the bottom of the parabola through both energies and the slope at first.
             const double fall = 2.0 * decrement_ * length;
             const double bottom = 0.5 * fall / (after - before + fall);
-            length *= std::clamp(bottom, kConstants.leastShortening, kConstants.mostShortening);
+            length *= std::clamp(bottom, kShortening.leastShortening, kShortening.mostShortening);
         }
         return true;
     }

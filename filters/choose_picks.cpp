@@ -11,13 +11,13 @@ namespace bspline_curve {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) {
+[[noreturn]] void refusePicks(const std::string& message) {
     throw InputError(InputErrorCode::TooFewPicks, message);
 }
 
 std::vector<Vec3> picksOf(const PicksLayer& layer) {
     if (layer.hasFaces) {
-        refuse(
+        refusePicks(
             "picks_layer: layer \"" + layer.label +
             "\" has faces; a layer of picks has points only, in the order of the curve"
         );
@@ -63,7 +63,7 @@ PicksFile choosePicks(const CurveRequest& request, PickCandidates candidates) {
         for (std::size_t i = 1; i < sources.size(); ++i) {
             names += " and " + sources[i];
         }
-        refuse("picks are given more than once, by " + names + ": give one of them");
+        refusePicks("picks are given more than once, by " + names + ": give one of them");
     }
     if (!request.picksText.empty()) {
         return {.picks = parsePicksText(request.picksText), .closed = {}};
@@ -75,7 +75,7 @@ PicksFile choosePicks(const CurveRequest& request, PickCandidates candidates) {
         return {.picks = picksOf(*candidates.layer), .closed = {}};
     }
     if (candidates.tool.empty()) {
-        refuse(
+        refusePicks(
             "no picks: give picks, picks_file or picks_layer, or pick points on the surface with "
             "Edit > PickPoints"
         );

@@ -9,16 +9,16 @@ namespace bspline_curve {
 
 namespace {
 
-[[noreturn]] void refuseChoice(const std::string& message) {
+[[noreturn]] void refusePattern(const std::string& message) {
     throw InputError(InputErrorCode::BadOption, message);
 }
 
 void checkDrawing(const PatternRequest& request) {
     if (request.drawingFile.empty() == request.text.empty()) {
-        refuseChoice("give a drawing or a text, and not both");
+        refusePattern("give a drawing or a text, and not both");
     }
     if (!request.text.empty() && request.fontFile.empty()) {
-        refuseChoice("a text needs a font file");
+        refusePattern("a text needs a font file");
     }
 }
 
@@ -80,7 +80,7 @@ Vec3 patternCentre(const PatternRequest& request, const std::vector<Vec3>& toolP
     const std::vector<Vec3> points =
         request.centre.empty() ? toolPoints : parsePicksText(request.centre);
     if (points.size() != 1) {
-        refuseChoice(
+        refusePattern(
             "there are " + std::to_string(points.size()) +
             " points for the centre: give one as centre \"x y z\", or pick one on the surface with "
             "Edit > PickPoints"
@@ -95,7 +95,7 @@ std::optional<Vec3> patternUp(const PatternRequest& request) {
     }
     const std::vector<Vec3> directions = parsePicksText(request.up);
     if (directions.size() != 1) {
-        refuseChoice("up is a direction \"x y z\"");
+        refusePattern("up is a direction \"x y z\"");
     }
     return directions.front();
 }

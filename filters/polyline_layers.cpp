@@ -21,7 +21,7 @@ namespace {
 /// the coordinates: hosts with floats round them.
 constexpr double kSamePositionRelative = 1e-6;
 
-[[noreturn]] void refuse(
+[[noreturn]] void refuseLayer(
     InputErrorCode code, const PolylineLayer& layer, const std::string& message
 ) {
     throw InputError(code, "layer \"" + layer.label + "\" " + message);
@@ -90,7 +90,7 @@ private:
             return false;
         }
         if (*layer.drawnOn != input_.checksum) {
-            refuse(
+            refuseLayer(
                 InputErrorCode::NoPath,
                 layer,
                 "was drawn on layer \"" + input_.surface.label +

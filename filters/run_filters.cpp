@@ -28,8 +28,8 @@ namespace bspline_curve {
 namespace {
 
 // Shares of the work, for progress only.
-constexpr double kSurfaceShare = 0.5;
-constexpr double kFieldShare = 0.6;
+constexpr double kCurveSurfaceShare = 0.5;
+constexpr double kCurveFieldShare = 0.6;
 
 /// A kept designer, else one whose shell comes from the cache on disk or is built.
 DesignerCache::Found designerFor(
@@ -98,7 +98,7 @@ CurveResult runCurveFilter(
     SolverOptions options = request.solver;
     options.closed = options.closed || chosen.closed.value_or(false);
     const DesignerCache::Found found =
-        designerFor(layer, request, designers, partOf(progress, 0.0, kSurfaceShare));
+        designerFor(layer, request, designers, partOf(progress, 0.0, kCurveSurfaceShare));
     const CurveDesigner& designer = *found.designer;
     const MeshRepair* const repair = found.mending ? &found.mending->repair : nullptr;
     const std::optional<LayerInput> carried =
@@ -106,7 +106,7 @@ CurveResult runCurveFilter(
     const LayerInput& inputs = carried ? *carried : layer;
     checkTube(request, surfaceOf(designer));
     const CurveGuides guides = curveGuides(
-        inputs, surfaceOf(designer), request, partOf(progress, kSurfaceShare, kFieldShare)
+        inputs, surfaceOf(designer), request, partOf(progress, kCurveSurfaceShare, kCurveFieldShare)
     );
     const std::vector<double>& field = guides.field;
     CurveResult result;
@@ -116,7 +116,7 @@ CurveResult runCurveFilter(
         options,
         request.sampling,
         {.field = field, .avoid = guides.avoid},
-        partOf(progress, kFieldShare, 1.0)
+        partOf(progress, kCurveFieldShare, 1.0)
     );
     const std::vector<double> along =
         field.empty() ? std::vector<double>()

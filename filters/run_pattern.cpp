@@ -20,7 +20,7 @@ namespace bspline_curve {
 namespace {
 
 /// Share of the work, for progress only, up to the end of preparing the surface.
-constexpr double kSurfaceShare = 0.3;
+constexpr double kPatternSurfaceShare = 0.3;
 
 DrawingFile drawingOf(const PatternRequest& request) {
     if (request.text.empty()) {
@@ -29,7 +29,7 @@ DrawingFile drawingOf(const PatternRequest& request) {
     return {.drawing = textOutlines(request.text, utf8Path(request.fontFile)), .notes = {}};
 }
 
-std::shared_ptr<const CurveDesigner> designerFor(
+std::shared_ptr<const CurveDesigner> designerOfSurface(
     const LayerInput& layer, DesignerCache& designers, const Progress& progress
 ) {
     return madeFrom(layer, [&] {
@@ -76,8 +76,8 @@ PatternResult runPatternFilter(
     report(progress, 0.0, "drawing");
     const DrawingFile file = drawingOf(request);
     const std::shared_ptr<const CurveDesigner> designer =
-        designerFor(input.surface, designers, partOf(progress, 0.0, kSurfaceShare));
-    const Progress drawing = partOf(progress, kSurfaceShare, 1.0);
+        designerOfSurface(input.surface, designers, partOf(progress, 0.0, kPatternSurfaceShare));
+    const Progress drawing = partOf(progress, kPatternSurfaceShare, 1.0);
     PatternResult result;
     result.log.warnings = file.notes;
     Pattern pattern;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kTitle = "# B-spline curve on a triangle mesh";
 
-void appendVertices(std::string& bytes, std::span<const Vec3> points) {
+void appendPoints(std::string& bytes, std::span<const Vec3> points) {
     for (const Vec3& p : points) {
         bytes += 'v';
         for (const double x : p) {
@@ -25,7 +25,7 @@ std::string curveObj(std::span<const CurveContent> contents) {
     std::size_t before = 1;  // vertices count from 1
     for (const CurveContent& content : contents) {
         const SurfacePolyline& polyline = content.curve.polyline;
-        appendVertices(bytes, polyline.points);
+        appendPoints(bytes, polyline.points);
         for (const auto& [from, to] : segmentsOf(polyline)) {
             bytes +=
                 "l " + std::to_string(before + from) + ' ' + std::to_string(before + to) + '\n';
@@ -43,7 +43,7 @@ std::string splineObj(const CurveContent& content) {
     const std::size_t repeated = spline.closed ? static_cast<std::size_t>(spline.degree) : 0;
     const std::size_t distinct = count - repeated;
     std::string bytes = std::string(kTitle) + ": its spline\n";
-    appendVertices(bytes, std::span(spline.controlPoints).first(distinct));
+    appendPoints(bytes, std::span(spline.controlPoints).first(distinct));
     bytes += "cstype bspline\ndeg " + std::to_string(spline.degree) + "\ncurv 0 1";
     for (std::size_t i = 0; i < count; ++i) {
         bytes.append(" ").append(std::to_string(i % distinct + 1));

@@ -17,14 +17,14 @@ namespace bspline_curve {
 
 namespace {
 
-using Json = nlohmann::json;
-
 /// Positions that differ by more are those of another mesh (relative to the diagonal).
 constexpr double kSamePositionRelative = 1e-6;
 /// Barycentric coordinates of a file sum to 1 as exactly as rounding allows.
 constexpr double kBarycentricTolerance = 1e-9;
 
-const Json& arrayIn(const std::filesystem::path& file, const Json& object, const char* key) {
+const nlohmann::json& arrayIn(
+    const std::filesystem::path& file, const nlohmann::json& object, const char* key
+) {
     if (!object.is_object() || !object.contains(key) || !object.at(key).is_array()) {
         refuseFile(
             file,
@@ -49,8 +49,8 @@ const Json& arrayIn(const std::filesystem::path& file, const Json& object, const
 
 SurfacePoint pointOf(
     const std::filesystem::path& file,
-    const Json& face,
-    const Json& barycentric,
+    const nlohmann::json& face,
+    const nlohmann::json& barycentric,
     std::size_t vertex,
     const Surface& surface
 ) {
@@ -77,11 +77,13 @@ SurfacePoint pointOf(
 }
 
 /// Refuses a curve of another mesh, where the file names its own.
-void checkMesh(const std::filesystem::path& file, const Json& document, const MeshChecksum& mesh) {
+void checkMesh(
+    const std::filesystem::path& file, const nlohmann::json& document, const MeshChecksum& mesh
+) {
     if (!document.contains("mesh")) {
         return;
     }
-    const Json& named = document.at("mesh");
+    const nlohmann::json& named = document.at("mesh");
     const auto count = [&](const char* key) {
         if (!named.is_object() || !named.contains(key) || !named.at(key).is_number_integer()) {
             refuseFile(file, std::string("no whole number \"") + key + R"(" in "mesh")");
@@ -106,7 +108,7 @@ void checkMesh(const std::filesystem::path& file, const Json& document, const Me
 
 /// `file`: as messages name it.
 SurfacePolyline curveOf(
-    const std::filesystem::path& file, const Json& document, const Surface& surface
+    const std::filesystem::path& file, const nlohmann::json& document, const Surface& surface
 ) {
     if (!document.is_object() || !document.contains("polyline") || !document.contains("closed") ||
         !document.at("closed").is_boolean()) {
@@ -116,10 +118,10 @@ SurfacePolyline curveOf(
             "CURVE.json"
         );
     }
-    const Json& polyline = document.at("polyline");
-    const Json& points = arrayIn(file, polyline, "points");
-    const Json& faces = arrayIn(file, polyline, "faces");
-    const Json& barycentrics = arrayIn(file, polyline, "barycentrics");
+    const nlohmann::json& polyline = document.at("polyline");
+    const nlohmann::json& points = arrayIn(file, polyline, "points");
+    const nlohmann::json& faces = arrayIn(file, polyline, "faces");
+    const nlohmann::json& barycentrics = arrayIn(file, polyline, "barycentrics");
     if (points.size() != faces.size() || points.size() != barycentrics.size() ||
         points.size() < 2) {
         refuseFile(
@@ -167,7 +169,7 @@ std::vector<SurfacePolyline> readCurves(
     if (lowerCaseExtension(file) != ".json") {
         refuseFile(file, "curves are read from .json; write the curve with --output CURVE.json");
     }
-    const Json document = Json::parse(readWholeFile(file), nullptr, false);
+    const nlohmann::json document = nlohmann::json::parse(readWholeFile(file), nullptr, false);
     if (document.is_discarded()) {
         refuseFile(file, "is not JSON");
     }
@@ -177,12 +179,12 @@ std::vector<SurfacePolyline> readCurves(
     if (!document.is_object() || !document.contains("curves")) {
         return {curveOf(file, document, surface)};
     }
-    const Json& list = document.at("curves");
+    const nlohmann::json& list = document.at("curves");
     if (!list.is_array() || list.empty()) {
         refuseFile(file, R"("curves" is no list of curves)");
     }
     std::vector<SurfacePolyline> curves;
-    for (const Json& curve : list) {
+    for (const nlohmann::json& curve : list) {
         const std::string name = file.string() + ", curve " + std::to_string(curves.size());
         curves.push_back(curveOf(name, curve, surface));
     }

@@ -32,7 +32,7 @@ std::string ofOne(const CurveContent& content) {
 }
 
 // A name has the first format that it ends with, so longer ends go before shorter ones.
-constexpr std::array kFormats{
+constexpr std::array kCurveFormats{
     CurveFormat{.end = ".ply", .bytes = ofOne<curvePly>, .bytesOfMany = curvePly},
     CurveFormat{.end = ".bspline.obj", .bytes = splineObj},
     CurveFormat{.end = ".obj", .bytes = ofOne<curveObj>, .bytesOfMany = curveObj},
@@ -45,10 +45,10 @@ constexpr std::array kFormats{
 
 const CurveFormat& formatOf(const path& file) {
     const std::string name = lowerCase(file.filename().string());
-    const auto* const found = std::ranges::find_if(kFormats, [&](const CurveFormat& format) {
+    const auto* const found = std::ranges::find_if(kCurveFormats, [&](const CurveFormat& format) {
         return name.size() > format.end.size() && name.ends_with(format.end);
     });
-    if (found == kFormats.end()) {
+    if (found == kCurveFormats.end()) {
         throw InputError(
             InputErrorCode::UnwritableFile,
             file.string() + ": the extension " + inQuotes(lowerCaseExtension(file)) +
@@ -93,7 +93,7 @@ std::vector<double> fieldAlong(
 
 std::string curveExtensions() {
     std::string text;
-    for (const CurveFormat& format : kFormats) {
+    for (const CurveFormat& format : kCurveFormats) {
         text.append(text.empty() ? "" : ", ").append(format.end);
     }
     return text;
@@ -101,7 +101,7 @@ std::string curveExtensions() {
 
 std::string manyCurvesExtensions() {
     std::string text;
-    for (const CurveFormat& format : kFormats) {
+    for (const CurveFormat& format : kCurveFormats) {
         if (format.bytesOfMany != nullptr) {
             text.append(text.empty() ? "" : ", ").append(format.end);
         }

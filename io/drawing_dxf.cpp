@@ -26,17 +26,10 @@ constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kRadians = std::numbers::pi / 180.0;
 /// Blocks that insert blocks, at most.
 constexpr int kMostInserts = 32;
-constexpr std::size_t kMostPaths = 1000000;
-
-// Flags (code 70).
-constexpr int kClosed = 1;
-constexpr int kSplineFit = 4;
-constexpr int kIn3d = 8;
-constexpr int kMesh = 16 | 64;
-constexpr int kSplineFrame = 16;  // of a vertex
+constexpr std::size_t kMostDxfPaths = 1000000;
 
 /// Entities that show something, but have no paths.
-constexpr std::array<std::string_view, 7> kLeftOut{
+constexpr std::array<std::string_view, 7> kDxfLeftOut{
     "TEXT", "MTEXT", "HATCH", "DIMENSION", "LEADER", "MLINE", "HELIX"
 };
 
@@ -139,7 +132,7 @@ private:
         for (DrawingPath& path : mapped(std::move(drawn), map).paths) {
             drawing_.paths.push_back(std::move(path));
         }
-        if (drawing_.paths.size() > kMostPaths) {
+        if (drawing_.paths.size() > kMostDxfPaths) {
             entity.refuse("the file has more than 1000000 curves");
         }
     }
@@ -193,7 +186,7 @@ private:
             drawLight(pen, entity);
         } else if (name == "SPLINE") {
             drawSpline(pen, entity);
-        } else if (std::ranges::find(kLeftOut, name) != kLeftOut.end()) {
+        } else if (std::ranges::find(kDxfLeftOut, name) != kDxfLeftOut.end()) {
             ++leftOut_[std::string(name)];
         }
     }
@@ -281,27 +274,28 @@ private:
             vertex.at = plane * vertex.at;
             vertex.bulge *= turn;
         }
-        drawPolyline(pen, std::move(vertices), (entity.flags() & kClosed) != 0);
+        drawPolyline(pen, std::move(vertices), (entity.flags() & DxfFlag::kClosed) != 0);
     }
 
     static void drawOld(
         DrawingBuilder& pen, const DxfEntity& entity, std::span<const DxfEntity> given
     ) {
         const int flags = entity.flags();
-        if ((flags & kMesh) != 0) {
+        if ((flags & DxfFlag::kMesh) != 0) {
             return;  // a mesh is no curve
         }
         std::vector<BulgeVertex> vertices;
         for (const DxfEntity& vertex : given) {
-            if ((flags & kSplineFit) != 0 && (vertex.flags() & kSplineFrame) != 0) {
+            if ((flags & DxfFlag::kSplineFit) != 0 &&
+                (vertex.flags() & DxfFlag::kSplineFrame) != 0) {
                 continue;
             }
             vertices.push_back(
                 {.at = vertex.pointOf(10).head<2>(), .bulge = vertex.numberOf(42, 0.0)}
             );
         }
-        if ((flags & kIn3d) != 0) {
-            drawPolyline(pen, std::move(vertices), (flags & kClosed) != 0);
+        if ((flags & DxfFlag::kIn3d) != 0) {
+            drawPolyline(pen, std::move(vertices), (flags & DxfFlag::kClosed) != 0);
         } else {
             drawOwn(pen, entity, std::move(vertices), entity.pointOf(10).z());
         }

@@ -27,12 +27,12 @@ constexpr double kPixelsPerInch = 96.0;
 /// Uses of elements that use elements, at most.
 constexpr int kMostUses = 32;
 /// Paths of a file, at most: elements that use elements can ask for any number.
-constexpr std::size_t kMostPaths = 1000000;
+constexpr std::size_t kMostSvgPaths = 1000000;
 
 /// Elements whose children are drawn.
 constexpr std::array<std::string_view, 5> kGroups{"g", "a", "svg", "switch", "symbol"};
 /// Elements that would show something, but have no paths.
-constexpr std::array<std::string_view, 3> kLeftOut{"text", "image", "foreignObject"};
+constexpr std::array<std::string_view, 3> kSvgLeftOut{"text", "image", "foreignObject"};
 
 std::string_view attributeOf(const Element& element, const char* name) {
     return trimmed(element.attribute(name));
@@ -208,7 +208,7 @@ private:
         if (isHidden(element)) {
             return;
         }
-        if (std::ranges::find(kLeftOut, name) != kLeftOut.end()) {
+        if (std::ranges::find(kSvgLeftOut, name) != kSvgLeftOut.end()) {
             ++leftOut_[name];
             return;
         }
@@ -378,7 +378,7 @@ private:
         for (DrawingPath& path : mapped(std::move(drawn), upwards).paths) {
             paths_.push_back(std::move(path));
         }
-        if (paths_.size() > kMostPaths) {
+        if (paths_.size() > kMostSvgPaths) {
             throw std::invalid_argument("the file has more than 1000000 paths");
         }
     }

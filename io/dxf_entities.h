@@ -19,6 +19,15 @@ struct DxfPair {
     std::size_t line = 0;
 };
 
+/// Bits of the flags (code 70) of polylines and of their vertices.
+struct DxfFlag {
+    static constexpr int kClosed = 1;
+    static constexpr int kSplineFit = 4;
+    static constexpr int kIn3d = 8;
+    static constexpr int kMesh = 16 | 64;
+    static constexpr int kSplineFrame = 16;  // of a vertex
+};
+
 /// One entity, or a vertex of a polyline: its name and its pairs. Its functions throw InputError
 /// (UnreadableFile) naming the line where a value is no finite number.
 class DxfEntity {

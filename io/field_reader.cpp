@@ -18,7 +18,7 @@ namespace {
 
 using std::filesystem::path;
 
-std::vector<double> readText(const path& file, std::string_view bytes) {
+std::vector<double> valuesOfText(const path& file, std::string_view bytes) {
     std::vector<double> values;
     LineReader lines(bytes);
     while (lines.next()) {
@@ -34,7 +34,7 @@ std::vector<double> readText(const path& file, std::string_view bytes) {
     return values;
 }
 
-std::vector<double> readNpy(const path& file, std::string_view bytes) {
+std::vector<double> valuesOfNpy(const path& file, std::string_view bytes) {
     constexpr std::array<std::string_view, 2> kTypes = {"<f4", "<f8"};
     const NpyArray array = parseNpy(file, bytes, kTypes, "float32 or float64");
     return array.type == "<f4" ? npyValues<float, double>(array) : npyValues<double, double>(array);
@@ -45,7 +45,7 @@ std::vector<double> readNpy(const path& file, std::string_view bytes) {
 std::vector<double> readField(const path& file, std::size_t vertexCount) {
     const std::string bytes = readWholeFile(file);
     std::vector<double> values =
-        lowerCaseExtension(file) == ".npy" ? readNpy(file, bytes) : readText(file, bytes);
+        lowerCaseExtension(file) == ".npy" ? valuesOfNpy(file, bytes) : valuesOfText(file, bytes);
     if (values.size() != vertexCount) {
         throw InputError(
             InputErrorCode::BadField,

@@ -16,7 +16,7 @@ namespace {
 
 using Values = std::span<const double>;
 
-std::string plyBytes(const TriangleMesh& mesh, Values field) {
+std::string fieldPly(const TriangleMesh& mesh, Values field) {
     std::string bytes =
         "ply\nformat binary_little_endian 1.0\ncomment field on a triangle mesh, as quality\n"
         "element vertex " +
@@ -87,7 +87,7 @@ std::string fieldBytes(
     assert(field.size() == mesh.vertices.size());
     const std::string extension = lowerCaseExtension(file);
     if (extension == ".ply") {
-        return plyBytes(mesh, field);
+        return fieldPly(mesh, field);
     }
     return extension == ".npy" ? npyBytes(field) : textBytes(field);
 }

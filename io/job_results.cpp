@@ -50,7 +50,7 @@ constexpr std::size_t kStatusColumn = 4;
     throw InputError(InputErrorCode::UnwritableFile, file.string() + ": " + reason);
 }
 
-[[noreturn]] void refuseErrno(const path& file) {
+[[noreturn]] void refuseWithErrno(const path& file) {
     refuseWriting(file, "cannot be written: " + std::generic_category().message(errno));
 }
 
@@ -175,7 +175,7 @@ JobResultsFile::JobResultsFile(path file, const std::string& kept) : file_(std::
     }
     if (descriptor_ < 0) {
         errno = reason;
-        refuseErrno(file_);
+        refuseWithErrno(file_);
     }
 }
 
@@ -190,13 +190,13 @@ void JobResultsFile::append(const std::string& line) {
     while (!rest.empty()) {
         const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
         if (written < 0 && errno != EINTR) {
-            refuseErrno(file_);
+            refuseWithErrno(file_);
         }
         rest.remove_prefix(std::max<ssize_t>(written, 0));
     }
     // A device has nothing to bring to a disk.
     if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {
-        refuseErrno(file_);
+        refuseWithErrno(file_);
     }
 }
 

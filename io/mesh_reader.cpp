@@ -23,7 +23,7 @@ struct Format {
     ParsedMesh (*parse)(const std::filesystem::path& file, std::string_view bytes);
 };
 
-constexpr std::array kFormats = {
+constexpr std::array kMeshFormats = {
     Format{".ply", parsePly},
     Format{".obj", parseObj},
     Format{".off", parseOff},
@@ -85,8 +85,8 @@ TriangleMesh welded(const TriangleMesh& soup) {
 
 MeshFile readMeshFile(const std::filesystem::path& file, RepeatedVertices repeated) {
     const std::string extension = lowerCaseExtension(file);
-    const auto* const format = std::ranges::find(kFormats, extension, &Format::extension);
-    if (format == kFormats.end()) {
+    const auto* const format = std::ranges::find(kMeshFormats, extension, &Format::extension);
+    if (format == kMeshFormats.end()) {
         refuseFile(
             file, "the extension " + inQuotes(extension) + " is none of .ply, .obj, .off, .stl"
         );

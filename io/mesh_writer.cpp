@@ -14,7 +14,7 @@ namespace bspline_curve {
 
 namespace {
 
-std::string plyBytes(const TriangleMesh& mesh, const MeshAttributes& attributes) {
+std::string meshPly(const TriangleMesh& mesh, const MeshAttributes& attributes) {
     const bool hasQuality = !attributes.vertexQuality.empty();
     const bool hasLabels = !attributes.faceLabels.empty();
     const bool hasColours = !attributes.faceColours.empty();
@@ -96,9 +96,9 @@ std::string offBytes(const TriangleMesh& mesh) {
     return text;
 }
 
-std::string stlBytes(const TriangleMesh& mesh) {
-    constexpr std::size_t kHeaderSize = 80;
-    std::string bytes(kHeaderSize, ' ');
+std::string meshStl(const TriangleMesh& mesh) {
+    constexpr std::size_t kTextSize = 80;
+    std::string bytes(kTextSize, ' ');
     appendBinary(bytes, static_cast<std::uint32_t>(mesh.faces.size()));
     for (const auto& [a, b, c] : mesh.faces) {
         const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
@@ -141,7 +141,7 @@ std::string meshBytes(
     if (extension == ".off") {
         return offBytes(mesh);
     }
-    return extension == ".stl" ? stlBytes(mesh) : plyBytes(mesh, attributes);
+    return extension == ".stl" ? meshStl(mesh) : meshPly(mesh, attributes);
 }
 
 }  // namespace bspline_curve

@@ -13,13 +13,6 @@ namespace bspline_curve {
 
 namespace {
 
-// Flags (code 70).
-constexpr int kClosed = 1;
-constexpr int kSplineFit = 4;
-constexpr int kIn3d = 8;
-constexpr int kMesh = 16 | 64;
-constexpr int kSplineFrame = 16;  // of a vertex
-
 /// Curves that are no polylines.
 constexpr std::array<std::string_view, 7> kOtherCurves = {
     "ARC", "CIRCLE", "ELLIPSE", "HELIX", "INSERT", "MLINE", "SPLINE"
@@ -49,12 +42,13 @@ private:
             addLight(entity);
         } else if (name == "POLYLINE") {
             waitingFlags_ = entity.flags();
-            if ((waitingFlags_ & kMesh) != 0) {
+            if ((waitingFlags_ & DxfFlag::kMesh) != 0) {
                 entity.refuse("a POLYLINE that is a mesh; give a curve");
             }
             isWaiting_ = true;
-            waitingAxes_ =
-                (waitingFlags_ & kIn3d) != 0 ? Eigen::Matrix3d::Identity().eval() : entity.axes();
+            waitingAxes_ = (waitingFlags_ & DxfFlag::kIn3d) != 0
+                               ? Eigen::Matrix3d::Identity().eval()
+                               : entity.axes();
         } else if (std::ranges::find(kOtherCurves, name) != kOtherCurves.end()) {
             entity.refuse(
                 "has the entity " + std::string(name) +
@@ -65,8 +59,8 @@ private:
 
     void addVertex(const DxfEntity& entity) {
         refuseBulge(entity);
-        const bool isFrame =
-            (waitingFlags_ & kSplineFit) != 0 && (entity.flags() & kSplineFrame) != 0;
+        const bool isFrame = (waitingFlags_ & DxfFlag::kSplineFit) != 0 &&
+                             (entity.flags() & DxfFlag::kSplineFrame) != 0;
         if (!isFrame) {
             waiting_.emplace_back(waitingAxes_ * entity.pointOf(10));
         }
@@ -75,7 +69,7 @@ private:
     /// The polyline whose vertices came last.
     void addWaiting() {
         if (isWaiting_) {
-            addPolyline(waiting_, (waitingFlags_ & kClosed) != 0);
+            addPolyline(waiting_, (waitingFlags_ & DxfFlag::kClosed) != 0);
             waiting_.clear();
             isWaiting_ = false;
         }
@@ -96,7 +90,7 @@ private:
         for (Vec3& point : points) {
             point = axes * point;
         }
-        addPolyline(points, (entity.flags() & kClosed) != 0);
+        addPolyline(points, (entity.flags() & DxfFlag::kClosed) != 0);
     }
 
     static void refuseBulge(const DxfEntity& entity) {

@@ -14,7 +14,7 @@ namespace {
 
 using std::filesystem::path;
 
-std::vector<std::int64_t> readText(const path& file, std::string_view bytes) {
+std::vector<std::int64_t> idsOfText(const path& file, std::string_view bytes) {
     std::vector<std::int64_t> ids;
     LineReader lines(bytes);
     while (lines.next()) {
@@ -30,7 +30,7 @@ std::vector<std::int64_t> readText(const path& file, std::string_view bytes) {
     return ids;
 }
 
-std::vector<std::int64_t> readNpy(const path& file, std::string_view bytes) {
+std::vector<std::int64_t> idsOfNpy(const path& file, std::string_view bytes) {
     constexpr std::array<std::string_view, 4> kTypes = {"<i4", "<u4", "<i8", "<u8"};
     const NpyArray array = parseNpy(file, bytes, kTypes, "integers of 32 or 64 bits");
     if (array.type == "<i4") {
@@ -45,7 +45,7 @@ std::vector<std::int64_t> readNpy(const path& file, std::string_view bytes) {
 
 std::vector<std::int64_t> readFaceIds(const path& file) {
     const std::string bytes = readWholeFile(file);
-    return lowerCaseExtension(file) == ".npy" ? readNpy(file, bytes) : readText(file, bytes);
+    return lowerCaseExtension(file) == ".npy" ? idsOfNpy(file, bytes) : idsOfText(file, bytes);
 }
 
 }  // namespace bspline_curve

@@ -49,15 +49,15 @@ void removeIfOld(const fs::path& file, fs::file_time_type lastUse) {
     }
 }
 
-struct Entry {
+struct CachedShell {
     fs::file_time_type lastUse;
     fs::path file;
     std::uint64_t bytes;
 };
 
 // The shells of a folder; what vanishes meanwhile is left out.
-std::vector<Entry> entriesIn(const fs::path& directory) {
-    std::vector<Entry> entries;
+std::vector<CachedShell> entriesIn(const fs::path& directory) {
+    std::vector<CachedShell> entries;
     std::error_code error;
     fs::directory_iterator item(directory, error);
     for (; !error && item != fs::directory_iterator(); item.increment(error)) {
@@ -160,15 +160,15 @@ std::string ShellCache::store(
 }
 
 void ShellCache::evict() const {
-    std::vector<Entry> entries = entriesIn(directory_);
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    std::vector<CachedShell> entries = entriesIn(directory_);
+    std::sort(entries.begin(), entries.end(), [](const CachedShell& a, const CachedShell& b) {
         return std::tie(a.lastUse, a.file) < std::tie(b.lastUse, b.file);
     });
     std::uint64_t total = 0;
-    for (const Entry& entry : entries) {
+    for (const CachedShell& entry : entries) {
         total += entry.bytes;
     }
-    for (const Entry& entry : entries) {
+    for (const CachedShell& entry : entries) {
         if (total <= sizeLimitBytes_) {
             return;
         }

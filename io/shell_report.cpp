@@ -47,7 +47,7 @@ PrismCounts countPrisms(const Shell& shell) {
     return counts;
 }
 
-Json meshOf(const Surface& surface, const std::string& file) {
+Json meshOfShell(const Surface& surface, const std::string& file) {
     std::ptrdiff_t boundaryEdges = 0;
     for (const Triangle& neighbours : surface.faceNeighbours()) {
         boundaryEdges += std::ranges::count(neighbours, -1);
@@ -64,7 +64,7 @@ Json meshOf(const Surface& surface, const std::string& file) {
     };
 }
 
-Json secondsOf(const ShellRunFigures& figures) {
+Json shellSeconds(const ShellRunFigures& figures) {
     const auto& seconds = figures.seconds;
     return {
         {"cpu", seconds.cpu},
@@ -143,12 +143,12 @@ std::string shellReportText(const ReportedShell& reported, const ShellRunFigures
         {"blocked_faces", build.report.blockedFaces.size()},
         {"moved_vertices", extended.movedVertices.size()},
         {"thickness", {{"mean", thickness.mean}, {"p5", thickness.p5}, {"min", thickness.min}}},
-        {"seconds", secondsOf(figures)},
+        {"seconds", shellSeconds(figures)},
         {"peak_memory_bytes", figures.peakMemoryBytes},
         {"check", checkOf(check)},
         {"notes", figures.notes},
         {"repair", repairJson(figures.repair)},
-        {"mesh", meshOf(surface, figures.meshFile)},
+        {"mesh", meshOfShell(surface, figures.meshFile)},
     };
     // A file name may hold bytes that are not UTF-8; they become replacement characters.
     return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

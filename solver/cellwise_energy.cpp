@@ -29,7 +29,7 @@ struct CellwiseEnergyConstants {
     double moveShare = 5e-3;
 };
 
-constexpr CellwiseEnergyConstants kConstants;
+constexpr CellwiseEnergyConstants kCellwiseEnergy;
 
 struct CellwiseNewtonConstants {
     /// Shares of the negative part. Damping it only on the spans that make the Hessian indefinite
@@ -50,12 +50,12 @@ SampleRule firstRule(const CurveProblem& problem) {
     }
     // A field draws the samples into its valleys, and the curve between them over its ridges.
     const bool isSmooth =
-        problem.options.tension <= kConstants.highestRoughTension && !hasPull(problem);
+        problem.options.tension <= kCellwiseEnergy.highestRoughTension && !hasPull(problem);
     // Straight walks between samples cut the corners of what the curve avoids.
     const bool isFree = problem.obstacles == nullptr;
     return problem.shell->isFullResolution() || !isSmooth || !isFree
                ? SampleRule{}
-               : segmentsOfSpans(kConstants.roughSegments);
+               : segmentsOfSpans(kCellwiseEnergy.roughSegments);
 }
 
 double shortestPickDistance(const CurveProblem& problem) {
@@ -82,7 +82,9 @@ CellwiseEnergy::CellwiseEnergy(const CurveProblem& problem, SplineCurve curve, d
       rule_(firstRule(problem)),
       tensionFloor_(tensionFloor),
       restingMove_(
-          std::min(problem.distanceTolerance, kConstants.moveShare * shortestPickDistance(problem))
+          std::min(
+              problem.distanceTolerance, kCellwiseEnergy.moveShare * shortestPickDistance(problem)
+          )
       ),
       integrals_(std::make_unique<CellwiseIntegrals>(problem, space(), picks().rows(), rule_)),
       controls_(std::move(curve.controls)) {}
@@ -186,10 +188,10 @@ KnotDemand CellwiseEnergy::refinementGain() {
     );
     ControlPoints refined = refine(space(), controls_, halved);
     CellwiseEnergy fine(problem_, {std::move(halved), std::move(refined)}, tensionFloor_);
-    fine.setRule(isRough() ? segmentsOfSpans(kConstants.roughSegments / 2) : rule_);
+    fine.setRule(isRough() ? segmentsOfSpans(kCellwiseEnergy.roughSegments / 2) : rule_);
     fine.setWeights(weights_);
     const double negligible =
-        isRough() ? kConstants.negligibleSampledGain : kConstants.negligibleGain;
+        isRough() ? kCellwiseEnergy.negligibleSampledGain : kCellwiseEnergy.negligibleGain;
     const double savable = value_.scale - tensionFloor_;
     const auto withVerdict = [&](double largestMove) {
         gain.isNegligible = gain.total < negligible * savable ||

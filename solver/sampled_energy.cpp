@@ -28,7 +28,7 @@ struct SampledEnergyConstants {
     int spansAtOnce = 16;
 };
 
-constexpr SampledEnergyConstants kConstants;
+constexpr SampledEnergyConstants kSampledEnergy;
 
 }  // namespace
 
@@ -81,7 +81,7 @@ EnergyValue SampledEnergy::valueOf(const EnergyTerms& terms) const {
 
 EnergyValue SampledEnergy::differentiate() {
     for (double& damping : damping_) {
-        damping *= kConstants.dampingKept;
+        damping *= kSampledEnergy.dampingKept;
     }
     differentiateWith(1.0);
     return valueOf(terms_);
@@ -119,9 +119,11 @@ bool SampledEnergy::dampModelErrors() {
     std::vector<double> more(modelErrors.size(), 0.0);
     for (std::size_t span = 0; span < modelErrors.size(); ++span) {
         const SampledIntegrals::ModelError& modelError = modelErrors[span];
-        if (modelError.squaredWay > 0.0 && modelError.energy > kConstants.leastModelError * all) {
+        if (modelError.squaredWay > 0.0 &&
+            modelError.energy > kSampledEnergy.leastModelError * all) {
             const double needed = std::max(
-                kConstants.dampingGrowth * damping_[span], modelError.energy / modelError.squaredWay
+                kSampledEnergy.dampingGrowth * damping_[span],
+                modelError.energy / modelError.squaredWay
             );
             more[span] = needed - damping_[span];
             damping_[span] = needed;
@@ -159,13 +161,13 @@ FootOfSpan SampledEnergy::footAtMiddle() const {
 KnotDemand SampledEnergy::refinementGain() {
     KnotDemand gain;
     gain.perSpan.resize(space().spanCount());
-    forEach(problem_.side, space().spanCount(), kConstants.spansAtOnce, [&](int span) {
+    forEach(problem_.side, space().spanCount(), kSampledEnergy.spansAtOnce, [&](int span) {
         gain.perSpan[span] = integrals_->refinementGain(now_, weights_.alpha, span);
     });
     gain.total = std::accumulate(gain.perSpan.begin(), gain.perSpan.end(), 0.0);
     const double scale = valueOf(integrals_->terms(now_, now_.frames)).scale;
     gain.isNegligible =
-        gain.total < kConstants.negligibleGain * std::max(scale, kConstants.straightEnergy);
+        gain.total < kSampledEnergy.negligibleGain * std::max(scale, kSampledEnergy.straightEnergy);
     return gain;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 // Patches on each side of the way that belong to the corridor: one leaves out cheap ways.
 constexpr int kRings = 2;
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 std::span<const int> neighboursOf(const PatchLevels::Level& level, int patch) {
     const int first = level.offsets[patch];
@@ -55,7 +55,7 @@ std::vector<SurfacePoint> CorridorSearch::pointsOnWay() const {
 int CorridorSearch::centralFace(int patch) const {
     const PatchLevels::Level& patches = patches_.levels()[levelOfWay_];
     int central = -1;
-    double least = kFar;
+    double least = kUnreached;
     for (const int face : patches.samples[patch]) {
         if (face < 0) {
             continue;
@@ -121,7 +121,7 @@ void CorridorSearch::leave(
         }
         const Vec3& there = next == goal.patches[level] ? goal.position : patches.centres[next];
         const double half = 0.5 * (there - here).norm();
-        Arrival& arrival = arrivals_.at(next, {kFar, -1});
+        Arrival& arrival = arrivals_.at(next, {kUnreached, -1});
         if (from.cost + half * costHere >= arrival.cost) {
             continue;  // whatever it costs there
         }

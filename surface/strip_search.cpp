@@ -11,7 +11,7 @@
 namespace bspline_curve {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kNotYet = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -124,7 +124,7 @@ void StripSearch::leave(int face, const Vec3& from, double cost, int before) {
         }
         const Vec3 there = middle(crossing);
         const double costThere = cost + costHere * (there - from).norm();
-        Arrival& arrival = arrivals_.at(edgeOf(crossing), {kFar, -1, -1});
+        Arrival& arrival = arrivals_.at(edgeOf(crossing), {kNotYet, -1, -1});
         if (costThere < arrival.cost && mayEnter(next)) {
             arrival = {costThere, crossing, before};
             queue_.push({costThere + estimate * (goal_ - there).norm(), costThere, crossing});

@@ -31,6 +31,8 @@ def draw_demo(output: Path, size: tuple[int, int]) -> Curve:
     """Draws the curve and writes its picture; size: width and height in pixels. Raises FileError."""
     if output.suffix.lower() != ".png":
         raise FileError(f"{output}: a picture is written as .png", "unwritable-file")
+    if not output.absolute().parent.is_dir():  # said before the work is done
+        raise FileError(f"{output} cannot be written: there is no folder {output.parent}", "unwritable-file")
     mesh = Mesh(*bumpy_torus())
     angles = np.linspace(0, 2 * np.pi, 9, endpoint=False)
     wave = 0.5 * np.pi + 0.9 * np.sin(2 * angles)

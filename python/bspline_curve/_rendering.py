@@ -87,6 +87,8 @@ def scan(screen: Floats, faces: Ints, size: Size) -> tuple[Ints, Floats, Floats]
     # Triangles of similar extent are scanned together, as a block of pixels each.
     for extent_limit in 2 ** np.arange(1, 14):
         chosen = np.where((extent <= extent_limit) & (extent > extent_limit // 2 if extent_limit > 2 else True))[0]
+        if len(chosen) == 0:
+            continue
         offsets = np.stack(np.meshgrid(np.arange(extent_limit), np.arange(extent_limit)), -1).reshape(-1, 2)
         batch = max(1, 500_000 // len(offsets))  # stays in the cache
         for first in range(0, len(chosen), batch):
@@ -94,29 +96,35 @@ def scan(screen: Floats, faces: Ints, size: Size) -> tuple[Ints, Floats, Floats]
     return face_at.reshape(height, width), bary_at.reshape(height, width, 3), depth.reshape(height, width)
 
 
+def cross(u: Floats, v: Floats) -> Floats:
+    return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+
+
 def scan_batch(
     ids: Ints, corners: Floats, low: Ints, offsets: Ints, size: Size, depth: Floats, face_at: Ints, bary_at: Floats
 ) -> None:
     width, height = size
-    pixels = low[ids][:, None] + offsets[None]
-    a, b, c = (corners[ids, k][:, None] for k in range(3))
-    p = pixels + 0.5
-    area = (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])
-    area = np.where(np.abs(area) < 1e-12, np.inf, area)
-
-    def share(u: Floats, v: Floats) -> Floats:
-        pu, pv = u[..., :2] - p, v[..., :2] - p
-        return np.asarray((pu[..., 0] * pv[..., 1] - pu[..., 1] * pv[..., 0]) / area)
-
-    bary = np.stack([share(b, c), share(c, a), share(a, b)], -1)
-    inside = (bary.min(-1) >= -1e-9) & (bary.sum(-1) > 0.5)
-    inside &= (pixels >= 0).all(-1) & (pixels[..., 0] < width) & (pixels[..., 1] < height)
+    a, b, c = (corners[ids, k, :2] for k in range(3))
+    area = cross(b - a, c - a)
+    has_area = np.abs(area) >= 1e-12
+    area = np.where(has_area, area, np.inf)
+    middle = low[ids] + 0.5
+    inside = np.repeat(has_area[:, None], len(offsets), 1)
+    shares = []
+    for u, v in ((b, c), (c, a), (a, b)):  # barycentric coordinates are affine in the place of a pixel
+        share = np.multiply.outer((u - v)[:, 1] / area, offsets[:, 0])
+        share += np.multiply.outer((v - u)[:, 0] / area, offsets[:, 1])
+        share += (cross(u - middle, v - middle) / area)[:, None]
+        inside &= share >= -1e-9
+        shares.append(share)
     row, column = np.nonzero(inside)
+    at = low[ids[row]] + offsets[column]
+    kept = (at >= 0).all(1) & (at[:, 0] < width) & (at[:, 1] < height)
+    row, column, at = row[kept], column[kept], at[kept]
     if len(row) == 0:
         return
-    at = pixels[row, column]
     index = at[:, 1] * width + at[:, 0]
-    bary = bary[row, column]
+    bary = np.stack([share[row, column] for share in shares], -1)
     near = (bary * corners[ids[row], :, 2]).sum(-1)
     order = np.lexsort((near, index))
     last = np.r_[index[order][1:] != index[order][:-1], True]
