@@ -9,6 +9,7 @@
 #include "cli/value_checks.h"
 #include "cli/verb.h"
 #include "fill/part_filling.h"
+#include "fill/raised_parts.h"
 #include "imprint/part_choice.h"
 #include "io/atomic_file.h"
 #include "io/imprint_writer.h"
@@ -19,6 +20,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <list>
 #include <optional>
 #include <string>
@@ -37,6 +39,7 @@ struct CutArguments {
     std::optional<PartChoice> keep;  ///< none: all parts
     bool split = false;
     std::optional<FillShape> fill;  ///< none: holes stay
+    double relief = 0.0;            ///< height that the parts to keep are moved by; 0: they are cut
 };
 
 /// Null where the word is no choice.
@@ -93,16 +96,27 @@ public:
                 "Write each part to a file of its own, the largest first: FILE.ply, FILE-2.ply, …"
         )
             ->excludes(keep);
+        auto* const fill =
+            app_.add_option(
+                    "--fill",
+                    fill_,
+                    "What becomes of holes that the other parts leave: none (open), flat (no new "
+                    "vertices) or smooth (as dense as around, with its tangent planes)"
+            )
+                ->check(oneOf({"none", "flat", "smooth"}))
+                ->needs(keep)
+                ->capture_default_str()
+                ->type_name("SHAPE");
         app_.add_option(
-                "--fill",
-                fill_,
-                "What becomes of holes that the other parts leave: none (open), flat (no new "
-                "vertices) or smooth (as dense as around, with its tangent planes)"
+                "--relief",
+                arguments_.relief,
+                "Write the whole mesh, with the parts of --keep moved by this along their normals, "
+                "in its unit, and walls around them; negative: engraved"
         )
-            ->check(oneOf({"none", "flat", "smooth"}))
+            ->check(atLeast(std::numeric_limits<double>::lowest()).validator())
             ->needs(keep)
-            ->capture_default_str()
-            ->type_name("SHAPE");
+            ->excludes(fill)
+            ->type_name("HEIGHT");
         app_.add_option("--report", arguments_.report, "Write counts, parts, moves and times")
             ->type_name("FILE.json");
     }
@@ -145,6 +159,24 @@ void sayOpenRims(int openRims) {
     }
 }
 
+/// The parts that one file gets.
+FilledParts partsOfFile(
+    const CutArguments& arguments,
+    const ImprintedFile& file,
+    const CutMesh& cut,
+    const std::vector<int>& chosen
+) {
+    if (arguments.relief == 0.0) {
+        return takenParts(file.imprinted, cut, file.parts, chosen, arguments.fill);
+    }
+    RaisedParts raised = raisedParts(file.imprinted, file.parts, chosen, arguments.relief);
+    if (raised.turnedFaces > 0) {
+        std::cerr << "bspline_curve: the relief turns " << raised.turnedFaces
+                  << " faces over; take a smaller height\n";
+    }
+    return std::move(raised.whole);
+}
+
 ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
     checkMeshExtension(arguments.output);
     checkWritable(arguments.output);
@@ -164,8 +196,7 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
     std::list<AtomicFile> written;
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::filesystem::path name = numberedFile(arguments.output, i);
-        const FilledParts taken =
-            takenParts(file.imprinted, cut, file.parts, files[i], arguments.fill);
+        const FilledParts taken = partsOfFile(arguments, file, cut, files[i]);
         const std::vector<double> quality =
             file.quality.empty() ? std::vector<double>() : taken.carried(file.quality);
         figures.filledHoles += static_cast<int>(taken.rims.size());

@@ -48,6 +48,7 @@ Bindings<CutChoice> cutBindings() {
             }
         ),
         bound("split", &C::split),
+        bound("relief", &C::relief),
     };
 }
 
@@ -106,6 +107,12 @@ CutRequest cutRequest(const ParameterValues& values) {
     }
     if (choice.keep != KeptParts::All && choice.split) {
         refuseChoice("split makes a layer of every part, so it needs keep to be all");
+    }
+    if (choice.relief != 0.0 && choice.keep == KeptParts::All) {
+        refuseChoice("relief needs keep: which parts are meant");
+    }
+    if (choice.relief != 0.0 && choice.fill != FillKind::None) {
+        refuseChoice("with relief the whole surface is kept, so there is no hole to fill");
     }
     return request;
 }

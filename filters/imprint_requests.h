@@ -36,6 +36,7 @@ struct CutChoice {
     std::string seed;  ///< "x y z"; empty: the one point of the host's own tool
     FillKind fill = FillKind::None;
     bool split = false;
+    double relief = 0.0;  ///< height that the parts to keep are moved by; 0: they are cut
 };
 
 struct CutRequest {

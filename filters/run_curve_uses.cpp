@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/shell.h"
 #include "design/strict_polyline.h"
+#include "fill/raised_parts.h"
 #include "filters/layer_ids.h"
 #include "imprint/mesh_parts.h"
 #include "imprint/part_choice.h"
@@ -170,6 +171,27 @@ MeshesResult runImprintFilter(
     return finished(std::move(from), std::move(layers), watch, false);
 }
 
+namespace {
+
+/// The parts that one layer gets; adds warnings.
+FilledParts partsOfLayer(
+    Imprinted& from, const CutMesh& cut, const CutChoice& choice, const std::vector<int>& chosen
+) {
+    if (choice.relief == 0.0) {
+        return takenParts(*from.imprint, cut, from.parts, chosen, fillShape(choice.fill));
+    }
+    RaisedParts raised = raisedParts(*from.imprint, from.parts, chosen, choice.relief);
+    if (raised.turnedFaces > 0) {
+        from.warnings.push_back(
+            "The relief turns " + std::to_string(raised.turnedFaces) +
+            " faces over; take a smaller height."
+        );
+    }
+    return std::move(raised.whole);
+}
+
+}  // namespace
+
 MeshesResult runCutFilter(
     const CurvesOnLayer& input,
     const std::vector<Vec3>& toolPoints,
@@ -178,7 +200,6 @@ MeshesResult runCutFilter(
 ) {
     Stopwatch watch;
     const std::optional<PartChoice> choice = partChoice(request.choice, toolPoints);
-    const std::optional<FillShape> fill = fillShape(request.choice.fill);
     Imprinted from = imprinted(input, request.imprint, progress);
     const CutMesh cut = openedAlongCurves(*from.imprint);
     const std::size_t doubled = cut.mesh.vertices.size() - from.imprint->mesh.vertices.size();
@@ -186,7 +207,7 @@ MeshesResult runCutFilter(
     int filledHoles = 0;
     for (const std::vector<int>& chosen :
          partsPerMesh(*from.imprint, from.parts, choice, request.choice.split)) {
-        FilledParts taken = takenParts(*from.imprint, cut, from.parts, chosen, fill);
+        FilledParts taken = partsOfLayer(from, cut, request.choice, chosen);
         filledHoles += countOf(taken.rims.size());
         if (taken.openRims > 0) {
             from.warnings.push_back(
@@ -194,9 +215,10 @@ MeshesResult runCutFilter(
                 " rims stay open, since the boundary of the mesh is part of them."
             );
         }
-        const std::string suffix = choice                 ? " part"
-                                   : request.choice.split ? partSuffix(chosen)
-                                                          : " cut";
+        const std::string suffix = request.choice.relief != 0.0 ? " relief"
+                                   : choice                     ? " part"
+                                   : request.choice.split       ? partSuffix(chosen)
+                                                                : " cut";
         layers.push_back(layerOf(from, suffix, std::move(taken)));
     }
     from.figures.push_back({"doubled_vertices", countOf(doubled)});

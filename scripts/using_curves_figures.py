@@ -230,7 +230,30 @@ def margin(folder):
                      *(line_shape(other, 0.002 * size, BLUE) for other in offsets)], view, (420, 420), window)]
 
 
-FIGURES = {"hole": hole, "relief": relief, "head": head, "margin": margin}
+def emboss(folder):
+    """The band between two offsets of a closed curve, embossed and engraved."""
+    vertices, faces = packaged_mesh("bunny")
+    work, view = Work(folder, vertices, faces), (0.25, 0.25, 1.0)
+    size = np.linalg.norm(np.ptp(vertices, axis=0))
+    turn = np.arange(10) * np.pi / 5
+    star = np.array((0.62, 0.3)) + (0.13 + 0.035 * np.cos(5 * turn))[:, None] * np.stack([np.cos(turn), np.sin(turn)], 1)
+    line = work.curve("star", seen_at(vertices, faces, view, star))
+    work.run("offset", "--curve", "star.json", "--distance", 0.012 * size, "--output", "offset.json")
+    words = [word for file in sorted(work.folder.glob("offset*.json")) for word in ("--curve", file)]
+    window = (line.mean(0), 0.2 * size)
+    images = []
+    for height in (0.012 * size, -0.012 * size):
+        seed = "seed=" + ",".join(map(str, line[0]))
+        work.run("cut", *words, "--keep", seed, "--relief", height, "--output", "relief.ply")
+        told, cut, labels = work.mesh("relief.ply")
+        band = labels[np.linalg.norm(told[cut].mean(1) - line[0], axis=1).argmin()]
+        # Band, walls and rest meet in sharp edges, so each has normals of its own.
+        kinds = [(labels == band, NEW), (labels < 0, NEW), ((labels != band) & (labels >= 0), STONE)]
+        images.append(picture([surface(told, cut[kind], colour) for kind, colour in kinds], view, (420, 420), window))
+    return images
+
+
+FIGURES = {"hole": hole, "relief": relief, "head": head, "margin": margin, "emboss": emboss}
 
 
 def main():

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import Literal, NamedTuple, TypeAlias, cast
 
@@ -11,15 +12,26 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Int32s, numbers
-from ._errors import FieldError, InputError, OptionError
-from ._options import Option, checked_value
+from ._errors import FieldError, InputError, MeshWarning, OptionError
+from ._options import Option, checked_number, checked_value
 
 Keep: TypeAlias = "Literal['largest', 'smallest', 'inside'] | Sequence[float] | Floats"
 Fill: TypeAlias = Literal["none", "flat", "smooth"]
 
 SNAP = Option("double", 1e-9, 0.0, 0.01, False, ())
 KEEP = Option("enum", "largest", None, None, False, ("largest", "smallest", "inside"))
+HEIGHT = Option("double", 0.0, None, None, False, ())
 FILL = Option("enum", "none", None, None, False, ("none", "flat", "smooth"))
+
+
+def parts_meant(name: str, keep: Keep) -> tuple[str, list[float]]:
+    """A word and a seed, as the core takes them."""
+    if isinstance(keep, str):
+        return cast(str, checked_value(name, KEEP, keep)), [0.0, 0.0, 0.0]
+    seed = numbers(keep, name).tolist()
+    if np.shape(seed) != (3,):
+        raise InputError(f"{name} has shape {np.shape(seed)}, but must be a word or have (3,)", "bad-array")
+    return "seed", seed
 
 
 class Part(NamedTuple):
@@ -135,13 +147,35 @@ class Imprint:
                     "no-path",
                 )
             return Cut(vertices, faces, origins, self.labels)
-        if isinstance(keep, str):
-            which, seed = cast(str, checked_value("keep", KEEP, keep)), [0.0, 0.0, 0.0]
-        else:
-            which, seed = "seed", numbers(keep, "keep").tolist()
-            if np.shape(seed) != (3,):
-                raise InputError(f"keep has shape {np.shape(seed)}, but must be a word or have (3,)", "bad-array")
-        return Cut(*self._core.take(which, seed, shape)[:4])
+        return Cut(*self._core.take(*parts_meant("keep", keep), shape)[:4])
+
+    def relief(self, height: float, part: Keep = "inside") -> Cut:
+        """Move parts along their normals, with walls between them and the rest: a relief, or an engraving. O(m log m).
+
+        Parameters
+        ----------
+        height : float
+            Outwards where it is positive, in the unit of the mesh. A MeshWarning says where faces are turned over.
+        part : "largest", "smallest", "inside" or (3,) array of float, default "inside"
+            The parts to move, as `keep` of cut().
+
+        Returns
+        -------
+        Cut
+            The whole mesh: watertight where it was. The walls are its last faces, and new.
+
+        Raises
+        ------
+        InputError
+            The curves part nothing (a PickError), or no part or two are at the point.
+        OptionError
+            `part` is none of these, or `height` is not finite.
+        """
+        meant = parts_meant("part", part)
+        *arrays, turned = self._core.relief(*meant, checked_number("height", HEIGHT, height))
+        if turned:
+            warnings.warn(f"the relief turns {turned} faces over; take a smaller height", MeshWarning, stacklevel=2)
+        return Cut(*arrays)
 
     def values(self, given: npt.ArrayLike, faces: npt.ArrayLike) -> Floats:
         """Values at the vertices of the mesh, at those of the imprint: linear in each face of the mesh.

@@ -3,6 +3,7 @@
 
 #include "design/designer_surface.h"
 #include "fill/part_filling.h"
+#include "fill/raised_parts.h"
 #include "imprint/imprint.h"
 #include "imprint/mesh_parts.h"
 #include "imprint/part_choice.h"
@@ -131,6 +132,30 @@ nb::tuple takeTuple(
     );
 }
 
+// (vertices, faces, imprinted vertex of each vertex, part of each face, faces turned over).
+nb::tuple reliefTuple(
+    const ImprintedMesh& imprint,
+    const std::string& which,
+    const std::vector<double>& seed,
+    double height
+) {
+    RaisedParts raised = [&] {
+        const nb::gil_scoped_release unlocked;
+        const MeshParts parts = partsOf(imprint);
+        return raisedParts(
+            imprint, parts, chosenParts(imprint, parts, choiceOf(which, seed)), height
+        );
+    }();
+    const nb::tuple arrays = arraysOf(raised.whole.mesh);
+    return nb::make_tuple(
+        arrays[0],
+        arrays[1],
+        arrayOf(std::move(raised.whole.origin)),
+        arrayOf(std::move(raised.whole.labels)),
+        raised.turnedFaces
+    );
+}
+
 }  // namespace
 
 void bindImprint(nb::module_& module) {
@@ -151,7 +176,8 @@ void bindImprint(nb::module_& module) {
         .def_ro("largest_move", &ImprintedMesh::largestMove)
         .def("parts", partsTuple)
         .def("cut", cutTuple)
-        .def("take", takeTuple);
+        .def("take", takeTuple)
+        .def("relief", reliefTuple);
     module.def("imprint", imprinted);
 }
 

@@ -527,6 +527,7 @@ def cut_along_curves(
     seed: str = "",
     fill: Fill = "none",
     split: bool = False,
+    relief: float = 0.0,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     project_curves: bool = False,
     snap: float = 1e-09,
@@ -558,6 +559,10 @@ def cut_along_curves(
         smallest or inside or seed.
     split : bool, default False
         Makes a layer of each part, the largest first. Only with keep all.
+    relief : float, default 0.0
+        Keeps the whole surface, with the parts to keep moved by this along their normals, in the unit of the mesh, and
+        walls around them. Negative: engraved. 0: the parts are cut. Only with keep largest or smallest or inside or
+        seed.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
         drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
@@ -588,6 +593,7 @@ def cut_along_curves(
             "seed": seed,
             "fill": fill,
             "split": split,
+            "relief": relief,
             "max_distance": max_distance,
             "project_curves": project_curves,
             "snap": snap,

@@ -3,6 +3,7 @@
 
 import csv
 import json
+import re
 
 import made_meshes as meshes
 import numpy as np
@@ -82,6 +83,26 @@ def test_the_hole_that_a_part_leaves_is_filled(run, tmp_path, ring, shape):
     assert json.loads((tmp_path / "report.json").read_text())["filled_holes"] == 1
 
 
+@pytest.mark.parametrize("height", [0.05, -0.05])
+def test_a_part_is_moved_along_its_normals(run, tmp_path, ring, height):
+    result = run("cut", "hill.ply", *RING, "--keep", "inside", "--relief", height, "--output", "relief.ply")
+    assert (result.returncode, result.stderr) == (0, "")
+    assert run("imprint", "hill.ply", *RING, "--output", "imprint.ply").returncode == 0
+    relief, imprint = load(tmp_path / "relief.ply"), load(tmp_path / "imprint.ply")
+    kept = len(imprint.faces)
+    assert relief.euler_number == 1  # the plate, with a step
+    assert np.array_equal(labels(relief)[:kept], labels(imprint)) and (labels(relief)[kept:] == -1).all()
+    moved = relief.triangles[:kept] - imprint.triangles
+    assert (moved[labels(imprint) == 0] == 0).all()
+    assert np.linalg.norm(moved[labels(imprint) == 1], axis=-1) == pytest.approx(abs(height), rel=1e-9)
+    assert (np.sign(moved[labels(imprint) == 1][..., 2]) == np.sign(height)).all()
+
+
+def test_a_relief_that_turns_faces_over_says_so(run, tmp_path, ring):
+    result = run("cut", "hill.ply", *RING, "--keep", "inside", "--relief", -5, "--output", "relief.ply")
+    assert result.returncode == 0 and re.search(r"the relief turns \d+ faces over; take a smaller height", result.stderr)
+
+
 def test_an_open_curve_becomes_a_slit(run, tmp_path, ring):
     assert run("cut", "hill.ply", "--curve", "slit.json", "--output", "slit.ply").returncode == 0
     mesh = load(tmp_path / "slit.ply")
@@ -114,6 +135,9 @@ def test_refuses_by_name_and_writes_nothing(refused, tmp_path, ring):
     cut = ("cut", "hill.ply", *RING, "--output", "out.ply")
     refused(2, *cut, "--keep", "biggest", says=["is none of largest|smallest|inside|seed=x,y,z"])
     refused(2, *cut, "--keep", "seed=1,2", says=["--keep"])
+    refused(2, *cut, "--relief", "1", says=["--relief", "--keep"])
+    refused(2, *cut, "--keep", "inside", "--relief", "nan", says=["--relief"])
+    refused(2, *cut, "--keep", "inside", "--fill", "flat", "--relief", "1", says=["--relief", "--fill"])
     refused(2, *cut, "--keep", "largest", "--split", says=["--split"])
     refused(2, *cut, "--fill", "flat", says=["--keep"])
     refused(2, *cut, "--keep", "largest", "--fill", "round", says=["--fill", "none"])

@@ -168,6 +168,23 @@ TEST(CutFilter, FillsWhatIsTakenAway) {
     }
 }
 
+TEST(CutFilter, MovesAPartAlongItsNormals) {
+    CutRequest request;
+    request.choice = {.keep = KeptParts::Inside, .seed = "", .relief = 0.125};
+    const CurvesOnLayer input = onPlate({square()});
+    MeshesResult result = runCutFilter(input, {}, request);
+    ASSERT_EQ(result.layers.size(), 1U);
+    EXPECT_EQ(result.layers[0].suffix, " relief");
+    EXPECT_TRUE(result.log.warnings.empty());
+    const MadeMesh& made = result.layers[0].made;
+    const auto perimeters = figure<std::vector<double>>(result.figures, "part_perimeters");
+    EXPECT_NEAR(areaOf(made.mesh()), 1.0 + 0.125 * perimeters[1], 1e-9);
+    const std::vector<double> carried = made.carried(xOf(input.surface.mesh));
+    for (std::size_t i = 0; i < carried.size(); ++i) {
+        EXPECT_NEAR(carried[i], made.mesh().vertices[i].x(), 1e-12);
+    }
+}
+
 TEST(CutFilter, RefusesWhatCannotBeByName) {
     CutRequest request;
     const auto refused = [&](const CurvesOnLayer& input) {
@@ -185,6 +202,12 @@ TEST(CutFilter, RefusesWhatCannotBeByName) {
     values.set("keep", std::string("inside"));
     values.set("split", true);
     expectPart(refusal([&] { return cutRequest(values); }), "split");
+    values.set("split", false);
+    values.set("relief", 0.5);
+    expectPart(refusal([&] { return cutRequest(values); }), "no hole to fill");
+    values.set("keep", std::string("all"));
+    values.set("fill", std::string("none"));
+    expectPart(refusal([&] { return cutRequest(values); }), "relief needs keep");
 }
 
 TEST(SegmentFilter, LabelsAndMeasuresParts) {

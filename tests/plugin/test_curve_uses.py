@@ -120,6 +120,14 @@ def test_a_hole_is_filled(ringed, fill):
     assert (parents == -1).any() and np.isfinite(mesh.vertex_matrix()).all()
 
 
+def test_a_part_becomes_a_relief(ringed):
+    document, _ = ringed
+    figures = document.apply_filter("cut_along_curves", keep="inside", relief=0.05)
+    assert document.current_mesh().label() == "plate relief"
+    walls = document.current_mesh().face_custom_scalar_attribute_array("parent") == -1
+    assert areas(document.current_mesh())[walls].sum() == pytest.approx(0.05 * figures["part_perimeters"][1], rel=0.03)
+
+
 def test_an_open_curve_is_a_slit(plate, plate_picks):
     draw(plate, plate_picks)
     plate.set_current_mesh(0)

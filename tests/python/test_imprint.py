@@ -108,6 +108,30 @@ def test_holes_are_filled(mesh, ring):
     assert areas_of[0] < areas_of[1] < 1.2 * areas(mesh.vertices, mesh.faces).sum()
 
 
+@pytest.mark.parametrize("part", ["inside", None])
+def test_a_part_is_moved_along_its_normals(mesh, ring, part):
+    imprint = mesh.imprint([ring])
+    inner = imprint.parts[1]
+    part = part or imprint.vertices[imprint.faces[inner.faces[0]]].mean(0)
+    relief = imprint.relief(0.01, part)
+    kept = len(imprint.faces)
+    assert boundary_edges(relief.faces) == boundary_edges(imprint.faces)
+    moved = np.linalg.norm(relief.vertices[relief.faces[:kept]] - imprint.vertices[imprint.faces], axis=2)
+    np.testing.assert_allclose(moved, 0.01 * np.repeat(imprint.labels[:, None] == 1, 3, axis=1), atol=1e-12)
+    assert (relief.labels[kept:] == -1).all() and len(relief.faces) == kept + 2 * len(imprint.curves[0])
+    np.testing.assert_array_equal(relief.origins[: len(imprint.vertices)], np.arange(len(imprint.vertices)))
+
+
+def test_a_relief_says_where_it_cannot_be(mesh, ring):
+    imprint = mesh.imprint([ring])
+    with pytest.warns(bspline_curve.MeshWarning, match=r"turns \d+ faces over"):
+        imprint.relief(-50.0)
+    with pytest.raises(bspline_curve.OptionError, match="height is nan"):
+        imprint.relief(float("nan"))
+    with pytest.raises(bspline_curve.OptionError, match="part is 'middle'"):
+        imprint.relief(1.0, "middle")
+
+
 def test_an_open_curve_parts_nothing(mesh, arrays, ring):
     slit = mesh.curve(arrays[0][[500, 900]])
     assert len(mesh.cut([slit]).vertices) > len(mesh.imprint([slit]).vertices)

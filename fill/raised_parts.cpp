@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fill/raised_parts.h"
+
+#include "bspline_curve/error.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace bspline_curve {
+
+namespace {
+
+Vec3 areaVector(const TriangleMesh& mesh, const Triangle& face) {
+    const Vec3& corner = mesh.vertices[face[0]];
+    return (mesh.vertices[face[1]] - corner).cross(mesh.vertices[face[2]] - corner);
+}
+
+/// Unit normals at the vertices, of their faces weighted by the angles there.
+std::vector<Vec3> vertexNormalsOf(const TriangleMesh& mesh) {
+    std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+    for (const Triangle& face : mesh.faces) {
+        const Vec3 normal = areaVector(mesh, face).stableNormalized();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 one = mesh.vertices[face[(k + 1) % 3]] - mesh.vertices[face[k]];
+            const Vec3 other = mesh.vertices[face[(k + 2) % 3]] - mesh.vertices[face[k]];
+            normals[face[k]] += std::atan2(one.cross(other).norm(), one.dot(other)) * normal;
+        }
+    }
+    for (Vec3& normal : normals) {
+        normal.stableNormalize();
+    }
+    return normals;
+}
+
+/// Unit normals at the vertices of an imprint: those of the mesh without it, linear in each face,
+/// so that they change little across small faces.
+std::vector<Vec3> normalsOn(const ImprintedMesh& imprinted) {
+    const TriangleMesh input = withoutImprint(imprinted);
+    std::vector<Vec3> normals = vertexNormalsOf(input);
+    for (const auto& [face, barycentric] : imprinted.newVertices) {
+        Vec3 normal = Vec3::Zero();
+        for (int k = 0; k < 3; ++k) {
+            normal += barycentric[k] * normals[input.faces[face][k]];
+        }
+        normals.push_back(normal.stableNormalized());
+    }
+    return normals;
+}
+
+class PartRaiser {
+public:
+    PartRaiser(
+        const ImprintedMesh& imprinted,
+        const MeshParts& parts,
+        const std::vector<int>& chosen,
+        double height
+    )
+        : imprinted_(imprinted), parts_(parts), chosen_(chosen), height_(height) {
+        edges_ = edgesAround(imprinted, parts, chosen);
+        cut_ = cutAlongEdges(imprinted.mesh, edges_);
+        result_.whole = wholeImprint(imprinted, parts);
+        raised_.resize(cut_.mesh.vertices.size(), -1);
+    }
+
+    RaisedParts run() {
+        findBase();
+        const std::vector<Vec3> normals = normalsOn(imprinted_);
+        for (std::size_t f = 0; f < parts_.labels.size(); ++f) {
+            if (isChosen(f)) {
+                raise(f, normals);
+            }
+        }
+        addWalls();
+        return std::move(result_);
+    }
+
+private:
+    [[nodiscard]] bool isChosen(std::size_t face) const {
+        return std::ranges::binary_search(chosen_, parts_.labels[face]);
+    }
+
+    /// Vertices of faces that stay where they are.
+    void findBase() {
+        isBase_.resize(imprinted_.mesh.vertices.size(), false);
+        for (std::size_t f = 0; f < parts_.labels.size(); ++f) {
+            if (!isChosen(f)) {
+                for (const int vertex : imprinted_.mesh.faces[f]) {
+                    isBase_[vertex] = true;
+                }
+            }
+        }
+    }
+
+    void raise(std::size_t face, const std::vector<Vec3>& normals) {
+        TriangleMesh& mesh = result_.whole.mesh;
+        for (std::size_t k = 0; k < 3; ++k) {
+            int& raised = raised_[cut_.mesh.faces[face][k]];
+            if (raised < 0) {
+                const int vertex = imprinted_.mesh.faces[face][k];
+                raised = vertex;
+                if (isBase_[vertex]) {
+                    raised = static_cast<int>(mesh.vertices.size());
+                    mesh.vertices.push_back(mesh.vertices[vertex]);
+                    result_.whole.origin.push_back(vertex);
+                }
+                mesh.vertices[raised] += height_ * normals[vertex];
+            }
+            mesh.faces[face][k] = raised;
+        }
+        result_.turnedFaces += isTurned(face) ? 1 : 0;
+    }
+
+    /// Past one centre of curvature a face is turned over; past both, its sides point back.
+    [[nodiscard]] bool isTurned(std::size_t face) const {
+        const TriangleMesh& before = imprinted_.mesh;
+        const TriangleMesh& after = result_.whole.mesh;
+        const Triangle& from = before.faces[face];
+        const Triangle& to = after.faces[face];
+        bool turned = areaVector(before, from).dot(areaVector(after, to)) < 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            const Vec3 side = before.vertices[from[next]] - before.vertices[from[k]];
+            turned |= side.dot(after.vertices[to[next]] - after.vertices[to[k]]) < 0.0;
+        }
+        return turned;
+    }
+
+    /// Between the edges of raised faces on the rim and those of the faces beside them.
+    void addWalls() {
+        FilledParts& whole = result_.whole;
+        for (std::size_t f = 0; f < parts_.labels.size(); ++f) {
+            if (!isChosen(f)) {
+                continue;
+            }
+            const Triangle& foot = imprinted_.mesh.faces[f];
+            const Triangle top = whole.mesh.faces[f];
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t next = (k + 1) % 3;
+                const auto [low, high] = std::minmax(foot[k], foot[next]);
+                if (std::ranges::binary_search(edges_, std::array{low, high})) {
+                    whole.mesh.faces.push_back({foot[k], foot[next], top[next]});
+                    whole.mesh.faces.push_back({foot[k], top[next], top[k]});
+                }
+            }
+        }
+        whole.faces.resize(whole.mesh.faces.size(), -1);
+        whole.labels.resize(whole.mesh.faces.size(), -1);
+    }
+
+    const ImprintedMesh& imprinted_;
+    const MeshParts& parts_;
+    const std::vector<int>& chosen_;
+    double height_;
+    std::vector<std::array<int, 2>> edges_;  // of curves around the parts
+    CutMesh cut_;                            // parts it into fans of raised faces and of others
+    std::vector<bool> isBase_;               // for each imprinted vertex
+    std::vector<int> raised_;                // for each vertex of the cut; -1: not raised
+    RaisedParts result_;
+};
+
+}  // namespace
+
+RaisedParts raisedParts(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const std::vector<int>& chosen,
+    double height
+) {
+    if (!std::isfinite(height)) {
+        throw InputError(InputErrorCode::BadOption, "the height of a relief must be finite");
+    }
+    if (height == 0.0) {
+        return {.whole = wholeImprint(imprinted, parts), .turnedFaces = 0};
+    }
+    return PartRaiser(imprinted, parts, chosen, height).run();
+}
+
+}  // namespace bspline_curve
