@@ -172,10 +172,11 @@ class Imprint:
             `part` is none of these, or `height` is not finite.
         """
         meant = parts_meant("part", part)
-        *arrays, turned = self._core.relief(*meant, checked_number("height", HEIGHT, height))
+        relief = self._core.relief(*meant, checked_number("height", HEIGHT, height))
+        turned = relief[4]
         if turned:
             warnings.warn(f"the relief turns {turned} faces over; take a smaller height", MeshWarning, stacklevel=2)
-        return Cut(*arrays)
+        return Cut(*relief[:4])
 
     def values(self, given: npt.ArrayLike, faces: npt.ArrayLike) -> Floats:
         """Values at the vertices of the mesh, at those of the imprint: linear in each face of the mesh.
