@@ -343,12 +343,19 @@ std::vector<std::shared_ptr<const SketchCurve>> DrawingSession::commit() {
     cancel();
     settle();
     std::vector<std::shared_ptr<const SketchCurve>> drawn;
+    Sketch left;
     for (const std::shared_ptr<SketchCurve>& curve : sketch_.curves) {
         if (curve->settled) {
             drawn.push_back(curve);
+            continue;
         }
+        if (curve.get() == sketch_.activeCurve()) {
+            left.active = static_cast<int>(left.curves.size());
+            left.selected = sketch_.selected;
+        }
+        left.curves.push_back(curve);
     }
-    history_ = {};
+    history_ = SketchHistory(std::move(left));
     show(history_.now());
     return drawn;
 }

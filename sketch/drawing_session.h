@@ -97,8 +97,8 @@ public:
     /// Waits until all curves are settled.
     void settle();
 
-    /// Ends the drawing: waits until all curves are settled, hands over those that have a
-    /// polyline, and begins an empty sketch with an empty history.
+    /// Waits until all curves are settled, hands over those that have a polyline, and begins a
+    /// history of its own with the others: they can still be corrected.
     [[nodiscard]] std::vector<std::shared_ptr<const SketchCurve>> commit();
 
     /// Goes on with a curve that was drawn before, as one entry of the history.

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -78,6 +79,9 @@ public:
     /// States kept at most; the oldest go first.
     static constexpr std::size_t kMostStates = 1000;
 
+    /// Of this state alone.
+    explicit SketchHistory(Sketch first = {}) : states_{std::move(first)} {}
+
     [[nodiscard]] const Sketch& now() const { return states_[position_]; }
 
     /// Drops what was undone. Nothing where the state is that of now.
@@ -92,7 +96,7 @@ public:
     void redo() { position_ += canRedo() ? 1 : 0; }
 
 private:
-    std::vector<Sketch> states_{Sketch()};
+    std::vector<Sketch> states_;
     std::size_t position_ = 0;
 };
 

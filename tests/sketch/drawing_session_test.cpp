@@ -314,8 +314,14 @@ TEST_P(ASession, HandsOverItsCurvesAndTakesThemUpAgain) {
     const auto drawn = s_.session.commit();
     ASSERT_EQ(drawn.size(), 1U);
     EXPECT_EQ(drawn[0]->settled->polyline.points, s_.drawn(*drawn[0]).polyline.points);
-    EXPECT_EQ(count(), 0U);
+    // What has no polyline stays, and is gone on with.
+    ASSERT_EQ(count(), 1U);
     EXPECT_FALSE(s_.session.canUndo());
+    s_.click(s_.camera.over({0.4, -0.6, 0.7}));
+    ASSERT_EQ(count(), 1U);
+    EXPECT_EQ(curve().picks.size(), 2U);
+    ASSERT_EQ(s_.session.commit().size(), 1U);
+    EXPECT_EQ(count(), 0U);
     s_.session.reopen(drawn[0]->picks, drawn[0]->options);
     s_.session.settle();
     EXPECT_EQ(curve().settled->polyline.points, drawn[0]->settled->polyline.points);

@@ -240,7 +240,9 @@ TEST_P(RandomEvents, LoseNothing) {
         const std::size_t settled = std::ranges::count_if(
             s.session.sketch().curves, [](const auto& curve) { return curve->settled != nullptr; }
         );
+        const std::size_t all = s.session.sketch().curves.size();
         EXPECT_EQ(s.session.commit().size(), settled);
+        EXPECT_EQ(s.session.sketch().curves.size(), all - settled);
     }
     EXPECT_GT(reached, 0);
 }
