@@ -5,6 +5,8 @@
 #include "filters/binding_makers.h"
 #include "io/picks_reader.h"
 
+#include <cmath>
+
 namespace bspline_curve {
 
 Bindings<CurveUse> useBindings() {
@@ -107,6 +109,9 @@ CutRequest cutRequest(const ParameterValues& values) {
     }
     if (choice.keep != KeptParts::All && choice.split) {
         refuseChoice("split makes a layer of every part, so it needs keep to be all");
+    }
+    if (!std::isfinite(choice.relief)) {
+        refuseChoice("relief must be finite");
     }
     if (choice.relief != 0.0 && choice.keep == KeptParts::All) {
         refuseChoice("relief needs keep: which parts are meant");

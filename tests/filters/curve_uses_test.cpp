@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -208,6 +209,8 @@ TEST(CutFilter, RefusesWhatCannotBeByName) {
     values.set("keep", std::string("all"));
     values.set("fill", std::string("none"));
     expectPart(refusal([&] { return cutRequest(values); }), "relief needs keep");
+    values.set("relief", std::numeric_limits<double>::infinity());
+    expectPart(refusal([&] { return cutRequest(values); }), "relief must be finite");
 }
 
 TEST(SegmentFilter, LabelsAndMeasuresParts) {

@@ -338,8 +338,9 @@ TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
             if (parameter.type == ParameterType::Int) {
                 expectWholeRange(*filter, parameter);
             } else if (std::holds_alternative<double>(parameter.defaultValue) &&
-                       parameter.id != "avoid_threshold" && parameter.id != "shift") {
-                // avoid_threshold and shift may be any number.
+                       parameter.id != "avoid_threshold" && parameter.id != "shift" &&
+                       parameter.id != "relief") {
+                // Those may be any number.
                 expectRealRange(*filter, parameter);
             }
         }
