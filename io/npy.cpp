@@ -62,6 +62,9 @@ NpyArray parseNpy(
     if (std::ranges::find(types, type) == types.end()) {
         refuseFile(file, "the values must be " + wanted + ", little-endian");
     }
+    if (!shape.starts_with('(')) {
+        refuseFile(file, "the shape in the .npy header is no tuple");
+    }
     const std::vector<std::string_view> sizes = splitAt(shape.substr(1), ',');
     const auto count = parseInteger(sizes[0]);
     if (!count || *count < 0 || sizes.size() > 2 || (sizes.size() == 2 && !sizes[1].empty())) {

@@ -55,6 +55,9 @@ TEST_F(FieldReader, RefusesOtherArraysAndDamage) {
     );
     expectContains(refused(npy(npyDictionary("<f8", "()"), fieldBytes<double>())), "one dimension");
     expectContains(refused(npy("{'descr': '<f8'}", fieldBytes<double>())), "shape");
+    const std::string noTuple = "{'descr': '<f8', 'shape':";
+    expectContains(refused(npy(noTuple + "}", fieldBytes<double>())), "no tuple");
+    expectContains(refused(npy(noTuple, fieldBytes<double>())), "no tuple");
     const std::string whole = npy(npyDictionary("<f8", "(3,)"), fieldBytes<double>());
     for (std::size_t size = 0; size < whole.size(); ++size) {
         SCOPED_TRACE(size);
