@@ -314,6 +314,7 @@ Curve CurveDesigner::design(
     if (!isStrict(surface, curve.polyline)) {
         solved = solver.solveTightly(progress);
         curve = curveOf(surface, solved, sampling);
+        curve.report.usable = curve.report.usable && isStrict(surface, curve.polyline);
     }
     const CurveProblem& problem = solved.problem;
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;

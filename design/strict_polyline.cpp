@@ -106,14 +106,15 @@ private:
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const Vertex& vertex = vertices_[i];
             if (!kept.empty() && (vertex.position - kept.back().position).norm() <= near) {
-                if (vertex.pick < 0) {
-                    if (i + 1 == vertices_.size() ||
-                        commonFace(surface_, kept.back().point, vertices_[i + 1].point) >= 0 ||
-                        vertex.position == kept.back().position) {
-                        continue;
-                    }
-                } else if (kept.back().pick < 0 && kept.size() >= 2 &&
-                           commonFace(surface_, kept[kept.size() - 2].point, vertex.point) >= 0) {
+                if (vertex.pick < 0 &&
+                    (i + 1 == vertices_.size() ||
+                     commonFace(surface_, kept.back().point, vertices_[i + 1].point) >= 0)) {
+                    continue;
+                }
+                // Where coordinates are large, a crossing and a point in a face may be the same.
+                const bool replaces = vertex.pick >= 0 || vertex.position == kept.back().position;
+                if (replaces && kept.back().pick < 0 && kept.size() >= 2 &&
+                    commonFace(surface_, kept[kept.size() - 2].point, vertex.point) >= 0) {
                     kept.back() = vertex;
                     continue;
                 }
