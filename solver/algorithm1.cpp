@@ -264,7 +264,9 @@ private:
             paper_.meetPicks(energy_, policy_.newton);
             distance_ = energy_.trace();
             report_.usable = distance_.largest < problem_.distanceTolerance;
-            if (report_.usable && problem_.options.interpolation == Interpolation::Penalty) {
+            const bool isStopped = round_ < problem_.options.maxRounds;
+            if (report_.usable &&
+                (isStopped || problem_.options.interpolation == Interpolation::Penalty)) {
                 report_.status = SolveStatus::DistanceReached;
             }
         }

@@ -20,6 +20,9 @@ struct StopConstants {
     /// Knots multiply in vain where they become so many times as many on a curve that is near, some
     /// on spans shorter than the tolerance; usual curves come to rest with up to twice as many.
     double mostKnotGrowth = 2.25;
+    /// Knots are also in vain after so many rounds in which a curve was near and Newton's method
+    /// did not end: it is pressed against what it avoids, and each further knot presses anew.
+    int mostUnfinishedRounds = 8;
 };
 
 constexpr StopConstants kStop;
@@ -33,6 +36,14 @@ bool isStuck(const CurveProblem& problem, const SolveReport& report) {
            last.alpha > kStop.stuckGrowth * rounds.front().alpha &&
            last.maxDistance >
                kStop.stuckShare * (rounds.end() - 1 - kStop.stuckRounds)->maxDistance;
+}
+
+bool areUnfinished(const SolveReport& report) {
+    return std::ranges::none_of(
+        report.rounds.end() - kStop.mostUnfinishedRounds,
+        report.rounds.end(),
+        [](const RoundReport& round) { return round.status == MinimiseStatus::Converged; }
+    );
 }
 
 double shortestSpan(const Energy& energy) {
@@ -57,6 +68,10 @@ double workOf(const SolveReport& report) {
 bool StopRule::isInVain(
     const CurveProblem& problem, const Energy& energy, const SolveReport& report, bool isNear
 ) {
+    roundsNearby_ = isNear ? roundsNearby_ + 1 : 0;
+    if (roundsNearby_ >= kStop.mostUnfinishedRounds && areUnfinished(report)) {
+        return true;
+    }
     if (policy_ == StopPolicy::Long) {
         return false;
     }

@@ -8,7 +8,7 @@ namespace bspline_curve {
 /// When solve() gives up a curve: mostly it passes through a fold or a thin part of the surface.
 enum class StopPolicy {
     Short,  ///< where it stays far from the surface, or is near and still asks for more knots
-    Long,   ///< after SolverOptions::maxRounds
+    Long,   ///< after SolverOptions::maxRounds, or where it is near and minimisation never ends
 };
 
 /// What the rounds have cost: steps of Newton's method times the knots of each.
@@ -26,7 +26,8 @@ public:
 
 private:
     StopPolicy policy_;
-    int knotsNearby_ = 0;  // since when the curve has been near, or 0
+    int knotsNearby_ = 0;   // since when the curve has been near, or 0
+    int roundsNearby_ = 0;  // the last ones
 };
 
 }  // namespace bspline_curve

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scripts/avoid_layouts.py draws round random obstacles, and sees curves that enter what they avoid."""
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -26,6 +27,21 @@ def test_no_curve_enters_an_obstacle_and_all_impossible_ones_are_refused(program
     assert process.returncode == 0, process.stdout + process.stderr
     drawn, refused = (int(word.split()[0]) for word in process.stdout.split(": ")[1].split(", ")[:2])
     assert drawn > 0 and refused > 0 and drawn + refused == 12
+
+
+def test_a_curve_pressed_against_an_obstacle_comes_to_an_end(run, tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(SCRIPTS)
+    import avoid_layouts
+
+    # Newton's method ends in no round here: knots were added until each was as short as rounding, for a minute.
+    avoided, _, points, closed = avoid_layouts.random_layout(avoid_layouts.Mesh(plate_file(tmp_path)), 40)
+    (tmp_path / "picks.json").write_text(json.dumps({"closed": closed, "picks": points.tolist()}))
+    np.save(tmp_path / "avoid.npy", np.flatnonzero(avoided))
+    result = run("plate.ply", "--picks", "picks.json", "--avoid", "avoid.npy", "--degree", 2, "--output", "c.json", "--report", "r.json")
+    assert result.returncode == 0, result.stderr
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert (report["status"], report["usable"]) == ("distance reached", True)
+    assert report["knots_last"] < 500
 
 
 def test_a_segment_through_a_face_avoided_is_seen(tmp_path, monkeypatch):
