@@ -41,7 +41,7 @@ HigherTerms boundHigherTerms(const double* c, int degree, double s) {
 // Root of a polynomial that is monotone in [a, b]; times `sign` it falls from >= 0 at a to < 0 at
 // b. Newton kept inside the bracket.
 double bracketedRoot(const double* c, int degree, double a, double b, double sign) {
-    constexpr int kMaxIterations = 60;   // more than bisection takes
+    constexpr int kMaxIterations = 60;       // more than bisection takes
     constexpr double kRootRounding = 1e-15;  // of a root, relative to b
     const Coefficients d = derivativeOf(c, degree);
     double s = 0.5 * (a + b);
