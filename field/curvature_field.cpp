@@ -3,7 +3,7 @@
 
 #include "field/curvature_tensors.h"
 #include "field/surface_diffusion.h"
-#include "field/vertex_normals.h"
+#include "surface/vertex_normals.h"
 #include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
@@ -55,7 +55,7 @@ std::vector<PrincipalCurvatures> principalCurvatures(
 ) {
     constexpr double kFitShare = 0.5;  // of the time
     const double radius = scale * surface.diagonal();
-    const std::vector<Vec3> normals = vertexNormals(surface);
+    const std::vector<Vec3> normals = vertexNormals(surface.mesh());
     // Two rings see through three times the noise. Where they are wider than four radii, they would
     // lose creases.
     const int rings = surface.averageEdgeLength() > 2.0 * radius ? 1 : 2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/normal_variation.h"
 
-#include "field/vertex_normals.h"
+#include "surface/vertex_normals.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace bspline_curve {
 
 std::vector<double> normalVariation(const Surface& surface) {
-    const std::vector<Vec3> normals = vertexNormals(surface);
+    const std::vector<Vec3> normals = vertexNormals(surface.mesh());
     std::vector<double> values(normals.size(), 1.0);
     for (int face = 0; face < surface.faceCount(); ++face) {
         const Vec3 normal = surface.faceNormal(face);

@@ -2,6 +2,7 @@
 #include "fill/raised_parts.h"
 
 #include "bspline_curve/error.h"
+#include "surface/vertex_normals.h"
 
 #include <Eigen/Geometry>
 
@@ -19,28 +20,11 @@ Vec3 areaVector(const TriangleMesh& mesh, const Triangle& face) {
     return (mesh.vertices[face[1]] - corner).cross(mesh.vertices[face[2]] - corner);
 }
 
-/// Unit normals at the vertices, of their faces weighted by the angles there.
-std::vector<Vec3> vertexNormalsOf(const TriangleMesh& mesh) {
-    std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
-    for (const Triangle& face : mesh.faces) {
-        const Vec3 normal = areaVector(mesh, face).stableNormalized();
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3 one = mesh.vertices[face[(k + 1) % 3]] - mesh.vertices[face[k]];
-            const Vec3 other = mesh.vertices[face[(k + 2) % 3]] - mesh.vertices[face[k]];
-            normals[face[k]] += std::atan2(one.cross(other).norm(), one.dot(other)) * normal;
-        }
-    }
-    for (Vec3& normal : normals) {
-        normal.stableNormalize();
-    }
-    return normals;
-}
-
 /// Unit normals at the vertices of an imprint: those of the mesh without it, linear in each face,
 /// so that they change little across small faces.
 std::vector<Vec3> normalsOn(const ImprintedMesh& imprinted) {
     const TriangleMesh input = withoutImprint(imprinted);
-    std::vector<Vec3> normals = vertexNormalsOf(input);
+    std::vector<Vec3> normals = vertexNormals(input);
     for (const auto& [face, barycentric] : imprinted.newVertices) {
         Vec3 normal = Vec3::Zero();
         for (int k = 0; k < 3; ++k) {

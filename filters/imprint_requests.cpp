@@ -85,13 +85,9 @@ CurveUse curveUse(const ParameterValues& values) {
     return use;
 }
 
-namespace {
-
-[[noreturn]] void refuseChoice(const std::string& message) {
+void refuseChoice(const std::string& message) {
     throw InputError(InputErrorCode::BadOption, message);
 }
-
-}  // namespace
 
 ImprintRequest imprintRequest(const ParameterValues& values) {
     ImprintRequest request{.use = curveUse(values), .imprint = {}};

@@ -66,6 +66,9 @@ inline constexpr double kOffsetRelative = 0.02;
 [[nodiscard]] Bindings<OffsetOptions> offsetBindings();
 [[nodiscard]] Bindings<OffsetRequest> bandBindings();
 
+/// Throws InputError (BadOption): choices that exclude each other, or one that needs another.
+[[noreturn]] void refuseChoice(const std::string& message);
+
 /// What all filters that use curves take. Throws InputError (BadOption).
 [[nodiscard]] CurveUse curveUse(const ParameterValues& values);
 

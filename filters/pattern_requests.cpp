@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/pattern_requests.h"
 
-#include "bspline_curve/error.h"
 #include "filters/binding_makers.h"
 #include "io/picks_reader.h"
 
@@ -9,16 +8,12 @@ namespace bspline_curve {
 
 namespace {
 
-[[noreturn]] void refusePattern(const std::string& message) {
-    throw InputError(InputErrorCode::BadOption, message);
-}
-
 void checkDrawing(const PatternRequest& request) {
     if (request.drawingFile.empty() == request.text.empty()) {
-        refusePattern("give a drawing or a text, and not both");
+        refuseChoice("give a drawing or a text, and not both");
     }
     if (!request.text.empty() && request.fontFile.empty()) {
-        refusePattern("a text needs a font file");
+        refuseChoice("a text needs a font file");
     }
 }
 
@@ -80,7 +75,7 @@ Vec3 patternCentre(const PatternRequest& request, const std::vector<Vec3>& toolP
     const std::vector<Vec3> points =
         request.centre.empty() ? toolPoints : parsePicksText(request.centre);
     if (points.size() != 1) {
-        refusePattern(
+        refuseChoice(
             "there are " + std::to_string(points.size()) +
             " points for the centre: give one as centre \"x y z\", or pick one on the surface with "
             "Edit > PickPoints"
@@ -95,7 +90,7 @@ std::optional<Vec3> patternUp(const PatternRequest& request) {
     }
     const std::vector<Vec3> directions = parsePicksText(request.up);
     if (directions.size() != 1) {
-        refusePattern("up is a direction \"x y z\"");
+        refuseChoice("up is a direction \"x y z\"");
     }
     return directions.front();
 }

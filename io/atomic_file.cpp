@@ -14,17 +14,17 @@
 
 namespace bspline_curve {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
+void refuseWriting(const std::filesystem::path& file, const std::string& reason) {
     throw InputError(InputErrorCode::UnwritableFile, file.string() + ": " + reason);
 }
 
-[[noreturn]] void refuseErrno(const fs::path& file) {
-    refuse(file, "cannot be written: " + std::generic_category().message(errno));
+void refuseErrno(const std::filesystem::path& file) {
+    refuseWriting(file, "cannot be written: " + std::generic_category().message(errno));
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// The directory of a file that must not be empty.
 fs::path directoryOf(const fs::path& file) {
@@ -113,7 +113,7 @@ void checkWritable(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (fs::is_directory(status)) {
-        refuse(file, "is a directory, not a file");
+        refuseWriting(file, "is a directory, not a file");
     }
     // ENOENT: another process has deleted the file meanwhile.
     if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0 && errno != ENOENT) {
@@ -121,7 +121,7 @@ void checkWritable(const fs::path& file) {
     }
     const fs::path directory = directoryOf(behindLinks(file));
     if (!fs::is_directory(directory, error)) {
-        refuse(file, "the directory " + directory.string() + " does not exist");
+        refuseWriting(file, "the directory " + directory.string() + " does not exist");
     }
     if (!isDevice(file) && ::access(directory.c_str(), W_OK | X_OK) != 0) {
         refuseErrno(file);
@@ -171,7 +171,7 @@ void AtomicFile::commit() {
     std::error_code error;
     fs::rename(temporary_, file_, error);
     if (error) {
-        refuse(file_, "cannot be written: " + error.message());
+        refuseWriting(file_, "cannot be written: " + error.message());
     }
     temporary_.clear();
 }

@@ -29,6 +29,11 @@ private:
     std::string deviceBytes_;          ///< what commit() writes to a device
 };
 
+/// Throws InputError (UnwritableFile) that reads "<file>: <reason>".
+[[noreturn]] void refuseWriting(const std::filesystem::path& file, const std::string& reason);
+/// The same with what errno says.
+[[noreturn]] void refuseErrno(const std::filesystem::path& file);
+
 /// Throws InputError (UnwritableFile) where a file cannot be written: no such directory, a
 /// directory itself, no permission. For finding out before hours of work; the file is not touched.
 void checkWritable(const std::filesystem::path& file);

@@ -26,7 +26,6 @@ constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kRadians = std::numbers::pi / 180.0;
 /// Blocks that insert blocks, at most.
 constexpr int kMostInserts = 32;
-constexpr std::size_t kMostDxfPaths = 1000000;
 
 /// Entities that show something, but have no paths.
 constexpr std::array<std::string_view, 7> kDxfLeftOut{
@@ -132,7 +131,7 @@ private:
         for (DrawingPath& path : mapped(std::move(drawn), map).paths) {
             drawing_.paths.push_back(std::move(path));
         }
-        if (drawing_.paths.size() > kMostDxfPaths) {
+        if (drawing_.paths.size() > kMostPaths) {
             entity.refuse("the file has more than 1000000 curves");
         }
     }

@@ -5,10 +5,15 @@
 #include "io/xml_tree.h"
 #include "pattern/drawing_builder.h"
 
+#include <cstddef>
+#include <filesystem>
 #include <string_view>
 
 // The formats of drawings, one function each; readDrawing() chooses among them.
 namespace bspline_curve {
+
+/// Paths of a file, at most: elements and blocks that use others can ask for any number.
+inline constexpr std::size_t kMostPaths = 1000000;
 
 [[nodiscard]] DrawingFile drawingOfSvg(const std::filesystem::path& file, const XmlElement& root);
 

@@ -26,8 +26,6 @@ constexpr double kMillimetresPerInch = 25.4;
 constexpr double kPixelsPerInch = 96.0;
 /// Uses of elements that use elements, at most.
 constexpr int kMostUses = 32;
-/// Paths of a file, at most: elements that use elements can ask for any number.
-constexpr std::size_t kMostSvgPaths = 1000000;
 
 /// Elements whose children are drawn.
 constexpr std::array<std::string_view, 5> kGroups{"g", "a", "svg", "switch", "symbol"};
@@ -378,7 +376,7 @@ private:
         for (DrawingPath& path : mapped(std::move(drawn), upwards).paths) {
             paths_.push_back(std::move(path));
         }
-        if (paths_.size() > kMostSvgPaths) {
+        if (paths_.size() > kMostPaths) {
             throw std::invalid_argument("the file has more than 1000000 paths");
         }
     }

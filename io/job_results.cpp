@@ -46,14 +46,6 @@ const std::vector<std::string>& columns() {
 
 constexpr std::size_t kStatusColumn = 4;
 
-[[noreturn]] void refuseWriting(const path& file, const std::string& reason) {
-    throw InputError(InputErrorCode::UnwritableFile, file.string() + ": " + reason);
-}
-
-[[noreturn]] void refuseWithErrno(const path& file) {
-    refuseWriting(file, "cannot be written: " + std::generic_category().message(errno));
-}
-
 /// Open for appending, and nobody else's; -1 with errno where that cannot be.
 int openLocked(const path& file, int flags) {
     const int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags, 0666);
@@ -175,7 +167,7 @@ JobResultsFile::JobResultsFile(path file, const std::string& kept) : file_(std::
     }
     if (descriptor_ < 0) {
         errno = reason;
-        refuseWithErrno(file_);
+        refuseErrno(file_);
     }
 }
 
@@ -190,13 +182,13 @@ void JobResultsFile::append(const std::string& line) {
     while (!rest.empty()) {
         const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
         if (written < 0 && errno != EINTR) {
-            refuseWithErrno(file_);
+            refuseErrno(file_);
         }
         rest.remove_prefix(std::max<ssize_t>(written, 0));
     }
     // A device has nothing to bring to a disk.
     if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {
-        refuseWithErrno(file_);
+        refuseErrno(file_);
     }
 }
 

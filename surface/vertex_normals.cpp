@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/vertex_normals.h"
+#include "surface/vertex_normals.h"
 
 #include <Eigen/Geometry>
 
@@ -8,14 +8,14 @@
 
 namespace bspline_curve {
 
-std::vector<Vec3> vertexNormals(const Surface& surface) {
-    std::vector<Vec3> normals(surface.vertices().size(), Vec3::Zero());
-    for (const Triangle& face : surface.faces()) {
+std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
+    std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+    for (const Triangle& face : mesh.faces) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto at = static_cast<std::size_t>(face[k]);
-            const Vec3& corner = surface.vertices()[at];
-            const Vec3 next = surface.vertices()[face[(k + 1) % 3]] - corner;
-            const Vec3 previous = surface.vertices()[face[(k + 2) % 3]] - corner;
+            const Vec3& corner = mesh.vertices[at];
+            const Vec3 next = mesh.vertices[face[(k + 1) % 3]] - corner;
+            const Vec3 previous = mesh.vertices[face[(k + 2) % 3]] - corner;
             const Vec3 doubleArea = next.cross(previous);
             const double length = doubleArea.norm();
             normals[at] += doubleArea / length * std::atan2(length, next.dot(previous));
