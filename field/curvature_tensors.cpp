@@ -2,12 +2,13 @@
 #include "field/curvature_tensors.h"
 
 #include "utility/report_progress.h"
+#include "utility/worker_task.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
-#include <vcg/complex/algorithms/update/curvature_fitting.h>
-#include <vcg/complex/complex.h>
-
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,50 +16,6 @@
 namespace bspline_curve {
 
 namespace {
-
-// ---- vcglib's mesh ----
-
-class Vertex;
-class Face;
-
-struct Types : vcg::UsedTypes<vcg::Use<Vertex>::AsVertexType, vcg::Use<Face>::AsFaceType> {};
-
-class Vertex : public vcg::Vertex<
-                   Types,
-                   vcg::vertex::Coord3d,
-                   vcg::vertex::Normal3d,
-                   vcg::vertex::CurvatureDird,
-                   vcg::vertex::VFAdj,
-                   vcg::vertex::BitFlags> {};
-
-class Face : public vcg::Face<Types, vcg::face::VertexRef, vcg::face::VFAdj, vcg::face::BitFlags> {
-};
-
-class Mesh : public vcg::tri::TriMesh<std::vector<Vertex>, std::vector<Face>> {};
-
-using Fitting = vcg::tri::UpdateCurvatureFitting<Mesh>;
-
-/// In units of the mean edge length, so that the normal equations have entries near 1.
-void load(Mesh& mesh, const Surface& surface, const std::vector<Vec3>& normals) {
-    const Vec3 origin = surface.position({.face = 0, .barycentric = Vec3::UnitX()});
-    vcg::tri::Allocator<Mesh>::AddVertices(mesh, surface.vertices().size());
-    for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
-        const Vec3 p = (surface.vertices()[v] - origin) / surface.averageEdgeLength();
-        mesh.vert[v].P() = {p[0], p[1], p[2]};
-        mesh.vert[v].N() = {normals[v][0], normals[v][1], normals[v][2]};
-    }
-    vcg::tri::Allocator<Mesh>::AddFaces(mesh, surface.faces().size());
-    for (std::size_t f = 0; f < mesh.face.size(); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            mesh.face[f].V(k) = &mesh.vert[surface.faces()[f][k]];
-        }
-    }
-    vcg::tri::UpdateTopology<Mesh>::VertexFace(mesh);
-}
-
-Vec3 toVec3(const Vertex::CoordType& p) {
-    return {p[0], p[1], p[2]};
-}
 
 // ---- vertices around a vertex ----
 
@@ -104,39 +61,95 @@ private:
 
 // ---- one fit ----
 
-constexpr std::size_t kFewestPoints =
-    5;  // as many as a quadric through the centre has coefficients
+using Vec5 = Eigen::Matrix<double, 5, 1>;
+using Mat5 = Eigen::Matrix<double, 5, 5>;
+
+constexpr int kFewestPoints = 5;  // as many as a quadric through the centre has coefficients
 
 /// Less than five points on one ring say too little, as at boundaries.
 int ringsAt(const Surface& surface, int vertex, int rings) {
-    return surface.facesAround(vertex).size() < static_cast<int>(kFewestPoints) ? 2 : rings;
+    return surface.facesAround(vertex).size() < kFewestPoints ? 2 : rings;
 }
 
-/// Fits a quadric through a vertex to the points around it, and leaves the result in the vertex.
-void fitQuadric(Vertex& centre, std::vector<Vertex*>& points) {
-    Vertex::CoordType normal;
-    Fitting::getAverageNormal(&centre, points, &normal);
+/// Least squares by normal equations. Of all that fit equally well, as where points lie on a conic
+/// through the centre, the smallest.
+Vec5 solved(const Mat5& matrix, const Vec5& right) {
+    constexpr double kLeastPivot = 1e-12;  // of the largest; rounding leaves about 1e-15
+    const Eigen::LDLT<Mat5> factors(matrix);
+    const Vec5 pivots = factors.vectorD();
+    if (pivots.minCoeff() > kLeastPivot * pivots.maxCoeff()) {
+        return factors.solve(right);
+    }
+    Eigen::CompleteOrthogonalDecomposition<Mat5> least(matrix);
+    least.setThreshold(kLeastPivot);
+    return least.solve(right);
+}
+
+/// A height over the plane across `normal`, in its frame:
+/// z = c0 x^2 + c1 x y + c2 y^2 + c3 x + c4 y.
+struct Quadric {
+    Eigen::Matrix3d frame;  ///< columns x, y and the normal
+    Vec5 coefficients;      ///< the first three in 1 / unit of the surface
+};
+
+/// Through a vertex, and near to the points around it. In units of the largest distance, so that
+/// all entries of the matrix are near 1.
+Quadric fittedQuadric(
+    const Surface& surface,
+    const std::vector<Vec3>& normals,
+    int centre,
+    const std::vector<int>& points
+) {
+    Vec3 normal = normals[centre];
+    for (const int point : points) {
+        normal += normals[point];
+    }
+    normal.normalize();
     // What faces the other way is another sheet.
-    std::vector<Vertex*> facing;
-    Fitting::applyProjOnPlane(normal, points, &facing);
-    std::vector<Vertex*>& used = facing.size() >= kFewestPoints ? facing : points;
-    std::vector<Vertex::CoordType> frame;
-    Fitting::computeReferenceFramesLocal(&centre, normal, &frame);
-    Fitting::QuadricLocal quadric;
-    Fitting::fitQuadricLocal(&centre, frame, used, &quadric);
-    Fitting::finalEigenStuff(&centre, frame, quadric);
+    const auto isFacing = [&](int point) { return normals[point].dot(normal) > 0.0; };
+    const bool onlyFacing = std::ranges::count_if(points, isFacing) >= kFewestPoints;
+
+    const Vec3 origin = surface.vertices()[centre];
+    double size = 0.0;
+    for (const int point : points) {
+        size = std::max(size, (surface.vertices()[point] - origin).squaredNorm());
+    }
+    size = std::sqrt(size);
+    Quadric quadric;
+    quadric.frame.col(0) = normal.unitOrthogonal();
+    quadric.frame.col(1) = normal.cross(quadric.frame.col(0));
+    quadric.frame.col(2) = normal;
+    Mat5 matrix = Mat5::Zero();
+    Vec5 right = Vec5::Zero();
+    for (const int point : points) {
+        if (onlyFacing && !isFacing(point)) {
+            continue;
+        }
+        const Vec3 p = quadric.frame.transpose() * (surface.vertices()[point] - origin) / size;
+        const Vec5 row(p.x() * p.x(), p.x() * p.y(), p.y() * p.y(), p.x(), p.y());
+        matrix += row * row.transpose();
+        right += p.z() * row;
+    }
+    quadric.coefficients = solved(matrix, right);
+    quadric.coefficients.head<3>() /= size;
+    return quadric;
 }
 
-/// The fitted curvatures as a matrix, in 1 / mean edge length.
-Eigen::Matrix3d tensorOf(const Vertex& vertex) {
-    // The directions come with the length of their curvature: that of the larger one is safe.
-    const bool firstIsLarger = std::abs(vertex.cK1()) >= std::abs(vertex.cK2());
-    const Vec3 normal = toVec3(vertex.cN());
-    const Vec3 larger = toVec3(firstIsLarger ? vertex.cPD1() : vertex.cPD2()).normalized();
-    const Vec3 other = normal.cross(larger).normalized();
-    const Eigen::Matrix3d tensor =
-        (firstIsLarger ? vertex.cK1() : vertex.cK2()) * other * other.transpose() +
-        (firstIsLarger ? vertex.cK2() : vertex.cK1()) * larger * larger.transpose();
+/// The shape operator at the origin of a quadric, S = -sum h_ij g^i (g^j)^T with the dual tangents
+/// g^i and the second fundamental form h, as trace(S) P - S with P across the normal: so the
+/// curvatures change places.
+Eigen::Matrix3d tensorOf(const Quadric& quadric) {
+    const Vec5& c = quadric.coefficients;
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents << 1.0, 0.0, 0.0, 1.0, c[3], c[4];
+    const Eigen::Matrix2d metric = tangents.transpose() * tangents;
+    const Eigen::Matrix<double, 3, 2> dual = quadric.frame * tangents * metric.inverse();
+    Eigen::Matrix2d second;
+    second << 2.0 * c[0], c[1], c[1], 2.0 * c[2];
+    second /= -std::sqrt(1.0 + c[3] * c[3] + c[4] * c[4]);
+    const Eigen::Matrix3d shape = dual * second * dual.transpose();
+    const Eigen::Matrix3d across = dual * metric * dual.transpose();
+    const Eigen::Matrix3d tensor = shape.trace() * across - shape;
     return tensor.allFinite() ? tensor : Eigen::Matrix3d::Zero();
 }
 
@@ -145,28 +158,26 @@ Eigen::Matrix3d tensorOf(const Vertex& vertex) {
 std::vector<Eigen::Matrix3d> curvatureTensors(
     const Surface& surface, const std::vector<Vec3>& normals, int rings, const Progress& progress
 ) {
-    constexpr int kReportEvery = 4096;
-    Mesh mesh;
-    load(mesh, surface, normals);
+    constexpr int kReportEvery = 8192;
     std::vector<Eigen::Matrix3d> tensors(surface.vertices().size(), Eigen::Matrix3d::Zero());
+    const auto fit = [&](RingFinder& finder, int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            const std::vector<int>& points = finder.around(v, ringsAt(surface, v, rings));
+            if (points.size() >= kFewestPoints) {
+                tensors[v] = tensorOf(fittedQuadric(surface, normals, v, points));
+            }
+        }
+    };
     RingFinder finder(surface);
-    std::vector<Vertex*> points;
-    for (int v = 0; v < surface.vertexCount(); ++v) {
-        if (v % kReportEvery == 0) {
-            report(progress, static_cast<double>(v) / surface.vertexCount(), "curvature");
-        }
-        points.clear();
-        for (const int id : finder.around(v, ringsAt(surface, v, rings))) {
-            points.push_back(&mesh.vert[id]);
-        }
-        if (points.size() < kFewestPoints) {
-            continue;
-        }
-        Vertex& centre = mesh.vert[v];
-        const Vertex::NormalType normal = centre.N();
-        fitQuadric(centre, points);
-        tensors[v] = tensorOf(centre) / surface.averageEdgeLength();
-        centre.N() = normal;  // so that the next fits see the surface's
+    RingFinder other(surface);
+    const int count = surface.vertexCount();
+    for (int begin = 0; begin < count; begin += kReportEvery) {
+        report(progress, static_cast<double>(begin) / count, "curvature");
+        const int end = std::min(begin + kReportEvery, count);
+        const int middle = begin + (end - begin) / 2;
+        auto rest = startBeside(surface.faces().size(), [&] { fit(other, middle, end); });
+        fit(finder, begin, middle);
+        rest.get();
     }
     return tensors;
 }
