@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The headers of MeshLab and vcglib, from checkouts (MESHLAB_SOURCE_DIR, MESHLAB_2022_SOURCE_DIR,
 # MESHLAB_2020_SOURCE_DIR) or, where these are empty, from the cache that scripts/fetch_meshlab fills. Defines
-#   MeshLab::vcglib       vcglib of MESHLAB_SOURCE_DIR, headers only
 #   MeshLab::common       the plugin interface of MESHLAB_SOURCE_DIR (2025.07) with scalars of BSPLINE_CURVE_SCALAR, and
 #                         the parts of Qt that its headers need; where the component `plugin` is asked for
 #   MeshLab::common_2022  that of MeshLab 2022.02 with float; component `plugin_2022`
@@ -77,11 +76,6 @@ endfunction()
 
 set(modern_interface common/plugins/interfaces/filter_plugin.h)
 find_meshlab_sources(MeshLabSource 2025.07 MESHLAB_SOURCE_DIR ${modern_interface})
-if(NOT TARGET MeshLab::vcglib)
-  add_library(MeshLab::vcglib INTERFACE IMPORTED)
-  target_include_directories(MeshLab::vcglib SYSTEM INTERFACE "${MeshLabSource_VCGLIB_DIR}")
-  target_link_libraries(MeshLab::vcglib INTERFACE Eigen3::Eigen)
-endif()
 
 if(MeshLabSource_FIND_COMPONENTS)
   find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets OpenGL Xml)

@@ -23,8 +23,8 @@ inline constexpr double kLeastCurvature = -1.0, kMostCurvature = 8.0;
 /// Principal curvatures of the vertices, #V: averages over discs of the radius `scale`, relative to
 /// the diagonal, in [0, 1]; never over less than the quadrics that they are fitted to, which take
 /// two rings of vertices or, where mean edges are longer than twice `scale`, one. Zero at vertices
-/// without faces. The same in every unit and position. 4 to 6 us per vertex where the scale is up
-/// to three edges, 10 where it is six, 17 where it is thirteen.
+/// without faces. The same in every unit and position. About 4 us per vertex on two threads where
+/// the scale is up to three edges, 6 to 13 where it is thirteen.
 [[nodiscard]] std::vector<PrincipalCurvatures> principalCurvatures(
     const Surface& surface, double scale, const Progress& progress = {}
 );

@@ -7,29 +7,32 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 namespace bspline_curve {
 
 namespace {
 
-/// Half the cotangent of the angle of a face at its corner k.
-double halfCotangent(const Surface& surface, int face, std::size_t k) {
-    const Triangle& corners = surface.faces()[face];
-    const Vec3& corner = surface.vertices()[corners[k]];
-    const Vec3 next = surface.vertices()[corners[(k + 1) % 3]] - corner;
-    const Vec3 previous = surface.vertices()[corners[(k + 2) % 3]] - corner;
-    return 0.5 * next.dot(previous) / next.cross(previous).norm();
-}
+/// What a face adds to the matrices of linear elements.
+struct FaceTerms {
+    Vec3 halfCotangents;  ///< of the angles at its corners
+    double area = 0.0;
+};
 
-double areaOf(const Surface& surface, int face) {
-    const Triangle& corners = surface.faces()[face];
-    const Vec3& corner = surface.vertices()[corners[0]];
-    const Vec3 next = surface.vertices()[corners[1]] - corner;
-    const Vec3 previous = surface.vertices()[corners[2]] - corner;
-    return 0.5 * next.cross(previous).norm();
+FaceTerms termsOf(const Surface& surface, const Triangle& face) {
+    const std::array<Vec3, 3> corners{
+        surface.vertices()[face[0]], surface.vertices()[face[1]], surface.vertices()[face[2]]
+    };
+    const double twiceArea = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    FaceTerms terms{.halfCotangents = Vec3::Zero(), .area = 0.5 * twiceArea};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 next = corners[(k + 1) % 3] - corners[k];
+        const Vec3 previous = corners[(k + 2) % 3] - corners[k];
+        terms.halfCotangents[static_cast<int>(k)] = 0.5 * next.dot(previous) / twiceArea;
+    }
+    return terms;
 }
 
 double clampedWeight(double weight) {
@@ -37,41 +40,8 @@ double clampedWeight(double weight) {
     return std::clamp(weight, 0.0, kLargest);
 }
 
-// Closed surfaces have half as many vertices as faces.
-constexpr std::size_t kVerticesForTwoThreads = kFacesForTwoThreads / 2;
-// Rows that one thread takes at once. Sums are those of blocks, so that they do not depend on the
-// number of threads.
-constexpr Eigen::Index kRowsAtOnce = 1024;
-
-// Calls task(begin, end) for all rows, block by block.
-template <class Task>
-void forEachBlock(WorkerThread* side, Eigen::Index rows, const Task& task) {
-    const auto blocks = static_cast<int>((rows + kRowsAtOnce - 1) / kRowsAtOnce);
-    forEach(side, blocks, 1, [&](int block) {
-        const Eigen::Index begin = block * kRowsAtOnce;
-        task(begin, std::min(rows, begin + kRowsAtOnce));
-    });
-}
-
-// The sum of what a task returns for each row.
-template <int K, class Task>
-Eigen::Array<double, 1, K> sumOfRows(WorkerThread* side, Eigen::Index rows, const Task& task) {
-    using Row = Eigen::Array<double, 1, K>;
-    const Eigen::Index blocks = (rows + kRowsAtOnce - 1) / kRowsAtOnce;
-    VertexValues<K> sums(blocks, K);
-    forEachBlock(side, rows, [&](Eigen::Index begin, Eigen::Index end) {
-        Row sum = Row::Zero();
-        for (Eigen::Index i = begin; i < end; ++i) {
-            sum += task(i);
-        }
-        sums.row(begin / kRowsAtOnce) = sum.matrix();
-    });
-    Row sum = Row::Zero();
-    for (Eigen::Index block = 0; block < blocks; ++block) {
-        sum += sums.row(block).array();
-    }
-    return sum;
-}
+// Averages as if for a while twice, each implicitly.
+constexpr int kSteps = 2;
 
 std::size_t cornerOf(const Surface& surface, int face, int vertex) {
     const Triangle& corners = surface.faces()[face];
@@ -94,105 +64,141 @@ SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
         rowOf[vertexOf_[row]] = static_cast<int>(row);
     }
     offsets_.reserve(count + 1);
+    middles_.reserve(count);
     neighbours_.reserve(3 * surface.faceCount());
     weights_.reserve(3 * surface.faceCount());
-    const auto addEdge = [&](int row, int to, double weight) {
-        neighbours_.push_back(rowOf[to]);
-        weights_.push_back(clampedWeight(weight));
-        weightSums_[row] += weights_.back();
-    };
+    std::vector<FaceTerms> terms;
+    terms.reserve(surface.faces().size());
+    for (const Triangle& face : surface.faces()) {
+        terms.push_back(termsOf(surface, face));
+    }
+    std::vector<std::pair<int, double>> edges;  // of one row
     for (int row = 0; row < surface.vertexCount(); ++row) {
         const int v = vertexOf_[row];
-        offsets_.push_back(static_cast<int>(neighbours_.size()));
-        const Surface::FaceRange fan = surface.facesAround(v);
-        if (fan.empty()) {
-            masses_[row] = 1.0;
-            continue;
-        }
-        // Counter-clockwise, each edge with the face before it and the one after it.
-        const bool isOpen = surface.isBoundaryVertex(v);
-        int before = *(fan.end() - 1);
-        for (const int face : fan) {
-            const std::size_t k = cornerOf(surface, face, v);
-            const bool isFirst = face == *fan.begin();
-            double weight = halfCotangent(surface, face, (k + 2) % 3);
-            if (!isFirst || !isOpen) {
-                const std::size_t opposite = (cornerOf(surface, before, v) + 1) % 3;
-                weight += halfCotangent(surface, before, opposite);
+        edges.clear();
+        // Counter-clockwise: the last edge of a face is the first one of the next.
+        for (const int face : surface.facesAround(v)) {
+            const Triangle& corners = surface.faces()[face];
+            const int k = static_cast<int>(cornerOf(surface, face, v));
+            const int next = (k + 1) % 3;
+            const int previous = (k + 2) % 3;
+            const auto [cotangents, area] = terms[face];
+            const int to = rowOf[corners[next]];
+            if (edges.empty() || edges.back().first != to) {
+                edges.emplace_back(to, 0.0);
             }
-            addEdge(row, surface.faces()[face][(k + 1) % 3], weight);
-            masses_[row] += areaOf(surface, face) / 3.0;
-            before = face;
+            edges.back().second += cotangents[previous];
+            edges.emplace_back(rowOf[corners[previous]], cotangents[next]);
+            masses_[row] += area / 3.0;
         }
-        if (isOpen) {
-            const std::size_t k = cornerOf(surface, before, v);
-            const int last = surface.faces()[before][(k + 2) % 3];
-            addEdge(row, last, halfCotangent(surface, before, (k + 1) % 3));
+        if (edges.empty()) {
+            masses_[row] = 1.0;
+        } else if (!surface.isBoundaryVertex(v)) {
+            edges.front().second += edges.back().second;
+            edges.pop_back();
+        }
+        std::ranges::sort(edges);
+        offsets_.push_back(static_cast<int>(neighbours_.size()));
+        middles_.push_back(offsets_.back());
+        for (const auto& [to, weight] : edges) {
+            middles_.back() += to < row ? 1 : 0;
+            neighbours_.push_back(to);
+            weights_.push_back(clampedWeight(weight));
+            weightSums_[row] += weights_.back();
         }
     }
     offsets_.push_back(static_cast<int>(neighbours_.size()));
 }
 
-template <int K>
-Eigen::Array<double, 1, K> SurfaceDiffusion::productAt(
-    const VertexValues<K>& values, double time, Eigen::Index row
-) const {
-    const Eigen::Array<double, 1, K> own = values.row(row);
-    Eigen::Array<double, 1, K> sum = weightSums_[row] * own;
-    for (int i = offsets_[row]; i < offsets_[row + 1]; ++i) {
-        sum -= weights_[i] * values.row(neighbours_[i]).array();
+SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(double time) const {
+    Factors factors{
+        .time = time,
+        .diagonal = masses_ + time * weightSums_,
+        .pivots = masses_ + time * weightSums_,
+    };
+    for (int row = 0; row < factors.pivots.size(); ++row) {
+        for (int i = offsets_[row]; i < middles_[row]; ++i) {
+            const double entry = time * weights_[i];
+            factors.pivots[row] -= entry * entry / factors.pivots[neighbours_[i]];
+        }
     }
-    return masses_[row] * own + time * sum;
+    return factors;
 }
 
-/// By conjugate gradients with the diagonal as preconditioner. Memory is what takes the time, so
-/// each row is visited as seldom as can be.
-template <int K>
-VertexValues<K> SurfaceDiffusion::implicitStep(
-    VertexValues<K> values, double time, WorkerThread* side
+/// By conjugate gradients with an incomplete Cholesky factorisation C P^-1 C^T as preconditioner:
+/// C has the matrix's entries below its diagonal and the pivots P on it. Its two sweeps take the
+/// place of the product with the matrix (Eisenstat 1981): with A = C + C^T + D - 2 P, the operator
+/// C^-1 A C^-T takes p to t + C^-1 (p + (D - 2 P) t), where t = C^-T p.
+template <int C>
+void SurfaceDiffusion::implicitStep(
+    const Factors& factors, Eigen::Ref<Columns<C>, 0, Eigen::OuterStride<>> values
 ) const {
-    using Row = Eigen::Array<double, 1, K>;
+    using Row = Eigen::Array<double, 1, C>;
     constexpr double kTolerance = 1e-5;  // of the values, in the norm of the preconditioner
     constexpr int kMaxIterations = 2000;
-    const Eigen::Index rows = values.rows();
-    const Eigen::VectorXd inverseDiagonal = (masses_ + time * weightSums_).cwiseInverse();
-    VertexValues<K> product(rows, K);
-    VertexValues<K> residual(rows, K);
-    VertexValues<K> direction(rows, K);
-    const Row enough = sumOfRows<K>(side, rows, [&](Eigen::Index i) -> Row {
-        const Row right = masses_[i] * values.row(i).array();
-        return kTolerance * kTolerance * inverseDiagonal[i] * right * right;
-    });
-    Row error = sumOfRows<K>(side, rows, [&](Eigen::Index i) -> Row {
-        const Row rest = masses_[i] * values.row(i).array() - productAt<K>(values, time, i);
-        residual.row(i) = rest.matrix();
-        direction.row(i) = (inverseDiagonal[i] * rest).matrix();
-        return inverseDiagonal[i] * rest * rest;
-    });
+    const int rows = static_cast<int>(values.rows());
+    // What C^-1 has at a row, from what it has at the rows before; C^-T from those after.
+    const auto solvedForwards = [&](const Columns<C>& solved, int row, Row right) -> Row {
+        for (int i = offsets_[row]; i < middles_[row]; ++i) {
+            right += factors.time * weights_[i] * solved.row(neighbours_[i]).array();
+        }
+        return right / factors.pivots[row];
+    };
+    const auto solvedBackwards = [&](const Columns<C>& solved, int row, Row right) -> Row {
+        for (int i = middles_[row]; i < offsets_[row + 1]; ++i) {
+            right += factors.time * weights_[i] * solved.row(neighbours_[i]).array();
+        }
+        return right / factors.pivots[row];
+    };
+
+    Columns<C> back(rows, C);   // t
+    Columns<C> forth(rows, C);  // what the operator adds to t
+    Columns<C> residual(rows, C);
+    Columns<C> direction = Columns<C>::Zero(rows, C);  // p
+    Row enough = Row::Zero();
+    Row error = Row::Zero();
+    for (int row = 0; row < rows; ++row) {
+        const Row own = values.row(row);
+        Row rest = -weightSums_[row] * own;
+        for (int i = offsets_[row]; i < offsets_[row + 1]; ++i) {
+            rest += weights_[i] * values.row(neighbours_[i]).array();
+        }
+        const Row right = solvedForwards(forth, row, masses_[row] * own);
+        rest = solvedForwards(residual, row, factors.time * rest);
+        forth.row(row) = right.matrix();
+        residual.row(row) = rest.matrix();
+        enough += kTolerance * kTolerance * factors.pivots[row] * right * right;
+        error += factors.pivots[row] * rest * rest;
+    }
+    Row turn = Row::Zero();
     for (int iteration = 0; iteration < kMaxIterations && (error > enough).any(); ++iteration) {
-        const Row curvature = sumOfRows<K>(side, rows, [&](Eigen::Index i) -> Row {
-            const Row here = productAt<K>(direction, time, i);
-            product.row(i) = here.matrix();
-            return direction.row(i).array() * here;
-        });
+        for (int row = rows - 1; row >= 0; --row) {
+            const Row here = factors.pivots[row] * residual.row(row).array() +
+                             turn * direction.row(row).array();
+            direction.row(row) = here.matrix();
+            back.row(row) = solvedBackwards(back, row, here).matrix();
+        }
+        Row curvature = Row::Zero();
+        for (int row = 0; row < rows; ++row) {
+            const Row here = direction.row(row);
+            const Row there = back.row(row);
+            const double rest = factors.diagonal[row] - 2.0 * factors.pivots[row];
+            const Row added = solvedForwards(forth, row, here + rest * there);
+            forth.row(row) = added.matrix();
+            curvature += here * (there + added);
+        }
         const Row step = (error > enough).select(error / curvature, Row::Zero());
-        const Row next = sumOfRows<K>(side, rows, [&](Eigen::Index i) -> Row {
-            values.row(i).array() += step * direction.row(i).array();
-            const Row rest = residual.row(i).array() - step * product.row(i).array();
-            residual.row(i) = rest.matrix();
-            return inverseDiagonal[i] * rest * rest;
-        });
-        const Row turn = (error > enough).select(next / error, Row::Zero());
-        forEachBlock(side, rows, [&](Eigen::Index begin, Eigen::Index end) {
-            for (Eigen::Index i = begin; i < end; ++i) {
-                direction.row(i) =
-                    (inverseDiagonal[i] * residual.row(i).array() + turn * direction.row(i).array())
-                        .matrix();
-            }
-        });
+        Row next = Row::Zero();
+        for (int row = 0; row < rows; ++row) {
+            const Row there = back.row(row);
+            values.row(row).array() += step * there;
+            const Row rest = residual.row(row).array() - step * (there + forth.row(row).array());
+            residual.row(row) = rest.matrix();
+            next += factors.pivots[row] * rest * rest;
+        }
+        turn = (error > enough).select(next / error, Row::Zero());
         error = next;
     }
-    return values;
 }
 
 template <int K>
@@ -200,19 +206,26 @@ VertexValues<K> SurfaceDiffusion::smoothed(const VertexValues<K>& values, double
     if (radius <= 0.0) {
         return values;
     }
-    std::optional<WorkerThread> side;
-    if (vertexOf_.size() >= kVerticesForTwoThreads) {
-        side.emplace();
-    }
-    WorkerThread* const second = side ? &*side : nullptr;
     VertexValues<K> byRow(values.rows(), K);
     for (Eigen::Index row = 0; row < values.rows(); ++row) {
         byRow.row(row) = values.row(vertexOf_[row]);
     }
     // A disc has the variance radius^2 / 4 along each axis, diffusion for the time t has 2 t.
     const double time = radius * radius / 8.0;
-    for (int step = 0; step < 2; ++step) {
-        byRow = implicitStep<K>(std::move(byRow), 0.5 * time, second);
+    const Factors factors = factorsFor(time / kSteps);
+    const auto diffuse = [&]<int From, int Count>() {
+        for (int step = 0; step < kSteps; ++step) {
+            implicitStep<Count>(factors, byRow.template middleCols<Count>(From));
+        }
+    };
+    // Columns do not depend on each other.
+    constexpr int kHalf = (K + 1) / 2;
+    if constexpr (K > 1) {
+        auto rest = startBeside(2 * vertexOf_.size(), [&] { diffuse.template operator()<kHalf, K - kHalf>(); });
+        diffuse.template operator()<0, kHalf>();
+        rest.get();
+    } else {
+        diffuse.template operator()<0, K>();
     }
     VertexValues<K> result(values.rows(), K);
     for (Eigen::Index row = 0; row < values.rows(); ++row) {

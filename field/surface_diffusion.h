@@ -2,7 +2,6 @@
 #pragma once
 
 #include "surface/surface.h"
-#include "utility/worker_thread.h"
 
 #include <Eigen/Core>
 
@@ -26,21 +25,26 @@ public:
     /// Averages as over a disc of the given radius (the kernel has the variance of one); radius in
     /// the unit of the surface, >= 0. Constants stay what they are, integrals too, and so does what
     /// has no faces. Radii far below an edge change little. Within 1e-5 of the values' size.
-    /// Conjugate gradients: O(n radius / edge length), where there are many vertices on two
-    /// threads, with the same result. Available for K = 1 and K = 9.
+    /// Conjugate gradients: O(n radius / edge length); half of the columns on a second thread where
+    /// there are many vertices, with the same result. Available for K = 1 and K = 9.
     template <int K>
     [[nodiscard]] VertexValues<K> smoothed(const VertexValues<K>& values, double radius) const;
 
 private:
-    // Solves (M + time L) x = M values; takes the values and returns x.
-    template <int K>
-    [[nodiscard]] VertexValues<K> implicitStep(
-        VertexValues<K> values, double time, WorkerThread* side
-    ) const;
-    // A row of (M + time L) values.
-    template <int K>
-    [[nodiscard]] Eigen::Array<double, 1, K> productAt(
-        const VertexValues<K>& values, double time, Eigen::Index row
+    template <int C>
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, C, C == 1 ? 0 : Eigen::RowMajor>;
+
+    // An incomplete Cholesky factorisation of M + time L.
+    struct Factors {
+        double time = 0.0;
+        Eigen::VectorXd diagonal;  ///< of the matrix
+        Eigen::VectorXd pivots;    ///< positive, since the matrix is diagonally dominant
+    };
+    [[nodiscard]] Factors factorsFor(double time) const;
+    // Solves (M + time L) x = M values for each column.
+    template <int C>
+    void implicitStep(
+        const Factors& factors, Eigen::Ref<Columns<C>, 0, Eigen::OuterStride<>> values
     ) const;
 
     // Rows are vertices along a Morton curve, so that neighbours are near to each other in memory.
@@ -48,7 +52,8 @@ private:
     Eigen::VectorXd masses_;       ///< a third of the area of the faces at the vertex, else 1
     Eigen::VectorXd weightSums_;   ///< of the edges at the vertex
     std::vector<int> offsets_;     ///< #V + 1; the neighbours of i are from offsets_[i] on
-    std::vector<int> neighbours_;  ///< #E twice; rows
+    std::vector<int> middles_;     ///< #V; those after i are from middles_[i] on
+    std::vector<int> neighbours_;  ///< #E twice; rows, for each in ascending order
     std::vector<double> weights_;  ///< of the edge to each neighbour
 };
 

@@ -117,7 +117,7 @@ TEST_F(QualityField, SmoothingStaysWithinTheRange) {
     spike[220] = 1.0;
     options_.smoothing = 0.05;
     const auto smooth = made(spike);
-    EXPECT_EQ(*std::ranges::min_element(smooth), 0.0);
+    EXPECT_GE(*std::ranges::min_element(smooth), 0.0);
     EXPECT_LT(*std::ranges::max_element(smooth), 0.7);
 }
 
