@@ -6,7 +6,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -71,18 +70,18 @@ int ringsAt(const Surface& surface, int vertex, int rings) {
     return surface.facesAround(vertex).size() < kFewestPoints ? 2 : rings;
 }
 
-/// Least squares by normal equations. Of all that fit equally well, as where points lie on a conic
-/// through the centre, the smallest.
+/// Least squares by normal equations. Where many fit equally well, as where points lie on a conic
+/// through the centre, nearly the smallest: damping finds it.
 Vec5 solved(const Mat5& matrix, const Vec5& right) {
     constexpr double kLeastPivot = 1e-12;  // of the largest; rounding leaves about 1e-15
+    constexpr double kDamping = 1e-9;      // of the trace; adds as much to the relative error
     const Eigen::LDLT<Mat5> factors(matrix);
     const Vec5 pivots = factors.vectorD();
     if (pivots.minCoeff() > kLeastPivot * pivots.maxCoeff()) {
         return factors.solve(right);
     }
-    Eigen::CompleteOrthogonalDecomposition<Mat5> least(matrix);
-    least.setThreshold(kLeastPivot);
-    return least.solve(right);
+    const Mat5 damped = matrix + kDamping * matrix.trace() * Mat5::Identity();
+    return Eigen::LDLT<Mat5>(damped).solve(right);
 }
 
 /// A height over the plane across `normal`, in its frame:
