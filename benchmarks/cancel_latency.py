@@ -102,8 +102,8 @@ def main():
         picks = farthest_picks(vertices, faces, 6, 1)
         write_json(folder / "picks.json", {"picks": picks.tolist()})
         (folder / "avoid.txt").write_text(" ".join(map(str, range(len(faces) // 3, len(faces) // 3 + 200))))
-        subprocess.run([str(arguments.program), *words_of("curve", []), "--output", "curve.json"], cwd=folder, check=True,
-                       stdout=subprocess.DEVNULL)
+        subprocess.run([str(arguments.program), *words_of("curve", [])], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        (folder / "out.json").rename(folder / "curve.json")
         kept = set(folder.iterdir())
         for name in arguments.only:
             words = words_of(name, RUNS[name])

@@ -173,8 +173,8 @@ void SurfaceDiffusion::implicitStep(
     Row turn = Row::Zero();
     for (int iteration = 0; iteration < kMaxIterations && (error > enough).any(); ++iteration) {
         for (int row = rows - 1; row >= 0; --row) {
-            const Row here = factors.pivots[row] * residual.row(row).array() +
-                             turn * direction.row(row).array();
+            const Row here =
+                factors.pivots[row] * residual.row(row).array() + turn * direction.row(row).array();
             direction.row(row) = here.matrix();
             back.row(row) = solvedBackwards(back, row, here).matrix();
         }
@@ -221,7 +221,9 @@ VertexValues<K> SurfaceDiffusion::smoothed(const VertexValues<K>& values, double
     // Columns do not depend on each other.
     constexpr int kHalf = (K + 1) / 2;
     if constexpr (K > 1) {
-        auto rest = startBeside(2 * vertexOf_.size(), [&] { diffuse.template operator()<kHalf, K - kHalf>(); });
+        auto rest = startBeside(2 * vertexOf_.size(), [&] {
+            diffuse.template operator()<kHalf, K - kHalf>();
+        });
         diffuse.template operator()<0, kHalf>();
         rest.get();
     } else {

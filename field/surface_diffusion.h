@@ -40,6 +40,7 @@ private:
         Eigen::VectorXd diagonal;  ///< of the matrix
         Eigen::VectorXd pivots;    ///< positive, since the matrix is diagonally dominant
     };
+
     [[nodiscard]] Factors factorsFor(double time) const;
     // Solves (M + time L) x = M values for each column.
     template <int C>
