@@ -434,7 +434,7 @@ ExitCode runBatch(Arguments arguments) {
         return *code;
     }
     const auto& batch = std::get<BatchArguments>(parsed);
-    return runVerb([&](ProgressBar& bar) { return runJobs(batch, bar); });
+    return runVerb([&](ProgressBar& bar) { return runJobs(batch, bar); }, AfterInterrupt::Finish);
 }
 
 }  // namespace bspline_curve::cli

@@ -94,6 +94,7 @@ void writeResults(
     if (!arguments.report.empty()) {
         report.emplace(arguments.report, reportText(drawn.curve, surface, drawn.figures));
     }
+    beginWriting();
     if (drawn.curve.report.usable || !arguments.requireUsable) {
         const std::vector<double> quality =
             drawn.field.empty() ? std::vector<double>()

@@ -214,6 +214,7 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
         );
     }
     bar.clear();
+    beginWriting();
     for (AtomicFile& each : written) {
         each.commit();
     }

@@ -51,6 +51,7 @@ void writeResults(
     if (!arguments.report.empty()) {
         report.emplace(arguments.report, fieldReportText(surface, field, figures));
     }
+    beginWriting();
     output.commit();
     if (report) {
         report->commit();

@@ -95,6 +95,7 @@ ExitCode imprintCurves(const ImprintArguments& arguments, ProgressBar& bar) {
         files.emplace_back(arguments.report, imprintReportBytes(imprinted, parts, figures));
     }
     bar.clear();
+    beginWriting();
     for (AtomicFile& each : files) {
         each.commit();
     }

@@ -12,4 +12,14 @@ void catchInterrupts();
 /// Throws Cancelled after Ctrl-C.
 void throwIfInterrupted();
 
+/// Ends the process 0.1 s after Ctrl-C where it has not ended by itself, with one line and the exit
+/// code Interrupted, until beginWriting(): work between two looks at interrupted() may take longer
+/// on large meshes, as does giving back their memory. Leaves no temporary file. Costs one sleeping
+/// thread; once per process.
+void endSoonAfterInterrupt();
+
+/// Before the first file of the results appears. Throws Cancelled after Ctrl-C; from now on only
+/// interrupted() tells of one.
+void beginWriting();
+
 }  // namespace bspline_curve::cli

@@ -138,10 +138,13 @@ ExitCode runMeshProcess() {
         return ExitCode::Success;
     }
     const CurveArguments arguments = argumentsOf(*first);
-    return runVerb([&](ProgressBar&) {
-        MeshServer(arguments, std::move(*first)).run();
-        return ExitCode::Success;
-    });
+    return runVerb(
+        [&](ProgressBar&) {
+            MeshServer(arguments, std::move(*first)).run();
+            return ExitCode::Success;
+        },
+        AfterInterrupt::Finish
+    );
 }
 
 }  // namespace bspline_curve::cli

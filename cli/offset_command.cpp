@@ -195,6 +195,7 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
         );
     }
     bar.clear();
+    beginWriting();
     for (AtomicFile& file : files) {
         file.commit();
     }

@@ -290,6 +290,7 @@ ExitCode draw(const PatternArguments& arguments, ProgressBar& bar) {
     for (const std::string& note : drawing.notes) {
         printError("note: " + note);
     }
+    beginWriting();
     for (AtomicFile& each : files) {
         each.commit();
     }

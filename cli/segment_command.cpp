@@ -126,6 +126,7 @@ ExitCode segmentBy(const SegmentArguments& arguments, ProgressBar& bar) {
         );
     }
     bar.clear();
+    beginWriting();
     for (AtomicFile& each : files) {
         each.commit();
     }

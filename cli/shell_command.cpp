@@ -196,6 +196,7 @@ void writeResults(
             )
         );
     }
+    beginWriting();
     if (output) {
         output->commit();
     }

@@ -18,7 +18,10 @@ void printError(const std::string& message) {
     std::cerr << "bspline_curve: " << line << '\n';
 }
 
-ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work) {
+ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work, AfterInterrupt after) {
+    if (after == AfterInterrupt::EndSoon) {
+        endSoonAfterInterrupt();
+    }
     catchInterrupts();
     ProgressBar bar;
     try {

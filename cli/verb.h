@@ -15,9 +15,18 @@ class ParseError;
 // What the verbs share.
 namespace bspline_curve::cli {
 
+/// What becomes of work that goes on after Ctrl-C.
+enum class AfterInterrupt {
+    EndSoon,  ///< it is ended, see endSoonAfterInterrupt()
+    Finish    ///< it ends by itself, as it has other processes to end
+};
+
 /// Does the work of a verb; what it throws becomes one line on stderr and an exit code. From
 /// here on the first Ctrl-C cancels.
-[[nodiscard]] ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work);
+[[nodiscard]] ExitCode runVerb(
+    const std::function<ExitCode(ProgressBar&)>& work,
+    AfterInterrupt after = AfterInterrupt::EndSoon
+);
 
 /// A part [from, to] of the whole bar, and a way out for Ctrl-C.
 [[nodiscard]] Progress progressPart(ProgressBar& bar, double from, double to);

@@ -8,6 +8,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <mutex>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -107,6 +109,18 @@ fs::path temporaryBeside(const fs::path& file) {
     return directoryOf(file) / hidden;
 }
 
+/// The temporary files that are there, for abandonAll(). Never destroyed, since the process may be
+/// ending while a thread looks.
+struct Temporaries {
+    std::mutex mutex;
+    std::set<fs::path> files;
+};
+
+Temporaries& temporaries() {
+    static auto* const all = new Temporaries;
+    return *all;
+}
+
 }  // namespace
 
 void checkWritable(const fs::path& file) {
@@ -135,6 +149,10 @@ AtomicFile::AtomicFile(const fs::path& file, std::string_view bytes) : file_(beh
         return;
     }
     temporary_ = temporaryBeside(file_);
+    {
+        const std::scoped_lock lock(temporaries().mutex);
+        temporaries().files.insert(temporary_);
+    }
     try {
         writeNew(temporary_, file_, bytes);
         std::error_code error;
@@ -153,8 +171,10 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::removeTemporary() {
     if (!temporary_.empty()) {
+        const std::scoped_lock lock(temporaries().mutex);
         std::error_code error;
         fs::remove(temporary_, error);
+        temporaries().files.erase(temporary_);
         temporary_.clear();
     }
 }
@@ -169,11 +189,25 @@ void AtomicFile::commit() {
         return;
     }
     std::error_code error;
-    fs::rename(temporary_, file_, error);
+    {
+        const std::scoped_lock lock(temporaries().mutex);
+        fs::rename(temporary_, file_, error);
+        if (!error) {
+            temporaries().files.erase(temporary_);
+        }
+    }
     if (error) {
         refuseWriting(file_, "cannot be written: " + error.message());
     }
     temporary_.clear();
+}
+
+void AtomicFile::abandonAll() {
+    temporaries().mutex.lock();
+    for (const fs::path& file : temporaries().files) {
+        std::error_code error;
+        fs::remove(file, error);
+    }
 }
 
 }  // namespace bspline_curve

@@ -21,6 +21,10 @@ public:
     /// Throws InputError (UnwritableFile).
     void commit();
 
+    /// Before the process ends at once: removes the temporary files of all that are there. From now
+    /// on whoever makes, commits or destroys one waits for ever.
+    static void abandonAll();
+
 private:
     void removeTemporary();
 

@@ -336,6 +336,41 @@ def test_a_terminal_shows_progress_and_ctrl_c_leaves_no_files(program, plate):
     assert sorted(p.name for p in plate.iterdir()) == ["picks.json", "plate.ply"]
 
 
+def test_ctrl_c_ends_also_what_looks_for_it_too_seldom(program, plate):
+    long_run(plate)
+    os.mkfifo(plate / "never.ply")  # reading waits for ever
+    process = subprocess.Popen(
+        [str(program), "never.ply", "--picks", "picks.json", "--output", "curve.json"],
+        cwd=plate, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+    )
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert out == "" and err == "bspline_curve: interrupted; nothing was written\n"
+    assert sorted(p.name for p in plate.iterdir()) == ["never.ply", "picks.json", "plate.ply"]
+
+
+@pytest.mark.parametrize("moment", [0.02, 0.05, 0.1, 0.15, 0.2, 0.3])
+def test_ctrl_c_leaves_all_files_or_none(program, plate, moment):
+    long_run(plate)
+    process = subprocess.Popen(
+        [str(program), *DEFAULT, "--report", "report.json", "--shell", "simplified"],
+        cwd=plate, stderr=subprocess.PIPE, text=True, env=os.environ | {"XDG_CACHE_HOME": str(plate / "cache")},
+    )
+    time.sleep(moment)
+    process.send_signal(signal.SIGINT)
+    err = process.communicate(timeout=60)[1]
+    names = {p.name for p in plate.rglob("*") if p.is_file()} - {"picks.json", "plate.ply"}
+    assert not [name for name in names if name.endswith(".tmp")]
+    written = names & {"curve.ply", "report.json"}
+    if process.returncode == 130:
+        assert "nothing was written" in err and not written
+    else:
+        assert process.returncode in (0, -signal.SIGINT)  # before the program listens
+        assert len(written) == (2 if process.returncode == 0 else 0)
+
+
 def test_a_pipe_shows_no_progress_and_ctrl_c_says_so_in_one_line(program, plate):
     process = subprocess.Popen(
         [str(program), *long_run(plate)], cwd=plate, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True

@@ -3,6 +3,8 @@
 
 #include "io/temporary_files.h"
 
+#include <cstdlib>
+
 namespace bspline_curve::io_tests {
 
 namespace {
@@ -31,6 +33,19 @@ TEST_F(AtomicFiles, LeaveNothingAndTouchNothingWithoutCommit) {
     {
         const AtomicFile file(path("other.txt"), "new");
     }
+    EXPECT_EQ(read(path("old.txt")), "old");
+    EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(AtomicFiles, LeaveNothingWhereTheProcessEndsAtOnce) {
+    write("old.txt", "old");
+    const auto endAtOnce = [&] {
+        const AtomicFile first(path("old.txt"), "new");
+        const AtomicFile second(path("other.txt"), "new");
+        AtomicFile::abandonAll();
+        std::_Exit(7);
+    };
+    EXPECT_EXIT(endAtOnce(), testing::ExitedWithCode(7), "");
     EXPECT_EQ(read(path("old.txt")), "old");
     EXPECT_EQ(fileCount(), 1U);
 }
