@@ -132,7 +132,12 @@ std::vector<double> fieldOfKind(
     return valuesOf(curvatures(), maximalCurvature);
 }
 
-void smooth(std::vector<double>& values, const Surface& surface, double radiusRelative) {
+void smooth(
+    std::vector<double>& values,
+    const Surface& surface,
+    double radiusRelative,
+    const Progress& progress
+) {
     if (radiusRelative == 0.0) {
         return;
     }
@@ -141,7 +146,7 @@ void smooth(std::vector<double>& values, const Surface& surface, double radiusRe
     const double low = mapped.minCoeff();
     const double high = mapped.maxCoeff();
     mapped = SurfaceDiffusion(surface)
-                 .smoothed<1>(mapped, radiusRelative * surface.diagonal())
+                 .smoothed<1>(mapped, radiusRelative * surface.diagonal(), progress)
                  .cwiseMax(low)
                  .cwiseMin(high);
 }
@@ -160,7 +165,7 @@ std::vector<double> makeField(
     std::vector<double> values =
         fieldOfKind(surface, options, inputs, partOf(progress, 0.0, kKindShare));
     report(progress, kKindShare, "smoothing");
-    smooth(values, surface, options.smoothing);
+    smooth(values, surface, options.smoothing, partOf(progress, kKindShare, 1.0));
     if (options.normalised) {
         normalise(values);
     }

@@ -2,12 +2,15 @@
 #include "field/surface_diffusion.h"
 
 #include "surface/spatial_order.h"
+#include "utility/report_progress.h"
 #include "utility/worker_task.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -39,9 +42,6 @@ double clampedWeight(double weight) {
     constexpr double kLargest = 1000.0;  // beyond, rounding would swamp the masses
     return std::clamp(weight, 0.0, kLargest);
 }
-
-// Averages as if for a while twice, each implicitly.
-constexpr int kSteps = 2;
 
 std::size_t cornerOf(const Surface& surface, int face, int vertex) {
     const Triangle& corners = surface.faces()[face];
@@ -125,84 +125,144 @@ SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(double time) const {
     return factors;
 }
 
-/// By conjugate gradients with an incomplete Cholesky factorisation C P^-1 C^T as preconditioner:
-/// C has the matrix's entries below its diagonal and the pivots P on it. Its two sweeps take the
-/// place of the product with the matrix (Eisenstat 1981): with A = C + C^T + D - 2 P, the operator
-/// C^-1 A C^-T takes p to t + C^-1 (p + (D - 2 P) t), where t = C^-T p.
+/// Solves (M + time L) x = M values for some columns, by conjugate gradients with an incomplete
+/// Cholesky factorisation C P^-1 C^T as preconditioner: C has the matrix's entries below its
+/// diagonal and the pivots P on it. Its two sweeps take the place of the product with the matrix
+/// (Eisenstat 1981): with A = C + C^T + D - 2 P, the operator C^-1 A C^-T takes p to
+/// t + C^-1 (p + (D - 2 P) t), where t = C^-T p.
 template <int C>
-void SurfaceDiffusion::implicitStep(
-    const Factors& factors, Eigen::Ref<Columns<C>, 0, Eigen::OuterStride<>> values
-) const {
-    using Row = Eigen::Array<double, 1, C>;
-    constexpr double kTolerance = 1e-5;  // of the values, in the norm of the preconditioner
-    constexpr int kMaxIterations = 2000;
-    const int rows = static_cast<int>(values.rows());
-    // What C^-1 has at a row, from what it has at the rows before; C^-T from those after.
-    const auto solvedForwards = [&](const Columns<C>& solved, int row, Row right) -> Row {
-        for (int i = offsets_[row]; i < middles_[row]; ++i) {
-            right += factors.time * weights_[i] * solved.row(neighbours_[i]).array();
-        }
-        return right / factors.pivots[row];
-    };
-    const auto solvedBackwards = [&](const Columns<C>& solved, int row, Row right) -> Row {
-        for (int i = middles_[row]; i < offsets_[row + 1]; ++i) {
-            right += factors.time * weights_[i] * solved.row(neighbours_[i]).array();
-        }
-        return right / factors.pivots[row];
-    };
+class SurfaceDiffusion::ImplicitStep {
+public:
+    /// Overwrites the values.
+    ImplicitStep(const SurfaceDiffusion& diffusion, const Factors& factors, ColumnsRef<C> values)
+        : on_(diffusion),
+          factors_(factors),
+          values_(values),
+          back_(values.rows(), C),
+          forth_(values.rows(), C),
+          residual_(values.rows(), C),
+          direction_(Columns<C>::Zero(values.rows(), C)) {}
 
-    Columns<C> back(rows, C);   // t
-    Columns<C> forth(rows, C);  // what the operator adds to t
-    Columns<C> residual(rows, C);
-    Columns<C> direction = Columns<C>::Zero(rows, C);  // p
-    Row enough = Row::Zero();
-    Row error = Row::Zero();
-    for (int row = 0; row < rows; ++row) {
-        const Row own = values.row(row);
-        Row rest = -weightSums_[row] * own;
-        for (int i = offsets_[row]; i < offsets_[row + 1]; ++i) {
-            rest += weights_[i] * values.row(neighbours_[i]).array();
+    /// Calls look(share) with the share of the work that is done, before each iteration.
+    template <class Look>
+    void solve(const Look& look) {
+        constexpr int kMaxIterations = 2000;
+        const auto [enough, first] = begin();
+        Row error = first;
+        Row turn = Row::Zero();
+        // Errors fall at about the same rate in all iterations.
+        const double way = std::log(farthest(first, enough));
+        double share = 0.0;
+        for (int iteration = 0; iteration < kMaxIterations && (error > enough).any(); ++iteration) {
+            share = std::max(share, 1.0 - std::log(farthest(error, enough)) / way);
+            look(share);
+            sweepBackwards(turn);
+            const Row curvature = sweepForwards();
+            const Row step = (error > enough).select(error / curvature, Row::Zero());
+            const Row next = go(step);
+            turn = (error > enough).select(next / error, Row::Zero());
+            error = next;
         }
-        const Row right = solvedForwards(forth, row, masses_[row] * own);
-        rest = solvedForwards(residual, row, factors.time * rest);
-        forth.row(row) = right.matrix();
-        residual.row(row) = rest.matrix();
-        enough += kTolerance * kTolerance * factors.pivots[row] * right * right;
-        error += factors.pivots[row] * rest * rest;
     }
-    Row turn = Row::Zero();
-    for (int iteration = 0; iteration < kMaxIterations && (error > enough).any(); ++iteration) {
-        for (int row = rows - 1; row >= 0; --row) {
-            const Row here =
-                factors.pivots[row] * residual.row(row).array() + turn * direction.row(row).array();
-            direction.row(row) = here.matrix();
-            back.row(row) = solvedBackwards(back, row, here).matrix();
+
+private:
+    using Row = Eigen::Array<double, 1, C>;
+
+    // What C^-1 has at a row, from what it has at the rows before it.
+    [[nodiscard]] Row solvedForwards(const Columns<C>& solved, int row, Row right) const {
+        for (int i = on_.offsets_[row]; i < on_.middles_[row]; ++i) {
+            right += factors_.time * on_.weights_[i] * solved.row(on_.neighbours_[i]).array();
         }
+        return right / factors_.pivots[row];
+    }
+
+    // Likewise C^-T, from the rows after it.
+    [[nodiscard]] Row solvedBackwards(const Columns<C>& solved, int row, Row right) const {
+        for (int i = on_.middles_[row]; i < on_.offsets_[row + 1]; ++i) {
+            right += factors_.time * on_.weights_[i] * solved.row(on_.neighbours_[i]).array();
+        }
+        return right / factors_.pivots[row];
+    }
+
+    // The largest error that is not yet small enough, relative to one that is; else 1.
+    [[nodiscard]] static double farthest(const Row& error, const Row& enough) {
+        return (error > enough).select(error / enough, Row::Ones()).maxCoeff();
+    }
+
+    [[nodiscard]] int rows() const { return static_cast<int>(values_.rows()); }
+
+    // The residual of the values as they are; returns errors that are small enough, and its own.
+    std::pair<Row, Row> begin() {
+        constexpr double kTolerance = 1e-5;  // of the values, in the norm of the preconditioner
+        Row enough = Row::Zero();
+        Row error = Row::Zero();
+        for (int row = 0; row < rows(); ++row) {
+            const Row own = values_.row(row);
+            Row rest = -on_.weightSums_[row] * own;
+            for (int i = on_.offsets_[row]; i < on_.offsets_[row + 1]; ++i) {
+                rest += on_.weights_[i] * values_.row(on_.neighbours_[i]).array();
+            }
+            const Row right = solvedForwards(forth_, row, on_.masses_[row] * own);
+            rest = solvedForwards(residual_, row, factors_.time * rest);
+            forth_.row(row) = right.matrix();
+            residual_.row(row) = rest.matrix();
+            enough += kTolerance * kTolerance * factors_.pivots[row] * right * right;
+            error += factors_.pivots[row] * rest * rest;
+        }
+        return {enough, error};
+    }
+
+    // The next direction p and t.
+    void sweepBackwards(const Row& turn) {
+        for (int row = rows() - 1; row >= 0; --row) {
+            const Row here = factors_.pivots[row] * residual_.row(row).array() +
+                             turn * direction_.row(row).array();
+            direction_.row(row) = here.matrix();
+            back_.row(row) = solvedBackwards(back_, row, here).matrix();
+        }
+    }
+
+    // What the operator adds to t; returns p times the operator's p.
+    Row sweepForwards() {
         Row curvature = Row::Zero();
-        for (int row = 0; row < rows; ++row) {
-            const Row here = direction.row(row);
-            const Row there = back.row(row);
-            const double rest = factors.diagonal[row] - 2.0 * factors.pivots[row];
-            const Row added = solvedForwards(forth, row, here + rest * there);
-            forth.row(row) = added.matrix();
+        for (int row = 0; row < rows(); ++row) {
+            const Row here = direction_.row(row);
+            const Row there = back_.row(row);
+            const double rest = factors_.diagonal[row] - 2.0 * factors_.pivots[row];
+            const Row added = solvedForwards(forth_, row, here + rest * there);
+            forth_.row(row) = added.matrix();
             curvature += here * (there + added);
         }
-        const Row step = (error > enough).select(error / curvature, Row::Zero());
-        Row next = Row::Zero();
-        for (int row = 0; row < rows; ++row) {
-            const Row there = back.row(row);
-            values.row(row).array() += step * there;
-            const Row rest = residual.row(row).array() - step * (there + forth.row(row).array());
-            residual.row(row) = rest.matrix();
-            next += factors.pivots[row] * rest * rest;
-        }
-        turn = (error > enough).select(next / error, Row::Zero());
-        error = next;
+        return curvature;
     }
-}
+
+    // Moves the values along t; returns the error that is left.
+    Row go(const Row& step) {
+        Row error = Row::Zero();
+        for (int row = 0; row < rows(); ++row) {
+            const Row there = back_.row(row);
+            values_.row(row).array() += step * there;
+            const Row rest = residual_.row(row).array() - step * (there + forth_.row(row).array());
+            residual_.row(row) = rest.matrix();
+            error += factors_.pivots[row] * rest * rest;
+        }
+        return error;
+    }
+
+    const SurfaceDiffusion& on_;
+    const Factors& factors_;
+    ColumnsRef<C> values_;
+    Columns<C> back_;       // t
+    Columns<C> forth_;      // what the operator adds to it
+    Columns<C> residual_;   // C^-1 times that of the values
+    Columns<C> direction_;  // p
+};
 
 template <int K>
-VertexValues<K> SurfaceDiffusion::smoothed(const VertexValues<K>& values, double radius) const {
+VertexValues<K> SurfaceDiffusion::smoothed(
+    const VertexValues<K>& values, double radius, const Progress& progress
+) const {
+    constexpr int kSteps = 2;
     if (radius <= 0.0) {
         return values;
     }
@@ -213,21 +273,33 @@ VertexValues<K> SurfaceDiffusion::smoothed(const VertexValues<K>& values, double
     // A disc has the variance radius^2 / 4 along each axis, diffusion for the time t has 2 t.
     const double time = radius * radius / 8.0;
     const Factors factors = factorsFor(time / kSteps);
-    const auto diffuse = [&]<int From, int Count>() {
+    const auto diffuse = [&]<int From, int Count>(const auto& look) {
         for (int step = 0; step < kSteps; ++step) {
-            implicitStep<Count>(factors, byRow.template middleCols<Count>(From));
+            ImplicitStep<Count>(*this, factors, byRow.template middleCols<Count>(From))
+                .solve([&](double share) { look((step + share) / kSteps); });
         }
     };
+    const auto reported = [&](double share) { report(progress, share, "smoothing"); };
     // Columns do not depend on each other.
     constexpr int kHalf = (K + 1) / 2;
     if constexpr (K > 1) {
+        std::atomic<bool> isCancelled = false;
         auto rest = startBeside(2 * vertexOf_.size(), [&] {
-            diffuse.template operator()<kHalf, K - kHalf>();
+            diffuse.template operator()<kHalf, K - kHalf>([&](double) {
+                if (isCancelled) {
+                    throw Cancelled();
+                }
+            });
         });
-        diffuse.template operator()<0, kHalf>();
+        try {
+            diffuse.template operator()<0, kHalf>(reported);
+        } catch (...) {
+            isCancelled = true;
+            throw;
+        }
         rest.get();
     } else {
-        diffuse.template operator()<0, K>();
+        diffuse.template operator()<0, K>(reported);
     }
     VertexValues<K> result(values.rows(), K);
     for (Eigen::Index row = 0; row < values.rows(); ++row) {
@@ -236,7 +308,11 @@ VertexValues<K> SurfaceDiffusion::smoothed(const VertexValues<K>& values, double
     return result;
 }
 
-template VertexValues<1> SurfaceDiffusion::smoothed<1>(const VertexValues<1>&, double) const;
-template VertexValues<9> SurfaceDiffusion::smoothed<9>(const VertexValues<9>&, double) const;
+template VertexValues<1> SurfaceDiffusion::smoothed<1>(
+    const VertexValues<1>&, double, const Progress&
+) const;
+template VertexValues<9> SurfaceDiffusion::smoothed<9>(
+    const VertexValues<9>&, double, const Progress&
+) const;
 
 }  // namespace bspline_curve

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/progress.h"
 #include "surface/surface.h"
 
 #include <Eigen/Core>
@@ -26,9 +27,12 @@ public:
     /// the unit of the surface, >= 0. Constants stay what they are, integrals too, and so does what
     /// has no faces. Radii far below an edge change little. Within 1e-5 of the values' size.
     /// Conjugate gradients: O(n radius / edge length); half of the columns on a second thread where
-    /// there are many vertices, with the same result. Available for K = 1 and K = 9.
+    /// there are many vertices, with the same result. Throws Cancelled. Available for K = 1 and K
+    /// = 9.
     template <int K>
-    [[nodiscard]] VertexValues<K> smoothed(const VertexValues<K>& values, double radius) const;
+    [[nodiscard]] VertexValues<K> smoothed(
+        const VertexValues<K>& values, double radius, const Progress& progress = {}
+    ) const;
 
 private:
     template <int C>
@@ -42,11 +46,10 @@ private:
     };
 
     [[nodiscard]] Factors factorsFor(double time) const;
-    // Solves (M + time L) x = M values for each column.
     template <int C>
-    void implicitStep(
-        const Factors& factors, Eigen::Ref<Columns<C>, 0, Eigen::OuterStride<>> values
-    ) const;
+    using ColumnsRef = Eigen::Ref<Columns<C>, 0, Eigen::OuterStride<>>;
+    template <int C>
+    class ImplicitStep;
 
     // Rows are vertices along a Morton curve, so that neighbours are near to each other in memory.
     std::vector<int> vertexOf_;    ///< #V; by row, as all below

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _core, _spline
 from ._arrays import Floats, Int32s, face_ids, numbers, one_pick
 from ._errors import InputError, MeshError, PickError
-from ._options import Option, Progress, Value, changed, checked_number, checked_value
+from ._options import Option, Progress, Value, changed, checked_number, checked_value, part_of
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -38,21 +38,23 @@ class Drawing(NamedTuple):
     field: str | Floats | None
     avoid: Int32s | None
 
-    def values(self) -> Floats | None:
+    def values(self, progress: Progress | None = None) -> Floats | None:
         if isinstance(self.field, str):
-            return self.mesh._kept_field(self.field)
+            return self.mesh._kept_field(self.field, progress)
         return self.field
 
-    def resolved(self) -> tuple[dict[str, Value], Floats | None, Int32s | None]:
+    def resolved(self, progress: Progress | None = None) -> tuple[dict[str, Value], Floats | None, Int32s | None]:
         """Options, values of the field, and faces to avoid, as the core takes them."""
-        values = self.values()  # which checks the kind
+        values = self.values(progress)  # which checks the kind
         options = self.options
         if isinstance(self.field, str) and "field_cost" not in options:
             options = {**options, "field_cost": _core.natural_cost(self.field)}
         return options, values, self.avoid
 
     def draw(self, start: _core.Curve | None, progress: Progress | None) -> Curve:
-        drawn = self.mesh._designer.design(self.picks, *self.resolved(), start, progress)
+        share = 0.5 if isinstance(self.field, str) and self.field not in self.mesh._fields else 0.0  # of the field
+        resolved = self.resolved(part_of(progress, 0.0, share))
+        drawn = self.mesh._designer.design(self.picks, *resolved, start, part_of(progress, share, 1.0))
         return Curve(drawn, self)
 
 

@@ -272,7 +272,7 @@ class Mesh(MeshKeywords):
         faces = None if region is None else face_ids(region, "region", len(self.faces))
         return self._designer.field(chosen, values, faces, progress)
 
-    def _kept_field(self, kind: str) -> Floats:
+    def _kept_field(self, kind: str, progress: Progress | None) -> Floats:
         """A field with default options, computed once."""
         if kind not in self._fields:
             allowed = get_args(Kind)
@@ -280,7 +280,7 @@ class Mesh(MeshKeywords):
                 raise FieldError(
                     f"field is {kind!r}, but must be one of {', '.join(map(repr, allowed))}, or a value for each vertex"
                 )
-            self._fields[kind] = self._designer.field({"kind": kind}, None, None, None)
+            self._fields[kind] = self._designer.field({"kind": kind}, None, None, progress)
         return self._fields[kind]
 
     def _draw(

@@ -16,6 +16,13 @@ Progress: TypeAlias = Callable[[float, str], object]
 Value: TypeAlias = "bool | int | float | str"
 
 
+def part_of(progress: Progress | None, start: float, end: float) -> Progress | None:
+    """A callable for a part of the work, whose fractions 0 to 1 are `start` to `end` of the whole."""
+    if progress is None:
+        return None
+    return lambda fraction, stage: progress(start + (end - start) * fraction, stage)
+
+
 class Option(NamedTuple):
     """What an option may be."""
 

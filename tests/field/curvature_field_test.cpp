@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -278,6 +279,26 @@ TEST(CurvatureField, CanBeCancelled) {
         return true;
     }));
     EXPECT_EQ(last, 1.0);
+}
+
+// Also while two threads average.
+TEST(CurvatureField, CanBeCancelledAtEachReport) {
+    const Surface surface(icosphere(6));
+    int reports = 0;
+    std::set<std::string> stages;
+    static_cast<void>(makeField(surface, {}, {}, [&](double, const char* stage) {
+        ++reports;
+        stages.insert(stage);
+        return true;
+    }));
+    EXPECT_GT(reports, 8);
+    EXPECT_EQ(stages, (std::set<std::string>{"curvature", "field", "smoothing"}));
+    for (const int last : {reports / 3, reports / 2, reports - 3}) {
+        int count = 0;
+        const auto cancelAtLast = [&](double, const char*) { return ++count < last; };
+        EXPECT_THROW(static_cast<void>(makeField(surface, {}, {}, cancelAtLast)), Cancelled);
+        EXPECT_EQ(count, last);
+    }
 }
 
 }  // namespace

@@ -163,6 +163,13 @@ def test_progress_is_told_and_can_cancel(wavy):
     with pytest.raises(KeyError, match="mine"):
         mesh.field("ridge", progress=fail)
     assert mesh.curve(picks).usable
+    # A curve tells of its field too, and one that was not made is not kept.
+    with pytest.raises(bspline_curve.Cancelled):
+        mesh.curve(picks, field="valley", progress=lambda *_: False)
+    told.clear()
+    assert mesh.curve(picks, field="valley", progress=tell).usable
+    assert told and [fraction for fraction, _ in told] == sorted(fraction for fraction, _ in told)
+    assert {"curvature", "smoothing"} <= {stage for _, stage in told}
 
 
 def test_an_interrupt_ends_a_computation(wavy):
