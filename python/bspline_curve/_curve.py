@@ -280,7 +280,8 @@ class Curve:
         -------
         list of Curve
             The longest piece first; none where no point has that distance. They have no picks. They are cubic splines;
-            of degree 1, through all vertices, where no cubic one comes near enough.
+            of degree 1, through all vertices, where no cubic one comes near enough. `report["deviation"]` is the largest
+            difference of vertices and middles of segments from the distance, relative to it.
 
         Raises
         ------
@@ -291,7 +292,8 @@ class Curve:
         """
         near = self._near(distance, side)
         drawing = Drawing(self.mesh, np.empty((0, 3)), {}, None, None)
-        return [Curve(piece, drawing) for piece in _core.offset(*near)]
+        pieces = _core.offset(*near)
+        return [Curve(piece, drawing, {**piece.report(), "deviation": deviation}) for piece, deviation in pieces]
 
     def faces_within(self, distance: float, side: Side = "both") -> npt.NDArray[np.bool_]:
         """Find the faces near this curve: (m,), whether the middle of each is within a distance. As offset()."""

@@ -9,6 +9,7 @@
 #include "python/core/mesh_designer.h"
 #include "shell/extended_surface.h"
 
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -30,20 +31,21 @@ OffsetOptions optionsOf(double distance, const std::string& side) {
     };
 }
 
-std::vector<Curve> curvesBeside(
+/// With the largest deviation of each, in distances.
+std::vector<std::pair<Curve, double>> curvesBeside(
     const MeshDesigner& designer, const Curve& curve, double distance, const std::string& side
 ) {
     const nb::gil_scoped_release unlocked;
     const Surface& surface = surfaceOf(designer.designer());
     const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
-    std::vector<Curve> result;
+    std::vector<std::pair<Curve, double>> result;
     for (FittedLine& piece :
          offsetCurves(surface, extended, curve.polyline, optionsOf(distance, side))) {
         Curve made;
         made.spline = std::move(piece.spline);
         made.polyline = std::move(piece.line);
         made.report.usable = true;
-        result.push_back(std::move(made));
+        result.emplace_back(std::move(made), piece.deviation);
     }
     return result;
 }

@@ -162,6 +162,8 @@ def test_offsets_keep_their_distance():
     assert around.length == pytest.approx(2 * 1.2 + 2 * np.pi * 0.2, rel=2e-3)
     beyond = np.maximum(np.abs(around.points[:, 0]) - 0.6, 0.0)
     np.testing.assert_allclose(np.hypot(beyond, around.points[:, 1] - 0.01), 0.2, atol=1e-3)
+    off = np.abs(np.hypot(beyond, around.points[:, 1] - 0.01) / 0.2 - 1).max()
+    assert off - 1e-12 < around.report["deviation"] < 5e-3
     assert len(around.control_points) < len(around) / 10
     sides = [line.offset(0.2, side=side)[0] for side in ("left", "right")]
     assert [np.sign(piece.points[len(piece) // 2, 1]) for piece in sides] == [1, -1]
