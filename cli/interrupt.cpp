@@ -52,7 +52,7 @@ void endAfterInterrupt() {
     const std::string_view line = ::isatty(STDERR_FILENO) != 0
                                       ? "\r\x1b[Kbspline_curve: interrupted; nothing was written\n"
                                       : "bspline_curve: interrupted; nothing was written\n";
-    static_cast<void>(!::write(STDERR_FILENO, line.data(), line.size()));
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
     ::_exit(static_cast<int>(ExitCode::Interrupted));
 }
 

@@ -134,7 +134,9 @@ template <int C>
 class SurfaceDiffusion::ImplicitStep {
 public:
     /// Overwrites the values.
-    ImplicitStep(const SurfaceDiffusion& diffusion, const Factors& factors, ColumnsRef<C> values)
+    ImplicitStep(
+        const SurfaceDiffusion& diffusion, const Factors& factors, const ColumnsRef<C>& values
+    )
         : on_(diffusion),
           factors_(factors),
           values_(values),

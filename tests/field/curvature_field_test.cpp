@@ -80,7 +80,7 @@ TEST(CurvatureTensors, OfAQuadricAreExact) {
         const double y = vertex.y() - centre.y();
         vertex.z() = -0.3 * x * x - 0.1 * x * y + 0.2 * y * y;
     }
-    std::vector<Vec3> up(mesh.vertices.size(), Vec3::UnitZ());
+    const std::vector<Vec3> up(mesh.vertices.size(), Vec3::UnitZ());
     Eigen::Matrix3d exact;
     exact << -0.4, -0.1, 0.0, -0.1, 0.6, 0.0, 0.0, 0.0, 0.0;
     EXPECT_LT((curvatureTensors(Surface(mesh), up, 2)[40] - exact).norm(), 1e-12);

@@ -3,7 +3,8 @@
 
 #include "io/temporary_files.h"
 
-#include <cstdlib>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace bspline_curve::io_tests {
 
@@ -39,13 +40,17 @@ TEST_F(AtomicFiles, LeaveNothingAndTouchNothingWithoutCommit) {
 
 TEST_F(AtomicFiles, LeaveNothingWhereTheProcessEndsAtOnce) {
     write("old.txt", "old");
-    const auto endAtOnce = [&] {
+    const pid_t child = ::fork();
+    if (child == 0) {
         const AtomicFile first(path("old.txt"), "new");
         const AtomicFile second(path("other.txt"), "new");
         AtomicFile::abandonAll();
-        std::_Exit(7);
-    };
-    EXPECT_EXIT(endAtOnce(), testing::ExitedWithCode(7), "");
+        ::_exit(7);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 7);
     EXPECT_EQ(read(path("old.txt")), "old");
     EXPECT_EQ(fileCount(), 1U);
 }
