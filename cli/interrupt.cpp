@@ -12,7 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <mutex>
-#include <string_view>
+#include <string>
 #include <thread>
 
 namespace bspline_curve::cli {
@@ -49,9 +49,8 @@ void endAfterInterrupt() {
         return;
     }
     AtomicFile::abandonAll();
-    const std::string_view line = ::isatty(STDERR_FILENO) != 0
-                                      ? "\r\x1b[Kbspline_curve: interrupted; nothing was written\n"
-                                      : "bspline_curve: interrupted; nothing was written\n";
+    const std::string clear = ::isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "";  // the progress bar
+    const std::string line = clear + "bspline_curve: " + std::string(kInterruptedMessage) + "\n";
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
     ::_exit(static_cast<int>(ExitCode::Interrupted));
 }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
+
 namespace bspline_curve::cli {
+
+/// What a program says that Ctrl-C ended.
+inline constexpr std::string_view kInterruptedMessage = "interrupted; nothing was written";
 
 /// From now on the first Ctrl-C only makes interrupted() true; a second one ends the program at
 /// once.

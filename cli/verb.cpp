@@ -32,7 +32,7 @@ ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work, AfterInterru
         return ExitCode::Failure;
     } catch (const Cancelled&) {
         bar.clear();
-        printError("interrupted; nothing was written");
+        printError(std::string(kInterruptedMessage));
         return ExitCode::Interrupted;
     }
 }

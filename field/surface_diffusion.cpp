@@ -171,19 +171,23 @@ private:
     using Row = Eigen::Array<double, 1, C>;
 
     // What C^-1 has at a row, from what it has at the rows before it.
-    [[nodiscard]] Row solvedForwards(const Columns<C>& solved, int row, Row right) const {
-        for (int i = on_.offsets_[row]; i < on_.middles_[row]; ++i) {
-            right += factors_.time * on_.weights_[i] * solved.row(on_.neighbours_[i]).array();
-        }
-        return right / factors_.pivots[row];
+    [[nodiscard]] Row solvedForwards(const Columns<C>& solved, int row, const Row& right) const {
+        return broughtOver(solved, on_.offsets_[row], on_.middles_[row], right) /
+               factors_.pivots[row];
     }
 
     // Likewise C^-T, from the rows after it.
-    [[nodiscard]] Row solvedBackwards(const Columns<C>& solved, int row, Row right) const {
-        for (int i = on_.middles_[row]; i < on_.offsets_[row + 1]; ++i) {
+    [[nodiscard]] Row solvedBackwards(const Columns<C>& solved, int row, const Row& right) const {
+        return broughtOver(solved, on_.middles_[row], on_.offsets_[row + 1], right) /
+               factors_.pivots[row];
+    }
+
+    // The right side with the neighbours from begin to end brought over.
+    [[nodiscard]] Row broughtOver(const Columns<C>& solved, int begin, int end, Row right) const {
+        for (int i = begin; i < end; ++i) {
             right += factors_.time * on_.weights_[i] * solved.row(on_.neighbours_[i]).array();
         }
-        return right / factors_.pivots[row];
+        return right;
     }
 
     // The largest error that is not yet small enough, relative to one that is; else 1.

@@ -27,8 +27,8 @@ public:
     /// the unit of the surface, >= 0. Constants stay what they are, integrals too, and so does what
     /// has no faces. Radii far below an edge change little. Within 1e-5 of the values' size.
     /// Conjugate gradients: O(n radius / edge length); half of the columns on a second thread where
-    /// there are many vertices, with the same result. Throws Cancelled. Available for K = 1 and K
-    /// = 9.
+    /// there are many vertices, with the same result. Throws Cancelled.
+    /// Available for K = 1 and K = 9.
     template <int K>
     [[nodiscard]] VertexValues<K> smoothed(
         const VertexValues<K>& values, double radius, const Progress& progress = {}
