@@ -27,11 +27,18 @@ constexpr double kFirstSpan = 2.0;
 /// Closed splines need so many spans.
 constexpr int kFewestSpans = kDegree + 1;
 constexpr int kMostFirstSpans = 64;
+/// No span is shorter than so many distances: it rounds a turn of 20 degrees to 1e-4.
+constexpr double kShortestSpan = 2e-3;
 /// More than any line needs: next to creases spans are halved one by one.
 constexpr int kMostFits = 60;
 /// Vertices of the polyline are at most so many distances apart: arcs of that radius are then
 /// within 1e-4 of their chords.
 constexpr double kVertexStep = 0.025;
+/// Where a chord cuts off too much of a bend, which the line has behind vertices of the mesh, so
+/// many take its place.
+constexpr int kChordParts = 8;
+/// Vertices nearer to an edge or a vertex of the mesh than this (barycentric) lie on it.
+constexpr double kSnap = 1e-9;
 
 /// One line, and the splines that are tried for it.
 class Fitting {
@@ -79,7 +86,7 @@ public:
             }
             const SplineCurve curve{space, fitSpline(problem_, space, targets)};
             isFar_.assign(space.spanCount(), 0);
-            std::optional<SurfacePolyline> projected = project(curve);
+            std::optional<SurfacePolyline> projected = project(curve, tolerance);
             if (projected) {
                 markFar(space, *projected, tolerance);
             } else {
@@ -97,17 +104,8 @@ public:
 
     [[nodiscard]] double deviationOf(const SurfacePolyline& line) const {
         double worst = 0.0;
-        const std::size_t count = line.points.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            worst = std::max(worst, errorAt(line.surfacePoints[i]));
-            if (i + 1 == count && !line.closed) {
-                break;
-            }
-            const SurfacePoint& next = line.surfacePoints[(i + 1) % count];
-            const int face = commonFace(surface_, line.surfacePoints[i], next);
-            const Vec3 from = inFace(surface_, line.surfacePoints[i], face).barycentric;
-            const Vec3 to = inFace(surface_, next, face).barycentric;
-            worst = std::max(worst, errorAt({.face = face, .barycentric = 0.5 * (from + to)}));
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            worst = std::max(worst, errorFrom(line, i));
         }
         return worst;
     }
@@ -137,7 +135,7 @@ private:
     }
 
     /// Nothing where the spline leaves the surface, whose span is then marked.
-    std::optional<SurfacePolyline> project(const SplineCurve& curve) {
+    std::optional<SurfacePolyline> project(const SplineCurve& curve, double tolerance) {
         const auto& [space, controls] = curve;
         CurveDistance distance = measureAlongFibres(
             {.extended = extended_,
@@ -168,14 +166,49 @@ private:
             isFar_.assign(space.spanCount(), 1);
             return std::nullopt;
         }
-        return projected;
+        return withFineChords(shadow, projected, tolerance);
     }
 
-    /// Marks spans with vertices that are off the distance.
+    /// With vertices of the spline's between those of segments whose chords alone are off.
+    [[nodiscard]] SurfacePolyline withFineChords(
+        const ProjectedCurve& shadow, const SurfacePolyline& line, double tolerance
+    ) const {
+        SurfacePolyline finer;
+        finer.closed = line.closed;
+        const auto add = [&](double t, const SurfacePoint& point) {
+            finer.parameters.push_back(t);
+            finer.surfacePoints.push_back(point);
+            finer.points.push_back(surface_.position(point));
+        };
+        const std::size_t count = line.points.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            add(line.parameters[i], line.surfacePoints[i]);
+            if (i + 1 == count && !line.closed) {
+                break;
+            }
+            const SurfacePoint& next = line.surfacePoints[(i + 1) % count];
+            const double end = i + 1 == count ? 1.0 : line.parameters[i + 1];
+            if (errorAt(line.surfacePoints[i]) > tolerance || errorAt(next) > tolerance ||
+                errorAt(middleOf(line.surfacePoints[i], next)) <= tolerance) {
+                continue;
+            }
+            for (int k = 1; k < kChordParts; ++k) {
+                const double t = std::lerp(line.parameters[i], end, 1.0 * k / kChordParts);
+                const SurfacePoint between = snapped(shadow.at(t), kSnap);
+                if (commonFace(surface_, finer.surfacePoints.back(), between) >= 0 &&
+                    commonFace(surface_, between, next) >= 0) {
+                    add(t, between);
+                }
+            }
+        }
+        return finer;
+    }
+
+    /// Marks spans with vertices or middles of segments that are off the distance.
     void markFar(const SplineSpace& space, const SurfacePolyline& projected, double tolerance) {
         for (std::size_t i = 0; i < projected.points.size(); ++i) {
             const int span = space.spanAt(std::clamp(projected.parameters[i], 0.0, 1.0));
-            if (isFar_[span] == 0 && errorAt(projected.surfacePoints[i]) > tolerance) {
+            if (isFar_[span] == 0 && errorFrom(projected, i) > tolerance) {
                 isFar_[span] = 1;
             }
         }
@@ -195,10 +228,11 @@ private:
     }
 
     [[nodiscard]] bool halveFar(std::vector<double>& breaks) const {
+        const double shortest = kShortestSpan * distance_ / lengthOfLine();
         std::vector<double> finer{breaks.front()};
         for (std::size_t span = 0; span + 1 < breaks.size(); ++span) {
             if (isFar_[span] != 0) {
-                if (0.5 * (breaks[span + 1] - breaks[span]) < problem_.options.minimumSpan) {
+                if (0.5 * (breaks[span + 1] - breaks[span]) < shortest) {
                     return false;
                 }
                 finer.push_back(0.5 * (breaks[span] + breaks[span + 1]));
@@ -211,6 +245,25 @@ private:
 
     [[nodiscard]] double errorAt(const SurfacePoint& point) const {
         return std::abs(beams_.at(point).distance - distance_) / distance_;
+    }
+
+    /// The larger of a vertex's and that of the middle of the segment from it.
+    [[nodiscard]] double errorFrom(const SurfacePolyline& line, std::size_t i) const {
+        const double atVertex = errorAt(line.surfacePoints[i]);
+        const std::size_t count = line.points.size();
+        if (i + 1 == count && !line.closed) {
+            return atVertex;
+        }
+        const SurfacePoint& next = line.surfacePoints[(i + 1) % count];
+        return std::max(atVertex, errorAt(middleOf(line.surfacePoints[i], next)));
+    }
+
+    /// Of two points that share a face.
+    [[nodiscard]] SurfacePoint middleOf(const SurfacePoint& a, const SurfacePoint& b) const {
+        const int face = commonFace(surface_, a, b);
+        const Vec3 from = inFace(surface_, a, face).barycentric;
+        const Vec3 to = inFace(surface_, b, face).barycentric;
+        return {.face = face, .barycentric = 0.5 * (from + to)};
     }
 
     [[nodiscard]] FittedLine result(const SplineCurve& curve, SurfacePolyline projected) const {

@@ -30,10 +30,10 @@ public:
     )
         : surface_(surface), extended_(extended), beams_(beams), distance_(distance) {}
 
-    /// By least squares with few knots; spans are halved where vertices of the projection are off
-    /// the distance by more than `tolerance` times it, or the spline leaves the surface. The ends
-    /// of an open line stay. The line itself where no spline with as many knots as the line has
-    /// vertices will do. O(n log n) for n vertices.
+    /// By least squares with few knots; spans are halved where vertices of the projection or
+    /// middles of its segments are off the distance by more than `tolerance` times it, or where
+    /// the spline leaves the surface. The ends of an open line stay. The line itself where no
+    /// spline with as many knots as the line has vertices will do. O(n log n) for n vertices.
     [[nodiscard]] FittedLine fitted(const SurfacePolyline& line, double tolerance) const;
 
     /// The line with itself as its spline.

@@ -40,9 +40,9 @@ public:
     /// Indices of the points at corners, ascending.
     [[nodiscard]] std::vector<std::size_t> corners() const {
         const std::size_t count = turns_.size();
-        std::vector<double> sums(count, 0.0);
+        std::vector<TurnAround> around;
         for (std::size_t i = 0; i < count; ++i) {
-            sums[i] = turnAround(i);
+            around.push_back(turnAround(i));
         }
         std::vector<std::size_t> found;
         std::vector<char> isTaken(count, 0);
@@ -52,15 +52,14 @@ public:
             order[i] = i;
         }
         std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-            return sums[a] != sums[b] ? sums[a] > sums[b] : turns_[a] > turns_[b];
+            return around[a].weighted > around[b].weighted;
         });
         for (const std::size_t i : order) {
-            if (sums[i] < kCornerTurn) {
-                break;
-            }
-            if (isTaken[i] == 0 && turns_[i] > 0.0) {
+            if (around[i].whole >= kCornerTurn && isTaken[i] == 0 && turns_[i] > 0.0) {
                 found.push_back(i);
-                forEachWithin(i, 2.0 * reach_, [&](std::size_t near) { isTaken[near] = 1; });
+                forEachWithin(i, 2.0 * reach_, [&](std::size_t near, double) {
+                    isTaken[near] = 1;
+                });
             }
         }
         std::ranges::sort(found);
@@ -68,6 +67,12 @@ public:
     }
 
 private:
+    /// How much the line turns within reach of a point.
+    struct TurnAround {
+        double whole = 0.0;
+        double weighted = 0.0;  ///< by nearness: largest at the corner itself
+    };
+
     /// How much the line turns left at a point, with the faces there laid in one plane.
     [[nodiscard]] double turnAt(std::size_t i) const {
         const std::size_t count = positions_.size();
@@ -103,11 +108,12 @@ private:
         return std::atan2(normal.cross(axis).dot(direction), axis.dot(direction));
     }
 
-    /// Calls `use` with the points within `reach` of point i along the line, and with it.
+    /// Calls `use` with the points within `reach` of point i along the line, itself among them,
+    /// and with the way to each.
     template <class Use>
     void forEachWithin(std::size_t i, double reach, const Use& use) const {
         const std::size_t count = positions_.size();
-        use(i);
+        use(i, 0.0);
         double way = 0.0;
         std::size_t steps = 0;
         for (std::size_t at = i; ++steps < count && (line_.closed || at + 1 < count);) {
@@ -116,7 +122,7 @@ private:
             if (way > reach) {
                 break;
             }
-            use(at);
+            use(at, way);
         }
         way = 0.0;
         steps = 0;
@@ -126,14 +132,17 @@ private:
             if (way > reach) {
                 break;
             }
-            use(at);
+            use(at, way);
         }
     }
 
-    [[nodiscard]] double turnAround(std::size_t i) const {
-        double sum = 0.0;
-        forEachWithin(i, reach_, [&](std::size_t at) { sum += turns_[at]; });
-        return sum;
+    [[nodiscard]] TurnAround turnAround(std::size_t i) const {
+        TurnAround around;
+        forEachWithin(i, reach_, [&](std::size_t at, double way) {
+            around.whole += turns_[at];
+            around.weighted += (1.0 - way / reach_) * turns_[at];
+        });
+        return around;
     }
 
     const Surface& surface_;
