@@ -161,7 +161,7 @@ private:
         SamplingOptions sampling;
         sampling.maxSegmentLength = kVertexStep * distance_;
         sampling.samples = 0;
-        SurfacePolyline projected = makeStrictPolyline(surface_, problem_, shadow, sampling);
+        const SurfacePolyline projected = makeStrictPolyline(surface_, problem_, shadow, sampling);
         if (!isStrict(surface_, projected)) {
             isFar_.assign(space.spanCount(), 1);
             return std::nullopt;

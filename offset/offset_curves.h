@@ -20,7 +20,8 @@ struct OffsetOptions {
     OffsetSides sides = OffsetSides::Both;
     /// Faces are searched in steps of this many distances, in (0, 1]: narrower gaps may be closed.
     double step = 0.1;
-    /// Vertices of fitted lines are at the distance to this many distances, in (0, 0.1].
+    /// Vertices of fitted lines and middles of their segments are at the distance to this many
+    /// distances, in (0, 0.1].
     double tolerance = 5e-4;
 
     /// Throws InputError (BadOption).
