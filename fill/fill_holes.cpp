@@ -9,6 +9,7 @@
 #include "surface/half_edges.h"
 #include "surface/mesh_checks.h"
 #include "utility/index_sets.h"
+#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 
@@ -65,16 +66,50 @@ private:
     std::vector<int> rimCounts_;  // by place
 };
 
+struct MeanLength {
+    double sum = 0.0;
+    int count = 0;
+
+    void add(double length) {
+        sum += length;
+        ++count;
+    }
+
+    [[nodiscard]] double mean() const { return sum / count; }
+};
+
+/// For each vertex on no rim, of the sides of faces that end there and on no rim either.
+std::vector<MeanLength> lengthsOffRims(const TriangleMesh& mesh, const RimPlaces& places) {
+    std::vector<MeanLength> result(mesh.vertices.size());
+    for (const Triangle& face : mesh.faces) {
+        for (int k = 0; k < 3; ++k) {
+            const int a = face[k];
+            const int b = face[(k + 1) % 3];
+            if (places.placeOf(a) < 0 && places.placeOf(b) < 0) {
+                const double length = (mesh.vertices[b] - mesh.vertices[a]).norm();
+                result[a].add(length);
+                result[b].add(length);
+            }
+        }
+    }
+    return result;
+}
+
 /// What is beside the vertex of a rim.
 struct Beside {
     Vec3 laplacian = Vec3::Zero();  ///< as in RimSurroundings
     Vec3 normal = Vec3::Zero();
-    double lengths = 0.0;         ///< sum over the sides of faces that end there
-    int count = 0;                ///< of these
+    MeanLength sides;             ///< of the faces' sides that end there
+    MeanLength beyond;            ///< of those that end at its neighbours, and not on rims
     std::vector<int> neighbours;  ///< places with an edge to this one
+
+    /// The length that edges have around. Beside a curve that was cut along edges are pieces of
+    /// those of the mesh, so that those a step farther tell more.
+    [[nodiscard]] double size() const { return beyond.count > 0 ? beyond.mean() : sides.mean(); }
 };
 
 std::vector<Beside> besideRims(const TriangleMesh& mesh, const RimPlaces& places) {
+    const std::vector<MeanLength> offRims = lengthsOffRims(mesh, places);
     std::vector<Beside> result(places.count());
     for (const Triangle& face : mesh.faces) {
         for (int k = 0; k < 3; ++k) {
@@ -91,10 +126,11 @@ std::vector<Beside> besideRims(const TriangleMesh& mesh, const RimPlaces& places
             beside.laplacian += 0.5 * side.cross(normal.stableNormalized());
             beside.normal += normal;
             for (const int end : {next, last}) {
-                beside.lengths += (mesh.vertices[end] - mesh.vertices[face[k]]).norm();
-                ++beside.count;
+                beside.sides.add((mesh.vertices[end] - mesh.vertices[face[k]]).norm());
                 if (places.placeOf(end) >= 0) {
                     beside.neighbours.push_back(places.placeOf(end));
+                } else if (offRims[end].count > 0) {
+                    beside.beyond.add(offRims[end].mean());
                 }
             }
         }
@@ -124,15 +160,16 @@ public:
           beside_(besideRims(mesh, places_)),
           result_{.mesh = mesh, .firstNew = {}} {}
 
-    void fill(std::size_t rim, FillShape shape) {
+    void fill(std::size_t rim, FillShape shape, const Progress& progress) {
+        report(progress, 0.0, "filling a hole");
         Patch patch = patchOf(rim, shape);
         if (shape == FillShape::Smooth) {
             const RimSurroundings around = surroundings(rim);
             Patch smooth = patch;
-            refinePatch(smooth, Relaxing::Free);
-            fairPatch(smooth, around, 1);
-            refinePatch(smooth, Relaxing::Tangential);
-            fairPatch(smooth, around, kFairingSteps);
+            refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.4));
+            fairPatch(smooth, around, 1, partOf(progress, 0.4, 0.5));
+            refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.5, 0.6));
+            fairPatch(smooth, around, kFairingSteps, partOf(progress, 0.6, 1.0));
             // Rims with narrow ends can pull new vertices onto a line with theirs.
             if (!hasFlatFace(smooth)) {
                 patch = std::move(smooth);
@@ -164,7 +201,7 @@ private:
             const int place = places_.placeOf(vertex);
             localOf.emplace(place, static_cast<int>(patch.points.size()));
             patch.points.push_back(result_.mesh.vertices[vertex]);
-            patch.sizes.push_back(beside_[place].lengths / beside_[place].count);
+            patch.sizes.push_back(beside_[place].size());
         }
         patch.sizes = averagedAlong(std::move(patch.sizes));
         for (const auto& [place, local] : localOf) {
@@ -310,11 +347,16 @@ std::vector<std::vector<int>> rimsOf(const std::vector<Triangle>& faces) {
 }
 
 FilledMesh fillHoles(
-    const TriangleMesh& mesh, const std::vector<std::vector<int>>& rims, FillShape shape
+    const TriangleMesh& mesh,
+    const std::vector<std::vector<int>>& rims,
+    FillShape shape,
+    const Progress& progress
 ) {
     HoleFiller filler(mesh, rims);
+    const double share = 1.0 / static_cast<double>(rims.size());
     for (std::size_t rim = 0; rim < rims.size(); ++rim) {
-        filler.fill(rim, shape);
+        const double from = share * static_cast<double>(rim);
+        filler.fill(rim, shape, partOf(progress, from, from + share));
     }
     return filler.take();
 }

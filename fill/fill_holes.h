@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
+#include "bspline_curve/progress.h"
 
 #include <array>
 #include <cstdint>
@@ -29,7 +30,10 @@ struct FilledMesh {
 /// have no area. New faces may pass through others. O(n^3) for rims of up to 400 vertices, O(n)
 /// beyond.
 [[nodiscard]] FilledMesh fillHoles(
-    const TriangleMesh& mesh, const std::vector<std::vector<int>>& rims, FillShape shape
+    const TriangleMesh& mesh,
+    const std::vector<std::vector<int>>& rims,
+    FillShape shape,
+    const Progress& progress = {}
 );
 
 }  // namespace bspline_curve

@@ -66,7 +66,8 @@ FilledParts fillAround(
     const ImprintedMesh& imprinted,
     const MeshParts& parts,
     const std::vector<int>& chosen,
-    FillShape shape
+    FillShape shape,
+    const Progress& progress
 ) {
     const std::vector<std::array<int, 2>> edges = edgesAround(imprinted, parts, chosen);
     // Rims are walked round the chosen faces. Where they meet themselves in a vertex, each loop is
@@ -101,7 +102,7 @@ FilledParts fillAround(
             "cut along closed curves, or fill nothing"
         );
     }
-    FilledMesh filled = fillHoles(kept.mesh, result.rims, shape);
+    FilledMesh filled = fillHoles(kept.mesh, result.rims, shape, progress);
     result.firstNew = std::move(filled.firstNew);
     result.endOfNew = static_cast<int>(filled.mesh.vertices.size());
     CutMesh parted = partFans(filled.mesh, doubledIn(cut, imprinted.mesh.vertices.size(), kept));
@@ -149,9 +150,11 @@ FilledParts takenParts(
     const CutMesh& cut,
     const MeshParts& parts,
     const std::vector<int>& chosen,
-    const std::optional<FillShape>& fill
+    const std::optional<FillShape>& fill,
+    const Progress& progress
 ) {
-    return fill ? fillAround(imprinted, parts, chosen, *fill) : openParts(cut, parts, chosen);
+    return fill ? fillAround(imprinted, parts, chosen, *fill, progress)
+                : openParts(cut, parts, chosen);
 }
 
 }  // namespace bspline_curve

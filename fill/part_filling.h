@@ -34,7 +34,8 @@ struct FilledParts {
     const ImprintedMesh& imprinted,
     const MeshParts& parts,
     const std::vector<int>& chosen,
-    FillShape shape
+    FillShape shape,
+    const Progress& progress = {}
 );
 
 /// The whole imprinted mesh, as it is.
@@ -51,7 +52,8 @@ struct FilledParts {
     const CutMesh& cut,
     const MeshParts& parts,
     const std::vector<int>& chosen,
-    const std::optional<FillShape>& fill
+    const std::optional<FillShape>& fill,
+    const Progress& progress = {}
 );
 
 }  // namespace bspline_curve

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill/patch_fairing.h"
 
+#include "utility/report_progress.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -99,7 +101,7 @@ double extentOf(const Patch& patch) {
 
 }  // namespace
 
-void fairPatch(Patch& patch, const RimSurroundings& around, int steps) {
+void fairPatch(Patch& patch, const RimSurroundings& around, int steps, const Progress& progress) {
     const auto inner = static_cast<int>(patch.points.size()) - patch.rimCount;
     if (inner == 0) {
         return;
@@ -108,6 +110,7 @@ void fairPatch(Patch& patch, const RimSurroundings& around, int steps) {
     Eigen::SimplicialLDLT<Sparse> factors;
     double lastMove = std::numeric_limits<double>::infinity();
     for (int step = 0; step < steps; ++step) {
+        report(progress, static_cast<double>(step) / steps, "fairing a patch");
         const Elements elements = elementsOf(patch, around);
         Rows points(inner, 3);
         for (int i = 0; i < inner; ++i) {

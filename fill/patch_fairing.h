@@ -18,6 +18,9 @@ struct RimSurroundings {
 /// so that a piece cut from a sphere comes back. Finite elements with cotangent weights
 /// (M. Botsch and L. Kobbelt, An intuitive framework for real-time freeform modeling, 2004, solve
 /// for none in its place). O(n^1.5) a step, of which there are at most `steps`.
-void fairPatch(Patch& patch, const RimSurroundings& around, int steps);
+/// Throws Cancelled.
+void fairPatch(
+    Patch& patch, const RimSurroundings& around, int steps, const Progress& progress = {}
+);
 
 }  // namespace bspline_curve

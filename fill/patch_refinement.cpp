@@ -3,6 +3,7 @@
 
 #include "surface/half_edges.h"
 #include "surface/surface_point.h"
+#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 
@@ -26,6 +27,9 @@ constexpr double kLongChordRelative = 0.5;
 /// Sums of cotangents below minus this are not Delaunay; a margin against endless turns.
 constexpr double kDelaunayMargin = 1e-9;
 constexpr int kMostRounds = 40;
+/// Rounds end with less than one edge that is too long in so many faces: points that relax make a
+/// few longer again.
+constexpr std::size_t kFacesPerLongEdge = 1000;
 constexpr std::size_t kMostFlips = 150;  // tried, for each face
 constexpr int kRelaxations = 2;          // in each round
 constexpr double kRelaxationStep = 0.5;
@@ -80,7 +84,8 @@ double excess(const Patch& patch, const InnerEdge& edge) {
     return length / (size * (isChord ? kLongChordRelative : kLongRelative));
 }
 
-bool halveLongEdges(Patch& patch) {
+/// How many were too long.
+std::size_t halveLongEdges(Patch& patch) {
     std::vector<std::pair<double, InnerEdge>> tooLong;
     for (const InnerEdge& edge : innerEdges(patch.faces)) {
         const double much = excess(patch, edge);
@@ -103,7 +108,7 @@ bool halveLongEdges(Patch& patch) {
         patch.faces.push_back({middle, b, c});
         patch.faces.push_back({middle, a, d});
     }
-    return !tooLong.empty();
+    return tooLong.size();
 }
 
 Vec3 normalOf(const Patch& patch, int a, int b, int c) {
@@ -138,8 +143,8 @@ public:
         for (const InnerEdge& edge : innerEdges(patch.faces)) {
             beside_[edge.first][cornerOf(patch.faces[edge.first], edge.c)] = edge.second;
             beside_[edge.second][cornerOf(patch.faces[edge.second], edge.d)] = edge.first;
-            suspects_.push_back({edge.first, cornerOf(patch.faces[edge.first], edge.c)});
         }
+        edges_.reserve(2 * patch.faces.size());
         for (const Triangle& face : patch.faces) {
             for (int k = 0; k < 3; ++k) {
                 edges_.insert(keyOf(face[k], face[(k + 1) % 3]));
@@ -147,7 +152,15 @@ public:
         }
     }
 
+    /// Over all edges; may be called again after points have moved.
     void run() {
+        for (int face = 0; face < static_cast<int>(patch_.faces.size()); ++face) {
+            for (int k = 0; k < 3; ++k) {
+                if (beside_[face][k] > face) {
+                    suspects_.push_back({face, k});
+                }
+            }
+        }
         // An end also where rounding would have two edges take turns.
         std::size_t left = kMostFlips * patch_.faces.size();
         for (; !suspects_.empty() && left > 0; --left) {
@@ -226,10 +239,6 @@ private:
     std::unordered_set<std::uint64_t> edges_;
 };
 
-void flipToDelaunay(Patch& patch) {
-    Flips(patch).run();
-}
-
 void relax(Patch& patch, Relaxing relaxing) {
     std::vector<Vec3> sum(patch.points.size(), Vec3::Zero());
     std::vector<Vec3> normal(patch.points.size(), Vec3::Zero());
@@ -254,14 +263,20 @@ void relax(Patch& patch, Relaxing relaxing) {
 
 }  // namespace
 
-void refinePatch(Patch& patch, Relaxing relaxing) {
-    flipToDelaunay(patch);
-    for (int round = 0; round < kMostRounds && halveLongEdges(patch); ++round) {
-        flipToDelaunay(patch);
+void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress) {
+    Flips(patch).run();
+    for (int round = 0; round < kMostRounds; ++round) {
+        report(progress, 1.0 - 1.0 / (1.0 + round), "refining a patch");
+        const std::size_t tooLong = halveLongEdges(patch);
+        Flips flips(patch);
+        flips.run();
         for (int i = 0; i < kRelaxations; ++i) {
             relax(patch, relaxing);
         }
-        flipToDelaunay(patch);
+        flips.run();
+        if (tooLong <= patch.faces.size() / kFacesPerLongEdge) {
+            return;
+        }
     }
 }
 

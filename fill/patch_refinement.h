@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/progress.h"
 #include "fill/rim_triangulation.h"
 
 #include <vector>
@@ -26,6 +27,7 @@ enum class Relaxing {
 /// Halves edges that are longer than their points ask for, and long ones between points of the
 /// rim; flips edges to Delaunay's; and relaxes points, in turn (after P. Liepa, Filling holes in
 /// meshes, 2003). O(n log n) a round, of which there are O(log of the largest length over size).
-void refinePatch(Patch& patch, Relaxing relaxing);
+/// Throws Cancelled.
+void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress = {});
 
 }  // namespace bspline_curve

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/designer.h"
 #include "fill/fill_holes.h"
 #include "fill/part_filling.h"
 #include "imprint/random_curves.h"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -154,6 +156,23 @@ TEST(Fill, ClosesEveryPartOfRandomNetworks) {
             }
         });
     }
+}
+
+TEST(Fill, IsAsDenseAsTheMeshAroundACurve) {
+    // Beside an imprinted curve there are many short edges, which say nothing of the mesh.
+    const TriangleMesh mesh = icosphere(5);
+    const CurveDesigner designer(mesh);
+    SolverOptions options;
+    options.closed = true;
+    const std::vector<Vec3> picks{{0.6, 0, 0.8}, {0, 0.6, 0.8}, {-0.6, 0, 0.8}, {0, -0.6, 0.8}};
+    const std::array lines{designer.design(picks, options).polyline};
+    const ImprintedMesh imprinted = imprint(Surface(mesh), lines, {});
+    const MeshParts parts = partsOf(imprinted);
+    const FilledParts result = fillAround(imprinted, parts, {0}, FillShape::Smooth);
+    const auto added = std::ranges::count(result.labels, -1);
+    const double removed = parts.parts[1].faces;
+    EXPECT_GT(static_cast<double>(added), 0.7 * removed);
+    EXPECT_LT(static_cast<double>(added), 1.4 * removed);
 }
 
 TEST(Fill, NewVerticesCarryTheMeanOfTheirRim) {
