@@ -14,6 +14,7 @@
 #include "io/atomic_file.h"
 #include "io/imprint_writer.h"
 #include "io/mesh_writer.h"
+#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <CLI/CLI.hpp>
@@ -164,10 +165,11 @@ FilledParts partsOfFile(
     const CutArguments& arguments,
     const ImprintedFile& file,
     const CutMesh& cut,
-    const std::vector<int>& chosen
+    const std::vector<int>& chosen,
+    const Progress& progress
 ) {
     if (arguments.relief == 0.0) {
-        return takenParts(file.imprinted, cut, file.parts, chosen, arguments.fill);
+        return takenParts(file.imprinted, cut, file.parts, chosen, arguments.fill, progress);
     }
     RaisedParts raised = raisedParts(file.imprinted, file.parts, chosen, arguments.relief);
     if (raised.turnedFaces > 0) {
@@ -184,19 +186,24 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
         checkWritable(arguments.report);
     }
     const ImprintedFile file = readAndImprint(arguments.input, bar);
+    constexpr double kImprintedShare = 0.7;
     throwIfInterrupted();
-    bar.show(0.7, "cutting");
+    bar.show(kImprintedShare, "cutting");
+    const Progress progress = progressPart(bar, kImprintedShare, 1.0);
     Stopwatch watch;
     const CutMesh cut = openedAlongCurves(file.imprinted);
     const std::size_t doubled = cut.mesh.vertices.size() - file.imprinted.mesh.vertices.size();
     const std::vector<std::vector<int>> files =
         partsPerMesh(file.imprinted, file.parts, arguments.keep, arguments.split);
     CutFigures figures{.doubledVertices = static_cast<int>(doubled), .cutSeconds = 0.0, .kept = {}};
+    const double share = 1.0 / static_cast<double>(files.size());
     // All files appear, or none.
     std::list<AtomicFile> written;
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::filesystem::path name = numberedFile(arguments.output, i);
-        const FilledParts taken = partsOfFile(arguments, file, cut, files[i]);
+        const double from = share * static_cast<double>(i);
+        const FilledParts taken =
+            partsOfFile(arguments, file, cut, files[i], partOf(progress, from, from + share));
         const std::vector<double> quality =
             file.quality.empty() ? std::vector<double>() : taken.carried(file.quality);
         figures.filledHoles += static_cast<int>(taken.rims.size());

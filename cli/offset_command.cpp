@@ -17,6 +17,7 @@
 #include "io/text_parsing.h"
 #include "offset/offset_curves.h"
 #include "shell/extended_surface.h"
+#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <CLI/CLI.hpp>
@@ -140,11 +141,13 @@ void checkOutputs(const OffsetArguments& arguments) {
     }
 }
 
-std::string bandBytes(const OffsetArguments& arguments, const CurvesOnMesh& read) {
+std::string bandBytes(
+    const OffsetArguments& arguments, const CurvesOnMesh& read, const Progress& progress
+) {
     const Surface& surface = read.surface();
     std::vector<int> labels(surface.faceCount(), 0);
     for (const SurfacePolyline& curve : read.curves()) {
-        const std::vector<char> within = facesWithin(surface, curve, arguments.offset);
+        const std::vector<char> within = facesWithin(surface, curve, arguments.offset, progress);
         for (std::size_t f = 0; f < within.size(); ++f) {
             labels[f] |= within[f];
         }
@@ -152,21 +155,26 @@ std::string bandBytes(const OffsetArguments& arguments, const CurvesOnMesh& read
     return meshBytes(arguments.band, surface.mesh(), {.faceLabels = labels});
 }
 
-ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
-    checkOutputs(arguments);
-    constexpr double kReadShare = 0.3;
-    const CurvesOnMesh read(arguments.input, bar, kReadShare);
+/// Of all curves; refuses where there is none.
+std::vector<FittedLine> linesBeside(
+    const OffsetArguments& arguments, const CurvesOnMesh& read, const Progress& progress
+) {
     const Surface& surface = read.surface();
-    Stopwatch watch;
-    throwIfInterrupted();
-    bar.show(kReadShare, "measuring distances");
     const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
     std::vector<FittedLine> pieces;
-    for (const SurfacePolyline& curve : read.curves()) {
+    const double share = 1.0 / static_cast<double>(read.curves().size());
+    for (std::size_t i = 0; i < read.curves().size(); ++i) {
+        const double from = share * static_cast<double>(i);
         std::ranges::move(
-            offsetCurves(surface, extended, curve, arguments.offset), std::back_inserter(pieces)
+            offsetCurves(
+                surface,
+                extended,
+                read.curves()[i],
+                arguments.offset,
+                partOf(progress, from, from + share)
+            ),
+            std::back_inserter(pieces)
         );
-        throwIfInterrupted();
     }
     if (pieces.empty()) {
         throw InputError(
@@ -175,6 +183,17 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
             "smaller --distance"
         );
     }
+    return pieces;
+}
+
+ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
+    checkOutputs(arguments);
+    constexpr double kReadShare = 0.3, kLinesShare = 0.9;
+    const CurvesOnMesh read(arguments.input, bar, kReadShare);
+    Stopwatch watch;
+    bar.show(kReadShare, "measuring distances");
+    const Progress progress = progressPart(bar, kReadShare, kLinesShare);
+    const std::vector<FittedLine> pieces = linesBeside(arguments, read, progress);
     const double offsetSeconds = watch.lap();
     // All files appear, or none.
     std::list<AtomicFile> files;
@@ -186,7 +205,9 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
         files.emplace_back(file, curveBytes(file, piece, {}, read.checksum()));
     }
     if (!arguments.band.empty()) {
-        files.emplace_back(arguments.band, bandBytes(arguments, read));
+        files.emplace_back(
+            arguments.band, bandBytes(arguments, read, progressPart(bar, kLinesShare, 1.0))
+        );
     }
     if (!arguments.report.empty()) {
         files.emplace_back(

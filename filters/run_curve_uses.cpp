@@ -27,6 +27,7 @@ constexpr double kSurfaceShare = 0.4;
 constexpr double kPlacedShare = 0.5;
 constexpr double kImprintedShare = 0.8;
 constexpr double kPartsShare = 0.9;
+constexpr double kLinesShare = 0.8;  // of an offset, without its band
 
 int countOf(std::size_t count) {
     return static_cast<int>(count);
@@ -175,10 +176,14 @@ namespace {
 
 /// The parts that one layer gets; adds warnings.
 FilledParts partsOfLayer(
-    Imprinted& from, const CutMesh& cut, const CutChoice& choice, const std::vector<int>& chosen
+    Imprinted& from,
+    const CutMesh& cut,
+    const CutChoice& choice,
+    const std::vector<int>& chosen,
+    const Progress& progress
 ) {
     if (choice.relief == 0.0) {
-        return takenParts(*from.imprint, cut, from.parts, chosen, fillShape(choice.fill));
+        return takenParts(*from.imprint, cut, from.parts, chosen, fillShape(choice.fill), progress);
     }
     RaisedParts raised = raisedParts(*from.imprint, from.parts, chosen, choice.relief);
     if (raised.turnedFaces > 0) {
@@ -205,9 +210,13 @@ MeshesResult runCutFilter(
     const std::size_t doubled = cut.mesh.vertices.size() - from.imprint->mesh.vertices.size();
     std::vector<MeshLayer> layers;
     int filledHoles = 0;
-    for (const std::vector<int>& chosen :
-         partsPerMesh(*from.imprint, from.parts, choice, request.choice.split)) {
-        FilledParts taken = partsOfLayer(from, cut, request.choice, chosen);
+    const std::vector<std::vector<int>> chosenParts =
+        partsPerMesh(*from.imprint, from.parts, choice, request.choice.split);
+    const double share = (1.0 - kPartsShare) / static_cast<double>(chosenParts.size());
+    for (const std::vector<int>& chosen : chosenParts) {
+        const double done = kPartsShare + share * static_cast<double>(layers.size());
+        FilledParts taken =
+            partsOfLayer(from, cut, request.choice, chosen, partOf(progress, done, done + share));
         filledHoles += countOf(taken.rims.size());
         if (taken.openRims > 0) {
             from.warnings.push_back(
@@ -258,9 +267,10 @@ std::vector<FittedLine> linesBeside(
     const Surface& surface,
     const ExtendedSurface& extended,
     const PlacedCurve& curve,
-    const OffsetOptions& options
+    const OffsetOptions& options,
+    const Progress& progress
 ) {
-    std::vector<FittedLine> lines = offsetCurves(surface, extended, curve.line, options);
+    std::vector<FittedLine> lines = offsetCurves(surface, extended, curve.line, options, progress);
     if (lines.empty()) {
         throw InputError(
             InputErrorCode::NoPath,
@@ -276,9 +286,10 @@ void addBand(
     const Surface& surface,
     const PlacedCurve& curve,
     const OffsetOptions& options,
+    const Progress& progress,
     std::vector<char>& band
 ) {
-    const std::vector<char> within = facesWithin(surface, curve.line, options);
+    const std::vector<char> within = facesWithin(surface, curve.line, options, progress);
     band.resize(within.size(), 0);
     for (std::size_t f = 0; f < within.size(); ++f) {
         band[f] = static_cast<char>(band[f] | within[f]);
@@ -301,15 +312,19 @@ OffsetResult runOffsetFilter(
     double length = 0.0;
     double deviation = 0.0;
     const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
+    const double share = (1.0 - kPlacedShare) / static_cast<double>(placed.placed.curves.size());
+    double done = kPlacedShare;
     for (const PlacedCurve& curve : placed.placed.curves) {
-        report(progress, kPlacedShare, "distances");
-        for (FittedLine& fitted : linesBeside(surface, extended, curve, options)) {
+        const double lines = done + kLinesShare * share;
+        for (FittedLine& fitted :
+             linesBeside(surface, extended, curve, options, partOf(progress, done, lines))) {
             length += lengthOf(fitted.line);
             deviation = std::max(deviation, fitted.deviation);
             result.pieces.push_back({.line = std::move(fitted.line), .curve = curve.label});
         }
+        done += share;
         if (request.selectBand) {
-            addBand(surface, curve, options, result.band);
+            addBand(surface, curve, options, partOf(progress, lines, done), result.band);
         }
     }
     result.figures = {

@@ -4,11 +4,14 @@
 #include "offset/beam_sources.h"
 #include "offset/face_layout.h"
 #include "surface/surface_point.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
-#include <queue>
+#include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -19,6 +22,11 @@ using Vec2 = Eigen::Vector2d;
 /// Beams are this much wider than they are, and a bound must be this much better to drop one
 /// (relative to the face), so that rounding opens no gaps between neighbours.
 constexpr double kSlack = 1e-9;
+
+constexpr std::size_t kEventsPerReport = 4096;
+/// Of events whose distances are alike, in mean edge lengths: less spares no work.
+constexpr double kBucketWidth = 0.25;
+constexpr double kMostBuckets = 65536;
 
 /// The part of a side of a face that a beam reaches, as fractions from its first corner.
 struct Window {
@@ -43,59 +51,117 @@ void clip(Window& window, double atFirst, double atLast) {
 }
 
 struct Event {
-    double key;
-    std::size_t order;  ///< of creation; decides between equal keys
-    int vertex;         ///< -1: a beam
+    int vertex = -1;  ///< -1: a beam
     DistanceBeam beam;
-    Window window;  ///< on its face's x axis; beams that start in the face: not used
-    bool starts;    ///< in its face
+    Window window;        ///< on its face's x axis; beams that start in the face: not used
+    bool starts = false;  ///< in its face
+};
 
-    bool operator<(const Event& other) const {
-        return key != other.key ? key > other.key : order > other.order;
+/// Events, by buckets of keys, in the order of creation within one. It need not be sharper: an
+/// order only spares work, since what is found too late is found again.
+class EventQueue {
+public:
+    EventQueue(double width, double longest)
+        : width_(width), buckets_(static_cast<std::size_t>(longest / width) + 1) {}
+
+    void push(double key, const Event& event) {
+        const auto place = static_cast<std::size_t>(key / width_);
+        Bucket& bucket = buckets_[std::clamp(place, current_, buckets_.size() - 1)];
+        if (bucket.capacity() == 0 && !spare_.empty()) {
+            bucket = std::move(spare_.back());
+            spare_.pop_back();
+        }
+        bucket.emplace_back(key, event);
     }
+
+    /// False where nothing is left.
+    bool advance() {
+        while (next_ == buckets_[current_].size()) {
+            if (current_ + 1 == buckets_.size()) {
+                return false;
+            }
+            Bucket& done = buckets_[current_++];
+            next_ = 0;
+            if (done.capacity() > 0) {
+                done.clear();
+                spare_.push_back(std::move(done));
+            }
+        }
+        return true;
+    }
+
+    /// The next one, with its key, after advance().
+    std::pair<double, Event> pop() { return buckets_[current_][next_++]; }
+
+private:
+    using Bucket = std::vector<std::pair<double, Event>>;
+
+    double width_;
+    std::vector<Bucket> buckets_;
+    std::vector<Bucket> spare_;  // empty ones, whose memory is used again
+    std::size_t current_ = 0, next_ = 0;
 };
 
 class Propagation {
 public:
     Propagation(
         const Surface& surface,
-        double reach,
+        const DistanceRange& range,
         std::vector<std::vector<DistanceBeam>>& beams,
+        std::vector<char>& isReached,
         std::vector<SidedDistance>& vertices
     )
-        : surface_(surface), reach_(reach), beams_(beams), vertices_(vertices) {}
+        : surface_(surface),
+          range_(range),
+          beams_(beams),
+          isReached_(isReached),
+          vertices_(vertices),
+          queue_(
+              std::max(kBucketWidth * surface.averageEdgeLength(), range.to / kMostBuckets),
+              range.to
+          ) {}
 
     void start(const DistanceBeam& beam) {
         reachCorners(beam, true);
-        queue_.push(
-            {.key = beam.before,
-             .order = order_++,
-             .vertex = -1,
-             .beam = beam,
-             .window = {},
-             .starts = true}
-        );
+        queue_.push(beam.before, {.vertex = -1, .beam = beam, .window = {}, .starts = true});
     }
 
-    void run() {
-        while (!queue_.empty()) {
-            const Event event = queue_.top();
-            queue_.pop();
+    void run(const Progress& progress) {
+        double reached = 0.0;
+        for (std::size_t count = 0; queue_.advance(); ++count) {
+            const auto [key, event] = queue_.pop();
+            reached = std::max(reached, key);
+            if (count % kEventsPerReport == 0) {
+                report(progress, reached / range_.to, "measuring distances");
+            }
             if (event.vertex >= 0) {
-                if (event.key == vertices_[event.vertex].distance) {
+                if (key == vertices_[event.vertex].distance) {
                     for (const DistanceBeam& beam :
                          beamsOfVertex(surface_, event.vertex, vertices_[event.vertex])) {
                         start(beam);
                     }
                 }
             } else if (event.starts || !isHopeless(event.beam, event.window)) {
-                beams_[event.beam.face].push_back(event.beam);
+                keep(event.beam);
                 leave(event.beam);
             }
         }
     }
 
 private:
+    /// Where all of the beam in its face is nearer than the range, the corners bound distances.
+    void keep(const DistanceBeam& beam) {
+        isReached_[beam.face] = 1;
+        const FaceLayout face = layout(beam.face, beam.frame);
+        double most = 0.0;
+        for (const Vec2& corner : face.corners) {
+            most = std::max(most, beam.distance(corner));
+        }
+        if (most + face.size() >= range_.from) {
+            beams_[beam.face].push_back(beam);
+        }
+    }
+
     [[nodiscard]] FaceLayout layout(int face, int frame) const {
         return {surface_.vertices(), surface_.faces()[face], frame};
     }
@@ -111,14 +177,9 @@ private:
                 const bool ahead = beam.distance(face.corners[k]) >= -tolerance;
                 if (ahead && distance < vertices_[vertex].distance) {
                     vertices_[vertex] = {.distance = distance, .side = beam.side};
-                    if (distance <= reach_) {
+                    if (distance <= range_.to) {
                         queue_.push(
-                            {.key = distance,
-                             .order = order_++,
-                             .vertex = vertex,
-                             .beam = {},
-                             .window = {},
-                             .starts = false}
+                            distance, {.vertex = vertex, .beam = {}, .window = {}, .starts = false}
                         );
                     }
                 }
@@ -205,15 +266,11 @@ private:
                 : next.distance(
                       {std::clamp(next.source.x(), next.leftOrigin.x(), next.rightOrigin.x()), 0.0}
                   );
-        if (least <= reach_ && !isHopeless(next, window)) {
+        if (least <= range_.to && !isHopeless(next, window)) {
             reachCorners(next, false);
             queue_.push(
-                {.key = std::max(least, 0.0),
-                 .order = order_++,
-                 .vertex = -1,
-                 .beam = next,
-                 .window = window,
-                 .starts = false}
+                std::max(least, 0.0),
+                {.vertex = -1, .beam = next, .window = window, .starts = false}
             );
         }
     }
@@ -229,11 +286,11 @@ private:
     }
 
     const Surface& surface_;
-    double reach_;
+    DistanceRange range_;
     std::vector<std::vector<DistanceBeam>>& beams_;
+    std::vector<char>& isReached_;
     std::vector<SidedDistance>& vertices_;
-    std::priority_queue<Event> queue_;
-    std::size_t order_ = 0;
+    EventQueue queue_;
 };
 
 }  // namespace
@@ -243,13 +300,21 @@ bool DistanceBeam::contains(const Vec2& point, double tolerance) const {
            cross(right, point - rightOrigin) >= -tolerance;
 }
 
-DistanceBeams::DistanceBeams(const Surface& surface, const SurfacePolyline& line, double reach)
-    : surface_(&surface), beams_(surface.faceCount()), vertices_(surface.vertexCount()) {
-    Propagation propagation(surface, reach, beams_, vertices_);
+DistanceBeams::DistanceBeams(
+    const Surface& surface,
+    const SurfacePolyline& line,
+    const DistanceRange& range,
+    const Progress& progress
+)
+    : surface_(&surface),
+      beams_(surface.faceCount()),
+      isReached_(surface.faceCount(), 0),
+      vertices_(surface.vertexCount()) {
+    Propagation propagation(surface, range, beams_, isReached_, vertices_);
     for (const DistanceBeam& beam : beamsOfPolyline(surface, line)) {
         propagation.start(beam);
     }
-    propagation.run();
+    propagation.run(progress);
 }
 
 SidedDistance DistanceBeams::inOneFace(const SurfacePoint& point) const {
@@ -297,8 +362,8 @@ SidedDistance DistanceBeams::at(const SurfacePoint& point) const {
 
 std::vector<int> DistanceBeams::reachedFaces() const {
     std::vector<int> faces;
-    for (int f = 0; f < static_cast<int>(beams_.size()); ++f) {
-        if (!beams_[f].empty()) {
+    for (int f = 0; f < static_cast<int>(isReached_.size()); ++f) {
+        if (isReached_[f] != 0) {
             faces.push_back(f);
         }
     }

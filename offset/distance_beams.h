@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/progress.h"
 #include "surface/surface.h"
 
 #include <Eigen/Core>
@@ -49,19 +50,29 @@ struct DistanceBeam {
     [[nodiscard]] bool contains(const Vec2& point, double tolerance) const;
 };
 
-/// Exact geodesic distances to a polyline on a surface, up to a reach. Beams of straight ways run
+/// Distances that are asked for, 0 <= from < to, in the user's unit.
+struct DistanceRange {
+    double from = 0.0;  ///< nearer points only have a bound, which is below it as well
+    double to = 0.0;
+};
+
+/// Exact geodesic distances to a polyline on a surface, within a range. Beams of straight ways run
 /// from the polyline's segments and vertices through strips of unfolded faces, and again from
 /// vertices whose angle is more than a full turn (on boundaries: a half turn). A beam that no
 /// shortest way can lie in is dropped by the distances of the vertices (Xin & Wang 2009, Improving
-/// Chen and Han's algorithm). Exact up to rounding: relative errors of about 1e-9. Time and memory
-/// grow with the faces within reach times the beams in one.
+/// Chen and Han's algorithm). Exact up to rounding: relative errors of about 1e-9. Time grows
+/// with the faces within reach times the beams in one, memory with those within the range.
 class DistanceBeams {
 public:
-    /// The polyline must be strict (isStrict); `reach` > 0 is in the user's unit. The surface must
-    /// outlive this.
-    DistanceBeams(const Surface& surface, const SurfacePolyline& line, double reach);
+    /// The polyline must be strict (isStrict). The surface must outlive this. Throws Cancelled.
+    DistanceBeams(
+        const Surface& surface,
+        const SurfacePolyline& line,
+        const DistanceRange& range,
+        const Progress& progress = {}
+    );
 
-    /// Distance of a point; infinite or too large only where it is above the reach.
+    /// Distance of a point; infinite or too large only where it is not within the range.
     [[nodiscard]] SidedDistance at(const SurfacePoint& point) const;
 
     /// Faces that a beam reaches, ascending.
@@ -72,6 +83,7 @@ private:
 
     const Surface* surface_;
     std::vector<std::vector<DistanceBeam>> beams_;  ///< per face
+    std::vector<char> isReached_;                   ///< per face
     std::vector<SidedDistance> vertices_;
 };
 

@@ -10,6 +10,7 @@
 #include "solver/initial_curve.h"
 #include "solver/spline_fit.h"
 #include "surface/surface_point.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +76,11 @@ public:
     }
 
     /// Nothing where no spline stays within the tolerance.
-    std::optional<FittedLine> fit(double tolerance) {
+    std::optional<FittedLine> fit(double tolerance, const Progress& progress) {
         std::vector<double> breaks = firstBreaks();
         const std::size_t most = std::max<std::size_t>(line_.points.size(), 2 * breaks.size());
         for (int attempt = 0; attempt < kMostFits && breaks.size() <= most; ++attempt) {
+            report(progress, 1.0 - 1.0 / (1.0 + attempt), "fitting a spline");
             const SplineSpace space(kDegree, line_.closed, breaks);
             std::vector<SpanTarget> targets;
             for (int span = 0; span < space.spanCount(); ++span) {
@@ -306,9 +308,11 @@ SplineData polygonSpline(const SurfacePolyline& line) {
     return spline;
 }
 
-FittedLine LineFitter::fitted(const SurfacePolyline& line, double tolerance) const {
+FittedLine LineFitter::fitted(
+    const SurfacePolyline& line, double tolerance, const Progress& progress
+) const {
     Fitting fitting(surface_, extended_, beams_, distance_, line);
-    std::optional<FittedLine> found = fitting.fit(tolerance);
+    std::optional<FittedLine> found = fitting.fit(tolerance, progress);
     return found ? std::move(*found) : unfitted(line);
 }
 

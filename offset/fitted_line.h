@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/progress.h"
 #include "offset/distance_beams.h"
 #include "shell/extended_surface.h"
 
@@ -34,7 +35,10 @@ public:
     /// middles of its segments are off the distance by more than `tolerance` times it, or where
     /// the spline leaves the surface. The ends of an open line stay. The line itself where no
     /// spline with as many knots as the line has vertices will do. O(n log n) for n vertices.
-    [[nodiscard]] FittedLine fitted(const SurfacePolyline& line, double tolerance) const;
+    /// Throws Cancelled.
+    [[nodiscard]] FittedLine fitted(
+        const SurfacePolyline& line, double tolerance, const Progress& progress = {}
+    ) const;
 
     /// The line with itself as its spline.
     [[nodiscard]] FittedLine unfitted(const SurfacePolyline& line) const;

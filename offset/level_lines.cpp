@@ -3,10 +3,12 @@
 
 #include "offset/face_layout.h"
 #include "surface/surface_point.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <utility>
 
@@ -18,6 +20,11 @@ namespace {
 constexpr int kHalvings = 45;
 /// More rows of small triangles in one face would take minutes.
 constexpr int kMostRows = 512;
+
+/// Progress is reported after so many faces, ...
+constexpr std::size_t kFacesPerReport = 1024;
+/// ... all of which are this much of it.
+constexpr double kFacesShare = 0.5;
 
 /// A node of the grids that faces are divided by: at a vertex (vertex, -1, 0, 0), on an edge (low
 /// and high vertex, step from low) or in a face (-1 - face, -1, row, column). The same from every
@@ -329,8 +336,16 @@ private:
 }  // namespace
 
 std::vector<LevelLine> levelLines(
-    const Surface& surface, const DistanceBeams& beams, double distance, double stepRelative
+    const Surface& surface,
+    const DistanceBeams& beams,
+    double distance,
+    double stepRelative,
+    const Progress& progress
 ) {
+    const auto show = [&](double fraction) {
+        report(progress, fraction, "drawing lines at the distance");
+    };
+    show(0.0);
     // Distances change by no more than the way, so that few faces can hold a line.
     std::vector<int> faces;
     double longest = 0.0;
@@ -347,13 +362,18 @@ std::vector<LevelLine> levelLines(
     GridLines lines(
         surface, beams, distance, static_cast<int>(std::clamp(rows, 1.0, 1.0 * kMostRows))
     );
-    for (const int f : faces) {
-        lines.addFace(f);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (i % kFacesPerReport == 0) {
+            show(kFacesShare * static_cast<double>(i) / static_cast<double>(faces.size()));
+        }
+        lines.addFace(faces[i]);
     }
     std::vector<LevelLine> result = lines.chained();
     LineRefiner refiner(surface, beams, distance);
-    for (LevelLine& line : result) {
-        line = refiner.refined(line);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(result.size());
+        show(std::lerp(kFacesShare, 1.0, share));
+        result[i] = refiner.refined(result[i]);
     }
     return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/progress.h"
 #include "offset/distance_beams.h"
 
 #include <vector>
@@ -20,9 +21,14 @@ struct LevelLine {
 /// bound the faces' part that is nearer; where two parts of an offset run into each other, they
 /// end. Faces are divided into rows at most `distance` times `stepRelative` high; what is narrower
 /// can be missed. Vertices are at the distance to 1e-12 of it, the middles of segments to 2e-4, but
-/// where a corner of a line is narrower than a face's division. `beams` must reach `distance`.
+/// where a corner of a line is narrower than a face's division. `beams` must hold `distance` in its
+/// range. Throws Cancelled.
 [[nodiscard]] std::vector<LevelLine> levelLines(
-    const Surface& surface, const DistanceBeams& beams, double distance, double stepRelative
+    const Surface& surface,
+    const DistanceBeams& beams,
+    double distance,
+    double stepRelative,
+    const Progress& progress = {}
 );
 
 }  // namespace bspline_curve

@@ -8,6 +8,7 @@
 #include "offset/level_lines.h"
 #include "offset/line_corners.h"
 #include "utility/index_sets.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,19 @@ namespace bspline_curve {
 
 namespace {
 
-/// How far distances are known, in distances of the offset: fitted lines may be beyond it.
-constexpr double kReach = 1.02;
+/// So far from the offset's distance others are known, in tolerances: what is farther off is off
+/// the distance anyway.
+constexpr double kMargin = 2.0;
+/// Shares of the progress: up to the end of the distances, of the lines there, of their fits.
+constexpr double kDistancesShare = 0.6, kLinesShare = 0.7, kFitsShare = 0.95;
 /// Lines that cross are fitted again with this times the tolerance, so often at most.
 constexpr double kCloser = 0.25;
 constexpr int kCloserFits = 3;
+
+DistanceRange rangeAround(const OffsetOptions& options) {
+    const double margin = kMargin * options.tolerance * options.distance;
+    return {.from = options.distance - margin, .to = options.distance + margin};
+}
 
 bool isOn(CurveSide side, OffsetSides sides) {
     return sides == OffsetSides::Both ||
@@ -85,10 +94,14 @@ std::pair<double, SurfacePolyline> polylineOf(const Surface& surface, const Leve
 
 /// The pieces of all lines at the distance on the sides asked for, the longest first.
 std::vector<SurfacePolyline> linesAt(
-    const Surface& surface, const DistanceBeams& beams, const OffsetOptions& options
+    const Surface& surface,
+    const DistanceBeams& beams,
+    const OffsetOptions& options,
+    const Progress& progress
 ) {
     std::vector<std::pair<double, SurfacePolyline>> pieces;
-    for (const LevelLine& level : levelLines(surface, beams, options.distance, options.step)) {
+    for (const LevelLine& level :
+         levelLines(surface, beams, options.distance, options.step, progress)) {
         for (const LevelLine& part : partsOn(level, options.sides)) {
             for (const LevelLine& smooth : cutAtCorners(surface, part, options.distance)) {
                 pieces.push_back(polylineOf(surface, smooth));
@@ -161,28 +174,43 @@ void OffsetOptions::validate() const {
 }
 
 std::vector<SurfacePolyline> offsetPolylines(
-    const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options
+    const Surface& surface,
+    const SurfacePolyline& line,
+    const OffsetOptions& options,
+    const Progress& progress
 ) {
     checkInput(surface, line, options);
-    return linesAt(surface, DistanceBeams(surface, line, options.distance), options);
+    const DistanceBeams beams(
+        surface, line, rangeAround(options), partOf(progress, 0.0, kDistancesShare)
+    );
+    return linesAt(surface, beams, options, partOf(progress, kDistancesShare, 1.0));
 }
 
 std::vector<FittedLine> offsetCurves(
     const Surface& surface,
     const ExtendedSurface& extended,
     const SurfacePolyline& line,
-    const OffsetOptions& options
+    const OffsetOptions& options,
+    const Progress& progress
 ) {
     checkInput(surface, line, options);
-    const DistanceBeams beams(surface, line, kReach * options.distance);
-    const std::vector<SurfacePolyline> lines = linesAt(surface, beams, options);
+    const DistanceBeams beams(
+        surface, line, rangeAround(options), partOf(progress, 0.0, kDistancesShare)
+    );
+    const std::vector<SurfacePolyline> lines =
+        linesAt(surface, beams, options, partOf(progress, kDistancesShare, kLinesShare));
     const LineFitter fitter(surface, extended, beams, options.distance);
     std::vector<FittedLine> fitted;
+    const double share = (kFitsShare - kLinesShare) / static_cast<double>(lines.size());
     for (const SurfacePolyline& each : lines) {
-        fitted.push_back(fitter.fitted(each, options.tolerance));
+        const double from = kLinesShare + share * static_cast<double>(fitted.size());
+        fitted.push_back(
+            fitter.fitted(each, options.tolerance, partOf(progress, from, from + share))
+        );
     }
     double tolerance = options.tolerance;
     for (int attempt = 0; attempt <= kCloserFits; ++attempt) {
+        report(progress, std::lerp(kFitsShare, 1.0, 0.2 * attempt), "looking for crossings");
         const std::vector<int> crossed = crossedLines(surface, fitted);
         if (crossed.empty()) {
             break;
@@ -197,10 +225,16 @@ std::vector<FittedLine> offsetCurves(
 }
 
 std::vector<char> facesWithin(
-    const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options
+    const Surface& surface,
+    const SurfacePolyline& line,
+    const OffsetOptions& options,
+    const Progress& progress
 ) {
     checkInput(surface, line, options);
-    const DistanceBeams beams(surface, line, options.distance);
+    // Sides are known where distances are.
+    const bool needSides = options.sides != OffsetSides::Both;
+    const DistanceRange range{.from = needSides ? 0.0 : options.distance, .to = options.distance};
+    const DistanceBeams beams(surface, line, range, progress);
     std::vector<char> within(surface.faceCount(), 0);
     for (const int f : beams.reachedFaces()) {
         const SidedDistance middle =

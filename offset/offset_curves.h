@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/progress.h"
 #include "offset/fitted_line.h"
 #include "shell/extended_surface.h"
 #include "surface/surface.h"
@@ -33,9 +34,12 @@ struct OffsetOptions {
 /// crosses itself or another; where two parts of it meet in a corner it is cut there, see
 /// cutAtCorners(). Lines end at the surface's boundary. Longest piece first. t is the length along
 /// the piece, from 0 to 1. Empty where no point has that distance. Throws InputError (BadOption;
-/// NoPath where `line` is not strict or has no length).
+/// NoPath where `line` is not strict or has no length) or Cancelled.
 [[nodiscard]] std::vector<SurfacePolyline> offsetPolylines(
-    const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options
+    const Surface& surface,
+    const SurfacePolyline& line,
+    const OffsetOptions& options,
+    const Progress& progress = {}
 );
 
 /// These lines as our curves: each fitted by a cubic spline that is projected onto the surface, see
@@ -46,13 +50,17 @@ struct OffsetOptions {
     const Surface& surface,
     const ExtendedSurface& extended,
     const SurfacePolyline& line,
-    const OffsetOptions& options
+    const OffsetOptions& options,
+    const Progress& progress = {}
 );
 
 /// For each face whether its middle is within `distance` of the polyline on the surface, on one
 /// side or both. Throws like offsetPolylines().
 [[nodiscard]] std::vector<char> facesWithin(
-    const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options
+    const Surface& surface,
+    const SurfacePolyline& line,
+    const OffsetOptions& options,
+    const Progress& progress = {}
 );
 
 }  // namespace bspline_curve

@@ -263,11 +263,11 @@ class Curve:
             raise TypeError(f"with_options() has no option {unknown[0]!r}; it has {', '.join([*CURVE, 'field', 'avoid'])}")
         return drawing._replace(options=changed(CURVE, {**drawing.options, **given})).draw(None, progress)
 
-    def offset(self, distance: float, side: Side = "both") -> list[Curve]:
+    def offset(self, distance: float, side: Side = "both", progress: Progress | None = None) -> list[Curve]:
         """Draw the lines at a distance from this curve, measured along the surface.
 
-        Where two parts of a line run into each other they end, so that no piece crosses itself or another. Vertices are
-        at the distance to 5e-4 of it.
+        Where two parts of a line run into each other they end, so that no piece crosses itself or another. Vertices and
+        middles of segments are at the distance to 5e-4 of it.
 
         Parameters
         ----------
@@ -275,6 +275,8 @@ class Curve:
             In the unit of the mesh.
         side : {"left", "right", "both"}, default "both"
             Seen along the curve, the surface's normal upwards; "both" runs round the ends of an open curve.
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
 
         Returns
         -------
@@ -289,15 +291,19 @@ class Curve:
             The mesh had to be mended: draw on repair(vertices, faces).mesh.
         OptionError
             `distance` or `side` is not allowed.
+        Cancelled
+            `progress` returned False.
         """
         near = self._near(distance, side)
         drawing = Drawing(self.mesh, np.empty((0, 3)), {}, None, None)
-        pieces = _core.offset(*near)
+        pieces = _core.offset(*near, progress)
         return [Curve(piece, drawing, {**piece.report(), "deviation": deviation}) for piece, deviation in pieces]
 
-    def faces_within(self, distance: float, side: Side = "both") -> npt.NDArray[np.bool_]:
+    def faces_within(
+        self, distance: float, side: Side = "both", progress: Progress | None = None
+    ) -> npt.NDArray[np.bool_]:
         """Find the faces near this curve: (m,), whether the middle of each is within a distance. As offset()."""
-        return _core.faces_within(*self._near(distance, side)).astype(np.bool_)
+        return _core.faces_within(*self._near(distance, side), progress).astype(np.bool_)
 
     def _near(self, distance: float, side: str) -> tuple[_core.Designer, _core.Curve, float, str]:
         if self.mesh.mending:

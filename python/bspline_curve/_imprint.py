@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Int32s, numbers
 from ._errors import FieldError, InputError, MeshWarning, OptionError
-from ._options import Option, checked_number, checked_value
+from ._options import Option, Progress, checked_number, checked_value
 
 Keep: TypeAlias = "Literal['largest', 'smallest', 'inside'] | Sequence[float] | Floats"
 Fill: TypeAlias = Literal["none", "flat", "smooth"]
@@ -114,7 +114,7 @@ class Imprint:
     def parts(self) -> list[Part]:
         return self._measured()[1]
 
-    def cut(self, keep: Keep | None = None, fill: Fill = "none") -> Cut:
+    def cut(self, keep: Keep | None = None, fill: Fill = "none", progress: Progress | None = None) -> Cut:
         """Open the mesh along the curves; an open curve becomes a slit with joined ends. O(m log m).
 
         Parameters
@@ -124,6 +124,8 @@ class Imprint:
         fill : {"none", "flat", "smooth"}, default "none"
             Fill the holes that the other parts leave: with the area that is least and no new vertices, or as dense as
             around, with its tangent planes. Needs `keep`.
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage while holes are filled; where it returns False, the work is cancelled.
 
         Returns
         -------
@@ -135,6 +137,8 @@ class Imprint:
             The curves open nothing; with `keep`, they part nothing (a PickError), or no part or two are at the point.
         OptionError
             `keep` or `fill` is none of these, or `fill` is there without `keep`.
+        Cancelled
+            `progress` returned False.
         """
         shape = cast(str, checked_value("fill", FILL, fill))
         if keep is None:
@@ -147,7 +151,7 @@ class Imprint:
                     "no-path",
                 )
             return Cut(vertices, faces, origins, self.labels)
-        return Cut(*self._core.take(*parts_meant("keep", keep), shape)[:4])
+        return Cut(*self._core.take(*parts_meant("keep", keep), shape, progress)[:4])
 
     def relief(self, height: float, part: Keep = "inside") -> Cut:
         """Move parts along their normals, with walls between them and the rest: a relief, or an engraving. O(m log m).

@@ -146,10 +146,15 @@ class Mesh(MeshKeywords):
         return Imprint(_core.imprint(self._designer, [curve._core for curve in given], checked_number("snap", SNAP, snap)))
 
     def cut(
-        self, curves: Iterable[Curve], keep: Keep | None = None, fill: Fill = "none", snap: float = 1e-9
+        self,
+        curves: Iterable[Curve],
+        keep: Keep | None = None,
+        fill: Fill = "none",
+        snap: float = 1e-9,
+        progress: Progress | None = None,
     ) -> Cut:
-        """Open a copy of the mesh along curves: imprint(curves, snap).cut(keep, fill)."""
-        return self.imprint(curves, snap).cut(keep, fill)
+        """Open a copy of the mesh along curves: imprint(curves, snap).cut(keep, fill, progress)."""
+        return self.imprint(curves, snap).cut(keep, fill, progress)
 
     def segment(self, curves: Iterable[Curve], snap: float = 1e-9) -> Imprint:
         """Label the parts that curves leave: an imprint whose `labels` and `parts` are more than those of the mesh.

@@ -9,6 +9,7 @@
 #include "imprint/part_choice.h"
 #include "python/core/arrays.h"
 #include "python/core/mesh_designer.h"
+#include "python/core/python_progress.h"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -100,7 +101,10 @@ PartChoice choiceOf(const std::string& which, const std::vector<double>& seed) {
 // Chosen parts opened along the curves, or with their holes filled; origins and labels of what is
 // new are -1.
 FilledParts partsMeant(
-    const ImprintedMesh& imprint, const PartChoice& choice, const std::string& fill
+    const ImprintedMesh& imprint,
+    const PartChoice& choice,
+    const std::string& fill,
+    const Progress& progress
 ) {
     const MeshParts parts = partsOf(imprint);
     std::optional<FillShape> shape;
@@ -108,7 +112,7 @@ FilledParts partsMeant(
         shape = fill == "flat" ? FillShape::Flat : FillShape::Smooth;
     }
     const std::vector<int> chosen = chosenParts(imprint, parts, choice);
-    return takenParts(imprint, cutAlongCurves(imprint), parts, chosen, shape);
+    return takenParts(imprint, cutAlongCurves(imprint), parts, chosen, shape, progress);
 }
 
 // (vertices, faces, imprinted vertex of each vertex, part of each face, rims left open).
@@ -116,12 +120,12 @@ nb::tuple takeTuple(
     const ImprintedMesh& imprint,
     const std::string& which,
     const std::vector<double>& seed,
-    const std::string& fill
+    const std::string& fill,
+    nb::object progress
 ) {
-    FilledParts taken = [&] {
-        const nb::gil_scoped_release unlocked;
-        return partsMeant(imprint, choiceOf(which, seed), fill);
-    }();
+    FilledParts taken = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        return partsMeant(imprint, choiceOf(which, seed), fill, goesOn);
+    });
     const nb::tuple arrays = arraysOf(taken.mesh);
     return nb::make_tuple(
         arrays[0],
@@ -176,7 +180,14 @@ void bindImprint(nb::module_& module) {
         .def_ro("largest_move", &ImprintedMesh::largestMove)
         .def("parts", partsTuple)
         .def("cut", cutTuple)
-        .def("take", takeTuple)
+        .def(
+            "take",
+            takeTuple,
+            nb::arg("which"),
+            nb::arg("seed"),
+            nb::arg("fill"),
+            nb::arg("progress").none()
+        )
         .def("relief", reliefTuple);
     module.def("imprint", imprinted);
 }

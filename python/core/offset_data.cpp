@@ -7,6 +7,7 @@
 #include "offset/offset_curves.h"
 #include "python/core/arrays.h"
 #include "python/core/mesh_designer.h"
+#include "python/core/python_progress.h"
 #include "shell/extended_surface.h"
 
 #include <nanobind/stl/pair.h>
@@ -33,14 +34,22 @@ OffsetOptions optionsOf(double distance, const std::string& side) {
 
 /// With the largest deviation of each, in distances.
 std::vector<std::pair<Curve, double>> curvesBeside(
-    const MeshDesigner& designer, const Curve& curve, double distance, const std::string& side
+    const MeshDesigner& designer,
+    const Curve& curve,
+    double distance,
+    const std::string& side,
+    nb::object progress
 ) {
-    const nb::gil_scoped_release unlocked;
-    const Surface& surface = surfaceOf(designer.designer());
-    const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
+    std::vector<FittedLine> pieces =
+        PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+            const Surface& surface = surfaceOf(designer.designer());
+            const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
+            return offsetCurves(
+                surface, extended, curve.polyline, optionsOf(distance, side), goesOn
+            );
+        });
     std::vector<std::pair<Curve, double>> result;
-    for (FittedLine& piece :
-         offsetCurves(surface, extended, curve.polyline, optionsOf(distance, side))) {
+    for (FittedLine& piece : pieces) {
         Curve made;
         made.spline = std::move(piece.spline);
         made.polyline = std::move(piece.line);
@@ -51,25 +60,41 @@ std::vector<std::pair<Curve, double>> curvesBeside(
 }
 
 Array facesNear(
-    const MeshDesigner& designer, const Curve& curve, double distance, const std::string& side
+    const MeshDesigner& designer,
+    const Curve& curve,
+    double distance,
+    const std::string& side,
+    nb::object progress
 ) {
-    std::vector<std::uint8_t> within;
-    {
-        const nb::gil_scoped_release unlocked;
-        for (const char isWithin : facesWithin(
-                 surfaceOf(designer.designer()), curve.polyline, optionsOf(distance, side)
-             )) {
-            within.push_back(isWithin != 0 ? 1 : 0);
-        }
-    }
-    return arrayOf(std::move(within));
+    const std::vector<char> within =
+        PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+            const Surface& surface = surfaceOf(designer.designer());
+            return facesWithin(surface, curve.polyline, optionsOf(distance, side), goesOn);
+        });
+    return arrayOf(std::vector<std::uint8_t>(within.begin(), within.end()));
 }
 
 }  // namespace
 
 void bindOffset(nb::module_& module) {
-    module.def("offset", curvesBeside);
-    module.def("faces_within", facesNear);
+    module.def(
+        "offset",
+        curvesBeside,
+        nb::arg("designer"),
+        nb::arg("curve"),
+        nb::arg("distance"),
+        nb::arg("side"),
+        nb::arg("progress").none()
+    );
+    module.def(
+        "faces_within",
+        facesNear,
+        nb::arg("designer"),
+        nb::arg("curve"),
+        nb::arg("distance"),
+        nb::arg("side"),
+        nb::arg("progress").none()
+    );
 }
 
 }  // namespace bspline_curve::python

@@ -363,7 +363,7 @@ TEST(OffsetCurves, GoRoundASaddleVertexByItsAngles) {
     });
     const Surface surface(mesh);
     const SurfacePolyline curve = drawn(mesh, {{0.42, 0.8, 0}, {0.42, 0.95, 0}}, false);
-    const DistanceBeams beams(surface, curve, 1.0);
+    const DistanceBeams beams(surface, curve, {.from = 0.0, .to = 1.0});
     double worst = 0.0;
     for (int f = 0; f < surface.faceCount(); ++f) {
         const SurfacePoint middle{.face = f, .barycentric = Vec3::Constant(1.0 / 3.0)};
