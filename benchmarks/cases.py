@@ -117,6 +117,15 @@ def picked_cases(layouts, quick):
             yield Case(f"{name}, {count} {'closed' if closed else 'open'}", vertices, faces, picks, closed)
 
 
+def cases_of(folder):
+    """Those of files NAME.json: {"mesh": file, "picks": [...], "closed": bool}."""
+    for file in sorted(folder.glob("*.json")):
+        told = json.loads(file.read_text())
+        mesh = next(path for path in (folder / told["mesh"], folder.parent / told["mesh"]) if path.is_file())
+        vertices, faces = read_mesh(mesh)[:2]
+        yield Case(file.stem, vertices, faces, np.array(told["picks"]), told["closed"])
+
+
 def write_ply(path, vertices, faces):
     rows = np.zeros(len(faces), dtype=[("n", "u1"), ("v", "<i4", 3)])
     rows["n"], rows["v"] = 3, faces

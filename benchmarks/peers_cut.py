@@ -21,19 +21,10 @@ import time
 from pathlib import Path
 
 import numpy as np
-from cases import (PROGRAM, ROOT, Case, geometric_mean, machine, picked_cases, read_mesh, replace_table, torus_of, write_json,
-                   write_ply)
+from cases import PROGRAM, ROOT, cases_of, geometric_mean, machine, picked_cases, replace_table, torus_of, write_json, write_ply
 
 LAYOUTS = ((4, False), (7, False), (6, True))  # picks, closed
 LARGE_VERTICES, LARGE_CURVES, LARGE_SEGMENTS = 500_000, 100, 1000
-
-
-def cases_of(folder):
-    for file in sorted(folder.glob("*.json")):
-        told = json.loads(file.read_text())
-        mesh = next(path for path in (folder / told["mesh"], folder.parent / told["mesh"]) if path.is_file())
-        vertices, faces = read_mesh(mesh)[:2]
-        yield Case(file.stem, vertices, faces, np.array(told["picks"]), told["closed"])
 
 
 def drawn(program, folder, case):

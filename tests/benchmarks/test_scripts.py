@@ -84,6 +84,15 @@ def test_the_rows_of_table_1_have_their_vertices_and_picks(script, bench_program
     assert all(row["warm"] > 0 and row["cold"] > 0 and row["knots"][1] >= row["knots"][0] for row in rows)
 
 
+def test_rules_of_the_paper_are_replaced_one_by_one(script, bench_program, tmp_path):
+    succeed(script("paper_rules.py", "--quick", "--program", bench_program, "--json", tmp_path / "r.json"))
+    rows = json.loads((tmp_path / "r.json").read_text())
+    assert [row["curves"] for row in rows] == 8 * [1] and len({row["rule"] for row in rows}) == 8
+    assert all(row["ratio"] > 0.9 and len(row["knots"]) == 3 for row in rows)
+    assert rows[0]["ratio"] > rows[-1]["ratio"], "by the paper's rules full tension does not shorten this curve"
+    assert rows[-1]["longer"] == rows[-2]["longer"] == 0
+
+
 def test_polylines_have_as_many_points_as_the_samples_that_splines_get(script, bench_program, tmp_path):
     if not (bench_program.parent / "polyline_comparison").is_file():
         pytest.skip("polyline_comparison is not built (-DBSPLINE_CURVE_BENCHMARKS=ON)")
