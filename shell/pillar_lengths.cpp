@@ -4,9 +4,11 @@
 #include "shell/face_geometry.h"
 #include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace bspline_curve {
 namespace {
@@ -15,12 +17,17 @@ namespace {
 constexpr double kShareOfGap = 0.4;
 // Margin of intersections beside an edge, in barycentric coordinates: no gap between two faces.
 constexpr double kEdgeMargin = 1e-6;
+// Progress is reported after so many pairs of triangles: milliseconds.
+constexpr std::size_t kPairsPerReport = 100000;
 
 }  // namespace
 
 void limitPillarLengths(
-    const ExtendedSurface& extended, std::array<std::vector<double>, 2>& lengths
+    const ExtendedSurface& extended,
+    std::array<std::vector<double>, 2>& lengths,
+    const Progress& progress
 ) {
+    report(progress, 0.0, "placing pillars");
     // One tree of the faces and of the pillars, which are triangles without area there.
     const auto n = static_cast<int>(extended.vertices.size());
     const auto faceCount = static_cast<int>(extended.faces.size());
@@ -37,7 +44,11 @@ void limitPillarLengths(
     }
     const std::array<std::vector<double>, 2> wanted = lengths;
     const TriangleTree tree(points, triangles);
+    std::size_t visited = 0;
     tree.forEachOverlappingPair([&](int face, int j) {
+        if (visited++ % kPairsPerReport == 0) {
+            report(progress, 0.5, "placing pillars");
+        }
         const int v = j - faceCount;
         if (face >= faceCount || v < 0 || cornerOf(extended.faces[face], v) >= 0) {
             return;

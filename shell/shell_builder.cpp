@@ -26,6 +26,10 @@ struct BuilderConstants {
     int patientRounds = 16;
     /// Rounds after which ghosts that intersect something are blocked: needles otherwise.
     int ghostRounds = 6;
+    /// Pairs of triangles that are tested between two reports of the progress: milliseconds.
+    std::size_t pairsPerReport = 100000;
+    /// Shares of the progress: up to where pillars are placed, and all tetrahedra are positive.
+    double placedShare = 0.2, positiveShare = 0.3;
 };
 
 constexpr BuilderConstants kBuilder;
@@ -38,13 +42,14 @@ struct Boundary {
 
 class Builder {
 public:
-    Builder(const ExtendedSurface& extended, const ShellOptions& options) : extended_(extended) {
+    Builder(const ExtendedSurface& extended, const ShellOptions& options, const Progress& progress)
+        : extended_(extended) {
         const std::size_t n = extended.vertices.size();
         for (const double edgeLength : extended.edgeLengths) {
             wantedLengths_.push_back(options.thickness * edgeLength);
         }
         lengths_ = {wantedLengths_, wantedLengths_};
-        limitPillarLengths(extended, lengths_);
+        limitPillarLengths(extended, lengths_, progress);
         points_.points.resize(PillarPoints::kLevels * n);
         for (std::size_t v = 0; v < n; ++v) {
             placePillar(v);
@@ -100,10 +105,15 @@ public:
     void separate(const Progress& progress) {
         for (int round = 0;; ++round) {
             // Most builds need a handful of rounds, each with less to do than the one before.
-            bspline_curve::report(progress, 1.0 - 0.7 / (round + 1.0), "separating top and bottom");
+            const double fraction = 1.0 - (1.0 - kBuilder.positiveShare) / (round + 1.0);
+            const auto show = [&] {
+                bspline_curve::report(progress, fraction, "separating top and bottom");
+            };
+            show();
             report_.intersectionRounds = round;
             const Boundary boundary = findBoundary();
-            const std::vector<std::pair<int, int>> pairs = intersectingPairs(boundary.triangles);
+            const std::vector<std::pair<int, int>> pairs =
+                intersectingPairs(boundary.triangles, show);
             touched_.assign(touched_.size(), 0);
             if (!pairs.empty()) {
                 markIntersecting(boundary, pairs);
@@ -245,13 +255,19 @@ private:
         });
     }
 
-    // Pairs of triangles that intersect and of which at least one changed.
+    // Pairs of triangles that intersect and of which at least one changed. Calls `show` now and
+    // then, which may throw.
+    template <class Show>
     [[nodiscard]] std::vector<std::pair<int, int>> intersectingPairs(
-        const std::vector<Triangle>& triangles
+        const std::vector<Triangle>& triangles, const Show& show
     ) const {
         std::vector<std::pair<int, int>> pairs;
         const TriangleTree tree(points_.points, triangles);
+        std::size_t visited = 0;
         tree.forEachOverlappingPair([&](int i, int j) {
+            if (++visited % kBuilder.pairsPerReport == 0) {
+                show();
+            }
             if ((isTouched(triangles[i]) || isTouched(triangles[j])) &&
                 trianglesIntersect(points_.points, triangles[i], triangles[j])) {
                 pairs.emplace_back(i, j);
@@ -346,7 +362,8 @@ ShellBuild buildShell(
     const ExtendedSurface& extended, const ShellOptions& options, const Progress& progress
 ) {
     options.validate();
-    Builder builder(extended, options);
+    Builder builder(extended, options, partOf(progress, 0.0, kBuilder.placedShare));
+    report(progress, kBuilder.placedShare, "placing pillars");
     builder.makePositive();
     builder.separate(progress);
     return builder.finish();
