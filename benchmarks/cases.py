@@ -135,18 +135,29 @@ def write_ply(path, vertices, faces):
     Path(path).write_bytes(header.encode() + np.asarray(vertices, "<f8").tobytes() + rows.tobytes())
 
 
+def write_case(folder, case):
+    """The files of its mesh and its picks in a folder."""
+    mesh, picks = folder / "mesh.ply", folder / "picks.json"
+    write_ply(mesh, case.vertices, case.faces)
+    picks.write_text(json.dumps({"picks": case.picks.tolist(), "closed": case.closed}))
+    return mesh, picks
+
+
+def report_of(program, folder, mesh, picks, *options, **environment):
+    """The report of a run of the program, which leaves it and the curve in a folder. Throws NoCurve."""
+    report = folder / "report.json"
+    words = [program, mesh, "--picks", picks, "--output", folder / "curve.json", "--report", report, *options]
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, env={**os.environ, **environment})
+    if done.returncode != 0:
+        raise NoCurve(done.stderr.strip().removeprefix("bspline_curve: ").replace("\n", " "))
+    return json.loads(report.read_text())
+
+
 def draw(program, case, *options, repeat=5):
     """The report of a run of the program on a case. Throws NoCurve."""
-    with tempfile.TemporaryDirectory() as folder:
-        mesh, picks, report = (Path(folder) / name for name in ("mesh.ply", "picks.json", "report.json"))
-        write_ply(mesh, case.vertices, case.faces)
-        picks.write_text(json.dumps({"picks": case.picks.tolist(), "closed": case.closed}))
-        words = [program, mesh, "--picks", picks, "--output", Path(folder) / "curve.json", "--report", report,
-                 "--repeat", repeat, "--no-cache", *options]
-        done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
-        if done.returncode != 0:
-            raise NoCurve(done.stderr.strip().removeprefix("bspline_curve: ").replace("\n", " "))
-        return json.loads(report.read_text())
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        return report_of(program, folder, *write_case(folder, case), "--repeat", repeat, "--no-cache", *options)
 
 
 def is_in_whole_shell(report):

@@ -11,17 +11,15 @@ each curve it is told whether its length ever rises by more than 0.5 % as λ goe
 λ = 1 than with 0, and whether its knots rise from degree 2 to 3 or 4 with λ = 0.5. Takes some minutes.
 """
 import argparse
-import json
 import os
 import statistics
-import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from cases import (PROGRAM, ROOT, SEED, Case, NoCurve, cases_of, farthest_picks, packaged_mesh, replace_table, torus_of, write_json,
-                   write_ply)
+from cases import (PROGRAM, ROOT, SEED, Case, cases_of, farthest_picks, packaged_mesh, replace_table, report_of, torus_of, write_case,
+                   write_json)
 
 RULES = [  # what takes the place, in words and as options
     ("as in the paper", []),
@@ -51,33 +49,23 @@ def own_cases(quick):
             yield Case(f"{name}, {count} {'closed' if closed else 'open'}", vertices, faces, picks, closed)
 
 
-class Runs:
-    """Runs of the program on cases whose files are written once; shells are kept in a folder of its own."""
+class CaseRuns:
+    """Runs of the program on a case, whose files are written once; shells are kept in its folder."""
 
-    def __init__(self, program, folder, cases):
-        self.program, self.folder, self.count = program, folder, len(cases)
-        for index, case in enumerate(cases):
-            write_ply(folder / f"{index}.ply", case.vertices, case.faces)
-            picks = {"picks": case.picks.tolist(), "closed": case.closed}
-            (folder / f"{index}.json").write_text(json.dumps(picks))
+    def __init__(self, program, folder, case):
+        folder.mkdir()
+        self.program, self.folder, self.files = program, folder, write_case(folder, case)
 
-    def draw(self, index, tension, degree, options):
-        name = f"{index}-{tension}-{degree}"
-        report = self.folder / f"{name}.report.json"
-        words = [self.program, self.folder / f"{index}.ply", "--picks", self.folder / f"{index}.json", "--tension", tension,
-                 "--degree", degree, "--output", self.folder / f"{name}.curve.json", "--report", report, *options]
-        environment = {**os.environ, "XDG_CACHE_HOME": str(self.folder)}
-        done = subprocess.run(list(map(str, words)), capture_output=True, text=True, env=environment)
-        if done.returncode != 0:
-            raise NoCurve(done.stderr.strip())
-        return json.loads(report.read_text())
+    def draw(self, tension, degree, options):
+        chosen = ["--tension", tension, "--degree", degree, *options]
+        return report_of(self.program, self.folder, *self.files, *chosen, XDG_CACHE_HOME=str(self.folder))
 
-    def of_case(self, index, options):
+    def figures(self, options):
         """Length by λ and knots by degree."""
-        by_tension = [self.draw(index, tension, 3, options) for tension in TENSIONS]
+        by_tension = [self.draw(tension, 3, options) for tension in TENSIONS]
         lengths = [report["curve"]["length"] for report in by_tension]
         middle = by_tension[TENSIONS.index(MIDDLE)]
-        knots = [(middle if degree == 3 else self.draw(index, MIDDLE, degree, options))["knots_last"] for degree in DEGREES]
+        knots = [(middle if degree == 3 else self.draw(MIDDLE, degree, options))["knots_last"] for degree in DEGREES]
         return {"lengths": lengths, "knots": knots}
 
 
@@ -118,10 +106,10 @@ def main():
     cases = list(cases_of(given.cases) if given.cases else own_cases(given.quick))
     rows, options = [], ["--preset", "paper"]
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
-        runs = Runs(given.program, Path(folder), cases)
+        runs = [CaseRuns(given.program, Path(folder) / str(index), case) for index, case in enumerate(cases)]
         for rule, more in [*RULES, DEFAULT]:
             options = [] if more is None else options + more
-            rows.append(row_of(rule, list(pool.map(lambda index: runs.of_case(index, options), range(runs.count)))))
+            rows.append(row_of(rule, list(pool.map(lambda run: run.figures(options), runs))))
             print(rows[-1], flush=True)
     write_json(given.json, rows)
     print(table_of(rows))

@@ -21,7 +21,8 @@ import time
 from pathlib import Path
 
 import numpy as np
-from cases import PROGRAM, ROOT, cases_of, geometric_mean, machine, picked_cases, replace_table, torus_of, write_json, write_ply
+from cases import (PROGRAM, ROOT, cases_of, geometric_mean, machine, picked_cases, replace_table, torus_of, write_case, write_json,
+                   write_ply)
 
 LAYOUTS = ((4, False), (7, False), (6, True))  # picks, closed
 LARGE_VERTICES, LARGE_CURVES, LARGE_SEGMENTS = 500_000, 100, 1000
@@ -29,9 +30,8 @@ LARGE_VERTICES, LARGE_CURVES, LARGE_SEGMENTS = 500_000, 100, 1000
 
 def drawn(program, folder, case):
     """The curve file and the mesh file of a case."""
-    mesh, picks, curve = (folder / name for name in ("mesh.ply", "picks.json", "curve.json"))
-    write_ply(mesh, case.vertices, case.faces)
-    picks.write_text(json.dumps({"picks": case.picks.tolist(), "closed": case.closed}))
+    mesh, picks = write_case(folder, case)
+    curve = folder / "curve.json"
     words = [program, mesh, "--picks", picks, "--output", curve, "--field", "none", "--no-cache"]
     subprocess.run(list(map(str, words)), check=True, capture_output=True)
     return mesh, curve
