@@ -196,14 +196,12 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
     const std::vector<std::vector<int>> files =
         partsPerMesh(file.imprinted, file.parts, arguments.keep, arguments.split);
     CutFigures figures{.doubledVertices = static_cast<int>(doubled), .cutSeconds = 0.0, .kept = {}};
-    const double share = 1.0 / static_cast<double>(files.size());
     // All files appear, or none.
     std::list<AtomicFile> written;
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::filesystem::path name = numberedFile(arguments.output, i);
-        const double from = share * static_cast<double>(i);
         const FilledParts taken =
-            partsOfFile(arguments, file, cut, files[i], partOf(progress, from, from + share));
+            partsOfFile(arguments, file, cut, files[i], stepOf(progress, i, files.size()));
         const std::vector<double> quality =
             file.quality.empty() ? std::vector<double>() : taken.carried(file.quality);
         figures.filledHoles += static_cast<int>(taken.rims.size());

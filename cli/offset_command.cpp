@@ -146,8 +146,10 @@ std::string bandBytes(
 ) {
     const Surface& surface = read.surface();
     std::vector<int> labels(surface.faceCount(), 0);
-    for (const SurfacePolyline& curve : read.curves()) {
-        const std::vector<char> within = facesWithin(surface, curve, arguments.offset, progress);
+    const std::vector<SurfacePolyline>& curves = read.curves();
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const std::vector<char> within =
+            facesWithin(surface, curves[i], arguments.offset, stepOf(progress, i, curves.size()));
         for (std::size_t f = 0; f < within.size(); ++f) {
             labels[f] |= within[f];
         }
@@ -162,17 +164,11 @@ std::vector<FittedLine> linesBeside(
     const Surface& surface = read.surface();
     const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
     std::vector<FittedLine> pieces;
-    const double share = 1.0 / static_cast<double>(read.curves().size());
-    for (std::size_t i = 0; i < read.curves().size(); ++i) {
-        const double from = share * static_cast<double>(i);
+    const std::vector<SurfacePolyline>& curves = read.curves();
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const Progress step = stepOf(progress, i, curves.size());
         std::ranges::move(
-            offsetCurves(
-                surface,
-                extended,
-                read.curves()[i],
-                arguments.offset,
-                partOf(progress, from, from + share)
-            ),
+            offsetCurves(surface, extended, curves[i], arguments.offset, step),
             std::back_inserter(pieces)
         );
     }

@@ -9,8 +9,6 @@
 namespace bspline_curve {
 namespace {
 
-// Vertices nearer to a mesh edge or vertex than this (barycentric) lie on it.
-constexpr double kSnap = 1e-9;
 // Vertices nearer than this to each other (relative to the diagonal) are one.
 constexpr double kCoincident = 1e-10;
 // A segment is halved at most this often to meet the maximal length.
@@ -58,7 +56,7 @@ private:
     [[nodiscard]] Vertex makeVertex(
         double parameter, const SurfacePoint& point, int pick = -1
     ) const {
-        const SurfacePoint exact = pick >= 0 ? point : snapped(point, kSnap);
+        const SurfacePoint exact = pick >= 0 ? point : snapped(point, kSnapBarycentric);
         return {parameter, exact, surface_.position(exact), pick};
     }
 

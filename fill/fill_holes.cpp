@@ -353,10 +353,8 @@ FilledMesh fillHoles(
     const Progress& progress
 ) {
     HoleFiller filler(mesh, rims);
-    const double share = 1.0 / static_cast<double>(rims.size());
     for (std::size_t rim = 0; rim < rims.size(); ++rim) {
-        const double from = share * static_cast<double>(rim);
-        filler.fill(rim, shape, partOf(progress, from, from + share));
+        filler.fill(rim, shape, stepOf(progress, rim, rims.size()));
     }
     return filler.take();
 }

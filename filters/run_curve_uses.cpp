@@ -212,11 +212,10 @@ MeshesResult runCutFilter(
     int filledHoles = 0;
     const std::vector<std::vector<int>> chosenParts =
         partsPerMesh(*from.imprint, from.parts, choice, request.choice.split);
-    const double share = (1.0 - kPartsShare) / static_cast<double>(chosenParts.size());
+    const Progress taking = partOf(progress, kPartsShare, 1.0);
     for (const std::vector<int>& chosen : chosenParts) {
-        const double done = kPartsShare + share * static_cast<double>(layers.size());
-        FilledParts taken =
-            partsOfLayer(from, cut, request.choice, chosen, partOf(progress, done, done + share));
+        const Progress step = stepOf(taking, layers.size(), chosenParts.size());
+        FilledParts taken = partsOfLayer(from, cut, request.choice, chosen, step);
         filledHoles += countOf(taken.rims.size());
         if (taken.openRims > 0) {
             from.warnings.push_back(
@@ -312,19 +311,19 @@ OffsetResult runOffsetFilter(
     double length = 0.0;
     double deviation = 0.0;
     const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
-    const double share = (1.0 - kPlacedShare) / static_cast<double>(placed.placed.curves.size());
-    double done = kPlacedShare;
-    for (const PlacedCurve& curve : placed.placed.curves) {
-        const double lines = done + kLinesShare * share;
+    const Progress drawing = partOf(progress, kPlacedShare, 1.0);
+    const std::vector<PlacedCurve>& curves = placed.placed.curves;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const PlacedCurve& curve = curves[i];
+        const Progress step = stepOf(drawing, i, curves.size());
         for (FittedLine& fitted :
-             linesBeside(surface, extended, curve, options, partOf(progress, done, lines))) {
+             linesBeside(surface, extended, curve, options, partOf(step, 0.0, kLinesShare))) {
             length += lengthOf(fitted.line);
             deviation = std::max(deviation, fitted.deviation);
             result.pieces.push_back({.line = std::move(fitted.line), .curve = curve.label});
         }
-        done += share;
         if (request.selectBand) {
-            addBand(surface, curve, options, partOf(progress, lines, done), result.band);
+            addBand(surface, curve, options, partOf(step, kLinesShare, 1.0), result.band);
         }
     }
     result.figures = {

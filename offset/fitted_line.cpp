@@ -38,8 +38,6 @@ constexpr double kVertexStep = 0.025;
 /// Where a chord cuts off too much of a bend, which the line has behind vertices of the mesh, so
 /// many take its place.
 constexpr int kChordParts = 8;
-/// Vertices nearer to an edge or a vertex of the mesh than this (barycentric) lie on it.
-constexpr double kSnap = 1e-9;
 
 /// One line, and the splines that are tried for it.
 class Fitting {
@@ -196,7 +194,7 @@ private:
             }
             for (int k = 1; k < kChordParts; ++k) {
                 const double t = std::lerp(line.parameters[i], end, 1.0 * k / kChordParts);
-                const SurfacePoint between = snapped(shadow.at(t), kSnap);
+                const SurfacePoint between = snapped(shadow.at(t), kSnapBarycentric);
                 if (commonFace(surface_, finer.surfacePoints.back(), between) >= 0 &&
                     commonFace(surface_, between, next) >= 0) {
                     add(t, between);

@@ -201,12 +201,9 @@ std::vector<FittedLine> offsetCurves(
         linesAt(surface, beams, options, partOf(progress, kDistancesShare, kLinesShare));
     const LineFitter fitter(surface, extended, beams, options.distance);
     std::vector<FittedLine> fitted;
-    const double share = (kFitsShare - kLinesShare) / static_cast<double>(lines.size());
-    for (const SurfacePolyline& each : lines) {
-        const double from = kLinesShare + share * static_cast<double>(fitted.size());
-        fitted.push_back(
-            fitter.fitted(each, options.tolerance, partOf(progress, from, from + share))
-        );
+    const Progress fits = partOf(progress, kLinesShare, kFitsShare);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        fitted.push_back(fitter.fitted(lines[i], options.tolerance, stepOf(fits, i, lines.size())));
     }
     double tolerance = options.tolerance;
     for (int attempt = 0; attempt <= kCloserFits; ++attempt) {

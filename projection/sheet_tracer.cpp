@@ -18,7 +18,6 @@ namespace {
 struct Constants {
     int leastFeet = 4, mostFeet = 256;  // of a span
     std::size_t mostFaces = 500;        // that are looked at for a foot
-    double onEdge = 1e-9;               // barycentric; as that of the vertices of polylines
 };
 
 constexpr Constants kConstants;
@@ -137,7 +136,7 @@ private:
             }
             if (closest.squaredDistance < squared) {
                 squared = closest.squaredDistance;
-                best = snapped({face, closest.barycentric}, kConstants.onEdge);
+                best = snapped({face, closest.barycentric}, kSnapBarycentric);
             }
             for (const int next : surface_.faceNeighbours()[face]) {
                 if (next >= 0 && seen_.find(next) == nullptr) {

@@ -11,6 +11,9 @@ namespace bspline_curve {
 /// on the vertex.
 inline constexpr double kOnEdgeBarycentric = 1e-12;
 
+/// Vertices of polylines that are nearer to an edge or a vertex than this are put on it.
+inline constexpr double kSnapBarycentric = 1e-9;
+
 /// All faces that hold a point: its own, the neighbour where it lies on an edge, the whole star
 /// where it lies on a vertex. Ascending.
 [[nodiscard]] std::vector<int> facesHolding(const Surface& surface, const SurfacePoint& point);

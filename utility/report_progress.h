@@ -3,6 +3,8 @@
 
 #include "bspline_curve/progress.h"
 
+#include <cstddef>
+
 namespace bspline_curve {
 
 /// Reports to a callback that may be empty; throws Cancelled where it says so.
@@ -21,6 +23,15 @@ inline void report(const Progress& progress, double fraction, const char* stage)
     return [&progress, from, to](double fraction, const char* stage) {
         return progress(from + (to - from) * fraction, stage);
     };
+}
+
+/// A callback for one of `count` steps that take alike; refers to `progress`.
+[[nodiscard]] inline Progress stepOf(
+    const Progress& progress, std::size_t step, std::size_t count
+) {
+    const double share = 1.0 / static_cast<double>(count);
+    const double from = share * static_cast<double>(step);
+    return partOf(progress, from, from + share);
 }
 
 }  // namespace bspline_curve

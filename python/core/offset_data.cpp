@@ -77,24 +77,19 @@ Array facesNear(
 }  // namespace
 
 void bindOffset(nb::module_& module) {
-    module.def(
-        "offset",
-        curvesBeside,
-        nb::arg("designer"),
-        nb::arg("curve"),
-        nb::arg("distance"),
-        nb::arg("side"),
-        nb::arg("progress").none()
-    );
-    module.def(
-        "faces_within",
-        facesNear,
-        nb::arg("designer"),
-        nb::arg("curve"),
-        nb::arg("distance"),
-        nb::arg("side"),
-        nb::arg("progress").none()
-    );
+    const auto define = [&](const char* name, auto* function) {
+        module.def(
+            name,
+            function,
+            nb::arg("designer"),
+            nb::arg("curve"),
+            nb::arg("distance"),
+            nb::arg("side"),
+            nb::arg("progress").none()
+        );
+    };
+    define("offset", curvesBeside);
+    define("faces_within", facesNear);
 }
 
 }  // namespace bspline_curve::python
