@@ -469,7 +469,7 @@ def concave():
     x = np.array([-0.85, -0.2, 0.3, 0.85])
     picks = nearest(mesh, *np.stack([x, 0.35 * np.sin(2.5 * x), 0 * x], 1))[[0, 3]]
     values = prepared(mesh, "default").field("normal-variation")
-    return with_field(mesh, picks, values, "normal-variation", (0.0, -0.5, 1.0))
+    return with_field(mesh, picks, values, "normal-variation", np.square, (0.0, -0.5, 1.0))
 
 
 @figure(15, "Sharp features by (25)", "With e to the minus maximal curvature as cost, curves run along sharp features.")
@@ -479,22 +479,23 @@ def sharp():
     v = 0.5 + 0.18 * np.sin(2 * u)
     picks = nearest(mesh, *np.stack([0.6 * np.cos(u), 1.3 * v, 0.6 * np.sin(u)], 1))[[0, 3]]
     values = prepared(mesh, "default").field("maximal-curvature")
-    return with_field(mesh, picks, values, "maximal-curvature", (0.0, 0.2, 1.0))
+    return with_field(mesh, picks, values, "maximal-curvature", lambda x: np.exp(-x), (0.0, 0.2, 1.0))
 
 
-def with_field(mesh, picks, values, kind, view):
-    """Without and with a field: pictures, and the field's mean along the curves."""
+def with_field(mesh, picks, values, kind, cost, view):
+    """Without and with a field: pictures, and the mean of its cost along the curves."""
+    costs = cost(values)
     panels, means = [], {}
     for name, options in (("without the field", {}), ("with the field", {"field": kind})):
         curves = both(mesh, picks, **options)
         panels.append(panel(name, scene_of(mesh, curves, picks, colours=heat(values), view=view)))
         for preset, curve in curves.items():
-            means.setdefault(preset, []).append(mean_along(curve, values))
+            means.setdefault(preset, []).append(mean_along(curve, costs))
     said = "; ".join(f"`{preset}` {a:.3g} without, {b:.3g} with" for preset, (a, b) in means.items())
     strong = draw(mesh, picks, "paper", field=kind, field_weight=500.0)
     panels.append(panel("paper with mu = 500", scene_of(mesh, {"paper": strong}, picks, colours=heat(values), view=view)))
-    return panels, (f"Mean of the field along the curve (from {values.min():.3g} to {values.max():.3g} on the mesh): {said}; "
-                    f"`paper` with μ = 500 {mean_along(strong, values):.3g}.")
+    return panels, (f"Mean cost along the curve (from {costs.min():.3g} to {costs.max():.3g} on the mesh): {said}; "
+                    f"`paper` with μ = 500 {mean_along(strong, costs):.3g}.")
 
 
 def mean_along(curve, values):
@@ -522,11 +523,11 @@ def obstacles():
         for preset, _ in PRESETS:
             options = {"field": prepared(mesh, preset).field("obstacle", region=region)} if name == "with" else {}
             if options and preset == "paper":
-                options["field_weight"] = 2000.0
+                options["field_weight"] = 1000.0
             curves[preset] = draw(mesh, picks, preset, **options)
         panels.append(panel(f"{name} the field", scene_of(mesh, curves, picks, colours=colours)))
         said.append(f"{name}: " + each(curves, lambda c: f"{100 * share_inside(c, region):.0f} %"))
-    return panels, ("Share of the curve within the obstacles, " + ", ".join(said) + " (`paper` with μ = 2000: with μ = 1 the field "
+    return panels, ("Share of the curve within the obstacles, " + ", ".join(said) + " (`paper` with μ = 1000: with μ = 1 the field "
                     "is too weak beside bending).")
 
 

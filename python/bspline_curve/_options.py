@@ -35,8 +35,8 @@ class Option(NamedTuple):
 
 
 def changed(described: Mapping[str, Option], given: Mapping[str, object]) -> dict[str, Value]:
-    """The options that are not their defaults, checked, as the core takes them. Other presets than the default one have
-    defaults of their own for some, so all options go with them."""
+    """The options that are not their defaults, checked, as the core takes them. For the others the core takes what the
+    preset says."""
     result: dict[str, Value] = {}
     for name, value in given.items():
         option = described[name]
@@ -44,8 +44,6 @@ def changed(described: Mapping[str, Option], given: Mapping[str, object]) -> dic
             checked = checked_value(name, option, value)
             if checked != option.default:
                 result[name] = checked
-    if "preset" in result:
-        return {name: option.default for name, option in described.items()} | result
     return result
 
 

@@ -25,7 +25,7 @@ def test_the_polyline_lies_on_the_faces_that_it_names(mesh, picks):
 @pytest.mark.parametrize(("options", "words"), [
     ({}, []),
     ({"closed": True, "degree": 4, "tension": 0.2}, ["--closed", "--degree", "4", "--tension", "0.2"]),
-    ({"preset": "paper", "samples": 60}, ["--preset", "paper", "--samples", "60"]),
+    ({"preset": "paper", "samples": 60, "field": "valley"}, ["--preset", "paper", "--samples", "60", "--field", "valley"]),
     ({"field": "valley", "field_weight": 500}, ["--field", "valley", "--field-weight", "500"]),
     ({"avoid": [1600, 1601, 1602]}, ["--avoid", "avoid.npy"]),
 ])
