@@ -15,6 +15,9 @@ class Option;
 
 namespace bspline_curve::cli {
 
+/// The group of a verb's own options in its help.
+inline constexpr const char* kMainGroup = "Options";
+
 /// What the program has beyond the description of a parameter.
 struct OptionExtras {
     std::string aliases{};        ///< ",--lambda"

@@ -13,7 +13,6 @@ namespace bspline_curve::cli {
 
 namespace {
 
-constexpr const char* kMain = "Options";
 constexpr const char* kAdvanced = "Advanced options";
 constexpr const char* kFieldGroup = "Options of the field";
 constexpr const char* kFieldPrefix = "--field-";
@@ -40,7 +39,7 @@ std::string groupOf(const ParameterDescription& parameter) {
     if (parameter.group == "advanced.field") {
         return kFieldGroup;
     }
-    return parameter.isAdvanced() ? kAdvanced : kMain;
+    return parameter.isAdvanced() ? kAdvanced : kMainGroup;
 }
 
 }  // namespace

@@ -16,7 +16,6 @@ namespace bspline_curve::cli {
 
 namespace {
 
-constexpr const char* kMain = "Options";
 constexpr const char* kPrefix = "--";
 
 /// The command line of one field, and what was given on it.
@@ -26,7 +25,7 @@ public:
         app_.add_option("MESH", arguments_.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
             ->required()
             ->type_name("");
-        options_.add("kind", kMain, {.isRequired = true});
+        options_.add("kind", kMainGroup, {.isRequired = true});
         app_.add_option(
                 "--output",
                 arguments_.output,
@@ -43,10 +42,10 @@ public:
         for (const ParameterDescription& parameter : fieldFilter().parameters) {
             // The region is a selection elsewhere; here it is a file or a threshold.
             if (parameter.id != "kind" && parameter.id != "region") {
-                options_.add(parameter.id, kMain);
+                options_.add(parameter.id, kMainGroup);
             }
         }
-        addRegionOptions(app_, kMain, kPrefix, arguments_.region);
+        addRegionOptions(app_, kMainGroup, kPrefix, arguments_.region);
         addRepairOption(app_);
     }
 

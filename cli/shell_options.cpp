@@ -18,8 +18,6 @@ namespace bspline_curve::cli {
 
 namespace {
 
-constexpr const char* kGroup = "Options";
-
 void addFiles(CLI::App& app, ShellArguments& arguments) {
     app.add_option("MESH", arguments.mesh, "Triangle mesh: .ply, .obj, .off or .stl")
         ->required()
@@ -87,7 +85,7 @@ public:
               "shell_smoothing_passes",
               "strict",
               "weld"}) {
-            options_.add(id, kGroup);
+            options_.add(id, kMainGroup);
         }
     }
 
