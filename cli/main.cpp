@@ -8,10 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <exception>
 #include <filesystem>
 #include <iostream>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,17 +75,6 @@ ExitCode run(Arguments arguments) {
 }
 
 }  // namespace
-
-ExitCode reportingErrors(const std::function<ExitCode()>& run) {
-    try {
-        return run();
-    } catch (const std::bad_alloc&) {
-        printError("out of memory");
-    } catch (const std::exception& error) {
-        printError(std::string("internal error: ") + error.what());
-    }
-    return ExitCode::Failure;
-}
 
 }  // namespace bspline_curve::cli
 

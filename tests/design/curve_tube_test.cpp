@@ -27,7 +27,7 @@ constexpr int kSides = 12;
 /// Of the area of a circle: that of its regular polygon.
 const double kPolygonArea = kSides / kTurn * std::sin(kTurn / kSides);
 
-std::vector<Vec3> sampled(int count, const std::function<Vec3(double)>& curve) {
+std::vector<Vec3> pointsOf(int count, const std::function<Vec3(double)>& curve) {
     std::vector<Vec3> points;
     for (int i = 0; i < count; ++i) {
         points.push_back(curve(static_cast<double>(i) / count));
@@ -76,7 +76,7 @@ TEST(CurveTube, AroundASegmentIsAPrismWithLids) {
 }
 
 TEST(CurveTube, AroundACircleIsATorusOfTheRightVolume) {
-    const TriangleMesh tube = makeTube(sampled(400, circle), true, 0.1);
+    const TriangleMesh tube = makeTube(pointsOf(400, circle), true, 0.1);
     expectWatertight(tube);
     const Surface surface(tube);
     EXPECT_EQ(surface.vertexCount() - surface.faceCount() * 3 / 2 + surface.faceCount(), 0)
@@ -86,7 +86,7 @@ TEST(CurveTube, AroundACircleIsATorusOfTheRightVolume) {
 }
 
 TEST(CurveTube, LiesOneRadiusFromTheCurve) {
-    const std::vector<Vec3> points = sampled(500, knot);
+    const std::vector<Vec3> points = pointsOf(500, knot);
     for (const Vec3& vertex : makeTube(points, true, 0.02).vertices) {
         double nearest = 1.0;
         for (const Vec3& point : points) {
@@ -97,7 +97,7 @@ TEST(CurveTube, LiesOneRadiusFromTheCurve) {
 }
 
 TEST(CurveTube, OfAClosedCurveHasNoSeam) {
-    const std::vector<Vec3> points = sampled(300, knot);
+    const std::vector<Vec3> points = pointsOf(300, knot);
     const TriangleMesh tube = makeTube(points, true, 0.05);
     expectWatertight(tube);
     EXPECT_NO_THROW(Surface{tube});
@@ -146,7 +146,7 @@ TEST(CurveTube, IsWholeAroundRandomPolylines) {
 }
 
 TEST(CurveTube, HasFewRingsAroundManyShortSegments) {
-    const std::vector<Vec3> points = sampled(20000, circle);
+    const std::vector<Vec3> points = pointsOf(20000, circle);
     const TriangleMesh tube = makeTube(points, true, 0.1);
     EXPECT_LT(tube.vertices.size(), kSides * kTurn / 0.024);
     EXPECT_GT(tube.vertices.size(), kSides * kTurn / 0.027);
@@ -166,8 +166,8 @@ TEST(CurveTube, KeepsBothEndsOfAShortCurve) {
 }
 
 TEST(CurveTube, ScalesWithTheCurve) {
-    const std::vector<Vec3> points = sampled(100, knot);
-    const std::vector<Vec3> larger = sampled(100, [](double t) { return Vec3(1024.0 * knot(t)); });
+    const std::vector<Vec3> points = pointsOf(100, knot);
+    const std::vector<Vec3> larger = pointsOf(100, [](double t) { return Vec3(1024.0 * knot(t)); });
     const TriangleMesh tube = makeTube(points, true, 0.05);
     const TriangleMesh large = makeTube(larger, true, 0.05 * 1024.0);
     ASSERT_EQ(tube.faces, large.faces);

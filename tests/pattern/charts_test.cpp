@@ -22,8 +22,6 @@ using namespace test_support;
 using Vec2 = Eigen::Vector2d;
 using Status = CarriedPoint::Status;
 
-constexpr double kPi = std::numbers::pi;
-
 SurfacePoint nearest(const Surface& surface, const Vec3& point) {
     const TriangleTree tree(surface.vertices(), surface.faces());
     return snapped(tree.closestPoint(point).point, kOnEdgeBarycentric);
@@ -86,7 +84,7 @@ TEST(PointChart, ScalesTheAnglesAtACorner) {
     const PointChart chart(surface, nearest(surface, {1, 1, 1}), Vec3(-1, -1, 1));
     // Three right angles share a full turn.
     const Vec3 up = carried(surface, chart, {0.0, 0.3});
-    for (const double turn : {2 * kPi / 3, 4 * kPi / 3}) {
+    for (const double turn : {2 * std::numbers::pi / 3, 4 * std::numbers::pi / 3}) {
         const Vec3 turned = carried(surface, chart, 0.3 * Vec2(-std::sin(turn), std::cos(turn)));
         EXPECT_NEAR(turned.minCoeff(), up.minCoeff(), 1e-12);
         EXPECT_NEAR(turned.maxCoeff(), up.maxCoeff(), 1e-12);
@@ -131,7 +129,7 @@ TEST(CurveChart, BendsWithACircle) {
     const double radius = 0.25;
     std::vector<Vec3> picks;
     for (int i = 0; i < 24; ++i) {
-        const double angle = 2 * kPi * i / 24;
+        const double angle = 2 * std::numbers::pi * i / 24;
         picks.emplace_back(0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle), 0.0);
     }
     const SurfacePolyline line = drawn(mesh, picks, true);
@@ -141,7 +139,7 @@ TEST(CurveChart, BendsWithACircle) {
         for (int i = 0; i < 100; ++i) {
             const double turn = -0.3 + 0.1 * i;  // also before the start and past the end
             const double y = 0.2 * std::sin(3 * i);
-            const double angle = 2 * kPi * turn;
+            const double angle = 2 * std::numbers::pi * turn;
             const Vec3 expected =
                 Vec3(0.5, 0.5, 0) + (radius - y) * Vec3(std::cos(angle), std::sin(angle), 0);
             const Vec3 found = carried(surface, chart, {turn * chart.length(), y});

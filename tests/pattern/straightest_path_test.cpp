@@ -20,7 +20,6 @@ namespace {
 
 using namespace test_support;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kExact = 1e-12;
 
 /// A surface, and paths on it from where they are nearest to points.
@@ -70,7 +69,7 @@ TEST(StraightestPath, IsStraightOnAPlaneWhateverTheFaces) {
     Random random(11);
     for (int i = 0; i < 300; ++i) {
         const Vec3 start(random.uniform(0.3, 0.7), random.uniform(0.3, 0.7), 0.0);
-        const double angle = random.uniform(-kPi, kPi);
+        const double angle = random.uniform(-std::numbers::pi, std::numbers::pi);
         const Vec3 direction(std::cos(angle), std::sin(angle), 0.0);
         const double length = random.uniform(0.0, 0.29);
         expectWholeAndAt(
@@ -98,8 +97,8 @@ TEST(StraightestPath, IsStraightThroughVerticesAndAlongEdges) {
 TEST(StraightestPath, IsAHelixOnAPrism) {
     constexpr int kSegments = 12;
     const Traced scene(openCylinder(kSegments, 7));
-    const double chord = 2.0 * std::sin(kPi / kSegments);
-    const double face = 2 * kPi / kSegments;
+    const double chord = 2.0 * std::sin(std::numbers::pi / kSegments);
+    const double face = 2 * std::numbers::pi / kSegments;
     /// The point of the prism at a length of its perimeter.
     const auto folded = [&](double along, double height) {
         const double segment = std::floor(along / chord);

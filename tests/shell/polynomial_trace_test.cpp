@@ -46,7 +46,7 @@ TEST(PolynomialCurve, ShiftsWithoutMoving) {
 
 // ---- Traces ----
 
-Trace traced(const Shell& shell, const PolynomialCurve& curve, double end, int firstTet) {
+Trace tracedInside(const Shell& shell, const PolynomialCurve& curve, double end, int firstTet) {
     const auto onCrossing = [&](const ShellCell& from, const ShellCell& to, double s, int k) {
         EXPECT_EQ(shell.neighbour(from.tet, k), to.tet);
         if (s > 0.0) {
@@ -115,7 +115,7 @@ TEST_P(TracePolynomial, AgreesWithBruteForce) {
             Vec3& c = curve.coefficients[j];
             c -= random.uniform(0.5, 1.0) * c.dot(normal) * normal;
         }
-        const Trace trace = traced(shell, curve, 1.0, shell.locate(point));
+        const Trace trace = tracedInside(shell, curve, 1.0, shell.locate(point));
         ASSERT_FALSE(trace.pieces.empty());
         if (trace.inside) {
             ++inside;
@@ -175,7 +175,7 @@ protected:
                     continue;
                 }
                 ++starts;
-                const Trace trace = traced(built_.shell(), line, 1.0, tet);
+                const Trace trace = tracedInside(built_.shell(), line, 1.0, tet);
                 EXPECT_TRUE(trace.inside) << "from tetrahedron " << tet << ", degree " << degree;
                 const Vec3 end = to + lift;
                 const ShellCell& last = trace.last;
@@ -227,7 +227,7 @@ TEST_F(TraceOnPlate, ReachesTheBoundaryAndTheGhostsBeyond) {
         .degree = 1, .coefficients = {grid(3, 3), grid(5, 0) - grid(0, 0)}
     };
     const int tet = built_.shell().locate({2 * (3 * kCells + 3), Vec3(1, 0, 0)});
-    EXPECT_FALSE(traced(built_.shell(), beyond, 1.0, tet).inside);
+    EXPECT_FALSE(tracedInside(built_.shell(), beyond, 1.0, tet).inside);
 }
 
 TEST_F(TraceOnPlate, GrazesWallsAndTheMiddleSurface) {
@@ -244,7 +244,7 @@ TEST_F(TraceOnPlate, GrazesWallsAndTheMiddleSurface) {
             };
             for (int tet = 0; tet < built_.shell().tetrahedronCount(); ++tet) {
                 if (ShellCell(built_.shell(), tet).insideness(from) > 0.0) {
-                    EXPECT_TRUE(traced(built_.shell(), curve, 1.0, tet).inside);
+                    EXPECT_TRUE(tracedInside(built_.shell(), curve, 1.0, tet).inside);
                 }
             }
         }
@@ -255,7 +255,7 @@ TEST_F(TraceOnPlate, GrazesWallsAndTheMiddleSurface) {
 Trace tracedUp(const Shell& shell, const SurfacePoint& point, double w, double end) {
     const Vec3 start = shell.lift(point, 0.0);
     const PolynomialCurve up{.degree = 1, .coefficients = {start, shell.lift(point, w) - start}};
-    Trace trace = traced(shell, up, end, shell.locate(point));
+    Trace trace = tracedInside(shell, up, end, shell.locate(point));
     if (trace.inside) {
         EXPECT_NEAR(trace.last.height.at(up.at(end)), w, 1e-9);
     }

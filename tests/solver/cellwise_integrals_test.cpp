@@ -26,7 +26,7 @@ constexpr double kGrazingError = 0.02;
 
 enum class Avoided { Nothing, Disc, AllButTheWay };
 
-struct Case {
+struct CellCase {
     std::string name;
     int degree;
     bool closed;
@@ -37,7 +37,7 @@ struct Case {
 
 const std::vector<Vec3> kPicks = {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}};
 
-test_support::ProblemFixture makeFixture(const Case& c, const SolverOptions& options) {
+test_support::ProblemFixture makeFixture(const CellCase& c, const SolverOptions& options) {
     const TriangleMesh fine = test_support::withNoise(test_support::icosphere(3), 0.01, 7);
     if (c.simplified) {
         const test_support::CoarseShellCase coarse{
@@ -112,13 +112,13 @@ Eigen::VectorXd hessianTimes(
     return result;
 }
 
-class CellwiseDerivatives : public testing::TestWithParam<Case> {};
+class CellwiseDerivatives : public testing::TestWithParam<CellCase> {};
 
 // Central differences of the energy along random directions of the control points against the
 // gradient, and of the gradient against the Hessian. On a noisy sphere the curve crosses hundreds
 // of walls.
 TEST_P(CellwiseDerivatives, AgreeWithDifferences) {
-    const Case& c = GetParam();
+    const CellCase& c = GetParam();
     SolverOptions options;
     options.degree = c.degree;
     options.closed = c.closed;
@@ -179,22 +179,24 @@ INSTANTIATE_TEST_SUITE_P(
     AllKinds,
     CellwiseDerivatives,
     testing::Values(
-        Case{"OpenQuadratic", 2, false, FieldCost::Identity},
-        Case{"OpenCubic", 3, false, FieldCost::Square},
-        Case{"OpenQuartic", 4, false, FieldCost::ExpMinus},
-        Case{"ClosedCubic", 3, true, FieldCost::Identity},
-        Case{"ClosedQuadratic", 2, true, FieldCost::Square},
-        Case{"ClosedQuartic", 4, true, FieldCost::Identity},
-        Case{"SimplifiedQuadratic", 2, false, FieldCost::Identity, true},
-        Case{"SimplifiedCubic", 3, false, FieldCost::Square, true},
-        Case{"SimplifiedClosedCubic", 3, true, FieldCost::Identity, true},
-        Case{"SimplifiedClosedQuartic", 4, true, FieldCost::ExpMinus, true},
-        Case{"RoundADisc", 3, false, FieldCost::Identity, false, Avoided::Disc},
-        Case{"RoundADiscClosed", 4, true, FieldCost::Identity, false, Avoided::Disc},
-        Case{"SimplifiedRoundADisc", 2, false, FieldCost::Identity, true, Avoided::Disc},
-        Case{"OneFaceWide", 3, false, FieldCost::Identity, false, Avoided::AllButTheWay},
-        Case{"OneFaceWideClosed", 2, true, FieldCost::Identity, false, Avoided::AllButTheWay},
-        Case{"SimplifiedOneFaceWide", 4, false, FieldCost::Identity, true, Avoided::AllButTheWay}
+        CellCase{"OpenQuadratic", 2, false, FieldCost::Identity},
+        CellCase{"OpenCubic", 3, false, FieldCost::Square},
+        CellCase{"OpenQuartic", 4, false, FieldCost::ExpMinus},
+        CellCase{"ClosedCubic", 3, true, FieldCost::Identity},
+        CellCase{"ClosedQuadratic", 2, true, FieldCost::Square},
+        CellCase{"ClosedQuartic", 4, true, FieldCost::Identity},
+        CellCase{"SimplifiedQuadratic", 2, false, FieldCost::Identity, true},
+        CellCase{"SimplifiedCubic", 3, false, FieldCost::Square, true},
+        CellCase{"SimplifiedClosedCubic", 3, true, FieldCost::Identity, true},
+        CellCase{"SimplifiedClosedQuartic", 4, true, FieldCost::ExpMinus, true},
+        CellCase{"RoundADisc", 3, false, FieldCost::Identity, false, Avoided::Disc},
+        CellCase{"RoundADiscClosed", 4, true, FieldCost::Identity, false, Avoided::Disc},
+        CellCase{"SimplifiedRoundADisc", 2, false, FieldCost::Identity, true, Avoided::Disc},
+        CellCase{"OneFaceWide", 3, false, FieldCost::Identity, false, Avoided::AllButTheWay},
+        CellCase{"OneFaceWideClosed", 2, true, FieldCost::Identity, false, Avoided::AllButTheWay},
+        CellCase{
+            "SimplifiedOneFaceWide", 4, false, FieldCost::Identity, true, Avoided::AllButTheWay
+        }
     )
 );
 

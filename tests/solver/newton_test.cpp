@@ -16,7 +16,7 @@ namespace {
 
 using namespace test_support;
 
-ProblemFixture noisySphere(const SolverOptions& options, bool withField) {
+ProblemFixture sphereProblem(const SolverOptions& options, bool withField) {
     ProblemFixture fixture(
         withNoise(icosphere(3), 0.01, 7), {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}}, options
     );
@@ -30,13 +30,15 @@ ProblemFixture noisySphere(const SolverOptions& options, bool withField) {
     return fixture;
 }
 
-struct Case {
+struct NewtonCase {
     std::string name;
     SolverOptions options;
     bool withField;
 };
 
-Case makeCase(const std::string& name, int degree, bool closed, double tension, bool withField) {
+NewtonCase makeCase(
+    const std::string& name, int degree, bool closed, double tension, bool withField
+) {
     SolverOptions options;
     options.degree = degree;
     options.closed = closed;
@@ -52,12 +54,12 @@ CellwiseEnergy firstEnergy(const ProblemFixture& fixture) {
     };
 }
 
-class Minimisation : public testing::TestWithParam<Case> {};
+class Minimisation : public testing::TestWithParam<NewtonCase> {};
 
 TEST_P(Minimisation, NeverRaisesTheEnergy) {
     SolverOptions options = GetParam().options;
     options.quadrature = Quadrature::Cells;
-    const ProblemFixture fixture = noisySphere(options, GetParam().withField);
+    const ProblemFixture fixture = sphereProblem(options, GetParam().withField);
     const Solution solution = solved(fixture);
     const std::vector<IterationReport>& iterations = solution.report.iterations;
     ASSERT_FALSE(iterations.empty());
@@ -76,7 +78,7 @@ TEST_P(Minimisation, NeverRaisesTheEnergy) {
 TEST_P(Minimisation, EndsAtAStationaryPointThatMeetsThePicks) {
     SolverOptions options = GetParam().options;
     options.bending = Bending::Ambient;
-    const ProblemFixture fixture = noisySphere(options, GetParam().withField);
+    const ProblemFixture fixture = sphereProblem(options, GetParam().withField);
     CellwiseEnergy energy = firstEnergy(fixture);
     energy.setWeights(kWeights);
     const double before = energy.differentiate().total;
@@ -167,7 +169,7 @@ TEST(NewtonSteps, StallWhereNoTrialIsInside) {
 }
 
 TEST_P(Minimisation, StopsAtItsLimitAndSaysSo) {
-    const ProblemFixture fixture = noisySphere(GetParam().options, GetParam().withField);
+    const ProblemFixture fixture = sphereProblem(GetParam().options, GetParam().withField);
     CellwiseEnergy energy = firstEnergy(fixture);
     const MinimiseResult result =
         minimise(energy, kWeights, Interpolation::Constraint, cellwiseNewton(), {0.0, 1});

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test_support;
 
-ProblemFixture noisySphere(const SolverOptions& options) {
+ProblemFixture problemOnASphere(const SolverOptions& options) {
     return {
         withNoise(icosphere(3), 0.01, 7), {{1, 0.1, 0}, {0, 1, 0.2}, {-0.45, 0.2, 0.87}}, options
     };
@@ -26,7 +26,7 @@ bool claimsToBeNear(const SolveReport& report) {
 }
 
 void expectReportOfCurve(const SolverOptions& options) {
-    const ProblemFixture fixture = noisySphere(options);
+    const ProblemFixture fixture = problemOnASphere(options);
     const Solution solution = solved(fixture);
     const SolveReport& report = solution.report;
     EXPECT_EQ(report.usable, claimsToBeNear(report)) << name(report.status);
@@ -54,7 +54,7 @@ TEST(WeakFields, DoNotLoosenTheLastMinimisation) {
     SolverOptions options;
     options.quadrature = Quadrature::Cells;
     options.fieldWeight = 1.0;
-    ProblemFixture fixture = noisySphere(options);
+    ProblemFixture fixture = problemOnASphere(options);
     std::vector<double> field;
     for (const Vec3& v : fixture.surface().vertices()) {
         field.push_back(1.0 + std::sin(3.0 * v.x()) * v.y());

@@ -29,7 +29,7 @@ Eigen::VectorXd frozenGradient(
     return derivativesOf(energy, spline, 1.0).gradient;
 }
 
-struct Case {
+struct DerivativeCase {
     std::string name;
     int degree;
     bool closed;
@@ -38,9 +38,9 @@ struct Case {
     bool overBoundary = false;
 };
 
-class SampledDerivatives : public testing::TestWithParam<Case> {
+class SampledDerivatives : public testing::TestWithParam<DerivativeCase> {
 protected:
-    static std::unique_ptr<Scene> makeScene(const Case& c) {
+    static std::unique_ptr<Scene> makeScene(const DerivativeCase& c) {
         SolverOptions options;
         options.degree = c.degree;
         options.closed = c.closed;
@@ -66,7 +66,7 @@ protected:
 };
 
 TEST_P(SampledDerivatives, AgreeWithDifferencesForFrozenDirections) {
-    const Case& c = GetParam();
+    const DerivativeCase& c = GetParam();
     const std::unique_ptr<Scene> owner = makeScene(c);
     const Scene& scene = *owner;
     const SampledIntegrals energy = scene.energy();
@@ -136,14 +136,14 @@ INSTANTIATE_TEST_SUITE_P(
     AllKinds,
     SampledDerivatives,
     testing::Values(
-        Case{"OpenQuadratic", 2, false, 0.0, FieldCost::Identity},
-        Case{"OpenCubic", 3, false, 0.0, FieldCost::Square},
-        Case{"OpenQuartic", 4, false, 0.3, FieldCost::ExpMinus},
-        Case{"ClosedQuadratic", 2, true, 0.3, FieldCost::Square},
-        Case{"ClosedCubic", 3, true, 0.3, FieldCost::ExpMinus},
-        Case{"ClosedQuartic", 4, true, 0.0, FieldCost::Identity},
-        Case{"OverABoundary", 3, false, 0.0, FieldCost::Identity, true},
-        Case{"QuadraticOverABoundary", 2, false, 0.3, FieldCost::ExpMinus, true}
+        DerivativeCase{"OpenQuadratic", 2, false, 0.0, FieldCost::Identity},
+        DerivativeCase{"OpenCubic", 3, false, 0.0, FieldCost::Square},
+        DerivativeCase{"OpenQuartic", 4, false, 0.3, FieldCost::ExpMinus},
+        DerivativeCase{"ClosedQuadratic", 2, true, 0.3, FieldCost::Square},
+        DerivativeCase{"ClosedCubic", 3, true, 0.3, FieldCost::ExpMinus},
+        DerivativeCase{"ClosedQuartic", 4, true, 0.0, FieldCost::Identity},
+        DerivativeCase{"OverABoundary", 3, false, 0.0, FieldCost::Identity, true},
+        DerivativeCase{"QuadraticOverABoundary", 2, false, 0.3, FieldCost::ExpMinus, true}
     ),
     [](const auto& testInfo) { return testInfo.param.name; }
 );

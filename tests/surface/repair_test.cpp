@@ -18,7 +18,7 @@ namespace bspline_curve {
 namespace {
 
 using namespace test_support;
-using Ids = std::vector<int>;
+using VertexIds = std::vector<int>;
 
 /// The validator's word on a mesh; "" where it takes it.
 std::string refusalOf(const TriangleMesh& mesh) {
@@ -84,7 +84,7 @@ TEST(Repair, GivesTheLobesOfABowTieAVertexEach) {
     const MeshRepair repair = repaired(bowTie());
     ASSERT_EQ(repair.report.duplicatedVertices.size(), 1U);
     EXPECT_EQ(repair.report.duplicatedVertices[0].vertex, 0);
-    EXPECT_EQ(repair.report.duplicatedVertices[0].copies, Ids{5});
+    EXPECT_EQ(repair.report.duplicatedVertices[0].copies, VertexIds{5});
     EXPECT_EQ(repair.report.summary(), "1 vertex duplicated");
     EXPECT_EQ(repair.mesh.faces[0], bowTie().faces[0]);
     EXPECT_EQ(
@@ -131,7 +131,7 @@ TEST(Repair, RemovesDuplicateFacesWhicheverWayTheyTurn) {
     mesh.faces.push_back({a[1], a[2], a[0]});
     mesh.faces.insert(mesh.faces.begin() + 12, {b[0], b[2], b[1]});
     const MeshRepair repair = repaired(mesh);
-    EXPECT_EQ(repair.report.removedDuplicateFaces, (Ids{12, 19}));
+    EXPECT_EQ(repair.report.removedDuplicateFaces, (VertexIds{12, 19}));
     EXPECT_EQ(repair.report.count(), 2);
     EXPECT_EQ(repair.mesh.faces, plate(3, 3).faces);
     EXPECT_EQ(repair.faceOrigins[11], 11);
@@ -144,7 +144,7 @@ TEST(Repair, TurnsTheSmallerPartOfEachPatch) {
         mesh = withFaceReversed(std::move(mesh), f);
     }
     const MeshRepair repair = repaired(mesh);
-    EXPECT_EQ(repair.report.reversedFaces, (Ids{3, 17, 82, 83, 90}));
+    EXPECT_EQ(repair.report.reversedFaces, (VertexIds{3, 17, 82, 83, 90}));
     EXPECT_EQ(repair.report.count(), 5);
 }
 
@@ -177,7 +177,7 @@ TEST(Repair, RemovesFacesThatRepeatAVertex) {
     mesh.faces.insert(mesh.faces.begin() + 3, {4, 5, 5});
     mesh.faces.insert(mesh.faces.begin(), {1, 1, 1});
     const MeshRepair repair = repaired(mesh);
-    EXPECT_EQ(repair.report.removedDegenerateFaces, (Ids{0, 4}));
+    EXPECT_EQ(repair.report.removedDegenerateFaces, (VertexIds{0, 4}));
     EXPECT_TRUE(repair.report.mergedVertices.empty());
     EXPECT_EQ(repair.mesh.faces, plate(2, 2).faces);
 }
@@ -190,9 +190,9 @@ TEST(Repair, SplitsTheFaceBesideAFlatOneSoThatNoGapStays) {
     };
     ASSERT_NE(refusalOf(mesh), "");
     const MeshRepair repair = repaired(mesh);
-    EXPECT_EQ(repair.report.removedDegenerateFaces, Ids{2});
-    EXPECT_EQ(repair.report.splitFaces, Ids{3});
-    EXPECT_EQ(repair.faceOrigins, (Ids{0, 1, 3, 3}));
+    EXPECT_EQ(repair.report.removedDegenerateFaces, VertexIds{2});
+    EXPECT_EQ(repair.report.splitFaces, VertexIds{3});
+    EXPECT_EQ(repair.faceOrigins, (VertexIds{0, 1, 3, 3}));
     const Surface surface(repair.mesh);
     EXPECT_FALSE(surface.isBoundaryVertex(2));
 }

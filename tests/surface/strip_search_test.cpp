@@ -22,7 +22,7 @@ namespace {
 
 using namespace test_support;
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 Vec3 middleBetween(const Surface& surface, int face, int neighbour) {
     const Triangle& neighbours = surface.faceNeighbours()[face];
@@ -61,7 +61,7 @@ double leastCost(
 ) {
     const auto isOpen = [&](int f) { return f >= 0 && std::isfinite(costs[f]); };
     // Of the way into a face over each of its edges.
-    std::vector<std::array<double, 3>> entry(surface.faces().size(), {kFar, kFar, kFar});
+    std::vector<std::array<double, 3>> entry(surface.faces().size(), {kNever, kNever, kNever});
     const auto solveSampled = [&](int f, const Vec3& from, double cost) {
         bool isChanged = false;
         for (const int g : surface.faceNeighbours()[f]) {
@@ -95,7 +95,7 @@ double leastCost(
             }
         }
     }
-    double least = kFar;
+    double least = kNever;
     for (const int f : facesHolding(surface, goal)) {
         for (std::size_t k = 0; k < 3; ++k) {
             if (std::isfinite(entry[f][k])) {
@@ -128,7 +128,7 @@ TEST_P(StripsOfLeastCost, AreThoseOfAnExhaustiveSearch) {
         SCOPED_TRACE("case " + std::to_string(i));
         std::vector<double> costs;
         for (int f = 0; f < surface_.faceCount(); ++f) {
-            costs.push_back(random_.integer(0, 4) == 0 ? kFar : random_.uniform(1.0, 20.0));
+            costs.push_back(random_.integer(0, 4) == 0 ? kNever : random_.uniform(1.0, 20.0));
         }
         StripSearch search(
             surface_, {[&](int f) { return costs[f]; }, *std::ranges::min_element(costs)}
@@ -140,7 +140,7 @@ TEST_P(StripsOfLeastCost, AreThoseOfAnExhaustiveSearch) {
             const std::optional<StripSearch::Way> way = search.find(a, b);
             const double least = leastCost(surface_, costs, a, b);
             if (!way) {
-                EXPECT_EQ(least, kFar);
+                EXPECT_EQ(least, kNever);
                 continue;
             }
             EXPECT_TRUE(way->overPatches.empty());
