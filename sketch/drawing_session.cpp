@@ -27,6 +27,10 @@ TriangleTree::Hit DrawingSession::seenBy(const Pointer& pointer) const {
     return treeOf(*designer_).firstHit(pointer.origin, pointer.direction);
 }
 
+bool DrawingSession::hides(const Pointer& pointer, const Vec3& point) const {
+    return !isInSight(pointer, seenBy(pointer), point);
+}
+
 SurfacePoint DrawingSession::pointUnder(
     const Pointer& pointer, const TriangleTree::Hit& seen
 ) const {

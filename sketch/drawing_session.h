@@ -94,6 +94,9 @@ public:
     /// Whether a curve of the sketch is still to be solved.
     [[nodiscard]] bool isSettled() const;
 
+    /// Whether the surface hides a point that the pointer points at.
+    [[nodiscard]] bool hides(const Pointer& pointer, const Vec3& point) const;
+
     /// Waits until all curves are settled.
     void settle();
 

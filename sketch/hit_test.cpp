@@ -8,26 +8,22 @@
 namespace bspline_curve {
 namespace {
 
-// So many pixels behind the surface a point is still seen: picks lie on it, chords a little below.
+// So many pixels behind the surface a point is still seen.
 constexpr double kDepthSlack = 12.0;
 
 class Nearest {
 public:
-    Nearest(const Pointer& pointer, const TriangleTree::Hit& seen) : pointer_(pointer) {
-        if (seen.point.face >= 0) {
-            depth_ = seen.distance;
-        }
-    }
+    Nearest(const Pointer& pointer, const TriangleTree::Hit& seen)
+        : pointer_(pointer), seen_(seen) {}
 
     // Distance of a point to the ray in pixels; infinite where the surface hides it.
     [[nodiscard]] double pixelsTo(const Vec3& point) const {
-        const Vec3 way = point - pointer_.origin;
-        const double along = way.dot(pointer_.direction);
-        const double pixel = pointer_.pixelAt(along);
-        if (along <= 0.0 || along > depth_ + kDepthSlack * pixel) {
+        if (!isInSight(pointer_, seen_, point)) {
             return std::numeric_limits<double>::infinity();
         }
-        return (way - along * pointer_.direction).norm() / pixel;
+        const Vec3 way = point - pointer_.origin;
+        const double along = way.dot(pointer_.direction);
+        return (way - along * pointer_.direction).norm() / pointer_.pixelAt(along);
     }
 
     // The same of the segment's point nearest to the ray.
@@ -44,7 +40,7 @@ public:
 
 private:
     const Pointer& pointer_;
-    double depth_ = std::numeric_limits<double>::infinity();
+    const TriangleTree::Hit& seen_;
 };
 
 // The pick before a segment of the polyline.
@@ -55,6 +51,12 @@ int pickBefore(const SurfacePolyline& line, int segment) {
 }
 
 }  // namespace
+
+bool isInSight(const Pointer& pointer, const TriangleTree::Hit& seen, const Vec3& point) {
+    const double along = (point - pointer.origin).dot(pointer.direction);
+    return along > 0.0 &&
+           (seen.point.face < 0 || along <= seen.distance + kDepthSlack * pointer.pixelAt(along));
+}
 
 SketchHit hitTest(
     const Sketch& sketch,

@@ -23,6 +23,12 @@ struct HitRadii {
     double pick = 9.0, curve = 6.0;
 };
 
+/// Whether a point at or in front of the surface is seen along a ray: picks lie on it, chords a
+/// little below. `seen`: where the ray meets the surface (firstHit).
+[[nodiscard]] bool isInSight(
+    const Pointer& pointer, const TriangleTree::Hit& seen, const Vec3& point
+);
+
 /// What of a sketch is under the pointer: the nearest pick, else the nearest curve (its settled
 /// polyline); of the active curve first. What the surface hides is not hit. `seen`: where the ray
 /// meets the surface (firstHit). Linear in the number of picks and vertices.

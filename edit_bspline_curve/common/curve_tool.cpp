@@ -181,7 +181,7 @@ void CurveTool::draw() {
     seen_.emplace(view_);
     if (session_) {
         session_->update();
-        paintSketch(*session_, view_.devicePixelRatioF());
+        paintSketch(*session_, *seen_);
     }
 }
 

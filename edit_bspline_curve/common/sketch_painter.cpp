@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/sketch_painter.h"
 
-#include <qopengl.h>
-
 #include <algorithm>
 
 namespace bspline_curve {
@@ -35,26 +33,30 @@ void drawLine(const std::vector<Vec3>& points, bool closed) {
 
 class Painter {
 public:
-    Painter(const DrawingSession& session, double ratio, double alpha)
-        : session_(session), ratio_(ratio), alpha_(alpha) {}
+    Painter(const DrawingSession& session, const View& view) : session_(session), view_(view) {}
 
-    void paint() const {
+    void paintLines(double alpha) const {
         const Sketch& sketch = session_.sketch();
         for (int c = 0; c < static_cast<int>(sketch.curves.size()); ++c) {
             const SketchCurve& curve = *sketch.curves[c];
             const bool isActive = c == sketch.active;
             glLineWidth(width(isActive ? kStyle.line : kStyle.otherLine));
-            setColour(isActive ? kStyle.active : kStyle.other, alpha_);
+            setColour(isActive ? kStyle.active : kStyle.other, alpha);
             drawLine(curve.shownPoints(), curve.options.solver.closed);
         }
         if (session_.preview()) {
             glLineWidth(width(kStyle.otherLine));
             glEnable(GL_LINE_STIPPLE);
             glLineStipple(2, 0x5555);
-            setColour(kStyle.preview, alpha_);
+            setColour(kStyle.preview, alpha);
             drawLine(session_.preview()->polyline.points, false);
             glDisable(GL_LINE_STIPPLE);
         }
+    }
+
+    // Whole ones: on a steep surface a part of a disc would lie behind it.
+    void paintPicks() const {
+        const Sketch& sketch = session_.sketch();
         for (int c = 0; c < static_cast<int>(sketch.curves.size()); ++c) {
             for (int i = 0; i < static_cast<int>(sketch.curves[c]->picks.size()); ++i) {
                 paintPick(c, i);
@@ -64,7 +66,7 @@ public:
 
 private:
     [[nodiscard]] GLfloat width(double pixels) const {
-        return static_cast<GLfloat>(pixels * ratio_);
+        return static_cast<GLfloat>(pixels * view_.ratio());
     }
 
     void paintPick(int c, int i) const {
@@ -81,25 +83,29 @@ private:
         } else if (c == session_.sketch().active && i == session_.sketch().selected) {
             colour = kStyle.selected;
         }
-        paintPoint(curve.picks[i].position, kStyle.rim, kStyle.edge);
-        paintPoint(curve.picks[i].position, kStyle.pick, colour);
+        const Vec3& position = curve.picks[i].position;
+        const Pointer towards = view_.pointerAt(view_.positionOf(position));
+        const double alpha = session_.hides(towards, position) ? kStyle.hiddenAlpha : 1.0;
+        paintPoint(position, kStyle.rim, kStyle.edge, alpha);
+        paintPoint(position, kStyle.pick, colour, alpha);
     }
 
-    void paintPoint(const Vec3& p, double size, const Vec3& colour) const {
+    void paintPoint(const Vec3& p, double size, const Vec3& colour, double alpha) const {
         glPointSize(width(size));
-        setColour(colour, alpha_);
+        setColour(colour, alpha);
         glBegin(GL_POINTS);
         glVertex3d(p[0], p[1], p[2]);
         glEnd();
     }
 
     const DrawingSession& session_;
-    double ratio_, alpha_;
+    const View& view_;
 };
 
 }  // namespace
 
-void paintSketch(const DrawingSession& session, double ratio) {
+void paintSketch(const DrawingSession& session, const View& view) {
+    const Painter painter(session, view);
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glDisable(GL_LIGHTING);
     glDisable(GL_TEXTURE_2D);
@@ -111,10 +117,12 @@ void paintSketch(const DrawingSession& session, double ratio) {
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_GREATER);
-    Painter(session, ratio, kStyle.hiddenAlpha).paint();
+    painter.paintLines(kStyle.hiddenAlpha);
     glDepthRange(0.0, 1.0 - kStyle.depthShift);
     glDepthFunc(GL_LEQUAL);
-    Painter(session, ratio, 1.0).paint();
+    painter.paintLines(1.0);
+    glDisable(GL_DEPTH_TEST);
+    painter.paintPicks();
     glPopAttrib();
 }
 

@@ -25,11 +25,14 @@ public:
     /// Where a point of the world is in the widget, likewise.
     [[nodiscard]] QPointF positionOf(const Vec3& point) const;
 
+    /// Device pixels per logical pixel.
+    [[nodiscard]] double ratio() const { return ratio_; }
+
 private:
     Eigen::Matrix4d modelView_, projection_;
     Eigen::Vector4d viewport_;  ///< device pixels: x, y, width, height
-    double ratio_;              ///< device pixels per logical pixel
-    double height_;             ///< of the widget, device pixels
+    double ratio_;
+    double height_;  ///< of the widget, device pixels
 };
 
 }  // namespace bspline_curve

@@ -65,6 +65,18 @@ TEST_P(ASession, LeavesTheCameraWhatIsBesideTheMesh) {
     EXPECT_EQ(count(), 0U);
 }
 
+TEST_P(ASession, HidesWhatLiesBehindTheSurface) {
+    const auto hides = [&](const Vec3& point) {
+        return s_.session.hides(s_.camera.over(point), point);
+    };
+    for (const Vec3& vertex : s_.designer->mesh().vertices) {
+        if (std::abs(vertex.z()) > 0.25) {
+            EXPECT_EQ(hides(vertex), vertex.z() < 0.0) << vertex.transpose();
+        }
+    }
+    EXPECT_FALSE(hides({2.0, 0.0, 0.0})) << "beside it";
+}
+
 TEST_P(ASession, DragsPicksAndTheCurveFollows) {
     drawArc();
     const std::vector<Vec3> before = curve().shownPoints();
