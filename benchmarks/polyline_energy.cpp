@@ -86,7 +86,7 @@ void PolylineEnergy::follow(const FibreProjector& finder, FootedPolyline& line) 
         for (std::size_t i = first; i < std::min(vertices, first + kVerticesAtOnce); ++i) {
             moves[end++] = {line.points[i], &line.feet[i], &line.frames[i]};
         }
-        finder.moveAll({moves.data(), end});
+        static_cast<void>(finder.moveAll({moves.data(), end}));
     });
 }
 

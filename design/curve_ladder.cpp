@@ -19,6 +19,8 @@ struct LadderConstants {
     double tightDistance = 0.5;
     /// Where it is farther from the feet than so many tolerances, these jump: the path is better.
     double farthestFit = 10.0;
+    /// So many places of a curve tell whether it is far from all of the surface.
+    std::size_t places = 64;
 };
 
 constexpr LadderConstants kLadder;
@@ -45,6 +47,24 @@ bool isClear(const CurveProblem& problem, const CurveDistance& distance) {
            });
 }
 
+// Whether one of some breaks lies farther from all of the surface than a curve may from its sheet:
+// measureOnSheet() would find that as well, on its way over many faces.
+bool isFarFromAll(
+    const PreparedSurface& prepared, const CurveProblem& problem, const SplineCurve& curve
+) {
+    const ShellFrame& frame = prepared.extended()->frame;
+    const double farthest = problem.distanceTolerance * frame.scale;
+    const std::vector<double>& breaks = curve.space.breaks();
+    const std::size_t stride = breaks.size() / kLadder.places + 1;
+    for (std::size_t i = 0; i < breaks.size(); i += stride) {
+        const Vec3 position = frame.toUser(curve.space.evaluate(curve.controls, breaks[i]));
+        if (prepared.tree().closestPoint(position, farthest).point.face < 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void take(const CurveProblem& problem, CurveDistance distance, Solution& solution) {
     SolveReport& report = solution.report;
     report.maxDistance = distance.largest / problem.averageEdgeLength;
@@ -58,6 +78,9 @@ std::optional<Solution> followedOnSheet(
     const PreparedSurface& prepared, const CurveProblem& problem, const Solution& lost
 ) {
     const auto& [space, controls] = lost.curve;
+    if (isFarFromAll(prepared, problem, lost.curve)) {
+        return std::nullopt;
+    }
     SheetTraceStart traced = sheetStartOf(prepared, problem);
     traced.mostDistance = problem.distanceTolerance;
     CurveDistance distance = measureOnSheet(traced, space, controls);

@@ -30,9 +30,9 @@ struct StrategyConstants {
     /// Chords of paths for tight fits lie within so many tolerances of the surface. With more,
     /// curves bend more, and fewer of them are solved at samples.
     double chordTolerances = 0.1;
-    /// Work (see workOf()) at samples, in all attempts together: so much, and for each pick. Usual
-    /// curves through few picks take less than a tenth of it.
-    double mostWork = 10000.0, mostWorkPerPick = 10000.0;
+    /// Faces that feet are sought on, in all attempts at samples together: so many, and for each
+    /// pick. Usual curves through few picks take less than a tenth of them.
+    double mostWork = 2e5, mostWorkPerPick = 2e5;
     /// Shares of the field by which paths follow it, cell by cell: less where no spline along them
     /// stays in the shell.
     std::array<double, 3> guideShares = {1.0, 0.25, 0.0};
@@ -314,7 +314,7 @@ double CurveSolver::workLeft(const Lost& lost) const {
     double left =
         kStrategy.mostWork + kStrategy.mostWorkPerPick * static_cast<double>(picks_.size());
     for (const Solved& one : lost) {
-        left -= workOf(one.solution.report);
+        left -= static_cast<double>(one.solution.work);
     }
     return left;
 }

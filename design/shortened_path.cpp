@@ -148,7 +148,7 @@ private:
 
     // Puts nodes on the surface, at the feet of points.
     void place(std::span<const FibreProjector::Move> moves, std::span<Node> nodes) const {
-        finder_.moveAll(moves);
+        static_cast<void>(finder_.moveAll(moves));
         for (Node& node : nodes) {
             node.foot.height = 0.0;
             node.position = positionOf(node);

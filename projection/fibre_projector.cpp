@@ -34,9 +34,9 @@ constexpr std::size_t kTogether = 16;
 
 // The faces that share a point on the edge opposite to corner k of a face: the one across it, and
 // where the point is a vertex those on around that, this way; the way from the other edge at it
-// goes round the other side.
+// goes round the other side. Tells whether these are all around a vertex.
 template <class Visit>
-void forEachAcross(
+bool forEachAcross(
     const ExtendedSurface& extended, int face, int k, const Vec3& barycentric, const Visit& visit
 ) {
     const bool isFirstEnd = barycentric[(k + 1) % 3] <= 0.0;
@@ -46,11 +46,12 @@ void forEachAcross(
     for (int turn = 0; other >= 0 && other != face && turn < kMaxValence; ++turn) {
         visit(other);
         if (!isVertex) {
-            return;
+            return false;
         }
         const int slot = cornerOf(extended.faces[other], centre);
         other = extended.faceNeighbours[other][(slot + (isFirstEnd ? 1 : 2)) % 3];
     }
+    return other == face;
 }
 
 }  // namespace
@@ -79,7 +80,8 @@ void FibreProjector::move(const Vec3& p, FootPoint& foot, FootFrame& frame) cons
     }
 }
 
-void FibreProjector::moveAll(std::span<const Move> moves) const {
+std::int64_t FibreProjector::moveAll(std::span<const Move> moves) const {
+    std::int64_t facesSeen = 0;
     std::array<Walk, kTogether> walks;
     while (!moves.empty()) {
         const std::span<const Move> group = moves.first(std::min(kTogether, moves.size()));
@@ -92,10 +94,14 @@ void FibreProjector::moveAll(std::span<const Move> moves) const {
         while (count > 0) {
             const std::span<Walk> going(walks.data(), count);
             std::ranges::for_each(going, [&](const Walk& walk) { prefetchCorners(walk); });
-            std::ranges::for_each(going, [&](Walk& walk) { step(walk); });
+            for (Walk& walk : going) {
+                step(walk);
+                facesSeen += walk.isAtEnd ? walk.facesSeen : 0;
+            }
             count -= std::ranges::remove_if(going, &Walk::isAtEnd).size();
         }
     }
+    return facesSeen;
 }
 
 void FibreProjector::prefetchFace(int face) const {
@@ -116,6 +122,7 @@ void FibreProjector::prefetchCorners(const Walk& walk) const {
 }
 
 void FibreProjector::step(Walk& walk) const {
+    ++walk.facesSeen;
     if (walk.isFar) {
         overFace(walk);
     } else {
@@ -203,7 +210,7 @@ void FibreProjector::enter(int face, Walk& walk) const {
 void FibreProjector::alongFibres(Walk& walk) const {
     const auto& [p, foot, frame] = walk.to;
     if (isInCycle(walk)) {
-        giveUp(walk);
+        toNearest(walk);
         return;
     }
     if (FaceFibres::isFarOutside(*foot)) {
@@ -214,7 +221,7 @@ void FibreProjector::alongFibres(Walk& walk) const {
     const FaceFibres fibres(extended_, foot->face);
     const FaceFibres::Outcome outcome = fibres.find<FaceFibres::Search::OnTheWay>(p, *foot, *frame);
     if (outcome == FaceFibres::Outcome::Crossed) {
-        giveUp(walk);
+        toNearest(walk);
         return;
     }
     const WayOut way(extended_, *foot);
@@ -229,7 +236,7 @@ void FibreProjector::alongFibres(Walk& walk) const {
 
 void FibreProjector::leave(const WayOut& way, Walk& walk) const {
     if (way.face < 0) {
-        giveUp(walk);
+        toNearest(walk);
         return;
     }
     walk.previous = walk.to.foot->face;
@@ -254,23 +261,24 @@ bool FibreProjector::isInCycle(Walk& walk) {
     return false;
 }
 
-void FibreProjector::giveUp(Walk& walk) const {
-    toNearest(walk.to.p, walk.start, *walk.to.foot, *walk.to.frame);
+// Ends a walk that fibres are of no use for: descends from the face where it is, or from that where
+// it began if this is nearer.
+void FibreProjector::toNearest(Walk& walk) const {
     walk.isAtEnd = true;
-}
-
-// Descends from the face where the walk ended, or from that where it began if this is nearer.
-void FibreProjector::toNearest(const Vec3& p, int start, FootPoint& foot, FootFrame& frame) const {
+    const Vec3& p = walk.to.p;
+    FootPoint& foot = *walk.to.foot;
+    FootFrame& frame = *walk.to.frame;
     const auto nearestIn = [&](int face) {
+        ++walk.facesSeen;
         return closestPointOnTriangle(extended_.vertices, extended_.faces[face], p);
     };
     int face = foot.face;
     ClosestPointOnTriangle nearest = nearestIn(face);
-    if (start != face) {
-        const ClosestPointOnTriangle there = nearestIn(start);
+    if (walk.start != face) {
+        const ClosestPointOnTriangle there = nearestIn(walk.start);
         if (there.squaredDistance < nearest.squaredDistance) {
             nearest = there;
-            face = start;
+            face = walk.start;
         }
     }
     bool found = true;
@@ -286,9 +294,10 @@ void FibreProjector::toNearest(const Vec3& p, int start, FootPoint& foot, FootFr
         };
         const int here = face;
         const Vec3 barycentric = nearest.barycentric;
-        for (int k = 0; k < 3; ++k) {
+        bool areAllAround = false;
+        for (int k = 0; k < 3 && !areAllAround; ++k) {
             if (barycentric[k] <= 0.0) {
-                forEachAcross(extended_, here, k, barycentric, compare);
+                areAllAround = forEachAcross(extended_, here, k, barycentric, compare);
             }
         }
     }

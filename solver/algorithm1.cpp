@@ -52,7 +52,8 @@ public:
     }
 
     Solution run() {
-        for (round_ = 0; round_ < problem_.options.maxRounds && workOf(report_) <= policy_.mostWork;
+        for (round_ = 0;
+             round_ < problem_.options.maxRounds && !isOverBudget(energy_, policy_.newton);
              ++round_) {
             const double left = std::pow(kSolve.progressLeft, round_);
             bspline_curve::report(
@@ -75,6 +76,9 @@ public:
                     break;
                 }
                 if (policy_.tracesAtRestOnly) {
+                    if (stopRule_.isHalvingInVain(knotCount())) {
+                        break;
+                    }
                     breaks = halveFarSpans();
                 } else {
                     ratio = distanceRatio();
@@ -112,17 +116,8 @@ private:
                stopRule_.isInVain(problem_, energy_, report_, isNear);
     }
 
-    // Steps that may be done on as many knots as there are now; one always may.
-    [[nodiscard]] int stepsLeft() const {
-        const double left = (policy_.mostWork - workOf(report_)) / knotCount();
-        return static_cast<int>(
-            std::clamp(left, 1.0, static_cast<double>(problem_.options.maxIterations))
-        );
-    }
-
     MinimiseResult minimiseTo(NewtonGoal goal) {
-        goal.mostIterations =
-            std::min({goal.mostIterations, problem_.options.maxIterations, stepsLeft()});
+        goal.mostIterations = std::min(goal.mostIterations, problem_.options.maxIterations);
         MinimiseResult result =
             minimise(energy_, weights_, problem_.options.interpolation, policy_.newton, goal);
         for (IterationReport entry : result.iterations) {
@@ -274,7 +269,9 @@ private:
         report_.maxPickGap = energy_.picks().residual(energy_.controls()).lpNorm<Eigen::Infinity>();
         report_.maxDistance = distance_.largest / problem_.averageEdgeLength;
         report_.seconds.minimise += watch_.lap();
-        Solution solution{{energy_.space(), energy_.controls()}, std::move(report_), {}};
+        Solution solution{
+            {energy_.space(), energy_.controls()}, std::move(report_), {}, energy_.work()
+        };
         if (solution.report.usable) {
             solution.trace = std::move(distance_.trace);
         }

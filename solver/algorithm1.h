@@ -15,11 +15,9 @@ namespace bspline_curve {
 struct SolvePolicy {
     WeightSchedule schedule;
     StopPolicy stop = StopPolicy::Long;
-    /// After so much work (see workOf()) a round ends, and no other one begins.
-    double mostWork = std::numeric_limits<double>::infinity();
-    NewtonPolicy newton;
-    NewtonGoal rough;  ///< of rounds whose integrals are rough
-    NewtonGoal round;  ///< of the others
+    NewtonPolicy newton;  ///< whose budget ends the rounds as well
+    NewtonGoal rough;     ///< of rounds whose integrals are rough
+    NewtonGoal round;     ///< of the others
     /// That of rounds after one that stopped where it began, far from the surface: else alpha would
     /// grow in vain.
     double idleDecrement = 0.0;

@@ -8,6 +8,7 @@
 #include "solver/initial_curve.h"
 #include "spline/spline_system.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -68,6 +69,10 @@ public:
     /// Stiffens the Hessian on spans that had more energy at the last trial than its model says.
     /// False where there are none.
     [[nodiscard]] virtual bool dampModelErrors() { return false; }
+
+    /// What all of that has cost so far: the faces that feet were sought on. Where nothing is
+    /// counted, 0.
+    [[nodiscard]] virtual std::int64_t work() const { return 0; }
 
     // ---- For Algorithm 1 ----
 

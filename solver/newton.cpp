@@ -77,6 +77,9 @@ public:
         }
         for (int iteration = 0; iteration < goal_.mostIterations; ++iteration) {
             if (iteration > 0) {
+                if (isOverBudget(energy_, policy_)) {
+                    break;
+                }
                 result_.value = energy_.differentiate();
             }
             if (std::optional<MinimiseStatus> end = iterate()) {
@@ -219,6 +222,10 @@ private:
 };
 
 }  // namespace
+
+bool isOverBudget(const Energy& energy, const NewtonPolicy& policy) {
+    return static_cast<double>(energy.work()) > policy.mostWork;
+}
 
 std::optional<NewtonStep> newtonStep(
     Energy& energy, Interpolation interpolation, const NewtonPolicy& policy

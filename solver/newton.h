@@ -22,6 +22,8 @@ struct NewtonPolicy {
     double longestStep = 1.0;
     /// Takes the step that promises too little as well, as it is known by then.
     bool takesLastStep = false;
+    /// After so much work of the energy (Energy::work()) no step begins but the first one.
+    double mostWork = std::numeric_limits<double>::infinity();
     /// Kinks make steps short again and again: these promise less, and damping is of no use.
     bool hasShortSteps = false;
 };
@@ -40,6 +42,9 @@ struct MinimiseResult {
     EnergyValue value;
     std::vector<IterationReport> iterations;
 };
+
+/// Whether mostWork is done.
+[[nodiscard]] bool isOverBudget(const Energy& energy, const NewtonPolicy& policy);
 
 struct NewtonStep {
     Eigen::VectorXd direction;

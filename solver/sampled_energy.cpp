@@ -62,12 +62,12 @@ SampledEnergy::SampledEnergy(
         const SurfacePoint& point = initialPath.points[near].point;
         now_.feet[sample] = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
     }
-    integrals_->follow(projector_, now_);
+    facesSeen_ += integrals_->follow(projector_, now_);
 }
 
 void SampledEnergy::setControls(const ControlPoints& controls) {
     now_.controls = controls;
-    integrals_->follow(projector_, now_);
+    facesSeen_ += integrals_->follow(projector_, now_);
 }
 
 EnergyValue SampledEnergy::valueOf(const EnergyTerms& terms) const {
@@ -105,7 +105,7 @@ const std::vector<SpanBlocks>& SampledEnergy::hessian(double negativeShare) {
 EnergyValue SampledEnergy::tryStep(const Eigen::VectorXd& step, double length) {
     trial_ = now_;
     Eigen::Map<Eigen::VectorXd>(trial_.controls.data(), trial_.controls.size()) += length * step;
-    integrals_->follow(projector_, trial_);
+    facesSeen_ += integrals_->follow(projector_, trial_);
     return valueOf(integrals_->terms(trial_, now_.frames));
 }
 
@@ -184,7 +184,7 @@ void SampledEnergy::insertKnots(SplineSpace finer) {
         {},
         {}
     };
-    integrals_->followRefined(projector_, *before, old, now_);
+    facesSeen_ += integrals_->followRefined(projector_, *before, old, now_);
     damping_.assign(space().spanCount(), 0.0);
 }
 

@@ -38,6 +38,8 @@ public:
 
     void acceptStep() override { std::swap(now_, trial_); }
 
+    [[nodiscard]] std::int64_t work() const override { return facesSeen_; }
+
     /// Damps spans so that the model has the energy of the trial there. What was not foreseen grows
     /// with the square of the way, as where samples pass kinks of the surface heights grow with it.
     [[nodiscard]] bool dampModelErrors() override;
@@ -59,6 +61,7 @@ private:
     int segments_;
     std::unique_ptr<SampledIntegrals> integrals_;
     FootedSpline now_, trial_;
+    std::int64_t facesSeen_ = 0;
     EnergyTerms terms_;            // at the last differentiate()
     double negativeShare_ = 1.0;   // in the Hessian
     std::vector<double> damping_;  // by span, see SampledIntegrals::addDamping()

@@ -5,21 +5,22 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
 namespace bspline_curve {
 
-void SampledIntegrals::follow(const FibreProjector& finder, FootedSpline& spline) const {
+std::int64_t SampledIntegrals::follow(const FibreProjector& finder, FootedSpline& spline) const {
     const bool isKnown = !spline.positions.empty();
     spline.positions.resize(sampleCount());
     spline.seconds.resize(sampleCount());
     std::vector<int> spans(space_.spanCount());
     std::iota(spans.begin(), spans.end(), 0);
-    followSpans(finder, isKnown, spans, spline);
+    return followSpans(finder, isKnown, spans, spline);
 }
 
-void SampledIntegrals::followRefined(
+std::int64_t SampledIntegrals::followRefined(
     const FibreProjector& finder,
     const SampledIntegrals& before,
     const FootedSpline& coarse,
@@ -56,14 +57,15 @@ void SampledIntegrals::followRefined(
             cut.push_back(span);
         }
     }
-    followSpans(finder, true, cut, spline);
+    return followSpans(finder, true, cut, spline);
 }
 
 // `isKnown`: the feet are those of the positions.
-void SampledIntegrals::followSpans(
+std::int64_t SampledIntegrals::followSpans(
     const FibreProjector& finder, bool isKnown, std::span<const int> spans, FootedSpline& spline
 ) const {
     const auto groups = static_cast<int>((spans.size() + kSpansAtOnce - 1) / kSpansAtOnce);
+    std::atomic<std::int64_t> facesSeen = 0;
     forEach(problem_.side, groups, 1, [&](int group) {
         const std::size_t first = group * kSpansAtOnce;
         const std::size_t count = std::min(kSpansAtOnce, spans.size() - first);
@@ -78,8 +80,9 @@ void SampledIntegrals::followSpans(
                 };
             }
         }
-        finder.moveAll({moves.data(), end});
+        facesSeen += finder.moveAll({moves.data(), end});
     });
+    return facesSeen;
 }
 
 // Its samples' positions and second derivatives, with the feet that these predict.

@@ -7,6 +7,7 @@
 #include "solver/energy_derivatives.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -72,11 +73,12 @@ public:
 
     /// Finds the feet of all samples anew, each from where it is, or where it has been followed
     /// before, from where that predicts it to be; and their positions and second derivatives.
-    void follow(const FibreProjector& finder, FootedSpline& spline) const;
+    /// Returns how many faces were looked at.
+    std::int64_t follow(const FibreProjector& finder, FootedSpline& spline) const;
 
     /// The same for a spline that is another one refined, whose feet have been found: they are
     /// those of its samples on spans that stayed whole, and lie near them on the others.
-    void followRefined(
+    std::int64_t followRefined(
         const FibreProjector& finder,
         const SampledIntegrals& before,
         const FootedSpline& coarse,
@@ -130,7 +132,7 @@ public:
     [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
 
 private:
-    void followSpans(
+    std::int64_t followSpans(
         const FibreProjector& finder, bool isKnown, std::span<const int> spans, FootedSpline& spline
     ) const;
     void placeSpan(bool isKnown, int span, FootedSpline& spline) const;

@@ -129,7 +129,7 @@ Solution relaxAtSamples(
     EnergyWeights weights;
     weights.alpha = std::max(firstAlphaOf(problem), kSampled.restartShare * startAlpha);
     SolvePolicy policy = sampledPolicy(problem, stopPolicy, startAlpha);
-    policy.mostWork = mostWork;
+    policy.newton.mostWork = mostWork;
     Solution solution = solve(problem, energy, weights, policy);
     solution.report.isSampled = true;
     solution.report.seconds.initial = initial;

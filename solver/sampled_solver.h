@@ -128,7 +128,7 @@ inline constexpr SampledConstants kSampled;
 
 /// The same for a problem that isForSamples(), also where the curve does not come to lie there:
 /// report.usable tells. Such a curve may still be near to the surface, where fibres cross. No round
-/// begins after `mostWork`, see workOf().
+/// begins after `mostWork`, see Energy::work().
 [[nodiscard]] Solution relaxAtSamples(
     const CurveProblem& problem,
     const InitialPath& initialPath,

@@ -5,6 +5,7 @@
 #include "projection/curve_trace.h"
 #include "solver/initial_curve.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Solution {
     SolveReport report;
     /// Of the curve, where one was left over: always from solveSampled().
     std::optional<CurveTrace> trace;
+    std::int64_t work = 0;  ///< what it has cost, see Energy::work()
 };
 
 /// The faces that a curve with a trace passes, ghosts included; one may come several times.

@@ -20,6 +20,9 @@ struct StopConstants {
     /// Knots multiply in vain where they become so many times as many on a curve that is near, some
     /// on spans shorter than the tolerance; usual curves come to rest with up to twice as many.
     double mostKnotGrowth = 2.25;
+    /// Where spans are halved that leave the tolerance between samples, knots become a few more.
+    /// Where they become so many times as many, it is the fibres there that are of no use.
+    double mostHalving = 8.0;
     /// Knots are also in vain after so many rounds in which a curve was near and Newton's method
     /// did not end: it is pressed against what it avoids, and each further knot presses anew.
     int mostUnfinishedRounds = 8;
@@ -57,12 +60,9 @@ double shortestSpan(const Energy& energy) {
 
 }  // namespace
 
-double workOf(const SolveReport& report) {
-    double work = 0.0;
-    for (const RoundReport& round : report.rounds) {
-        work += static_cast<double>(round.knots) * round.iterations;
-    }
-    return work;
+bool StopRule::isHalvingInVain(int knots) {
+    knotsAtRest_ = knotsAtRest_ > 0 ? knotsAtRest_ : knots;
+    return knots > kStop.mostHalving * knotsAtRest_;
 }
 
 bool StopRule::isInVain(

@@ -11,9 +11,6 @@ enum class StopPolicy {
     Long,   ///< after SolverOptions::maxRounds, or where it is near and minimisation never ends
 };
 
-/// What the rounds have cost: steps of Newton's method times the knots of each.
-[[nodiscard]] double workOf(const SolveReport& report);
-
 /// Tells after each round whether the next ones would be in vain.
 class StopRule {
 public:
@@ -24,8 +21,12 @@ public:
         const CurveProblem& problem, const Energy& energy, const SolveReport& report, bool isNear
     );
 
+    /// The same where a curve came to rest, but leaves the tolerance somewhere.
+    [[nodiscard]] bool isHalvingInVain(int knots);
+
 private:
     StopPolicy policy_;
+    int knotsAtRest_ = 0;   // when that came first, or 0
     int knotsNearby_ = 0;   // since when the curve has been near, or 0
     int roundsNearby_ = 0;  // the last ones
 };

@@ -94,15 +94,22 @@ struct TriangleTree::ClosestSearch {
     /// Boxes farther than the limit are skipped. It exceeds the best distance by the slack, more
     /// than the rounding of positions, so that what is skipped never decides a tie.
     double slack;
-    double squaredLimit = std::numeric_limits<double>::infinity();
+    double squaredLimit;
 
-    ClosestSearch(const TriangleTree& searched, const Vec3& point) : tree(searched), query(point) {
+    ClosestSearch(const TriangleTree& searched, const Vec3& point, double within)
+        : tree(searched), query(point) {
         constexpr double kPositionRounding = 16.0 * std::numeric_limits<double>::epsilon();
         const Box& whole = tree.node(0).box;
         slack =
             kPositionRounding * (whole.low.cwiseAbs().maxCoeff() +
                                  whole.high.cwiseAbs().maxCoeff() + query.cwiseAbs().maxCoeff());
-        best.squaredDistance = squaredLimit;
+        lower(within * within);
+    }
+
+    void lower(double squaredDistance) {
+        best.squaredDistance = squaredDistance;
+        const double limit = std::sqrt(squaredDistance) + slack;
+        squaredLimit = limit * limit;
     }
 
     [[nodiscard]] double squaredDistanceTo(const Box& box) const {
@@ -118,9 +125,7 @@ struct TriangleTree::ClosestSearch {
                 (candidate.squaredDistance == best.squaredDistance && triangle < best.point.face)) {
                 best.point = {.face = triangle, .barycentric = candidate.barycentric};
                 best.position = candidate.position;
-                best.squaredDistance = candidate.squaredDistance;
-                const double limit = std::sqrt(best.squaredDistance) + slack;
-                squaredLimit = limit * limit;
+                lower(candidate.squaredDistance);
             }
         }
     }
@@ -158,11 +163,11 @@ struct TriangleTree::ClosestSearch {
     }
 };
 
-TriangleTree::Closest TriangleTree::closestPoint(const Vec3& query) const {
+TriangleTree::Closest TriangleTree::closestPoint(const Vec3& query, double within) const {
     if (nodes_.empty()) {
         return {};
     }
-    ClosestSearch search(*this, query);
+    ClosestSearch search(*this, query, within);
     search.run();
     return search.best;
 }

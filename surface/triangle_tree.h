@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace bspline_curve {
@@ -21,14 +22,17 @@ public:
     TriangleTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
 
     struct Closest {
-        SurfacePoint point;  ///< face -1 where the tree is empty
+        SurfacePoint point;  ///< face -1 where there is none
         Vec3 position = Vec3::Zero();
         double squaredDistance = 0.0;
     };
 
     /// The closest point of all triangles; of several equally close triangles the one with the
     /// lowest index. Accurate to rounding (see closestPointOnTriangle). O(log n) near the surface.
-    [[nodiscard]] Closest closestPoint(const Vec3& query) const;
+    /// `within`: there is none where all triangles are as far away as that; soon known.
+    [[nodiscard]] Closest closestPoint(
+        const Vec3& query, double within = std::numeric_limits<double>::infinity()
+    ) const;
 
     struct Hit {
         SurfacePoint point;  ///< face -1 where nothing is hit

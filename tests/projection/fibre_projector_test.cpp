@@ -320,7 +320,7 @@ TEST_P(FeetFoundTogether, AreThoseFoundOneByOne) {
             moves.push_back({points[i], &together[i].foot, &together[i].frame});
             finder.move(points[i], single[i].foot, single[i].frame);
         }
-        finder.moveAll(moves);
+        static_cast<void>(finder.moveAll(moves));
         for (std::size_t i = 0; i < points.size(); ++i) {
             SCOPED_TRACE("point " + std::to_string(i));
             EXPECT_EQ(together[i].foot.face, single[i].foot.face);

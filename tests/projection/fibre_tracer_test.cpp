@@ -274,10 +274,10 @@ TEST(FibreTrace, PassesVerticesAndAlongEdges) {
 // edge, by rounding, and is coming back to it where the span ends.
 TEST(FibreTrace, PassesVerticesAtBreaks) {
     constexpr int kSpans = 8;
-    constexpr int kCurves = 300;
-    for (int i = 0; i < kCurves; ++i) {
+    constexpr int kWalks = 300;
+    for (int i = 0; i < kWalks; ++i) {
         SCOPED_TRACE("curve " + std::to_string(i));
-        Random random(static_cast<std::uint64_t>(i + 1 < kCurves ? i : 5308));
+        Random random(static_cast<std::uint64_t>(i + 1 < kWalks ? i : 5308));
         Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
         turn.rotate(
             Eigen::AngleAxisd(random.uniform(0.0, 6.0), random.point(-1.0, 1.0).normalized())

@@ -30,7 +30,7 @@ CurveCase sphere(bool closed = false) {
     return {closed ? "ClosedOnASphere" : "Sphere", icosphere(4), kSpherePicks, {.closed = closed}};
 }
 
-CurveCase noisySphere(bool closed = false, int degree = 3) {
+CurveCase noisySphereCase(bool closed = false, int degree = 3) {
     return {
         "NoisySphere" + std::string(closed ? "Closed" : "") + std::to_string(degree),
         withNoise(icosphere(4), 0.005, 17),
@@ -141,10 +141,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         sphere(),
         sphere(true),
-        noisySphere(),
-        noisySphere(true),
-        noisySphere(false, 4),
-        noisySphere(true, 4),
+        noisySphereCase(),
+        noisySphereCase(true),
+        noisySphereCase(false, 4),
+        noisySphereCase(true, 4),
         CurveCase{"Torus", torus(64, 24), kTorusPicks},
         plateWithBoundary(),
         CurveCase{
@@ -167,19 +167,19 @@ void setWaves(ProblemFixture& fixture) {
 TEST(SampledCurvesUnderAField, CostsNoMoreThanByCells) {
     SolverOptions options;
     options.fieldWeight = 200.0;
-    ProblemFixture fixture = makeFixture(noisySphere(), options);
+    ProblemFixture fixture = makeFixture(noisySphereCase(), options);
     setWaves(fixture);
     const std::optional<Solution> quick = relaxed(fixture);
     ASSERT_TRUE(quick.has_value());
     EXPECT_TRUE(quick->report.usable);
-    ProblemFixture exact = byCells(noisySphere(), options);
+    ProblemFixture exact = byCells(noisySphereCase(), options);
     setWaves(exact);
     const Measures one = measured(fixture, quick->curve);
     const Measures other = measured(exact, solved(exact).curve);
     EXPECT_NEAR(quick->report.fieldCost, one.field, 1e-3);
     EXPECT_LT(one.bending + 200.0 * one.field, 1.01 * (other.bending + 200.0 * other.field));
     // It is another curve than without the field.
-    const std::optional<Solution> without = relaxed(makeFixture(noisySphere()));
+    const std::optional<Solution> without = relaxed(makeFixture(noisySphereCase()));
     ASSERT_TRUE(without.has_value());
     EXPECT_LT(one.field, measured(fixture, without->curve).field - 0.03);
 }
@@ -234,7 +234,7 @@ TEST(SampledSteps, AreSeldomShortened) {
 TEST(SampledSteps, AreAsManyOnASubdividedMesh) {
     int onCoarse = 0;
     int onFine = 0;
-    for (CurveCase scene : {sphere(), noisySphere(), plateWithBoundary()}) {
+    for (CurveCase scene : {sphere(), noisySphereCase(), plateWithBoundary()}) {
         SCOPED_TRACE(scene.name);
         const std::optional<Solution> coarse = relaxed(makeFixture(scene));
         // The picks of the first mesh: the surface is the same.
@@ -276,7 +276,7 @@ TEST(SampledSteps, EndSoonWhereTheCurveStaysFarAway) {
 TEST(SampledSteps, StopWhereTheCallbackSaysSo) {
     SolverOptions options;
     options.distanceTolerance *= 0.1;  // so that it takes some rounds
-    ProblemFixture fixture = makeFixture(noisySphere(true), options);
+    ProblemFixture fixture = makeFixture(noisySphereCase(true), options);
     int calls = 0;
     double last = 0.0;
     fixture.problem().progress = [&](double fraction, const char*) {
@@ -300,21 +300,29 @@ TEST(SampledSteps, StopWhereTheCallbackSaysSo) {
 TEST(SampledSteps, BeginNoRoundAfterTheWorkThatIsGranted) {
     SolverOptions options;
     options.distanceTolerance *= 0.1;  // so that it takes some rounds
-    const ProblemFixture fixture = makeFixture(noisySphere(true), options);
+    const ProblemFixture fixture = makeFixture(noisySphereCase(true), options);
     const auto relaxedWithin = [&](double mostWork) {
         return relaxAtSamples(
             fixture.problem(), fixture.initialPath(), {}, StopPolicy::Long, mostWork
         );
     };
     const Solution whole = relaxedWithin(1e9);
-    const double work = workOf(whole.report);
+    const auto work = static_cast<double>(whole.work);
     ASSERT_TRUE(whole.report.usable);
     ASSERT_GT(whole.report.rounds.size(), 2U);
     expectSame(relaxedWithin(3.0 * work), whole);
     const Solution stopped = relaxedWithin(0.3 * work);
     EXPECT_FALSE(stopped.report.usable);
     EXPECT_LT(stopped.report.rounds.size(), whole.report.rounds.size());
-    EXPECT_LT(workOf(stopped.report), 0.5 * work);
+    EXPECT_LT(static_cast<double>(stopped.work), 0.5 * work);
+}
+
+TEST(StopRule, EndsHalvingWhereItMakesManyTimesAsManyKnots) {
+    StopRule rule(StopPolicy::Long);
+    EXPECT_FALSE(rule.isHalvingInVain(30));
+    EXPECT_FALSE(rule.isHalvingInVain(70));
+    EXPECT_FALSE(rule.isHalvingInVain(240));
+    EXPECT_TRUE(rule.isHalvingInVain(241));
 }
 
 // ---- Curves that are not ----
@@ -333,14 +341,14 @@ TEST(SamplesAreNotFor, TightCurves) {
 }
 
 TEST(SamplesAreNotFor, QuadraticSplines) {
-    expectByCells(makeFixture(noisySphere(false, 2)));
-    expectByCells(makeFixture(noisySphere(true, 2)));
+    expectByCells(makeFixture(noisySphereCase(false, 2)));
+    expectByCells(makeFixture(noisySphereCase(true, 2)));
 }
 
 TEST(SamplesAreNotFor, StrongFields) {
     SolverOptions options;
     options.fieldWeight = 1e5;
-    ProblemFixture fixture = makeFixture(noisySphere(), options);
+    ProblemFixture fixture = makeFixture(noisySphereCase(), options);
     setWaves(fixture);
     expectByCells(std::move(fixture));
 }
@@ -373,7 +381,8 @@ TEST(SamplesAreNotFor, CurvesThatWhatTheyAvoidPushes) {
 
 TEST(SamplingOfCurves, IsTheSameOnTwoThreads) {
     WorkerThread side;
-    for (const CurveCase& scene : {noisySphere(true), plateWithBoundary(), noisySphere(false, 4)}) {
+    for (const CurveCase& scene :
+         {noisySphereCase(true), plateWithBoundary(), noisySphereCase(false, 4)}) {
         ProblemFixture fixture = makeFixture(scene);
         fixture.problem().shell = nullptr;
         const std::optional<Solution> alone = relaxed(fixture);
@@ -397,7 +406,7 @@ TEST(SamplingOfCurves, IsTheSameBesideWhatIsFarAway) {
 }
 
 TEST(SamplesAreNotFor, CurvesWhoseProgressFalls) {
-    ProblemFixture fixture = makeFixture(noisySphere(true));
+    ProblemFixture fixture = makeFixture(noisySphereCase(true));
     fixture.avoid(facesWhere(fixture.surface(), ball({0.3, 0.8, 0.5}, 0.3)), 0.2);
     EXPECT_FALSE(relaxed(fixture).has_value());
     double last = 0.0;

@@ -146,6 +146,11 @@ void expectSameAsBruteForce(const TriangleMesh& mesh, const TriangleTree& tree, 
     EXPECT_EQ(actual.position, expected.position);
     EXPECT_EQ(actual.squaredDistance, expected.squaredDistance);
     expectBarycentric(actual.point.barycentric);
+    const double distance = std::sqrt(expected.squaredDistance);
+    const TriangleTree::Closest within = tree.closestPoint(query, 1.001 * distance + 1e-9);
+    EXPECT_EQ(within.point.face, expected.point.face);
+    EXPECT_EQ(within.position, expected.position);
+    EXPECT_EQ(tree.closestPoint(query, 0.999 * distance).point.face, -1);
 }
 
 TEST(TriangleTree, FindsTheSameClosestPointAsBruteForceBitForBit) {
