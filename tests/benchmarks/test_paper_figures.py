@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The figures of docs/PAPER.md can be remade, and the stand-ins for other methods do what they are named after."""
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -26,11 +27,13 @@ def plate():
 
 
 def test_figures_are_drawn_and_told(script, tmp_path):
-    done = script("paper_figures.py", "--only", 5, 13, "--size", 60, "--images", tmp_path)
+    done = script("paper_figures.py", "--only", 5, 13, 15, "--size", 60, "--images", tmp_path)
     assert done.returncode == 0, done.stderr
     assert "0 of which raise the energy within a round" in done.stdout
     assert "`paper` 1 crossing; `default` 1 crossing" in done.stdout
-    for name in ("paper_05.png", "paper_13.png"):
+    costs = re.findall(r"`(?:paper|default)` ([\d.]+) without, ([\d.]+) with", done.stdout)
+    assert len(costs) == 2 and all(float(after) < float(before) for before, after in costs), "curves keep off sharp features"
+    for name in ("paper_05.png", "paper_13.png", "paper_15.png"):
         assert len(set(Image.open(tmp_path / name).convert("RGB").getdata())) > 20
 
 
