@@ -4,7 +4,7 @@
 # alone, so that a new file changes no other folder.
 #   unite_sources_of_folders(<target> [HOT_LOOPS])  # call it after all sources were added
 # HOT_LOOPS: g++ inlines less in large units, and hot loops would take up to a seventh more instructions; not here.
-option(BSPLINE_CURVE_UNITE "Compile the sources of a folder of the library as one" ON)
+option(BSPLINE_CURVE_UNITE "Compile the sources of a folder as one" ON)
 
 function(unite_sources_of_folders target)
   if(NOT BSPLINE_CURVE_UNITE)

@@ -127,8 +127,8 @@ inline constexpr SampledConstants kSampled;
 );
 
 /// The same for a problem that isForSamples(), also where the curve does not come to lie there:
-/// report.usable tells. Such a curve may still be near to the surface, where fibres cross. No round
-/// begins after `mostWork`, see Energy::work().
+/// report.usable tells. Such a curve may still be near to the surface, where fibres cross. After
+/// `mostWork` (see Energy::work()) no round begins, and in a round no step but the first.
 [[nodiscard]] Solution relaxAtSamples(
     const CurveProblem& problem,
     const InitialPath& initialPath,
