@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/child_process.h"
 
+#include "cli/process_figures.h"
+
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -24,7 +26,6 @@ namespace {
 
 constexpr const char* kThisProgram = "/proc/self/exe";
 constexpr const char* kNothing = "/dev/null";
-constexpr std::int64_t kKilobyte = 1024;
 constexpr std::size_t kMostPrinted = 1 << 16;
 
 [[noreturn]] void refuseErrno(const char* what) {

@@ -20,7 +20,6 @@ double processCpuSeconds() {
 }
 
 std::int64_t peakMemoryBytes() {
-    constexpr std::int64_t kKilobyte = 1024;
     // Linux keeps the ru_maxrss of the program that started this one, across fork and exec; a
     // large Python would be counted. VmHWM is this program's own.
     std::ifstream status("/proc/self/status");

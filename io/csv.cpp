@@ -11,8 +11,6 @@ namespace {
 
 using std::filesystem::path;
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 char separatorOf(std::string_view line) {
     if (line.find(';') != std::string_view::npos) {
         return ';';
@@ -123,10 +121,7 @@ bool needsQuotes(std::string_view field) {
 }  // namespace
 
 CsvTable parseCsv(const path& file, std::string_view bytes) {
-    if (bytes.starts_with(kByteOrderMark)) {
-        bytes.remove_prefix(kByteOrderMark.size());
-    }
-    return CsvParser(file, bytes).run();
+    return CsvParser(file, withoutByteOrderMark(bytes)).run();
 }
 
 std::string csvLine(std::span<const std::string> fields) {

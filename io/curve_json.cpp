@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/curve_formats.h"
-
-#include <nlohmann/json.hpp>
+#include "io/json_text.h"
 
 #include <utility>
 
 namespace bspline_curve {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json pointsJson(const std::vector<Vec3>& list) {
     Json result = Json::array();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/field_report.h"
 
+#include "io/json_text.h"
 #include "io/repair_json.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -13,7 +12,6 @@ namespace bspline_curve {
 std::string fieldReportText(
     const Surface& surface, std::span<const double> field, const FieldRunFigures& figures
 ) {
-    using Json = nlohmann::ordered_json;
     const auto [minimum, maximum] = std::ranges::minmax(field);
     const double sum = std::accumulate(field.begin(), field.end(), 0.0);
     const auto& seconds = figures.seconds;
@@ -38,7 +36,7 @@ std::string fieldReportText(
           {"average_edge_length", surface.averageEdgeLength()}}},
     };
     // A file name may hold bytes that are not UTF-8; they become replacement characters.
-    return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(document);
 }
 
 }  // namespace bspline_curve

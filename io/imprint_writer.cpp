@@ -2,15 +2,12 @@
 #include "io/imprint_writer.h"
 
 #include "io/csv.h"
+#include "io/json_text.h"
 #include "io/number_text.h"
-
-#include <nlohmann/json.hpp>
 
 namespace bspline_curve {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json triple(const Vec3& values) {
     return {values[0], values[1], values[2]};
@@ -52,8 +49,6 @@ std::string imprintMapBytes(
 
 namespace {
 
-constexpr int kIndent = 2;
-
 Json listOf(const MeshParts& parts) {
     Json list = Json::array();
     for (const MeshPart& part : parts.parts) {
@@ -94,7 +89,7 @@ Json reportOf(
 std::string imprintReportBytes(
     const ImprintedMesh& imprinted, const MeshParts& parts, const ImprintFigures& figures
 ) {
-    return reportOf(imprinted, parts, figures).dump(kIndent) + "\n";
+    return jsonText(reportOf(imprinted, parts, figures));
 }
 
 std::string cutReportBytes(
@@ -108,7 +103,7 @@ std::string cutReportBytes(
     report["kept"] = cut.kept;
     report["filled_holes"] = cut.filledHoles;
     report["seconds"]["cut"] = cut.cutSeconds;
-    return report.dump(kIndent) + "\n";
+    return jsonText(report);
 }
 
 std::string partsCsv(const MeshParts& parts) {
@@ -131,7 +126,7 @@ std::string partsCsv(const MeshParts& parts) {
 }
 
 std::string partsJson(const MeshParts& parts) {
-    return Json{{"parts", listOf(parts)}}.dump(kIndent) + "\n";
+    return jsonText(Json{{"parts", listOf(parts)}});
 }
 
 }  // namespace bspline_curve

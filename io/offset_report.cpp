@@ -2,8 +2,7 @@
 #include "io/offset_report.h"
 
 #include "design/strict_polyline.h"
-
-#include <nlohmann/json.hpp>
+#include "io/json_text.h"
 
 #include <cstddef>
 
@@ -15,8 +14,6 @@ std::string offsetReportBytes(
     double drawSeconds,
     double offsetSeconds
 ) {
-    using Json = nlohmann::ordered_json;
-    constexpr int kIndent = 2;
     Json list = Json::array();
     for (const FittedLine& piece : pieces) {
         const std::size_t repeated =
@@ -37,7 +34,7 @@ std::string offsetReportBytes(
         {"pieces", list},
         {"seconds", {{"draw", drawSeconds}, {"offset", offsetSeconds}}},
     };
-    return report.dump(kIndent) + "\n";
+    return jsonText(report);
 }
 
 }  // namespace bspline_curve

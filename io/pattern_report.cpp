@@ -2,16 +2,13 @@
 #include "io/pattern_report.h"
 
 #include "design/strict_polyline.h"
-
-#include <nlohmann/json.hpp>
+#include "io/json_text.h"
 
 #include <utility>
 
 namespace bspline_curve {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json distortionJson(const Distortion& distortion) {
     const Vec3& at = distortion.position;
@@ -38,7 +35,6 @@ Json curveJsonOf(const PatternCurve& each) {
 }  // namespace
 
 std::string patternReportBytes(const Pattern& pattern, const PatternFigures& figures) {
-    constexpr int kIndent = 1;
     Json curves = Json::array();
     for (const PatternCurve& each : pattern.curves) {
         curves.push_back(curveJsonOf(each));
@@ -55,7 +51,7 @@ std::string patternReportBytes(const Pattern& pattern, const PatternFigures& fig
           {"prepare", figures.prepareSeconds},
           {"draw", figures.drawSeconds}}},
     };
-    return document.dump(kIndent) + "\n";
+    return jsonText(document);
 }
 
 }  // namespace bspline_curve

@@ -2,16 +2,13 @@
 #include "io/report_writer.h"
 
 #include "bspline_curve/error.h"
+#include "io/json_text.h"
 #include "io/repair_json.h"
 #include "io/text_parsing.h"
-
-#include <nlohmann/json.hpp>
 
 namespace bspline_curve {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double length(const SurfacePolyline& polyline) {
     double sum = 0.0;
@@ -155,7 +152,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"iterations", iterationsOf(report)},
     };
     // A file name may hold bytes that are not UTF-8; they become replacement characters.
-    return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(document);
 }
 
 void checkReportExtension(const std::filesystem::path& file) {

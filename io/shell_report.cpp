@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/shell_report.h"
 
+#include "io/json_text.h"
 #include "io/repair_json.h"
 #include "io/shell_cells.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +14,6 @@
 namespace bspline_curve {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The share-th quantile of ascending values, linear between the two nearest.
 double quantile(const std::vector<double>& ascending, double share) {
@@ -151,7 +148,7 @@ std::string shellReportText(const ReportedShell& reported, const ShellRunFigures
         {"mesh", meshOfShell(surface, figures.meshFile)},
     };
     // A file name may hold bytes that are not UTF-8; they become replacement characters.
-    return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(document);
 }
 
 }  // namespace bspline_curve

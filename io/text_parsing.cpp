@@ -161,12 +161,12 @@ std::string inQuotes(std::string_view token) {
     return result + (token.size() > kLongest ? "…\"" : "\"");
 }
 
-LineReader::LineReader(std::string_view text) : rest_(text) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (rest_.starts_with(kByteOrderMark)) {
-        rest_.remove_prefix(kByteOrderMark.size());
-    }
+std::string_view withoutByteOrderMark(std::string_view text) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
+
+LineReader::LineReader(std::string_view text) : rest_(withoutByteOrderMark(text)) {}
 
 bool LineReader::next() {
     if (rest_.empty()) {

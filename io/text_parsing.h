@@ -42,6 +42,8 @@ namespace bspline_curve {
 [[nodiscard]] std::vector<std::string_view> splitAtBlanks(std::string_view text);
 /// The trimmed parts between separators, empty ones included.
 [[nodiscard]] std::vector<std::string_view> splitAt(std::string_view text, char separator);
+/// Without the three bytes with which some programs begin a file in UTF-8.
+[[nodiscard]] std::string_view withoutByteOrderMark(std::string_view text);
 /// A token in quotes for a message, cut where it is long and without control characters.
 [[nodiscard]] std::string inQuotes(std::string_view token);
 
