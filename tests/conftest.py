@@ -9,6 +9,14 @@ import pytest
 BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", Path(__file__).resolve().parents[1] / "build" / "release"))
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """With --dist loadgroup a file stays with one worker, and so do those of tests/package, which share what they install."""
+    for item in items:
+        shared = item.path.parent if item.path.parent.name == "package" else item.path
+        item.add_marker(pytest.mark.xdist_group(str(shared.relative_to(Path(__file__).parent))))
+
+
 @pytest.fixture(scope="session", autouse=True)
 def no_cache():
     """Shells are kept nowhere, unless a test asks for `cache`."""

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The library as a project outside sees it: installed and found, and as a subdirectory."""
+import json
 import os
 import re
+import shlex
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -115,25 +118,49 @@ def build_and_run(source, build, *options):
 
 
 @pytest.fixture(scope="session")
-def subdirectory(tmp_path_factory):
-    """The build of a project that has the library as a subdirectory; quick to compile, not optimised."""
-    folder = tmp_path_factory.mktemp("subdirectory")
-    write_consumer(folder / "consumer", f"add_subdirectory({ROOT} library)")
-    build_and_run(folder / "consumer", folder / "build", "-DBSPLINE_CURVE_INSTALL=ON")
-    return folder / "build"
+def core_alone(build_folder):
+    """The core, configured and built with Eigen alone, as the release build is: where there is ccache, it has the objects."""
+    build = build_folder.parent / "core_alone"
+    shutil.rmtree(build, ignore_errors=True)
+    launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+    configure(ROOT, build, *CORE_ALONE, "-DCMAKE_BUILD_TYPE=Release", *launcher)
+    run("cmake", "--build", build)
+    return build
 
 
 @pytest.fixture(scope="session")
-def prefix(subdirectory, tmp_path_factory):
+def prefix(core_alone, tmp_path_factory):
     """Where the core is installed, without fields."""
     prefix = tmp_path_factory.mktemp("install") / "prefix"
-    run("cmake", "--install", subdirectory, "--prefix", prefix)
+    run("cmake", "--install", core_alone, "--prefix", prefix)
     return prefix
 
 
-def test_as_a_subdirectory_it_builds_the_core_alone(subdirectory):
-    built = {path.name for path in subdirectory.rglob("*.a")} | {path.name for path in subdirectory.rglob("*.so")}
-    assert built == {"libbspline_curve_core.a"}
+def commands_of_the_core(build, generated):
+    """How each source file of the core is compiled, whatever the folder of the build."""
+    found = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        if "bspline_curve_core.dir" not in entry["command"]:
+            continue
+        words = [word for word in shlex.split(entry["command"]) if Path(word).name != "ccache"]
+        found[Path(entry["file"]).name] = [
+            "OBJECT" if word.endswith((".o", ".gch")) else word.replace(str(generated), "BUILD") for word in words
+        ]
+    return found
+
+
+def test_as_a_subdirectory_the_core_alone_is_compiled_as_by_itself(core_alone, tmp_path):
+    """The same commands, so that it need not be compiled again; public headers are compiled by themselves."""
+    build = tmp_path / "build"
+    write_consumer(tmp_path / "consumer", f"add_subdirectory({ROOT} library)")
+    configure(tmp_path / "consumer", build, "-DCMAKE_BUILD_TYPE=Release", "-DBSPLINE_CURVE_WERROR=ON",
+              "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+    expected = commands_of_the_core(core_alone, core_alone)
+    assert len(expected) > 10 and commands_of_the_core(build, build / "library") == expected
+    outputs = {line.split(":")[0] for line in run("ninja", "-C", build, "-t", "targets", "all").splitlines()}
+    assert {Path(name).name for name in outputs if name.endswith((".a", ".so"))} == {"libbspline_curve_core.a"}
+    run("cmake", "--build", build, "--target", "headers")
+    assert (build / "definitions.txt").read_text().endswith("|")
 
 
 def test_as_a_subdirectory_it_installs_nothing_unasked(tmp_path):
@@ -142,9 +169,9 @@ def test_as_a_subdirectory_it_installs_nothing_unasked(tmp_path):
     assert not (tmp_path / "build" / "library" / "bspline_curve-config.cmake").exists()
 
 
-def test_the_core_is_configured_with_eigen_alone(tmp_path):
-    configure(ROOT, tmp_path / "build", *CORE_ALONE)
-    assert (tmp_path / "build" / "bspline_curve-config.cmake").exists()
+def test_the_core_is_built_with_eigen_alone(core_alone):
+    assert (core_alone / "bspline_curve-config.cmake").exists()
+    assert [path.name for path in core_alone.rglob("*.a")] == ["libbspline_curve_core.a"]
 
 
 def test_an_installed_core_is_found_and_runs_the_example_of_the_readme(prefix, tmp_path):
