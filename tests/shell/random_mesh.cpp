@@ -47,8 +47,11 @@ double logarithmic(Random& random, double low, double high) {
 }
 
 TriangleMesh bumpyPlate(Random& random) {
+    // One number to a statement: the order of arguments is the compiler's.
     const int columns = random.integer(8, 40);
-    TriangleMesh mesh = jitteredPlate(columns, random.integer(8, 40), random.uniform(0.0, 0.29), 1);
+    const double jitter = random.uniform(0.0, 0.29);
+    const int rows = random.integer(8, 40);
+    TriangleMesh mesh = jitteredPlate(columns, rows, jitter, 1);
     const Waves waves(random, random.uniform(0.2, 1.0));
     const double height = random.uniform(0.0, 0.15);
     for (Vec3& p : mesh.vertices) {
@@ -59,14 +62,18 @@ TriangleMesh bumpyPlate(Random& random) {
 
 TriangleMesh block(Random& random) {
     const int cells = random.integer(3, 14);
-    const Vec3 lengths(1.0, random.uniform(0.1, 1.0), logarithmic(random, 0.02, 1.0));
+    const double thickness = logarithmic(random, 0.02, 1.0);
+    const double width = random.uniform(0.1, 1.0);
+    const Vec3 lengths(1.0, width, thickness);
     const double noise = logarithmic(random, 1e-5, 0.1) * lengths.minCoeff() / cells;
     return withNoise(box(cells, lengths), noise, 3);
 }
 
 TriangleMesh scan(Random& random) {
     TriangleMesh mesh = icosphere(random.integer(2, 3));
-    const Vec3 shape(1.0, random.uniform(0.4, 1.0), random.uniform(0.4, 1.0));
+    const double height = random.uniform(0.4, 1.0);
+    const double width = random.uniform(0.4, 1.0);
+    const Vec3 shape(1.0, width, height);
     const Waves waves(random, random.uniform(0.5, 2.0));
     const double bumps = random.uniform(0.0, 0.25);
     for (Vec3& p : mesh.vertices) {

@@ -23,7 +23,7 @@ TEST(MeshChecksum, IsTheCrcOfFloatsAndIntegers) {
 
 TEST(MeshChecksum, IsTheSameForFloatsAndDoublesAndNegativeZero) {
     TriangleMesh mesh = twoFaces();
-    mesh.vertices[2].x() = 0.1F;
+    mesh.vertices[2].x() = static_cast<double>(0.1F);
     mesh.vertices[0].z() = -0.0;
     EXPECT_EQ(checksumOf(mesh), checksumOf(twoFaces()));
 }
