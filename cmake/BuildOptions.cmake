@@ -3,9 +3,14 @@
 # include path, and results that do not depend on how the compiler contracts multiply-adds.
 add_library(bspline_curve_build_options INTERFACE)
 target_include_directories(bspline_curve_build_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_options(bspline_curve_build_options INTERFACE
-  -ffp-contract=off
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Woverloaded-virtual
-  -Wconversion -Wdouble-promotion -Wformat=2
-  $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>  # g++ has it apart from -Wconversion
-  $<$<BOOL:${BSPLINE_CURVE_WERROR}>:-Werror>)
+if(MSVC)  # untested
+  target_compile_options(bspline_curve_build_options INTERFACE
+    /fp:precise /utf-8 /bigobj /W3 $<$<BOOL:${BSPLINE_CURVE_WERROR}>:/WX>)
+else()
+  target_compile_options(bspline_curve_build_options INTERFACE
+    -ffp-contract=off
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Woverloaded-virtual
+    -Wconversion -Wdouble-promotion -Wformat=2
+    $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>  # g++ has it apart from -Wconversion
+    $<$<BOOL:${BSPLINE_CURVE_WERROR}>:-Werror>)
+endif()
