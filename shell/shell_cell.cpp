@@ -88,7 +88,8 @@ std::optional<ShellCell> ShellCell::find(const Shell& shell, int tetrahedron, co
             cell.compose();
             // A prism may list faces beyond its top or bottom, where no wall ends its last foot.
             const double inside = std::min(
-                cell.insideness(p, kFirstFaceWall), 1.0 - std::abs(cell.surfaceHeight.at(p))
+                cell.insideness(p, kFirstFaceWall) - cell.shadowRounding(),
+                1.0 - std::abs(cell.surfaceHeight.at(p))
             );
             if (inside > best) {
                 best = inside;
@@ -151,6 +152,17 @@ double ShellCell::insideness(const Vec3& p, int firstWall) const {
         smallest = std::min(smallest, walls[k].at(p));
     }
     return smallest;
+}
+
+// Next to a corner or an edge several faces hold a point as far as rounding tells; those that the
+// fibres see nearly edge-on tell its shadow least exactly.
+double ShellCell::shadowRounding() const {
+    constexpr double kRounding = 0x1p-50;  // of coordinates up to 1, after a few operations
+    double steepest = 0.0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        steepest = std::max(steepest, shadowForm(corner).gradient.squaredNorm());
+    }
+    return kRounding * std::sqrt(steepest);
 }
 
 void ShellCell::setTetrahedron(const Shell& shell, int tetrahedron) {

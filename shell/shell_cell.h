@@ -105,6 +105,7 @@ private:
     void shadowInOwnPrism(const Shell& shell);
     void setFoot(const Shell& shell, int tetrahedron);
     [[nodiscard]] bool setFace(const Shell& shell, int newFace);
+    [[nodiscard]] double shadowRounding() const;
     [[nodiscard]] double insideFace(const std::array<double, 2>& beta) const;
     void compose();
 
