@@ -17,6 +17,7 @@ test_packages=(
     meshlab  # 2020.09 in bookworm, with meshlabserver
     xvfb xauth openbox xdotool imagemagick libgl1-mesa-dri  # to show, drive and photograph its window
 )
+clang_packages=(clang-16 libclang-rt-16-dev)  # sanitizers and fuzzer
 
 step() { printf '\n== %s\n' "$*"; }
 

@@ -157,12 +157,12 @@ double ShellCell::insideness(const Vec3& p, int firstWall) const {
 // Next to a corner or an edge several faces hold a point as far as rounding tells; those that the
 // fibres see nearly edge-on tell its shadow least exactly.
 double ShellCell::shadowRounding() const {
-    constexpr double kUlps = 0x1p-50;  // of coordinates up to 1, after a few operations
+    constexpr double kRelativeRounding = 0x1p-50;  // of coordinates up to 1, after a few operations
     double steepest = 0.0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
         steepest = std::max(steepest, shadowForm(corner).gradient.squaredNorm());
     }
-    return kUlps * std::sqrt(steepest);
+    return kRelativeRounding * std::sqrt(steepest);
 }
 
 void ShellCell::setTetrahedron(const Shell& shell, int tetrahedron) {
