@@ -233,8 +233,8 @@ CurveDesigner::CurveDesigner(
     const Progress& progress,
     const ShellStore* store
 ) {
-    bspline_curve::report(progress, 0.0, "preparing the surface");
-    state_ = std::make_unique<State>(std::move(mesh), options);
+    state_ =
+        std::make_unique<State>(std::move(mesh), options, partOf(progress, 0.0, kPreparedShare));
     bspline_curve::report(progress, kPreparedShare, "building the shell");
     if (options.kind != ShellKind::Local) {
         static_cast<void>(state_->wholeShell(partOf(progress, kPreparedShare, 1.0), store));

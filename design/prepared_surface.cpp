@@ -2,12 +2,17 @@
 #include "design/prepared_surface.h"
 
 #include "bspline_curve/options.h"
+#include "utility/report_progress.h"
 
 #include <cmath>
 #include <utility>
 
 namespace bspline_curve {
 namespace {
+
+// Shares of the preparation.
+constexpr double kValidShare = 0.25;
+constexpr double kPatchesShare = 0.6;
 
 ShellOptions validated(const ShellOptions& options) {
     options.validate();
@@ -16,24 +21,45 @@ ShellOptions validated(const ShellOptions& options) {
 
 }  // namespace
 
-PreparedSurface::PreparedSurface(TriangleMesh mesh, const ShellOptions& options)
+// Where this thread is stopped, the tasks beside it end at their next report.
+template <class Make>
+auto PreparedSurface::orEndTasks(const Make& make) {
+    try {
+        return make();
+    } catch (...) {
+        isEnding_ = true;
+        throw;
+    }
+}
+
+PreparedSurface::PreparedSurface(
+    TriangleMesh mesh, const ShellOptions& options, const Progress& progress
+)
     : options_(validated(options)),
-      surface_(std::move(mesh)),
+      surface_(std::move(mesh), partOf(progress, 0.0, kValidShare)),
       finestEdge_(kFinestEdge * std::sqrt(surface_.area())),
       validateSeconds_(watch_.lap()),
-      roughBase_(std::async(std::launch::async, [this] { return makeRoughBase(surface_); })),
-      patches_(surface_),
+      roughBase_(
+          std::async(std::launch::async, [this] { return makeRoughBase(surface_, untilEnd_); })
+      ),
+      patches_(orEndTasks([&] {
+          return PatchLevels(surface_, partOf(progress, kValidShare, kPatchesShare));
+      })),
       futureBase_(
           std::async(
               std::launch::async,
               [this] {
                   return extendSurface(
-                      surface_, roughBase_.get(), options_.smoothingPasses, patches_
+                      surface_, roughBase_.get(), options_.smoothingPasses, patches_, untilEnd_
                   );
               }
           )
       ),
-      tree_(surface_.vertices(), surface_.faces()),
+      tree_(orEndTasks([&] {
+          return TriangleTree(
+              surface_.vertices(), surface_.faces(), partOf(progress, kPatchesShare, 1.0)
+          );
+      })),
       treeSeconds_(watch_.lap()),
       extended_(std::make_shared<const ExtendedSurface>(futureBase_.get())),
       baseSeconds_(watch_.lap()) {}

@@ -10,6 +10,7 @@
 #include "surface/triangle_tree.h"
 #include "utility/stopwatch.h"
 
+#include <atomic>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -20,8 +21,8 @@ namespace bspline_curve {
 /// first asked for. Several threads may use it at once.
 class PreparedSurface {
 public:
-    /// Validates the mesh; two threads. Throws InputError.
-    PreparedSurface(TriangleMesh mesh, const ShellOptions& options);
+    /// Validates the mesh; two threads. Throws InputError, Cancelled.
+    PreparedSurface(TriangleMesh mesh, const ShellOptions& options, const Progress& progress = {});
 
     PreparedSurface(const PreparedSurface&) = delete;
     PreparedSurface& operator=(const PreparedSurface&) = delete;
@@ -58,11 +59,16 @@ public:
     [[nodiscard]] Seconds seconds() const;
 
 private:
+    template <class Make>
+    auto orEndTasks(const Make& make);
+
     ShellOptions options_;
     Stopwatch watch_;
     Surface surface_;
     double finestEdge_;
     double validateSeconds_;
+    std::atomic<bool> isEnding_ = false;
+    Progress untilEnd_ = [this](double, const char*) { return !isEnding_; };  // of other threads
     std::future<RoughBase> roughBase_;  // made by another thread meanwhile
     PatchLevels patches_;
     std::future<ExtendedSurface> futureBase_;  // likewise

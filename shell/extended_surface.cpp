@@ -6,6 +6,7 @@
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
 #include "utility/large_array.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,9 +82,8 @@ public:
         }
     }
 
-    // Directions of all vertices; a vertex that none sees moves towards its ring's mean until one
-    // does.
-    void findDirections() {
+    // Normals of faces, and their sums at vertices, each weighted by the angle of its corner.
+    void sumNormals() {
         extended_.directions = makeLarge<Vec3>(extended_.vertices.size(), Vec3::Zero());
         // Face by face, so that nothing of a face is computed or fetched for each of its corners.
         reserveLarge(normals_, extended_.faces.size());
@@ -96,6 +96,11 @@ public:
                 extended_.directions[face[k]] += cornerAngle(face, k, doubleArea) * normals_.back();
             }
         }
+    }
+
+    // Directions of all vertices; a vertex that none sees moves towards its ring's mean until one
+    // does.
+    void findDirections() {
         std::vector<int> unseen;
         for (int v = 0; v < surface_.vertexCount(); ++v) {
             if (surface_.facesAround(v).empty()) {
@@ -133,9 +138,10 @@ public:
     }
 
     // Averages directions over the ring, each kept only where the smallest cosine does not suffer.
-    void smoothDirections(int passes) {
+    void smoothDirections(int passes, const Progress& progress) {
         std::vector<Vec3> sums = makeLarge<Vec3>(extended_.vertices.size(), Vec3::Zero());
         for (int pass = 0; pass < passes; ++pass) {
+            report(progress, static_cast<double>(pass) / passes, kPreparingStage);
             for (const Triangle& face : extended_.faces) {
                 const Vec3 sum = extended_.directions[face[0]] + extended_.directions[face[1]] +
                                  extended_.directions[face[2]];
@@ -386,24 +392,35 @@ double longestSideOf(const Surface& surface) {
     return boxOf(surface).sizes().maxCoeff();
 }
 
-RoughBase makeRoughBase(const Surface& surface) {
+RoughBase makeRoughBase(const Surface& surface, const Progress& progress) {
+    report(progress, 0.0, kPreparingStage);
     RoughBase rough;
     ExtendedSurfaceBuilder builder(surface, rough.extended, rough.faceNormals);
     builder.placeVertices({boxOf(surface).center(), surface.diagonal()});
+    report(progress, 0.2, kPreparingStage);
+    builder.sumNormals();
+    report(progress, 0.6, kPreparingStage);
     builder.findDirections();
+    report(progress, 0.9, kPreparingStage);
     builder.measureEdges();
     return rough;
 }
 
 ExtendedSurface extendSurface(
-    const Surface& surface, RoughBase rough, int smoothingPasses, const PatchLevels& patches
+    const Surface& surface,
+    RoughBase rough,
+    int smoothingPasses,
+    const PatchLevels& patches,
+    const Progress& progress
 ) {
+    report(progress, 0.0, kPreparingStage);
     ExtendedSurfaceBuilder builder(surface, rough.extended, rough.faceNormals);
     if (smoothingPasses > 0 && patchesToSmoothOver(patches) != nullptr) {
         builder.takeDirectionsOf(patches);
         --smoothingPasses;  // that was one
     }
-    builder.smoothDirections(smoothingPasses);
+    builder.smoothDirections(smoothingPasses, partOf(progress, 0.4, 0.9));
+    report(progress, 0.9, kPreparingStage);
     GhostBuilder(surface, rough.extended).build();
     return std::move(rough.extended);
 }

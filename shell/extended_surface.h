@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/progress.h"
 #include "surface/surface.h"
 
 #include <vector>
@@ -67,13 +68,18 @@ struct RoughBase {
 };
 
 /// Moves singular vertices and finds directions, in the frame in which the surface's box is centred
-/// at the origin and its diagonal is 1. O(n).
-[[nodiscard]] RoughBase makeRoughBase(const Surface& surface);
+/// at the origin and its diagonal is 1. O(n). Throws Cancelled.
+[[nodiscard]] RoughBase makeRoughBase(const Surface& surface, const Progress& progress = {});
 
 /// Smooths directions and adds ghosts. Where faces are small they are smoothed over patches of them
-/// first (see patchesToSmoothOver()), so that they are as smooth on every resolution. O(n).
+/// first (see patchesToSmoothOver()), so that they are as smooth on every resolution. O(n). Throws
+/// Cancelled.
 [[nodiscard]] ExtendedSurface extendSurface(
-    const Surface& surface, RoughBase rough, int smoothingPasses, const PatchLevels& patches
+    const Surface& surface,
+    RoughBase rough,
+    int smoothingPasses,
+    const PatchLevels& patches,
+    const Progress& progress = {}
 );
 
 /// All of that.

@@ -2,6 +2,7 @@
 #include "surface/patch_levels.h"
 
 #include "utility/large_array.h"
+#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 
@@ -204,9 +205,12 @@ PatchGraph coarsened(const Graph& fine, const Pairing& pairing) {
 
 // Pairs of pairs: their graph, with the patch of each node.
 template <class Graph>
-PatchGraph quartered(const Graph& fine) {
+PatchGraph quartered(const Graph& fine, const Progress& progress) {
+    report(progress, 0.0, kPreparingStage);
     const Pairing pairs(fine);
+    report(progress, 0.3, kPreparingStage);
     const PatchGraph paired = coarsened(fine, pairs);
+    report(progress, 0.7, kPreparingStage);
     const Pairing pairsOfPairs(paired);
     PatchGraph coarse = coarsened(paired, pairsOfPairs);
     coarse.level.patchOf = pairs.patchOf;
@@ -216,24 +220,31 @@ PatchGraph quartered(const Graph& fine) {
     return coarse;
 }
 
+// Shares of the work.
+constexpr double kGraphShare = 0.1;
+constexpr double kFinestShare = 0.8;
+
 // Patches that a way leads over from centre to centre are a third of it wide, at most: the nearest
 // one is then found, and what remains of the way is short.
 constexpr double kShareOfWay = 1.0 / 3.0;
 
 }  // namespace
 
-PatchLevels::PatchLevels(const Surface& surface) {
+PatchLevels::PatchLevels(const Surface& surface, const Progress& progress) {
     if (surface.faceCount() <= kFewPatches) {
         return;
     }
-    PatchGraph graph = quartered(FaceGraph(surface));
+    const FaceGraph faces(surface);
+    PatchGraph graph = quartered(faces, partOf(progress, kGraphShare, kFinestShare));
+    // Soon done, all of them.
+    const Progress coarser = partOf(progress, kFinestShare, kFinestShare);
     int below = surface.faceCount();
     // Components of one face stay.
     while (graph.count() < below) {
         below = graph.count();
         std::optional<PatchGraph> larger;
         if (below > kFewPatches) {
-            larger = quartered(graph);
+            larger = quartered(graph, coarser);
         }
         graph.level.neighbours.shrink_to_fit();
         levels_.push_back(std::move(graph.level));

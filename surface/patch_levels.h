@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/progress.h"
 #include "surface/surface.h"
 
 #include <array>
@@ -30,8 +31,8 @@ public:
         [[nodiscard]] int count() const { return static_cast<int>(centres.size()); }
     };
 
-    /// O(#F): about 30 ms for 100,000 faces.
-    explicit PatchLevels(const Surface& surface);
+    /// O(#F): about 30 ms for 100,000 faces. Throws Cancelled.
+    explicit PatchLevels(const Surface& surface, const Progress& progress = {});
 
     /// Finest first, each while there are many patches; none where the surface has few faces.
     [[nodiscard]] const std::vector<Level>& levels() const { return levels_; }

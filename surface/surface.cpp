@@ -4,6 +4,7 @@
 #include "surface/face_adjacency.h"
 #include "surface/mesh_checks.h"
 #include "surface/refused_mesh.h"
+#include "utility/report_progress.h"
 #include "utility/worker_task.h"
 
 #include <Eigen/Geometry>
@@ -26,25 +27,29 @@ double diagonalOfReferencedVertices(const TriangleMesh& mesh, const std::vector<
     return box.diagonal().norm();
 }
 
-/// How the faces join, and their area. Throws InputError.
-std::pair<FaceAdjacency, double> validated(const TriangleMesh& mesh) {
+/// How the faces join, and their area. Throws InputError, Cancelled.
+std::pair<FaceAdjacency, double> validated(const TriangleMesh& mesh, const Progress& progress) {
+    report(progress, 0.0, kPreparingStage);
     checkArrays(mesh);
 
     // Listing only needs indices in range, so that it need not wait for the areas.
     auto listed = startBeside(mesh.faces.size(), [&mesh] { return listFacesAtVertices(mesh); });
     const double area = checkFacesHaveArea(mesh);
-    return {joinFaces(mesh, listed.get()), area};
+    VertexFaces at = listed.get();
+    report(progress, 0.3, kPreparingStage);
+    return {joinFaces(mesh, std::move(at)), area};
 }
 
 }  // namespace
 
-Surface::Surface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
+Surface::Surface(TriangleMesh mesh, const Progress& progress) : mesh_(std::move(mesh)) {
     FaceAdjacency adjacency;
     try {
-        std::tie(adjacency, area_) = validated(mesh_);
+        std::tie(adjacency, area_) = validated(mesh_, progress);
     } catch (const InputError& error) {
         throw RefusedMesh(error, std::move(mesh_));
     }
+    report(progress, 0.8, kPreparingStage);
     faceNeighbours_ = std::move(adjacency.neighbours);
     averageEdgeLength_ = adjacency.averageEdgeLength;
     vertexFaceOffsets_ = std::move(adjacency.facesAround.offsets);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
+#include "bspline_curve/progress.h"
 
 #include <vector>
 
@@ -17,8 +18,8 @@ public:
     /// on which the result does not depend.
     /// Throws InputError (EmptyMesh, NonFiniteCoordinate, IndexOutOfRange, DegenerateFace,
     /// NonManifoldEdge, InconsistentOrientation, NonManifoldVertex, checked in this order), naming
-    /// the count, the first element ids, and what to do.
-    explicit Surface(TriangleMesh mesh);
+    /// the count, the first element ids, and what to do; Cancelled.
+    explicit Surface(TriangleMesh mesh, const Progress& progress = {});
 
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
 

@@ -4,6 +4,7 @@
 #include "surface/closest_point.h"
 #include "surface/spatial_order.h"
 #include "utility/large_array.h"
+#include "utility/report_progress.h"
 
 #include <bit>
 #include <cmath>
@@ -13,7 +14,9 @@
 namespace bspline_curve {
 
 TriangleTree::TriangleTree(
-    const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles
+    const std::vector<Vec3>& vertices,
+    const std::vector<Triangle>& triangles,
+    const Progress& progress
 )
     : vertices_(vertices), triangles_(triangles) {
     if (triangles.empty()) {
@@ -23,6 +26,7 @@ TriangleTree::TriangleTree(
         const Box box = boxOf(static_cast<int>(i));
         return 0.5 * box.low + 0.5 * box.high;
     });
+    report(progress, 0.5, kPreparingStage);
     reserveLarge(order_, keys.size());
     for (const MortonKey& key : keys) {
         order_.push_back(key.index);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
+#include "bspline_curve/progress.h"
 #include "surface/spatial_order.h"
 
 #include <algorithm>
@@ -18,8 +19,13 @@ namespace bspline_curve {
 class TriangleTree {
 public:
     /// Expects finite coordinates and valid indices; triangles without area are allowed.
-    /// O(n log n). The result is the same on every platform (ties broken by index).
-    TriangleTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
+    /// O(n log n). The result is the same on every platform (ties broken by index). Throws
+    /// Cancelled.
+    TriangleTree(
+        const std::vector<Vec3>& vertices,
+        const std::vector<Triangle>& triangles,
+        const Progress& progress = {}
+    );
 
     struct Closest {
         SurfacePoint point;  ///< face -1 where there is none

@@ -7,6 +7,9 @@
 
 namespace bspline_curve {
 
+/// The stage of all that is made of a mesh once.
+inline constexpr const char* kPreparingStage = "preparing the surface";
+
 /// Reports to a callback that may be empty; throws Cancelled where it says so.
 inline void report(const Progress& progress, double fraction, const char* stage) {
     if (progress && !progress(fraction, stage)) {

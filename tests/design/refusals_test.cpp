@@ -110,21 +110,13 @@ void expectRising(const std::vector<double>& fractions) {
 TEST(ProgressReports, RiseToOneAndCancelAtEveryCall) {
     const TriangleMesh mesh = withNoise(icosphere(3), 0.01, 43);
     const std::vector<Vec3> picks = {mesh.vertices[5], mesh.vertices[100], mesh.vertices[400]};
-    Calls shell;
-    const CurveDesigner designer(mesh, {}, shell.callback());
-    EXPECT_FALSE(shell.fractions.empty());
-    expectRising(shell.fractions);
+    const CurveDesigner designer(mesh);
     Calls curve;
     static_cast<void>(designer.design(picks, {}, {}, {}, curve.callback()));
     ASSERT_FALSE(curve.fractions.empty());
     expectRising(curve.fractions);
     EXPECT_EQ(curve.fractions.back(), 1.0);
 
-    for (std::size_t call = 1; call <= shell.fractions.size(); ++call) {
-        Calls cancelled{.fractions = {}, .allowed = static_cast<int>(call)};
-        EXPECT_THROW(CurveDesigner(mesh, {}, cancelled.callback()), Cancelled) << call;
-        EXPECT_EQ(cancelled.fractions.size(), call);
-    }
     for (std::size_t call = 1; call <= curve.fractions.size(); ++call) {
         Calls cancelled{.fractions = {}, .allowed = static_cast<int>(call)};
         EXPECT_THROW(
@@ -135,6 +127,20 @@ TEST(ProgressReports, RiseToOneAndCancelAtEveryCall) {
     // A cancelled call leaves nothing behind.
     const Curve after = designer.design(picks);
     EXPECT_TRUE(after.report.usable);
+}
+
+TEST(ProgressReports, CancelThePreparationAtEveryCall) {
+    // Of many faces, so that they are grouped, too; other threads work beside this one.
+    const TriangleMesh mesh = icosphere(5);
+    Calls whole;
+    static_cast<void>(CurveDesigner(mesh, {}, whole.callback()));
+    EXPECT_GE(whole.fractions.size(), 10);
+    expectRising(whole.fractions);
+    for (std::size_t call = 1; call <= whole.fractions.size(); ++call) {
+        Calls cancelled{.fractions = {}, .allowed = static_cast<int>(call)};
+        EXPECT_THROW(CurveDesigner(mesh, {}, cancelled.callback()), Cancelled) << call;
+        EXPECT_EQ(cancelled.fractions.size(), call);
+    }
 }
 
 }  // namespace
