@@ -291,21 +291,15 @@ std::optional<Solved> CurveSolver::relaxOver(
 std::optional<Solved> CurveSolver::relaxTightly(
     const PickPath& path, const Shell* shell, const Progress& progress, Lost& lost
 ) const {
-    const double share = 1.0 / static_cast<double>(kStrategy.stiffnesses.size());
-    double done = 0.0;
-    for (const double stiffness : kStrategy.stiffnesses) {
-        if (workLeft(lost) <= 0.0) {
-            break;
-        }
-        const Progress part = partOf(progress, done, done + share);
-        CurveProblem problem = problemOn(path, shell, part);
-        SampledStart start = stiffStart(problem, path.path, stiffness);
+    const std::size_t count = kStrategy.stiffnesses.size();
+    for (std::size_t i = 0; i < count && workLeft(lost) > 0.0; ++i) {
+        CurveProblem problem = problemOn(path, shell, stepOf(progress, i, count));
+        SampledStart start = stiffStart(problem, path.path, kStrategy.stiffnesses[i]);
         if (std::optional<Solved> solved = relaxed(
                 std::move(problem), path.path, std::move(start), StopPolicy::Short, &lost
             )) {
             return solved;
         }
-        done += share;
     }
     return std::nullopt;
 }

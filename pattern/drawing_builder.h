@@ -28,8 +28,6 @@ public:
 
     [[nodiscard]] const Vec2& pen() const { return pen_; }
 
-    [[nodiscard]] std::size_t pathCount() const { return drawing_.paths.size(); }
-
     /// The drawing, its paths numbered. Those without arcs that are longer than 0 are left out.
     [[nodiscard]] Drawing take();
 
