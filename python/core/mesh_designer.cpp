@@ -5,12 +5,16 @@
 #include "field/make_field.h"
 #include "utility/index_sets.h"
 
+#include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve::python {
 
 namespace {
+
+constexpr std::size_t kKeptFields = 8;  // one of each kind
 
 std::vector<double> onMended(std::span<const double> values, const MeshRepair& repair) {
     return values.empty() ? std::vector<double>()
@@ -56,7 +60,26 @@ std::vector<double> MeshDesigner::field(
     const std::vector<double> quality = onMended(inputs.quality, made_.mending->repair);
     const std::vector<int> region = facesOfMended(inputs.region, made_.mending->repair);
     const FieldInputs carried{.quality = quality, .region = region};
-    return made_.mending->toOrigin(makeField(surface, options, carried, progress));
+    std::vector<double> mended = makeField(surface, options, carried, progress);
+    std::vector<double> given = made_.mending->toOrigin(mended);
+    const std::scoped_lock lock(fieldsMutex_);
+    fields_.push_back({.given = given, .mended = std::move(mended)});
+    if (fields_.size() > kKeptFields) {
+        fields_.pop_front();
+    }
+    return given;
+}
+
+std::vector<double> MeshDesigner::fieldOnMended(std::span<const double> given) const {
+    {
+        const std::scoped_lock lock(fieldsMutex_);
+        for (const MadeField& field : fields_) {
+            if (std::ranges::equal(field.given, given)) {
+                return field.mended;
+            }
+        }
+    }
+    return onMended(given, made_.mending->repair);
 }
 
 CarriedInputs MeshDesigner::carried(const CurveInputs& inputs) const {
@@ -66,7 +89,7 @@ CarriedInputs MeshDesigner::carried(const CurveInputs& inputs) const {
         };
     }
     const MeshRepair& repair = made_.mending->repair;
-    return {onMended(inputs.field, repair), facesOfMended(inputs.avoid, repair)};
+    return {fieldOnMended(inputs.field), facesOfMended(inputs.avoid, repair)};
 }
 
 TriangleTree::Closest MeshDesigner::closestPoint(const Vec3& query) const {

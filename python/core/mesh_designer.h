@@ -6,6 +6,8 @@
 #include "surface/mending.h"
 #include "surface/triangle_tree.h"
 
+#include <deque>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,19 +51,30 @@ public:
         const Progress& progress
     ) const;
 
-    /// Throws as makeField().
+    /// Throws as makeField(). Where the mesh was mended, a vertex that became several has the value
+    /// of one of them; curves under the field have all, see carried().
     [[nodiscard]] std::vector<double> field(
         const FieldOptions& options, const FieldInputs& inputs, const Progress& progress
     ) const;
 
-    /// Field and avoided faces of the given mesh as those of designer().mesh().
+    /// Field and avoided faces of the given mesh as those of designer().mesh(). A field that
+    /// field() made lately is as it was made there.
     [[nodiscard]] CarriedInputs carried(const CurveInputs& inputs) const;
 
     [[nodiscard]] TriangleTree::Closest closestPoint(const Vec3& query) const;
 
 private:
+    /// A field of the given mesh, and as it was made on the mended one.
+    struct MadeField {
+        std::vector<double> given, mended;
+    };
+
+    [[nodiscard]] std::vector<double> fieldOnMended(std::span<const double> given) const;
+
     Mended<CurveDesigner> made_;
     TriangleMesh given_;
+    mutable std::mutex fieldsMutex_;
+    mutable std::deque<MadeField> fields_;  ///< the last ones, where the mesh was mended
 };
 
 }  // namespace bspline_curve::python

@@ -106,6 +106,26 @@ def test_a_broken_mesh_is_mended_and_ids_stay_those_given(arrays, broken, mesh, 
         mended.imprint([curve])
 
 
+def test_a_field_is_of_both_sheets_where_they_share_a_vertex(arrays):
+    """Mending gives each its own; a vertex of the caller's has one value, but the curve under the field has both."""
+    vertices, faces = arrays
+    middle = 20 * 41 + 20
+    other = (vertices - vertices[middle])[:, [1, 2, 0]] * [1, 3, 1] + vertices[middle]
+    ids = np.arange(len(vertices)) + len(vertices)
+    ids[middle] = middle
+    pinched = np.vstack([vertices, other]), np.vstack([faces, ids[faces]])
+    with pytest.warns(bspline_curve.MeshWarning, match="vert"):
+        mended = bspline_curve.Mesh(*pinched)
+    repaired = bspline_curve.repair(*pinched).mesh
+    for sheet in vertices, other:
+        through = sheet[[middle - 8, middle - 1, middle + 41, middle + 41 * 8]]
+        expected = repaired.curve(through, field="valley", field_weight=5)
+        curve = mended.curve(through, field="valley", field_weight=5)
+        np.testing.assert_array_equal(curve.points, expected.points)
+        again = mended.curve(through, field=mended.field("valley"), field_cost="exp-minus", field_weight=5)
+        np.testing.assert_array_equal(again.points, expected.points)
+
+
 def test_strict_refuses_a_broken_mesh(broken):
     with pytest.raises(bspline_curve.MeshError):
         bspline_curve.Mesh(*broken, strict=True)
