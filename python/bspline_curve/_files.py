@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curves in files: the program's JSON, and besides it what the curve was drawn by."""
+"""Curves in files: the program's JSON, and besides it what the curve was drawn by.
+
+What only files need is imported with the first of them: json, pathlib and tempfile take as long as the whole package.
+"""
 
 from __future__ import annotations
 
-import contextlib
-import json
 import os
-import tempfile
 import zlib
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +18,9 @@ from ._errors import FileError
 from ._keywords import CURVE
 from ._mesh import Mesh
 from ._options import changed
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 # A file's points may be those of the mesh to rounding, relative to its diagonal.
 SAME_PLACE = 1e-9
@@ -74,6 +76,11 @@ def finite(value: Any) -> Any:
 
 
 def save(curve: Curve, file: str | os.PathLike[str]) -> None:
+    import contextlib
+    import json
+    import tempfile
+    from pathlib import Path
+
     path = Path(file)
     if path.suffix.lower() != ".json":
         raise FileError(f"{path}: a curve is saved as .json", "unwritable-file")
@@ -113,6 +120,9 @@ def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
     FileError
         The file cannot be read, holds no curve, or its points are not on this mesh, or the mesh changed since.
     """
+    import json
+    from pathlib import Path
+
     path = Path(file)
     try:
         document = json.loads(path.read_text(encoding="utf-8"))

@@ -7,7 +7,6 @@ import os
 import warnings
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
-from xml.parsers import expat
 
 import numpy as np
 import numpy.typing as npt
@@ -124,6 +123,8 @@ def _bytes(file: str) -> bytes:
 
 def _xml_tree(file: str, data: bytes) -> Any:
     """(name, attributes, children, line) of the root element."""
+    from xml.parsers import expat
+
     parser = expat.ParserCreate()
     open_nodes: list[Any] = [("", [], [], 0)]
 
