@@ -133,6 +133,9 @@ ExitCode drawAndWrite(
     if (!drawn.curve.report.repeatedPicks.empty()) {
         printError("note: " + describeRepeatedPicks(drawn.curve.report));
     }
+    if (drawn.curve.report.fieldShare < 1.0) {
+        printError("note: " + describeWeakenedField(drawn.curve.report));
+    }
     writeResults(arguments, prepared, drawn);
     if (drawn.curve.report.usable) {
         return ExitCode::Success;

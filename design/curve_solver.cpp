@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "design/curve_ladder.h"
+#include "design/overruns.h"
 #include "design/warm_start.h"
 #include "shell/shell_boundary.h"
 #include "solver/cellwise_solver.h"
@@ -18,7 +19,10 @@ namespace bspline_curve {
 namespace {
 
 struct StrategyConstants {
-    /// Shares of the progress: for an attempt from another curve; of what is left, up to the end of
+    /// Share of the progress for the field as strong as it was asked for, where it may be too
+    /// strong.
+    double firstShare = 0.9;
+    /// Of that: for an attempt from another curve; of what is left, up to the end of
     /// attempts without a shell, of a tight fit, and of attempts that need a shell.
     double startShare = 0.2, nearbyShare = 0.5, tightlyShare = 0.55, cellsShare = 0.95;
     /// Of what needs the shell: up to its end, and of attempts at samples in it.
@@ -43,6 +47,14 @@ struct StrategyConstants {
     /// No such shell is built where a vertex has more faces around it: they are all near to each
     /// other there, and would be tested pair by pair.
     int mostFacesAround = 100;
+    /// A field must not draw an open curve past its ends so far, relative to the chord to the pick
+    /// beside it, nor so many times as far as the path: less is hardly seen, and round a limb
+    /// the path does so too.
+    double mostOverrun = 0.02, overrunOfPath = 2.0;
+    /// It is weakened by this factor then, so often at most: with what is left of a usual field,
+    /// curves are those without one.
+    double weakening = 0.25;
+    int mostWeakenings = 4;
 };
 
 constexpr StrategyConstants kStrategy;
@@ -81,12 +93,48 @@ CurveProblem makeProblem(
 Solved CurveSolver::solve(const Progress& progress) const {
     Stopwatch watch;
     const double shellBefore = prepared_.seconds().wholeShell;
-    Solved solved = solveInTurn(progress);
+    const bool isPulled = mayTurnBack();
+    Solved solved = solveInTurn(isPulled ? partOf(progress, 0.0, kStrategy.firstShare) : progress);
+    CurveSolver weaker(*this);
+    for (int i = 0; isPulled && i < kStrategy.mostWeakenings && turnsBack(solved); ++i) {
+        weaker.options_.fieldWeight *= kStrategy.weakening;
+        const Progress again = partOf(progress, kStrategy.firstShare, 1.0);
+        solved = weaker.solveInTurn(stepOf(again, i, kStrategy.mostWeakenings));
+    }
+    solved.solution.report.fieldShare =
+        isPulled ? weaker.options_.fieldWeight / options_.fieldWeight : 1.0;
     auto& seconds = solved.solution.report.seconds;
     seconds.shell = prepared_.seconds().wholeShell - shellBefore;
     const double own = seconds.path + seconds.initial + seconds.minimise + seconds.knots;
     seconds.failedAttempts = std::max(0.0, watch.lap() - seconds.shell - own);
     return solved;
+}
+
+// Open curves under a field; not with the paper's samples, whose field is weak.
+bool CurveSolver::mayTurnBack() const {
+    return !options_.closed && !context_.field.vertexCosts.empty() && options_.fieldWeight > 0.0 &&
+           options_.quadrature != Quadrature::Samples;
+}
+
+bool CurveSolver::turnsBack(const Solved& solved) const {
+    const auto reaches = [](const AtEnds<double>& overruns) {
+        return std::ranges::max(overruns) > kStrategy.mostOverrun;
+    };
+    const SplineCurve& spline = solved.solution.curve;
+    const Way curve = [&](double t) { return spline.space.evaluate(spline.controls, t); };
+    const std::vector<PickConstraint>& picks = solved.problem.picks;
+    if (!reaches(overrunsOf(curve, picks, arrivalsOf(curve, picks)))) {
+        return false;  // whatever way its path comes
+    }
+    const PickPath along = pathRound({}, context_.field.travel(options_, 1.0), PathKind::Quick);
+    const Way path = [&](double t) { return along.path.positionAt(t); };
+    const AtEnds<Vec3> arrivals = arrivalsOf(path, along.picks);
+    AtEnds<double> overruns = overrunsOf(curve, picks, arrivals);
+    const AtEnds<double> ofPath = overrunsOf(path, along.picks, arrivals);
+    for (const int end : {0, 1}) {
+        overruns[end] -= kStrategy.overrunOfPath * ofPath[end];
+    }
+    return reaches(overruns);
 }
 
 // The cheapest way first:

@@ -70,6 +70,8 @@ private:
         const PickPath& path, const Shell* shell, const Progress& progress
     ) const;
     [[nodiscard]] Solved solveInTurn(const Progress& progress) const;
+    [[nodiscard]] bool mayTurnBack() const;
+    [[nodiscard]] bool turnsBack(const Solved& solved) const;
     [[nodiscard]] std::optional<Solved> solveFromStart(const Progress& progress) const;
     [[nodiscard]] std::optional<Solved> relaxOver(
         const ObtainedShell* whole, const Progress& progress

@@ -49,6 +49,7 @@ Figures curveFigures(const Curve& curve, const DesignerCache::Found& found, doub
         {"newton_iterations", report.newtonIterations},
         {"field_cost", report.fieldCost},
         {"field_at_rest", report.fieldAtRest},
+        {"field_share", report.fieldShare},
         {"avoided_faces", report.avoidedFaces},
         {"clearance", report.clearance},
         {"prisms", curve.prisms},

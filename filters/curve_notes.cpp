@@ -26,6 +26,14 @@ std::string describeUnusable(const SolveReport& report) {
     return text + "; try more picks, a finer mesh or a larger distance tolerance";
 }
 
+std::string describeWeakenedField(const SolveReport& report) {
+    if (report.fieldShare == 1.0) {
+        return "";
+    }
+    return "the field drew the curve past its first or last pick, so it has " +
+           describeNumber(report.fieldShare) + " of the weight that was asked for";
+}
+
 std::string describeRepeatedPicks(const SolveReport& report) {
     const std::vector<std::int64_t> picks(report.repeatedPicks.begin(), report.repeatedPicks.end());
     if (picks.empty()) {

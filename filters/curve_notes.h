@@ -11,6 +11,9 @@ namespace bspline_curve {
 /// parameters and faces that is, as far as it is known, and what to do. One line without a stop.
 [[nodiscard]] std::string describeUnusable(const SolveReport& report);
 
+/// By how much the field was weakened, for people; empty where it was not.
+[[nodiscard]] std::string describeWeakenedField(const SolveReport& report);
+
 /// Which picks are at the same point as the one before, for people; empty where none is.
 [[nodiscard]] std::string describeRepeatedPicks(const SolveReport& report);
 

@@ -69,6 +69,11 @@ std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Fou
         warning.front() = 'P';
         warnings.push_back(std::move(warning));
     }
+    if (curve.report.fieldShare < 1.0) {
+        std::string warning = describeWeakenedField(curve.report) + ".";
+        warning.front() = 'T';
+        warnings.push_back(std::move(warning));
+    }
     if (!curve.report.fieldAtRest) {
         warnings.emplace_back(
             "The field could still be lowered where the iterations ended: it pulls the curve into "

@@ -83,6 +83,7 @@ Json fieldOf(const SolveReport& report, const RunFigures& figures) {
         {"cost", figures.fieldCost},
         {"mean_cost", report.fieldCost},
         {"at_rest", report.fieldAtRest},
+        {"share", report.fieldShare},
     };
 }
 

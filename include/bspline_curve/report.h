@@ -75,6 +75,9 @@ struct SolveReport {
     double allowedDistance = 0.0;
     double maxPickGap = 0.0;  ///< largest |P(t_ki) - x_i|, relative to the diagonal
     int newtonIterations = 0;
+    /// Of its weight, what the field had: less than 1 where it drew the ends of an open curve past
+    /// their picks. Set by CurveSolver.
+    double fieldShare = 1.0;
     double fieldCost = 0.0;  ///< E_ext (5), the mean of c over t; 0 without a field
     /// False where the iterations ended although the field still pulled: a sharper curve would cost
     /// less.

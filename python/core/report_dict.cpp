@@ -84,6 +84,7 @@ nb::dict reportDict(const Curve& curve) {
     result["is_sampled"] = report.isSampled;
     result["field_cost"] = report.fieldCost;
     result["field_at_rest"] = report.fieldAtRest;
+    result["field_share"] = report.fieldShare;
     result["repeated_picks"] = report.repeatedPicks;
     result["avoided_faces"] = report.avoidedFaces;
     result["clearance"] = report.clearance;

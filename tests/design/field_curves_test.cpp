@@ -212,5 +212,46 @@ TEST_P(Valley, NoiseOnTheFieldMovesTheCurveByAnEdge) {
 
 INSTANTIATE_TEST_SUITE_P(Shells, Valley, kEitherShell, nameOfShell);
 
+// A well of c beside the last pick, at the end of a strip.
+Curve curveBesideAWell(const SolverOptions& options) {
+    const TriangleMesh strip = plate(80, 8, 4.0, 0.4);
+    const auto well = [](const Vec3& v) {
+        return 4.0 * std::exp(-(v.x() - 2.4) * (v.x() - 2.4) / 0.36);
+    };
+    return CurveDesigner(strip).design(
+        {{0.2, 0.1, 0.0}, {1.0, 0.3, 0.0}, {1.8, 0.15, 0.0}},
+        options,
+        {},
+        {.field = sampled(strip, well)}
+    );
+}
+
+double farthestAlongX(const Curve& curve) {
+    double farthest = 0.0;
+    for (const Vec3& point : curve.polyline.points) {
+        farthest = std::max(farthest, point.x());
+    }
+    return farthest;
+}
+
+TEST(FieldAtEnds, IsWeakenedWhereItDrawsACurvePastItsPicks) {
+    const SolverOptions usual{.fieldCost = FieldCost::ExpMinus};
+    const Curve drawn = curveBesideAWell(usual);
+    EXPECT_TRUE(drawn.report.usable);
+    EXPECT_LT(drawn.report.fieldShare, 1.0);
+    EXPECT_LT(farthestAlongX(drawn), 1.82);
+    SolverOptions weak = usual;
+    weak.fieldWeight = drawn.report.fieldShare * usual.fieldWeight;
+    const Curve asWeak = curveBesideAWell(weak);
+    EXPECT_EQ(asWeak.report.fieldShare, 1.0);
+    expectSameBits(asWeak, drawn);
+}
+
+TEST(FieldAtEnds, IsNotWeakenedOfClosedCurves) {
+    EXPECT_EQ(
+        curveBesideAWell({.closed = true, .fieldCost = FieldCost::ExpMinus}).report.fieldShare, 1.0
+    );
+}
+
 }  // namespace
 }  // namespace bspline_curve
