@@ -14,7 +14,7 @@ import argparse
 import re
 import sys
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -22,29 +22,23 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "build" / "release" / "python"))
 import bspline_curve  # noqa: E402
-from bspline_curve._rendering import MESH_COLOUR, ball, camera, normalised, render, tube, vertex_normals  # noqa: E402
-from cases import bumpy_torus, farthest_picks, midpoint_subdivided  # noqa: E402
-from PIL import Image, ImageDraw, ImageFont  # noqa: E402
+from bspline_curve._rendering import MESH_COLOUR, camera, normalised  # noqa: E402
+from cases import farthest_picks  # noqa: E402
+from paper_pictures import DARK, SIZE, Panel, Scene, graph, heat, montage, panel, pixels, ring  # noqa: E402
+from paper_scenes import (  # noqa: E402
+    PRESETS, apart, both, bunny, bunny_picks, draw, each, fluted_vase, grooved_plate, nearest, prepared, scene_of,
+    smooth_torus, sphere,
+)
 from polyline_method import compare  # noqa: E402
 from render_shell import edge_tubes, flat  # noqa: E402
 from surface_baselines import (  # noqa: E402
     bezier_by_geodesics, geodesic, heat_level_set, phong_spline, projected_spline,
 )
-from table1 import bunny_of  # noqa: E402
 
 PAGE = ROOT / "docs" / "PAPER.md"
 IMAGES = ROOT / "docs" / "images"
 BEGIN, END = "<!-- figures: made by benchmarks/paper_figures.py -->\n", "<!-- end of figures -->\n"
-RED, BLUE, GREEN, YELLOW, DARK = (np.array(c) / 255 for c in (
-    (206, 44, 28), (32, 84, 190), (20, 140, 80), (226, 160, 20), (18, 40, 96)))
-PRESETS = (("paper", BLUE), ("default", RED))
-
-
-@dataclass
-class Panel:
-    """A part of a figure: a picture and what stands under it."""
-    caption: str
-    image: np.ndarray
+GREEN, YELLOW = np.array((20, 140, 80)) / 255, np.array((226, 160, 20)) / 255
 
 
 @dataclass
@@ -55,23 +49,9 @@ class Figure:
     make: object
 
 
-@dataclass
-class Scene:
-    """What a panel shows."""
-    vertices: np.ndarray
-    faces: np.ndarray
-    lines: list = field(default_factory=list)  # points and colour
-    balls: list = field(default_factory=list)
-    colours: object = None  # one per vertex
-    view: tuple = (0, 0, 1)
-    up: tuple = (0, 1, 0)
-    radius: float = 0.005  # of lines, of the diagonal
-
-
 FIGURES = []
 # A curve that is taken as it is after the first steps.
 FIRST_STEPS = {"max_rounds": 1, "max_iterations": 1, "distance_tolerance": 1000.0}
-SIZE = [320]
 
 
 def figure(number, title, claim):
@@ -79,202 +59,6 @@ def figure(number, title, claim):
         FIGURES.append(Figure(number, title, claim, make))
         return make
     return add
-
-
-# ---------------------------------------------------------------- pictures
-def panel(caption, scene):
-    diagonal = np.linalg.norm(np.ptp(scene.vertices, axis=0))
-    radius = scene.radius * diagonal
-    colours = MESH_COLOUR if scene.colours is None else scene.colours
-    shapes = [(scene.vertices, scene.faces, vertex_normals(scene.vertices, scene.faces), colours)]
-    for points, colour in scene.lines:
-        vertices, faces = tube(densified(np.asarray(points), diagonal / 120), radius)
-        shapes.append((vertices, faces, vertex_normals(vertices, faces), colour))
-    for centre in scene.balls:
-        vertices, faces = ball(np.asarray(centre), 2.0 * radius)
-        shapes.append((vertices, faces, normalised(vertices - centre), DARK))
-    return Panel(caption, pixels(shapes, scene.vertices, camera(scene.view, scene.up)))
-
-
-def pixels(shapes, vertices, frame):
-    """A picture of shapes whose window fits some vertices; without a shadow, which would take as long again."""
-    seen = vertices @ frame.T
-    low, high = seen.min(0), seen.max(0)
-    margin = 0.06 * (high - low)
-    image = render(shapes, frame, (SIZE[0], SIZE[0]), 2, (low - margin, high + margin))
-    return (image * 255 + 0.5).astype(np.uint8)
-
-
-def densified(line, step):
-    """With points at most a step apart: the renderer tests every pixel of a triangle's box, so none may be long."""
-    parts = [np.linspace(a, b, max(2, int(np.linalg.norm(b - a) / step) + 2))[:-1] for a, b in zip(line, line[1:])]
-    return np.concatenate([*parts, line[-1:]])
-
-
-def ring(curve):
-    """The polyline, its first point again at the end of a closed one."""
-    return np.vstack([curve.points, curve.points[:1]]) if curve.closed else curve.points
-
-
-def heat(values):
-    """Grey to brown, one colour per vertex."""
-    s = (values - values.min()) / max(np.ptp(values), 1e-300)
-    stops = np.array([[0.93, 0.93, 0.93], [0.92, 0.80, 0.45], [0.66, 0.44, 0.10]])
-    return np.stack([np.interp(s, [0, 0.5, 1], stops[:, k]) for k in range(3)], 1)
-
-
-def graph(caption, series, labels):
-    """Lines on a logarithmic axis: values by iteration; a dotted line where a round begins."""
-    size, scale = SIZE[0], 3
-    image = Image.new("RGB", (size * scale, size * scale), "white")
-    pen = ImageDraw.Draw(image)
-    left, right, top, bottom = 70, 12, 28, 34
-    every = np.concatenate([np.log10(values) for values, _, _ in series])
-    low, high = np.floor(every.min() * 4) / 4, np.ceil(every.max() * 4) / 4
-    longest = max(len(values) for values, _, _ in series)
-    place = lambda i, v: ((left + i / max(1, longest - 1) * (size - left - right)) * scale,
-                          (size - bottom - (np.log10(v) - low) / (high - low) * (size - top - bottom)) * scale)
-    font = ImageFont.load_default(13 * scale)
-    for value in np.linspace(low, high, 5):
-        y = place(0, 10 ** value)[1]
-        pen.line([(left * scale, y), ((size - right) * scale, y)], fill=(225, 225, 225), width=scale)
-        pen.text(((left - 6) * scale, y), f"{10 ** value:,.0f}" if value > 1 else f"{10 ** value:.2g}", fill="black", font=font, anchor="rm")
-    for k, (values, starts, colour) in enumerate(series):
-        rgb = tuple(int(255 * c) for c in colour)
-        for start in starts:
-            x = place(start, values[start])[0]
-            for y in range(top, size - bottom, 8):
-                pen.line([(x, y * scale), (x, (y + 3) * scale)], fill=rgb, width=scale)
-        pen.line([place(i, v) for i, v in enumerate(values)], fill=rgb, width=2 * scale, joint="curve")
-        pen.text(((left + 8 + 110 * k) * scale, 8 * scale), labels[k], fill=rgb, font=font)
-    pen.text(((size + left) / 2 * scale, (size - 12) * scale), "iteration", fill="black", font=font, anchor="mm")
-    return Panel(caption, np.asarray(image.resize((size, size), Image.LANCZOS)))
-
-
-def montage(panels, path):
-    """Panels in rows of four at most, captions below."""
-    columns = min(4, len(panels))
-    rows = -(-len(panels) // columns)
-    size, foot = SIZE[0], 30
-    image = Image.new("RGB", (columns * (size + 8) - 8, rows * (size + foot)), "white")
-    pen, font = ImageDraw.Draw(image), ImageFont.load_default(15)
-    for k, one in enumerate(panels):
-        x, y = k % columns * (size + 8), k // columns * (size + foot)
-        image.paste(Image.fromarray(one.image), (x, y))
-        pen.text((x + size / 2, y + size + foot / 2), one.caption, fill="black", font=font, anchor="mm")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    image.quantize(256, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(path, optimize=True)
-
-
-# ---------------------------------------------------------------- meshes and curves
-_kept = {}
-
-
-def kept(name, make):
-    if name not in _kept:
-        _kept[name] = make()
-    return _kept[name]
-
-
-def bunny(vertices=3485):
-    return kept(("bunny", vertices), lambda: bunny_of(vertices))
-
-
-def smooth_torus():
-    return kept("torus", lambda: bumpy_torus(90, 36))
-
-
-def sphere(level=4):
-    def make():
-        t = (1 + 5 ** 0.5) / 2
-        v = np.array([[-1, t, 0], [1, t, 0], [-1, -t, 0], [1, -t, 0], [0, -1, t], [0, 1, t], [0, -1, -t], [0, 1, -t],
-                      [t, 0, -1], [t, 0, 1], [-t, 0, -1], [-t, 0, 1]], float)
-        f = np.array([[0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6],
-                      [7, 1, 8], [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10],
-                      [8, 6, 7], [9, 8, 1]])
-        for _ in range(level):
-            v, f = midpoint_subdivided(normalised(v), f)
-        return normalised(v), f
-    return kept(("sphere", level), make)
-
-
-def grooved_plate():
-    """A plate with a winding groove: concave, for (24)."""
-    def make():
-        n = 120
-        x, y = np.meshgrid(np.linspace(-1, 1, n), np.linspace(-1, 1, n), indexing="ij")
-        across = y - 0.35 * np.sin(2.5 * x)
-        z = 0.15 * np.exp(-(x ** 2 + y ** 2)) - 0.08 * np.exp(-(across / 0.06) ** 2)
-        i, j = np.meshgrid(np.arange(n - 1), np.arange(n - 1), indexing="ij")
-        a = (i * n + j).ravel()
-        faces = np.concatenate([np.stack([a, a + n, a + n + 1], 1), np.stack([a, a + n + 1, a + 1], 1)])
-        return np.stack([x, y, z], -1).reshape(-1, 3), faces
-    return kept("groove", make)
-
-
-def fluted_vase():
-    """A vase with a rounded rib that winds round it: maximal curvature is high along the rib, for (25)."""
-    def make():
-        around, high = 220, 110
-        u, v = np.meshgrid(np.arange(around) * 2 * np.pi / around, np.linspace(0, 1, high), indexing="ij")
-        rib = v - 0.5 - 0.18 * np.sin(2 * u)
-        radius = 0.42 + 0.14 * np.sin(2.6 * v + 0.4) + 0.03 * np.exp(-(rib / 0.025) ** 2)
-        points = np.stack([radius * np.cos(u), v * 1.3, radius * np.sin(u)], -1).reshape(-1, 3)
-        i, j = np.meshgrid(np.arange(around), np.arange(high - 1), indexing="ij")
-        a, b = (i * high + j).ravel(), ((i + 1) % around * high + j).ravel()
-        return points, np.concatenate([np.stack([a, a + 1, b], 1), np.stack([b, a + 1, b + 1], 1)])
-    return kept("vase", make)
-
-
-def prepared(mesh, preset):
-    """A Mesh in the shell of the preset, kept."""
-    vertices, faces = mesh
-    shell = {"shell": "simplified"} if preset == "paper" else {}
-    return kept((id(vertices), preset), lambda: bspline_curve.Mesh(vertices, faces, **shell))
-
-
-def draw(mesh, picks, preset, **options):
-    return prepared(mesh, preset).curve(picks, preset=preset, **options)
-
-
-def both(mesh, picks, **options):
-    return {preset: draw(mesh, picks, preset, **options) for preset, _ in PRESETS}
-
-
-def scene_of(mesh, curves, picks=(), **more):
-    """Curves by preset in the presets' colours."""
-    colours = dict(PRESETS)
-    return Scene(*mesh, lines=[(ring(curve), colours[preset]) for preset, curve in curves.items()], balls=list(picks), **more)
-
-
-def nearest(mesh, *points):
-    """The points of the surface nearest to some points."""
-    return prepared(mesh, "default").project(np.array(points, float)).points
-
-
-def bunny_picks(mesh, count=4):
-    """The same places, relative to the box of any bunny."""
-    vertices = mesh[0]
-    low, size = vertices.min(0), np.ptp(vertices, axis=0)
-    shares = {4: [(0.16, 0.62, 0.8), (0.35, 0.42, 1.0), (0.6, 0.33, 1.0), (0.82, 0.5, 0.8)],
-              6: [(0.15, 0.62, 0.8), (0.22, 0.38, 0.9), (0.5, 0.2, 1.0), (0.78, 0.32, 0.9), (0.7, 0.55, 0.8), (0.42, 0.6, 0.9)]}
-    return nearest(mesh, *(low + np.array(share) * size for share in shares[count]))
-
-
-def resampled(line, count):
-    at = np.r_[0, np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))]
-    even = np.linspace(0, at[-1], count)
-    return np.stack([np.interp(even, at, line[:, k]) for k in range(3)], 1)
-
-
-def apart(one, other):
-    """Largest distance of points of one line from the other."""
-    a, b = resampled(one, 600), resampled(other, 3000)
-    return float(np.sqrt(((a[:, None] - b[None]) ** 2).sum(-1).min(1)).max())
-
-
-def each(curves, say):
-    return "; ".join(f"`{preset}` {say(curve)}" for preset, curve in curves.items())
 
 
 # ---------------------------------------------------------------- the figures

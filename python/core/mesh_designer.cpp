@@ -70,7 +70,9 @@ std::vector<double> MeshDesigner::field(
     return given;
 }
 
-std::vector<double> MeshDesigner::fieldOnMended(std::span<const double> given) const {
+std::vector<double> MeshDesigner::fieldOnMended(
+    std::span<const double> given, const MeshRepair& repair
+) const {
     {
         const std::scoped_lock lock(fieldsMutex_);
         for (const MadeField& field : fields_) {
@@ -79,7 +81,7 @@ std::vector<double> MeshDesigner::fieldOnMended(std::span<const double> given) c
             }
         }
     }
-    return onMended(given, made_.mending->repair);
+    return onMended(given, repair);
 }
 
 CarriedInputs MeshDesigner::carried(const CurveInputs& inputs) const {
@@ -89,7 +91,7 @@ CarriedInputs MeshDesigner::carried(const CurveInputs& inputs) const {
         };
     }
     const MeshRepair& repair = made_.mending->repair;
-    return {fieldOnMended(inputs.field), facesOfMended(inputs.avoid, repair)};
+    return {fieldOnMended(inputs.field, repair), facesOfMended(inputs.avoid, repair)};
 }
 
 TriangleTree::Closest MeshDesigner::closestPoint(const Vec3& query) const {

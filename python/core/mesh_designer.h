@@ -69,7 +69,9 @@ private:
         std::vector<double> given, mended;
     };
 
-    [[nodiscard]] std::vector<double> fieldOnMended(std::span<const double> given) const;
+    [[nodiscard]] std::vector<double> fieldOnMended(
+        std::span<const double> given, const MeshRepair& repair
+    ) const;
 
     Mended<CurveDesigner> made_;
     TriangleMesh given_;

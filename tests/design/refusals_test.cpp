@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bad input is refused by name; progress only rises and cancels at once.
 #include "curve_checks.h"
+#include "design/designer_surface.h"
+#include "support/places.h"
 #include "support/refusal.h"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -140,6 +143,54 @@ TEST(ProgressReports, CancelThePreparationAtEveryCall) {
         Calls cancelled{.fractions = {}, .allowed = static_cast<int>(call)};
         EXPECT_THROW(CurveDesigner(mesh, {}, cancelled.callback()), Cancelled) << call;
         EXPECT_EQ(cancelled.fractions.size(), call);
+    }
+}
+
+// ---- At samples and by cells ----
+
+std::optional<InputError> refusalBy(
+    const CurveDesigner& designer,
+    const std::vector<Vec3>& picks,
+    Quadrature quadrature,
+    const Region& avoid
+) {
+    SolverOptions options;
+    options.quadrature = quadrature;
+    try {
+        static_cast<void>(designer.design(picks, options, {}, {.avoid = avoid}));
+    } catch (const InputError& error) {
+        return error;
+    }
+    return std::nullopt;
+}
+
+TEST(RefusalsAtSamples, AreThoseOfCells) {
+    struct Refused {
+        TriangleMesh mesh;
+        std::vector<Vec3> picks;
+        double wall = 0.0;  // faces to avoid beside x = 0.5
+    };
+
+    const std::vector<Refused> cases = {
+        {twoComponents(), {{-1, 0, 0}, {3, 0, 0}}},
+        {plate(8, 8), {{0.1, 0.2, 0}, {0.9, 0.7, 0}}, 0.1},
+        {plate(8, 8), {{0.1, 0.2, 0}, {0.5, 0.7, 0}}, 0.1},
+        {plate(8, 8), {{0.1, 0.2, 0}, {0.5, 0.7, 3.0}}},
+        {plate(8, 8), {{0.1, 0.2, 0}, {0.1, 0.2, 0}}},
+    };
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        SCOPED_TRACE("case " + std::to_string(i));
+        const CurveDesigner designer(cases[i].mesh);
+        const Region avoid = facesWhere(surfaceOf(designer), [&](const Vec3& p) {
+            return std::abs(p.x() - 0.5) < cases[i].wall;
+        });
+        const std::vector<Vec3>& picks = cases[i].picks;
+        const auto one = refusalBy(designer, picks, Quadrature::FootPoints, avoid);
+        const auto other = refusalBy(designer, picks, Quadrature::Cells, avoid);
+        ASSERT_TRUE(one && other);
+        EXPECT_EQ(one->code(), other->code());
+        EXPECT_STREQ(one->what(), other->what());
+        EXPECT_EQ(one->elements(), other->elements());
     }
 }
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Faces to avoid, named by selection or quality of the layer."""
-import numpy as np
 import pymeshlab
 import pytest
 from curves import CurveLayer, as_text, assert_refuses, draw

@@ -2,9 +2,7 @@
 // Curves relaxed by foot points against those integrated cell by cell, and which are which.
 #include "solver/sampled_solver.h"
 
-#include "bspline_curve/error.h"
 #include "design/curve_checks.h"
-#include "design/designer_surface.h"
 #include "problem_fixture.h"
 #include "projection/fibre_projector.h"
 #include "support/meshes.h"
@@ -416,54 +414,6 @@ TEST(SamplesAreNotFor, CurvesWhoseProgressFalls) {
         return true;
     };
     static_cast<void>(solved(fixture));
-}
-
-// ---- Curves that are refused ----
-
-std::optional<InputError> refusal(
-    const CurveDesigner& designer,
-    const std::vector<Vec3>& picks,
-    Quadrature quadrature,
-    const Region& avoid
-) {
-    SolverOptions options;
-    options.quadrature = quadrature;
-    try {
-        static_cast<void>(designer.design(picks, options, {}, {.avoid = avoid}));
-    } catch (const InputError& error) {
-        return error;
-    }
-    return std::nullopt;
-}
-
-TEST(SamplingOfCurves, RefusesWhatCellsRefuse) {
-    struct Refused {
-        TriangleMesh mesh;
-        std::vector<Vec3> picks;
-        double wall = 0.0;  // faces to avoid beside x = 0.5
-    };
-
-    const std::vector<Refused> cases = {
-        {twoComponents(), {{-1, 0, 0}, {3, 0, 0}}},
-        {plate(8, 8), {{0.1, 0.2, 0}, {0.9, 0.7, 0}}, 0.1},
-        {plate(8, 8), {{0.1, 0.2, 0}, {0.5, 0.7, 0}}, 0.1},
-        {plate(8, 8), {{0.1, 0.2, 0}, {0.5, 0.7, 3.0}}},
-        {plate(8, 8), {{0.1, 0.2, 0}, {0.1, 0.2, 0}}},
-    };
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        SCOPED_TRACE("case " + std::to_string(i));
-        const CurveDesigner designer(cases[i].mesh);
-        const Region avoid = facesWhere(surfaceOf(designer), [&](const Vec3& p) {
-            return std::abs(p.x() - 0.5) < cases[i].wall;
-        });
-        const std::vector<Vec3>& picks = cases[i].picks;
-        const auto one = refusal(designer, picks, Quadrature::FootPoints, avoid);
-        const auto other = refusal(designer, picks, Quadrature::Cells, avoid);
-        ASSERT_TRUE(one && other);
-        EXPECT_EQ(one->code(), other->code());
-        EXPECT_STREQ(one->what(), other->what());
-        EXPECT_EQ(one->elements(), other->elements());
-    }
 }
 
 }  // namespace
