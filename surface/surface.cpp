@@ -27,7 +27,8 @@ double diagonalOfReferencedVertices(const TriangleMesh& mesh, const std::vector<
     return box.diagonal().norm();
 }
 
-/// How the faces join, and their area. Throws InputError, Cancelled.
+/// How the faces join, and their area. Throws InputError, Cancelled. A mesh that is refused may be
+/// mended and come again, so the fraction stays at 0: it must not fall.
 std::pair<FaceAdjacency, double> validated(const TriangleMesh& mesh, const Progress& progress) {
     report(progress, 0.0, kPreparingStage);
     checkArrays(mesh);
@@ -36,7 +37,7 @@ std::pair<FaceAdjacency, double> validated(const TriangleMesh& mesh, const Progr
     auto listed = startBeside(mesh.faces.size(), [&mesh] { return listFacesAtVertices(mesh); });
     const double area = checkFacesHaveArea(mesh);
     VertexFaces at = listed.get();
-    report(progress, 0.3, kPreparingStage);
+    report(progress, 0.0, kPreparingStage);
     return {joinFaces(mesh, std::move(at)), area};
 }
 

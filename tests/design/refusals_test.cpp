@@ -4,6 +4,7 @@
 #include "design/designer_surface.h"
 #include "support/places.h"
 #include "support/refusal.h"
+#include "surface/mending.h"
 
 #include <cmath>
 #include <limits>
@@ -144,6 +145,17 @@ TEST(ProgressReports, CancelThePreparationAtEveryCall) {
         EXPECT_THROW(CurveDesigner(mesh, {}, cancelled.callback()), Cancelled) << call;
         EXPECT_EQ(cancelled.fractions.size(), call);
     }
+}
+
+TEST(ProgressReports, RiseWhereAMeshIsMendedAndPreparedAgain) {
+    TriangleMesh mesh = icosphere(3);
+    mesh.faces.push_back(mesh.faces.front());
+    Calls calls;
+    const auto mended = makeMended(mesh, {}, [&](TriangleMesh given) {
+        return CurveDesigner(std::move(given), {}, calls.callback());
+    });
+    EXPECT_TRUE(mended.mending.has_value());
+    expectRising(calls.fractions);
 }
 
 // ---- At samples and by cells ----
