@@ -3,10 +3,16 @@
 
 #include "surface/error_messages.h"
 
+#include <cctype>
 #include <cstdint>
 #include <vector>
 
 namespace bspline_curve {
+
+std::string asSentence(std::string note) {
+    note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
+    return note + ".";
+}
 
 std::string describeUnusable(const SolveReport& report) {
     constexpr double kMissed = 1e-9;  // of the diagonal; constraints are met to rounding

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/mended_layer.h"
 
+#include "filters/curve_notes.h"
+
 #include <vector>
 
 namespace bspline_curve {
@@ -31,9 +33,8 @@ void bringBack(SurfacePolyline& line, const MeshRepair& repair) {
 }
 
 std::string describeMending(const Mending& mending) {
-    std::string note = mending.note();
-    note.front() = 'T';
-    return note + ". This is done on a copy in memory; the layer is unchanged" +
+    return asSentence(mending.note()) +
+           " This is done on a copy in memory; the layer is unchanged" +
            (mending.refusal ? ", and strict refuses such a mesh." : ".");
 }
 

@@ -65,14 +65,10 @@ std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Fou
         warnings.push_back(describeMending(*found.mending));
     }
     if (!curve.report.repeatedPicks.empty()) {
-        std::string warning = describeRepeatedPicks(curve.report) + ".";
-        warning.front() = 'P';
-        warnings.push_back(std::move(warning));
+        warnings.push_back(asSentence(describeRepeatedPicks(curve.report)));
     }
     if (curve.report.fieldShare < 1.0) {
-        std::string warning = describeWeakenedField(curve.report) + ".";
-        warning.front() = 'T';
-        warnings.push_back(std::move(warning));
+        warnings.push_back(asSentence(describeWeakenedField(curve.report)));
     }
     if (!curve.report.fieldAtRest) {
         warnings.emplace_back(
@@ -81,9 +77,7 @@ std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Fou
         );
     }
     if (!curve.report.usable) {
-        std::string warning = describeUnusable(curve.report) + ".";
-        warning.front() = 'T';
-        warnings.push_back(std::move(warning));
+        warnings.push_back(asSentence(describeUnusable(curve.report)));
     }
     return warnings;
 }
