@@ -48,11 +48,10 @@ struct StrategyConstants {
     /// other there, and would be tested pair by pair.
     int mostFacesAround = 100;
     /// A field must not draw an open curve past its ends so far, relative to the chord to the pick
-    /// beside it, nor so many times as far as the path: less is hardly seen, and round a limb
+    /// beside it, beyond so many times what its path does: less is hardly seen, and round a limb
     /// the path does so too.
     double mostOverrun = 0.02, overrunOfPath = 2.0;
-    /// It is weakened by this factor then, so often at most: with what is left of a usual field,
-    /// curves are those without one.
+    /// It is weakened by this factor then, so often at most: little is left of a usual field.
     double weakening = 0.25;
     int mostWeakenings = 4;
 };
@@ -96,13 +95,14 @@ Solved CurveSolver::solve(const Progress& progress) const {
     const bool isPulled = mayTurnBack();
     Solved solved = solveInTurn(isPulled ? partOf(progress, 0.0, kStrategy.firstShare) : progress);
     CurveSolver weaker(*this);
+    double share = 1.0;
     for (int i = 0; isPulled && i < kStrategy.mostWeakenings && turnsBack(solved); ++i) {
-        weaker.options_.fieldWeight *= kStrategy.weakening;
+        share *= kStrategy.weakening;
+        weaker.options_.fieldWeight = share * options_.fieldWeight;
         const Progress again = partOf(progress, kStrategy.firstShare, 1.0);
         solved = weaker.solveInTurn(stepOf(again, i, kStrategy.mostWeakenings));
     }
-    solved.solution.report.fieldShare =
-        isPulled ? weaker.options_.fieldWeight / options_.fieldWeight : 1.0;
+    solved.solution.report.fieldShare = share;
     auto& seconds = solved.solution.report.seconds;
     seconds.shell = prepared_.seconds().wholeShell - shellBefore;
     const double own = seconds.path + seconds.initial + seconds.minimise + seconds.knots;
