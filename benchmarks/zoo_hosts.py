@@ -22,6 +22,7 @@ from cases import PROGRAM, ROOT, replace_table
 from zoo import OPTIONS, cases_in, share, table
 
 SAME = 1e-9  # of the diagonal
+KEYWORDS = {"C": {"field": "valley"}}  # as zoo.OPTIONS
 FILTER = "generate_bspline_curve_on_surface"
 
 
@@ -37,19 +38,18 @@ def of_program(mesh, kind, picks, folder):
     return np.array(line["polyline"]["points"]), told["usable"]
 
 
-def of_package(package, arrays, kind, picks):
+def of_package(package, arrays, picks, options):
     try:
-        curve = package.Mesh(*arrays).curve(picks["picks"], closed=picks.get("closed", False), **({"field": "valley"} if kind == "C" else {}))
-    except package.Error as error:
+        curve = package.Mesh(*arrays).curve(picks, **options)
+    except package.InputError as error:
         return None, str(error)
     return curve.points, curve.usable
 
 
-def of_filter(document, kind, picks):
-    through = "; ".join(" ".join(map(repr, point)) for point in picks["picks"])
-    field = {"field": "valley"} if kind == "C" else {}
+def of_filter(document, picks, options):
+    through = "; ".join(" ".join(map(repr, point)) for point in picks)
     try:
-        figures = document.apply_filter(FILTER, picks=through, closed=picks.get("closed", False), **field)
+        figures = document.apply_filter(FILTER, picks=through, **options)
     except pymeshlab.PyMeshLabException as error:
         return None, str(error)
     return document.current_mesh().vertex_matrix(), bool(figures["usable"])
@@ -62,7 +62,8 @@ def is_same(points, other):
 
 
 def row_of(package, mesh, kind, file, folder):
-    picks = json.loads(file.read_text())
+    given = json.loads(file.read_text())
+    picks, options = given["picks"], {"closed": given.get("closed", False), **KEYWORDS.get(kind, {})}
     document = pymeshlab.MeshSet(verbose=False)
     document.load_new_mesh(str(mesh))
     read = document.current_mesh()
@@ -70,7 +71,7 @@ def row_of(package, mesh, kind, file, folder):
     row = {"name": f"{mesh.name} {kind}", "program": of_program(mesh, kind, file, folder)}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        row |= {"Python": of_package(package, arrays, kind, picks), "pymeshlab": of_filter(document, kind, picks)}
+        row |= {"Python": of_package(package, arrays, picks, options), "pymeshlab": of_filter(document, picks, options)}
     return row, document
 
 
