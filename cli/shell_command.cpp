@@ -3,6 +3,7 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/progress.h"
 #include "cli/command.h"
+#include "cli/conforming_grid.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
 #include "cli/process_figures.h"
@@ -14,18 +15,12 @@
 #include "io/report_writer.h"
 #include "io/shell_report.h"
 #include "io/shell_writer.h"
+#include "io/tetrahedral_grid.h"
 #include "shell/shell_store.h"
 #include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 
-#ifdef BSPLINE_CURVE_TETRAHEDRA
-#include "tetrahedra/conforming_tetrahedra.h"
-#endif
-
-#include <algorithm>
-#include <cstdint>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,32 +51,6 @@ struct Built {
 
     [[nodiscard]] const Shell& shell() const { return obtained.build.shell; }
 };
-
-#ifdef BSPLINE_CURVE_TETRAHEDRA
-std::string conformingBytes(
-    const std::filesystem::path& file, const Built& built, const Progress& progress
-) {
-    ConformingTetrahedra made = conformToSurface(
-        built.surface,
-        *built.extended,
-        built.shell(),
-        built.obtained.build.report.blockedFaces,
-        progress
-    );
-    TetrahedralGrid grid{
-        .points = std::move(made.points),
-        .heights = std::move(made.heights),
-        .tetrahedra = std::move(made.tetrahedra),
-        .slabName = "side",
-        .slabs = {},
-        .fields = {}
-    };
-    std::ranges::transform(made.sides, std::back_inserter(grid.slabs), [](SurfaceSide side) {
-        return static_cast<std::uint8_t>(side);
-    });
-    return gridBytes(file, grid);
-}
-#endif
 
 /// Figures and checks are those of building a shell, so where these are asked for it is built; it
 /// is stored all the same.
@@ -159,11 +128,16 @@ std::string failureMessage(const ShellCheck& check) {
 
 /// The bytes of the output.
 std::string outputBytes(const ShellArguments& arguments, const Built& built, ProgressBar& bar) {
-#ifdef BSPLINE_CURVE_TETRAHEDRA
     if (arguments.isConforming) {
-        return conformingBytes(arguments.output, built, progressPart(bar, 0.0, 1.0));
+        const TetrahedralGrid grid = conformingGrid(
+            built.surface,
+            *built.extended,
+            built.shell(),
+            built.obtained.build.report.blockedFaces,
+            progressPart(bar, 0.0, 1.0)
+        );
+        return gridBytes(arguments.output, grid);
     }
-#endif
     return shellBytes(arguments.output, built.shell(), built.extended->frame);
 }
 

@@ -2,6 +2,7 @@
 #include "cli/shell_options.h"
 
 #include "bspline_curve/error.h"
+#include "cli/conforming_grid.h"
 #include "cli/described_options.h"
 #include "cli/mesh_input.h"
 #include "cli/parse_with.h"
@@ -66,9 +67,9 @@ void checkConforming(const ShellArguments& arguments) {
             option, "the tetrahedra of a full shell conform to the surface as they are"
         );
     }
-#ifndef BSPLINE_CURVE_TETRAHEDRA
-    throw CLI::ValidationError(option, "this program was built without TetGen (libtet1.5-dev)");
-#endif
+    if (!hasTetgen()) {
+        throw CLI::ValidationError(option, "this program was built without TetGen (libtet1.5-dev)");
+    }
 }
 
 /// The command line of one shell, and what was given on it.
