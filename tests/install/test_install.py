@@ -215,3 +215,11 @@ def test_fields_are_a_component_of_a_build_that_has_them(tmp_path, build_folder)
     with (consumer / "CMakeLists.txt").open("a") as lists:
         lists.write("target_link_libraries(consumer PRIVATE bspline_curve::field)\n")
     build_and_run(consumer, tmp_path / "build", f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}")
+
+
+def test_what_the_fuzzer_is_linked_with_is_built(tmp_path):
+    """Configured as scripts/fuzz does, but for the compiler: CMake then knows every library by its target."""
+    run("cmake", "--preset", "fuzz", "-S", ROOT, "-B", tmp_path, "-DCMAKE_CXX_COMPILER=c++", "-DCMAKE_CXX_FLAGS=")
+    targets = run("ninja", "-C", tmp_path, "-t", "inputs", "fuzz")
+    for library in ("bspline_curve_io", "bspline_curve_cli", "test_support"):
+        assert f"lib{library}.a" in targets
