@@ -65,6 +65,14 @@ double distanceToleranceOf(const PreparedSurface& prepared, const SolverOptions&
            prepared.extended()->frame.scale;
 }
 
+bool areSame(const InitialPath& first, const InitialPath& second) {
+    using Point = InitialPath::Point;
+    return std::ranges::equal(first.points, second.points, [](const Point& a, const Point& b) {
+        return a.parameter == b.parameter && a.point.face == b.point.face &&
+               a.position == b.position;
+    });
+}
+
 }  // namespace
 
 CurveProblem makeProblem(
@@ -411,6 +419,7 @@ std::optional<Solved> CurveSolver::solveInCells(
     const StopPolicy stopPolicy =
         isLocal() && hasTriedSamples() ? StopPolicy::Short : StopPolicy::Long;
     Stopwatch lap;
+    InitialPath failed;
     for (const double share : kStrategy.guideShares) {
         const FieldTravel travel = context_.field.travel(options_, share);
         if (share > 0.0 && travel.empty()) {
@@ -418,6 +427,9 @@ std::optional<Solved> CurveSolver::solveInCells(
         }
         const PickPath path =
             pathRound(whole.build.report.blockedFaces, travel, PathKind::OnSurface);
+        if (areSame(path.path, failed)) {
+            continue;  // first curves follow the path alone
+        }
         CurveProblem problem = problemOn(path, &whole.build.shell, progress);
         problem.boundary = boundary ? &*boundary : nullptr;
         const double pathSeconds = lap.lap();
@@ -427,6 +439,7 @@ std::optional<Solved> CurveSolver::solveInCells(
             solution->report.seconds.path = pathSeconds;
             return Solved{std::move(problem), std::move(*solution)};
         }
+        failed = path.path;
     }
     return std::nullopt;
 }

@@ -26,6 +26,9 @@ struct BuilderConstants {
     int patientRounds = 16;
     /// Rounds after which ghosts that intersect something are blocked: needles otherwise.
     int ghostRounds = 6;
+    /// Where fewer than one in so many triangles changed, each is compared by a search of its own:
+    /// that takes about twice as long for all of them.
+    std::size_t fewTouched = 4;
     /// Pairs of triangles that are tested between two reports of the progress: milliseconds.
     std::size_t pairsPerReport = 100000;
     /// Shares of the progress: up to where pillars are placed, and all tetrahedra are positive.
@@ -249,7 +252,7 @@ private:
         return boundary;
     }
 
-    [[nodiscard]] bool isTouched(const Triangle& triangle) const {
+    [[nodiscard]] bool hasTouchedPillar(const Triangle& triangle) const {
         return std::ranges::any_of(triangle, [&](int point) {
             return touched_[point / PillarPoints::kLevels] != 0;
         });
@@ -261,18 +264,36 @@ private:
     [[nodiscard]] std::vector<std::pair<int, int>> intersectingPairs(
         const std::vector<Triangle>& triangles, const Show& show
     ) const {
-        std::vector<std::pair<int, int>> pairs;
+        std::vector<char> isTouched;
+        for (const Triangle& triangle : triangles) {
+            isTouched.push_back(static_cast<char>(hasTouchedPillar(triangle)));
+        }
         const TriangleTree tree(points_.points, triangles);
+        std::vector<std::pair<int, int>> pairs;
         std::size_t visited = 0;
-        tree.forEachOverlappingPair([&](int i, int j) {
+        const auto test = [&](int i, int j) {
             if (++visited % kBuilder.pairsPerReport == 0) {
                 show();
             }
-            if ((isTouched(triangles[i]) || isTouched(triangles[j])) &&
+            if ((isTouched[i] != 0 || isTouched[j] != 0) &&
                 trianglesIntersect(points_.points, triangles[i], triangles[j])) {
                 pairs.emplace_back(i, j);
             }
-        });
+        };
+        const auto touched = static_cast<std::size_t>(std::ranges::count(isTouched, 1));
+        if (touched * kBuilder.fewTouched > triangles.size()) {
+            tree.forEachOverlappingPair(test);
+        } else {
+            for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
+                if (isTouched[i] != 0) {
+                    tree.forEachOverlapping(i, [&](int j) {
+                        if (j > i || isTouched[j] == 0) {  // else j has seen i
+                            test(std::min(i, j), std::max(i, j));
+                        }
+                    });
+                }
+            }
+        }
         std::ranges::sort(pairs);
         return pairs;
     }
