@@ -17,7 +17,8 @@ struct LadderConstants {
     double stepLength = 0.5;
     /// A tight fit is within so many tolerances of its path.
     double tightDistance = 0.5;
-    /// Where it is farther from the feet than so many tolerances, these jump: the path is better.
+    /// Where it is farther from its feet than so many tolerances, these jump: the path is better,
+    /// even where it is farther than one tolerance as well.
     double farthestFit = 10.0;
     /// So many places of a curve tell whether it is far from all of the surface.
     std::size_t places = 64;
@@ -115,10 +116,13 @@ Solution tightAlong(const PreparedSurface& prepared, CurveProblem problem, Initi
     report.knotsFirst = report.knotsLast = static_cast<int>(space.knotVector().size());
     report.seconds.initial = watch.lap();
     CurveDistance distance = measureOnSheet(traced, space, controls);
-    if (distance.largest > traced.mostDistance || !isClear(problem, distance)) {
-        distance = measureOnPath(traced, space, controls);
-        if (distance.largest >= problem.distanceTolerance) {
-            report.status = SolveStatus::ShortestPath;
+    const bool isClearWay = isClear(problem, distance);
+    if (distance.largest >= problem.distanceTolerance || !isClearWay) {
+        CurveDistance ofPath = measureOnPath(traced, space, controls);
+        const bool isNear = ofPath.largest < problem.distanceTolerance;
+        if (isNear || distance.largest > traced.mostDistance || !isClearWay) {
+            distance = std::move(ofPath);
+            report.status = isNear ? SolveStatus::TightFit : SolveStatus::ShortestPath;
         }
     }
     take(problem, std::move(distance), solution);
