@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace bspline_curve {
@@ -13,15 +15,41 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-// Vertices by the cells of a grid whose side is the distance: near ones lie in cells that touch.
+// So many cells along each axis, at most: their numbers are exact.
+constexpr double kMostCells = 0x1p50;
+
+// Unites vertices with the same coordinates; returns the first of each place, by coordinates.
+std::vector<int> uniteEqual(const std::vector<Vec3>& vertices, DisjointSets& sets) {
+    std::vector<int> order(vertices.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [&](int v) {
+        const Vec3& p = vertices[v];
+        return std::tuple(p.x(), p.y(), p.z(), v);
+    });
+    std::vector<int> places;
+    for (const int v : order) {
+        if (!places.empty() && vertices[places.back()] == vertices[v]) {
+            sets.unite(places.back(), v);
+        } else {
+            places.push_back(v);
+        }
+    }
+    return places;
+}
+
+// Some vertices by the cells of a grid whose side is the distance, or more where that would be too
+// many cells: near ones lie in cells that touch.
 class Cells {
 public:
-    Cells(const std::vector<Vec3>& vertices, double side) {
-        Vec3 low = vertices.front();
-        for (const Vec3& p : vertices) {
-            low = low.cwiseMin(p);
+    Cells(const std::vector<Vec3>& vertices, std::span<const int> places, double distance) {
+        Vec3 low = vertices[places.front()];
+        Vec3 high = low;
+        for (const int v : places) {
+            low = low.cwiseMin(vertices[v]);
+            high = high.cwiseMax(vertices[v]);
         }
-        for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
+        const double side = std::max(distance, (high - low).maxCoeff() / kMostCells);
+        for (const int v : places) {
             const Vec3 at = (vertices[v] - low) / side;
             entries_.push_back(
                 {{static_cast<std::int64_t>(std::floor(at.x())),
@@ -57,10 +85,11 @@ private:
 
 DisjointSets nearVertices(const std::vector<Vec3>& vertices, double distance) {
     DisjointSets sets(vertices.size());
-    if (vertices.empty()) {
+    const std::vector<int> places = uniteEqual(vertices, sets);
+    if (places.size() < 2) {
         return sets;
     }
-    const Cells cells(vertices, distance);
+    const Cells cells(vertices, places, distance);
     for (const auto& [cell, vertex] : cells.all()) {
         for (std::int64_t x = cell[0]; x <= cell[0] + 1; ++x) {
             for (std::int64_t y = cell[1] - 1; y <= cell[1] + 1; ++y) {
