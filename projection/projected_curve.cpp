@@ -15,7 +15,7 @@ SurfacePoint crossingPoint(
     const ShellCell& from,
     const ShellCell& to
 ) {
-    Vec3 shadow = from.shadow(curve.at(tau));
+    Vec3 shadow = from.project(traced.shell, curve.at(tau)).shadow;
     const Triangle& face = traced.extended.faces[from.face];
     const Triangle& other = traced.extended.faces[to.face];
     for (int corner = 0; corner < 3; ++corner) {
@@ -57,9 +57,8 @@ SurfacePoint ProjectedCurve::on(const CellTrace& trace, double t) const {
     const CellTrace::Piece& piece = found == trace.pieces.end() ? trace.pieces.back() : *found;
     const double tau = (t - space_.breaks()[piece.span]) / space_.spanLength(piece.span);
     const ShellCell cell(*shell_, piece.tet, piece.foot, piece.face);
-    return onSurface(
-        extended_, cell.face, cell.shadow(space_.polynomial(controls_, piece.span).at(tau))
-    );
+    const Vec3 position = space_.polynomial(controls_, piece.span).at(tau);
+    return onSurface(extended_, cell.face, cell.project(*shell_, position).shadow);
 }
 
 SurfacePoint ProjectedCurve::on(const FibreTrace& trace, double t) const {

@@ -181,13 +181,7 @@ Vec3 Shell::lift(const SurfacePoint& point, double w) const {
         return onFibre(point.face, beta, w);
     }
     const int tet = locate(point);
-    const Vec3 p = extended_->position(point);
-    std::array<AffineForm, 4> lambda;
-    barycentrics(tet, lambda.data());
-    for (std::size_t k = 0; k < 4; ++k) {
-        beta[kSlabSplit[tet % 3][k].slot] += lambda[k].at(p);
-    }
-    beta = beta.cwiseMax(0.0);  // rounding, next to a wall
+    beta = inPrism(tet, extended_->position(point)).beta.cwiseMax(0.0);  // rounding, next to a wall
     return onFibre(tet / kTetrahedraPerPrism, beta / beta.sum(), w);
 }
 
@@ -215,6 +209,29 @@ Vec3 Shell::onFibre(int prism, const Vec3& beta, double w) const {
                   outer[slot] * (w >= 0.0 ? pillar.top : pillar.bottom);
     }
     return result;
+}
+
+// The forms of a stretched tetrahedron lose digits, each others. A step of Newton's method makes
+// them coordinates of one point again, which is p but for its own rounding: relative to p, corners
+// lose nothing.
+Shell::PrismPoint Shell::inPrism(int tet, const Vec3& p) const {
+    std::array<AffineForm, 4> lambda;
+    barycentrics(tet, lambda.data());
+    std::array<double, 4> values{};
+    Vec3 rest = Vec3::Zero();
+    for (int k = 0; k < 4; ++k) {
+        values[k] = lambda[k].at(p);
+        rest -= values[k] * (position(tet, k) - p);
+    }
+    const double side = tet % kTetrahedraPerPrism < 3 ? 1.0 : -1.0;
+    PrismPoint point;
+    for (int k = 0; k < 4; ++k) {
+        const double value = values[k] + lambda[k].gradient.dot(rest);
+        const SplitVertex vertex = kSlabSplit[tet % 3][k];
+        point.beta[vertex.slot] += value;
+        point.height += vertex.outer ? side * value : 0.0;
+    }
+    return point;
 }
 
 void Shell::barycentrics(int tet, AffineForm* forms) const {

@@ -160,6 +160,16 @@ public:
     /// Direction of the fibres in a tetrahedron, upwards: a half pillar.
     [[nodiscard]] Vec3 fibre(int tet) const;
 
+    /// A point in coordinates of its prism.
+    struct PrismPoint {
+        Vec3 beta = Vec3::Zero();  ///< barycentric, of the slots; the same along a fibre
+        double height = 0.0;       ///< f
+    };
+
+    /// That of a point of a tetrahedron, or beside it by its forms. Exact up to the rounding of p,
+    /// however the tetrahedron is stretched. About 40 ns.
+    [[nodiscard]] PrismPoint inPrism(int tet, const Vec3& p) const;
+
     /// Writes the four barycentric coordinates of a tetrahedron as forms of the position. About 20
     /// ns.
     void barycentrics(int tet, AffineForm* forms) const;

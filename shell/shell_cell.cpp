@@ -100,6 +100,31 @@ std::optional<ShellCell> ShellCell::find(const Shell& shell, int tetrahedron, co
     return found;
 }
 
+ShellCell::Projection ShellCell::project(const Shell& shell, const Vec3& p) const {
+    // The first takes what shadow() lost, the second what the chart loses of that.
+    constexpr int kSteps = 2;
+    const Shell::PrismPoint here = shell.inPrism(tet, p);
+    if (foot < 0) {
+        const std::array<signed char, 3>& corner = shell.prisms()[prism].faceCorner;
+        Projection result{.shadow = {}, .height = here.height};
+        for (std::size_t slot = 0; slot < 3; ++slot) {
+            result.shadow[corner[slot]] = here.beta[static_cast<Eigen::Index>(slot)];
+        }
+        return result;
+    }
+    Projection result{.shadow = shadow(p), .height = here.height};
+    for (int i = 0; i < kSteps; ++i) {
+        const Shell::PrismPoint there =
+            shell.inPrism(foot, shell.extended().position({face, result.shadow}));
+        const double x = here.beta[1] - there.beta[1];
+        const double y = here.beta[2] - there.beta[2];
+        result.shadow[1] += chart_.barycentric[0][0] * x + chart_.barycentric[0][1] * y;
+        result.shadow[2] += chart_.barycentric[1][0] * x + chart_.barycentric[1][1] * y;
+        result.shadow[0] = 1.0 - result.shadow[1] - result.shadow[2];
+    }
+    return result;
+}
+
 Entry ShellCell::enter(const Shell& shell, const ShellCell& from, int wall) {
     if (wall < kFirstFaceWall) {
         const int next = shell.neighbour(from.tet, wall);

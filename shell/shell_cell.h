@@ -72,10 +72,22 @@ struct ShellCell {
     }
 
     /// M_S(p): the barycentric coordinates of the shadow in its face (beyond a boundary: in the
-    /// ghost face).
+    /// ghost face). Loses as much by rounding as the tetrahedron and the foot are stretched: up to
+    /// 1e-9 of the diagonal, mostly nothing.
     [[nodiscard]] Vec3 shadow(const Vec3& p) const {
         return {shadowForm(0).at(p), shadowForm(1).at(p), shadowForm(2).at(p)};
     }
+
+    /// What a point of the shell is, seen from the surface.
+    struct Projection {
+        Vec3 shadow;    ///< M_S(p), as by shadow()
+        double height;  ///< f
+    };
+
+    /// Both within 1e-12 (of the diagonal on the surface, and of f), however the tetrahedron and
+    /// the foot are stretched: what is left is what the rounding of p does. The shell is the one
+    /// that the cell is of. 0.4 us.
+    [[nodiscard]] Projection project(const Shell& shell, const Vec3& p) const;
 
     /// d: the height relative to the surface; 0 on it, -1 at the bottom, 1 at the top. In place of
     /// (10), whose second derivative jumps at the surface, a Moebius map of [-1, 1].

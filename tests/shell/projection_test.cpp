@@ -43,7 +43,7 @@ std::ostream& operator<<(std::ostream& stream, const ProjectionCase& named) {
     return stream << named.name;
 }
 
-// 1e-11, or the rounding of the affine maps where cells are thinner than 1e-4 of the diagonal.
+// 1e-12, or the rounding of the affine maps where cells are thinner than 1e-3 of the diagonal.
 double roundingOf(const Shell& shell) {
     double largest = 0.0;
     std::array<AffineForm, 4> forms;
@@ -55,7 +55,7 @@ double roundingOf(const Shell& shell) {
             }
         }
     }
-    return std::max(1e-11, 0x1p-51 * largest);
+    return std::max(1e-12, 0x1p-51 * largest);
 }
 
 // Largest differences of projections and heights, and how many points of those tried were compared.
@@ -69,9 +69,9 @@ struct Agreement {
         ++compared;
     }
 
-    void expectBelow(double tolerance) const {
-        EXPECT_LT(worstShadow, tolerance);
-        EXPECT_LT(worstHeight, tolerance);
+    void expectBelow(double shadowTolerance, double heightTolerance) const {
+        EXPECT_LT(worstShadow, shadowTolerance);
+        EXPECT_LT(worstHeight, heightTolerance);
         EXPECT_GT(compared, 0);
     }
 };
@@ -142,20 +142,26 @@ protected:
         return deepest;
     }
 
-    [[nodiscard]] Vec3 shadowOf(const ShellCell& cell, const Vec3& p) const {
-        return extended_.position({cell.face, cell.shadow(p)});
+    /// The point of the surface, and the height over it.
+    struct Projected {
+        Vec3 foot;
+        double height;
+    };
+
+    [[nodiscard]] Projected projected(const ShellCell& cell, const Vec3& p) const {
+        const auto [shadow, height] = cell.project(shell_, p);
+        return {extended_.position({cell.face, shadow}), height};
     }
 
     /// Compares a cell with the point of the surface, and the height over it, that p was lifted to.
     void compareWithLifted(
         const ShellCell& cell, const Vec3& p, const Lifted& lifted, Agreement& agreement
     ) const {
-        double difference = (shadowOf(cell, p) - extended_.position(lifted.point)).norm();
         if (shell_.isFullResolution()) {
             ASSERT_EQ(cell.face, lifted.point.face);
-            difference = (cell.shadow(p) - lifted.point.barycentric).cwiseAbs().maxCoeff();
         }
-        agreement.add(difference, cell.height.at(p) - lifted.height);
+        const auto [foot, height] = projected(cell, p);
+        agreement.add((foot - extended_.position(lifted.point)).norm(), height - lifted.height);
     }
 
     /// Beyond the rim of a surface there are points without projection, and nowhere else.
@@ -164,6 +170,21 @@ protected:
         if (extended_.ghostOrigin.empty()) {
             EXPECT_EQ(agreement.compared, agreement.tried);
         }
+    }
+
+    void expectLiftingUndone() {
+        Agreement agreement;
+        for (int i = 0; i < GetParam().points; ++i) {
+            const Lifted lifted = randomLifted();
+            const Vec3 p = shell_.lift(lifted.point, lifted.height);
+            const int prism = shell_.locate(lifted.point) / kTetrahedraPerPrism;
+            const auto cell = ShellCell::find(shell_, deepestTet(prism, p), p);
+            if (!cell) {
+                FAIL() << "no cell for point " << i;
+            }
+            compareWithLifted(*cell, p, lifted, agreement);
+        }
+        agreement.expectBelow(tolerance_, heightTolerance_);
     }
 
     void expectUndoneByLifting() {
@@ -175,14 +196,14 @@ protected:
                 ++agreement.tried;
                 const Vec3 p = awkwardPoint(tet);
                 const auto cell = ShellCell::find(shell_, tet, p);
-                if (cell && cell->insideness(p) >= -tolerance_) {
-                    const Vec3 lifted =
-                        shell_.lift({cell->face, cell->shadow(p)}, cell->height.at(p));
+                if (cell && cell->insideness(p) >= -wallTolerance_) {
+                    const auto [shadow, height] = cell->project(shell_, p);
+                    const Vec3 lifted = shell_.lift({cell->face, shadow}, height);
                     agreement.add((lifted - p).norm(), 0.0);
                 }
             }
         }
-        agreement.expectBelow(tolerance_);
+        agreement.expectBelow(tolerance_, heightTolerance_);
         expectMost(agreement);
     }
 
@@ -191,24 +212,15 @@ protected:
     const ExtendedSurface& extended_ = *tested_.extended;
     const double rounding_ = roundingOf(shell_);
     const double tolerance_ = GetParam().tolerance > 0.0 ? GetParam().tolerance : rounding_;
+    const double heightTolerance_ = std::max(tolerance_, rounding_);
+    const double wallTolerance_ = std::max(1e-11, rounding_);  // stretched cells lose a digit
     const double walkTolerance_ = GetParam().walkTolerance > 0.0 ? GetParam().walkTolerance
                                                                  : rounding_;
     Random random_{11};
 };
 
 TEST_P(Projection, UndoesLifting) {
-    Agreement agreement;
-    for (int i = 0; i < GetParam().points; ++i) {
-        const Lifted lifted = randomLifted();
-        const Vec3 p = shell_.lift(lifted.point, lifted.height);
-        const int prism = shell_.locate(lifted.point) / kTetrahedraPerPrism;
-        const auto cell = ShellCell::find(shell_, deepestTet(prism, p), p);
-        if (!cell) {
-            FAIL() << "no cell for point " << i;
-        }
-        compareWithLifted(*cell, p, lifted, agreement);
-    }
-    agreement.expectBelow(tolerance_);
+    expectLiftingUndone();
 }
 
 TEST_P(Projection, IsUndoneByLifting) {
@@ -231,16 +243,15 @@ TEST_P(Projection, AgreesAcrossTheSidesOfEveryTetrahedron) {
                 const auto here = ShellCell::find(shell_, tet, p);
                 const auto there = ShellCell::find(shell_, across, p);
                 if (here && there &&
-                    std::min(here->insideness(p), there->insideness(p)) >= -tolerance_) {
-                    agreement.add(
-                        (shadowOf(*here, p) - shadowOf(*there, p)).norm(),
-                        here->height.at(p) - there->height.at(p)
-                    );
+                    std::min(here->insideness(p), there->insideness(p)) >= -wallTolerance_) {
+                    const Projected first = projected(*here, p);
+                    const Projected second = projected(*there, p);
+                    agreement.add((first.foot - second.foot).norm(), first.height - second.height);
                 }
             }
         }
     }
-    agreement.expectBelow(tolerance_);
+    agreement.expectBelow(tolerance_, heightTolerance_);
     expectMost(agreement);
 }
 
@@ -261,7 +272,7 @@ TEST_P(Projection, LetsWalksReachWhatIsLifted) {
         ASSERT_GE(state.cell.insideness(p), -2.0 * kCellTolerance);
         compareWithLifted(state.cell, p, lifted, agreement);
     }
-    agreement.expectBelow(walkTolerance_);
+    agreement.expectBelow(walkTolerance_, walkTolerance_);
     EXPECT_GT(straight, GetParam().walks / 2);
 }
 
@@ -307,7 +318,7 @@ std::vector<ProjectionCase> projectionCases() {
     cases.push_back(simplifiedCase(RandomKind::NoisySphere, 1, 1e-12));
     cases.push_back(simplifiedCase(RandomKind::NoisyTorus, 2, 1e-12));
     cases.push_back(simplifiedCase(RandomKind::BumpyPlate, 3, 1e-12));
-    cases.push_back(simplifiedCase(RandomKind::Block, 4, 1e-11));
+    cases.push_back(simplifiedCase(RandomKind::Block, 4, 1e-12));
     return cases;
 }
 
@@ -316,6 +327,10 @@ INSTANTIATE_TEST_SUITE_P(Shells, Projection, testing::ValuesIn(projectionCases()
 // At corners of blocks fibres see some faces nearly edge-on; by those, 1.7e-9 of the diagonal would
 // be lost.
 class ProjectionOfBlocks : public Projection {};
+
+TEST_P(ProjectionOfBlocks, UndoesLifting) {
+    expectLiftingUndone();
+}
 
 TEST_P(ProjectionOfBlocks, IsUndoneByLifting) {
     expectUndoneByLifting();
@@ -331,6 +346,21 @@ std::vector<ProjectionCase> blockCases() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shells, ProjectionOfBlocks, testing::ValuesIn(blockCases()), nameOfParam);
+
+// By their forms up to 2e-12 would be lost, although points say where they came from. On the
+// surface they do not: there, rounding moves what is lifted again.
+class ProjectionOfStretchedTetrahedra : public Projection {};
+
+TEST_P(ProjectionOfStretchedTetrahedra, UndoesLifting) {
+    expectLiftingUndone();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shells,
+    ProjectionOfStretchedTetrahedra,
+    testing::Values(simplifiedCase(RandomKind::Block, 5, 1e-12)),
+    nameOfParam
+);
 
 // In tetrahedra of a small component that are thinner than 1e-6 of the diagonal, neighbours may
 // each round a point into the other.
