@@ -101,8 +101,9 @@ std::optional<ShellCell> ShellCell::find(const Shell& shell, int tetrahedron, co
 }
 
 ShellCell::Projection ShellCell::project(const Shell& shell, const Vec3& p) const {
-    // The first takes what shadow() lost, the second what the chart loses of that.
-    constexpr int kSteps = 2;
+    // The first takes what shadow() lost, further ones what the chart loses of that.
+    constexpr int kMostSteps = 4;
+    constexpr double kSettled = 0x1p-52;
     const Shell::PrismPoint here = shell.inPrism(tet, p);
     if (foot < 0) {
         const std::array<signed char, 3>& corner = shell.prisms()[prism].faceCorner;
@@ -113,14 +114,19 @@ ShellCell::Projection ShellCell::project(const Shell& shell, const Vec3& p) cons
         return result;
     }
     Projection result{.shadow = shadow(p), .height = here.height};
-    for (int i = 0; i < kSteps; ++i) {
+    for (int i = 0; i < kMostSteps; ++i) {
         const Shell::PrismPoint there =
             shell.inPrism(foot, shell.extended().position({face, result.shadow}));
         const double x = here.beta[1] - there.beta[1];
         const double y = here.beta[2] - there.beta[2];
-        result.shadow[1] += chart_.barycentric[0][0] * x + chart_.barycentric[0][1] * y;
-        result.shadow[2] += chart_.barycentric[1][0] * x + chart_.barycentric[1][1] * y;
+        const double change1 = chart_.barycentric[0][0] * x + chart_.barycentric[0][1] * y;
+        const double change2 = chart_.barycentric[1][0] * x + chart_.barycentric[1][1] * y;
+        result.shadow[1] += change1;
+        result.shadow[2] += change2;
         result.shadow[0] = 1.0 - result.shadow[1] - result.shadow[2];
+        if (std::abs(change1) + std::abs(change2) < kSettled) {
+            break;
+        }
     }
     return result;
 }

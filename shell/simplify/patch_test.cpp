@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace bspline_curve {
@@ -17,6 +19,10 @@ constexpr double kSurfaceMargin = 0.85;
 
 // Least cosine between the half pillars of a tetrahedron and the normals of the faces that meet it.
 constexpr float kLeastCosine = 0.03F + kFloatMargin;
+
+// Norm of the derivative of the projection, at most: a lifted point is rounded by 2^-53 of its
+// coordinates, so it comes back within 1e-12 (see ShellCell::project).
+constexpr double kMostStretch = 1000.0;
 
 float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -126,6 +132,52 @@ bool areApart(const TetCorners& tet, const FaceCorners& face) {
     return gap > kRounding || (gap > -kTouching && touchInEdge(tet, face));
 }
 
+// The tetrahedron whose fibres run along a half pillar: the one that holds it.
+std::size_t tetrahedronAlong(std::size_t half) {
+    return half - half % 3 + 2 - half % 3;
+}
+
+// How the coordinates of a prism change in a tetrahedron: products of the gradients of two of them.
+struct Gram {
+    double first = 0.0, mixed = 0.0, second = 0.0;
+
+    [[nodiscard]] double determinant() const { return first * second - mixed * mixed; }
+};
+
+Gram gramOf(const TetCorners& corners, std::size_t tet) {
+    const Vec3& origin = *corners[0];
+    const Vec3 e1 = *corners[1] - origin;
+    const Vec3 e2 = *corners[2] - origin;
+    const Vec3 e3 = *corners[3] - origin;
+    const std::array<Vec3, 3> gradients = {e2.cross(e3), e3.cross(e1), e1.cross(e2)};
+    std::array<Vec3, 3> ofSlots = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    for (std::size_t k = 0; k < 3; ++k) {
+        ofSlots[kSlabSplit[tet][k + 1].slot] += gradients[k];
+    }
+    const double squaredVolume = e1.dot(gradients[0]) * e1.dot(gradients[0]);
+    return {
+        ofSlots[1].squaredNorm() / squaredVolume,
+        ofSlots[1].dot(ofSlots[2]) / squaredVolume,
+        ofSlots[2].squaredNorm() / squaredVolume
+    };
+}
+
+// By how much, at most, the way along the fibres from a tetrahedron of a prism to a plane across
+// those of `to` stretches.
+double largestStretch(const std::array<Gram, kTetrahedraPerPrism>& grams, const Gram& to) {
+    double largest = 0.0;
+    for (const Gram& from : grams) {
+        const double squared =
+            (to.second * from.first - 2.0 * to.mixed * from.mixed + to.first * from.second) /
+            to.determinant();
+        if (!std::isfinite(squared)) {
+            return std::numeric_limits<double>::infinity();
+        }
+        largest = std::max(largest, squared);
+    }
+    return std::sqrt(largest);
+}
+
 }  // namespace
 
 bool PatchTest::isPositive(const Triangle& pillars) const {
@@ -171,6 +223,17 @@ PatchTest::Sides PatchTest::sidesOf(const Triangle& slots, const Triangle& pilla
         sides.halves[k] = toFloat((pillar.top - pillar.middle).normalized());
         sides.halves[3 + k] = toFloat((pillar.middle - pillar.bottom).normalized());
     }
+    std::array<Gram, kTetrahedraPerPrism> grams;
+    for (std::size_t i = 0; i < grams.size(); ++i) {
+        const Slab slab{complex_.points, slots, 1, static_cast<int>(i) / 3};
+        grams[i] = gramOf(slab.corners(static_cast<int>(i) % 3), i % 3);
+    }
+    for (std::size_t half = 0; half < sides.leastCosines.size(); ++half) {
+        const double stretch = largestStretch(grams, grams[tetrahedronAlong(half)]);
+        const double needed = stretch / kMostStretch;
+        sides.leastCosines[half] =
+            needed < 1.0 ? std::max(kLeastCosine, static_cast<float>(needed) + kFloatMargin) : 2.0F;
+    }
     return sides;
 }
 
@@ -192,10 +255,10 @@ bool PatchTest::meetsTetrahedron(int face, const Triangle& slots, int slab, int 
 
 bool PatchTest::isTransversal(int face, const Triangle& slots, const Sides& sides) const {
     const std::array<float, 3>& normal = surface_.bounds[face].normal;
-    for (int half = 0; half < 6; ++half) {
-        // The fibres of a tetrahedron run along the half pillar that it holds.
-        if (dot(normal, sides.halves[half]) < kLeastCosine &&
-            meetsTetrahedron(face, slots, half / 3, 2 - half % 3)) {
+    for (std::size_t half = 0; half < sides.halves.size(); ++half) {
+        const int tet = static_cast<int>(tetrahedronAlong(half));
+        if (dot(normal, sides.halves[half]) < sides.leastCosines[half] &&
+            meetsTetrahedron(face, slots, tet / 3, tet % 3)) {
             return false;
         }
     }

@@ -21,7 +21,8 @@ struct FloatPlane {
 
 /// Decides whether prisms may take the place of others that fill the same patch of the surface:
 /// every tetrahedron positive (exact), every face of the surface that meets a prism transversal to
-/// its pillars with a margin and well below top and above bottom. Finds for each new prism the
+/// its pillars with a margin and well below top and above bottom, and projections stretch nothing
+/// beyond what doubles allow. Finds for each new prism the
 /// faces that may meet it. Uses the points of the complex as they are now.
 class PatchTest {
 public:
@@ -48,6 +49,7 @@ private:
         std::array<FloatPlane, 2> layerPlanes;       // of the layers: positive outside
         std::array<std::array<Vec3, 3>, 2> layers;   // how far faces may reach up and down
         std::array<std::array<float, 3>, 6> halves;  // unit half pillars: 3 upper, 3 lower, by slot
+        std::array<float, 6> leastCosines;           // between these and normals
     };
 
     [[nodiscard]] Sides sidesOf(const Triangle& slots, const Triangle& pillars) const;
