@@ -45,6 +45,15 @@ def names(rows):
 # ---- fields ----
 
 
+def test_curvature_is_near_to_that_of_known_surfaces(table):
+    done, printed, written, _ = table("field_error_table.py", "errors", "--quick")
+    assert done.returncode == 0, done.stderr
+    assert written == printed and [row.split(" | ")[0] for row in printed[1:]] == ["| sphere", "| torus, r = 0.3 R", "| cylinder"]
+    for row in printed[1:]:
+        _, exact, error, noisy = map(float, row.strip("| ").split(" | ")[1:])
+        assert error < 0.05 * exact and error < noisy < 1.2 * exact
+
+
 @pytest.fixture
 def beside_a_ridge(tmp_path):
     """A plate with a rounded ridge along y = 0.65: a curve beside it, and one that is refused."""
