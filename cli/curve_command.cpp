@@ -12,9 +12,9 @@
 #include "cli/progress_bar.h"
 #include "cli/shell_cache_option.h"
 #include "cli/verb.h"
+#include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
 #include "filters/curve_notes.h"
-#include "filters/mended_layer.h"
 #include "filters/requests.h"
 #include "io/atomic_file.h"
 #include "io/curve_writer.h"
@@ -79,7 +79,7 @@ std::optional<double> timeWarm(
 Curve onGivenMesh(const Curve& curve, const MeshRepair* repair) {
     Curve given = curve;
     if (repair != nullptr) {
-        bringBack(given.polyline, *repair);
+        bringBack(given, *repair);
     }
     return given;
 }
@@ -87,24 +87,22 @@ Curve onGivenMesh(const Curve& curve, const MeshRepair* repair) {
 /// Writes curve and report together: both files appear, or none. Only the report of a curve that is
 /// not usable, where that is required.
 void writeResults(
-    const CurveArguments& arguments, const PreparedMesh& prepared, const Drawn& drawn
+    const CurveArguments& arguments,
+    const PreparedMesh& prepared,
+    const Drawn& drawn,
+    const Curve& given
 ) {
     const Surface& surface = surfaceOf(prepared.designer());
     std::optional<AtomicFile> report;
     if (!arguments.report.empty()) {
-        report.emplace(arguments.report, reportText(drawn.curve, surface, drawn.figures));
+        report.emplace(arguments.report, reportText(given, surface, drawn.figures));
     }
     beginWriting();
-    if (drawn.curve.report.usable || !arguments.requireUsable) {
+    if (given.report.usable || !arguments.requireUsable) {
         const std::vector<double> quality =
             drawn.field.empty() ? std::vector<double>()
                                 : fieldAlong(drawn.curve.polyline, surface.faces(), drawn.field);
-        writeCurve(
-            arguments.output,
-            onGivenMesh(drawn.curve, prepared.mended.repair()),
-            quality,
-            prepared.loaded.checksum
-        );
+        writeCurve(arguments.output, given, quality, prepared.loaded.checksum);
     }
     if (report) {
         report->commit();
@@ -128,19 +126,20 @@ ExitCode drawAndWrite(
     Drawn drawn = drawCold(arguments, inputs, prepared, bar);
     drawn.figures.warmSeconds = timeWarm(arguments, inputs, prepared.designer(), drawn, bar);
     bar.clear();
+    const Curve given = onGivenMesh(drawn.curve, prepared.mended.repair());
     printNotes(inputs.notes);
     printNotes(drawn.figures.shell.notes);
-    if (!drawn.curve.report.repeatedPicks.empty()) {
-        printError("note: " + describeRepeatedPicks(drawn.curve.report));
+    if (!given.report.repeatedPicks.empty()) {
+        printError("note: " + describeRepeatedPicks(given.report));
     }
-    if (drawn.curve.report.fieldShare < 1.0) {
-        printError("note: " + describeWeakenedField(drawn.curve.report));
+    if (given.report.fieldShare < 1.0) {
+        printError("note: " + describeWeakenedField(given.report));
     }
-    writeResults(arguments, prepared, drawn);
-    if (drawn.curve.report.usable) {
+    writeResults(arguments, prepared, drawn, given);
+    if (given.report.usable) {
         return ExitCode::Success;
     }
-    const std::string why = describeUnusable(drawn.curve.report);
+    const std::string why = describeUnusable(given.report);
     printError(arguments.requireUsable ? why : "note: " + why);
     return arguments.requireUsable ? ExitCode::Failure : ExitCode::Success;
 }

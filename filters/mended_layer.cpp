@@ -26,12 +26,6 @@ LayerInput carriedOver(const LayerInput& layer, const MeshRepair& repair) {
     return carried;
 }
 
-void bringBack(SurfacePolyline& line, const MeshRepair& repair) {
-    for (SurfacePoint& point : line.surfacePoints) {
-        point = repair.toOrigin(point);
-    }
-}
-
 std::string describeMending(const Mending& mending) {
     return asSentence(mending.note()) +
            " This is done on a copy in memory; the layer is unchanged" +

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/curve.h"
 #include "filters/layer_input.h"
 #include "surface/mending.h"
 
@@ -12,10 +11,6 @@ namespace bspline_curve {
 
 /// Quality and selections of a layer on its mended mesh; the mesh itself is left out.
 [[nodiscard]] LayerInput carriedOver(const LayerInput& layer, const MeshRepair& repair);
-
-/// Gives the points of a curve on the mended mesh as faces and barycentric coordinates of the
-/// layer.
-void bringBack(SurfacePolyline& line, const MeshRepair& repair);
 
 /// A warning for the host's log.
 [[nodiscard]] std::string describeMending(const Mending& mending);

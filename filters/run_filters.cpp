@@ -2,6 +2,7 @@
 #include "filters/run_filters.h"
 
 #include "bspline_curve/error.h"
+#include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
@@ -121,6 +122,9 @@ CurveResult runCurveFilter(
         field.empty() ? std::vector<double>()
                       : fieldAlong(result.curve.polyline, designer.mesh().faces, field);
     result.quality = field.empty() ? result.curve.polyline.parameters : along;
+    if (repair != nullptr) {
+        bringBack(result.curve, *repair);
+    }
     result.figures = curveFigures(result.curve, found, watch.lap());
     result.log = {
         // Names are no figures, since pymeshlab warns of texts.
@@ -129,9 +133,6 @@ CurveResult runCurveFilter(
                    " " + keyValueText(result.figures),
         .warnings = warningsOf(result.curve, found)
     };
-    if (repair != nullptr) {
-        bringBack(result.curve.polyline, *repair);
-    }
     addExtras(request, layer.mesh, designer, along, result);
     return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/core/mesh_designer.h"
 
+#include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
 #include "field/make_field.h"
 #include "utility/index_sets.h"
@@ -44,9 +45,7 @@ Curve MeshDesigner::design(
     const CarriedInputs on = carried(inputs);
     const CurveInputs there{.field = on.field, .avoid = on.avoid};
     Curve curve = made_.made.design(picks, solver, sampling, there, progress);
-    for (SurfacePoint& point : curve.polyline.surfacePoints) {
-        point = made_.mending->repair.toOrigin(point);
-    }
+    bringBack(curve, made_.mending->repair);
     return curve;
 }
 

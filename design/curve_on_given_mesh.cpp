@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/curve_on_given_mesh.h"
+
+#include "utility/index_sets.h"
+
+#include <optional>
+
+namespace bspline_curve {
+
+void bringBack(Curve& curve, const MeshRepair& repair) {
+    for (SurfacePoint& point : curve.polyline.surfacePoints) {
+        point = repair.toOrigin(point);
+    }
+    if (std::optional<FarPart>& part = curve.report.farPart) {
+        for (int& face : part->faces) {
+            face = repair.faceOrigins[face];
+        }
+        sortUnique(part->faces);
+    }
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/curve.h"
+#include "surface/repair.h"
+
+namespace bspline_curve {
+
+/// Gives a curve on a mended mesh the faces of the mesh as it was given: at the points of its
+/// polyline, with their barycentric coordinates there, and in its report.
+void bringBack(Curve& curve, const MeshRepair& repair);
+
+}  // namespace bspline_curve
