@@ -132,33 +132,25 @@ bool areApart(const TetCorners& tet, const FaceCorners& face) {
     return gap > kRounding || (gap > -kTouching && touchInEdge(tet, face));
 }
 
-// The tetrahedron whose fibres run along a half pillar: the one that holds it.
-std::size_t tetrahedronAlong(std::size_t half) {
-    return half - half % 3 + 2 - half % 3;
-}
-
-// How the coordinates of a prism change in a tetrahedron: products of the gradients of two of them.
+// Products of the ways, across the fibres, along which two coordinates of a prism grow by 1 in a
+// tetrahedron.
 struct Gram {
     double first = 0.0, mixed = 0.0, second = 0.0;
+
+    [[nodiscard]] double trace() const { return first + second; }
 
     [[nodiscard]] double determinant() const { return first * second - mixed * mixed; }
 };
 
-Gram gramOf(const TetCorners& corners, std::size_t tet) {
-    const Vec3& origin = *corners[0];
-    const Vec3 e1 = *corners[1] - origin;
-    const Vec3 e2 = *corners[2] - origin;
-    const Vec3 e3 = *corners[3] - origin;
-    const std::array<Vec3, 3> gradients = {e2.cross(e3), e3.cross(e1), e1.cross(e2)};
-    std::array<Vec3, 3> ofSlots = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-    for (std::size_t k = 0; k < 3; ++k) {
-        ofSlots[kSlabSplit[tet][k + 1].slot] += gradients[k];
-    }
-    const double squaredVolume = e1.dot(gradients[0]) * e1.dot(gradients[0]);
+// Of the ways from a corner on the pillar of slot 0 to corners on those of slots 1 and 2. The fibre
+// has unit length.
+Gram gramOf(const Vec3& first, const Vec3& second, const Vec3& fibre) {
+    const double along1 = first.dot(fibre);
+    const double along2 = second.dot(fibre);
     return {
-        ofSlots[1].squaredNorm() / squaredVolume,
-        ofSlots[1].dot(ofSlots[2]) / squaredVolume,
-        ofSlots[2].squaredNorm() / squaredVolume
+        first.squaredNorm() - along1 * along1,
+        first.dot(second) - along1 * along2,
+        second.squaredNorm() - along2 * along2
     };
 }
 
@@ -168,14 +160,41 @@ double largestStretch(const std::array<Gram, kTetrahedraPerPrism>& grams, const 
     double largest = 0.0;
     for (const Gram& from : grams) {
         const double squared =
-            (to.second * from.first - 2.0 * to.mixed * from.mixed + to.first * from.second) /
-            to.determinant();
-        if (!std::isfinite(squared)) {
+            (to.first * from.second - 2.0 * to.mixed * from.mixed + to.second * from.first) /
+            from.determinant();
+        if (!std::isfinite(squared) || squared < 0.0) {
             return std::numeric_limits<double>::infinity();
         }
         largest = std::max(largest, squared);
     }
     return std::sqrt(largest);
+}
+
+// Faces seen at less than these by the fibres of each tetrahedron would be stretched too much.
+std::array<float, kTetrahedraPerPrism> leastCosinesOf(
+    const std::array<Gram, kTetrahedraPerPrism>& grams
+) {
+    std::array<float, kTetrahedraPerPrism> cosines{};
+    cosines.fill(kLeastCosine);
+    double largest = 0.0;
+    double steepest = 0.0;
+    for (const Gram& gram : grams) {
+        const double determinant = gram.determinant();
+        largest = std::max(largest, gram.trace());
+        steepest = determinant > 0.0 ? std::max(steepest, gram.trace() / determinant)
+                                     : std::numeric_limits<double>::infinity();
+    }
+    // Most prisms stretch so little that this bound is enough.
+    constexpr double kUsualStretch = static_cast<double>(kLeastCosine) * kMostStretch;
+    if (largest * steepest <= kUsualStretch * kUsualStretch) {
+        return cosines;
+    }
+    for (std::size_t i = 0; i < cosines.size(); ++i) {
+        const double needed = largestStretch(grams, grams[i]) / kMostStretch;
+        cosines[i] =
+            needed < 1.0 ? std::max(kLeastCosine, static_cast<float>(needed) + kFloatMargin) : 2.0F;
+    }
+    return cosines;
 }
 
 }  // namespace
@@ -218,22 +237,27 @@ PatchTest::Sides PatchTest::sidesOf(const Triangle& slots, const Triangle& pilla
         const Vec3 normal = (slab == 0 ? 1.0 : -1.0) * (b - a).cross(c - a).normalized();
         sides.layerPlanes[slab] = planeOf(normal, normal.dot(a), -kFloatMargin);
     }
+    std::array<Pillar, 3> bySlot;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Pillar pillar = complex_.points.pillar(slots[k]);
-        sides.halves[k] = toFloat((pillar.top - pillar.middle).normalized());
-        sides.halves[3 + k] = toFloat((pillar.middle - pillar.bottom).normalized());
+        bySlot[k] = complex_.points.pillar(slots[k]);
     }
+    const auto& [a, b, c] = bySlot;
     std::array<Gram, kTetrahedraPerPrism> grams;
-    for (std::size_t i = 0; i < grams.size(); ++i) {
-        const Slab slab{complex_.points, slots, 1, static_cast<int>(i) / 3};
-        grams[i] = gramOf(slab.corners(static_cast<int>(i) % 3), i % 3);
+    for (const std::size_t slab : {0U, 1U}) {
+        const Vec3 Pillar::* const tip = slab == 0 ? &Pillar::top : &Pillar::bottom;
+        const double up = slab == 0 ? 1.0 : -1.0;
+        std::array<Vec3, 3> halves;
+        for (std::size_t k = 0; k < 3; ++k) {
+            halves[k] = up * (bySlot[k].*tip - bySlot[k].middle).normalized();
+            sides.halves[3 * slab + k] = toFloat(halves[k]);
+        }
+        // Of each tetrahedron a corner on each pillar: see kSlabSplit.
+        const Vec3& origin = a.middle;
+        grams[3 * slab] = gramOf(b.*tip - origin, c.*tip - origin, halves[0]);
+        grams[3 * slab + 1] = gramOf(b.middle - origin, c.*tip - origin, halves[1]);
+        grams[3 * slab + 2] = gramOf(b.middle - origin, c.middle - origin, halves[2]);
     }
-    for (std::size_t half = 0; half < sides.leastCosines.size(); ++half) {
-        const double stretch = largestStretch(grams, grams[tetrahedronAlong(half)]);
-        const double needed = stretch / kMostStretch;
-        sides.leastCosines[half] =
-            needed < 1.0 ? std::max(kLeastCosine, static_cast<float>(needed) + kFloatMargin) : 2.0F;
-    }
+    sides.leastCosines = leastCosinesOf(grams);
     return sides;
 }
 
@@ -256,9 +280,10 @@ bool PatchTest::meetsTetrahedron(int face, const Triangle& slots, int slab, int 
 bool PatchTest::isTransversal(int face, const Triangle& slots, const Sides& sides) const {
     const std::array<float, 3>& normal = surface_.bounds[face].normal;
     for (std::size_t half = 0; half < sides.halves.size(); ++half) {
-        const int tet = static_cast<int>(tetrahedronAlong(half));
+        // The fibres of a tetrahedron run along the half pillar that it holds.
+        const auto of = static_cast<int>(half);
         if (dot(normal, sides.halves[half]) < sides.leastCosines[half] &&
-            meetsTetrahedron(face, slots, tet / 3, tet % 3)) {
+            meetsTetrahedron(face, slots, of / 3, 2 - of % 3)) {
             return false;
         }
     }
