@@ -108,9 +108,9 @@ ShellCell::Projection ShellCell::project(const Shell& shell, const Vec3& p) cons
     if (foot < 0) {
         const std::array<signed char, 3>& corner = shell.prisms()[prism].faceCorner;
         Projection result{.shadow = {}, .height = here.height};
-        for (std::size_t slot = 0; slot < 3; ++slot) {
-            result.shadow[corner[slot]] = here.beta[static_cast<Eigen::Index>(slot)];
-        }
+        result.shadow[corner[0]] = 1.0 - here.beta[1] - here.beta[2];  // they add up to 1
+        result.shadow[corner[1]] = here.beta[1];
+        result.shadow[corner[2]] = here.beta[2];
         return result;
     }
     Projection result{.shadow = shadow(p), .height = here.height};
