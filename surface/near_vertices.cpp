@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -48,7 +49,10 @@ public:
             low = low.cwiseMin(vertices[v]);
             high = high.cwiseMax(vertices[v]);
         }
-        const double side = std::max(distance, (high - low).maxCoeff() / kMostCells);
+        const double side = std::max(
+            {distance, (high - low).maxCoeff() / kMostCells, std::numeric_limits<double>::min()}
+            // the quotient may be 0
+        );
         for (const int v : places) {
             const Vec3 at = (vertices[v] - low) / side;
             entries_.push_back(

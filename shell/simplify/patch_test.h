@@ -22,8 +22,8 @@ struct FloatPlane {
 /// Decides whether prisms may take the place of others that fill the same patch of the surface:
 /// every tetrahedron positive (exact), every face of the surface that meets a prism transversal to
 /// its pillars with a margin and well below top and above bottom, and projections stretch nothing
-/// beyond what doubles allow. Finds for each new prism the
-/// faces that may meet it. Uses the points of the complex as they are now.
+/// beyond what doubles allow. Finds for each new prism the faces that may meet it. Uses the points
+/// of the complex as they are now.
 class PatchTest {
 public:
     PatchTest(const TrackedSurface& surface, const PrismComplex& complex)

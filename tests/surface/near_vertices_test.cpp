@@ -37,6 +37,12 @@ TEST(NearVertices, AreToldApartByTinyDistances) {
     EXPECT_EQ(setsOf(three, above - 1.0), std::vector<int>(3, 0));
 }
 
+// Their distance is 0 in doubles.
+TEST(NearVertices, MayBeApartByTheLeastNumber) {
+    const double least = std::numeric_limits<double>::denorm_min();
+    EXPECT_EQ(setsOf({{0, 0, 0}, {least, 0, 0}}, 0.0), std::vector<int>(2, 0));
+}
+
 // Pair by pair this would take minutes.
 TEST(NearVertices, MayBeManyAtOnePlace) {
     std::vector<Vec3> vertices(300000, Vec3(0.5, 0.5, 0.5));
