@@ -23,7 +23,10 @@ public:
     /// In [least, largest], whose difference is at most 65,535.
     [[nodiscard]] int integer(int least, int largest) {
         const auto count = static_cast<unsigned>(largest - least) + 1;
-        const unsigned value = count > 256 ? byte() * 256 + byte() : byte();
+        unsigned value = byte();
+        if (count > 256) {
+            value = value * 256 + byte();
+        }
         return least + static_cast<int>(value % count);
     }
 

@@ -56,22 +56,35 @@ TriangleMesh fan(ByteSource& bytes) {
     return mesh;
 }
 
+/// Reads one number per statement, here and elsewhere: compilers differ in the order in which they evaluate arguments, and
+/// the same bytes shall be the same mesh for the fuzzer and for the tests.
 TriangleMesh surfaceOfKind(ByteSource& bytes) {
     switch (bytes.integer(0, 11)) {
         case 0:
             return soup(bytes);
         case 1:
             return fan(bytes);
-        case 2:
-            return plate(bytes.integer(1, 16), bytes.integer(1, 16), 0.01 + bytes.unit());
-        case 3:
-            return openCylinder(bytes.integer(3, 20), bytes.integer(1, 12), 0.05 + bytes.unit());
+        case 2: {
+            const int across = bytes.integer(1, 16);
+            const int along = bytes.integer(1, 16);
+            return plate(across, along, 0.01 + bytes.unit());
+        }
+        case 3: {
+            const int around = bytes.integer(3, 20);
+            const int along = bytes.integer(1, 12);
+            return openCylinder(around, along, 0.05 + bytes.unit());
+        }
         case 4:
             return icosphere(bytes.integer(0, 2));
-        case 5:
-            return torus(bytes.integer(3, 24), bytes.integer(3, 12), 1.0, 0.05 + bytes.unit());
-        case 6:
-            return box(bytes.integer(1, 6), {1.0, 1.0, 1e-6 + bytes.unit()});
+        case 5: {
+            const int around = bytes.integer(3, 24);
+            const int across = bytes.integer(3, 12);
+            return torus(around, across, 1.0, 0.05 + bytes.unit());
+        }
+        case 6: {
+            const int across = bytes.integer(1, 6);
+            return box(across, {1.0, 1.0, 1e-6 + bytes.unit()});
+        }
         case 7:
             return wedge(bytes.integer(1, 5));
         case 8:
@@ -122,7 +135,8 @@ TriangleMesh meshOf(ByteSource& bytes) {
     constexpr std::array<double, 4> kShifts{0.0, 0.0, 1e6, 1e12};
     const double scale = kScales[static_cast<std::size_t>(bytes.integer(0, 5))];
     const double shift = kShifts[static_cast<std::size_t>(bytes.integer(0, 3))];
-    const double noise = 0.3 * bytes.unit() * bytes.unit();
+    const double roughness = bytes.unit();
+    const double noise = 0.3 * roughness * bytes.unit();
     const int damages = bytes.oneIn(3) ? bytes.integer(1, 6) : 0;
     TriangleMesh mesh = surfaceOfKind(bytes);
     if (noise > 0.0) {
