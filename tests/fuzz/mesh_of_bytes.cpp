@@ -56,8 +56,8 @@ TriangleMesh fan(ByteSource& bytes) {
     return mesh;
 }
 
-/// Reads one number per statement, here and elsewhere: compilers differ in the order in which they evaluate arguments, and
-/// the same bytes shall be the same mesh for the fuzzer and for the tests.
+/// Reads one number per statement: the order in which arguments are evaluated is the compiler's,
+/// and the same bytes shall be the same mesh in the fuzzer and in the tests.
 TriangleMesh surfaceOfKind(ByteSource& bytes) {
     switch (bytes.integer(0, 11)) {
         case 0:
