@@ -49,9 +49,9 @@ public:
             low = low.cwiseMin(vertices[v]);
             high = high.cwiseMax(vertices[v]);
         }
+        // Of vertices that hardly differ, the quotient is 0.
         const double side = std::max(
             {distance, (high - low).maxCoeff() / kMostCells, std::numeric_limits<double>::min()}
-            // the quotient may be 0
         );
         for (const int v : places) {
             const Vec3 at = (vertices[v] - low) / side;

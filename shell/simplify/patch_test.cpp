@@ -281,9 +281,10 @@ bool PatchTest::isTransversal(int face, const Triangle& slots, const Sides& side
     const std::array<float, 3>& normal = surface_.bounds[face].normal;
     for (std::size_t half = 0; half < sides.halves.size(); ++half) {
         // The fibres of a tetrahedron run along the half pillar that it holds.
-        const auto of = static_cast<int>(half);
+        const int slab = static_cast<int>(half) / 3;
+        const int tet = 2 - static_cast<int>(half) % 3;
         if (dot(normal, sides.halves[half]) < sides.leastCosines[half] &&
-            meetsTetrahedron(face, slots, of / 3, 2 - of % 3)) {
+            meetsTetrahedron(face, slots, slab, tet)) {
             return false;
         }
     }
