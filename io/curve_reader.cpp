@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "design/strict_polyline.h"
+#include "io/json_reader.h"
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
 
@@ -169,10 +170,7 @@ std::vector<SurfacePolyline> readCurves(
     if (lowerCaseExtension(file) != ".json") {
         refuseFile(file, "curves are read from .json; write the curve with --output CURVE.json");
     }
-    const nlohmann::json document = nlohmann::json::parse(readWholeFile(file), nullptr, false);
-    if (document.is_discarded()) {
-        refuseFile(file, "is not JSON");
-    }
+    const nlohmann::json document = jsonOfBytes(file, readWholeFile(file));
     if (document.is_object()) {
         checkMesh(file, document, mesh);
     }

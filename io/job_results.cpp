@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "io/atomic_file.h"
+#include "io/json_reader.h"
 #include "io/number_text.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"
@@ -62,7 +63,7 @@ int openLocked(const path& file, int flags) {
 
 CurveFigures readCurveFigures(const path& report) {
     try {
-        const auto document = nlohmann::json::parse(readWholeFile(report));
+        const auto document = jsonOfBytes(report, readWholeFile(report));
         return {
             .usable = document.at("usable").get<bool>(),
             .length = document.at("curve").at("length").get<double>(),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/json_reader.h"
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
 
@@ -8,24 +9,7 @@
 
 namespace bspline_curve {
 
-namespace {
-
 using std::filesystem::path;
-
-nlohmann::json parseJson(const path& file, const std::string& bytes) {
-    try {
-        return nlohmann::json::parse(bytes);
-    } catch (const nlohmann::json::exception& error) {
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: …"
-        const std::string text = error.what();
-        const std::size_t end = text.find("] ");
-        refuseFile(
-            file, "is not JSON: " + (end == std::string::npos ? text : text.substr(end + 2))
-        );
-    }
-}
-
-}  // namespace
 
 Vec3 pointOfJson(const path& file, const nlohmann::json& value, const std::string& name) {
     const bool isPoint =
@@ -42,7 +26,7 @@ Vec3 pointOfJson(const path& file, const nlohmann::json& value, const std::strin
 }
 
 PicksFile picksOfJson(const path& file, const std::string& bytes) {
-    const nlohmann::json document = parseJson(file, bytes);
+    const nlohmann::json document = jsonOfBytes(file, bytes);
     if (document.is_object() && document.contains("markups")) {
         return picksOfMarkups(file, document);
     }
