@@ -14,7 +14,8 @@ namespace bspline_curve {
 /// Where a traced curve stands.
 struct TraceState {
     ShellCell cell;
-    /// Crossings of the shell without progress in s, to bound walks around a vertex.
+    /// Crossings of the shell while the curve hardly moves, to bound walks around an edge or a
+    /// vertex.
     int stalled = 0;
 
     /// That of cells; more where a walk stalls, because cells thinner than 1e-4 of the diagonal
@@ -49,6 +50,18 @@ struct CellExit {
     double tolerance = kCellTolerance
 );
 
+/// How much s grows at least where a curve moves by the tolerance of cells; infinite for a curve
+/// that stays at one point.
+[[nodiscard]] inline double leastProgressOf(const PolynomialCurve& curve, double end) {
+    double highestSpeed = 0.0;
+    double power = 1.0;
+    for (int j = 1; j <= curve.degree; ++j) {
+        highestSpeed += j * power * curve.coefficients[j].norm();
+        power *= end;
+    }
+    return kCellTolerance / highestSpeed;
+}
+
 /// Cuts p(s), s in [0, end], exactly where it passes from one cell into the next, starting in
 /// state.cell. Calls onPiece(cell, s0, s1) for each piece in order and onCrossing(from, to, s,
 /// wall) between two pieces, with the wall of `from` that is crossed. Returns true at the end with
@@ -62,9 +75,12 @@ bool tracePolynomial(
     OnPiece&& onPiece,
     OnCrossing&& onCrossing
 ) {
-    // A walk that turns this often at one parameter goes round in a circle.
+    // A walk that turns this often while the curve moves by less than the tolerance of cells goes
+    // round in a circle: between sheets that almost touch, it once took millions of turns.
     constexpr int kMaxStalled = 128;
+    const double leastProgress = leastProgressOf(curve, end);
     double s = 0.0;
+    double lastProgress = 0.0;
     unsigned ignoredWalls = 0;
     // The cells of the two sides of a crossing, in turn.
     ShellCell other;
@@ -83,6 +99,9 @@ bool tracePolynomial(
         const double next = exit.wall < 0 ? end : s + exit.s;
         if (next > s) {
             onPiece(std::as_const(*here), s, next);
+        }
+        if (next - lastProgress > leastProgress) {
+            lastProgress = next;
             state.stalled = 0;
         } else if (exit.wall >= 0 && ++state.stalled > kMaxStalled) {
             return stopHere(false);

@@ -2,6 +2,7 @@
 #include "surface/picks.h"
 
 #include "bspline_curve/error.h"
+#include "surface/closest_point.h"
 #include "surface/error_messages.h"
 #include "surface/near_vertices.h"
 #include "utility/index_sets.h"
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -19,6 +22,8 @@ namespace {
 
 /// Components that vertices within so many diagonals part only look parted.
 constexpr double kGapRelative = 1e-6;
+
+using Closest = TriangleTree::Closest;
 
 std::string pickName(std::int64_t pick) {
     return "pick " + std::to_string(pick);
@@ -67,7 +72,7 @@ void requireUsable(const std::vector<Vec3>& picks, bool closed) {
 }
 
 LocatedPicks withoutRepeats(
-    const std::vector<TriangleTree::Closest>& projections, double separation, bool closed
+    const std::vector<Closest>& projections, double separation, bool closed
 ) {
     LocatedPicks located;
     std::vector<Vec3> positions;
@@ -136,6 +141,63 @@ std::string adviceOnGaps(const Surface& surface, const std::vector<int>& compone
                  "if they only look joined";
 }
 
+bool areOnOneComponent(const Surface& surface, const std::vector<Closest>& projections) {
+    const std::vector<int>& components = surface.faceComponents();
+    return std::ranges::all_of(projections, [&](const Closest& projection) {
+        return components[projection.point.face] == components[projections.front().point.face];
+    });
+}
+
+// The closest point of each component that is hardly farther than the closest of all.
+std::map<int, Closest> closestOnEach(
+    const Surface& surface, const TriangleTree& tree, const Vec3& pick, const Closest& closest
+) {
+    const double reach = std::sqrt(closest.squaredDistance) + kGapRelative * surface.diagonal();
+    std::map<int, Closest> found;
+    tree.forEachNear(pick, reach, [&](int face) {
+        const auto [barycentric, position, squaredDistance] =
+            closestPointOnTriangle(surface.vertices(), surface.faces()[face], pick);
+        if (squaredDistance > reach * reach) {
+            return;
+        }
+        const Closest here{{face, barycentric}, position, squaredDistance};
+        const auto [at, isFirst] = found.try_emplace(surface.faceComponents()[face], here);
+        const auto rank = [](const Closest& one) {
+            return std::pair(one.squaredDistance, one.point.face);
+        };
+        if (!isFirst && rank(here) < rank(at->second)) {
+            at->second = here;
+        }
+    });
+    return found;
+}
+
+// Where components lie upon each other the closest one may be another for each pick. Those of the
+// first component that is as near to all of them; nothing where there is none.
+std::optional<std::vector<Closest>> onCommonComponent(
+    const Surface& surface,
+    const TriangleTree& tree,
+    const std::vector<Vec3>& picks,
+    const std::vector<Closest>& projections
+) {
+    std::vector<std::map<int, Closest>> found;
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        found.push_back(closestOnEach(surface, tree, picks[i], projections[i]));
+    }
+    for (const auto& [component, unused] : found.front()) {
+        std::vector<Closest> common;
+        for (const std::map<int, Closest>& each : found) {
+            if (const auto at = each.find(component); at != each.end()) {
+                common.push_back(at->second);
+            }
+        }
+        if (common.size() == picks.size()) {
+            return common;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 LocatedPicks locatePicks(
@@ -143,7 +205,7 @@ LocatedPicks locatePicks(
 ) {
     requireUsable(picks, closed);
     const std::size_t count = picks.size();
-    std::vector<TriangleTree::Closest> projections;
+    std::vector<Closest> projections;
     projections.reserve(count);
     for (const Vec3& pick : picks) {
         projections.push_back(tree.closestPoint(pick));
@@ -161,8 +223,11 @@ LocatedPicks locatePicks(
         }
     );
 
+    if (!areOnOneComponent(surface, projections)) {
+        projections = onCommonComponent(surface, tree, picks, projections).value_or(projections);
+    }
     std::vector<int> components;
-    for (const TriangleTree::Closest& projection : projections) {
+    for (const Closest& projection : projections) {
         components.push_back(surface.faceComponents()[projection.point.face]);
     }
     refuseWhere(

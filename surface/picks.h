@@ -24,7 +24,8 @@ struct LocatedPicks {
     [[nodiscard]] std::vector<int> repeated() const;
 };
 
-/// Projects picked points to the surface (closest point), in order.
+/// Projects picked points to the surface (closest point), in order. Where connected components lie
+/// within 1e-6 diagonals of each other, to one component if all picks are as near to it.
 /// Throws InputError: TooFewPicks (fewer than 2, or 3 when closed), NonFiniteCoordinate,
 /// PickTooFar, CoincidentPicks (so few different ones), PicksOnDifferentComponents; each names the
 /// picks by their index from 0.

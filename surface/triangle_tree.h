@@ -40,6 +40,12 @@ public:
         const Vec3& query, double within = std::numeric_limits<double>::infinity()
     ) const;
 
+    /// Calls visit(j) for every triangle whose box overlaps the cube of points that differ from
+    /// this one by at most `reach` in each coordinate. The order is the same on every platform.
+    /// O(log n) where few do.
+    template <class Visitor>
+    void forEachNear(const Vec3& point, double reach, const Visitor& visit) const;
+
     struct Hit {
         SurfacePoint point;  ///< face -1 where nothing is hit
         Vec3 position = Vec3::Zero();
@@ -112,6 +118,9 @@ private:
     }
 
     template <class Visitor>
+    void forEachOverlapping(const Box& box, const Visitor& visit) const;
+
+    template <class Visitor>
     void visitLeafPair(int a, int b, const Visitor& visit) const;
 
     const std::vector<Vec3>& vertices_;
@@ -165,7 +174,18 @@ void TriangleTree::forEachOverlappingPair(const Visitor& visit) const {
 
 template <class Visitor>
 void TriangleTree::forEachOverlapping(int triangle, const Visitor& visit) const {
-    const Box box = boxOf(triangle);
+    forEachOverlapping(boxOf(triangle), visit);
+}
+
+template <class Visitor>
+void TriangleTree::forEachNear(const Vec3& point, double reach, const Visitor& visit) const {
+    if (!nodes_.empty()) {
+        forEachOverlapping(Box{point.array() - reach, point.array() + reach}, visit);
+    }
+}
+
+template <class Visitor>
+void TriangleTree::forEachOverlapping(const Box& box, const Visitor& visit) const {
     std::array<int, kStackSize> stack;
     std::size_t stackSize = 0;
     stack[stackSize++] = 0;

@@ -57,6 +57,32 @@ Trace tracedInside(const Shell& shell, const PolynomialCurve& curve, double end,
     return test_support::traced(shell, curve, end, ShellCell(shell, firstTet), onCrossing);
 }
 
+// Counts crossings of walks from points of edges to random points close by.
+int mostCrossings(const BuiltShell& built, int walks, std::uint64_t seed) {
+    Random random(seed);
+    int most = 0;
+    for (int i = 0; i < walks; ++i) {
+        const SurfacePoint start{
+            random.integer(0, built.surface.faceCount() - 1), random.awkwardBarycentric()
+        };
+        if (built.shell().locate(start) < 0) {
+            continue;
+        }
+        const Vec3 from = built.extended.position(start);
+        const Vec3 to =
+            from + std::pow(10.0, random.uniform(-14.0, -1.0)) * random.point(-1.0, 1.0);
+        const PolynomialCurve line{.degree = 1, .coefficients = {from, to - from}};
+        TraceState state{ShellCell(built.shell(), start)};
+        int crossings = 0;
+        const auto ignorePiece = [](const auto&...) {};
+        tracePolynomial(built.shell(), line, 1.0, state, ignorePiece, [&](const auto&...) {
+            ++crossings;
+        });
+        most = std::max(most, crossings);
+    }
+    return most;
+}
+
 // Largest insideness of any tetrahedron of the shell: >= 0 inside, < 0 outside.
 double insidenessOfShell(const std::vector<ShellCell>& cells, const Vec3& p) {
     double largest = -std::numeric_limits<double>::infinity();
@@ -260,6 +286,23 @@ Trace tracedUp(const Shell& shell, const SurfacePoint& point, double w, double e
         EXPECT_NEAR(trace.last.height.at(up.at(end)), w, 1e-9);
     }
     return trace;
+}
+
+// Walls of cells between sheets that almost touch are rounded by more than their tolerance: each of
+// the cells round an edge may hand a point to the next one.
+TEST(TraceBetweenSheets, TakesFewTurnsHoweverCloseTheyAre) {
+    const int walks = 20000;
+    EXPECT_LT(mostCrossings(BuiltShell(icosphere(2)), walks, 1), 20);
+    for (const double gap : {1e-6, 1e-8, 1e-10, 1e-12}) {
+        SCOPED_TRACE("gap " + std::to_string(gap));
+        TriangleMesh upper = jitteredPlate(4, 4, 0.29, 1);
+        for (Vec3& vertex : upper.vertices) {
+            vertex.z() += gap;
+        }
+        const Eigen::Isometry3d motion = Random(5).isometry(1.0);
+        const TriangleMesh both = joined(jitteredPlate(4, 4, 0.29, 2), upper);
+        EXPECT_LT(mostCrossings(BuiltShell(transformed(both, motion)), walks, 2), 2000);
+    }
 }
 
 TEST(TraceFromTheMiddle, StartsOnTheSurfaceToEitherSide) {

@@ -115,6 +115,35 @@ TEST_F(PicksTest, MustLeaveEnoughDifferentPoints) {
     );
 }
 
+TEST(Picks, ChooseTheComponentThatTheyShareWhereSeveralLieUponEachOther) {
+    // The second plate covers the upper half of the first, and goes on.
+    TriangleMesh upper = plate(6, 8, 3.0, 4.0);
+    for (Vec3& vertex : upper.vertices) {
+        vertex += Vec3(0.0, 2.0, 1e-7);
+    }
+    const Surface surface(joined(plate(6, 8, 3.0, 4.0), upper));
+    const TriangleTree tree(surface.vertices(), surface.faces());
+    const auto componentsOf = [&](const std::vector<Vec3>& picks) {
+        std::vector<int> components;
+        for (const SurfacePoint& point : locatePicks(surface, tree, picks, false).points) {
+            components.push_back(surface.faceComponents()[point.face]);
+        }
+        return components;
+    };
+    const Vec3 onBoth(1, 3, 0);
+    const Vec3 onFirst(1, 1, 0);
+    const Vec3 onSecond(1, 5, 0);
+    EXPECT_EQ(componentsOf({onBoth, onFirst}), (std::vector{0, 0}));
+    EXPECT_EQ(componentsOf({onBoth, onSecond}), (std::vector{1, 1}));
+    EXPECT_EQ(componentsOf({onSecond, onBoth, onSecond}), (std::vector{1, 1, 1}));
+    expectRefused(
+        [&] { return locatePicks(surface, tree, {onBoth, onFirst, onSecond}, false); },
+        PicksOnDifferentComponents,
+        "pick 2 lies on another",
+        Elements{2}
+    );
+}
+
 TEST_F(PicksOnTwoComponentsTest, MustLieOnOneComponent) {
     EXPECT_EQ(locate({{1, 0, 0}, {0, 1, 0}}).size(), 2U);
     EXPECT_EQ(locate({{5, 0, 0}, {4, 1, 0}}).size(), 2U);
