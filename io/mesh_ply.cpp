@@ -39,6 +39,9 @@ public:
 
 private:
     void readElement(const PlyElement& element) {
+        if (element.properties.empty()) {
+            return;  // however many there are
+        }
         const bool isVertex = element.name == "vertex";
         const bool hasList =
             std::ranges::any_of(element.properties, [](const PlyProperty& property) {

@@ -19,7 +19,8 @@ public:
 
     PolylineGraph run() {
         for (const PlyElement& element : header_.elements) {
-            for (std::size_t i = 0; i < element.count; ++i) {
+            const std::size_t count = element.properties.empty() ? 0 : element.count;
+            for (std::size_t i = 0; i < count; ++i) {
                 readOne(element);
                 if (cursor_.failed()) {
                     refuseFile(

@@ -262,6 +262,11 @@ TEST_F(MeshReader, TakesFacesWhereAFileHasStripsToo) {
     );
 }
 
+TEST_F(MeshReader, OverlooksElementsOfPlyWithoutProperties) {
+    const std::string header = plyHeader("ascii", "float", "element nothing 2000000000\n");
+    expectSquare(read("a.ply", header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"));
+}
+
 TEST_F(MeshReader, OverlooksZeroBytesAtTheEndOfTexts) {
     const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
     const std::string off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
