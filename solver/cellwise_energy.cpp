@@ -97,6 +97,7 @@ void CellwiseEnergy::setWeights(const EnergyWeights& weights) {
 EnergyValue CellwiseEnergy::differentiate() {
     if (!isDifferentiated_) {
         value_ = integrals_->evaluate(controls_, weights_, derivatives_);
+        spansSeen_ += space().spanCount();
         isDifferentiated_ = true;
     }
     hessian_ = derivatives_.hessian;
@@ -123,6 +124,7 @@ EnergyValue CellwiseEnergy::tryStep(const Eigen::VectorXd& step, double length) 
     isTrialDifferentiated_ = length >= 1.0;
     trialValue_ = isTrialDifferentiated_ ? integrals_->evaluate(trial_, weights_, trialDerivatives_)
                                          : integrals_->evaluate(trial_, weights_);
+    spansSeen_ += space().spanCount();
     return trialValue_;
 }
 

@@ -5,6 +5,7 @@
 #include "solver/energy.h"
 #include "solver/newton.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -48,6 +49,9 @@ public:
     [[nodiscard]] KnotDemand refinementGain() override;
     void insertKnots(SplineSpace finer) override;
 
+    /// Spans that were integrated, over all evaluations.
+    [[nodiscard]] std::int64_t work() const override { return spansSeen_; }
+
 private:
     void setRule(const SampleRule& rule);
 
@@ -62,6 +66,7 @@ private:
     bool isDifferentiated_ = false, isTrialDifferentiated_ = false;
     std::vector<SpanBlocks> hessian_;  // with a share of the negative part
     double negativeShare_ = 0.0;
+    std::int64_t spansSeen_ = 0;
 };
 
 }  // namespace bspline_curve

@@ -43,6 +43,10 @@ struct CellwiseConstants {
     /// The line search gives up below this share of a step; rough energies have kinks, at which it
     /// stalls: less than half a step is not worth it.
     double leastStep = 1e-10, leastRoughStep = 0.3;
+    /// Spans that are integrated, in all evaluations together: so many, and for each pick. Usual
+    /// curves take less than a hundredth of them, the slowest one of 360 on meshes that people have
+    /// half.
+    double mostWork = 2e5, mostWorkPerPick = 5e4;
 };
 
 constexpr CellwiseConstants kCellwise;
@@ -70,6 +74,8 @@ SolvePolicy policyFor(const CurveProblem& problem) {
     // In thin shells, steps by what is needed make curves depend more on the triangulation.
     policy.schedule.isGentle = !problem.shell->isFullResolution();
     policy.newton = cellwiseNewton();
+    policy.newton.mostWork =
+        kCellwise.mostWork + kCellwise.mostWorkPerPick * static_cast<double>(problem.picks.size());
     policy.rough.decrement = kCellwise.roughDecrement;
     policy.round.decrement =
         decrementUnderField(problem, kCellwise.roundDecrement, kCellwise.fieldRoundDecrement);

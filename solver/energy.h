@@ -70,8 +70,8 @@ public:
     /// False where there are none.
     [[nodiscard]] virtual bool dampModelErrors() { return false; }
 
-    /// What all of that has cost so far: the faces that feet were sought on. Where nothing is
-    /// counted, 0.
+    /// What all of that has cost so far: at samples the faces that feet were sought on, cell by
+    /// cell the spans that were integrated. Where nothing is counted, 0.
     [[nodiscard]] virtual std::int64_t work() const { return 0; }
 
     // ---- For Algorithm 1 ----
