@@ -3,6 +3,7 @@
 
 #include "shell/overlapping_components.h"
 #include "shell/pillar_lengths.h"
+#include "shell/projection_stretch.h"
 #include "surface/self_intersection.h"
 #include "surface/triangle_tree.h"
 #include "utility/report_progress.h"
@@ -21,6 +22,9 @@ struct BuilderConstants {
     double intersectingShrink = 0.5;
     /// Half pillars below this share of the wanted length are not shortened; faces are blocked.
     double leastShare = 1e-9;
+    /// Pillars are shortened for the sake of digits where that leaves at most this share of the
+    /// stretch that loses them.
+    double grazingShare = 0.5;
     /// Rounds after which the factor is squared, cubed, …: sheets that touch are never parted, and
     /// their pillars must become too short some time.
     int patientRounds = 16;
@@ -76,7 +80,8 @@ public:
         }
     }
 
-    // Shortens pillars until every tetrahedron is positive. Only prisms with a pillar that changed
+    // Shortens pillars until every tetrahedron is positive and none stretches projections too much.
+    // Only prisms with a pillar that changed
     // are tested again.
     void makePositive() {
         changed_ = touched_;
@@ -89,7 +94,8 @@ public:
                 for (int slab = 0; hasChanged && slab < 2; ++slab) {
                     const Prism& prism = prisms_[f];
                     if (!isBlocked(f) &&
-                        !Slab{points_, prism.pillars, prism.orientation, slab}.isPositive()) {
+                        (!Slab{points_, prism.pillars, prism.orientation, slab}.isPositive() ||
+                         stretchesTooMuch(prism, slab))) {
                         isDone = false;
                         shortenOrBlock({f, slab});
                     }
@@ -168,6 +174,27 @@ private:
             static_cast<int>(v),
             {middle - lengths_[1][v] * direction, middle, middle + lengths_[0][v] * direction}
         );
+    }
+
+    // Whether the projection loses digits that shorter half pillars would save. Where fibres graze
+    // the face they save none.
+    [[nodiscard]] bool stretchesTooMuch(const Prism& prism, std::size_t slab) const {
+        std::array<Pillar, 3> pillars;
+        for (std::size_t k = 0; k < 3; ++k) {
+            pillars[k] = points_.pillar(prism.pillars[k]);
+        }
+        const Vec3 first = pillars[1].middle - pillars[0].middle;
+        const Vec3 second = pillars[2].middle - pillars[0].middle;
+        const Gram face = gramOf(first, second);
+        const std::array<Vec3, 3> fibres = fibresOf(pillars, slab);
+        if (largestStretch(gramsOf(pillars, fibres, slab), face) <= kMostStretch) {
+            return false;
+        }
+        std::array<Gram, 3> ofShort;
+        std::ranges::transform(fibres, ofShort.begin(), [&](const Vec3& fibre) {
+            return gramOf(first, second, fibre);
+        });
+        return largestStretch(ofShort, face) <= kBuilder.grazingShare * kMostStretch;
     }
 
     // ---- Shortening ----

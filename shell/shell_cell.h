@@ -85,8 +85,8 @@ struct ShellCell {
     };
 
     /// Both as exact as the rounding of p allows, however the tetrahedron and the foot are
-    /// stretched: a shadow within 1e-12 of the diagonal in simplified shells, and in full ones but
-    /// where folds make cells thin. The shell is the one that the cell is of. 0.3 to 0.5 us.
+    /// stretched: a shadow within 1e-12 of the diagonal, but in full shells where fibres graze the
+    /// face. The shell is the one that the cell is of. 0.3 to 0.5 us.
     [[nodiscard]] Projection project(const Shell& shell, const Vec3& p) const;
 
     /// d: the height relative to the surface; 0 on it, -1 at the bottom, 1 at the top. In place of

@@ -10,7 +10,7 @@ namespace bspline_curve {
 /// Grows with every change that makes buildSimplifiedShell() or extendSurface() build other shells;
 /// tests/io/shell_file_test.cpp tells when. Shells that were stored by another version are not
 /// used.
-inline constexpr int kSimplifierVersion = 5;
+inline constexpr int kSimplifierVersion = 6;
 
 /// Builds a shell of the kind that the options say. Throws InputError (BadOption), Cancelled.
 [[nodiscard]] ShellBuild makeShell(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/simplify/patch_test.h"
 
+#include "shell/projection_stretch.h"
 #include "surface/predicates.h"
 #include "surface/self_intersection.h"
 
@@ -19,10 +20,6 @@ constexpr double kSurfaceMargin = 0.85;
 
 // Least cosine between the half pillars of a tetrahedron and the normals of the faces that meet it.
 constexpr float kLeastCosine = 0.03F + kFloatMargin;
-
-// Norm of the derivative of the projection, at most: a lifted point is rounded by 2^-53 of its
-// coordinates, so it comes back within 1e-12 (see ShellCell::project).
-constexpr double kMostStretch = 1000.0;
 
 float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -132,44 +129,6 @@ bool areApart(const TetCorners& tet, const FaceCorners& face) {
     return gap > kRounding || (gap > -kTouching && touchInEdge(tet, face));
 }
 
-// Products of the ways, across the fibres, along which two coordinates of a prism grow by 1 in a
-// tetrahedron.
-struct Gram {
-    double first = 0.0, mixed = 0.0, second = 0.0;
-
-    [[nodiscard]] double trace() const { return first + second; }
-
-    [[nodiscard]] double determinant() const { return first * second - mixed * mixed; }
-};
-
-// Of the ways from a corner on the pillar of slot 0 to corners on those of slots 1 and 2. The fibre
-// has unit length.
-Gram gramOf(const Vec3& first, const Vec3& second, const Vec3& fibre) {
-    const double along1 = first.dot(fibre);
-    const double along2 = second.dot(fibre);
-    return {
-        first.squaredNorm() - along1 * along1,
-        first.dot(second) - along1 * along2,
-        second.squaredNorm() - along2 * along2
-    };
-}
-
-// By how much, at most, the way along the fibres from a tetrahedron of a prism to a plane across
-// those of `to` stretches.
-double largestStretch(const std::array<Gram, kTetrahedraPerPrism>& grams, const Gram& to) {
-    double largest = 0.0;
-    for (const Gram& from : grams) {
-        const double squared =
-            (to.first * from.second - 2.0 * to.mixed * from.mixed + to.second * from.first) /
-            from.determinant();
-        if (!std::isfinite(squared) || squared < 0.0) {
-            return std::numeric_limits<double>::infinity();
-        }
-        largest = std::max(largest, squared);
-    }
-    return std::sqrt(largest);
-}
-
 // Faces seen at less than these by the fibres of each tetrahedron would be stretched too much.
 std::array<float, kTetrahedraPerPrism> leastCosinesOf(
     const std::array<Gram, kTetrahedraPerPrism>& grams
@@ -241,21 +200,11 @@ PatchTest::Sides PatchTest::sidesOf(const Triangle& slots, const Triangle& pilla
     for (std::size_t k = 0; k < 3; ++k) {
         bySlot[k] = complex_.points.pillar(slots[k]);
     }
-    const auto& [a, b, c] = bySlot;
     std::array<Gram, kTetrahedraPerPrism> grams;
     for (const std::size_t slab : {0U, 1U}) {
-        const Vec3 Pillar::* const tip = slab == 0 ? &Pillar::top : &Pillar::bottom;
-        const double up = slab == 0 ? 1.0 : -1.0;
-        std::array<Vec3, 3> halves;
-        for (std::size_t k = 0; k < 3; ++k) {
-            halves[k] = up * (bySlot[k].*tip - bySlot[k].middle).normalized();
-            sides.halves[3 * slab + k] = toFloat(halves[k]);
-        }
-        // Of each tetrahedron a corner on each pillar: see kSlabSplit.
-        const Vec3& origin = a.middle;
-        grams[3 * slab] = gramOf(b.*tip - origin, c.*tip - origin, halves[0]);
-        grams[3 * slab + 1] = gramOf(b.middle - origin, c.*tip - origin, halves[1]);
-        grams[3 * slab + 2] = gramOf(b.middle - origin, c.middle - origin, halves[2]);
+        const std::array<Vec3, 3> fibres = fibresOf(bySlot, slab);
+        std::ranges::copy(gramsOf(bySlot, fibres, slab), grams.begin() + 3 * slab);
+        std::ranges::transform(fibres, sides.halves.begin() + 3 * slab, toFloat);
     }
     sides.leastCosines = leastCosinesOf(grams);
     return sides;

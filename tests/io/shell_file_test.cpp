@@ -213,7 +213,7 @@ TEST_F(ShellFiles, ChangeOnlyTogetherWithTheVersionOfTheSimplifier) {
         std::make_shared<const ExtendedSurface>(extendSurface(surface, options.smoothingPasses));
     const ShellBuild build = buildSimplifiedShell(extended, options);
     saveShell(path("hill.shell"), surface, *extended, "", build);
-    constexpr int kVersion = 5;
+    constexpr int kVersion = 6;
     constexpr std::uint64_t kChecksum = 18157527224980071819U;
     EXPECT_EQ(kSimplifierVersion, kVersion);
     EXPECT_EQ(checksumOf(read(path("hill.shell"))), kChecksum)

@@ -5,6 +5,7 @@
 #include "built_shell.h"
 #include "shell/face_geometry.h"
 #include "shell/pillar_directions.h"
+#include "shell/projection_stretch.h"
 #include "shell/shell_boundary.h"
 #include "support/meshes.h"
 #include "surface/self_intersection.h"
@@ -13,7 +14,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -34,6 +37,33 @@ TEST(ShellBuilder, MakesPillarsAsLongAsAskedWhereNothingIsInTheWay) {
         const double wanted = 0.75 * built.extended.edgeLengths[v];
         EXPECT_NEAR((pillar.top - pillar.middle).norm(), wanted, 1e-15);
         EXPECT_NEAR((pillar.bottom - pillar.middle).norm(), wanted, 1e-15);
+    }
+}
+
+// With pillars as long as is asked projections stretch some of these by up to 7,000.
+TEST(ShellBuilder, ShortensPillarsWhereProjectionsWouldLoseDigits) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const BuiltShell built(withNoise(icosphere(3), 0.1, seed));
+        double largest = 0.0;
+        for (const Prism& prism : built.shell().prisms()) {
+            if (prism.orientation == 0) {
+                continue;
+            }
+            std::array<Pillar, 3> pillars;
+            for (std::size_t k = 0; k < 3; ++k) {
+                pillars[k] = built.shell().pillars()[prism.pillars[k]];
+            }
+            const Gram face = gramOf(
+                pillars[1].middle - pillars[0].middle, pillars[2].middle - pillars[0].middle
+            );
+            for (const std::size_t slab : {0U, 1U}) {
+                const auto grams = gramsOf(pillars, fibresOf(pillars, slab), slab);
+                largest = std::max(largest, largestStretch(grams, face));
+            }
+        }
+        EXPECT_LE(largest, kMostStretch) << "seed " << seed;
+        EXPECT_GT(largest, 0.5 * kMostStretch) << "seed " << seed;
+        expectValid(built.check());
     }
 }
 
