@@ -16,6 +16,20 @@ namespace {
 /// apart than the snapping distance.
 constexpr int kMaxRounds = 100;
 
+[[noreturn]] void refuseFace(int face) {
+    throw InputError(
+        InputErrorCode::NoPath,
+        "the curves in face " + std::to_string(face) +
+            " cross too closely to be told apart; snap over a larger distance, or leave some of "
+            "them out",
+        {face}
+    );
+}
+
+ImprintSegment between(int one, int other) {
+    return {std::min(one, other), std::max(one, other)};
+}
+
 int turn(const FacePlace& a, const FacePlace& b, const FacePlace& c) {
     constexpr int kDropped = 2;
     return projectedOrientationSign(a, b, c, kDropped);
@@ -23,11 +37,15 @@ int turn(const FacePlace& a, const FacePlace& b, const FacePlace& c) {
 
 }  // namespace
 
-/// Whether a place is strictly between the ends and within `snap` of the segment.
+/// Whether a place is strictly between the ends, nearer to each than these are to each other, and
+/// within `snap` of the segment. So halves are shorter: of three places a little more than `snap`
+/// apart each may be as near to the segment between the others.
 bool CurveArrangement::Placed::passes(const FacePlace& place, double snap) const {
     const FacePlace along = b - a;
-    const double share = (place - a).dot(along) / along.squaredNorm();
-    if (share <= 0.0 || share >= 1.0) {
+    const double length = along.squaredNorm();
+    const double share = (place - a).dot(along) / length;
+    if (share <= 0.0 || share >= 1.0 || (place - a).squaredNorm() >= length ||
+        (place - b).squaredNorm() >= length) {
         return false;
     }
     return (place - a - share * along).norm() <= snap || turn(a, b, place) == 0;
@@ -41,8 +59,8 @@ bool CurveArrangement::Placed::crosses(const Placed& other) const {
 FacePlace CurveArrangement::Placed::crossing(const Placed& other) const {
     const FacePlace along = b - a;
     const FacePlace across = other.b - other.a;
-    const FacePlace between = other.a - a;
-    const double share = (between.x() * across.y() - between.y() * across.x()) /
+    const FacePlace offset = other.a - a;
+    const double share = (offset.x() * across.y() - offset.y() * across.x()) /
                          (along.x() * across.y() - along.y() * across.x());
     return a + std::clamp(share, 0.0, 1.0) * along;
 }
@@ -51,7 +69,7 @@ void CurveArrangement::insert(int face, int a, int b) {
     if (a == b || nodes_.commonSide(a, b, face) >= 0) {
         return;
     }
-    const ImprintSegment segment{std::min(a, b), std::max(a, b)};
+    const ImprintSegment segment = between(a, b);
     const int* node = dividedAt(face, segment);
     if (node != nullptr) {
         insert(face, a, *node);
@@ -79,6 +97,15 @@ const int* CurveArrangement::dividedAt(int face, ImprintSegment segment) const {
     const auto found =
         std::ranges::lower_bound(divisions, segment, {}, &std::pair<ImprintSegment, int>::first);
     return found != divisions.end() && found->first == segment ? &found->second : nullptr;
+}
+
+bool CurveArrangement::passesAlong(int face, ImprintSegment whole, ImprintSegment part) const {
+    if (whole == part) {
+        return true;
+    }
+    const int* node = dividedAt(face, whole);
+    return node != nullptr && (passesAlong(face, between(whole.a, *node), part) ||
+                               passesAlong(face, between(*node, whole.b), part));
 }
 
 std::vector<int> CurveArrangement::faces() const {
@@ -114,13 +141,7 @@ void CurveArrangement::resolve() {
             int rounds = 0;
             while (resolveFace(face)) {
                 if (++rounds > kMaxRounds) {
-                    throw InputError(
-                        InputErrorCode::NoPath,
-                        "the curves in face " + std::to_string(face) +
-                            " cross too closely to be told apart; snap over a larger distance, or "
-                            "leave some of them out",
-                        {face}
-                    );
+                    refuseFace(face);
                 }
             }
             slots_[*slotOf_.find(face)].isResolved = true;
@@ -232,6 +253,10 @@ bool CurveArrangement::divide(int face, ImprintSegment segment, int node) {
     if (node == segment.a || node == segment.b) {
         return false;
     }
+    if (passesAlong(face, between(segment.a, node), segment) ||
+        passesAlong(face, between(node, segment.b), segment)) {
+        refuseFace(face);  // a crossing moved to a node, and back
+    }
     FaceSegments& slot = slots_[*slotOf_.find(face)];
     slot.segments.erase(std::ranges::lower_bound(slot.segments, segment));
     const std::pair division(segment, node);
@@ -245,7 +270,7 @@ void CurveArrangement::appendPath(int face, int from, int to, std::vector<int>& 
     if (from == to) {
         return;
     }
-    const int* node = dividedAt(face, {std::min(from, to), std::max(from, to)});
+    const int* node = dividedAt(face, between(from, to));
     if (node != nullptr) {
         appendPath(face, from, *node, path);
         appendPath(face, *node, to, path);
@@ -257,13 +282,13 @@ void CurveArrangement::appendPath(int face, int from, int to, std::vector<int>& 
             return barycentricAt(nodes_.placeIn(each, face))[(side + 2) % 3];
         };
         const auto [low, high] = std::minmax({share(from), share(to)});
-        std::vector<int> between;
-        nodes_.appendOnSide(face, side, between);
-        std::erase_if(between, [&](int each) { return share(each) <= low || share(each) >= high; });
+        std::vector<int> inner;
+        nodes_.appendOnSide(face, side, inner);
+        std::erase_if(inner, [&](int each) { return share(each) <= low || share(each) >= high; });
         if (share(from) > share(to)) {
-            std::ranges::reverse(between);
+            std::ranges::reverse(inner);
         }
-        path.insert(path.end(), between.begin(), between.end());
+        path.insert(path.end(), inner.begin(), inner.end());
     }
     path.push_back(to);
 }

@@ -19,8 +19,9 @@ struct ImprintSegment {
 };
 
 /// The segments of all curves, divided where they meet: after resolve() two segments of a face have
-/// at most an end in common, no node lies on a segment or within the snapping distance of it, and
-/// segments along a side are those between its neighbouring nodes. Snap rounding: a crossing
+/// at most an end in common, no node lies on a segment or within the snapping distance of it (but
+/// where it is farther from one end than the other is), and segments along a side are those between
+/// its neighbouring nodes. Snap rounding: a crossing
 /// becomes a node, which may move by the snapping distance or by rounding, and the segments with
 /// it; what they meet now is divided in turn (J. D. Hobby, Practical segment intersection with
 /// finite precision output, 1999).
@@ -33,7 +34,7 @@ public:
     void add(int face, int from, int to) { insert(face, from, to); }
 
     /// Divides. O(n log n + k) for n segments with k pairs whose boxes meet, in each face. Throws
-    /// InputError (NoPath) where a face does not come to rest.
+    /// InputError (NoPath) where a face does not come to rest, or would divide in a circle.
     void resolve();
 
     /// Faces with segments in their inside, in no order.
@@ -83,6 +84,8 @@ private:
     void insert(int face, int a, int b);
     /// The node that divided a segment, or null.
     [[nodiscard]] const int* dividedAt(int face, ImprintSegment segment) const;
+    /// Whether one of the pieces that a segment has been divided into is, or was, the other.
+    [[nodiscard]] bool passesAlong(int face, ImprintSegment whole, ImprintSegment part) const;
     [[nodiscard]] double distance(ImprintSegment segment, int node) const;
 
     const Surface& surface_;

@@ -305,6 +305,25 @@ TEST(Imprint, TakesPointsWithinTheSnappingDistanceAsOne) {
     EXPECT_NEAR(snapped.largestMove, 0.001 * std::sqrt(2.0), 1e-4);
 }
 
+// Corners may be farther apart than the snapping distance and each within it of the opposite side:
+// divided at each of them, sides would become each other in a circle.
+TEST(Imprint, DividesNoSmallTriangleInACircle) {
+    const Surface surface(plate(1, 1));
+    const double snap = 0.005;
+    Random random(1);
+    for (int i = 0; i < 500; ++i) {
+        std::vector<SurfacePoint> corners;
+        for (int k = 0; k < 3; ++k) {
+            const double x = 0.3 + snap * random.uniform(0.0, 3.0);
+            const double y = 0.3 + snap * random.uniform(0.0, 3.0);
+            corners.push_back(at(0, 1.0 - x - y, x, y));
+        }
+        const std::vector curves{polylineThrough(surface, corners, true)};
+        const ImprintedMesh result = imprint(surface, curves, {.snap = snap});
+        EXPECT_EQ(withoutImprint(result).faces, surface.faces());
+    }
+}
+
 TEST(Imprint, RefusesWhatIsNotOnTheSurface) {
     const Surface surface(plate(3, 3));
     const SurfacePolyline jump =
