@@ -21,10 +21,9 @@ struct ImprintSegment {
 /// The segments of all curves, divided where they meet: after resolve() two segments of a face have
 /// at most an end in common, no node lies on a segment or within the snapping distance of it (but
 /// where it is farther from one end than the other is), and segments along a side are those between
-/// its neighbouring nodes. Snap rounding: a crossing
-/// becomes a node, which may move by the snapping distance or by rounding, and the segments with
-/// it; what they meet now is divided in turn (J. D. Hobby, Practical segment intersection with
-/// finite precision output, 1999).
+/// its neighbouring nodes. Snap rounding: a crossing becomes a node, which may move by the snapping
+/// distance or by rounding, and the segments with it; what they meet now is divided in turn (J. D.
+/// Hobby, Practical segment intersection with finite precision output, 1999).
 class CurveArrangement {
 public:
     CurveArrangement(const Surface& surface, ImprintNodes& nodes, const SnapDistances& snap)

@@ -43,8 +43,8 @@ struct CellwiseConstants {
     /// The line search gives up below this share of a step; rough energies have kinks, at which it
     /// stalls: less than half a step is not worth it.
     double leastStep = 1e-10, leastRoughStep = 0.3;
-    /// Spans that are integrated, in all evaluations together: so many, and for each pick. Usual
-    /// curves take less than a hundredth of them, the slowest one of 360 on meshes that people have
+    /// Spans that are integrated, in all evaluations together: so many, and for each pick. Of
+    /// usable curves on meshes that people have, half take a thousandth of them, the slowest one
     /// half.
     double mostWork = 2e5, mostWorkPerPick = 5e4;
 };

@@ -111,6 +111,18 @@ LocatedPicks withoutRepeats(
     return located;
 }
 
+std::vector<int> componentsOf(const Surface& surface, const std::vector<Closest>& projections) {
+    std::vector<int> components;
+    for (const Closest& projection : projections) {
+        components.push_back(surface.faceComponents()[projection.point.face]);
+    }
+    return components;
+}
+
+bool areEqual(const std::vector<int>& components) {
+    return std::ranges::count(components, components.front()) == std::ssize(components);
+}
+
 // Whether welding vertices would join the components that picks lie on.
 bool onlyGapsPart(const Surface& surface, const std::vector<int>& components) {
     DisjointSets near = nearVertices(surface.vertices(), kGapRelative * surface.diagonal());
@@ -130,7 +142,7 @@ bool onlyGapsPart(const Surface& surface, const std::vector<int>& components) {
 
 // What else to do where picks lie on several components; empty where they lie on one.
 std::string adviceOnGaps(const Surface& surface, const std::vector<int>& components) {
-    if (std::ranges::count(components, components.front()) == std::ssize(components)) {
+    if (areEqual(components)) {
         return "";
     }
     return onlyGapsPart(surface, components)
@@ -139,13 +151,6 @@ std::string adviceOnGaps(const Surface& surface, const std::vector<int>& compone
                      describeNumber(kGapRelative) + ")"
                : ", or join them with MeshLab's filter 'Merge Close Vertices' or the option weld "
                  "if they only look joined";
-}
-
-bool areOnOneComponent(const Surface& surface, const std::vector<Closest>& projections) {
-    const std::vector<int>& components = surface.faceComponents();
-    return std::ranges::all_of(projections, [&](const Closest& projection) {
-        return components[projection.point.face] == components[projections.front().point.face];
-    });
 }
 
 // The closest point of each component that is hardly farther than the closest of all.
@@ -223,12 +228,12 @@ LocatedPicks locatePicks(
         }
     );
 
-    if (!areOnOneComponent(surface, projections)) {
-        projections = onCommonComponent(surface, tree, picks, projections).value_or(projections);
-    }
-    std::vector<int> components;
-    for (const Closest& projection : projections) {
-        components.push_back(surface.faceComponents()[projection.point.face]);
+    std::vector<int> components = componentsOf(surface, projections);
+    if (!areEqual(components)) {
+        if (auto common = onCommonComponent(surface, tree, picks, projections)) {
+            projections = std::move(*common);
+            components = componentsOf(surface, projections);
+        }
     }
     refuseWhere(
         InputErrorCode::PicksOnDifferentComponents,

@@ -57,7 +57,8 @@ Trace tracedInside(const Shell& shell, const PolynomialCurve& curve, double end,
     return test_support::traced(shell, curve, end, ShellCell(shell, firstTet), onCrossing);
 }
 
-// Counts crossings of walks from points of edges to random points close by.
+// The most crossings of a walk to a random point close by, from one in a face, on an edge or next
+// to it.
 int mostCrossings(const BuiltShell& built, int walks, std::uint64_t seed) {
     Random random(seed);
     int most = 0;
@@ -294,7 +295,7 @@ TEST(TraceBetweenSheets, TakesFewTurnsHoweverCloseTheyAre) {
     const int walks = 20000;
     EXPECT_LT(mostCrossings(BuiltShell(icosphere(2)), walks, 1), 20);
     for (const double gap : {1e-6, 1e-8, 1e-10, 1e-12}) {
-        SCOPED_TRACE("gap " + std::to_string(gap));
+        SCOPED_TRACE(gap);
         TriangleMesh upper = jitteredPlate(4, 4, 0.29, 1);
         for (Vec3& vertex : upper.vertices) {
             vertex.z() += gap;
