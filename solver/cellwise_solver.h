@@ -9,7 +9,8 @@
 namespace bspline_curve {
 
 /// A curve along the initial path as solveInShell() finds it, from makeFirstCurve(). Nothing where
-/// no first spline along the initial path stays in the shell. Throws Cancelled.
+/// no first spline along the initial path stays in the shell. StopPolicy::Short: for a last
+/// attempt, where others have failed; it takes less time. Throws Cancelled.
 [[nodiscard]] std::optional<Solution> solveCellwise(
     const CurveProblem& problem,
     const InitialPath& initialPath,
