@@ -6,6 +6,7 @@
 #include "cli/mesh_input.h"
 #include "cli/process_figures.h"
 #include "cli/shell_cache_option.h"
+#include "design/mended_designer.h"
 #include "utility/stopwatch.h"
 
 #include <optional>
@@ -19,9 +20,9 @@ Mended<CurveDesigner> designerFor(
     TriangleMesh given, const CurveArguments& arguments, const Progress& progress
 ) {
     const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
-    return makeMended(std::move(given), arguments.mending, [&](TriangleMesh mesh) {
-        return CurveDesigner(std::move(mesh), arguments.shell, progress, cache ? &*cache : nullptr);
-    });
+    return makeMendedDesigner(
+        std::move(given), arguments.mending, arguments.shell, progress, cache ? &*cache : nullptr
+    );
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
+#include "design/curve_on_given_mesh.h"
 #include "design/curve_solver.h"
 #include "design/designer_surface.h"
 #include "design/field_cache.h"
 #include "design/prepared_surface.h"
+#include "design/rejoined_designers.h"
 #include "design/spline_data.h"
 #include "design/strict_polyline.h"
 #include "projection/fibre_tracer.h"
@@ -224,7 +226,27 @@ void giveRepeatedPicks(const LocatedPicks& located, Curve& curve) {
 struct CurveDesigner::State : PreparedSurface {
     using PreparedSurface::PreparedSurface;
 
+    /// As CurveDesigner::design(), on the components that there are.
+    [[nodiscard]] Curve design(
+        const std::vector<Vec3>& picks,
+        const SolverOptions& options,
+        const SamplingOptions& sampling,
+        const CurveInputs& inputs,
+        const Progress& progress
+    ) const;
+
+    /// The same where other faces are joined for these picks; nothing where that does not help.
+    /// Starts from no other curve.
+    [[nodiscard]] std::optional<Curve> designRejoined(
+        const std::vector<Vec3>& picks,
+        const SolverOptions& options,
+        const SamplingOptions& sampling,
+        const CurveInputs& inputs,
+        const Progress& progress
+    ) const;
+
     mutable FieldCache fieldCache;
+    std::unique_ptr<RejoinedDesigners> rejoinedDesigners{};  ///< null: nothing is to be joined
 };
 
 CurveDesigner::CurveDesigner(
@@ -257,6 +279,11 @@ const TriangleTree& treeOf(const CurveDesigner& designer) {
     return designer.state_->tree();
 }
 
+void letRejoin(CurveDesigner& designer, std::vector<int> vertexOrigins) {
+    designer.state_->rejoinedDesigners =
+        std::make_unique<RejoinedDesigners>(std::move(vertexOrigins));
+}
+
 StageSeconds CurveDesigner::seconds() const {
     const PreparedSurface::Seconds all = state_->seconds();
     return {all.validate, all.tree, all.extended + all.wholeShell};
@@ -280,23 +307,74 @@ Curve CurveDesigner::design(
     const CurveInputs& inputs,
     const Progress& progress
 ) const {
+    try {
+        return state_->design(picks, options, sampling, inputs, progress);
+    } catch (const InputError& error) {
+        if (error.code() != InputErrorCode::PicksOnDifferentComponents) {
+            throw;
+        }
+        std::optional<Curve> curve =
+            state_->designRejoined(picks, options, sampling, inputs, progress);
+        if (!curve) {
+            throw;
+        }
+        return *std::move(curve);
+    }
+}
+
+std::optional<Curve> CurveDesigner::State::designRejoined(
+    const std::vector<Vec3>& picks,
+    const SolverOptions& options,
+    const SamplingOptions& sampling,
+    const CurveInputs& inputs,
+    const Progress& progress
+) const {
+    if (rejoinedDesigners == nullptr) {
+        return std::nullopt;
+    }
+    const Progress preparing = partOf(progress, 0.0, kPreparedShare);
+    const Region avoid =
+        makeRegion(surface(), std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end()));
+    const auto rejoined = rejoinedDesigners->find(
+        surface(), tree(), picks, options.closed, avoid, this->options(), preparing
+    );
+    if (rejoined == nullptr) {
+        return std::nullopt;
+    }
+    const RejoinedInputs there(inputs, surface(), *rejoined);
+    Curve curve = rejoined->designer.design(
+        picks,
+        options,
+        sampling,
+        {.field = there.field, .avoid = there.avoid},
+        partOf(progress, kPreparedShare, 1.0)
+    );
+    bringBack(curve, rejoined->repair);
+    return curve;
+}
+
+Curve CurveDesigner::State::design(
+    const std::vector<Vec3>& picks,
+    const SolverOptions& options,
+    const SamplingOptions& sampling,
+    const CurveInputs& inputs,
+    const Progress& progress
+) const {
     options.validate();
     sampling.validate();
-    const State& state = *state_;
-    const Surface& surface = state.surface();
     const std::shared_ptr<const ValidatedField> field =
-        state.fieldCache.find(surface, *state.extended(), inputs.field, options.fieldCost);
-    const LocatedPicks located = locatePicks(surface, state.tree(), picks, options.closed);
+        fieldCache.find(surface(), *extended(), inputs.field, options.fieldCost);
+    const LocatedPicks located = locatePicks(surface(), tree(), picks, options.closed);
     const std::vector<int> repeated = located.repeated();
     const Region region =
-        makeRegion(surface, std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end()));
+        makeRegion(surface(), std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end()));
     std::optional<Obstacles> obstacles;
     if (!region.empty()) {
         requireExactAvoidance(options);
         obstacles.emplace(
-            surface, *state.extended(), region, options.avoidMargin * surface.diagonal()
+            surface(), *extended(), region, options.avoidMargin * surface().diagonal()
         );
-        refuseAvoidedPicks(surface, *obstacles, located);
+        refuseAvoidedPicks(surface(), *obstacles, located);
     }
     const DesignContext context{
         *field,
@@ -304,31 +382,31 @@ Curve CurveDesigner::design(
         repeated.empty() ? inputs.start : nullptr,  // which has as many picks as were given
     };
     std::optional<WorkerThread> side;
-    if (areWorthTwoThreads(surface.faces().size())) {
+    if (areWorthTwoThreads(surface().faces().size())) {
         side.emplace();
     }
-    const CurveSolver solver(state, located.points, options, context, side ? &*side : nullptr);
+    const CurveSolver solver(*this, located.points, options, context, side ? &*side : nullptr);
     Solved solved = solver.solve(progress);
     Stopwatch watch;
-    Curve curve = curveOf(surface, solved, sampling);
-    if (!isStrict(surface, curve.polyline)) {
+    Curve curve = curveOf(surface(), solved, sampling);
+    if (!isStrict(surface(), curve.polyline)) {
         solved = solver.solveTightly(progress);
-        curve = curveOf(surface, solved, sampling);
-        curve.report.usable = curve.report.usable && isStrict(surface, curve.polyline);
+        curve = curveOf(surface(), solved, sampling);
+        curve.report.usable = curve.report.usable && isStrict(surface(), curve.polyline);
     }
     const CurveProblem& problem = solved.problem;
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
     if (obstacles) {
-        requireClear(surface, curve.polyline, *obstacles);
+        requireClear(surface(), curve.polyline, *obstacles);
         curve.report.avoidedFaces = static_cast<int>(region.size());
-        curve.report.clearance = clearanceOf(curve.polyline, surface, region);
+        curve.report.clearance = clearanceOf(curve.polyline, surface(), region);
     }
     if (!repeated.empty()) {
         giveRepeatedPicks(located, curve);
         curve.report.repeatedPicks = repeated;
     }
     curve.report.seconds.polyline = watch.lap();
-    report(progress, 1.0, "done");
+    bspline_curve::report(progress, 1.0, "done");
     return curve;
 }
 

@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
+#include "design/mended_designer.h"
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
@@ -42,11 +43,9 @@ DesignerCache::Found designerFor(
     return madeFrom(layer, [&] {
         const auto make = [&] {
             const std::optional<ShellCache> cache = ShellCache::ofUser();
-            return makeMended(layer.mesh, request.mending, [&](TriangleMesh mesh) {
-                return CurveDesigner(
-                    std::move(mesh), request.shell, progress, cache ? &*cache : nullptr
-                );
-            });
+            return makeMendedDesigner(
+                layer.mesh, request.mending, request.shell, progress, cache ? &*cache : nullptr
+            );
         };
         DesignerCache::Found found =
             designers.findOrMake(layer.mesh, request.shell, make, request.mending.weld);

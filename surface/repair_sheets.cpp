@@ -58,8 +58,9 @@ struct Pairing {
 
 class Joiner {
 public:
-    explicit Joiner(MeshRepair& repair)
+    Joiner(MeshRepair& repair, const std::vector<Passage>& passages)
         : repair_(repair),
+          passages_(passages),
           faces_(repair.mesh.faces),
           patches_(faces_.size()),
           joints_(faces_.size(), Triangle{-1, -1, -1}),
@@ -67,16 +68,24 @@ public:
 
     Joints run() {
         joinPlainEdges();
-        forEachEdge(halfEdges_, [&](std::span<const HalfEdge> edge) {
-            if (edge.size() > 2) {
-                joinCrowdedEdge(edge);
-            }
-        });
+        if (!passages_.empty()) {
+            forEachCrowdedEdge([&](std::span<const HalfEdge> edge) { joinPassages(edge); });
+        }
+        forEachCrowdedEdge([&](std::span<const HalfEdge> edge) { joinCrowdedEdge(edge); });
         orient();
         return std::move(joints_);
     }
 
 private:
+    template <class Visitor>
+    void forEachCrowdedEdge(const Visitor& visit) const {
+        forEachEdge(halfEdges_, [&](std::span<const HalfEdge> edge) {
+            if (edge.size() > 2) {
+                visit(edge);
+            }
+        });
+    }
+
     void link(const HalfEdge& a, const HalfEdge& b) {
         joints_[a.face][a.k] = b.face;
         joints_[b.face][b.k] = a.face;
@@ -96,6 +105,21 @@ private:
                 repair_.report.cutEdges.push_back({edge[0].low, edge[0].high});
             }
         });
+    }
+
+    void joinPassages(std::span<const HalfEdge> edge) {
+        for (const auto& [low, high] : passagesAt(edge, passages_)) {
+            const HalfEdge& a = *std::ranges::find(edge, low, &HalfEdge::face);
+            const HalfEdge& b = *std::ranges::find(edge, high, &HalfEdge::face);
+            joinIfFree(a, b, areParallel(faces_, a, b));
+        }
+    }
+
+    void joinIfFree(const HalfEdge& a, const HalfEdge& b, bool areOpposed) {
+        const bool areFree = joints_[a.face][a.k] < 0 && joints_[b.face][b.k] < 0;
+        if (areFree && patches_.join(a.face, b.face, areOpposed)) {
+            link(a, b);
+        }
     }
 
     [[nodiscard]] Vec3 normal(int face) const {
@@ -130,11 +154,7 @@ private:
         }
         std::ranges::sort(pairings);
         for (const Pairing& pair : pairings) {
-            const bool areFree =
-                joints_[pair.a.face][pair.a.k] < 0 && joints_[pair.b.face][pair.b.k] < 0;
-            if (areFree && patches_.join(pair.a.face, pair.b.face, pair.areOpposed)) {
-                link(pair.a, pair.b);
-            }
+            joinIfFree(pair.a, pair.b, pair.areOpposed);
         }
     }
 
@@ -166,6 +186,7 @@ private:
     }
 
     MeshRepair& repair_;
+    const std::vector<Passage>& passages_;
     std::vector<Triangle>& faces_;
     Patches patches_;
     Joints joints_;
@@ -175,8 +196,11 @@ private:
 /// Gives the fans around each vertex vertices of their own.
 class Splitter {
 public:
-    Splitter(MeshRepair& repair, Joints joints)
-        : repair_(repair), faces_(repair.mesh.faces), joints_(std::move(joints)) {}
+    Splitter(MeshRepair& repair, Joints joints, const std::vector<Passage>& passages)
+        : repair_(repair),
+          passages_(passages),
+          faces_(repair.mesh.faces),
+          joints_(std::move(joints)) {}
 
     void run() {
         // An edge can stay crowded where both of its ends are held together by faces around them;
@@ -245,14 +269,25 @@ private:
                 return;
             }
             hasCut = true;
-            const int keptPartner = joints_[edge[0].face][edge[0].k];
-            for (const HalfEdge& halfEdge : edge.subspan(1)) {
-                if (halfEdge.face != keptPartner) {
+            const HalfEdge& kept = keptAt(edge);
+            const int keptPartner = joints_[kept.face][kept.k];
+            for (const HalfEdge& halfEdge : edge) {
+                if (halfEdge.face != kept.face && halfEdge.face != keptPartner) {
                     cutOut(halfEdge);
                 }
             }
         });
         return hasCut;
+    }
+
+    /// One of the half-edges that stay: of a passage, else of two faces that are joined.
+    [[nodiscard]] const HalfEdge& keptAt(std::span<const HalfEdge> edge) const {
+        const auto rank = [&](const HalfEdge& halfEdge) {
+            const int partner = joints_[halfEdge.face][halfEdge.k];
+            const Passage pair = std::minmax(halfEdge.face, partner);
+            return partner < 0 ? 2 : std::ranges::binary_search(passages_, pair) ? 0 : 1;
+        };
+        return *std::ranges::min_element(edge, {}, rank);
     }
 
     /// Parts a face from all others but the one that it is joined to at a half-edge.
@@ -284,6 +319,7 @@ private:
     }
 
     MeshRepair& repair_;
+    const std::vector<Passage>& passages_;
     std::vector<Triangle>& faces_;
     Joints joints_;
     std::vector<int> copies_;  // the vertex behind each new one
@@ -291,12 +327,12 @@ private:
 
 }  // namespace
 
-Joints joinAndOrient(MeshRepair& repair) {
-    return Joiner(repair).run();
+Joints joinAndOrient(MeshRepair& repair, const std::vector<Passage>& passages) {
+    return Joiner(repair, passages).run();
 }
 
-void splitVertices(MeshRepair& repair, Joints joints) {
-    Splitter(repair, std::move(joints)).run();
+void splitVertices(MeshRepair& repair, Joints joints, const std::vector<Passage>& passages) {
+    Splitter(repair, std::move(joints), passages).run();
     sortUnique(repair.report.cutEdges);
 }
 

@@ -3,10 +3,10 @@
 
 #include "bspline_curve/error.h"
 #include "design/designer_surface.h"
+#include "design/mended_designer.h"
 #include "edit_bspline_curve/common/sketch_painter.h"
 #include "field/make_field.h"
 #include "filters/mended_layer.h"
-#include "surface/mending.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -58,9 +58,7 @@ CurveTool::CurveTool(
               std::launch::async, [layer = std::move(surface), progress = untilTheEnd()]() mutable {
                   // Strictness is the filter's, which makes the layers.
                   Mended<CurveDesigner> mended =
-                      makeMended(std::move(layer.mesh), MendingOptions{}, [&](TriangleMesh given) {
-                          return CurveDesigner(std::move(given), ShellOptions{}, progress);
-                      });
+                      makeMendedDesigner(std::move(layer.mesh), {}, {}, progress);
                   if (const MeshRepair* const repair = mended.repair()) {
                       layer = carriedOver(layer, *repair);
                   }

@@ -73,6 +73,7 @@ public:
 private:
     friend const Surface& surfaceOf(const CurveDesigner& designer);
     friend const TriangleTree& treeOf(const CurveDesigner& designer);
+    friend void letRejoin(CurveDesigner& designer, std::vector<int> vertexOrigins);
 
     struct State;
     std::unique_ptr<State> state_;

@@ -4,6 +4,7 @@
 #include "bspline_curve/field.h"
 #include "bspline_curve/version.h"
 #include "design/designer_surface.h"
+#include "design/mended_designer.h"
 #include "python/core/arrays.h"
 #include "python/core/curve_data.h"
 #include "python/core/drawing_data.h"
@@ -52,9 +53,7 @@ void makeDesigner(
     };
     PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
         const auto given = [&] { return TriangleMesh{toVectors(vertices), toTriangles(faces)}; };
-        Mended<CurveDesigner> made = makeMended(given(), mending, [&](TriangleMesh mesh) {
-            return CurveDesigner(std::move(mesh), shell, goesOn);
-        });
+        Mended<CurveDesigner> made = makeMendedDesigner(given(), mending, shell, goesOn);
         const bool isMended = made.mending.has_value();
         new (place) MeshDesigner(std::move(made), isMended ? given() : TriangleMesh());
     });

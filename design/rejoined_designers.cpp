@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/rejoined_designers.h"
+
+#include "surface/rejoining.h"
+#include "utility/index_sets.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bspline_curve {
+
+std::shared_ptr<const RejoinedDesigners::Rejoined> RejoinedDesigners::find(
+    const Surface& mended,
+    const TriangleTree& tree,
+    const std::vector<Vec3>& picks,
+    bool closed,
+    const std::vector<int>& avoid,
+    const ShellOptions& options,
+    const Progress& progress
+) {
+    std::vector<int> faces;
+    for (const Vec3& pick : picks) {
+        faces.push_back(tree.closestPoint(pick).point.face);
+    }
+    if (closed) {
+        faces.push_back(faces.front());
+    }
+    std::vector<Passage> passages = passagesBetween(mended, vertexOrigins_, faces, avoid);
+    if (passages.empty()) {
+        return nullptr;
+    }
+    {
+        const std::scoped_lock lock(mutex_);
+        if (last_ != nullptr && last_->passages == passages) {
+            return last_;
+        }
+    }
+    MeshRepair repair = rejoined(mended.mesh(), vertexOrigins_, passages);
+    CurveDesigner designer(std::move(repair.mesh), options, progress);
+    auto made = std::make_shared<const Rejoined>(
+        Rejoined{std::move(passages), std::move(repair), std::move(designer)}
+    );
+    const std::scoped_lock lock(mutex_);
+    last_ = made;
+    return made;
+}
+
+RejoinedInputs::RejoinedInputs(
+    const CurveInputs& inputs, const Surface& mended, const RejoinedDesigners::Rejoined& rejoined
+) {
+    const TriangleMesh& mesh = rejoined.designer.mesh();
+    const auto faceCount = static_cast<int>(mesh.faces.size());
+    std::vector<int> avoided(inputs.avoid.begin(), inputs.avoid.end());
+    sortUnique(avoided);
+    for (int f = 0; f < faceCount; ++f) {
+        if (indexIn(avoided, rejoined.repair.faceOrigins[f]) >= 0) {
+            avoid.push_back(f);
+        }
+    }
+    if (inputs.field.empty()) {
+        return;
+    }
+    field.assign(mesh.vertices.size(), 0.0);
+    for (int f = faceCount - 1; f >= 0; --f) {  // the first face comes last
+        for (int k = 0; k < 3; ++k) {
+            const auto [face, weights] = rejoined.repair.toOrigin({f, Vec3::Unit(k)});
+            double value = 0.0;
+            for (int corner = 0; corner < 3; ++corner) {
+                value += weights[corner] * inputs.field[mended.faces()[face][corner]];
+            }
+            field[mesh.faces[f][k]] = value;
+        }
+    }
+}
+
+}  // namespace bspline_curve
