@@ -2,6 +2,7 @@
 #include "field/surface_diffusion.h"
 
 #include "surface/spatial_order.h"
+#include "utility/index_sets.h"
 #include "utility/report_progress.h"
 #include "utility/worker_task.h"
 
@@ -37,6 +38,9 @@ FaceTerms termsOf(const Surface& surface, const Triangle& face) {
     }
     return terms;
 }
+
+// Parts with less area than so many times the time of a step, which is radius^2 / 16, are small.
+constexpr double kSmallArea = 16.0;
 
 double clampedWeight(double weight) {
     constexpr double kLargest = 1000.0;  // beyond, rounding would swamp the masses
@@ -108,6 +112,51 @@ SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
         }
     }
     offsets_.push_back(static_cast<int>(neighbours_.size()));
+    findParts();
+}
+
+void SurfaceDiffusion::findParts() {
+    constexpr std::size_t kMostRows = 5000;  // the factorisation of more would take long
+    std::vector<bool> isSeen(vertexOf_.size());
+    for (int first = 0; first < static_cast<int>(isSeen.size()); ++first) {
+        if (isSeen[first]) {
+            continue;
+        }
+        isSeen[first] = true;
+        std::vector<int> part = {first};
+        for (std::size_t next = 0; next < part.size(); ++next) {
+            for (int i = offsets_[part[next]]; i < offsets_[part[next] + 1]; ++i) {
+                if (weights_[i] > 0.0 && !isSeen[neighbours_[i]]) {
+                    isSeen[neighbours_[i]] = true;
+                    part.push_back(neighbours_[i]);
+                }
+            }
+        }
+        if (part.size() > 1 && part.size() <= kMostRows) {
+            std::ranges::sort(part);
+            parts_.push_back(std::move(part));
+        }
+    }
+}
+
+SurfaceDiffusion::SmallPart SurfaceDiffusion::smallPart(
+    const std::vector<int>& rows, double time
+) const {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t at = 0; at < rows.size(); ++at) {
+        const int row = rows[at];
+        const auto here = static_cast<int>(at);
+        entries.emplace_back(here, here, masses_[row] + time * weightSums_[row]);
+        for (int i = offsets_[row]; i < offsets_[row + 1]; ++i) {
+            if (weights_[i] > 0.0) {
+                entries.emplace_back(here, indexIn(rows, neighbours_[i]), -time * weights_[i]);
+            }
+        }
+    }
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    Eigen::SparseMatrix<double> matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return {rows, std::make_unique<const Cholesky>(matrix)};
 }
 
 SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(double time) const {
@@ -115,7 +164,21 @@ SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(double time) const {
         .time = time,
         .diagonal = masses_ + time * weightSums_,
         .pivots = masses_ + time * weightSums_,
+        .smallParts = {},
+        .isSmall = std::vector<bool>(vertexOf_.size()),
     };
+    for (const std::vector<int>& rows : parts_) {
+        double area = 0.0;
+        for (const int row : rows) {
+            area += masses_[row];
+        }
+        if (area < kSmallArea * time) {
+            factors.smallParts.push_back(smallPart(rows, time));
+            for (const int row : rows) {
+                factors.isSmall[row] = true;
+            }
+        }
+    }
     for (int row = 0; row < factors.pivots.size(); ++row) {
         for (int i = offsets_[row]; i < middles_[row]; ++i) {
             const double entry = time * weights_[i];
@@ -149,6 +212,7 @@ public:
     template <class Look>
     void solve(const Look& look) {
         constexpr int kMaxIterations = 2000;
+        solveSmallParts();
         const auto [enough, first] = begin();
         Row error = first;
         Row turn = Row::Zero();
@@ -197,12 +261,31 @@ private:
 
     [[nodiscard]] int rows() const { return static_cast<int>(values_.rows()); }
 
+    void solveSmallParts() {
+        for (const SmallPart& part : factors_.smallParts) {
+            const auto count = static_cast<Eigen::Index>(part.rows.size());
+            Eigen::Matrix<double, Eigen::Dynamic, C> right(count, C);
+            for (Eigen::Index i = 0; i < count; ++i) {
+                right.row(i) = on_.masses_[part.rows[i]] * values_.row(part.rows[i]);
+            }
+            right = part.factor->solve(right).eval();
+            for (Eigen::Index i = 0; i < count; ++i) {
+                values_.row(part.rows[i]) = right.row(i);
+            }
+        }
+    }
+
     // The residual of the values as they are; returns errors that are small enough, and its own.
     std::pair<Row, Row> begin() {
         constexpr double kTolerance = 1e-5;  // of the values, in the norm of the preconditioner
         Row enough = Row::Zero();
         Row error = Row::Zero();
         for (int row = 0; row < rows(); ++row) {
+            if (factors_.isSmall[row]) {
+                forth_.row(row).setZero();
+                residual_.row(row).setZero();
+                continue;
+            }
             const Row own = values_.row(row);
             Row rest = -on_.weightSums_[row] * own;
             for (int i = on_.offsets_[row]; i < on_.offsets_[row + 1]; ++i) {

@@ -5,7 +5,10 @@
 #include "surface/surface.h"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
+#include <memory>
 #include <vector>
 
 namespace bspline_curve {
@@ -26,9 +29,9 @@ public:
     /// Averages as over a disc of the given radius (the kernel has the variance of one); radius in
     /// the unit of the surface, >= 0. Constants stay what they are, integrals too, and so does what
     /// has no faces. Radii far below an edge change little. Within 1e-5 of the values' size.
-    /// Conjugate gradients: O(n radius / edge length); half of the columns on a second thread where
-    /// there are many vertices, with the same result. Throws Cancelled.
-    /// Available for K = 1 and K = 9.
+    /// Conjugate gradients: O(n radius / edge length), and a direct solver for small components;
+    /// half of the columns on a second thread where there are many vertices, with the same result.
+    /// Throws Cancelled. Available for K = 1 and K = 9.
     template <int K>
     [[nodiscard]] VertexValues<K> smoothed(
         const VertexValues<K>& values, double radius, const Progress& progress = {}
@@ -38,14 +41,27 @@ private:
     template <int C>
     using Columns = Eigen::Matrix<double, Eigen::Dynamic, C, C == 1 ? 0 : Eigen::RowMajor>;
 
+    using Cholesky = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+
+    // A part of the surface that is less than the disc averaged over: it has little but one value,
+    // which the incomplete factorisation below is far from. Each would take iterations of its own.
+    struct SmallPart {
+        std::vector<int> rows;
+        std::unique_ptr<const Cholesky> factor;  ///< of its rows and columns of M + time L
+    };
+
     // An incomplete Cholesky factorisation of M + time L.
     struct Factors {
         double time = 0.0;
         Eigen::VectorXd diagonal;  ///< of the matrix
         Eigen::VectorXd pivots;    ///< positive, since the matrix is diagonally dominant
+        std::vector<SmallPart> smallParts;
+        std::vector<bool> isSmall;  ///< whether a row is in one of them
     };
 
+    void findParts();
     [[nodiscard]] Factors factorsFor(double time) const;
+    [[nodiscard]] SmallPart smallPart(const std::vector<int>& rows, double time) const;
     template <int C>
     using ColumnsRef = Eigen::Ref<Columns<C>, 0, Eigen::OuterStride<>>;
     template <int C>
@@ -59,6 +75,8 @@ private:
     std::vector<int> middles_;     ///< #V; those after i are from middles_[i] on
     std::vector<int> neighbours_;  ///< #E twice; rows, for each in ascending order
     std::vector<double> weights_;  ///< of the edge to each neighbour
+    // Parts that are not very large: rows that edges with a weight join, ascending.
+    std::vector<std::vector<int>> parts_;
 };
 
 }  // namespace bspline_curve

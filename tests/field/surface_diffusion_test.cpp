@@ -136,5 +136,36 @@ TEST(SurfaceDiffusion, TreatsColumnsAlikeAndLeavesWhatHasNoFaces) {
     EXPECT_EQ(diffusion.smoothed<9>(values, 0.0), values);
 }
 
+// Parts that are much less than the disc have their mean, however small, and the others what they
+// have alone.
+TEST(SurfaceDiffusion, GivesSmallPartsTheirMean) {
+    const TriangleMesh large = plate(20, 20);
+    TriangleMesh mesh = large;
+    for (int i = 0; i < 40; ++i) {
+        TriangleMesh grain = withNoise(icosphere(1), 0.1, 100 + i);
+        for (Vec3& vertex : grain.vertices) {
+            vertex = std::pow(10.0, -2 - i / 8) * vertex + Vec3(0.02 * i, 0.5, 1.0);
+        }
+        mesh = joined(mesh, grain);
+    }
+    const Surface surface(mesh);
+    const VertexValues<9> values = wavesOn(surface);
+    const VertexValues<9> smooth = SurfaceDiffusion(surface).smoothed<9>(values, 0.2);
+    const Eigen::VectorXd masses = massesOf(surface);
+    const auto plateSize = static_cast<Eigen::Index>(large.vertices.size());
+    const auto grainSize = static_cast<Eigen::Index>(icosphere(1).vertices.size());
+    for (Eigen::Index first = plateSize; first < smooth.rows(); first += grainSize) {
+        const Eigen::VectorXd weights =
+            masses.segment(first, grainSize) / masses.segment(first, grainSize).sum();
+        const Eigen::RowVectorXd mean = weights.transpose() * values.middleRows(first, grainSize);
+        for (Eigen::Index v = first; v < first + grainSize; ++v) {
+            EXPECT_LT((smooth.row(v) - mean).cwiseAbs().maxCoeff(), 1e-3) << v;
+        }
+    }
+    const VertexValues<9> alone =
+        SurfaceDiffusion(Surface(large)).smoothed<9>(values.topRows(plateSize), 0.2);
+    EXPECT_LT((smooth.topRows(plateSize) - alone).cwiseAbs().maxCoeff(), 1e-4);
+}
+
 }  // namespace
 }  // namespace bspline_curve
