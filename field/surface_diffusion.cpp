@@ -159,7 +159,9 @@ SurfaceDiffusion::SmallPart SurfaceDiffusion::smallPart(
     return {rows, std::make_unique<const Cholesky>(matrix)};
 }
 
-SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(double time) const {
+SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(
+    double time, const Progress& progress
+) const {
     Factors factors{
         .time = time,
         .diagonal = masses_ + time * weightSums_,
@@ -168,6 +170,7 @@ SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(double time) const {
         .isSmall = std::vector<bool>(vertexOf_.size()),
     };
     for (const std::vector<int>& rows : parts_) {
+        report(progress, 0.0, "smoothing");
         double area = 0.0;
         for (const int row : rows) {
             area += masses_[row];
@@ -212,7 +215,10 @@ public:
     template <class Look>
     void solve(const Look& look) {
         constexpr int kMaxIterations = 2000;
-        solveSmallParts();
+        for (const SmallPart& part : factors_.smallParts) {
+            look(0.0);
+            solve(part);
+        }
         const auto [enough, first] = begin();
         Row error = first;
         Row turn = Row::Zero();
@@ -261,17 +267,15 @@ private:
 
     [[nodiscard]] int rows() const { return static_cast<int>(values_.rows()); }
 
-    void solveSmallParts() {
-        for (const SmallPart& part : factors_.smallParts) {
-            const auto count = static_cast<Eigen::Index>(part.rows.size());
-            Eigen::Matrix<double, Eigen::Dynamic, C> right(count, C);
-            for (Eigen::Index i = 0; i < count; ++i) {
-                right.row(i) = on_.masses_[part.rows[i]] * values_.row(part.rows[i]);
-            }
-            right = part.factor->solve(right).eval();
-            for (Eigen::Index i = 0; i < count; ++i) {
-                values_.row(part.rows[i]) = right.row(i);
-            }
+    void solve(const SmallPart& part) {
+        const auto count = static_cast<Eigen::Index>(part.rows.size());
+        Eigen::Matrix<double, Eigen::Dynamic, C> right(count, C);
+        for (Eigen::Index i = 0; i < count; ++i) {
+            right.row(i) = on_.masses_[part.rows[i]] * values_.row(part.rows[i]);
+        }
+        right = part.factor->solve(right).eval();
+        for (Eigen::Index i = 0; i < count; ++i) {
+            values_.row(part.rows[i]) = right.row(i);
         }
     }
 
@@ -361,7 +365,7 @@ VertexValues<K> SurfaceDiffusion::smoothed(
     }
     // A disc has the variance radius^2 / 4 along each axis, diffusion for the time t has 2 t.
     const double time = radius * radius / 8.0;
-    const Factors factors = factorsFor(time / kSteps);
+    const Factors factors = factorsFor(time / kSteps, progress);
     const auto diffuse = [&]<int From, int Count>(const auto& look) {
         for (int step = 0; step < kSteps; ++step) {
             ImplicitStep<Count>(*this, factors, byRow.template middleCols<Count>(From))

@@ -60,7 +60,7 @@ private:
     };
 
     void findParts();
-    [[nodiscard]] Factors factorsFor(double time) const;
+    [[nodiscard]] Factors factorsFor(double time, const Progress& progress) const;
     [[nodiscard]] SmallPart smallPart(const std::vector<int>& rows, double time) const;
     template <int C>
     using ColumnsRef = Eigen::Ref<Columns<C>, 0, Eigen::OuterStride<>>;
