@@ -22,6 +22,18 @@ struct Constants {
 
 constexpr Constants kConstants;
 
+/// The vertices that a point is between, ascending; -1 where they are less than three.
+Triangle cornersBehind(const Surface& surface, const SurfacePoint& point) {
+    Triangle corners = surface.faces()[point.face];
+    for (int k = 0; k < 3; ++k) {
+        if (point.barycentric[k] <= kOnEdgeBarycentric) {
+            corners[k] = -1;
+        }
+    }
+    std::ranges::sort(corners);
+    return corners;
+}
+
 class SheetTracer {
 public:
     SheetTracer(
@@ -185,16 +197,36 @@ private:
         distance_.largest = std::max(distance_.largest, distance);
     }
 
+    // Whether a point of the trace is the pick at its parameter, if there is one. Where coordinates
+    // are large, a crossing beside the pick may have the same position and so the same parameter.
+    [[nodiscard]] bool isPick(const EdgeCrossing& point) const {
+        const auto isThere = [&](const PickConstraint& pick) {
+            return cornersBehind(surface_, pick.point) == cornersBehind(surface_, point.point);
+        };
+        if (space_.closed() && point.parameter == 1.0) {
+            return isThere(traced_.picks.front());
+        }
+        return std::ranges::any_of(traced_.picks, [&](const PickConstraint& pick) {
+            return pick.parameter == point.parameter && isThere(pick);
+        });
+    }
+
     CurveDistance finished() {
         trace_.isWhole = true;
         trace_.wholeSpans = space_.spanCount();
+        std::size_t arrivals = 0;  // the last crossings, with one parameter
         for (const EdgeCrossing& point : trace_.points) {
-            const bool isEnd = point.parameter == 0.0 || point.parameter == 1.0;
-            const bool isPick = std::ranges::any_of(traced_.picks, [&](const PickConstraint& pick) {
-                return pick.parameter == point.parameter;
-            });
-            if (!isEnd && !isPick) {
-                trace_.crossings.push_back(point);
+            std::vector<EdgeCrossing>& crossings = trace_.crossings;
+            if (crossings.empty() || crossings.back().parameter != point.parameter) {
+                arrivals = crossings.size();
+            }
+            if (!isPick(point)) {
+                crossings.push_back(point);
+                continue;
+            }
+            // What comes before the pick must stay before it.
+            for (; arrivals < crossings.size(); ++arrivals) {
+                crossings[arrivals].parameter = std::nextafter(point.parameter, 0.0);
             }
         }
         distance_.trace = std::move(trace_);
