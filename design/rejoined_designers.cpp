@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/rejoined_designers.h"
 
+#include "surface/refused_mesh.h"
 #include "surface/rejoining.h"
 #include "utility/index_sets.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace bspline_curve {
+namespace {
+
+constexpr double kWaysShare = 0.5;  // of the progress
+
+}  // namespace
 
 std::shared_ptr<const RejoinedDesigners::Rejoined> RejoinedDesigners::find(
     const Surface& mended,
@@ -25,7 +32,8 @@ std::shared_ptr<const RejoinedDesigners::Rejoined> RejoinedDesigners::find(
     if (closed) {
         faces.push_back(faces.front());
     }
-    std::vector<Passage> passages = passagesBetween(mended, vertexOrigins_, faces, avoid);
+    std::vector<Passage> passages =
+        passagesBetween(mended, vertexOrigins_, faces, avoid, partOf(progress, 0.0, kWaysShare));
     if (passages.empty()) {
         return nullptr;
     }
@@ -35,14 +43,19 @@ std::shared_ptr<const RejoinedDesigners::Rejoined> RejoinedDesigners::find(
             return last_;
         }
     }
-    MeshRepair repair = rejoined(mended.mesh(), vertexOrigins_, passages);
-    CurveDesigner designer(std::move(repair.mesh), options, progress);
-    auto made = std::make_shared<const Rejoined>(
-        Rejoined{std::move(passages), std::move(repair), std::move(designer)}
-    );
-    const std::scoped_lock lock(mutex_);
-    last_ = made;
-    return made;
+    try {
+        MeshRepair repair = rejoined(mended.mesh(), vertexOrigins_, passages);
+        CurveDesigner designer(std::move(repair.mesh), options, partOf(progress, kWaysShare, 1.0));
+        auto made = std::make_shared<const Rejoined>(
+            Rejoined{std::move(passages), std::move(repair), std::move(designer)}
+        );
+        const std::scoped_lock lock(mutex_);
+        last_ = made;
+        return made;
+    } catch (const RefusedMesh&) {
+        // Edges of a few digits' length cannot be divided: faces are left without area.
+        return nullptr;
+    }
 }
 
 RejoinedInputs::RejoinedInputs(

@@ -30,7 +30,8 @@ public:
     };
 
     /// For a curve through the picks, round the faces to avoid, ascending. Null where they lie on
-    /// one component already, or have no way between them. Throws Cancelled.
+    /// one component already, or have no way between them, or only one over an edge too short to
+    /// be divided. Throws Cancelled.
     [[nodiscard]] std::shared_ptr<const Rejoined> find(
         const Surface& mended,
         const TriangleTree& tree,

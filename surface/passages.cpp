@@ -3,6 +3,7 @@
 
 #include "surface/half_edges.h"
 #include "utility/index_sets.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <compare>
@@ -48,8 +49,8 @@ public:
     }
 
     /// Adds the passages of the best way; returns whether there is one.
-    bool add(int from, int to) {
-        search(from, to);
+    bool add(int from, int to, const Progress& progress) {
+        search(from, to, progress);
         if (costs_[to].partings == WayCost().partings) {
             return false;
         }
@@ -87,14 +88,18 @@ private:
         return mended_.position({node, Vec3::Constant(1.0 / 3.0)});
     }
 
-    void search(int from, int to) {
+    void search(int from, int to, const Progress& progress) {
+        constexpr int kNodesPerReport = 4096;
         const std::size_t nodes = mended_.faces().size() + facesAt_.size();
         costs_.assign(nodes, WayCost());
         parents_.assign(nodes, -1);
         queue_ = {};
         costs_[from] = {0, 0.0};
         queue_.emplace(costs_[from], from);
-        while (!queue_.empty() && queue_.top().second != to) {
+        for (int seen = 0; !queue_.empty() && queue_.top().second != to; ++seen) {
+            if (seen % kNodesPerReport == 0) {
+                report(progress, 0.0, "joining sheets");
+            }
             const auto [cost, node] = queue_.top();
             queue_.pop();
             if (cost == costs_[node]) {
@@ -182,11 +187,17 @@ std::vector<Passage> passagesBetween(
     const Surface& mended,
     const std::vector<int>& vertexOrigins,
     std::span<const int> faces,
-    const std::vector<int>& avoid
+    const std::vector<int>& avoid,
+    const Progress& progress
 ) {
     WaysOverFaces ways(mended, vertexOrigins, avoid);
+    const std::vector<int>& components = mended.faceComponents();
     for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
-        if (!ways.add(faces[i], faces[i + 1])) {
+        const bool isJoined = components[faces[i]] == components[faces[i + 1]];
+        if (isJoined && avoid.empty()) {
+            continue;
+        }
+        if (!ways.add(faces[i], faces[i + 1], stepOf(progress, i, faces.size() - 1))) {
             return {};
         }
     }

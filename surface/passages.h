@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/progress.h"
 #include "surface/half_edges.h"
 #include "surface/surface.h"
 
@@ -30,12 +31,14 @@ using Passage = std::pair<int, int>;
 
 /// The passages of the best ways over the faces of a mended surface, from each of some faces to the
 /// next: as few as possible, then the shortest; ascending. Empty where there is no such way, or one
-/// that needs none. Ways enter no face of `avoid`, ascending. O(m n log n) for n faces and m ways.
+/// that needs none. Ways enter no face of `avoid`, ascending. Throws Cancelled. O(m n log n) for n
+/// faces and m ways between components.
 [[nodiscard]] std::vector<Passage> passagesBetween(
     const Surface& mended,
     const std::vector<int>& vertexOrigins,
     std::span<const int> faces,
-    const std::vector<int>& avoid = {}
+    const std::vector<int>& avoid = {},
+    const Progress& progress = {}
 );
 
 }  // namespace bspline_curve

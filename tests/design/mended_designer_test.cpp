@@ -13,6 +13,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -148,6 +149,31 @@ TEST(MendedDesigner, DrawsTheSameWhateverWasDrawnBefore) {
     static_cast<void>(mended.made.design(high));
     expectSameBits(mended.made.design(low), first);
     expectSameBits(mended.made.design(low), first);
+}
+
+// Down to edges so short that a part of them makes no face any more: these picks are refused.
+TEST(MendedDesigner, DividesEdgesOfAnyLengthOrRefusesThePicks) {
+    int drawn = 0;
+    int refused = 0;
+    for (int digits = 4; digits < 50; ++digits) {
+        TriangleMesh mesh = threeFacesAtAnEdge();
+        mesh.vertices[1].z() = std::ldexp(1.0, -digits);  // the edge is from the origin to there
+        if (repairMesh(mesh).mesh.faces.size() < mesh.faces.size()) {
+            break;  // the faces themselves have no area
+        }
+        const Mended<CurveDesigner> mended = makeMendedDesigner(mesh, {});
+        ASSERT_EQ(surfaceOf(mended.made).componentCount(), 2);
+        for (const auto& [a, b] : {std::pair(2, 3), std::pair(2, 4), std::pair(3, 4)}) {
+            const std::optional<InputError> error = refusal([&] {
+                return mended.made.design({0.8 * mesh.vertices[a], 0.8 * mesh.vertices[b]});
+            });
+            ++(error ? refused : drawn);
+            EXPECT_TRUE(!error || error->code() == InputErrorCode::PicksOnDifferentComponents);
+        }
+    }
+    EXPECT_GT(drawn, 60);
+    EXPECT_GT(refused, 0);
+    EXPECT_LT(refused, drawn / 4);
 }
 
 TEST(MendedDesigner, RefusesPicksOnPartsThatNoEdgeJoins) {
