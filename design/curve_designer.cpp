@@ -245,6 +245,13 @@ struct CurveDesigner::State : PreparedSurface {
         const Progress& progress
     ) const;
 
+    /// The faces to avoid. Throws InputError.
+    [[nodiscard]] Region regionOf(const CurveInputs& inputs) const {
+        return makeRegion(
+            surface(), std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end())
+        );
+    }
+
     mutable FieldCache fieldCache;
     std::unique_ptr<RejoinedDesigners> rejoinedDesigners{};  ///< null: nothing is to be joined
 };
@@ -333,8 +340,7 @@ std::optional<Curve> CurveDesigner::State::designRejoined(
         return std::nullopt;
     }
     const Progress preparing = partOf(progress, 0.0, kPreparedShare);
-    const Region avoid =
-        makeRegion(surface(), std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end()));
+    const Region avoid = regionOf(inputs);
     const auto rejoined = rejoinedDesigners->find(
         surface(), tree(), picks, options.closed, avoid, this->options(), preparing
     );
@@ -366,8 +372,7 @@ Curve CurveDesigner::State::design(
         fieldCache.find(surface(), *extended(), inputs.field, options.fieldCost);
     const LocatedPicks located = locatePicks(surface(), tree(), picks, options.closed);
     const std::vector<int> repeated = located.repeated();
-    const Region region =
-        makeRegion(surface(), std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end()));
+    const Region region = regionOf(inputs);
     std::optional<Obstacles> obstacles;
     if (!region.empty()) {
         requireExactAvoidance(options);

@@ -19,4 +19,12 @@ void bringBack(Curve& curve, const MeshRepair& repair) {
     }
 }
 
+std::vector<int> facesOfMended(std::span<const int> faces, const MeshRepair& repair) {
+    std::vector<int> wanted(faces.begin(), faces.end());
+    sortUnique(wanted);
+    return indicesWhere<int>(repair.faceOrigins.size(), [&](std::size_t f) {
+        return indexIn(wanted, repair.faceOrigins[f]) >= 0;
+    });
+}
+
 }  // namespace bspline_curve

@@ -4,10 +4,16 @@
 #include "bspline_curve/curve.h"
 #include "surface/repair.h"
 
+#include <span>
+#include <vector>
+
 namespace bspline_curve {
 
 /// Gives a curve on a mended mesh the faces of the mesh as it was given: at the points of its
 /// polyline, with their barycentric coordinates there, and in its report.
 void bringBack(Curve& curve, const MeshRepair& repair);
+
+/// The faces of the mended mesh that come from some faces of the given one, ascending.
+[[nodiscard]] std::vector<int> facesOfMended(std::span<const int> faces, const MeshRepair& repair);
 
 }  // namespace bspline_curve

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/rejoined_designers.h"
 
+#include "design/curve_on_given_mesh.h"
 #include "surface/refused_mesh.h"
 #include "surface/rejoining.h"
-#include "utility/index_sets.h"
 #include "utility/report_progress.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace bspline_curve {
@@ -61,18 +60,12 @@ std::shared_ptr<const RejoinedDesigners::Rejoined> RejoinedDesigners::find(
 RejoinedInputs::RejoinedInputs(
     const CurveInputs& inputs, const Surface& mended, const RejoinedDesigners::Rejoined& rejoined
 ) {
-    const TriangleMesh& mesh = rejoined.designer.mesh();
-    const auto faceCount = static_cast<int>(mesh.faces.size());
-    std::vector<int> avoided(inputs.avoid.begin(), inputs.avoid.end());
-    sortUnique(avoided);
-    for (int f = 0; f < faceCount; ++f) {
-        if (indexIn(avoided, rejoined.repair.faceOrigins[f]) >= 0) {
-            avoid.push_back(f);
-        }
-    }
+    avoid = facesOfMended(inputs.avoid, rejoined.repair);
     if (inputs.field.empty()) {
         return;
     }
+    const TriangleMesh& mesh = rejoined.designer.mesh();
+    const auto faceCount = static_cast<int>(mesh.faces.size());
     field.assign(mesh.vertices.size(), 0.0);
     for (int f = faceCount - 1; f >= 0; --f) {  // the first face comes last
         for (int k = 0; k < 3; ++k) {

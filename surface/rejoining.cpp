@@ -61,10 +61,9 @@ public:
         }
         shares.insert(shares.begin(), 0.0);
         shares.push_back(1.0);
-        const Eigen::Matrix3d weights = weightsOf(face);
-        const Vec3 apex = weights.col(k);
-        const Vec3 begin = weights.col((k + 1) % 3);
-        const Vec3 end = weights.col((k + 2) % 3);
+        const Vec3 apex = originOf(face, k);
+        const Vec3 begin = originOf(face, (k + 1) % 3);
+        const Vec3 end = originOf(face, (k + 2) % 3);
         const std::array<int, 3> sides = sidesOf_[face];
         at.insert(at.begin(), corners[(k + 1) % 3]);
         at.push_back(corners[(k + 2) % 3]);
@@ -94,10 +93,9 @@ public:
 private:
     static constexpr int kInner = -1;
 
-    [[nodiscard]] Eigen::Matrix3d weightsOf(int face) const {
-        const auto found = mesh_.changedCorners.find(face);
-        return found == mesh_.changedCorners.end() ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
-                                                   : found->second;
+    // A corner in barycentric coordinates of the face that it comes from.
+    [[nodiscard]] Vec3 originOf(int face, int k) const {
+        return mesh_.toOrigin({face, Vec3::Unit(k)}).barycentric;
     }
 
     int addFace(int origin) {

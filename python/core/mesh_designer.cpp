@@ -4,7 +4,6 @@
 #include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
 #include "field/make_field.h"
-#include "utility/index_sets.h"
 
 #include <algorithm>
 #include <span>
@@ -20,14 +19,6 @@ constexpr std::size_t kKeptFields = 8;  // one of each kind
 std::vector<double> onMended(std::span<const double> values, const MeshRepair& repair) {
     return values.empty() ? std::vector<double>()
                           : repair.carriedOver(std::vector(values.begin(), values.end()));
-}
-
-std::vector<int> facesOfMended(std::span<const int> faces, const MeshRepair& repair) {
-    std::vector<int> wanted(faces.begin(), faces.end());
-    sortUnique(wanted);
-    return indicesWhere<int>(repair.faceOrigins.size(), [&](std::size_t f) {
-        return indexIn(wanted, repair.faceOrigins[f]) >= 0;
-    });
 }
 
 }  // namespace
