@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/surface_diffusion.h"
 
+#include "field/elimination_order.h"
 #include "surface/spatial_order.h"
 #include "utility/index_sets.h"
 #include "utility/report_progress.h"
@@ -19,28 +20,18 @@ namespace bspline_curve {
 
 namespace {
 
-/// What a face adds to the matrices of linear elements.
-struct FaceTerms {
-    Vec3 halfCotangents;  ///< of the angles at its corners
-    double area = 0.0;
-};
-
-FaceTerms termsOf(const Surface& surface, const Triangle& face) {
-    const std::array<Vec3, 3> corners{
-        surface.vertices()[face[0]], surface.vertices()[face[1]], surface.vertices()[face[2]]
-    };
-    const double twiceArea = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
-    FaceTerms terms{.halfCotangents = Vec3::Zero(), .area = 0.5 * twiceArea};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 next = corners[(k + 1) % 3] - corners[k];
-        const Vec3 previous = corners[(k + 2) % 3] - corners[k];
-        terms.halfCotangents[static_cast<int>(k)] = 0.5 * next.dot(previous) / twiceArea;
-    }
-    return terms;
-}
-
 // Parts with less area than so many times the time of a step, which is radius^2 / 16, are small.
 constexpr double kSmallArea = 16.0;
+
+// Larger weights couple vertices strongly; edges of equilateral triangles have 0.58.
+constexpr double kStrongWeight = 1.0;
+
+// What a factorisation leaves out of a row is made up for by its pivots (Axelsson and Lindskog
+// 1986), but for this share of it, and at most for so many times the mass of the row. With all of
+// it, rows whose neighbours come first would have pivots far too small; with more left out, what
+// varies slowly would be solved slowly, the more the less the masses are.
+constexpr double kMostLeftOut = 0.1;
+constexpr double kMassesLeftOut = 32.0;
 
 double clampedWeight(double weight) {
     constexpr double kLargest = 1000.0;  // beyond, rounding would swamp the masses
@@ -54,28 +45,75 @@ std::size_t cornerOf(const Surface& surface, int face, int vertex) {
 
 }  // namespace
 
-SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
-    : masses_(Eigen::VectorXd::Zero(surface.vertexCount())),
-      weightSums_(Eigen::VectorXd::Zero(surface.vertexCount())) {
+/// What a face adds to the matrices of linear elements.
+struct SurfaceDiffusion::FaceTerms {
+    Vec3 halfCotangents;  ///< of the angles at its corners
+    double area = 0.0;
+
+    FaceTerms(const Surface& surface, const Triangle& face);
+};
+
+SurfaceDiffusion::FaceTerms::FaceTerms(const Surface& surface, const Triangle& face) {
+    const std::array<Vec3, 3> corners{
+        surface.vertices()[face[0]], surface.vertices()[face[1]], surface.vertices()[face[2]]
+    };
+    const double twiceArea = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    area = 0.5 * twiceArea;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 next = corners[(k + 1) % 3] - corners[k];
+        const Vec3 previous = corners[(k + 2) % 3] - corners[k];
+        halfCotangents[static_cast<int>(k)] = 0.5 * next.dot(previous) / twiceArea;
+    }
+}
+
+SurfaceDiffusion::SurfaceDiffusion(const Surface& surface) {
     const std::size_t count = surface.vertexCount();
+    std::vector<FaceTerms> terms;
+    terms.reserve(surface.faces().size());
+    for (const Triangle& face : surface.faces()) {
+        terms.emplace_back(surface, face);
+    }
     vertexOf_.reserve(count);
     for (const MortonKey& key :
          spatialOrder(count, [&](std::size_t i) { return surface.vertices()[i]; })) {
         vertexOf_.push_back(key.index);
     }
+    assemble(surface, terms);
+    std::vector<CoupledRows> strong;
+    for (int row = 0; row < surface.vertexCount(); ++row) {
+        for (int i = middles_[row]; i < offsets_[row + 1]; ++i) {
+            if (weights_[i] > kStrongWeight) {
+                strong.push_back({.from = row, .to = neighbours_[i], .weight = weights_[i]});
+            }
+        }
+    }
+    if (!strong.empty()) {
+        std::vector<int> order = eliminationOrder(surface.vertexCount(), std::move(strong));
+        for (int& row : order) {
+            row = vertexOf_[row];
+        }
+        vertexOf_ = std::move(order);
+        assemble(surface, terms);
+    }
+    findParts();
+}
+
+void SurfaceDiffusion::assemble(const Surface& surface, const std::vector<FaceTerms>& terms) {
+    const std::size_t count = vertexOf_.size();
     std::vector<int> rowOf(count);
     for (std::size_t row = 0; row < count; ++row) {
         rowOf[vertexOf_[row]] = static_cast<int>(row);
     }
+    masses_.setZero(surface.vertexCount());
+    weightSums_.setZero(surface.vertexCount());
+    offsets_.clear();
     offsets_.reserve(count + 1);
+    middles_.clear();
     middles_.reserve(count);
-    neighbours_.reserve(3 * surface.faceCount());
-    weights_.reserve(3 * surface.faceCount());
-    std::vector<FaceTerms> terms;
-    terms.reserve(surface.faces().size());
-    for (const Triangle& face : surface.faces()) {
-        terms.push_back(termsOf(surface, face));
-    }
+    neighbours_.clear();
+    neighbours_.reserve(3 * surface.faces().size());
+    weights_.clear();
+    weights_.reserve(3 * surface.faces().size());
     std::vector<std::pair<int, double>> edges;  // of one row
     for (int row = 0; row < surface.vertexCount(); ++row) {
         const int v = vertexOf_[row];
@@ -86,7 +124,7 @@ SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
             const int k = static_cast<int>(cornerOf(surface, face, v));
             const int next = (k + 1) % 3;
             const int previous = (k + 2) % 3;
-            const auto [cotangents, area] = terms[face];
+            const auto& [cotangents, area] = terms[face];
             const int to = rowOf[corners[next]];
             if (edges.empty() || edges.back().first != to) {
                 edges.emplace_back(to, 0.0);
@@ -112,7 +150,6 @@ SurfaceDiffusion::SurfaceDiffusion(const Surface& surface)
         }
     }
     offsets_.push_back(static_cast<int>(neighbours_.size()));
-    findParts();
 }
 
 void SurfaceDiffusion::findParts() {
@@ -165,7 +202,7 @@ SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(
     Factors factors{
         .time = time,
         .diagonal = masses_ + time * weightSums_,
-        .pivots = masses_ + time * weightSums_,
+        .pivots = Eigen::VectorXd(masses_.size()),
         .smallParts = {},
         .isSmall = std::vector<bool>(vertexOf_.size()),
     };
@@ -182,20 +219,32 @@ SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(
             }
         }
     }
+    // A pivot is the diagonal less, for each neighbour before, the entry to it times what is made
+    // up for in its row, over its pivot; here by sums of what is positive, without differences.
+    Eigen::VectorXd toLater = Eigen::VectorXd::Zero(factors.pivots.size());
+    Eigen::VectorXd rest = masses_;  // of a pivot, without what is to later rows
     for (int row = 0; row < factors.pivots.size(); ++row) {
-        for (int i = offsets_[row]; i < middles_[row]; ++i) {
-            const double entry = time * weights_[i];
-            factors.pivots[row] -= entry * entry / factors.pivots[neighbours_[i]];
+        for (int i = middles_[row]; i < offsets_[row + 1]; ++i) {
+            toLater[row] += time * weights_[i];
         }
+        for (int i = offsets_[row]; i < middles_[row]; ++i) {
+            const int before = neighbours_[i];
+            const double entry = time * weights_[i];
+            const double leftOut =
+                std::min(kMostLeftOut, kMassesLeftOut * masses_[before] / factors.diagonal[before]);
+            const double lost = leftOut * std::max(0.0, toLater[before] - entry);
+            rest[row] += entry * (rest[before] + lost) / factors.pivots[before];
+        }
+        factors.pivots[row] = toLater[row] + rest[row];
     }
     return factors;
 }
 
 /// Solves (M + time L) x = M values for some columns, by conjugate gradients with an incomplete
 /// Cholesky factorisation C P^-1 C^T as preconditioner: C has the matrix's entries below its
-/// diagonal and the pivots P on it. Its two sweeps take the place of the product with the matrix
-/// (Eisenstat 1981): with A = C + C^T + D - 2 P, the operator C^-1 A C^-T takes p to
-/// t + C^-1 (p + (D - 2 P) t), where t = C^-T p.
+/// diagonal and the pivots P on it, which make up for most of what is left out (Gustafsson 1978).
+/// Its two sweeps take the place of the product with the matrix (Eisenstat 1981): with A = C + C^T
+/// + D - 2 P, the operator C^-1 A C^-T takes p to t + C^-1 (p + (D - 2 P) t), where t = C^-T p.
 template <int C>
 class SurfaceDiffusion::ImplicitStep {
 public:

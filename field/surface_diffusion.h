@@ -59,6 +59,10 @@ private:
         std::vector<bool> isSmall;  ///< whether a row is in one of them
     };
 
+    struct FaceTerms;
+
+    // The matrices, their rows in the order of vertexOf_.
+    void assemble(const Surface& surface, const std::vector<FaceTerms>& terms);
     void findParts();
     [[nodiscard]] Factors factorsFor(double time, const Progress& progress) const;
     [[nodiscard]] SmallPart smallPart(const std::vector<int>& rows, double time) const;
@@ -67,7 +71,8 @@ private:
     template <int C>
     class ImplicitStep;
 
-    // Rows are vertices along a Morton curve, so that neighbours are near to each other in memory.
+    // Rows are vertices along a Morton curve, so that neighbours are near to each other in memory;
+    // those that slivers couple strongly are in the order of eliminationOrder().
     std::vector<int> vertexOf_;    ///< #V; by row, as all below
     Eigen::VectorXd masses_;       ///< a third of the area of the faces at the vertex, else 1
     Eigen::VectorXd weightSums_;   ///< of the edges at the vertex

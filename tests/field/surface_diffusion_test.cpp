@@ -167,5 +167,20 @@ TEST(SurfaceDiffusion, GivesSmallPartsTheirMean) {
     EXPECT_LT((smooth.topRows(plateSize) - alone).cwiseAbs().maxCoeff(), 1e-4);
 }
 
+/// How often smoothing reports: once for each iteration of its steps.
+int reportsOf(const Surface& surface, double radius) {
+    int reports = 0;
+    static_cast<void>(SurfaceDiffusion(surface).smoothed<1>(
+        spikeIn(surface, 0), radius, [&](double, const char*) { return ++reports > 0; }
+    ));
+    return reports;
+}
+
+// Of slivers each edge around the cylinder outweighs all along it.
+TEST(SurfaceDiffusion, TakesFewIterationsOnSlivers) {
+    EXPECT_LT(reportsOf(Surface(renumbered(openCylinder(3000, 8), 3)), 0.3), 30);
+    EXPECT_LT(reportsOf(Surface(renumbered(openCylinder(2000, 2), 3)), 1.0), 40);
+}
+
 }  // namespace
 }  // namespace bspline_curve
