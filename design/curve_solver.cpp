@@ -51,9 +51,9 @@ struct StrategyConstants {
     /// beside it, beyond so many times what its path does: less is hardly seen, and round a limb
     /// the path does so too.
     double mostOverrun = 0.02, overrunOfPath = 2.0;
-    /// It is weakened by this factor then, so often at most: little is left of a usual field.
-    double weakening = 0.25;
-    int mostWeakenings = 4;
+    /// It has these shares of its weight then, one after the other: most curves need a quarter or
+    /// less than is left of a usual field, and each attempt costs as much as the first.
+    std::array<double, 2> weakerShares = {0.25, 1.0 / 256.0};
 };
 
 constexpr StrategyConstants kStrategy;
@@ -104,11 +104,12 @@ Solved CurveSolver::solve(const Progress& progress) const {
     Solved solved = solveInTurn(isPulled ? partOf(progress, 0.0, kStrategy.firstShare) : progress);
     CurveSolver weaker(*this);
     double share = 1.0;
-    for (int i = 0; isPulled && i < kStrategy.mostWeakenings && turnsBack(solved); ++i) {
-        share *= kStrategy.weakening;
+    const std::size_t count = kStrategy.weakerShares.size();
+    for (std::size_t i = 0; isPulled && i < count && turnsBack(solved); ++i) {
+        share = kStrategy.weakerShares[i];
         weaker.options_.fieldWeight = share * options_.fieldWeight;
         const Progress again = partOf(progress, kStrategy.firstShare, 1.0);
-        solved = weaker.solveInTurn(stepOf(again, i, kStrategy.mostWeakenings));
+        solved = weaker.solveInTurn(stepOf(again, i, count));
     }
     solved.solution.report.fieldShare = share;
     auto& seconds = solved.solution.report.seconds;
