@@ -2,32 +2,25 @@
 #include "cli/field_input.h"
 
 #include "cli/mesh_input.h"
+#include "design/curve_on_given_mesh.h"
 #include "io/region_reader.h"
 #include "surface/error_messages.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 namespace bspline_curve::cli {
 
 namespace {
 
-/// Ids of the mesh that was given as ids of the mended one: of every part of those faces.
-std::vector<std::int64_t> carriedOver(
-    const std::vector<std::int64_t>& ids, const GivenMesh& given
-) {
-    std::vector<char> isNamed(given.faces, 0);
+void refuseUnknownFaces(const std::vector<std::int64_t>& ids, int faceCount) {
     std::vector<std::int64_t> unknown;
-    for (const std::int64_t id : ids) {
-        if (id < 0 || id >= given.faces) {
-            unknown.push_back(id);
-        } else {
-            isNamed[id] = 1;
-        }
-    }
+    std::ranges::copy_if(ids, std::back_inserter(unknown), [&](std::int64_t id) {
+        return id < 0 || id >= faceCount;
+    });
     if (!unknown.empty()) {
         refuseElements(
             InputErrorCode::IndexOutOfRange,
@@ -35,16 +28,19 @@ std::vector<std::int64_t> carriedOver(
                 " no face of the mesh",
             "ids",
             unknown,
-            "faces are numbered from 0 to " + std::to_string(given.faces - 1)
+            "faces are numbered from 0 to " + std::to_string(faceCount - 1)
         );
     }
-    std::vector<std::int64_t> result;
-    for (std::size_t face = 0; face < given.repair->faceOrigins.size(); ++face) {
-        if (isNamed[given.repair->faceOrigins[face]] != 0) {
-            result.push_back(static_cast<std::int64_t>(face));
-        }
-    }
-    return result;
+}
+
+/// Ids of the mesh that was given as ids of the mended one: of every part of those faces.
+std::vector<std::int64_t> carriedOver(
+    const std::vector<std::int64_t>& ids, const GivenMesh& given
+) {
+    refuseUnknownFaces(ids, given.faces);
+    const std::vector<int> faces =
+        facesOfMended(std::vector<int>(ids.begin(), ids.end()), *given.repair);
+    return {faces.begin(), faces.end()};
 }
 
 std::span<const double> qualityForThreshold(const GivenMesh& given) {
