@@ -53,7 +53,7 @@ PrincipalCurvatures curvaturesAcross(const Eigen::Matrix<double, 1, 9>& row) {
 std::vector<PrincipalCurvatures> principalCurvatures(
     const Surface& surface, double scale, const Progress& progress
 ) {
-    constexpr double kFitShare = 0.3;  // of the time
+    constexpr double kFitShare = 0.25, kPreparedShare = 0.5;  // of the time
     const double radius = scale * surface.diagonal();
     const std::vector<Vec3> normals = vertexNormals(surface.mesh());
     // Two rings see through three times the noise. Where they are wider than four radii, they would
@@ -61,9 +61,9 @@ std::vector<PrincipalCurvatures> principalCurvatures(
     const int rings = surface.averageEdgeLength() > 2.0 * radius ? 1 : 2;
     const std::vector<Eigen::Matrix3d> tensors =
         curvatureTensors(surface, normals, rings, partOf(progress, 0.0, kFitShare));
-    report(progress, kFitShare, "smoothing");
-    const VertexValues<9> smooth = SurfaceDiffusion(surface).smoothed<9>(
-        tensorsAndNormals(tensors, normals), radius, partOf(progress, kFitShare, 1.0)
+    const SurfaceDiffusion diffusion(surface, partOf(progress, kFitShare, kPreparedShare));
+    const VertexValues<9> smooth = diffusion.smoothed<9>(
+        tensorsAndNormals(tensors, normals), radius, partOf(progress, kPreparedShare, 1.0)
     );
 
     const double length = kCurvatureLength * surface.diagonal();

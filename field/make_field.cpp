@@ -145,8 +145,9 @@ void smooth(
     // Means lie between what they are of; the solver's tolerance must not show.
     const double low = mapped.minCoeff();
     const double high = mapped.maxCoeff();
-    mapped = SurfaceDiffusion(surface)
-                 .smoothed<1>(mapped, radiusRelative * surface.diagonal(), progress)
+    const SurfaceDiffusion diffusion(surface, partOf(progress, 0.0, 0.5));
+    const double radius = radiusRelative * surface.diagonal();
+    mapped = diffusion.smoothed<1>(mapped, radius, partOf(progress, 0.5, 1.0))
                  .cwiseMax(low)
                  .cwiseMin(high);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/surface_diffusion.h"
 
-#include "field/elimination_order.h"
 #include "surface/spatial_order.h"
 #include "utility/index_sets.h"
 #include "utility/report_progress.h"
@@ -19,6 +18,8 @@
 namespace bspline_curve {
 
 namespace {
+
+constexpr const char* kSmoothing = "smoothing";  // the stage
 
 // Parts with less area than so many times the time of a step, which is radius^2 / 16, are small.
 constexpr double kSmallArea = 16.0;
@@ -66,39 +67,52 @@ SurfaceDiffusion::FaceTerms::FaceTerms(const Surface& surface, const Triangle& f
     }
 }
 
-SurfaceDiffusion::SurfaceDiffusion(const Surface& surface) {
+SurfaceDiffusion::SurfaceDiffusion(const Surface& surface, const Progress& progress) {
+    constexpr double kAngles = 0.1, kAlongCurve = 0.25, kFirst = 0.5,
+                     kOrdered = 0.75;  // of the time
+    report(progress, 0.0, kSmoothing);
     const std::size_t count = surface.vertexCount();
     std::vector<FaceTerms> terms;
     terms.reserve(surface.faces().size());
     for (const Triangle& face : surface.faces()) {
         terms.emplace_back(surface, face);
     }
+    report(progress, kAngles, kSmoothing);
     vertexOf_.reserve(count);
     for (const MortonKey& key :
          spatialOrder(count, [&](std::size_t i) { return surface.vertices()[i]; })) {
         vertexOf_.push_back(key.index);
     }
-    assemble(surface, terms);
-    std::vector<CoupledRows> strong;
-    for (int row = 0; row < surface.vertexCount(); ++row) {
-        for (int i = middles_[row]; i < offsets_[row + 1]; ++i) {
-            if (weights_[i] > kStrongWeight) {
-                strong.push_back({.from = row, .to = neighbours_[i], .weight = weights_[i]});
-            }
-        }
-    }
+    assemble(surface, terms, partOf(progress, kAlongCurve, kFirst));
+    std::vector<CoupledRows> strong = strongEdges();
     if (!strong.empty()) {
         std::vector<int> order = eliminationOrder(surface.vertexCount(), std::move(strong));
         for (int& row : order) {
             row = vertexOf_[row];
         }
         vertexOf_ = std::move(order);
-        assemble(surface, terms);
+        assemble(surface, terms, partOf(progress, kOrdered, 1.0));
     }
+    report(progress, 1.0, kSmoothing);
     findParts();
 }
 
-void SurfaceDiffusion::assemble(const Surface& surface, const std::vector<FaceTerms>& terms) {
+std::vector<CoupledRows> SurfaceDiffusion::strongEdges() const {
+    std::vector<CoupledRows> edges;
+    for (int row = 0; row < static_cast<int>(vertexOf_.size()); ++row) {
+        for (int i = middles_[row]; i < offsets_[row + 1]; ++i) {
+            if (weights_[i] > kStrongWeight) {
+                edges.push_back({.from = row, .to = neighbours_[i], .weight = weights_[i]});
+            }
+        }
+    }
+    return edges;
+}
+
+void SurfaceDiffusion::assemble(
+    const Surface& surface, const std::vector<FaceTerms>& terms, const Progress& progress
+) {
+    constexpr int kReportEvery = 65536;
     const std::size_t count = vertexOf_.size();
     std::vector<int> rowOf(count);
     for (std::size_t row = 0; row < count; ++row) {
@@ -116,6 +130,9 @@ void SurfaceDiffusion::assemble(const Surface& surface, const std::vector<FaceTe
     weights_.reserve(3 * surface.faces().size());
     std::vector<std::pair<int, double>> edges;  // of one row
     for (int row = 0; row < surface.vertexCount(); ++row) {
+        if (row % kReportEvery == 0) {
+            report(progress, static_cast<double>(row) / surface.vertexCount(), kSmoothing);
+        }
         const int v = vertexOf_[row];
         edges.clear();
         // Counter-clockwise: the last edge of a face is the first one of the next.
@@ -207,7 +224,7 @@ SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(
         .isSmall = std::vector<bool>(vertexOf_.size()),
     };
     for (const std::vector<int>& rows : parts_) {
-        report(progress, 0.0, "smoothing");
+        report(progress, 0.0, kSmoothing);
         double area = 0.0;
         for (const int row : rows) {
             area += masses_[row];
@@ -421,7 +438,7 @@ VertexValues<K> SurfaceDiffusion::smoothed(
                 .solve([&](double share) { look((step + share) / kSteps); });
         }
     };
-    const auto reported = [&](double share) { report(progress, share, "smoothing"); };
+    const auto reported = [&](double share) { report(progress, share, kSmoothing); };
     // Columns do not depend on each other.
     constexpr int kHalf = (K + 1) / 2;
     if constexpr (K > 1) {

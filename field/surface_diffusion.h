@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/progress.h"
+#include "field/elimination_order.h"
 #include "surface/surface.h"
 
 #include <Eigen/Core>
@@ -23,8 +24,8 @@ using VertexValues = Eigen::Matrix<double, Eigen::Dynamic, K, K == 1 ? 0 : Eigen
 /// trouble.
 class SurfaceDiffusion {
 public:
-    /// O(n log n).
-    explicit SurfaceDiffusion(const Surface& surface);
+    /// O(n log n). Throws Cancelled.
+    explicit SurfaceDiffusion(const Surface& surface, const Progress& progress = {});
 
     /// Averages as over a disc of the given radius (the kernel has the variance of one); radius in
     /// the unit of the surface, >= 0. Constants stay what they are, integrals too, and so does what
@@ -62,7 +63,10 @@ private:
     struct FaceTerms;
 
     // The matrices, their rows in the order of vertexOf_.
-    void assemble(const Surface& surface, const std::vector<FaceTerms>& terms);
+    void assemble(
+        const Surface& surface, const std::vector<FaceTerms>& terms, const Progress& progress
+    );
+    [[nodiscard]] std::vector<CoupledRows> strongEdges() const;
     void findParts();
     [[nodiscard]] Factors factorsFor(double time, const Progress& progress) const;
     [[nodiscard]] SmallPart smallPart(const std::vector<int>& rows, double time) const;

@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <vector>
 
 namespace bspline_curve {
 namespace {
@@ -165,6 +167,22 @@ TEST(SurfaceDiffusion, GivesSmallPartsTheirMean) {
     const VertexValues<9> alone =
         SurfaceDiffusion(Surface(large)).smoothed<9>(values.topRows(plateSize), 0.2);
     EXPECT_LT((smooth.topRows(plateSize) - alone).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST(SurfaceDiffusion, ReportsWhileItIsPrepared) {
+    const Surface surface(openCylinder(400, 200));
+    std::vector<double> shares;
+    const SurfaceDiffusion diffusion(surface, [&](double share, const char*) {
+        shares.push_back(share);
+        return true;
+    });
+    EXPECT_GT(shares.size(), 5);
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    for (std::size_t last = 0; last < shares.size(); ++last) {
+        std::size_t reports = 0;
+        const auto stop = [&](double, const char*) { return reports++ < last; };
+        EXPECT_THROW(SurfaceDiffusion(surface, stop), Cancelled) << last;
+    }
 }
 
 /// How often smoothing reports: once for each iteration of its steps.
