@@ -11,10 +11,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace bspline_curve {
 
 namespace {
+
+constexpr int kFewestPoints = 5;  // as many as a quadric through the centre has coefficients
 
 // ---- vertices around a vertex ----
 
@@ -25,8 +28,21 @@ public:
     explicit RingFinder(const Surface& surface)
         : surface_(surface), seenIn_(surface.vertices().size(), 0) {}
 
-    /// The vertices of so many rings, without the centre; valid until the next call.
+    /// The vertices of so many rings, without the centre; valid until the next call. Rings beyond
+    /// the first do not go on from the hubs of large fans, whose vertices would all see each other,
+    /// unless there are less than five vertices without.
     const std::vector<int>& around(int centre, int rings) {
+        find(centre, rings, kMostFacesAround);
+        if (found_.size() < kFewestPoints) {
+            find(centre, rings, std::numeric_limits<int>::max());
+        }
+        return found_;
+    }
+
+private:
+    static constexpr int kMostFacesAround = 100;  // of a vertex that a ring goes on from
+
+    void find(int centre, int rings, int mostFacesAround) {
         found_.clear();
         ++call_;
         seenIn_[centre] = call_;
@@ -34,13 +50,13 @@ public:
         for (int ring = 1; ring < rings; ++ring) {
             const std::size_t end = found_.size();
             for (std::size_t i = 0; i < end; ++i) {
-                addNeighbours(found_[i]);
+                if (surface_.facesAround(found_[i]).size() <= mostFacesAround) {
+                    addNeighbours(found_[i]);
+                }
             }
         }
-        return found_;
     }
 
-private:
     void addNeighbours(int vertex) {
         for (const int face : surface_.facesAround(vertex)) {
             for (const int corner : surface_.faces()[face]) {
@@ -62,8 +78,6 @@ private:
 
 using Vec5 = Eigen::Matrix<double, 5, 1>;
 using Mat5 = Eigen::Matrix<double, 5, 5>;
-
-constexpr int kFewestPoints = 5;  // as many as a quadric through the centre has coefficients
 
 /// Less than five points on one ring say too little, as at boundaries.
 int ringsAt(const Surface& surface, int vertex, int rings) {

@@ -97,6 +97,38 @@ TEST(CurvatureTensors, OfAnOpenRingAreThoseOfItsCircle) {
 }
 
 // Up to the boundary; also with faces 7 times as long as wide.
+/// A cone of so many faces around its tip, with a ring of quads below them.
+TriangleMesh coneWithARing(int segments) {
+    TriangleMesh mesh = openCylinder(segments, 1);
+    for (Vec3& vertex : mesh.vertices) {
+        vertex.head<2>() *= vertex.z() > 0.0 ? 1.0 : 2.0;
+    }
+    const auto tip = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.emplace_back(0, 0, 4);
+    for (int i = 0; i < segments; ++i) {
+        mesh.faces.push_back({segments + i, segments + (i + 1) % segments, tip});
+    }
+    return mesh;
+}
+
+// Else each vertex around a large fan would see all others, in a time of the square of their
+// number.
+TEST(CurvatureTensors, DoNotDependOnTheFarSideOfALargeFan) {
+    for (const int segments : {50, 200}) {
+        TriangleMesh mesh = coneWithARing(segments);
+        const std::vector<Vec3> normals = vertexNormals(mesh);
+        const auto at = [&](int vertex) {
+            return curvatureTensors(Surface(mesh), normals, 2)[vertex];
+        };
+        const int near = segments;
+        const int far = segments + segments / 4;  // whose normal is on the same side
+        const Eigen::Matrix3d before = at(near);
+        mesh.vertices[far] *= 1.1;
+        EXPECT_EQ(at(near) == before, segments == 200);
+        EXPECT_NE(before, Eigen::Matrix3d::Zero());
+    }
+}
+
 TEST(CurvatureField, OfACylinderIsThatOfItsCircleUpToTheBoundary) {
     for (const auto& [segments, rings, error] : {std::tuple{160, 80, 0.01}, {200, 10, 0.1}}) {
         const Surface surface(openCylinder(segments, rings));
