@@ -53,15 +53,15 @@ std::vector<int> eliminationOrder(int rowCount, std::vector<CoupledRows> edges) 
     std::vector<int> order;
     order.reserve(rowCount);
     std::vector<bool> isSeen(rowCount);
-    for (int first = 0; first < rowCount; ++first) {
-        if (isSeen[first]) {
+    // The other way round: each last row as a root, and what hangs on it, level by level.
+    for (int last = rowCount; last-- > 0;) {
+        if (isSeen[last]) {
             continue;
         }
-        // The root and what hangs on it, level by level, then the other way round.
-        const std::size_t begin = order.size();
-        isSeen[first] = true;
-        order.push_back(first);
-        for (std::size_t next = begin; next < order.size(); ++next) {
+        std::size_t next = order.size();
+        isSeen[last] = true;
+        order.push_back(last);
+        for (; next < order.size(); ++next) {
             const int row = order[next];
             for (int i = offsets[row]; i < offsets[row + 1]; ++i) {
                 if (!isSeen[neighbours[i]]) {
@@ -70,8 +70,8 @@ std::vector<int> eliminationOrder(int rowCount, std::vector<CoupledRows> edges) 
                 }
             }
         }
-        std::reverse(order.begin() + static_cast<std::ptrdiff_t>(begin), order.end());
     }
+    std::ranges::reverse(order);
     return order;
 }
 

@@ -16,7 +16,8 @@ struct CoupledRows {
 /// weights are large: the rows of each tree of a spanning forest of the largest weights follow each
 /// other, each before the one that it hangs on. So no two neighbours in the forest are left behind
 /// when a row is eliminated, and nothing that is large fills in along it. Trees come in the order
-/// of their first rows, as do rows without such edges. O(n + m log m).
+/// of their last rows, as do rows without such edges: at the first ones, rows that are not in a
+/// tree would often come after all of their neighbours. O(n + m log m).
 [[nodiscard]] std::vector<int> eliminationOrder(int rowCount, std::vector<CoupledRows> edges);
 
 }  // namespace bspline_curve

@@ -51,9 +51,11 @@ TEST(EliminationOrder, LeavesEachRowOneNeighbourInTheForest) {
     EXPECT_EQ(*std::ranges::max_element(later), 1);
 }
 
-// A triangle: its weakest edge gives way.
-TEST(EliminationOrder, FollowsTheLargestWeights) {
-    EXPECT_EQ(eliminationOrder(3, {{0, 1, 1.0}, {1, 2, 5.0}, {2, 0, 3.0}}), (std::vector{1, 2, 0}));
+// A triangle: its weakest edge gives way. Row 1 has no edge, and its place.
+TEST(EliminationOrder, FollowsTheLargestWeightsToTheLastRow) {
+    EXPECT_EQ(
+        eliminationOrder(5, {{0, 2, 5.0}, {2, 4, 1.0}, {4, 0, 3.0}}), (std::vector{1, 3, 2, 0, 4})
+    );
 }
 
 }  // namespace
