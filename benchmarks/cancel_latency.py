@@ -15,6 +15,8 @@ import tempfile
 import time
 from pathlib import Path
 
+import numpy as np
+
 from cases import PROGRAM, farthest_picks, machine, torus_of, write_json, write_ply
 
 ASKED = 0.2  # seconds
@@ -24,7 +26,7 @@ RUNS = {
     "curve, simplified shell": ["--shell", "simplified", "--no-cache"],
     "curve, preset paper": ["--preset", "paper", "--no-cache"],
     "curve, field valley": ["--field", "valley"],
-    "curve, field obstacle": ["--field", "crease-distance"],
+    "curve, field obstacle": ["--field", "obstacle", "--field-region", "avoid.txt"],
     "curve, avoid": ["--avoid", "avoid.txt", "--avoid-margin", "0.2"],
     "field": ["field"],
     "shell": ["shell"],
@@ -86,6 +88,19 @@ def latency(program, words, folder, kept, moment):
     return seconds if process.returncode == 130 else None
 
 
+def loop_around(vertices, centre):
+    """Six vertices around a vertex: a closed curve through them parts the surface, as not every one on a torus does."""
+    size = 0.1 * np.linalg.norm(np.ptp(vertices, axis=0))
+    near = vertices[np.linalg.norm(vertices - centre, axis=1) < 1.2 * size]
+    normal = np.linalg.svd(near - centre, full_matrices=False)[2][2]
+    x = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
+    x *= size / np.linalg.norm(x)
+    y = np.cross(normal, x)
+    angles = 2 * np.pi * np.arange(6) / 6
+    wanted = centre + np.outer(np.cos(angles), x) + np.outer(np.sin(angles), y)
+    return near[np.linalg.norm(near[None] - wanted[:, None], axis=2).argmin(axis=1)]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", type=Path, default=PROGRAM)
@@ -102,8 +117,9 @@ def main():
         picks = farthest_picks(vertices, faces, 6, 1)
         write_json(folder / "picks.json", {"picks": picks.tolist()})
         (folder / "avoid.txt").write_text(" ".join(map(str, range(len(faces) // 3, len(faces) // 3 + 200))))
-        subprocess.run([str(arguments.program), *words_of("curve", [])], cwd=folder, check=True, stdout=subprocess.DEVNULL)
-        (folder / "out.json").rename(folder / "curve.json")
+        write_json(folder / "loop.json", {"picks": loop_around(vertices, picks[0]).tolist()})
+        subprocess.run([str(arguments.program), "mesh.ply", "--picks", "loop.json", "--closed", "--output", "curve.json"],
+                       cwd=folder, check=True, stdout=subprocess.DEVNULL)
         kept = set(folder.iterdir())
         for name in arguments.only:
             words = words_of(name, RUNS[name])
