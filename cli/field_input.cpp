@@ -4,44 +4,15 @@
 #include "cli/mesh_input.h"
 #include "design/curve_on_given_mesh.h"
 #include "io/region_reader.h"
-#include "surface/error_messages.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 
 namespace bspline_curve::cli {
 
 namespace {
-
-void refuseUnknownFaces(const std::vector<std::int64_t>& ids, int faceCount) {
-    std::vector<std::int64_t> unknown;
-    std::ranges::copy_if(ids, std::back_inserter(unknown), [&](std::int64_t id) {
-        return id < 0 || id >= faceCount;
-    });
-    if (!unknown.empty()) {
-        refuseElements(
-            InputErrorCode::IndexOutOfRange,
-            describeCount(unknown.size(), "id of the region is", "ids of the region are") +
-                " no face of the mesh",
-            "ids",
-            unknown,
-            "faces are numbered from 0 to " + std::to_string(faceCount - 1)
-        );
-    }
-}
-
-/// Ids of the mesh that was given as ids of the mended one: of every part of those faces.
-std::vector<std::int64_t> carriedOver(
-    const std::vector<std::int64_t>& ids, const GivenMesh& given
-) {
-    refuseUnknownFaces(ids, given.faces);
-    const std::vector<int> faces =
-        facesOfMended(std::vector<int>(ids.begin(), ids.end()), *given.repair);
-    return {faces.begin(), faces.end()};
-}
 
 std::span<const double> qualityForThreshold(const GivenMesh& given) {
     if (given.quality.empty()) {
@@ -100,7 +71,8 @@ std::optional<FieldKind> findFieldKind(const std::string& word) {
 Region readRegion(const RegionArguments& region, const Surface& surface, const GivenMesh& given) {
     if (!region.file.empty()) {
         const std::vector<std::int64_t> ids = readFaceIds(region.file);
-        return makeRegion(surface, given.repair == nullptr ? ids : carriedOver(ids, given));
+        Region faces = makeRegion(given.faces, ids);
+        return given.repair == nullptr ? faces : facesOfMended(faces, *given.repair);
     }
     if (region.under) {
         return facesUnder(surface, qualityForThreshold(given), *region.under);

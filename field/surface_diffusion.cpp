@@ -238,6 +238,8 @@ SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(
     }
     // A pivot is the diagonal less, for each neighbour before, the entry to it times what is made
     // up for in its row, over its pivot; here by sums of what is positive, without differences.
+    const Eigen::VectorXd leftOut =
+        (kMassesLeftOut * masses_.array() / factors.diagonal.array()).min(kMostLeftOut);
     Eigen::VectorXd toLater = Eigen::VectorXd::Zero(factors.pivots.size());
     Eigen::VectorXd rest = masses_;  // of a pivot, without what is to later rows
     for (int row = 0; row < factors.pivots.size(); ++row) {
@@ -247,9 +249,7 @@ SurfaceDiffusion::Factors SurfaceDiffusion::factorsFor(
         for (int i = offsets_[row]; i < middles_[row]; ++i) {
             const int before = neighbours_[i];
             const double entry = time * weights_[i];
-            const double leftOut =
-                std::min(kMostLeftOut, kMassesLeftOut * masses_[before] / factors.diagonal[before]);
-            const double lost = leftOut * std::max(0.0, toLater[before] - entry);
+            const double lost = leftOut[before] * std::max(0.0, toLater[before] - entry);
             rest[row] += entry * (rest[before] + lost) / factors.pivots[before];
         }
         factors.pivots[row] = toLater[row] + rest[row];

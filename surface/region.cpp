@@ -40,11 +40,15 @@ Region facesBeside(
 }  // namespace
 
 Region makeRegion(const Surface& surface, std::span<const std::int64_t> faces) {
+    return makeRegion(surface.faceCount(), faces);
+}
+
+Region makeRegion(int faceCount, std::span<const std::int64_t> faces) {
     Region region;
     region.reserve(faces.size());
     std::vector<std::int64_t> bad;
     for (const std::int64_t face : faces) {
-        if (face >= 0 && face < surface.faceCount()) {
+        if (face >= 0 && face < faceCount) {
             region.push_back(static_cast<int>(face));
         } else {
             bad.push_back(face);
@@ -59,7 +63,7 @@ Region makeRegion(const Surface& surface, std::span<const std::int64_t> faces) {
             count + " no face of the mesh",
             "ids",
             std::move(bad),
-            "faces are numbered from 0 to " + std::to_string(surface.faceCount() - 1)
+            "faces are numbered from 0 to " + std::to_string(faceCount - 1)
         );
     }
     sortUnique(region);

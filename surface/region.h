@@ -16,6 +16,9 @@ using Region = std::vector<int>;
 /// ids that are no face of the surface.
 [[nodiscard]] Region makeRegion(const Surface& surface, std::span<const std::int64_t> faces);
 
+/// The same of a mesh of so many faces.
+[[nodiscard]] Region makeRegion(int faceCount, std::span<const std::int64_t> faces);
+
 /// The faces all of whose corners are selected; one flag per vertex. Throws InputError
 /// (IndexOutOfRange) where there are more or fewer flags.
 [[nodiscard]] Region facesOfVertices(const Surface& surface, std::span<const char> selected);

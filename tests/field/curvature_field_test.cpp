@@ -96,7 +96,6 @@ TEST(CurvatureTensors, OfAnOpenRingAreThoseOfItsCircle) {
     }
 }
 
-// Up to the boundary; also with faces 7 times as long as wide.
 /// A cone of so many faces around its tip, with a ring of quads below them.
 TriangleMesh coneWithARing(int segments) {
     TriangleMesh mesh = openCylinder(segments, 1);
@@ -129,6 +128,7 @@ TEST(CurvatureTensors, DoNotDependOnTheFarSideOfALargeFan) {
     }
 }
 
+// Up to the boundary; also with faces 7 times as long as wide.
 TEST(CurvatureField, OfACylinderIsThatOfItsCircleUpToTheBoundary) {
     for (const auto& [segments, rings, error] : {std::tuple{160, 80, 0.01}, {200, 10, 0.1}}) {
         const Surface surface(openCylinder(segments, rings));
