@@ -58,10 +58,9 @@ std::vector<int> eliminationOrder(int rowCount, std::vector<CoupledRows> edges) 
         if (isSeen[last]) {
             continue;
         }
-        std::size_t next = order.size();
         isSeen[last] = true;
         order.push_back(last);
-        for (; next < order.size(); ++next) {
+        for (std::size_t next = order.size() - 1; next < order.size(); ++next) {
             const int row = order[next];
             for (int i = offsets[row]; i < offsets[row + 1]; ++i) {
                 if (!isSeen[neighbours[i]]) {

@@ -24,8 +24,10 @@ constexpr const char* kSmoothing = "smoothing";  // the stage
 // Parts with less area than so many times the time of a step, which is radius^2 / 16, are small.
 constexpr double kSmallArea = 16.0;
 
-// Larger weights couple vertices strongly; edges of equilateral triangles have 0.58.
-constexpr double kStrongWeight = 1.0;
+// Larger weights couple vertices strongly. Edges of equilateral triangles have 0.58, those of
+// rectangles cut in two the ratio of their sides: 1 in grids of squares, where rounding would
+// choose among them, and so the order, if this were 1.
+constexpr double kStrongWeight = 1.37;
 
 // What a factorisation leaves out of a row is made up for by its pivots (Axelsson and Lindskog
 // 1986), but for this share of it, and at most for so many times the mass of the row. With all of

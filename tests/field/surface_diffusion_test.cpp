@@ -98,6 +98,18 @@ TEST(SurfaceDiffusion, IsTheSameEveryTimeOnTwoThreads) {
 }
 
 // Rows lie in another order than vertices, and in the same one whatever that of the vertices is.
+// Rounding differs after scaling. It must not choose which edges are strong.
+TEST(SurfaceDiffusion, IsTheSameAtEachScale) {
+    TriangleMesh mesh = plate(40, 40);
+    const VertexValues<9> values = wavesOn(Surface(mesh));
+    const VertexValues<9> large = SurfaceDiffusion(Surface(mesh)).smoothed<9>(values, 0.05);
+    for (Vec3& vertex : mesh.vertices) {
+        vertex *= 1e-3;
+    }
+    const VertexValues<9> small = SurfaceDiffusion(Surface(mesh)).smoothed<9>(values, 0.05e-3);
+    EXPECT_LT((small - large).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(SurfaceDiffusion, GivesEachVertexItsOwnValue) {
     const TriangleMesh mesh = withNoise(icosphere(3), 0.02, 1);
     const auto smoothed = [](const TriangleMesh& one) {
