@@ -109,14 +109,6 @@ void writeResults(
     }
 }
 
-/// Says what was mended, if anything, and carries the inputs over to the mended mesh.
-void carryOver(Inputs& inputs, const Mended<CurveDesigner>& mended) {
-    sayMended(mended.mending);
-    if (mended.mending && !inputs.quality.empty()) {
-        inputs.quality = mended.mending->repair.carriedOver(inputs.quality);
-    }
-}
-
 ExitCode drawAndWrite(
     const CurveArguments& arguments,
     const Inputs& inputs,
@@ -152,7 +144,8 @@ ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
     Inputs inputs = inputsFor(arguments, loaded, std::move(picks));
     const PreparedMesh prepared(std::move(loaded), arguments, progressPart(bar, 0.0, kShellShare));
     bar.clear();
-    carryOver(inputs, prepared.mended);
+    sayMended(prepared.mended.mending);
+    carryOver(inputs, prepared.mended.repair());
     return drawAndWrite(arguments, inputs, prepared, bar);
 }
 
@@ -162,7 +155,8 @@ ExitCode drawOn(const PreparedMesh& prepared, CurveArguments arguments) {
     return runVerb([&](ProgressBar& bar) {
         checkFiles(arguments);
         Inputs inputs = inputsFor(arguments, prepared.loaded, picksFor(arguments));
-        carryOver(inputs, prepared.mended);
+        sayMended(prepared.mended.mending);
+        carryOver(inputs, prepared.mended.repair());
         return drawAndWrite(arguments, inputs, prepared, bar);
     });
 }

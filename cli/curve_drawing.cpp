@@ -122,6 +122,12 @@ Inputs inputsFor(CurveArguments& arguments, const LoadedMesh& loaded, std::vecto
     return inputs;
 }
 
+void carryOver(Inputs& inputs, const MeshRepair* repair) {
+    if (repair != nullptr && !inputs.quality.empty()) {
+        inputs.quality = repair->carriedOver(inputs.quality);
+    }
+}
+
 Drawn drawCold(
     const CurveArguments& arguments,
     const Inputs& inputs,

@@ -36,6 +36,9 @@ void checkDrawingFiles(const CurveArguments& arguments);
     CurveArguments& arguments, const LoadedMesh& loaded, std::vector<Vec3> picks
 );
 
+/// Makes of inputs of the mesh as given those of the mended one; null: it is as given.
+void carryOver(Inputs& inputs, const MeshRepair* repair);
+
 struct Drawn {
     std::vector<double> field;
     Region avoid;

@@ -9,6 +9,7 @@
 #include "cli/value_checks.h"
 #include "cli/verb.h"
 #include "design/designer_surface.h"
+#include "design/strict_polyline.h"
 #include "filters/curve_notes.h"
 #include "imprint/projected_polyline.h"
 #include "io/curve_reader.h"
@@ -98,12 +99,11 @@ void CurveInputOptions::finish() {
     if (input_.curves.empty() && input_.picks.empty()) {
         throw CLI::ValidationError("--curve or --picks is required: there is no curve");
     }
-    if (input_.picks.empty() && drawing_.isAnyGiven()) {
+    if (input_.picks.empty() && drawing_.isAnyGivenForDrawing()) {
         throw CLI::ValidationError("options of curves are for --picks, which is not given");
     }
     drawing_.finish();
     input_.drawing.mesh = input_.mesh;
-    input_.drawing.mending = {.strict = true};
 }
 
 CurvesOnMesh::CurvesOnMesh(const CurveInput& input, ProgressBar& bar, double share) {
@@ -126,16 +126,25 @@ void CurvesOnMesh::readMesh(const CurveInput& input, ProgressBar& bar, double sh
         prepared_ = std::make_unique<PreparedMesh>(
             std::move(loaded), input.drawing, progressPart(bar, 0.0, share)
         );
+        quality_ = prepared_->loaded.mesh.quality;
     } else {
-        constexpr bool kStrict = true;  // vertices and faces must stay those of the file
-        MeshFile file = readInputMesh(input.mesh, kStrict);
+        const MendingOptions& mending = input.drawing.mending;
+        MeshFile file = readInputMesh(input.mesh, mending.strict);
         seconds_.read = watch.lap();
         quality_ = std::move(file.quality);
         checksum_ = checksumOf(file.mesh);
-        surface_ = std::make_unique<const Surface>(std::move(file.mesh));
+        surface_ =
+            std::make_unique<const Mended<Surface>>(surfaceOfMended(std::move(file.mesh), mending));
+    }
+    if (const MeshRepair* const made = repair(); made != nullptr && !quality_.empty()) {
+        quality_ = made->carriedOver(quality_);
     }
     seconds_.surface = watch.lap();
     throwIfInterrupted();
+    if (mending()) {
+        bar.clear();
+        sayMended(mending());
+    }
 }
 
 void CurvesOnMesh::takeCurves(const CurveInput& input) {
@@ -146,7 +155,7 @@ void CurvesOnMesh::takeCurves(const CurveInput& input) {
     const TriangleTree* tree = prepared_ ? &treeOf(prepared_->designer()) : nullptr;
     for (const std::filesystem::path& file : input.curves) {
         if (lowerCaseExtension(file) == ".json") {
-            for (SurfacePolyline& line : readCurves(file, surface(), checksum_)) {
+            for (SurfacePolyline& line : readCurves(file, surface(), checksum_, repair())) {
                 curves_.push_back(std::move(line));
             }
             seconds_.read += watch.lap();
@@ -168,7 +177,8 @@ void CurvesOnMesh::drawCurves(const CurveInput& input, ProgressBar& bar) {
         CurveArguments arguments = input.drawing;
         arguments.picks = file;
         std::vector<Vec3> picks = picksFor(arguments);
-        const Inputs inputs = inputsFor(arguments, prepared_->loaded, std::move(picks));
+        Inputs inputs = inputsFor(arguments, prepared_->loaded, std::move(picks));
+        carryOver(inputs, repair());
         Drawn drawn = drawCold(arguments, inputs, *prepared_, bar);
         bar.clear();
         printNotes(inputs.notes);
@@ -179,17 +189,20 @@ void CurvesOnMesh::drawCurves(const CurveInput& input, ProgressBar& bar) {
                     "; a curve that is not usable is not used"
             );
         }
+        if (repair() != nullptr) {
+            checkUnparted(surface(), drawn.curve.polyline, file.string());
+        }
         curves_.push_back(std::move(drawn.curve.polyline));
         seconds_.draw += watch.lap();
     }
 }
 
 const Surface& CurvesOnMesh::surface() const {
-    return prepared_ ? surfaceOf(prepared_->designer()) : *surface_;
+    return prepared_ ? surfaceOf(prepared_->designer()) : surface_->made;
 }
 
-const std::vector<double>& CurvesOnMesh::quality() const {
-    return prepared_ ? prepared_->loaded.mesh.quality : quality_;
+const std::optional<Mending>& CurvesOnMesh::mending() const {
+    return prepared_ ? prepared_->mended.mending : surface_->mending;
 }
 
 }  // namespace bspline_curve::cli

@@ -5,11 +5,13 @@
 #include "cli/drawing_options.h"
 #include "cli/prepared_mesh.h"
 #include "cli/progress_bar.h"
+#include "surface/mending.h"
 #include "surface/mesh_checksum.h"
 #include "surface/surface.h"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace CLI {
@@ -48,14 +50,23 @@ public:
     /// Cancelled.
     CurvesOnMesh(const CurveInput& input, ProgressBar& bar, double share);
 
+    /// Mended where it had to be; curves and quality are those of this one.
     [[nodiscard]] const Surface& surface() const;
 
+    [[nodiscard]] const std::optional<Mending>& mending() const;
+
+    /// Null: the mesh is as it was given.
+    [[nodiscard]] const MeshRepair* repair() const {
+        return mending() ? &mending()->repair : nullptr;
+    }
+
+    /// Of the mesh as it was given.
     [[nodiscard]] const MeshChecksum& checksum() const { return checksum_; }
 
     [[nodiscard]] const std::vector<SurfacePolyline>& curves() const { return curves_; }
 
     /// Of vertices; empty: the file has none.
-    [[nodiscard]] const std::vector<double>& quality() const;
+    [[nodiscard]] const std::vector<double>& quality() const { return quality_; }
 
     /// Of files; of validation, adjacency and what drawing needs; of projecting and drawing.
     struct Seconds {
@@ -69,9 +80,9 @@ private:
     void takeCurves(const CurveInput& input);
     void drawCurves(const CurveInput& input, ProgressBar& bar);
 
-    std::unique_ptr<PreparedMesh> prepared_;  // where curves are drawn
-    std::unique_ptr<const Surface> surface_;  // else
-    std::vector<double> quality_;             // likewise
+    std::unique_ptr<PreparedMesh> prepared_;          // where curves are drawn
+    std::unique_ptr<const Mended<Surface>> surface_;  // else
+    std::vector<double> quality_;
     MeshChecksum checksum_;
     std::vector<SurfacePolyline> curves_;
     Seconds seconds_;

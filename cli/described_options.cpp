@@ -40,6 +40,12 @@ void DescribedOptions::keep(const std::string& id, ParameterValue value) {
     given_.insert(id);
 }
 
+bool DescribedOptions::isAnyGivenBut(std::span<const std::string_view> ids) const {
+    return std::ranges::any_of(given_, [&](const std::string& id) {
+        return std::ranges::find(ids, id) == ids.end();
+    });
+}
+
 template <class Number>
 CLI::Option* DescribedOptions::addNumber(
     const ParameterDescription& parameter, const std::string& flags, const OptionExtras& extras

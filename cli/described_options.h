@@ -4,6 +4,7 @@
 #include "filters/parameter_values.h"
 
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,7 +49,8 @@ public:
     /// Whether the option was on the command line.
     [[nodiscard]] bool isGiven(std::string_view id) const { return given_.contains(id); }
 
-    [[nodiscard]] bool isAnyGiven() const { return !given_.empty(); }
+    /// Whether one of them was, but for some.
+    [[nodiscard]] bool isAnyGivenBut(std::span<const std::string_view> ids) const;
 
 private:
     void keep(const std::string& id, ParameterValue value);

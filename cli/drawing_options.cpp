@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 10> kOfHosts = {
     "replace"
 };
 
-/// Those of a mesh that is mended, which uses of curves do not do.
+/// Those that say how the mesh is mended.
 constexpr std::array<std::string_view, 2> kOfMending = {"strict", "weld"};
 
 std::string groupOf(const ParameterDescription& parameter) {
@@ -58,17 +58,17 @@ void DrawingOptions::addAll() {
 
 void DrawingOptions::addForUses(const std::string& group) {
     for (const ParameterDescription& parameter : curveFilter().parameters) {
-        const bool isLeftOut = std::ranges::find(kOfHosts, parameter.id) != kOfHosts.end() ||
-                               std::ranges::find(kOfMending, parameter.id) != kOfMending.end();
-        if (!isLeftOut) {
-            options_.add(parameter.id, group, extrasOf(parameter.id));
+        if (std::ranges::find(kOfHosts, parameter.id) != kOfHosts.end()) {
+            continue;
         }
+        const bool isOfMending = std::ranges::find(kOfMending, parameter.id) != kOfMending.end();
+        options_.add(parameter.id, isOfMending ? kMainGroup : group, extrasOf(parameter.id));
     }
     addRegionOptions(app_, group, kFieldPrefix, arguments_.fieldRegion);
 }
 
-bool DrawingOptions::isAnyGiven() const {
-    return options_.isAnyGiven() || arguments_.fieldRegion.isGiven();
+bool DrawingOptions::isAnyGivenForDrawing() const {
+    return options_.isAnyGivenBut(kOfMending) || arguments_.fieldRegion.isGiven();
 }
 
 void DrawingOptions::finish() {

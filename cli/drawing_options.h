@@ -22,11 +22,11 @@ public:
 
     /// Declares them, in groups of their own.
     void addAll();
-    /// Declares them in one group, without those of mending: faces must stay those of the file.
+    /// Declares them in one group; those of mending, which are for every mesh, with the main ones.
     void addForUses(const std::string& group);
 
-    /// Whether one of them was on the command line.
-    [[nodiscard]] bool isAnyGiven() const;
+    /// Whether one of them was on the command line that is of use for drawing only.
+    [[nodiscard]] bool isAnyGivenForDrawing() const;
 
     /// Makes the arguments of what was given, after parsing. Throws CLI::ParseError, InputError
     /// (BadOption).

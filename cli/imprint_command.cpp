@@ -77,7 +77,7 @@ ExitCode imprintCurves(const ImprintArguments& arguments, ProgressBar& bar) {
         }
     }
     const ImprintedFile file = readAndImprint(arguments.input, bar);
-    const auto& [imprinted, parts, inputQuality, quality, figures] = file;
+    const auto& [imprinted, origins, parts, inputQuality, quality, figures] = file;
     throwIfInterrupted();
     bar.show(0.7, "writing");
     // All files appear, or none.
@@ -89,7 +89,9 @@ ExitCode imprintCurves(const ImprintArguments& arguments, ProgressBar& bar) {
         )
     );
     if (!arguments.map.empty()) {
-        files.emplace_back(arguments.map, imprintMapBytes(imprinted, parts, inputQuality, quality));
+        files.emplace_back(
+            arguments.map, imprintMapBytes(imprinted, origins, parts, inputQuality, quality)
+        );
     }
     if (!arguments.report.empty()) {
         files.emplace_back(arguments.report, imprintReportBytes(imprinted, parts, figures));

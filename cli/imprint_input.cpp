@@ -2,6 +2,7 @@
 #include "cli/imprint_input.h"
 
 #include "cli/interrupt.h"
+#include "cli/mesh_input.h"
 #include "cli/value_checks.h"
 #include "utility/stopwatch.h"
 
@@ -40,10 +41,13 @@ ImprintedFile readAndImprint(const ImprintInput& input, ProgressBar& bar) {
     throwIfInterrupted();
     bar.show(0.6, "finding parts");
     result.parts = partsOf(result.imprinted);
-    result.inputQuality = read.quality();
-    if (!result.inputQuality.empty()) {
-        result.quality =
-            interpolated(result.imprinted, read.surface().faces(), result.inputQuality);
+    result.origins = originsOf(result.imprinted, read.surface(), read.repair());
+    figures.repair = reportOf(read.mending());
+    if (!read.quality().empty()) {
+        result.quality = interpolated(result.imprinted, read.surface().faces(), read.quality());
+        result.inputQuality = read.quality();
+        // Copies come last.
+        result.inputQuality.resize(read.checksum().vertices);
     }
     return result;
 }

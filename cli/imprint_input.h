@@ -36,6 +36,7 @@ private:
 
 struct ImprintedFile {
     ImprintedMesh imprinted;
+    ImprintOrigins origins;
     MeshParts parts;
     std::vector<double> inputQuality, quality;  ///< of vertices; empty: the file has none
     ImprintFigures figures;

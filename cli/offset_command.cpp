@@ -10,6 +10,7 @@
 #include "cli/progress_bar.h"
 #include "cli/value_checks.h"
 #include "cli/verb.h"
+#include "design/curve_on_given_mesh.h"
 #include "io/atomic_file.h"
 #include "io/curve_writer.h"
 #include "io/mesh_writer.h"
@@ -195,9 +196,12 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
     std::list<AtomicFile> files;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::filesystem::path file = numberedFile(arguments.output, i);
-        const Curve piece{
+        Curve piece{
             .polyline = pieces[i].line, .spline = pieces[i].spline, .report = {}, .shell = {}
         };
+        if (read.repair() != nullptr) {
+            bringBack(piece.polyline, *read.repair());
+        }
         files.emplace_back(file, curveBytes(file, piece, {}, read.checksum()));
     }
     if (!arguments.band.empty()) {

@@ -2,13 +2,17 @@
 // bspline_curve pattern MESH --drawing FILE --centre X,Y,Z …: a drawing as curves on the surface.
 #include "bspline_curve/designer.h"
 #include "cli/command.h"
+#include "cli/described_options.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
 #include "cli/parse_with.h"
 #include "cli/progress_bar.h"
 #include "cli/value_checks.h"
 #include "cli/verb.h"
+#include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
+#include "design/mended_designer.h"
+#include "filters/requests.h"
 #include "io/atomic_file.h"
 #include "io/curve_reader.h"
 #include "io/curve_writer.h"
@@ -47,6 +51,7 @@ struct PatternArguments {
     std::vector<double> centre, up;  ///< empty: not given
     RowLayout row;
     PatternOptions pattern;
+    MendingOptions mending;
 };
 
 CLI::Validator notNegative() {
@@ -59,6 +64,9 @@ public:
         addFiles();
         addPlace();
         addSize();
+        for (const char* id : {"strict", "weld"}) {
+            options_.add(id, kMainGroup);
+        }
     }
 
     /// Throws CLI::ParseError.
@@ -74,6 +82,7 @@ public:
         if (!arguments_.text.empty() && arguments_.font.empty()) {
             throw CLI::ValidationError("--text needs --font");
         }
+        arguments_.mending = curveRequest(options_.values()).mending;
         return arguments_;
     }
 
@@ -222,6 +231,7 @@ private:
         "bspline_curve pattern"
     };
     PatternArguments arguments_;
+    DescribedOptions options_{app_, curveFilter()};
 };
 
 void checkFiles(const PatternArguments& arguments) {
@@ -246,17 +256,19 @@ ExitCode draw(const PatternArguments& arguments, ProgressBar& bar) {
         arguments.text.empty()
             ? readDrawing(arguments.drawing)
             : DrawingFile{.drawing = textOutlines(arguments.text, arguments.font), .notes = {}};
-    constexpr bool kStrict = true;  // faces must stay those of the file
-    MeshFile file = readInputMesh(arguments.mesh, kStrict);
+    MeshFile file = readInputMesh(arguments.mesh, arguments.mending.strict);
     const MeshChecksum checksum = checksumOf(file.mesh);
     figures.readSeconds = watch.lap();
     throwIfInterrupted();
-    const CurveDesigner designer(
-        std::move(file.mesh), {}, progressPart(bar, kReadShare, kPreparedShare)
+    const Mended<CurveDesigner> mended = makeMendedDesigner(
+        std::move(file.mesh), arguments.mending, {}, progressPart(bar, kReadShare, kPreparedShare)
     );
+    const CurveDesigner& designer = mended.made;
+    bar.clear();
+    sayMended(mended.mending);
     figures.prepareSeconds = watch.lap();
     const Progress progress = progressPart(bar, kPreparedShare, 1.0);
-    const Pattern pattern =
+    Pattern pattern =
         arguments.along.empty()
             ? patternRoundPoint(
                   designer,
@@ -270,14 +282,17 @@ ExitCode draw(const PatternArguments& arguments, ProgressBar& bar) {
             : patternAlongCurve(
                   designer,
                   drawing.drawing,
-                  readCurve(arguments.along, surfaceOf(designer), checksum),
+                  readCurve(arguments.along, surfaceOf(designer), checksum, mended.repair()),
                   arguments.row,
                   arguments.pattern,
                   progress
               );
     figures.drawSeconds = watch.lap();
     std::vector<const Curve*> curves;
-    for (const PatternCurve& each : pattern.curves) {
+    for (PatternCurve& each : pattern.curves) {
+        if (mended.repair() != nullptr) {
+            bringBack(each.curve, *mended.repair());
+        }
         curves.push_back(&each.curve);
     }
     // Both files appear, or none.

@@ -99,7 +99,7 @@ ExitCode segmentBy(const SegmentArguments& arguments, ProgressBar& bar) {
         checkWritable(arguments.table);
     }
     const ImprintedFile file = readAndImprint(arguments.input, bar);
-    const auto& [imprinted, parts, inputQuality, quality, figures] = file;
+    const auto& [imprinted, origins, parts, inputQuality, quality, figures] = file;
     if (partedParts(imprinted, parts).empty()) {
         refuseNothingParted();
     }

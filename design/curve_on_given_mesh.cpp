@@ -7,10 +7,14 @@
 
 namespace bspline_curve {
 
-void bringBack(Curve& curve, const MeshRepair& repair) {
-    for (SurfacePoint& point : curve.polyline.surfacePoints) {
+void bringBack(SurfacePolyline& line, const MeshRepair& repair) {
+    for (SurfacePoint& point : line.surfacePoints) {
         point = repair.toOrigin(point);
     }
+}
+
+void bringBack(Curve& curve, const MeshRepair& repair) {
+    bringBack(curve.polyline, repair);
     if (std::optional<FarPart>& part = curve.report.farPart) {
         for (int& face : part->faces) {
             face = repair.faceOrigins[face];

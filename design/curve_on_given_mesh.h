@@ -9,8 +9,12 @@
 
 namespace bspline_curve {
 
-/// Gives a curve on a mended mesh the faces of the mesh as it was given: at the points of its
-/// polyline, with their barycentric coordinates there, and in its report.
+/// Gives a polyline on a mended mesh the faces of the mesh as it was given, with the barycentric
+/// coordinates of its points there. PointsOnMended leads the other way.
+void bringBack(SurfacePolyline& line, const MeshRepair& repair);
+
+/// Gives a curve on a mended mesh the faces of the mesh as it was given: its polyline,
+/// and its report.
 void bringBack(Curve& curve, const MeshRepair& repair);
 
 /// The faces of the mended mesh that come from some faces of the given one, ascending.

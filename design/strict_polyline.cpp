@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/strict_polyline.h"
 
+#include "bspline_curve/error.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>
@@ -172,6 +173,17 @@ bool isStrict(const Surface& surface, const SurfacePolyline& line) {
         }
     }
     return true;
+}
+
+void checkUnparted(const Surface& mended, const SurfacePolyline& line, const std::string& curve) {
+    if (!isStrict(mended, line)) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            curve +
+                ": the curve passes from sheet to sheet at an edge of more than two faces, where "
+                "they are parted in the mended mesh; move its picks so that it stays on one sheet"
+        );
+    }
 }
 
 double lengthOf(const SurfacePolyline& line) {

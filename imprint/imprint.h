@@ -9,6 +9,8 @@
 
 namespace bspline_curve {
 
+struct MeshRepair;
+
 struct ImprintOptions {
     /// Points nearer than this to each other, to an edge, a vertex or another curve are taken as
     /// one with it, in [0, 0.01]: in barycentric coordinates, so relative to the altitudes of a
@@ -66,6 +68,19 @@ struct ImprintedMesh {
     const ImprintedMesh& imprinted,
     const std::vector<Triangle>& inputFaces,
     std::span<const double> values
+);
+
+/// Where an imprint comes from. For one on a mesh that was mended: in the mesh as it was given.
+struct ImprintOrigins {
+    std::vector<int> parents;  ///< for each face, the given face that it is part of
+    /// For each vertex after the given ones, its place on the given mesh; first are those that
+    /// mending doubled, at a corner.
+    std::vector<SurfacePoint> newVertices;
+};
+
+/// `input`: what was imprinted. `repair`: how it was mended; null: it was not. O(n).
+[[nodiscard]] ImprintOrigins originsOf(
+    const ImprintedMesh& imprinted, const Surface& input, const MeshRepair* repair
 );
 
 /// An imprinted curve as a polyline on the imprinted mesh, whose surface is given.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From an imprint back to its input, and values from the input to it.
 #include "imprint/imprint.h"
+#include "surface/repair.h"
 #include "surface/surface_point.h"
 
 #include <map>
@@ -69,6 +70,28 @@ std::vector<double> interpolated(
         result.push_back(value);
     }
     return result;
+}
+
+ImprintOrigins originsOf(
+    const ImprintedMesh& imprinted, const Surface& input, const MeshRepair* repair
+) {
+    ImprintOrigins origins{.parents = imprinted.parents, .newVertices = {}};
+    if (repair == nullptr) {
+        origins.newVertices = imprinted.newVertices;
+        return origins;
+    }
+    for (int& parent : origins.parents) {
+        parent = repair->faceOrigins[parent];
+    }
+    for (int copy = repair->givenVertexCount(); copy < input.vertexCount(); ++copy) {
+        const int face = *input.facesAround(copy).begin();
+        const Vec3 corner = Vec3::Unit(cornerOf(input.faces()[face], copy));
+        origins.newVertices.push_back(repair->toOrigin({.face = face, .barycentric = corner}));
+    }
+    for (const SurfacePoint& point : imprinted.newVertices) {
+        origins.newVertices.push_back(repair->toOrigin(point));
+    }
+    return origins;
 }
 
 SurfacePolyline polylineOf(const Surface& imprinted, const ImprintedCurve& curve) {

@@ -6,11 +6,13 @@
 #include "io/json_reader.h"
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
+#include "surface/points_on_mended.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -48,23 +50,30 @@ const nlohmann::json& arrayIn(
     );
 }
 
+/// What the curves of a file are to lie on.
+struct FileMesh {
+    const Surface& surface;
+    std::int64_t givenFaces;
+    std::optional<PointsOnMended> mended{};  ///< where the surface is not the mesh as it was given
+};
+
 SurfacePoint pointOf(
     const std::filesystem::path& file,
     const nlohmann::json& face,
     const nlohmann::json& barycentric,
     std::size_t vertex,
-    const Surface& surface
+    const FileMesh& mesh
 ) {
     const std::string name = "vertex " + std::to_string(vertex);
     if (!face.is_number_integer()) {
         refuseFile(file, "the face of " + name + " is not a whole number");
     }
     const auto index = face.get<std::int64_t>();
-    if (index < 0 || index >= surface.faceCount()) {
+    if (index < 0 || index >= mesh.givenFaces) {
         refuseMesh(
             file,
             vertex,
-            "is in face " + std::to_string(index) + " of " + std::to_string(surface.faceCount())
+            "is in face " + std::to_string(index) + " of " + std::to_string(mesh.givenFaces)
         );
     }
     const Vec3 coordinates = pointOfJson(file, barycentric, "barycentrics of " + name);
@@ -74,7 +83,17 @@ SurfacePoint pointOf(
             file, "the barycentric coordinates of " + name + " are not in [0, 1] with the sum 1"
         );
     }
-    return {.face = static_cast<int>(index), .barycentric = coordinates};
+    const SurfacePoint given{.face = static_cast<int>(index), .barycentric = coordinates};
+    if (!mesh.mended) {
+        return given;
+    }
+    const std::optional<SurfacePoint> point = mesh.mended->pointAt(given);
+    if (!point) {
+        refuseMesh(
+            file, vertex, "is in face " + std::to_string(index) + ", which the mended mesh has not"
+        );
+    }
+    return *point;
 }
 
 /// Refuses a curve of another mesh, where the file names its own.
@@ -109,8 +128,9 @@ void checkMesh(
 
 /// `file`: as messages name it.
 SurfacePolyline curveOf(
-    const std::filesystem::path& file, const nlohmann::json& document, const Surface& surface
+    const std::filesystem::path& file, const nlohmann::json& document, const FileMesh& mesh
 ) {
+    const Surface& surface = mesh.surface;
     if (!document.is_object() || !document.contains("polyline") || !document.contains("closed") ||
         !document.at("closed").is_boolean()) {
         refuseFile(
@@ -132,7 +152,7 @@ SurfacePolyline curveOf(
     SurfacePolyline line;
     line.closed = document.at("closed").get<bool>();
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const SurfacePoint point = pointOf(file, faces[i], barycentrics[i], i, surface);
+        const SurfacePoint point = pointOf(file, faces[i], barycentrics[i], i, mesh);
         const Vec3 position = pointOfJson(file, points[i], "point " + std::to_string(i));
         const double gap = (surface.position(point) - position).norm();
         if (gap > kSamePositionRelative * surface.diagonal()) {
@@ -151,7 +171,9 @@ SurfacePolyline curveOf(
             line.parameters[i] = polyline.at("t")[i].get<double>();
         }
     }
-    if (!isStrict(surface, line)) {
+    if (mesh.mended) {
+        checkUnparted(surface, line, file.string());
+    } else if (!isStrict(surface, line)) {
         throw InputError(
             InputErrorCode::NoPath,
             file.string() +
@@ -165,7 +187,10 @@ SurfacePolyline curveOf(
 }  // namespace
 
 std::vector<SurfacePolyline> readCurves(
-    const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
+    const std::filesystem::path& file,
+    const Surface& surface,
+    const MeshChecksum& mesh,
+    const MeshRepair* repair
 ) {
     if (lowerCaseExtension(file) != ".json") {
         refuseFile(file, "curves are read from .json; write the curve with --output CURVE.json");
@@ -174,8 +199,12 @@ std::vector<SurfacePolyline> readCurves(
     if (document.is_object()) {
         checkMesh(file, document, mesh);
     }
+    FileMesh on{.surface = surface, .givenFaces = mesh.faces};
+    if (repair != nullptr) {
+        on.mended.emplace(*repair);
+    }
     if (!document.is_object() || !document.contains("curves")) {
-        return {curveOf(file, document, surface)};
+        return {curveOf(file, document, on)};
     }
     const nlohmann::json& list = document.at("curves");
     if (!list.is_array() || list.empty()) {
@@ -184,15 +213,18 @@ std::vector<SurfacePolyline> readCurves(
     std::vector<SurfacePolyline> curves;
     for (const nlohmann::json& curve : list) {
         const std::string name = file.string() + ", curve " + std::to_string(curves.size());
-        curves.push_back(curveOf(name, curve, surface));
+        curves.push_back(curveOf(name, curve, on));
     }
     return curves;
 }
 
 SurfacePolyline readCurve(
-    const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
+    const std::filesystem::path& file,
+    const Surface& surface,
+    const MeshChecksum& mesh,
+    const MeshRepair* repair
 ) {
-    std::vector<SurfacePolyline> curves = readCurves(file, surface, mesh);
+    std::vector<SurfacePolyline> curves = readCurves(file, surface, mesh, repair);
     if (curves.size() != 1) {
         refuseFile(
             file, "has " + std::to_string(curves.size()) + " curves, and one is needed here"

@@ -4,6 +4,7 @@
 #include "io/csv.h"
 #include "io/json_text.h"
 #include "io/number_text.h"
+#include "io/repair_json.h"
 
 namespace bspline_curve {
 
@@ -17,12 +18,13 @@ Json triple(const Vec3& values) {
 
 std::string imprintMapBytes(
     const ImprintedMesh& imprinted,
+    const ImprintOrigins& origins,
     const MeshParts& parts,
     std::span<const double> inputQuality,
     std::span<const double> quality
 ) {
     Json newVertices = Json::array();
-    for (const SurfacePoint& point : imprinted.newVertices) {
+    for (const SurfacePoint& point : origins.newVertices) {
         newVertices.push_back({{"face", point.face}, {"barycentric", triple(point.barycentric)}});
     }
     Json curves = Json::array();
@@ -37,7 +39,7 @@ std::string imprintMapBytes(
         };
     }
     const Json map{
-        {"parents", imprinted.parents},
+        {"parents", origins.parents},
         {"new_vertices", std::move(newVertices)},
         {"curves", std::move(curves)},
         {"crossings", imprinted.crossings},
@@ -76,6 +78,7 @@ Json reportOf(
         {"snap", figures.snap},
         {"largest_move", imprinted.largestMove},
         {"parts", listOf(parts)},
+        {"repair", repairJson(figures.repair)},
         {"seconds",
          {{"read", figures.readSeconds},
           {"surface", figures.surfaceSeconds},

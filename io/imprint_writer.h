@@ -3,7 +3,9 @@
 
 #include "imprint/imprint.h"
 #include "imprint/mesh_parts.h"
+#include "surface/repair.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,11 +14,12 @@ namespace bspline_curve {
 
 /// How an imprint came about, for its report.
 struct ImprintFigures {
-    double readSeconds = 0.0;     ///< files
-    double surfaceSeconds = 0.0;  ///< validation and adjacency
-    double drawSeconds = 0.0;     ///< polylines projected, curves drawn through picks
-    double imprintSeconds = 0.0;  ///< surface and curves in memory to arrays
-    double snap = 0.0;            ///< as asked for
+    double readSeconds = 0.0;              ///< files
+    double surfaceSeconds = 0.0;           ///< validation and adjacency
+    double drawSeconds = 0.0;              ///< polylines projected, curves drawn through picks
+    double imprintSeconds = 0.0;           ///< surface and curves in memory to arrays
+    double snap = 0.0;                     ///< as asked for
+    std::optional<RepairReport> repair{};  ///< none: the mesh was not mended
 };
 
 /// How a cut came about, for its report.
@@ -27,17 +30,18 @@ struct CutFigures {
     int filledHoles = 0;
 };
 
-/// JSON: where each face and vertex of an imprinted mesh comes from. Keys: parents (per face),
-/// new_vertices (face and barycentrics of each), curves (vertices in order, closed), crossings,
-/// regions (per face), quality (input and output; null without).
+/// JSON: where each face and vertex of an imprinted mesh comes from, in the mesh as it was given.
+/// Keys: parents (per face), new_vertices (face and barycentrics of each), curves (vertices in
+/// order, closed), crossings, regions (per face), quality (input and output; null without).
 [[nodiscard]] std::string imprintMapBytes(
     const ImprintedMesh& imprinted,
+    const ImprintOrigins& origins,
     const MeshParts& parts,
     std::span<const double> inputQuality,
     std::span<const double> quality
 );
 
-/// JSON: counts, largest move, parts, seconds.
+/// JSON: counts, largest move, parts, what was mended, seconds.
 [[nodiscard]] std::string imprintReportBytes(
     const ImprintedMesh& imprinted, const MeshParts& parts, const ImprintFigures& figures
 );

@@ -24,10 +24,7 @@ std::string Mending::note() const {
 }
 
 std::vector<double> Mending::toOrigin(std::vector<double> values) const {
-    // Copies come last.
-    for (const RepairReport::DuplicatedVertex& duplicated : repair.report.duplicatedVertices) {
-        values.resize(values.size() - duplicated.copies.size());
-    }
+    values.resize(repair.givenVertexCount());
     for (const auto& [vertex, into] : repair.report.mergedVertices) {
         values[vertex] = values[into];
     }

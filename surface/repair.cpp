@@ -40,6 +40,14 @@ std::string RepairReport::summary() const {
     return text;
 }
 
+int MeshRepair::givenVertexCount() const {
+    std::size_t count = vertexOrigins.size();
+    for (const RepairReport::DuplicatedVertex& duplicated : report.duplicatedVertices) {
+        count -= duplicated.copies.size();
+    }
+    return static_cast<int>(count);
+}
+
 SurfacePoint MeshRepair::toOrigin(const SurfacePoint& point) const {
     const auto found = changedCorners.find(point.face);
     return {

@@ -53,6 +53,9 @@ struct MeshRepair {
     std::map<int, Eigen::Matrix3d> changedCorners;
     RepairReport report;
 
+    /// Vertices of the given mesh; those of the repaired one after them are copies.
+    [[nodiscard]] int givenVertexCount() const;
+
     /// The same point as face and barycentric coordinates of the given mesh.
     [[nodiscard]] SurfacePoint toOrigin(const SurfacePoint& point) const;
 

@@ -5,6 +5,7 @@
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/refusal.h"
+#include "surface/points_on_mended.h"
 #include "surface/surface.h"
 
 #include <gtest/gtest.h>
@@ -46,12 +47,16 @@ MeshRepair repaired(const TriangleMesh& mesh) {
         EXPECT_TRUE(v >= mesh.vertices.size() || repair.vertexOrigins[v] == static_cast<int>(v));
     }
     const Vec3 inside(0.2, 0.3, 0.5);
+    const PointsOnMended there(repair);
     for (int f = 0; f < static_cast<int>(repair.mesh.faces.size()); ++f) {
         const SurfacePoint point{f, inside};
         const SurfacePoint origin = repair.toOrigin(point);
         EXPECT_NEAR(origin.barycentric.sum(), 1.0, 1e-12);
         EXPECT_GE(origin.barycentric.minCoeff(), -1e-12);
         EXPECT_LT((pointOn(mesh, origin) - pointOn(repair.mesh, point)).norm(), 1e-9);
+        const std::optional<SurfacePoint> back = there.pointAt(origin);
+        EXPECT_TRUE(back && back->face == f);
+        EXPECT_LT((back.value_or(SurfacePoint()).barycentric - inside).norm(), 1e-9);
     }
     const MeshRepair again = repairMesh(repair.mesh);
     EXPECT_TRUE(again.report.isEmpty()) << again.report.summary();

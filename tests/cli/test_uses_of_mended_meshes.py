@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Verbs that use curves, on meshes that are mended: ids are those of the mesh as it was given."""
+
+import json
+
+import made_meshes as meshes
+import numpy as np
+import pytest
+import trimesh
+from broken_meshes import scan_with_bad_spots, spots
+
+
+def succeed(process):
+    assert process.returncode == 0, process.stderr
+    assert process.stderr.startswith("bspline_curve: note: the mesh was mended: ")
+    assert process.stderr.count("the mesh was mended") == 1 and process.stdout == ""
+
+
+def normals(corners):
+    return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+
+
+def check_origins(V, F, mesh, map_, removed):
+    """Faces lie in their parents and fill them, vertices at their places; both of the given mesh."""
+    corners = V[F]
+    assert np.array_equal(mesh.vertices[: len(V)], V)
+    places = map_["new_vertices"]
+    assert len(mesh.vertices) == len(V) + len(places)
+    inside = corners[[place["face"] for place in places]]
+    weights = np.array([place["barycentric"] for place in places])
+    assert np.abs((inside * weights[:, :, None]).sum(1) - mesh.vertices[len(V) :]).max() < 1e-9
+    parents = np.array(map_["parents"])
+    areas = np.linalg.norm(normals(corners), axis=1) / 2
+    kept = np.setdiff1d(np.arange(len(F)), list(removed))
+    assert np.array_equal(np.unique(parents), kept)
+    filled = np.bincount(parents, weights=mesh.area_faces, minlength=len(F))
+    assert np.allclose(filled[kept], areas[kept], rtol=1e-9)
+    across = normals(corners)[parents] / (2 * areas[parents, None])
+    off = np.einsum("fki,fi->fk", mesh.triangles - corners[parents][:, :1], across)
+    assert np.abs(off).max() < 1e-9
+
+
+def draw(run, folder, V, F, picks):
+    meshes.write_ply(folder / "bad.ply", V, F, quality=V @ [1.0, 2.0, 3.0])
+    (folder / "picks.json").write_text(json.dumps({"picks": picks.tolist(), "closed": True}))
+    succeed(run("bad.ply", "--picks", "picks.json", "--field", "none", "--output", "curve.json", "--report", "curve-report.json"))
+    return json.loads((folder / "curve-report.json").read_text())["repair"]
+
+
+@pytest.mark.parametrize("name", spots())
+def test_imprints_come_from_the_given_mesh(run, refused, tmp_path, name):
+    V, F, _, word = spots()[name]
+    repair = draw(run, tmp_path, V, F, V[[15, 36, 40]])
+    words = ("imprint", "bad.ply", "--curve", "curve.json", "--output", "out.ply", "--map", "map.json", "--report", "r.json")
+    refused(1, *words, "--strict", says=[word])
+    succeed(run(*words))
+    mesh = trimesh.load(tmp_path / "out.ply", process=False)
+    map_ = json.loads((tmp_path / "map.json").read_text())
+    check_origins(V, F, mesh, map_, {*repair["removed_degenerate_faces"], *repair["removed_duplicate_faces"]})
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert report["repair"] == repair and len(report["parts"]) >= 2
+    quality = map_["quality"]
+    assert np.allclose(quality["input"], V @ [1.0, 2.0, 3.0]) and np.allclose(quality["output"], mesh.vertices @ [1.0, 2.0, 3.0])
+    by_curve = (tmp_path / "out.ply").read_bytes()
+    succeed(run("imprint", "bad.ply", "--picks", "picks.json", "--field", "none", "--output", "out.ply"))
+    assert (tmp_path / "out.ply").read_bytes() == by_curve
+
+
+def test_all_verbs_take_a_scan_with_many_bad_spots(run, tmp_path):
+    V, F = scan_with_bad_spots()
+    along = V[:, V.std(0).argmax()]
+    is_inner = np.bincount(F.ravel(), minlength=len(V)) > 3  # on no flap
+    ring = np.flatnonzero(is_inner & (np.abs(along - np.median(along)) < 0.02 * np.ptp(along)))
+    across = V[ring] - V[ring].mean(0)
+    first, second = np.linalg.svd(across, full_matrices=False)[2][:2]
+    turns = np.arctan2(across @ first, across @ second)
+    picks = V[ring[[np.abs(turns - turn).argmin() for turn in (-2.5, -1, 0.5, 2)]]]
+    repair = draw(run, tmp_path, V, F, picks)
+    curve = ("bad.ply", "--curve", "curve.json")
+    succeed(run("imprint", *curve, "--output", "out.ply", "--map", "map.json"))
+    mesh = trimesh.load(tmp_path / "out.ply", process=False)
+    map_ = json.loads((tmp_path / "map.json").read_text())
+    check_origins(V, F, mesh, map_, {*repair["removed_degenerate_faces"], *repair["removed_duplicate_faces"]})
+    succeed(run("cut", *curve, "--output", "half.ply", "--keep", "largest", "--fill", "smooth"))
+    assert trimesh.load(tmp_path / "half.ply", process=False).area < 0.99 * mesh.area
+    succeed(run("cut", *curve, "--output", "relief.ply", "--keep", "smallest", "--relief", 0.01 * np.ptp(along)))
+    succeed(run("segment", *curve, "--output", "parts.ply"))
+    distance = 0.02 * np.ptp(along)
+    succeed(run("offset", *curve, "--distance", distance, "--output", "beside.json", "--band", "band.ply"))
+    line = json.loads((tmp_path / "beside.json").read_text())["polyline"]
+    given = (V[F[line["faces"]]] * np.array(line["barycentrics"])[:, :, None]).sum(1)
+    assert np.abs(given - line["points"]).max() < 1e-9
+    succeed(run("imprint", "bad.ply", "--curve", "beside.json", "--output", "out.ply"))
+    pattern = ("--drawing", "square.svg", "--size", distance)
+    (tmp_path / "square.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H1V1H0Z"/></svg>')
+    succeed(run("pattern", *curve[:1], "--along", "curve.json", *pattern, "--output", "squares.json"))
+    succeed(run("imprint", "bad.ply", "--curve", "squares.json", "--output", "out.ply"))
+
+
+def test_a_curve_from_sheet_to_sheet_is_drawn_but_not_imprinted(run, tmp_path):
+    """Three plates that meet in an edge; mending leaves the two that bend least joined."""
+    V, F = meshes.plate(cells=6)
+    half = V[:, 0] >= 0.5 - 1e-9
+    wall = F[half[F].all(1)]
+    ids = np.where(np.isclose(V[:, 0], 0.5), np.arange(len(V)), -1)
+    up = np.flatnonzero(half & (ids < 0))
+    ids[up] = len(V) + np.arange(len(up))
+    raised = np.stack([0.5 + 0 * V[up, 0], V[up, 1], V[up, 0] - 0.5], 1)
+    V, F = np.vstack([V, raised]), np.vstack([F, ids[wall]])
+    meshes.write_ply(tmp_path / "bad.ply", V, F)
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": [[0.2, 0.5, 0], [0.5, 0.4, 0.3]]}))
+    succeed(run("bad.ply", "--picks", "picks.json", "--output", "curve.json"))
+    for words in (("--curve", "curve.json"), ("--picks", "picks.json")):
+        process = run("imprint", "bad.ply", *words, "--output", "out.ply")
+        assert process.returncode == 1 and not (tmp_path / "out.ply").exists()
+        line = process.stderr.splitlines()[-1]
+        assert words[1] in line and "from sheet to sheet" in line and "move its picks" in line
+
+
+def test_welded_parts_are_imprinted_as_one(run, tmp_path):
+    V, F = meshes.plate(cells=8)
+    V, F = np.vstack([V, V + [1 + 1e-8, 0, 0]]), np.vstack([F, F + len(V)])
+    meshes.write_ply(tmp_path / "halves.ply", V, F)
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": V[[20, 100, 140]].tolist()}))
+    weld = ("--weld", "1e-6")
+    succeed(run("halves.ply", "--picks", "picks.json", "--output", "curve.json", *weld))
+    succeed(run("imprint", "halves.ply", "--curve", "curve.json", "--output", "out.ply", "--map", "map.json", *weld))
+    mesh = trimesh.load(tmp_path / "out.ply", process=False)
+    map_ = json.loads((tmp_path / "map.json").read_text())
+    assert len(mesh.split(only_watertight=False)) == 1 and {0, 1} == {int(f >= len(F) / 2) for f in map_["parents"]}
