@@ -82,7 +82,7 @@ public:
         if (!arguments_.text.empty() && arguments_.font.empty()) {
             throw CLI::ValidationError("--text needs --font");
         }
-        arguments_.mending = curveRequest(options_.values()).mending;
+        arguments_.mending = mendingOptions(options_.values());
         return arguments_;
     }
 

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "filters/binding_makers.h"
+#include "filters/requests.h"
 #include "io/picks_reader.h"
 
 #include <cmath>
@@ -82,6 +83,7 @@ CurveUse curveUse(const ParameterValues& values) {
     readAll(values, useBindings(), use);
     readAll(values, placingBindings(), use.placing);
     checkLength("max_distance", use.placing.distance);
+    use.mending = mendingOptions(values);
     return use;
 }
 

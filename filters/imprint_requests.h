@@ -8,6 +8,7 @@
 #include "imprint/imprint.h"
 #include "imprint/part_choice.h"
 #include "offset/offset_curves.h"
+#include "surface/mending.h"
 
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct CurveUse {
     LayerId surface;
     LayerId curve;  ///< the surface itself, or no id: all visible layers of polylines
     Placing placing;
+    MendingOptions mending;
 };
 
 struct ImprintRequest {

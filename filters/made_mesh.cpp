@@ -9,34 +9,50 @@
 namespace bspline_curve {
 
 MadeMesh::MadeMesh(
-    std::shared_ptr<const Surface> surface,
-    std::shared_ptr<const ImprintedMesh> imprint,
-    FilledParts taken
+    const MendedSurface& surface, std::shared_ptr<const ImprintedMesh> imprint, FilledParts taken
 )
-    : surface_(std::move(surface)), imprint_(std::move(imprint)), taken_(std::move(taken)) {}
+    : surface_(surface), imprint_(std::move(imprint)), taken_(std::move(taken)) {}
 
 int MadeMesh::vertexOf(int vertex) const {
     const int imprinted = taken_.origin[vertex];
-    return imprinted < imprint_->inputVertexCount() ? imprinted : -1;
+    if (imprinted < 0 || imprinted >= imprint_->inputVertexCount()) {
+        return -1;
+    }
+    const MeshRepair* const repair = surface_.repair();
+    return repair == nullptr ? imprinted : repair->vertexOrigins[imprinted];
 }
 
 int MadeMesh::faceOf(int face) const {
     const int imprinted = taken_.faces[face];
-    return imprinted < 0 ? -1 : imprint_->parents[imprinted];
+    if (imprinted < 0) {
+        return -1;
+    }
+    const int parent = imprint_->parents[imprinted];
+    const MeshRepair* const repair = surface_.repair();
+    return repair == nullptr ? parent : repair->faceOrigins[parent];
 }
 
 Vec3 MadeMesh::placeOf(int face, int corner) const {
-    const int parent = faceOf(face);
+    const Surface& surface = *surface_.surface;
     const int vertex = taken_.origin[taken_.mesh.faces[face][corner]];
     const int old = imprint_->inputVertexCount();
+    SurfacePoint place{.face = imprint_->parents[taken_.faces[face]]};
     if (vertex < old) {
-        return Vec3::Unit(cornerOf(surface_->faces()[parent], vertex));
+        place.barycentric = Vec3::Unit(cornerOf(surface.faces()[place.face], vertex));
+    } else {
+        place = inFace(surface, imprint_->newVertices[vertex - old], place.face);
     }
-    return inFace(*surface_, imprint_->newVertices[vertex - old], parent).barycentric;
+    const MeshRepair* const repair = surface_.repair();
+    return repair == nullptr ? place.barycentric : repair->toOrigin(place).barycentric;
 }
 
 std::vector<double> MadeMesh::carried(std::span<const double> layerValues) const {
-    return taken_.carried(interpolated(*imprint_, surface_->faces(), layerValues));
+    const MeshRepair* const repair = surface_.repair();
+    std::vector<double> values(layerValues.begin(), layerValues.end());
+    if (repair != nullptr) {
+        values = repair->carriedOver(values);
+    }
+    return taken_.carried(interpolated(*imprint_, surface_.surface->faces(), values));
 }
 
 std::vector<double> MadeMesh::curveFlags() const {

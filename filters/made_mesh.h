@@ -3,6 +3,7 @@
 
 #include "fill/part_filling.h"
 #include "imprint/imprint.h"
+#include "surface/mending.h"
 #include "surface/surface.h"
 
 #include <memory>
@@ -11,13 +12,21 @@
 
 namespace bspline_curve {
 
+/// A layer's mesh as a surface, mended where it had to be.
+struct MendedSurface {
+    std::shared_ptr<const Surface> surface;
+    std::shared_ptr<const Mending> mending;  ///< null: the mesh is as it was given
+
+    [[nodiscard]] const MeshRepair* repair() const { return mending ? &mending->repair : nullptr; }
+};
+
 /// A mesh that was made from a layer by imprinting curves, and where all of it comes from, so that
 /// hosts can carry over what the layer has. Ids are those of the LayerInput. Shares the imprint
 /// with other parts of it.
 class MadeMesh {
 public:
     MadeMesh(
-        std::shared_ptr<const Surface> surface,
+        const MendedSurface& surface,
         std::shared_ptr<const ImprintedMesh> imprint,
         FilledParts taken
     );
@@ -27,7 +36,8 @@ public:
     /// For each face its part; -1: it fills a hole.
     [[nodiscard]] const std::vector<int>& labels() const { return taken_.labels; }
 
-    /// The layer's vertex that a vertex is, at the same place; -1: it is new.
+    /// The layer's vertex that a vertex is, at the same place; -1: it is new. Several vertices may
+    /// be one that mending doubled.
     [[nodiscard]] int vertexOf(int vertex) const;
     /// The layer's face that a face is part of; -1: it fills a hole.
     [[nodiscard]] int faceOf(int face) const;
@@ -41,7 +51,7 @@ public:
     [[nodiscard]] std::vector<double> curveFlags() const;
 
 private:
-    std::shared_ptr<const Surface> surface_;
+    MendedSurface surface_;
     std::shared_ptr<const ImprintedMesh> imprint_;
     FilledParts taken_;
 };

@@ -7,6 +7,7 @@
 #include "imprint/projected_polyline.h"
 #include "surface/error_messages.h"
 #include "surface/picks.h"
+#include "surface/points_on_mended.h"
 #include "surface/triangle_tree.h"
 
 #include <algorithm>
@@ -29,8 +30,16 @@ constexpr double kSamePositionRelative = 1e-6;
 
 class CurvePlacer {
 public:
-    CurvePlacer(const Surface& surface, const CurvesOnLayer& input, const Placing& placing)
+    CurvePlacer(
+        const Surface& surface,
+        const MeshRepair* repair,
+        const CurvesOnLayer& input,
+        const Placing& placing
+    )
         : surface_(surface), input_(input), placing_(placing) {
+        if (repair != nullptr) {
+            mended_.emplace(*repair);
+        }
         if (placing_.distance == 0.0) {
             placing_.distance = kPickReachRelative * surface.diagonal();
         }
@@ -109,11 +118,11 @@ private:
         SurfacePolyline line;
         line.closed = chain.closed;
         for (const int index : chain.points) {
-            const SurfacePoint& place = layer.places[index];
-            if (place.face < 0 || place.face >= surface_.faceCount()) {
+            const std::optional<SurfacePoint> place = onSurface(layer.places[index]);
+            if (!place) {
                 return {};
             }
-            const Vec3 position = surface_.position(place);
+            const Vec3 position = surface_.position(*place);
             const double size = surface_.diagonal() + position.norm();
             if (!((position - layer.points[index]).norm() <= kSamePositionRelative * size)) {
                 return {};
@@ -121,10 +130,21 @@ private:
             line.parameters.push_back(
                 static_cast<double>(line.points.size()) / static_cast<double>(chain.points.size())
             );
-            line.surfacePoints.push_back(place);
+            line.surfacePoints.push_back(*place);
             line.points.push_back(position);
         }
+        if (mended_) {
+            checkUnparted(surface_, line, "layer \"" + layer.label + "\"");
+        }
         return isStrict(surface_, line) ? line : SurfacePolyline();
+    }
+
+    /// None where the surface has no such face.
+    [[nodiscard]] std::optional<SurfacePoint> onSurface(const SurfacePoint& place) const {
+        if (place.face < 0 || place.face >= static_cast<int>(input_.surface.mesh.faces.size())) {
+            return std::nullopt;
+        }
+        return mended_ ? mended_->pointAt(place) : place;
     }
 
     SurfacePolyline projectedChain(const PolylineLayer& layer, const PolylineChain& chain) {
@@ -154,6 +174,7 @@ private:
     const Surface& surface_;
     const CurvesOnLayer& input_;
     Placing placing_;
+    std::optional<PointsOnMended> mended_;  // where the surface is not the layer's mesh as it is
     std::optional<TriangleTree> tree_;
     PlacedCurves result_;
     std::optional<InputError> first_;  // of the layers left out
@@ -162,9 +183,12 @@ private:
 }  // namespace
 
 PlacedCurves placedCurves(
-    const Surface& surface, const CurvesOnLayer& input, const Placing& placing
+    const Surface& surface,
+    const MeshRepair* repair,
+    const CurvesOnLayer& input,
+    const Placing& placing
 ) {
-    return CurvePlacer(surface, input, placing).place();
+    return CurvePlacer(surface, repair, input, placing).place();
 }
 
 std::vector<std::string> leftOutWarnings(const PlacedCurves& placed, const LayerInput& surface) {

@@ -27,22 +27,6 @@ void readBesidePreset(
     }
 }
 
-MendingOptions readMending(const ParameterValues& values) {
-    const double most = values.filter().parameter("weld").max.value_or(0.0);
-    const MendingOptions mending{
-        .strict = values.get<bool>("strict"), .weld = values.get<double>("weld")
-    };
-    if (!(mending.weld >= 0.0) || mending.weld > most) {
-        throw InputError(
-            InputErrorCode::BadOption,
-            "weld is " + describeNumber(mending.weld) + ", but must be in [0, " +
-                describeNumber(most) + "]"
-        );
-    }
-    checkMending(mending);
-    return mending;
-}
-
 FieldRequest readField(
     const ParameterValues& values, const std::string& kind, const std::string& prefix
 ) {
@@ -77,6 +61,22 @@ bool hasThreshold(Avoid avoid) {
     return avoid == Avoid::UnderThreshold || avoid == Avoid::OverThreshold;
 }
 
+MendingOptions mendingOptions(const ParameterValues& values) {
+    const double most = values.filter().parameter("weld").max.value_or(0.0);
+    const MendingOptions mending{
+        .strict = values.get<bool>("strict"), .weld = values.get<double>("weld")
+    };
+    if (!(mending.weld >= 0.0) || mending.weld > most) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "weld is " + describeNumber(mending.weld) + ", but must be in [0, " +
+                describeNumber(most) + "]"
+        );
+    }
+    checkMending(mending);
+    return mending;
+}
+
 CurveRequest curveRequest(const ParameterValues& values) {
     CurveRequest request;
     readAll(values, curveBindings(), request);
@@ -105,13 +105,13 @@ CurveRequest curveRequest(const ParameterValues& values) {
     request.sampling.validate();
     request.shell.validate();
     checkLength("radius of the tube", request.tubeRadius);
-    request.mending = readMending(values);
+    request.mending = mendingOptions(values);
     return request;
 }
 
 FieldRequest fieldRequest(const ParameterValues& values) {
     FieldRequest request = readField(values, "kind", "");
-    request.mending = readMending(values);
+    request.mending = mendingOptions(values);
     return request;
 }
 

@@ -60,6 +60,10 @@ void checkLength(const std::string& what, double length);
 /// Whether faces to avoid are those under or over a threshold.
 [[nodiscard]] bool hasThreshold(Avoid avoid);
 
+/// `strict` and `weld` of any filter. Throws InputError (BadOption) where `weld` is outside of its
+/// range, or where both are given.
+[[nodiscard]] MendingOptions mendingOptions(const ParameterValues& values);
+
 /// What a user of curveFilter() asked for. Throws InputError (BadOption) naming the value and its
 /// range where a number is outside.
 [[nodiscard]] CurveRequest curveRequest(const ParameterValues& values);

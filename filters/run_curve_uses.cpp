@@ -3,9 +3,11 @@
 
 #include "bspline_curve/error.h"
 #include "bspline_curve/shell.h"
+#include "design/curve_on_given_mesh.h"
 #include "design/strict_polyline.h"
 #include "fill/raised_parts.h"
 #include "filters/layer_ids.h"
+#include "filters/mended_layer.h"
 #include "imprint/mesh_parts.h"
 #include "imprint/part_choice.h"
 #include "shell/extended_surface.h"
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -35,19 +38,38 @@ int countOf(std::size_t count) {
 
 /// What all of these filters do first.
 struct PlacedInput {
-    std::shared_ptr<const Surface> surface;
+    MendedSurface on;
     PlacedCurves placed;
+    std::vector<std::string> warnings;
+
+    [[nodiscard]] const Surface& surface() const { return *on.surface; }
 };
+
+MendedSurface surfaceOf(const LayerInput& layer, const MendingOptions& options) {
+    return madeFrom(layer, [&] {
+        auto [surface, mending] = makeMended(layer.mesh, options, [](TriangleMesh mesh) {
+            return std::make_shared<const Surface>(std::move(mesh));
+        });
+        return MendedSurface{
+            .surface = std::move(surface),
+            .mending = mending ? std::make_shared<const Mending>(*std::move(mending)) : nullptr
+        };
+    });
+}
 
 PlacedInput placedInput(const CurvesOnLayer& input, const CurveUse& use, const Progress& progress) {
     report(progress, 0.0, "surface");
     PlacedInput result;
-    result.surface = madeFrom(input.surface, [&] {
-        return std::make_shared<const Surface>(input.surface.mesh);
-    });
+    result.on = surfaceOf(input.surface, use.mending);
     report(progress, kSurfaceShare, "curves");
-    result.placed = placedCurves(*result.surface, input, use.placing);
+    result.placed = placedCurves(result.surface(), result.on.repair(), input, use.placing);
     report(progress, kPlacedShare, "curves");
+    if (result.on.mending) {
+        result.warnings.push_back(describeMending(*result.on.mending));
+    }
+    std::ranges::move(
+        leftOutWarnings(result.placed, input.surface), std::back_inserter(result.warnings)
+    );
     return result;
 }
 
@@ -70,12 +92,12 @@ Imprinted imprinted(
         lines.push_back(curve.line);
     }
     result.imprint = std::make_shared<const ImprintedMesh>(
-        imprint(*result.input.surface, lines, request.imprint)
+        imprint(result.input.surface(), lines, request.imprint)
     );
     report(progress, kImprintedShare, "parts");
     result.parts = partsOf(*result.imprint);
     report(progress, kPartsShare, "layers");
-    result.warnings = leftOutWarnings(placed, input.surface);
+    result.warnings = std::move(result.input.warnings);
     const ImprintedMesh& mesh = *result.imprint;
     result.figures = {
         {"curves", countOf(placed.curves.size())},
@@ -155,7 +177,7 @@ MeshLayer layerOf(
 ) {
     return {
         .suffix = std::move(suffix),
-        .made = MadeMesh(from.input.surface, from.imprint, std::move(taken)),
+        .made = MadeMesh(from.input.on, from.imprint, std::move(taken)),
         .showsParts = showsParts
     };
 }
@@ -282,16 +304,16 @@ std::vector<FittedLine> linesBeside(
 }
 
 void addBand(
-    const Surface& surface,
+    const MendedSurface& on,
     const PlacedCurve& curve,
     const OffsetOptions& options,
     const Progress& progress,
     std::vector<char>& band
 ) {
-    const std::vector<char> within = facesWithin(surface, curve.line, options, progress);
-    band.resize(within.size(), 0);
+    const std::vector<char> within = facesWithin(*on.surface, curve.line, options, progress);
     for (std::size_t f = 0; f < within.size(); ++f) {
-        band[f] = static_cast<char>(band[f] | within[f]);
+        char& face = band[on.repair() == nullptr ? f : on.repair()->faceOrigins[f]];
+        face = static_cast<char>(face | within[f]);
     }
 }
 
@@ -301,13 +323,16 @@ OffsetResult runOffsetFilter(
     const CurvesOnLayer& input, const OffsetRequest& request, const Progress& progress
 ) {
     Stopwatch watch;
-    const PlacedInput placed = placedInput(input, request.use, progress);
-    const Surface& surface = *placed.surface;
+    PlacedInput placed = placedInput(input, request.use, progress);
+    const Surface& surface = placed.surface();
     OffsetOptions options = request.offset;
     if (options.distance == 0.0) {
         options.distance = kOffsetRelative * surface.diagonal();
     }
     OffsetResult result;
+    if (request.selectBand) {
+        result.band.resize(input.surface.mesh.faces.size(), 0);
+    }
     double length = 0.0;
     double deviation = 0.0;
     const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
@@ -320,10 +345,13 @@ OffsetResult runOffsetFilter(
              linesBeside(surface, extended, curve, options, partOf(step, 0.0, kLinesShare))) {
             length += lengthOf(fitted.line);
             deviation = std::max(deviation, fitted.deviation);
+            if (placed.on.repair() != nullptr) {
+                bringBack(fitted.line, *placed.on.repair());
+            }
             result.pieces.push_back({.line = std::move(fitted.line), .curve = curve.label});
         }
         if (request.selectBand) {
-            addBand(surface, curve, options, partOf(step, kLinesShare, 1.0), result.band);
+            addBand(placed.on, curve, options, partOf(step, kLinesShare, 1.0), result.band);
         }
     }
     result.figures = {
@@ -335,10 +363,7 @@ OffsetResult runOffsetFilter(
         {"largest_deviation", deviation},
         {"seconds", watch.lap()},
     };
-    result.log = {
-        .figures = keyValueText(result.figures),
-        .warnings = leftOutWarnings(placed.placed, input.surface)
-    };
+    result.log = {.figures = keyValueText(result.figures), .warnings = std::move(placed.warnings)};
     return result;
 }
 

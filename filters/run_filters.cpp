@@ -4,17 +4,16 @@
 #include "bspline_curve/error.h"
 #include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
-#include "design/mended_designer.h"
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
 #include "filters/curve_guides.h"
 #include "filters/curve_notes.h"
+#include "filters/find_designer.h"
 #include "filters/layer_ids.h"
 #include "filters/mended_layer.h"
 #include "io/curve_writer.h"
 #include "io/report_writer.h"
-#include "io/shell_cache.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
@@ -32,29 +31,6 @@ namespace {
 // Shares of the work, for progress only.
 constexpr double kCurveSurfaceShare = 0.5;
 constexpr double kCurveFieldShare = 0.6;
-
-/// A kept designer, else one whose shell comes from the cache on disk or is built.
-DesignerCache::Found designerFor(
-    const LayerInput& layer,
-    const CurveRequest& request,
-    DesignerCache& designers,
-    const Progress& progress
-) {
-    return madeFrom(layer, [&] {
-        const auto make = [&] {
-            const std::optional<ShellCache> cache = ShellCache::ofUser();
-            return makeMendedDesigner(
-                layer.mesh, request.mending, request.shell, progress, cache ? &*cache : nullptr
-            );
-        };
-        DesignerCache::Found found =
-            designers.findOrMake(layer.mesh, request.shell, make, request.mending.weld);
-        if (found.mending && found.mending->refusal && request.mending.strict) {
-            throw InputError(*found.mending->refusal);
-        }
-        return found;
-    });
-}
 
 std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Found& found) {
     std::vector<std::string> warnings;
@@ -96,8 +72,9 @@ CurveResult runCurveFilter(
     const PicksFile chosen = choosePicks(request, picks);
     SolverOptions options = request.solver;
     options.closed = options.closed || chosen.closed.value_or(false);
-    const DesignerCache::Found found =
-        designerFor(layer, request, designers, partOf(progress, 0.0, kCurveSurfaceShare));
+    const DesignerCache::Found found = designerFor(
+        layer, request.shell, request.mending, designers, partOf(progress, 0.0, kCurveSurfaceShare)
+    );
     const CurveDesigner& designer = *found.designer;
     const MeshRepair* const repair = found.mending ? &found.mending->repair : nullptr;
     const std::optional<LayerInput> carried =

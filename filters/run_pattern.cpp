@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/run_pattern.h"
 
+#include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
 #include "design/strict_polyline.h"
-#include "filters/layer_ids.h"
+#include "filters/find_designer.h"
+#include "filters/mended_layer.h"
 #include "filters/utf8_path.h"
 #include "io/drawing_reader.h"
 #include "io/text_outlines.h"
@@ -27,24 +29,6 @@ DrawingFile drawingOf(const PatternRequest& request) {
         return readDrawing(utf8Path(request.drawingFile));
     }
     return {.drawing = textOutlines(request.text, utf8Path(request.fontFile)), .notes = {}};
-}
-
-std::shared_ptr<const CurveDesigner> designerOfSurface(
-    const LayerInput& layer, DesignerCache& designers, const Progress& progress
-) {
-    return madeFrom(layer, [&] {
-        const auto make = [&] {
-            // Faces must stay those of the layer.
-            return makeMended(layer.mesh, {.strict = true}, [&](TriangleMesh mesh) {
-                return CurveDesigner(std::move(mesh), {}, progress);
-            });
-        };
-        const DesignerCache::Found found = designers.findOrMake(layer.mesh, {}, make);
-        if (found.mending && found.mending->refusal) {
-            throw InputError(*found.mending->refusal);
-        }
-        return found.designer;
-    });
 }
 
 /// Adds what was drawn along another curve.
@@ -75,15 +59,25 @@ PatternResult runPatternFilter(
     Stopwatch watch;
     report(progress, 0.0, "drawing");
     const DrawingFile file = drawingOf(request);
-    const std::shared_ptr<const CurveDesigner> designer =
-        designerOfSurface(input.surface, designers, partOf(progress, 0.0, kPatternSurfaceShare));
+    const DesignerCache::Found found = designerFor(
+        input.surface,
+        {},
+        request.use.mending,
+        designers,
+        partOf(progress, 0.0, kPatternSurfaceShare)
+    );
+    const CurveDesigner& designer = *found.designer;
+    const MeshRepair* const repair = found.mending ? &found.mending->repair : nullptr;
     const Progress drawing = partOf(progress, kPatternSurfaceShare, 1.0);
     PatternResult result;
     result.log.warnings = file.notes;
+    if (found.mending) {
+        result.log.warnings.push_back(describeMending(*found.mending));
+    }
     Pattern pattern;
     if (request.place == PatternPlace::Point) {
         pattern = patternRoundPoint(
-            *designer,
+            designer,
             file.drawing,
             patternCentre(request, toolPoints),
             patternUp(request),
@@ -92,12 +86,13 @@ PatternResult runPatternFilter(
             drawing
         );
     } else {
-        const PlacedCurves placed = placedCurves(surfaceOf(*designer), input, request.use.placing);
+        const PlacedCurves placed =
+            placedCurves(surfaceOf(designer), repair, input, request.use.placing);
         for (const PlacedCurve& curve : placed.curves) {
             take(
                 pattern,
                 patternAlongCurve(
-                    *designer, file.drawing, curve.line, request.row, request.pattern, drawing
+                    designer, file.drawing, curve.line, request.row, request.pattern, drawing
                 )
             );
         }
@@ -106,8 +101,11 @@ PatternResult runPatternFilter(
         }
     }
     double length = 0.0;
-    for (const PatternCurve& curve : pattern.curves) {
+    for (PatternCurve& curve : pattern.curves) {
         length += lengthOf(curve.curve.polyline);
+        if (repair != nullptr) {
+            bringBack(curve.curve, *repair);
+        }
     }
     result.curves = std::move(pattern.curves);
     result.figures = {

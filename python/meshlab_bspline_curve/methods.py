@@ -468,6 +468,8 @@ def imprint_curves(
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     project_curves: bool = False,
     snap: float = 1e-09,
+    strict: bool = False,
+    weld: float = 0.0,
 ) -> dict[str, Any]:
     """Makes curves edges of a copy of the mesh.
 
@@ -494,6 +496,12 @@ def imprint_curves(
     snap : float in [0, 0.01], default 1e-09
         Points that are nearer to each other, to an edge, a vertex or another curve are taken as one, relative to the
         altitudes of a face. 0: only where they are one.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
 
     Returns
     -------
@@ -514,6 +522,8 @@ def imprint_curves(
             "max_distance": max_distance,
             "project_curves": project_curves,
             "snap": snap,
+            "strict": strict,
+            "weld": weld,
         },
     )
 
@@ -531,6 +541,8 @@ def cut_along_curves(
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     project_curves: bool = False,
     snap: float = 1e-09,
+    strict: bool = False,
+    weld: float = 0.0,
 ) -> dict[str, Any]:
     """Opens a copy of the mesh along curves, whole or in parts.
 
@@ -572,6 +584,12 @@ def cut_along_curves(
     snap : float in [0, 0.01], default 1e-09
         Points that are nearer to each other, to an edge, a vertex or another curve are taken as one, relative to the
         altitudes of a face. 0: only where they are one.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
 
     Returns
     -------
@@ -597,6 +615,8 @@ def cut_along_curves(
             "max_distance": max_distance,
             "project_curves": project_curves,
             "snap": snap,
+            "strict": strict,
+            "weld": weld,
         },
     )
 
@@ -610,6 +630,8 @@ def segment_by_curves(
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     project_curves: bool = False,
     snap: float = 1e-09,
+    strict: bool = False,
+    weld: float = 0.0,
 ) -> dict[str, Any]:
     """Labels, colours and measures the parts that curves leave.
 
@@ -637,6 +659,12 @@ def segment_by_curves(
     snap : float in [0, 0.01], default 1e-09
         Points that are nearer to each other, to an edge, a vertex or another curve are taken as one, relative to the
         altitudes of a face. 0: only where they are one.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
 
     Returns
     -------
@@ -658,6 +686,8 @@ def segment_by_curves(
             "max_distance": max_distance,
             "project_curves": project_curves,
             "snap": snap,
+            "strict": strict,
+            "weld": weld,
         },
     )
 
@@ -672,6 +702,8 @@ def offset_curve_on_surface(
     select_band: bool = False,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     project_curves: bool = False,
+    strict: bool = False,
+    weld: float = 0.0,
 ) -> dict[str, Any]:
     """Draws the lines at a distance from curves, measured along the surface.
 
@@ -699,6 +731,12 @@ def offset_curve_on_surface(
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
 
     Returns
     -------
@@ -721,6 +759,8 @@ def offset_curve_on_surface(
             "select_band": select_band,
             "max_distance": max_distance,
             "project_curves": project_curves,
+            "strict": strict,
+            "weld": weld,
         },
     )
 
@@ -747,6 +787,8 @@ def pattern_on_surface(
     corner_angle: float = 20.0,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     project_curves: bool = False,
+    strict: bool = False,
+    weld: float = 0.0,
 ) -> dict[str, Any]:
     """Carries a planar drawing or a text to the surface, as curves.
 
@@ -807,6 +849,12 @@ def pattern_on_surface(
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
 
     Returns
     -------
@@ -841,6 +889,8 @@ def pattern_on_surface(
             "corner_angle": corner_angle,
             "max_distance": max_distance,
             "project_curves": project_curves,
+            "strict": strict,
+            "weld": weld,
         },
     )
 

@@ -126,7 +126,7 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
     addIds(field, regionBindings(""));
     EXPECT_EQ(field, idsOf(fieldFilter()));
 
-    std::multiset<std::string> use;
+    std::multiset<std::string> use{"strict", "weld"};
     addIds(use, useBindings());
     addIds(use, placingBindings());
     std::multiset<std::string> offset = use;

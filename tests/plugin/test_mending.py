@@ -54,6 +54,45 @@ def test_a_field_has_a_value_for_each_vertex_of_the_layer(plate, kind):
     assert_refuses(broken(plate, kind)[0], "edge|vert", name=FIELD, kind="boundary-distance", strict=True)
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_imprints_know_the_faces_of_the_layer_as_it_is(plate, kind):
+    document, vertices, faces = broken(plate, kind)
+    draw(document, vertices[[410, 430, 1230]], closed=True)
+    document.set_current_mesh(0)
+    strict = broken(plate, kind)[0]
+    strict.add_mesh(pymeshlab.Mesh(document.mesh(1).vertex_matrix(), edge_matrix=document.mesh(1).edge_matrix()))
+    strict.set_current_mesh(0)
+    assert_refuses(strict, "edge|vert|face", name="imprint_curves", strict=True)
+    figures = document.apply_filter("imprint_curves")
+    assert figures["projected_curves"] == 0 and figures["parts"] >= 2
+    mesh = document.current_mesh()
+    at = mesh.vertex_matrix()
+    assert np.array_equal(at[: len(vertices)], vertices)
+    assert np.array_equal(document.mesh(0).face_matrix(), faces)
+    parents = mesh.face_custom_scalar_attribute_array("parent").astype(int)
+    corners = vertices[faces[parents]]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    off = np.einsum("fki,fi->fk", at[mesh.face_matrix()] - corners[:, :1], across / np.linalg.norm(across, axis=1)[:, None])
+    assert np.abs(off).max() < 1e-12
+    middles = at[mesh.face_matrix()].mean(1)
+    assert (corners.min(1) - 1e-12 <= middles).all() and (middles <= corners.max(1) + 1e-12).all()
+    assert np.abs(mesh.vertex_scalar_array()[: len(vertices)] - vertices[:, 1] ** 2).max() == 0
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_patterns_and_offsets_lie_on_the_layer_as_it_is(plate, tmp_path, kind):
+    document, vertices, faces = broken(plate, kind)
+    (tmp_path / "square.svg").write_text("<svg><path d='M0 0H1V1H0Z'/></svg>")
+    draw(document, vertices[[415, 430]], field="none")
+    size = pymeshlab.PureValue(0.05)
+    document.apply_filter("pattern_on_surface", surface_layer=0, place="curve", drawing=str(tmp_path / "square.svg"), size=size)
+    document.apply_filter("offset_curve_on_surface", surface_layer=0, curve_layer=1, offset=pymeshlab.PureValue(0.1))
+    for layer in (document.mesh(2), document.mesh(3)):
+        corners = vertices[faces[layer.vertex_custom_scalar_attribute_array("face_index").astype(int)]]
+        weights = layer.vertex_custom_point_attribute_matrix("barycentric")
+        assert np.abs((corners * weights[:, :, None]).sum(1) - layer.vertex_matrix()).max() < 1e-12
+
+
 def test_parts_that_only_look_joined_are_welded(plate):
     vertices, faces = plate.mesh(0).vertex_matrix(), plate.mesh(0).face_matrix().astype(int)
     both = np.vstack([vertices, vertices * [-1, 1, 1] - [1e-8, 0, 0]]), np.vstack([faces, faces[:, ::-1] + len(vertices)])
@@ -66,5 +105,7 @@ def test_parts_that_only_look_joined_are_welded(plate):
     for _ in range(2):  # the second time with the surface that was kept
         layer, figures = draw(document, picks, weld=1e-6, surface_layer=0)
         assert figures["usable"] and np.ptp(CurveLayer(layer).points[:, 0]) > 0.8
+    figures = document.apply_filter("imprint_curves", weld=1e-6, surface_layer=0, curve_layer=1)
+    assert (figures["projected_curves"], figures["parts"]) == (0, 1)
     document.set_current_mesh(0)
     assert_refuses(document, "option weld", picks="; ".join(" ".join(map(repr, p)) for p in picks.tolist()))
