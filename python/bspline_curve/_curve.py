@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core, _spline
 from ._arrays import Floats, Int32s, face_ids, numbers, one_pick
-from ._errors import InputError, MeshError, PickError
+from ._errors import InputError, PickError
 from ._options import Option, Progress, Value, changed, checked_number, checked_value, part_of
 
 if TYPE_CHECKING:
@@ -287,8 +287,8 @@ class Curve:
 
         Raises
         ------
-        MeshError
-            The mesh had to be mended: draw on repair(vertices, faces).mesh.
+        InputError
+            The curve passes from sheet to sheet at an edge where mending parts them.
         OptionError
             `distance` or `side` is not allowed.
         Cancelled
@@ -306,8 +306,6 @@ class Curve:
         return _core.faces_within(*self._near(distance, side), progress).astype(np.bool_)
 
     def _near(self, distance: float, side: str) -> tuple[_core.Designer, _core.Curve, float, str]:
-        if self.mesh.mending:
-            raise MeshError("the mesh was mended for curves: draw on repair(vertices, faces).mesh", "bad-argument")
         length = checked_number("distance", DISTANCE, distance)
         return self.mesh._designer, self._core, length, str(checked_value("side", SIDE, side))
 

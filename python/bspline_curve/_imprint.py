@@ -59,7 +59,7 @@ class Imprint:
     Attributes
     ----------
     vertices : (n, 3) array of float
-        Those of the mesh first, as they were.
+        Those of the mesh first, as they were; where the mesh had to be mended, those that mending doubled come next.
     faces : (m, 3) array of int
         Only faces that a curve passes were divided.
     parents : (m,) array of int

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Int32s, Picks, face_ids, finite_points, per_vertex, pick_points
 from ._curve import Curve, Drawing
-from ._errors import FieldError, InputError, MeshError, MeshWarning
+from ._errors import FieldError, InputError, MeshWarning
 from ._imprint import SNAP, Cut, Fill, Imprint, Keep
 from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Kind, MeshKeywords
@@ -117,7 +117,7 @@ class Mesh(MeshKeywords):
         return Shell(Layer(*top), Layer(*bottom))
 
     def imprint(self, curves: Iterable[Curve], snap: float = 1e-9) -> Imprint:
-        """Make curves edges of a copy of the mesh.
+        """Make curves edges of a copy of the mesh, which is mended where it had to be for curves.
 
         Parameters
         ----------
@@ -133,13 +133,11 @@ class Mesh(MeshKeywords):
         Raises
         ------
         InputError
-            A curve is of another mesh, or the mesh had to be mended: use repair() first.
+            A curve is of another mesh, or passes from sheet to sheet at an edge where mending parts them.
         OptionError
             `snap` is not in its range.
         """
         given = list(curves)
-        if self.mending:
-            raise MeshError("the mesh was mended for curves: imprint on repair(vertices, faces).mesh", "bad-argument")
         for i, curve in enumerate(given):
             if curve.mesh is not self:
                 raise InputError(f"curves[{i}] is of another mesh")
@@ -245,8 +243,6 @@ class Mesh(MeshKeywords):
             A path leads over the boundary or an end of the curve (the message names it), or an argument is wrong.
         FileError
             The file cannot be read.
-        MeshError
-            The mesh had to be mended: draw on repair(vertices, faces).mesh.
         """
         options = {
             "size": size,

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Int32s, numbers
 from ._curve import Curve, Drawing
-from ._errors import FileError, InputError, MeshError
+from ._errors import FileError, InputError
 from ._options import Option, Progress, checked_number
 
 if TYPE_CHECKING:
@@ -65,8 +65,6 @@ def drawn(
     options: dict[str, Any],
     progress: Progress | None,
 ) -> Pattern:
-    if mesh.mending:
-        raise MeshError("the mesh was mended for curves: draw on repair(vertices, faces).mesh", "bad-argument")
     if (centre is None) == (along is None):
         raise InputError("give one of centre and along", "bad-option")
     if along is not None and along.mesh is not mesh:

@@ -24,31 +24,37 @@ namespace bspline_curve::python {
 
 namespace {
 
+/// An imprint, and where it comes from in the mesh as the caller gave it.
+struct Imprint {
+    ImprintedMesh made;
+    ImprintOrigins origins;
+};
+
 /// Without the GIL: curves do not change.
-ImprintedMesh imprinted(
+Imprint imprinted(
     const MeshDesigner& designer, const std::vector<const Curve*>& curves, double snap
 ) {
     const nb::gil_scoped_release unlocked;
-    std::vector<SurfacePolyline> lines;
-    lines.reserve(curves.size());
-    for (const Curve* curve : curves) {
-        lines.push_back(curve->polyline);
-    }
-    return imprint(surfaceOf(designer.designer()), lines, {.snap = snap});
+    const Surface& surface = surfaceOf(designer.designer());
+    Imprint result{
+        .made = imprint(surface, designer.carried(curves), {.snap = snap}), .origins = {}
+    };
+    result.origins = originsOf(result.made, surface, designer.repair());
+    return result;
 }
 
-nb::list curvesOf(const ImprintedMesh& imprint) {
+nb::list curvesOf(const Imprint& imprint) {
     nb::list result;
-    for (const ImprintedCurve& curve : imprint.curves) {
+    for (const ImprintedCurve& curve : imprint.made.curves) {
         result.append(arrayOf(std::vector<std::int32_t>(curve.vertices)));
     }
     return result;
 }
 
-nb::tuple originsOf(const ImprintedMesh& imprint) {
+nb::tuple originsTuple(const Imprint& imprint) {
     std::vector<std::int32_t> faces;
     std::vector<double> weights;
-    for (const auto& [face, barycentric] : imprint.newVertices) {
+    for (const auto& [face, barycentric] : imprint.origins.newVertices) {
         faces.push_back(face);
         weights.insert(weights.end(), barycentric.begin(), barycentric.end());
     }
@@ -56,10 +62,10 @@ nb::tuple originsOf(const ImprintedMesh& imprint) {
 }
 
 // (label of each face, [(faces, area, perimeter, centroid, euler) of each part]).
-nb::tuple partsTuple(const ImprintedMesh& imprint) {
+nb::tuple partsTuple(const Imprint& imprint) {
     MeshParts parts = [&] {
         const nb::gil_scoped_release unlocked;
-        return partsOf(imprint);
+        return partsOf(imprint.made);
     }();
     nb::list list;
     for (const MeshPart& part : parts.parts) {
@@ -77,10 +83,10 @@ nb::tuple partsTuple(const ImprintedMesh& imprint) {
 }
 
 // (vertices, faces, imprinted vertex of each vertex) of the mesh opened along the curves.
-nb::tuple cutTuple(const ImprintedMesh& imprint) {
+nb::tuple cutTuple(const Imprint& imprint) {
     CutMesh cut = [&] {
         const nb::gil_scoped_release unlocked;
-        return cutAlongCurves(imprint);
+        return cutAlongCurves(imprint.made);
     }();
     const nb::tuple arrays = arraysOf(cut.mesh);
     return nb::make_tuple(arrays[0], arrays[1], arrayOf(std::move(cut.origin)));
@@ -117,14 +123,14 @@ FilledParts partsMeant(
 
 // (vertices, faces, imprinted vertex of each vertex, part of each face, rims left open).
 nb::tuple takeTuple(
-    const ImprintedMesh& imprint,
+    const Imprint& imprint,
     const std::string& which,
     const std::vector<double>& seed,
     const std::string& fill,
     nb::object progress
 ) {
     FilledParts taken = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
-        return partsMeant(imprint, choiceOf(which, seed), fill, goesOn);
+        return partsMeant(imprint.made, choiceOf(which, seed), fill, goesOn);
     });
     const nb::tuple arrays = arraysOf(taken.mesh);
     return nb::make_tuple(
@@ -138,16 +144,13 @@ nb::tuple takeTuple(
 
 // (vertices, faces, imprinted vertex of each vertex, part of each face, faces turned over).
 nb::tuple reliefTuple(
-    const ImprintedMesh& imprint,
-    const std::string& which,
-    const std::vector<double>& seed,
-    double height
+    const Imprint& imprint, const std::string& which, const std::vector<double>& seed, double height
 ) {
     RaisedParts raised = [&] {
         const nb::gil_scoped_release unlocked;
-        const MeshParts parts = partsOf(imprint);
+        const MeshParts parts = partsOf(imprint.made);
         return raisedParts(
-            imprint, parts, chosenParts(imprint, parts, choiceOf(which, seed)), height
+            imprint.made, parts, chosenParts(imprint.made, parts, choiceOf(which, seed)), height
         );
     }();
     const nb::tuple arrays = arraysOf(raised.whole.mesh);
@@ -164,20 +167,19 @@ nb::tuple reliefTuple(
 
 void bindImprint(nb::module_& module) {
     const auto view = [](auto part) {
-        return [part](nb::handle self) {
-            return viewOf(part(nb::cast<const ImprintedMesh&>(self)), self);
-        };
+        return
+            [part](nb::handle self) { return viewOf(part(nb::cast<const Imprint&>(self)), self); };
     };
-    nb::class_<ImprintedMesh>(module, "Imprint")
-        .def_prop_ro("vertices", view([](const ImprintedMesh& m) -> auto& {
-                         return m.mesh.vertices;
+    nb::class_<Imprint>(module, "Imprint")
+        .def_prop_ro("vertices", view([](const Imprint& i) -> auto& {
+                         return i.made.mesh.vertices;
                      }))
-        .def_prop_ro("faces", view([](const ImprintedMesh& m) -> auto& { return m.mesh.faces; }))
-        .def_prop_ro("parents", view([](const ImprintedMesh& m) -> auto& { return m.parents; }))
-        .def_prop_ro("crossings", view([](const ImprintedMesh& m) -> auto& { return m.crossings; }))
+        .def_prop_ro("faces", view([](const Imprint& i) -> auto& { return i.made.mesh.faces; }))
+        .def_prop_ro("parents", view([](const Imprint& i) -> auto& { return i.origins.parents; }))
+        .def_prop_ro("crossings", view([](const Imprint& i) -> auto& { return i.made.crossings; }))
         .def_prop_ro("curves", curvesOf)
-        .def_prop_ro("origins", originsOf)
-        .def_ro("largest_move", &ImprintedMesh::largestMove)
+        .def_prop_ro("origins", originsTuple)
+        .def_prop_ro("largest_move", [](const Imprint& i) { return i.made.largestMove; })
         .def("parts", partsTuple)
         .def("cut", cutTuple)
         .def(

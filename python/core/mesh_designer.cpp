@@ -3,10 +3,13 @@
 
 #include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
+#include "design/strict_polyline.h"
 #include "field/make_field.h"
+#include "surface/points_on_mended.h"
 
 #include <algorithm>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,7 +39,7 @@ Curve MeshDesigner::design(
     const CarriedInputs on = carried(inputs);
     const CurveInputs there{.field = on.field, .avoid = on.avoid};
     Curve curve = made_.made.design(picks, solver, sampling, there, progress);
-    bringBack(curve, made_.mending->repair);
+    bspline_curve::bringBack(curve, made_.mending->repair);
     return curve;
 }
 
@@ -82,6 +85,29 @@ CarriedInputs MeshDesigner::carried(const CurveInputs& inputs) const {
     }
     const MeshRepair& repair = made_.mending->repair;
     return {fieldOnMended(inputs.field, repair), facesOfMended(inputs.avoid, repair)};
+}
+
+std::vector<SurfacePolyline> MeshDesigner::carried(const std::vector<const Curve*>& curves) const {
+    std::vector<SurfacePolyline> lines;
+    lines.reserve(curves.size());
+    if (repair() == nullptr) {
+        for (const Curve* curve : curves) {
+            lines.push_back(curve->polyline);
+        }
+        return lines;
+    }
+    const PointsOnMended there(*repair());
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        lines.push_back(there.lineAt(curves[i]->polyline));
+        checkUnparted(surfaceOf(made_.made), lines.back(), "curve " + std::to_string(i));
+    }
+    return lines;
+}
+
+void MeshDesigner::bringBack(SurfacePolyline& line) const {
+    if (repair() != nullptr) {
+        bspline_curve::bringBack(line, *repair());
+    }
 }
 
 TriangleTree::Closest MeshDesigner::closestPoint(const Vec3& query) const {

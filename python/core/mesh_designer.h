@@ -61,6 +61,18 @@ public:
     /// field() made lately is as it was made there.
     [[nodiscard]] CarriedInputs carried(const CurveInputs& inputs) const;
 
+    /// Curves of the given mesh on designer().mesh(). Throws InputError (NoPath) where one passes
+    /// from sheet to sheet at an edge where mending parts them.
+    [[nodiscard]] std::vector<SurfacePolyline> carried(
+        const std::vector<const Curve*>& curves
+    ) const;
+
+    /// The other way.
+    void bringBack(SurfacePolyline& line) const;
+
+    /// How the mesh was mended; null: it was not.
+    [[nodiscard]] const MeshRepair* repair() const { return made_.repair(); }
+
     [[nodiscard]] TriangleTree::Closest closestPoint(const Vec3& query) const;
 
 private:

@@ -14,6 +14,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -44,15 +45,15 @@ std::vector<std::pair<Curve, double>> curvesBeside(
         PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
             const Surface& surface = surfaceOf(designer.designer());
             const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
-            return offsetCurves(
-                surface, extended, curve.polyline, optionsOf(distance, side), goesOn
-            );
+            const SurfacePolyline line = designer.carried({&curve}).front();
+            return offsetCurves(surface, extended, line, optionsOf(distance, side), goesOn);
         });
     std::vector<std::pair<Curve, double>> result;
     for (FittedLine& piece : pieces) {
         Curve made;
         made.spline = std::move(piece.spline);
         made.polyline = std::move(piece.line);
+        designer.bringBack(made.polyline);
         made.report.usable = true;
         result.emplace_back(std::move(made), piece.deviation);
     }
@@ -69,9 +70,16 @@ Array facesNear(
     const std::vector<char> within =
         PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
             const Surface& surface = surfaceOf(designer.designer());
-            return facesWithin(surface, curve.polyline, optionsOf(distance, side), goesOn);
+            const SurfacePolyline line = designer.carried({&curve}).front();
+            return facesWithin(surface, line, optionsOf(distance, side), goesOn);
         });
-    return arrayOf(std::vector<std::uint8_t>(within.begin(), within.end()));
+    std::vector<std::uint8_t> flags(designer.mesh().faces.size());
+    for (std::size_t f = 0; f < within.size(); ++f) {
+        const MeshRepair* const repair = designer.repair();
+        std::uint8_t& flag = flags[repair == nullptr ? f : repair->faceOrigins[f]];
+        flag = within[f] != 0 ? 1 : flag;
+    }
+    return arrayOf(std::move(flags));
 }
 
 }  // namespace

@@ -124,18 +124,16 @@ Place placeOf(const nb::dict& options) {
 }
 
 Pattern drawn(
-    const CurveDesigner& designer,
-    const Drawing& drawing,
-    const Place& place,
-    const Progress& goesOn
+    const MeshDesigner& designer, const Drawing& drawing, const Place& place, const Progress& goesOn
 ) {
     if (place.along != nullptr) {
+        const SurfacePolyline along = designer.carried({place.along}).front();
         return patternAlongCurve(
-            designer, drawing, place.along->polyline, place.row, place.pattern, goesOn
+            designer.designer(), drawing, along, place.row, place.pattern, goesOn
         );
     }
     return patternRoundPoint(
-        designer,
+        designer.designer(),
         drawing,
         vectorOf(place.centre),
         place.up ? std::optional(vectorOf(*place.up)) : std::nullopt,
@@ -162,12 +160,13 @@ nb::tuple pattern(
 ) {
     const Place place = placeOf(options);
     Pattern made = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
-        return drawn(designer.designer(), drawing, place, goesOn);
+        return drawn(designer, drawing, place, goesOn);
     });
     std::vector<Curve> curves;
     std::vector<std::int32_t> paths;
     std::vector<std::int32_t> copies;
     for (PatternCurve& each : made.curves) {
+        designer.bringBack(each.curve.polyline);
         curves.push_back(std::move(each.curve));
         paths.push_back(each.path);
         copies.push_back(each.copy);

@@ -198,3 +198,53 @@ def test_long_work_tells_of_its_progress_and_can_be_cancelled(wavy):
         assert [fraction for fraction, _ in told] == sorted(fraction for fraction, _ in told)
         with pytest.raises(bspline_curve.Cancelled):
             work(lambda *_: False)
+
+
+@pytest.fixture
+def broken(arrays):
+    """A flap on an inner edge, first among the faces; a fin at a vertex; a face twice, and one turned over."""
+    vertices, faces = arrays
+    n = len(vertices)
+    tips = vertices[[faces[700][0], faces[0][0], faces[0][0]]] + [[0, 0, 0.5], [-1, 0, 0], [-1, -1, 0]]
+    more = [[faces[700][1], faces[700][0], n], *faces, [faces[0][0], n + 1, n + 2], faces[9]]
+    changed = np.array(more, np.int32)
+    changed[40] = changed[40][::-1]
+    return np.r_[vertices, tips], changed
+
+
+def test_what_is_made_of_a_mended_mesh_has_the_ids_of_the_given_one(arrays, broken):
+    vertices, faces = broken
+    with pytest.warns(bspline_curve.MeshWarning, match="edge cut"):
+        mended = bspline_curve.Mesh(vertices, faces)
+    ring = mended.curve(arrays[0][[500, 530, 1250, 1200]], closed=True)
+    imprint = mended.imprint([ring])
+    np.testing.assert_array_equal(imprint.vertices[: len(vertices)], vertices)
+    children = np.bincount(imprint.parents, weights=areas(imprint.vertices, imprint.faces), minlength=len(faces))
+    np.testing.assert_allclose(children[:-1], areas(vertices, faces)[:-1], rtol=1e-9)
+    assert children[-1] == 0, "the second of two equal faces is left out"
+    np.testing.assert_allclose(imprint.values(vertices, mended.faces), imprint.vertices, atol=1e-14)
+    assert len(mended.cut([ring], keep="inside", fill="smooth").faces) > 0
+    assert len(mended.segment([ring]).parts) == mended.components + 1
+    with pytest.raises(bspline_curve.InputError, match="part nothing"):
+        mended.segment([mended.curve(arrays[0][[500, 530]])])
+    (inner, *others) = ring.offset(0.05, side="left")
+    drawn = mended.pattern([[[0, 0], [1, 0], [1, 1], [0, 0]]], along=ring, size=0.1).curves
+    for curve in (inner, *others, *drawn):
+        given = (vertices[faces[curve.faces]] * curve.barycentrics[..., None]).sum(1)
+        np.testing.assert_allclose(given, curve.points, atol=1e-14)
+    assert len(mended.imprint([ring, inner, *drawn]).curves) == 2 + len(drawn)
+    near = ring.faces_within(0.05, side="left")
+    middles = vertices[faces].mean(1)
+    gaps = np.linalg.norm(middles[near][:, None] - ring.points[None], axis=2).min(axis=1)
+    assert near.shape == (len(faces),) and near.sum() > 50 and gaps.max() < 0.06
+
+
+def test_a_curve_from_sheet_to_sheet_is_not_imprinted(arrays, broken):
+    vertices, faces = broken
+    with pytest.warns(bspline_curve.MeshWarning):
+        mended = bspline_curve.Mesh(vertices, faces)
+    flap = vertices[faces[0]].mean(axis=0)
+    curve = mended.curve([flap, vertices[faces[720][0]]])
+    assert curve.usable
+    with pytest.raises(bspline_curve.InputError, match="curve 0: the curve passes from sheet to sheet"):
+        mended.imprint([curve])
