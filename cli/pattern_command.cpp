@@ -247,6 +247,42 @@ Vec3 toVec3(const std::vector<double>& values) {
     return {values[0], values[1], values[2]};
 }
 
+/// Drawn on what was made of the mesh, with the faces of the mesh as it was given.
+Pattern patternOn(
+    const Mended<CurveDesigner>& mended,
+    const Drawing& drawing,
+    const PatternArguments& arguments,
+    const MeshChecksum& checksum,
+    const Progress& progress
+) {
+    const CurveDesigner& designer = mended.made;
+    Pattern pattern =
+        arguments.along.empty()
+            ? patternRoundPoint(
+                  designer,
+                  drawing,
+                  toVec3(arguments.centre),
+                  arguments.up.empty() ? std::nullopt : std::optional(toVec3(arguments.up)),
+                  arguments.row.scale,
+                  arguments.pattern,
+                  progress
+              )
+            : patternAlongCurve(
+                  designer,
+                  drawing,
+                  readCurve(arguments.along, surfaceOf(designer), checksum, mended.repair()),
+                  arguments.row,
+                  arguments.pattern,
+                  progress
+              );
+    for (PatternCurve& each : pattern.curves) {
+        if (mended.repair() != nullptr) {
+            bringBack(each.curve, *mended.repair());
+        }
+    }
+    return pattern;
+}
+
 ExitCode draw(const PatternArguments& arguments, ProgressBar& bar) {
     checkFiles(arguments);
     bar.show(0.0, "reading");
@@ -263,36 +299,15 @@ ExitCode draw(const PatternArguments& arguments, ProgressBar& bar) {
     const Mended<CurveDesigner> mended = makeMendedDesigner(
         std::move(file.mesh), arguments.mending, {}, progressPart(bar, kReadShare, kPreparedShare)
     );
-    const CurveDesigner& designer = mended.made;
     bar.clear();
     sayMended(mended.mending);
     figures.prepareSeconds = watch.lap();
-    const Progress progress = progressPart(bar, kPreparedShare, 1.0);
-    Pattern pattern =
-        arguments.along.empty()
-            ? patternRoundPoint(
-                  designer,
-                  drawing.drawing,
-                  toVec3(arguments.centre),
-                  arguments.up.empty() ? std::nullopt : std::optional(toVec3(arguments.up)),
-                  arguments.row.scale,
-                  arguments.pattern,
-                  progress
-              )
-            : patternAlongCurve(
-                  designer,
-                  drawing.drawing,
-                  readCurve(arguments.along, surfaceOf(designer), checksum, mended.repair()),
-                  arguments.row,
-                  arguments.pattern,
-                  progress
-              );
+    const Pattern pattern = patternOn(
+        mended, drawing.drawing, arguments, checksum, progressPart(bar, kPreparedShare, 1.0)
+    );
     figures.drawSeconds = watch.lap();
     std::vector<const Curve*> curves;
-    for (PatternCurve& each : pattern.curves) {
-        if (mended.repair() != nullptr) {
-            bringBack(each.curve, *mended.repair());
-        }
+    for (const PatternCurve& each : pattern.curves) {
         curves.push_back(&each.curve);
     }
     // Both files appear, or none.

@@ -30,6 +30,10 @@ public:
         std::shared_ptr<const CurveDesigner> designer;
         std::shared_ptr<const Mending> mending;  ///< null: the mesh is as it was given
         bool isKept = false;                     ///< from an earlier call
+
+        [[nodiscard]] const MeshRepair* repair() const {
+            return mending ? &mending->repair : nullptr;
+        }
     };
 
     /// The designer for this mesh and these options: a kept one, else what `make` returns, which is

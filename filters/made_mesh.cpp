@@ -9,9 +9,9 @@
 namespace bspline_curve {
 
 MadeMesh::MadeMesh(
-    const MendedSurface& surface, std::shared_ptr<const ImprintedMesh> imprint, FilledParts taken
+    MendedSurface surface, std::shared_ptr<const ImprintedMesh> imprint, FilledParts taken
 )
-    : surface_(surface), imprint_(std::move(imprint)), taken_(std::move(taken)) {}
+    : surface_(std::move(surface)), imprint_(std::move(imprint)), taken_(std::move(taken)) {}
 
 int MadeMesh::vertexOf(int vertex) const {
     const int imprinted = taken_.origin[vertex];

@@ -26,9 +26,7 @@ struct MendedSurface {
 class MadeMesh {
 public:
     MadeMesh(
-        const MendedSurface& surface,
-        std::shared_ptr<const ImprintedMesh> imprint,
-        FilledParts taken
+        MendedSurface surface, std::shared_ptr<const ImprintedMesh> imprint, FilledParts taken
     );
 
     [[nodiscard]] const TriangleMesh& mesh() const { return taken_.mesh; }

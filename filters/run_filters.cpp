@@ -76,7 +76,7 @@ CurveResult runCurveFilter(
         layer, request.shell, request.mending, designers, partOf(progress, 0.0, kCurveSurfaceShare)
     );
     const CurveDesigner& designer = *found.designer;
-    const MeshRepair* const repair = found.mending ? &found.mending->repair : nullptr;
+    const MeshRepair* const repair = found.repair();
     const std::optional<LayerInput> carried =
         repair == nullptr ? std::nullopt : std::optional(carriedOver(layer, *repair));
     const LayerInput& inputs = carried ? *carried : layer;

@@ -47,6 +47,48 @@ void take(Pattern& all, Pattern&& more) {
     }
 }
 
+/// What is drawn, and what to say of curves that are not followed.
+struct DrawnPattern {
+    Pattern pattern;
+    std::vector<std::string> warnings;
+};
+
+DrawnPattern drawnOn(
+    const DesignerCache::Found& found,
+    const Drawing& drawing,
+    const CurvesOnLayer& input,
+    const std::vector<Vec3>& toolPoints,
+    const PatternRequest& request,
+    const Progress& progress
+) {
+    const CurveDesigner& designer = *found.designer;
+    if (request.place == PatternPlace::Point) {
+        return {
+            .pattern = patternRoundPoint(
+                designer,
+                drawing,
+                patternCentre(request, toolPoints),
+                patternUp(request),
+                request.row.scale,
+                request.pattern,
+                progress
+            ),
+            .warnings = {}
+        };
+    }
+    const PlacedCurves placed =
+        placedCurves(surfaceOf(designer), found.repair(), input, request.use.placing);
+    DrawnPattern result;
+    for (const PlacedCurve& curve : placed.curves) {
+        take(
+            result.pattern,
+            patternAlongCurve(designer, drawing, curve.line, request.row, request.pattern, progress)
+        );
+    }
+    result.warnings = leftOutWarnings(placed, input.surface);
+    return result;
+}
+
 }  // namespace
 
 PatternResult runPatternFilter(
@@ -66,45 +108,20 @@ PatternResult runPatternFilter(
         designers,
         partOf(progress, 0.0, kPatternSurfaceShare)
     );
-    const CurveDesigner& designer = *found.designer;
-    const MeshRepair* const repair = found.mending ? &found.mending->repair : nullptr;
-    const Progress drawing = partOf(progress, kPatternSurfaceShare, 1.0);
     PatternResult result;
     result.log.warnings = file.notes;
     if (found.mending) {
         result.log.warnings.push_back(describeMending(*found.mending));
     }
-    Pattern pattern;
-    if (request.place == PatternPlace::Point) {
-        pattern = patternRoundPoint(
-            designer,
-            file.drawing,
-            patternCentre(request, toolPoints),
-            patternUp(request),
-            request.row.scale,
-            request.pattern,
-            drawing
-        );
-    } else {
-        const PlacedCurves placed =
-            placedCurves(surfaceOf(designer), repair, input, request.use.placing);
-        for (const PlacedCurve& curve : placed.curves) {
-            take(
-                pattern,
-                patternAlongCurve(
-                    designer, file.drawing, curve.line, request.row, request.pattern, drawing
-                )
-            );
-        }
-        for (const std::string& warning : leftOutWarnings(placed, input.surface)) {
-            result.log.warnings.push_back(warning);
-        }
-    }
+    auto [pattern, warnings] = drawnOn(
+        found, file.drawing, input, toolPoints, request, partOf(progress, kPatternSurfaceShare, 1.0)
+    );
+    std::ranges::move(warnings, std::back_inserter(result.log.warnings));
     double length = 0.0;
     for (PatternCurve& curve : pattern.curves) {
         length += lengthOf(curve.curve.polyline);
-        if (repair != nullptr) {
-            bringBack(curve.curve, *repair);
+        if (found.repair() != nullptr) {
+            bringBack(curve.curve, *found.repair());
         }
     }
     result.curves = std::move(pattern.curves);

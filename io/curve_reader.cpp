@@ -83,11 +83,12 @@ SurfacePoint pointOf(
             file, "the barycentric coordinates of " + name + " are not in [0, 1] with the sum 1"
         );
     }
-    const SurfacePoint given{.face = static_cast<int>(index), .barycentric = coordinates};
-    if (!mesh.mended) {
-        return given;
+    std::optional<SurfacePoint> point{
+        {.face = static_cast<int>(index), .barycentric = coordinates}
+    };
+    if (mesh.mended) {
+        point = mesh.mended->pointAt(*point);
     }
-    const std::optional<SurfacePoint> point = mesh.mended->pointAt(given);
     if (!point) {
         refuseMesh(
             file, vertex, "is in face " + std::to_string(index) + ", which the mended mesh has not"

@@ -20,22 +20,30 @@ PointsOnMended::PointsOnMended(const MeshRepair& repair) : repair_(repair) {
 }
 
 std::optional<SurfacePoint> PointsOnMended::pointAt(const SurfacePoint& given) const {
-    std::optional<SurfacePoint> best;
+    SurfacePoint best;
+    bool isInSplit = false;
     for (const auto& [origin, face] :
          std::ranges::equal_range(facesOf_, given.face, {}, &std::pair<int, int>::first)) {
         SurfacePoint point{.face = face, .barycentric = given.barycentric};
+        bool isTurnedOnly = true;
         const auto changed = repair_.changedCorners.find(face);
         if (changed != repair_.changedCorners.end()) {
             const Eigen::Matrix3d& corners = changed->second;
             point.barycentric = corners.inverse() * given.barycentric;
-            const bool isTurnedOnly = (corners.array() == corners.array().square()).all();
-            point = isTurnedOnly ? point : snapped(point, kSnapBarycentric);
+            isTurnedOnly = (corners.array() == corners.array().square()).all();
         }
-        if (!best || point.barycentric.minCoeff() > best->barycentric.minCoeff()) {
+        if (!point.barycentric.allFinite()) {
+            continue;  // the part of a split face that has no width but for rounding
+        }
+        if (best.face < 0 || point.barycentric.minCoeff() > best.barycentric.minCoeff()) {
             best = point;
+            isInSplit = !isTurnedOnly;
         }
     }
-    return best;
+    if (best.face < 0) {
+        return std::nullopt;
+    }
+    return isInSplit ? snapped(best, kSnapBarycentric) : best;
 }
 
 SurfacePolyline PointsOnMended::lineAt(const SurfacePolyline& given) const {

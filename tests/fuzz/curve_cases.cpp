@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
+#include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
 #include "design/mended_designer.h"
 #include "design/strict_polyline.h"
@@ -9,6 +10,7 @@
 #include "fuzz/mesh_of_bytes.h"
 #include "imprint/imprint.h"
 #include "surface/passages.h"
+#include "surface/points_on_mended.h"
 
 #include <Eigen/Geometry>
 
@@ -126,6 +128,20 @@ void checkImprint(const Surface& surface, const SurfacePolyline& line) {
     require(before.faces == surface.faces(), "faces come back as they were");
 }
 
+/// The polyline as it comes back from the given mesh.
+SurfacePolyline fromGivenMesh(SurfacePolyline line, const Mended<CurveDesigner>& mended) {
+    const MeshRepair* const repair = mended.repair();
+    if (repair == nullptr) {
+        return line;
+    }
+    bringBack(line, *repair);
+    line = PointsOnMended(*repair).lineAt(line);
+    require(
+        isStrict(surfaceOf(mended.made), line), "a curve of the given mesh is on the mended one"
+    );
+    return line;
+}
+
 void drawAndCheck(ByteSource& bytes) {
     const ShellOptions shell = shellOf(bytes);
     const SolverOptions options = solverOf(bytes);
@@ -149,7 +165,7 @@ void drawAndCheck(ByteSource& bytes) {
     const Curve curve = designer.design(picks, options, {}, {.field = field, .avoid = avoid});
     checkCurve(curve);
     if (isStrict(surfaceOf(designer), curve.polyline)) {
-        checkImprint(surfaceOf(designer), curve.polyline);
+        checkImprint(surfaceOf(designer), fromGivenMesh(curve.polyline, mended));
         return;
     }
     require(

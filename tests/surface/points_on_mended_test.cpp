@@ -37,6 +37,20 @@ TEST(PointsOnMended, LeadsBackExactly) {
     }
 }
 
+// Of two parts of face 0 the first has its corners in a line.
+TEST(PointsOnMended, LeavesPartsWithoutWidthAlone) {
+    MeshRepair repair;
+    repair.faceOrigins = {0, 0};
+    const Vec3 middle(0.5, 0.5, 0.0);
+    repair.changedCorners[0] << Vec3::UnitX(), middle, Vec3::UnitY();
+    repair.changedCorners[1] << Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ();
+    const std::optional<SurfacePoint> point =
+        PointsOnMended(repair).pointAt({.face = 0, .barycentric = {0.2, 0.3, 0.5}});
+    ASSERT_TRUE(point.has_value());
+    EXPECT_EQ(point->face, 1);
+    EXPECT_EQ(point->barycentric, Vec3(0.2, 0.3, 0.5));
+}
+
 TEST(PointsOnMended, HasNothingInFacesThatWereRemoved) {
     const TriangleMesh mesh = plateWithTwin();
     const MeshRepair repair = repairMesh(mesh);

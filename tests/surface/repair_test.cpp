@@ -57,6 +57,13 @@ MeshRepair repaired(const TriangleMesh& mesh) {
         const std::optional<SurfacePoint> back = there.pointAt(origin);
         EXPECT_TRUE(back && back->face == f);
         EXPECT_LT((back.value_or(SurfacePoint()).barycentric - inside).norm(), 1e-9);
+        for (const Vec3& weights : {Vec3(0, 0.4, 0.6), Vec3(0.4, 0, 0.6), Vec3(0.4, 0.6, 0)}) {
+            const SurfacePoint onEdge{f, weights};
+            const SurfacePoint same =
+                there.pointAt(repair.toOrigin(onEdge)).value_or(SurfacePoint{.face = 0});
+            EXPECT_GE(same.barycentric.minCoeff(), 0.0);
+            EXPECT_LT((pointOn(repair.mesh, same) - pointOn(repair.mesh, onEdge)).norm(), 1e-9);
+        }
     }
     const MeshRepair again = repairMesh(repair.mesh);
     EXPECT_TRUE(again.report.isEmpty()) << again.report.summary();
