@@ -180,8 +180,9 @@ void checkUnparted(const Surface& mended, const SurfacePolyline& line, const std
         throw InputError(
             InputErrorCode::NoPath,
             curve +
-                ": the curve passes from sheet to sheet at an edge of more than two faces, where "
-                "they are parted in the mended mesh; move its picks so that it stays on one sheet"
+                ": a segment of the curve is not in one face of the mended mesh: it passes from "
+                "sheet to sheet at an edge of more than two faces, where they are parted, or the "
+                "curve is of another mesh; move its picks so that it stays on one sheet"
         );
     }
 }

@@ -25,9 +25,8 @@ namespace bspline_curve {
 /// are two. O(n).
 [[nodiscard]] bool isStrict(const Surface& surface, const SurfacePolyline& line);
 
-/// Throws InputError (NoPath) where a curve on a mended mesh is not strict: drawn from face to face
-/// of the given mesh, it passes from sheet to sheet where mending has parted them. `curve` names
-/// it.
+/// Throws InputError (NoPath) where a curve on a mended mesh is not strict: if it was drawn there,
+/// it passes from sheet to sheet where mending has parted them. `curve` names it.
 void checkUnparted(const Surface& mended, const SurfacePolyline& line, const std::string& curve);
 
 /// The length of a polyline, with the segment that closes it.

@@ -159,7 +159,8 @@ TEST(CurveUsesOnBrokenLayers, RefuseACurveFromSheetToSheetByItsLayer) {
         .surface = layer, .checksum = checksumOf(layer.mesh), .curves = {curve}
     };
     const std::string refused = refusal([&] { return runImprintFilter(input, {}); });
-    expectPart(refused, "layer \"curve\": the curve passes from sheet to sheet");
+    expectPart(refused, "layer \"curve\": a segment");
+    expectPart(refused, "from sheet to sheet");
 }
 
 }  // namespace

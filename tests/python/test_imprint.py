@@ -246,5 +246,5 @@ def test_a_curve_from_sheet_to_sheet_is_not_imprinted(arrays, broken):
     flap = vertices[faces[0]].mean(axis=0)
     curve = mended.curve([flap, vertices[faces[720][0]]])
     assert curve.usable
-    with pytest.raises(bspline_curve.InputError, match="curve 0: the curve passes from sheet to sheet"):
+    with pytest.raises(bspline_curve.InputError, match="curve 0: .* from sheet to sheet"):
         mended.imprint([curve])
