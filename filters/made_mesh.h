@@ -2,23 +2,14 @@
 #pragma once
 
 #include "fill/part_filling.h"
+#include "filters/mended_layer.h"
 #include "imprint/imprint.h"
-#include "surface/mending.h"
-#include "surface/surface.h"
 
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace bspline_curve {
-
-/// A layer's mesh as a surface, mended where it had to be.
-struct MendedSurface {
-    std::shared_ptr<const Surface> surface;
-    std::shared_ptr<const Mending> mending;  ///< null: the mesh is as it was given
-
-    [[nodiscard]] const MeshRepair* repair() const { return mending ? &mending->repair : nullptr; }
-};
 
 /// A mesh that was made from a layer by imprinting curves, and where all of it comes from, so that
 /// hosts can carry over what the layer has. Ids are those of the LayerInput. Shares the imprint

@@ -2,10 +2,24 @@
 #include "filters/mended_layer.h"
 
 #include "filters/curve_notes.h"
+#include "filters/layer_ids.h"
 
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
+
+MendedSurface surfaceOf(const LayerInput& layer, const MendingOptions& options) {
+    return madeFrom(layer, [&] {
+        auto [surface, mending] = makeMended(layer.mesh, options, [](TriangleMesh mesh) {
+            return std::make_shared<const Surface>(std::move(mesh));
+        });
+        return MendedSurface{
+            .surface = std::move(surface),
+            .mending = mending ? std::make_shared<const Mending>(*std::move(mending)) : nullptr
+        };
+    });
+}
 
 LayerInput carriedOver(const LayerInput& layer, const MeshRepair& repair) {
     LayerInput carried;

@@ -6,7 +6,6 @@
 #include "design/curve_on_given_mesh.h"
 #include "design/strict_polyline.h"
 #include "fill/raised_parts.h"
-#include "filters/layer_ids.h"
 #include "filters/mended_layer.h"
 #include "imprint/mesh_parts.h"
 #include "imprint/part_choice.h"
@@ -44,18 +43,6 @@ struct PlacedInput {
 
     [[nodiscard]] const Surface& surface() const { return *on.surface; }
 };
-
-MendedSurface surfaceOf(const LayerInput& layer, const MendingOptions& options) {
-    return madeFrom(layer, [&] {
-        auto [surface, mending] = makeMended(layer.mesh, options, [](TriangleMesh mesh) {
-            return std::make_shared<const Surface>(std::move(mesh));
-        });
-        return MendedSurface{
-            .surface = std::move(surface),
-            .mending = mending ? std::make_shared<const Mending>(*std::move(mending)) : nullptr
-        };
-    });
-}
 
 PlacedInput placedInput(const CurvesOnLayer& input, const CurveUse& use, const Progress& progress) {
     report(progress, 0.0, "surface");
