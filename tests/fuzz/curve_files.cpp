@@ -9,11 +9,13 @@
 #include "io/shell_file.h"
 #include "shell/extended_surface.h"
 #include "support/meshes.h"
+#include "surface/mending.h"
 
 #include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace bspline_curve::fuzz {
 
@@ -50,15 +52,41 @@ void readPicksBytes(std::string_view bytes) {
     }
 }
 
+namespace {
+
+/// A mesh that curves are read on.
+struct CurveMesh {
+    MeshChecksum checksum;
+    Mended<Surface> mended;
+
+    explicit CurveMesh(const TriangleMesh& mesh)
+        : checksum(checksumOf(mesh)),
+          mended(makeMended(mesh, {}, [](TriangleMesh made) { return Surface(std::move(made)); })) {
+    }
+};
+
+/// The sphere with a face turned over and another one twice.
+TriangleMesh brokenSphere() {
+    TriangleMesh mesh = test_support::withFaceReversed(test_support::icosphere(0), 1);
+    mesh.faces.push_back(mesh.faces[0]);
+    return mesh;
+}
+
+}  // namespace
+
 void readCurveBytes(std::string_view bytes) {
-    static const Surface kSurface(test_support::icosphere(0));
-    static const MeshChecksum kMesh = checksumOf(test_support::icosphere(0));
+    static const std::array<CurveMesh, 2> kMeshes{
+        CurveMesh(test_support::icosphere(0)), CurveMesh(brokenSphere())
+    };
     const FuzzFile file("curve.json", bytes);
-    try {
-        const SurfacePolyline line = readCurve(file.path(), kSurface, kMesh);
-        require(isStrict(kSurface, line), "every segment lies in a face");
-    } catch (const InputError&) {
-        return;
+    for (const auto& [checksum, mended] : kMeshes) {
+        try {
+            const SurfacePolyline line =
+                readCurve(file.path(), mended.made, checksum, mended.repair());
+            require(isStrict(mended.made, line), "every segment lies in a face");
+        } catch (const InputError&) {
+            continue;
+        }
     }
 }
 
