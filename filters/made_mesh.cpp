@@ -48,11 +48,12 @@ Vec3 MadeMesh::placeOf(int face, int corner) const {
 
 std::vector<double> MadeMesh::carried(std::span<const double> layerValues) const {
     const MeshRepair* const repair = surface_.repair();
-    std::vector<double> values(layerValues.begin(), layerValues.end());
+    std::vector<double> mended;
     if (repair != nullptr) {
-        values = repair->carriedOver(values);
+        mended = repair->carriedOver(std::vector(layerValues.begin(), layerValues.end()));
+        layerValues = mended;
     }
-    return taken_.carried(interpolated(*imprint_, surface_.surface->faces(), values));
+    return taken_.carried(interpolated(*imprint_, surface_.surface->faces(), layerValues));
 }
 
 std::vector<double> MadeMesh::curveFlags() const {

@@ -135,6 +135,7 @@ private:
         }
         if (mended_) {
             checkUnparted(surface_, line, "layer \"" + layer.label + "\"");
+            return line;
         }
         return isStrict(surface_, line) ? line : SurfacePolyline();
     }
