@@ -78,9 +78,7 @@ std::optional<double> timeWarm(
 /// The curve with the faces and barycentric coordinates of the mesh as it was given.
 Curve onGivenMesh(const Curve& curve, const MeshRepair* repair) {
     Curve given = curve;
-    if (repair != nullptr) {
-        bringBack(given, *repair);
-    }
+    bringBack(given, repair);
     return given;
 }
 

@@ -199,9 +199,7 @@ ExitCode draw(const OffsetArguments& arguments, ProgressBar& bar) {
         Curve piece{
             .polyline = pieces[i].line, .spline = pieces[i].spline, .report = {}, .shell = {}
         };
-        if (read.repair() != nullptr) {
-            bringBack(piece.polyline, *read.repair());
-        }
+        bringBack(piece, read.repair());
         files.emplace_back(file, curveBytes(file, piece, {}, read.checksum()));
     }
     if (!arguments.band.empty()) {

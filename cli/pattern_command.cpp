@@ -276,9 +276,7 @@ Pattern patternOn(
                   progress
               );
     for (PatternCurve& each : pattern.curves) {
-        if (mended.repair() != nullptr) {
-            bringBack(each.curve, *mended.repair());
-        }
+        bringBack(each.curve, mended.repair());
     }
     return pattern;
 }

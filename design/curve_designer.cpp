@@ -355,7 +355,7 @@ std::optional<Curve> CurveDesigner::State::designRejoined(
         {.field = there.field, .avoid = there.avoid},
         partOf(progress, kPreparedShare, 1.0)
     );
-    bringBack(curve, rejoined->repair);
+    bringBack(curve, &rejoined->repair);
     return curve;
 }
 

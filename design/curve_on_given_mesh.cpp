@@ -7,20 +7,41 @@
 
 namespace bspline_curve {
 
-void bringBack(SurfacePolyline& line, const MeshRepair& repair) {
+void bringBack(SurfacePolyline& line, const MeshRepair* repair) {
+    if (repair == nullptr) {
+        return;
+    }
     for (SurfacePoint& point : line.surfacePoints) {
-        point = repair.toOrigin(point);
+        point = repair->toOrigin(point);
     }
 }
 
-void bringBack(Curve& curve, const MeshRepair& repair) {
+void bringBack(Curve& curve, const MeshRepair* repair) {
+    if (repair == nullptr) {
+        return;
+    }
     bringBack(curve.polyline, repair);
     if (std::optional<FarPart>& part = curve.report.farPart) {
         for (int& face : part->faces) {
-            face = repair.faceOrigins[face];
+            face = repair->faceOrigins[face];
         }
         sortUnique(part->faces);
     }
+}
+
+std::vector<char> flagsOfGiven(
+    std::vector<char> flags, std::size_t givenFaces, const MeshRepair* repair
+) {
+    if (repair == nullptr) {
+        return flags;
+    }
+    std::vector<char> given(givenFaces, 0);
+    for (std::size_t f = 0; f < flags.size(); ++f) {
+        if (flags[f] != 0) {
+            given[repair->faceOrigins[f]] = 1;
+        }
+    }
+    return given;
 }
 
 std::vector<int> facesOfMended(std::span<const int> faces, const MeshRepair& repair) {

@@ -291,16 +291,16 @@ std::vector<FittedLine> linesBeside(
 }
 
 void addBand(
-    const MendedSurface& on,
+    const Surface& surface,
     const PlacedCurve& curve,
     const OffsetOptions& options,
     const Progress& progress,
     std::vector<char>& band
 ) {
-    const std::vector<char> within = facesWithin(*on.surface, curve.line, options, progress);
+    const std::vector<char> within = facesWithin(surface, curve.line, options, progress);
+    band.resize(within.size(), 0);
     for (std::size_t f = 0; f < within.size(); ++f) {
-        char& face = band[on.repair() == nullptr ? f : on.repair()->faceOrigins[f]];
-        face = static_cast<char>(face | within[f]);
+        band[f] = static_cast<char>(band[f] | within[f]);
     }
 }
 
@@ -317,9 +317,6 @@ OffsetResult runOffsetFilter(
         options.distance = kOffsetRelative * surface.diagonal();
     }
     OffsetResult result;
-    if (request.selectBand) {
-        result.band.resize(input.surface.mesh.faces.size(), 0);
-    }
     double length = 0.0;
     double deviation = 0.0;
     const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
@@ -332,15 +329,15 @@ OffsetResult runOffsetFilter(
              linesBeside(surface, extended, curve, options, partOf(step, 0.0, kLinesShare))) {
             length += lengthOf(fitted.line);
             deviation = std::max(deviation, fitted.deviation);
-            if (placed.on.repair() != nullptr) {
-                bringBack(fitted.line, *placed.on.repair());
-            }
+            bringBack(fitted.line, placed.on.repair());
             result.pieces.push_back({.line = std::move(fitted.line), .curve = curve.label});
         }
         if (request.selectBand) {
-            addBand(placed.on, curve, options, partOf(step, kLinesShare, 1.0), result.band);
+            addBand(surface, curve, options, partOf(step, kLinesShare, 1.0), result.band);
         }
     }
+    result.band =
+        flagsOfGiven(std::move(result.band), input.surface.mesh.faces.size(), placed.on.repair());
     result.figures = {
         {"curves", countOf(placed.placed.curves.size())},
         {"projected_curves", placed.placed.projected},

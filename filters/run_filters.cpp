@@ -98,9 +98,7 @@ CurveResult runCurveFilter(
         field.empty() ? std::vector<double>()
                       : fieldAlong(result.curve.polyline, designer.mesh().faces, field);
     result.quality = field.empty() ? result.curve.polyline.parameters : along;
-    if (repair != nullptr) {
-        bringBack(result.curve, *repair);
-    }
+    bringBack(result.curve, repair);
     result.figures = curveFigures(result.curve, found, watch.lap());
     result.log = {
         // Names are no figures, since pymeshlab warns of texts.
@@ -117,16 +115,14 @@ FieldResult runFieldFilter(
     const LayerInput& layer, const FieldRequest& request, const Progress& progress
 ) {
     FieldResult result;
+    const auto [surface, mending] = surfaceOf(layer, request.mending);
     result.values = madeFrom(layer, [&] {
-        const auto [surface, mending] = makeMended(
-            layer.mesh, request.mending, [](TriangleMesh mesh) { return Surface(std::move(mesh)); }
-        );
         if (!mending) {
-            return fieldOf(layer, surface, request, progress);
+            return fieldOf(layer, *surface, request, progress);
         }
         result.log.warnings.push_back(describeMending(*mending));
         const LayerInput carried = carriedOver(layer, mending->repair);
-        return mending->toOrigin(fieldOf(carried, surface, request, progress));
+        return mending->toOrigin(fieldOf(carried, *surface, request, progress));
     });
     const auto [minimum, maximum] = std::ranges::minmax(result.values);
     const double sum = std::accumulate(result.values.begin(), result.values.end(), 0.0);

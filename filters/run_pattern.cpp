@@ -120,9 +120,7 @@ PatternResult runPatternFilter(
     double length = 0.0;
     for (PatternCurve& curve : pattern.curves) {
         length += lengthOf(curve.curve.polyline);
-        if (found.repair() != nullptr) {
-            bringBack(curve.curve, *found.repair());
-        }
+        bringBack(curve.curve, found.repair());
     }
     result.curves = std::move(pattern.curves);
     result.figures = {

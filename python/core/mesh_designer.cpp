@@ -39,7 +39,7 @@ Curve MeshDesigner::design(
     const CarriedInputs on = carried(inputs);
     const CurveInputs there{.field = on.field, .avoid = on.avoid};
     Curve curve = made_.made.design(picks, solver, sampling, there, progress);
-    bspline_curve::bringBack(curve, made_.mending->repair);
+    bringBack(curve, repair());
     return curve;
 }
 
@@ -102,12 +102,6 @@ std::vector<SurfacePolyline> MeshDesigner::carried(const std::vector<const Curve
         checkUnparted(surfaceOf(made_.made), lines.back(), "curve " + std::to_string(i));
     }
     return lines;
-}
-
-void MeshDesigner::bringBack(SurfacePolyline& line) const {
-    if (repair() != nullptr) {
-        bspline_curve::bringBack(line, *repair());
-    }
 }
 
 TriangleTree::Closest MeshDesigner::closestPoint(const Vec3& query) const {

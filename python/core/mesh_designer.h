@@ -67,9 +67,6 @@ public:
         const std::vector<const Curve*>& curves
     ) const;
 
-    /// The other way.
-    void bringBack(SurfacePolyline& line) const;
-
     /// How the mesh was mended; null: it was not.
     [[nodiscard]] const MeshRepair* repair() const { return made_.repair(); }
 

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/curve.h"
 #include "bspline_curve/shell.h"
+#include "design/curve_on_given_mesh.h"
 #include "design/designer_surface.h"
 #include "offset/offset_curves.h"
 #include "python/core/arrays.h"
@@ -14,7 +15,6 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -53,7 +53,7 @@ std::vector<std::pair<Curve, double>> curvesBeside(
         Curve made;
         made.spline = std::move(piece.spline);
         made.polyline = std::move(piece.line);
-        designer.bringBack(made.polyline);
+        bringBack(made, designer.repair());
         made.report.usable = true;
         result.emplace_back(std::move(made), piece.deviation);
     }
@@ -67,19 +67,13 @@ Array facesNear(
     const std::string& side,
     nb::object progress
 ) {
-    const std::vector<char> within =
-        PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
-            const Surface& surface = surfaceOf(designer.designer());
-            const SurfacePolyline line = designer.carried({&curve}).front();
-            return facesWithin(surface, line, optionsOf(distance, side), goesOn);
-        });
-    std::vector<std::uint8_t> flags(designer.mesh().faces.size());
-    for (std::size_t f = 0; f < within.size(); ++f) {
-        const MeshRepair* const repair = designer.repair();
-        std::uint8_t& flag = flags[repair == nullptr ? f : repair->faceOrigins[f]];
-        flag = within[f] != 0 ? 1 : flag;
-    }
-    return arrayOf(std::move(flags));
+    std::vector<char> within = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        const Surface& surface = surfaceOf(designer.designer());
+        const SurfacePolyline line = designer.carried({&curve}).front();
+        return facesWithin(surface, line, optionsOf(distance, side), goesOn);
+    });
+    within = flagsOfGiven(std::move(within), designer.mesh().faces.size(), designer.repair());
+    return arrayOf(std::vector<std::uint8_t>(within.begin(), within.end()));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/curve.h"
 #include "bspline_curve/error.h"
+#include "design/curve_on_given_mesh.h"
 #include "io/drawing_formats.h"
 #include "pattern/draw_pattern.h"
 #include "pattern/drawing_builder.h"
@@ -166,7 +167,7 @@ nb::tuple pattern(
     std::vector<std::int32_t> paths;
     std::vector<std::int32_t> copies;
     for (PatternCurve& each : made.curves) {
-        designer.bringBack(each.curve.polyline);
+        bringBack(each.curve, designer.repair());
         curves.push_back(std::move(each.curve));
         paths.push_back(each.path);
         copies.push_back(each.copy);

@@ -34,7 +34,7 @@ TEST(BringBack, NamesFacesOfTheGivenMesh) {
     ASSERT_TRUE(curve.report.farPart.has_value());
 
     Curve given = curve;
-    bringBack(given, *mended.repair());
+    bringBack(given, mended.repair());
     const std::vector<int>& before = curve.report.farPart->faces;
     const std::vector<int>& after = given.report.farPart->faces;
     ASSERT_EQ(after.size(), before.size());

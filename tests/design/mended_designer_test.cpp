@@ -98,7 +98,7 @@ TEST(MendedDesigner, PassesFromEachPageOfABookToEachOther) {
         }
         Curve curve = mended.made.design(picks);
         EXPECT_TRUE(curve.report.usable);
-        bringBack(curve, *mended.repair());
+        bringBack(curve, mended.repair());
         expectStrictOn(mesh, curve.polyline);
         ASSERT_EQ(curve.polyline.picks.size(), picks.size());
         for (std::size_t i = 0; i < picks.size(); ++i) {
@@ -137,7 +137,7 @@ TEST(MendedDesigner, CarriesFieldAndAvoidedFacesOver) {
     for (const SurfacePoint& point : curve.polyline.surfacePoints) {
         EXPECT_FALSE(std::ranges::binary_search(avoid, point.face));
     }
-    bringBack(curve, *mended.repair());
+    bringBack(curve, mended.repair());
     expectStrictOn(mesh, curve.polyline);
 }
 

@@ -134,7 +134,7 @@ SurfacePolyline fromGivenMesh(SurfacePolyline line, const Mended<CurveDesigner>&
     if (repair == nullptr) {
         return line;
     }
-    bringBack(line, *repair);
+    bringBack(line, repair);
     line = PointsOnMended(*repair).lineAt(line);
     require(
         isStrict(surfaceOf(mended.made), line), "a curve of the given mesh is on the mended one"
