@@ -85,29 +85,42 @@ CurveResult runCurveFilter(
         inputs, surfaceOf(designer), request, partOf(progress, kCurveSurfaceShare, kCurveFieldShare)
     );
     const std::vector<double>& field = guides.field;
-    CurveResult result;
-    result.followsField = guides.hasField;
-    result.curve = designer.design(
+    Curve curve = designer.design(
         chosen.picks,
         options,
         request.sampling,
         {.field = field, .avoid = guides.avoid},
         partOf(progress, kCurveFieldShare, 1.0)
     );
+    return curveResult(layer.mesh, std::move(curve), field, watch.lap(), found, request);
+}
+
+CurveResult curveResult(
+    const TriangleMesh& given,
+    Curve curve,
+    std::span<const double> field,
+    double seconds,
+    const DesignerCache::Found& found,
+    const CurveRequest& request
+) {
+    CurveResult result;
+    result.followsField = !field.empty();
+    result.curve = std::move(curve);
     const std::vector<double> along =
         field.empty() ? std::vector<double>()
-                      : fieldAlong(result.curve.polyline, designer.mesh().faces, field);
+                      : fieldAlong(result.curve.polyline, found.designer->mesh().faces, field);
     result.quality = field.empty() ? result.curve.polyline.parameters : along;
-    bringBack(result.curve, repair);
-    result.figures = curveFigures(result.curve, found, watch.lap());
+    bringBack(result.curve, found.repair());
+    result.figures = curveFigures(result.curve, found, seconds);
     result.log = {
         // Names are no figures, since pymeshlab warns of texts.
-        .figures = std::string("shell=") + shellName(result.curve) + " field=" +
-                   (guides.hasField && request.field ? name(request.field->options.kind) : "none") +
-                   " " + keyValueText(result.figures),
+        .figures =
+            std::string("shell=") + shellName(result.curve) + " field=" +
+            (result.followsField && request.field ? name(request.field->options.kind) : "none") +
+            " " + keyValueText(result.figures),
         .warnings = warningsOf(result.curve, found)
     };
-    addExtras(request, layer.mesh, designer, along, result);
+    addExtras(request, given, *found.designer, along, result);
     return result;
 }
 

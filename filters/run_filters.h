@@ -11,6 +11,7 @@
 
 #include <exception>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,18 @@ struct FieldResult {
     const CurveRequest& request,
     DesignerCache& designers,
     const Progress& progress = {}
+);
+
+/// The result of that filter for a curve that was designed already, on the mesh of the designer.
+/// `given`: the layer's mesh; `field`: what the curve follows, one value per vertex of the
+/// designer's mesh, or none; `seconds`: how long it took. Throws InputError (UnwritableFile).
+[[nodiscard]] CurveResult curveResult(
+    const TriangleMesh& given,
+    Curve curve,
+    std::span<const double> field,
+    double seconds,
+    const DesignerCache::Found& found,
+    const CurveRequest& request
 );
 
 /// Computes a field. Throws likewise.
