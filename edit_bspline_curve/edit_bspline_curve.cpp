@@ -3,7 +3,6 @@
 
 #include "edit_bspline_curve/common/tool_icon.h"
 
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <exception>
@@ -60,12 +59,6 @@ void EditBsplineCurve::mouseReleaseEvent(
 ) {
     if (drawing_) {
         drawing_->tool().mouseRelease(*event);
-    }
-}
-
-void EditBsplineCurve::keyPressEvent(QKeyEvent* event, MeshModel& /*layer*/, GLArea* /*area*/) {
-    if (drawing_) {
-        drawing_->tool().keyPress(*event);
     }
 }
 

@@ -28,7 +28,6 @@ public:
     void mousePressEvent(QMouseEvent* event, MeshModel& layer, GLArea* area) override;
     void mouseMoveEvent(QMouseEvent* event, MeshModel& layer, GLArea* area) override;
     void mouseReleaseEvent(QMouseEvent* event, MeshModel& layer, GLArea* area) override;
-    void keyPressEvent(QKeyEvent* event, MeshModel& layer, GLArea* area) override;
     void wheelEvent(QWheelEvent* event, MeshModel& layer, GLArea* area) override;
 
 private:

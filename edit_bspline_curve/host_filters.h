@@ -36,6 +36,11 @@ inline void runFilter(
     return document.filterHistory;
 }
 
+/// As filters log what they did.
+inline void logFilter(MeshDocument& document, const std::string& text) {
+    document.Log.log(GLLogStream::FILTER, text);
+}
+
 inline void warn(MeshDocument& document, const std::string& text) {
     document.Log.log(GLLogStream::WARNING, text);
 }

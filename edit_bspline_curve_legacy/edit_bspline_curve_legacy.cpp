@@ -3,7 +3,6 @@
 
 #include "edit_bspline_curve/common/tool_icon.h"
 
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <exception>
@@ -63,13 +62,6 @@ void EditBsplineCurveLegacy::mouseReleaseEvent(
 ) {
     if (drawing_) {
         drawing_->tool().mouseRelease(*event);
-    }
-}
-
-void EditBsplineCurveLegacy::
-    keyPressEvent(QKeyEvent* event, MeshModel& /*layer*/, GLArea* /*area*/) {
-    if (drawing_) {
-        drawing_->tool().keyPress(*event);
     }
 }
 

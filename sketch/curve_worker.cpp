@@ -71,9 +71,17 @@ std::vector<SolveAnswer> CurveWorker::takeAnswers() {
 
 void CurveWorker::wait() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] {
-        return !answers_.empty() || (!running_ && !live_ && others_.empty());
-    });
+    changed_.wait(lock, [this] { return isWorthWaking(); });
+}
+
+bool CurveWorker::waitUntil(std::chrono::steady_clock::time_point end) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_until(lock, end, [this] { return isWorthWaking(); });
+}
+
+// Under the lock: there is an answer, or none will come.
+bool CurveWorker::isWorthWaking() const {
+    return !answers_.empty() || (!running_ && !live_ && others_.empty());
 }
 
 void CurveWorker::serve() {

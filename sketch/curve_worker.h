@@ -4,6 +4,7 @@
 #include "bspline_curve/designer.h"
 #include "sketch/sketch.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -56,8 +57,11 @@ public:
     [[nodiscard]] std::vector<SolveAnswer> takeAnswers();
     /// Waits until there is an answer or nothing is left to solve.
     void wait();
+    /// The same, but no longer than until then; whether there was something before.
+    [[nodiscard]] bool waitUntil(std::chrono::steady_clock::time_point end);
 
 private:
+    [[nodiscard]] bool isWorthWaking() const;
     void serve();
     [[nodiscard]] Progress untilTheEnd() const;
     [[nodiscard]] SolveAnswer answerTo(const SolveRequest& request, const Progress& progress) const;

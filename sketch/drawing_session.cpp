@@ -31,17 +31,15 @@ bool DrawingSession::hides(const Pointer& pointer, const Vec3& point) const {
     return !isInSight(pointer, seenBy(pointer), point);
 }
 
-SurfacePoint DrawingSession::pointUnder(
-    const Pointer& pointer, const TriangleTree::Hit& seen
-) const {
-    if (!pointer.snaps) {
-        return seen.point;
+SurfacePoint DrawingSession::pointUnder(const Pointer& pointer, const TriangleTree::Hit& seen) {
+    snapped_ = {SnapKind::None, seen.point};
+    if (pointer.snaps) {
+        const double reach = settings_.snapPixels * pointer.pixelAt(seen.distance);
+        snapped_ = snap(
+            surfaceOf(*designer_), sketch_, sketch_.active, seen.point, reach, settings_.snapping
+        );
     }
-    const double reach = settings_.snapPixels * pointer.pixelAt(seen.distance);
-    return snap(
-               surfaceOf(*designer_), sketch_, sketch_.active, seen.point, reach, settings_.snapping
-    )
-        .point;
+    return snapped_.point;
 }
 
 bool DrawingSession::hasMoved(const Pointer& pointer) const {
@@ -110,6 +108,7 @@ bool DrawingSession::move(const Pointer& pointer) {
     if (mode_ != Mode::Idle) {
         return true;
     }
+    snapped_ = {};
     hovered_ = hitTest(sketch_, pointer, seen, settings_.radii);
     const SketchCurve* const curve = sketch_.activeCurve();
     const bool wouldAdd = curve != nullptr && !curve->options.solver.closed &&
@@ -139,6 +138,7 @@ bool DrawingSession::release(const Pointer& pointer) {
 
 void DrawingSession::leave() {
     hovered_ = {};
+    snapped_ = {};
     if (mode_ == Mode::Idle) {
         dropLive();
     }
@@ -210,8 +210,7 @@ bool DrawingSession::selectNext(SketchKey key) {
         return false;
     }
     if (key == SketchKey::NextCurve) {
-        select((sketch_.active + 1) % static_cast<int>(sketch_.curves.size()));
-        return true;
+        return selectNextCurve();
     }
     if (sketch_.active < 0) {
         return false;
@@ -220,6 +219,18 @@ bool DrawingSession::selectNext(SketchKey key) {
     const int before = sketch_.selected <= 0 ? count - 1 : sketch_.selected - 1;
     select(sketch_.active, key == SketchKey::Next ? (sketch_.selected + 1) % count : before);
     return true;
+}
+
+bool DrawingSession::selectNextCurve() {
+    const auto count = static_cast<int>(sketch_.curves.size());
+    for (int step = 1; step <= count; ++step) {
+        const int next = (sketch_.active + step) % count;
+        if (!sketch_.curves[next]->look.isHidden) {
+            select(next);
+            return true;
+        }
+    }
+    return false;
 }
 
 // ---- Calls ----
@@ -285,8 +296,9 @@ void DrawingSession::setClosed(bool closed) {
     }
 }
 
-void DrawingSession::setOptions(const SketchCurveOptions& options) {
+void DrawingSession::setOptions(const SketchCurveOptions& options, bool isLive) {
     options.solver.validate();
+    const bool goesOn = isLiveChange_;
     cancel();
     settings_.options = options;
     settings_.options.solver.closed = false;  // of the curve, not of those to come
@@ -294,7 +306,13 @@ void DrawingSession::setOptions(const SketchCurveOptions& options) {
         const bool canClose = sketch_.activeCurve()->picks.size() >= 3;
         changed().options = options;
         sketch_.activeCurve()->options.solver.closed = options.solver.closed && canClose;
-        enter();
+        if (goesOn) {
+            history_.replace(sketch_);
+            settleNow();
+        } else {
+            enter();
+        }
+        isLiveChange_ = isLive;
     }
 }
 
@@ -330,58 +348,72 @@ void DrawingSession::cancel() {
         show(history_.now());
     }
     mode_ = Mode::Idle;
-    closesOnRelease_ = false;
+    closesOnRelease_ = isLiveChange_ = false;
 }
 
-void DrawingSession::reopen(std::vector<SketchPick> picks, const SketchCurveOptions& options) {
-    newCurve();
-    auto curve = std::make_shared<SketchCurve>();
-    curve->picks = std::move(picks);
-    curve->options = options;
-    sketch_.curves.push_back(std::move(curve));
-    sketch_.active = static_cast<int>(sketch_.curves.size()) - 1;
+void DrawingSession::setLook(int curve, SketchLook look) {
+    cancel();
+    requireCurve(curve);
+    if (look == sketch_.curves[curve]->look) {
+        return;
+    }
+    copied(curve).look = std::move(look);
+    if (curve == sketch_.active && sketch_.curves[curve]->look.isHidden) {
+        sketch_.active = sketch_.selected = -1;
+    }
     enter();
 }
 
-std::vector<std::shared_ptr<const SketchCurve>> DrawingSession::commit() {
+void DrawingSession::begin(std::vector<SketchCurve> curves, int active) {
     cancel();
-    settle();
-    std::vector<std::shared_ptr<const SketchCurve>> drawn;
-    Sketch left;
-    for (const std::shared_ptr<SketchCurve>& curve : sketch_.curves) {
-        if (curve->settled) {
-            drawn.push_back(curve);
-            continue;
-        }
-        if (curve.get() == sketch_.activeCurve()) {
-            left.active = static_cast<int>(left.curves.size());
-            left.selected = sketch_.selected;
-        }
-        left.curves.push_back(curve);
+    sketch_ = {};
+    for (SketchCurve& curve : curves) {
+        append(std::move(curve));
     }
-    history_ = SketchHistory(std::move(left));
+    sketch_.active = active;
+    history_ = SketchHistory(sketch_);
     show(history_.now());
-    return drawn;
+}
+
+void DrawingSession::add(std::vector<SketchCurve> curves) {
+    newCurve();
+    for (SketchCurve& curve : curves) {
+        append(std::move(curve));
+    }
+    enter();
 }
 
 // ---- Changes ----
 
-SketchCurve& DrawingSession::changed() {
-    std::shared_ptr<SketchCurve>& place = sketch_.curves[sketch_.active];
-    auto copy = std::make_shared<SketchCurve>(*place);
-    copy->settled.reset();
-    copy->isAnswered = false;
-    copy->problem = {};
-    place = std::move(copy);
+SketchCurve& DrawingSession::copied(int curve) {
+    std::shared_ptr<SketchCurve>& place = sketch_.curves[curve];
+    place = std::make_shared<SketchCurve>(*place);
     return *place;
+}
+
+SketchCurve& DrawingSession::changed() {
+    SketchCurve& curve = copied(sketch_.active);
+    curve.settled.reset();
+    curve.isAnswered = false;
+    curve.problem = {};
+    return curve;
+}
+
+void DrawingSession::append(SketchCurve curve) {
+    if (curve.id == 0) {
+        curve.id = ++lastCurveId_;
+    }
+    lastCurveId_ = std::max(lastCurveId_, curve.id);
+    sketch_.curves.push_back(std::make_shared<SketchCurve>(std::move(curve)));
 }
 
 // The curve that the next pick is added to.
 SketchCurve& DrawingSession::begun() {
     if (sketch_.active < 0 || sketch_.activeCurve()->options.solver.closed) {
-        auto curve = std::make_shared<SketchCurve>();
-        curve->options = settings_.options;
-        sketch_.curves.push_back(std::move(curve));
+        SketchCurve curve;
+        curve.options = settings_.options;
+        curve.look.colour = settings_.colour;
+        append(std::move(curve));
         sketch_.active = static_cast<int>(sketch_.curves.size()) - 1;
     }
     return *sketch_.activeCurve();
@@ -394,15 +426,22 @@ void DrawingSession::insertBehind(int after, const SurfacePoint& point) {
 }
 
 void DrawingSession::enter() {
+    isLiveChange_ = false;
+    history_.add(sketch_);
+    settleNow();
+}
+
+void DrawingSession::settleNow() {
     dropLive();
     hovered_ = {};
-    history_.add(sketch_);
+    snapped_ = {};
     askSettled();
 }
 
 void DrawingSession::show(const Sketch& state) {
     sketch_ = state;
     hovered_ = {};
+    snapped_ = {};
     askSettled();
 }
 

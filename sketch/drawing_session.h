@@ -7,6 +7,7 @@
 #include "sketch/sketch.h"
 #include "sketch/snapping.h"
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -21,6 +22,7 @@ struct SessionSettings {
     double snapPixels = 12.0;      ///< picks snap to what is within
     double dragPixels = 3.0;       ///< a press becomes a drag after so much
     SketchCurveOptions options{};  ///< of new curves
+    SketchColour colour{};         ///< likewise
     /// Called on a thread of the session's own when an answer waits for update(); may be empty.
     std::function<void()> wake{};
 };
@@ -60,8 +62,15 @@ public:
     void removePick(int pick);
     void select(int curve, int pick = -1);
     void setClosed(bool closed);
-    /// Of the active curve, where there is one, and of new ones.
-    void setOptions(const SketchCurveOptions& options);
+    /// Of the active curve, where there is one, and of new ones. `isLive`: more of the same change
+    /// is to come, as while a slider is moved; all of it is one entry of the history.
+    void setOptions(const SketchCurveOptions& options, bool isLive = false);
+
+    /// Of one curve, as one entry of the history; the curve stays as it is.
+    void setLook(int curve, SketchLook look);
+
+    /// Of new curves from now on.
+    void setColour(SketchColour colour) { settings_.colour = colour; }
 
     /// What picks snap to from now on.
     void setSnapping(const SnapOptions& snapping) { settings_.snapping = snapping; }
@@ -87,12 +96,17 @@ public:
 
     [[nodiscard]] bool canRedo() const { return history_.canRedo(); }
 
+    /// What the pick that is dragged, or that a click would add, snaps to.
+    [[nodiscard]] const Snap& snapped() const { return snapped_; }
+
     /// The active curve with the point under the pointer as one more pick; null where there is
     /// none, or it is not known yet.
     [[nodiscard]] const std::shared_ptr<const Curve>& preview() const { return preview_; }
 
-    /// Whether a curve of the sketch is still to be solved.
+    /// Whether all curves of the sketch are solved, as far as they can be.
     [[nodiscard]] bool isSettled() const;
+
+    [[nodiscard]] const CurveDesigner& designer() const { return *designer_; }
 
     /// Whether the surface hides a point that the pointer points at.
     [[nodiscard]] bool hides(const Pointer& pointer, const Vec3& point) const;
@@ -100,12 +114,17 @@ public:
     /// Waits until all curves are settled.
     void settle();
 
-    /// Waits until all curves are settled, hands over those that have a polyline, and begins a
-    /// history of its own with the others: they can still be corrected.
-    [[nodiscard]] std::vector<std::shared_ptr<const SketchCurve>> commit();
+    /// The same for a limited time; whether they are.
+    [[nodiscard]] bool settleWithin(std::chrono::milliseconds time);
 
-    /// Goes on with a curve that was drawn before, as one entry of the history.
-    void reopen(std::vector<SketchPick> picks, const SketchCurveOptions& options);
+    // ---- Curves that were drawn before: picks, options and look of each.
+
+    /// Goes on with these alone. They are where the history begins, so undo does not remove them.
+    /// `active`: index of one of them; -1: none.
+    void begin(std::vector<SketchCurve> curves, int active = -1);
+
+    /// Adds them, as one entry of the history.
+    void add(std::vector<SketchCurve> curves);
 
 private:
     enum class Mode { Idle, Pressed, Dragging };
@@ -120,21 +139,24 @@ private:
     [[nodiscard]] SketchPick pickAt(const SurfacePoint& point) const;
     [[nodiscard]] TriangleTree::Hit seenBy(const Pointer& pointer) const;
     /// The point under the pointer, snapped where that is asked for.
-    [[nodiscard]] SurfacePoint pointUnder(
-        const Pointer& pointer, const TriangleTree::Hit& seen
-    ) const;
+    SurfacePoint pointUnder(const Pointer& pointer, const TriangleTree::Hit& seen);
     [[nodiscard]] bool hasMoved(const Pointer& pointer) const;
 
     // Of key().
     bool moveSelected(const Pointer& pointer);
     bool change(SketchKey key);
     bool selectNext(SketchKey key);
+    bool selectNextCurve();
 
-    /// A copy of the active curve in its place, to be changed.
+    /// A copy of a curve in its place, to be changed.
+    SketchCurve& copied(int curve);
+    /// The same of the active one, whose picks or options change.
     SketchCurve& changed();
+    void append(SketchCurve curve);
     SketchCurve& begun();
     void insertBehind(int after, const SurfacePoint& point);
     void enter();  ///< ends a change: an entry of the history, and curves to be settled
+    void settleNow();
     void askLive();
     void askPreview(const SurfacePoint& point);
     void askSettled();
@@ -150,11 +172,14 @@ private:
     Sketch sketch_;
     SketchHistory history_;
     SketchHit hovered_;
+    Snap snapped_;
     Mode mode_ = Mode::Idle;
     Vec3 pressedAt_ = Vec3::Zero();
     bool closesOnRelease_ = false;
+    bool isLiveChange_ = false;  ///< the newest entry of the history is not complete yet
     std::shared_ptr<const Curve> preview_;
-    std::uint64_t lastId_ = 0;
+    std::uint64_t lastId_ = 0;  // of requests
+    std::uint64_t lastCurveId_ = 0;
     std::vector<Asked> asked_;
     CurveWorker worker_;
 };

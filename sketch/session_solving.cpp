@@ -122,4 +122,13 @@ void DrawingSession::settle() {
     }
 }
 
+bool DrawingSession::settleWithin(std::chrono::milliseconds time) {
+    const auto end = std::chrono::steady_clock::now() + time;
+    static_cast<void>(update());
+    while (!isSettled() && worker_.waitUntil(end)) {
+        static_cast<void>(update());
+    }
+    return isSettled();
+}
+
 }  // namespace bspline_curve

@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sketch/sketch.h"
 
+#include <algorithm>
+
 namespace bspline_curve {
+
+bool SketchCurve::asksForTheSame(const SketchCurve& other) const {
+    const auto samePick = [](const SketchPick& a, const SketchPick& b) {
+        return a.point.face == b.point.face && a.point.barycentric == b.point.barycentric &&
+               a.position == b.position;
+    };
+    return options.solver == other.options.solver && options.guides == other.options.guides &&
+           std::ranges::equal(picks, other.picks, samePick);
+}
 
 std::vector<Vec3> SketchCurve::positions() const {
     std::vector<Vec3> positions;

@@ -6,6 +6,7 @@
 #include "sketch/sketch_guides.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -30,9 +31,26 @@ struct SketchProblem {
     std::vector<int> picks;  ///< those concerned; all where it is not known which
 };
 
+struct SketchColour {
+    std::uint8_t red = 225, green = 60, blue = 30;
+
+    [[nodiscard]] bool operator==(const SketchColour&) const = default;
+};
+
+/// How a curve is named and shown: nothing of it moves the curve.
+struct SketchLook {
+    std::string name;
+    SketchColour colour;
+    bool isHidden = false;  ///< neither shown nor hit
+
+    [[nodiscard]] bool operator==(const SketchLook&) const = default;
+};
+
 /// One curve: what was asked for, which does not change once others may see it, and what came of
 /// it. A state of the sketch that undo brings back is the same object.
 struct SketchCurve {
+    std::uint64_t id = 0;  ///< the same in all states of the curve; 0: the session gives one
+    SketchLook look;
     std::vector<SketchPick> picks;
     SketchCurveOptions options;
     /// The curve from scratch: it depends on picks and options alone, so it is the one that a
@@ -58,6 +76,9 @@ struct SketchCurve {
 
     /// Whether there is nothing more to find out.
     [[nodiscard]] bool isSettled() const { return isAnswered || !isDrawable(); }
+
+    /// Whether the same is asked for, so that the same comes of it.
+    [[nodiscard]] bool asksForTheSame(const SketchCurve& other) const;
 };
 
 /// What a user has drawn. Copies share curves.
@@ -86,6 +107,9 @@ public:
 
     /// Drops what was undone. Nothing where the state is that of now.
     void add(const Sketch& state);
+
+    /// Puts a state in the place of that of now.
+    void replace(const Sketch& state) { states_[position_] = state; }
 
     [[nodiscard]] bool canUndo() const { return position_ > 0; }
 

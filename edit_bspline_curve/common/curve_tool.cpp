@@ -3,16 +3,22 @@
 
 #include "bspline_curve/error.h"
 #include "design/designer_surface.h"
-#include "design/mended_designer.h"
+#include "edit_bspline_curve/common/kept_settings.h"
 #include "edit_bspline_curve/common/sketch_painter.h"
 #include "field/make_field.h"
+#include "filters/find_designer.h"
 #include "filters/mended_layer.h"
 
-#include <QCoreApplication>
-#include <QKeyEvent>
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QMdiArea>
+#include <QMdiSubWindow>
+#include <QMessageBox>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QWheelEvent>
-#include <array>
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <utility>
@@ -22,81 +28,106 @@ namespace {
 
 constexpr int kLookEvery = 15;  // milliseconds
 
-struct KeyBinding {
-    int key;
-    bool withControl;
-    SketchKey means;
-};
+/// The host waits no longer than this for curves that are still being solved when the tool ends;
+/// their picks are kept then.
+constexpr std::chrono::milliseconds kPatience(150);
 
-constexpr std::array kBindings = {
-    KeyBinding{Qt::Key_Z, true, SketchKey::Undo},
-    KeyBinding{Qt::Key_Y, true, SketchKey::Redo},
-    KeyBinding{Qt::Key_A, false, SketchKey::Add},
-    KeyBinding{Qt::Key_M, false, SketchKey::Move},
-    KeyBinding{Qt::Key_Period, false, SketchKey::Next},
-    KeyBinding{Qt::Key_Comma, false, SketchKey::Previous},
-    KeyBinding{Qt::Key_K, false, SketchKey::NextCurve},
-    KeyBinding{Qt::Key_Delete, false, SketchKey::Remove},
-    KeyBinding{Qt::Key_Backspace, false, SketchKey::Remove},
-    KeyBinding{Qt::Key_C, false, SketchKey::Close},
-    KeyBinding{Qt::Key_N, false, SketchKey::NewCurve},
-    KeyBinding{Qt::Key_X, false, SketchKey::Cancel},
-};
+QAction* suspendingActionOf(const QWidget& window) {
+    for (QAction* const action : window.findChildren<QAction*>()) {
+        if (action->shortcut() == QKeySequence(Qt::Key_Escape) && action->isCheckable()) {
+            return action;
+        }
+    }
+    return nullptr;
+}
+
+double secondsOf(const SolveReport& report) {
+    const auto& s = report.seconds;
+    return s.path + s.initial + s.minimise + s.knots + s.polyline + s.failedAttempts;
+}
 
 }  // namespace
 
-CurveTool::CurveTool(
-    QGLWidget& view, LayerInput surface, std::optional<DrawnCurve> reopened, ToolHost host
-)
+CurveTool::CurveTool(QGLWidget& view, ToolStart start, SketchLayers& layers, Use use)
     : view_(view),
-      host_(std::move(host)),
-      reopened_(std::move(reopened)),
+      layers_(layers),
+      use_(std::move(use)),
+      start_(std::move(start)),
       hadTracking_(view.hasMouseTracking()),
-      panel_(&view),
+      panel_(new ToolPanel(view)),
+      suspending_(suspendingActionOf(*view.window())),
       preparing_(
           std::async(
-              std::launch::async, [layer = std::move(surface), progress = untilTheEnd()]() mutable {
-                  // Strictness is the filter's, which makes the layers.
-                  Mended<CurveDesigner> mended =
-                      makeMendedDesigner(std::move(layer.mesh), {}, {}, progress);
-                  if (const MeshRepair* const repair = mended.repair()) {
+              std::launch::async,
+              [layer = std::move(start_.surface), progress = untilTheEnd()]() mutable {
+                  DesignerCache designers;
+                  // Strictness is the filter's.
+                  DesignerCache::Found found = designerFor(layer, {}, {}, designers, progress);
+                  if (const MeshRepair* const repair = found.repair()) {
                       layer = carriedOver(layer, *repair);
                   }
-                  return Prepared{
-                      std::make_shared<const CurveDesigner>(std::move(mended.made)),
-                      std::move(layer),
-                      mended.repair() != nullptr
-                  };
+                  return Prepared{std::move(found), std::move(layer)};
               }
           )
-      ) {
+      ),
+      notice_(start_.note) {
     view_.setMouseTracking(true);
-    view_.installEventFilter(this);
+    qApp->installEventFilter(this);
+    connect(qApp, &QCoreApplication::aboutToQuit, this, &CurveTool::stop);
     connect(&timer_, &QTimer::timeout, this, &CurveTool::look);
-    connect(&panel_, &ToolPanel::optionsChanged, this, &CurveTool::setOptions);
-    connect(&panel_, &ToolPanel::keyAsked, this, &CurveTool::runKey);
-    connect(&panel_, &ToolPanel::commitAsked, this, &CurveTool::commit);
-    connect(&panel_, &ToolPanel::useAsked, this, [this](const FilterDescription* filter) {
-        use(*filter);
-    });
-    connect(&panel_, &ToolPanel::keyPressed, this, [this](QKeyEvent* event) { keyPress(*event); });
-    panel_.say(tr("Preparing the surface …"));
-    panel_.QWidget::show();
+    if (suspending_ != nullptr) {
+        connect(suspending_, &QAction::toggled, this, &CurveTool::refresh);
+    }
+    connectPanel();
+    panel_->say(tr("Preparing the surface …"));
     timer_.start(kLookEvery);
 }
 
 CurveTool::~CurveTool() {
-    isEnding_ = true;
-    view_.removeEventFilter(this);
+    qApp->removeEventFilter(this);
     view_.setMouseTracking(hadTracking_);
     if (isLent_) {
         toggleCamera();
     }
+    stop();
+    delete panel_;
+}
+
+void CurveTool::connectPanel() {
+    connect(panel_, &ToolPanel::optionsChanged, this, &CurveTool::setOptions);
+    connect(panel_, &ToolPanel::keyAsked, this, &CurveTool::runKey);
+    connect(panel_, &ToolPanel::commitAsked, this, &CurveTool::makeLayers);
+    connect(panel_, &ToolPanel::useAsked, this, [this](const FilterDescription* filter) {
+        use(*filter);
+    });
+    connect(panel_, &ToolPanel::turnAsked, this, &CurveTool::setTurning);
+    connect(panel_, &ToolPanel::magnetChanged, this, &CurveTool::refresh);
+    connect(panel_, &ToolPanel::unitChanged, this, &CurveTool::refresh);
+    // Later, since these rebuild the list that tells of them.
+    connect(panel_, &ToolPanel::curveChosen, this, [this](int curve) {
+        QTimer::singleShot(0, this, [this, curve] { choose(curve); });
+    });
+    connect(panel_, &ToolPanel::lookAsked, this, [this](int curve, const SketchLook& look) {
+        QTimer::singleShot(0, this, [this, curve, look] { setLook(curve, look); });
+    });
+    connect(panel_, &ToolPanel::closed, this, [this] {
+        QMetaObject::invokeMethod(&view_, "endEdit", Qt::QueuedConnection);
+    });
 }
 
 Progress CurveTool::untilTheEnd() const {
     return [this](double, const char*) { return !isEnding_; };
 }
+
+void CurveTool::stop() {
+    isEnding_ = true;
+    timer_.stop();
+    preparing_ = {};  // waits
+    preparingCrests_ = {};
+    session_.reset();
+}
+
+// ---- What is prepared ----
 
 void CurveTool::look() {
     const auto isReady = [](const auto& future) {
@@ -111,7 +142,7 @@ void CurveTool::look() {
             session_->setSnapping(preparingCrests_.get());
         }
     } catch (const std::exception& error) {
-        panel_.say(error.what());
+        panel_->say(error.what());
     }
     if (!preparing_.valid() && !preparingCrests_.valid()) {
         timer_.stop();
@@ -119,27 +150,38 @@ void CurveTool::look() {
 }
 
 void CurveTool::begin(Prepared prepared) {
-    designer_ = std::move(prepared.designer);
-    options_ = std::make_unique<OptionBook>(designer_, std::move(prepared.layer));
+    found_ = std::move(prepared.found);
+    options_ = std::make_unique<OptionBook>(found_.designer, std::move(prepared.layer));
     SessionSettings settings;
+    settings.colour = kept::colour();
     // The session's thread wakes ours.
     settings.wake = [this] {
         QMetaObject::invokeMethod(this, [this] { refresh(); }, Qt::QueuedConnection);
     };
-    session_ = std::make_unique<DrawingSession>(designer_, std::move(settings));
-    if (reopened_) {
-        for (SketchPick& pick : reopened_->picks) {
-            if (prepared.isMended) {
-                pick.point = treeOf(*designer_).closestPoint(pick.position).point;
-            }
-        }
-        reopen(*reopened_);
+    session_ = std::make_unique<DrawingSession>(found_.designer, std::move(settings));
+    std::vector<SketchCurve> curves;
+    for (const TakenUp& taken : start_.curves) {
+        curves.push_back(toSketch(taken));
+    }
+    session_->begin(std::move(curves), start_.active);
+    layers_.begin(start_.curves, session_->sketch());
+    if (kept::isMagnetOn()) {
+        prepareCrests();
     }
     refresh();
 }
 
-void CurveTool::reopen(const DrawnCurve& curve) {
-    session_->reopen(curve.picks, options_->toSketch(curve.options));
+SketchCurve CurveTool::toSketch(const TakenUp& taken) {
+    SketchCurve curve;
+    curve.look = taken.look;
+    curve.picks = taken.curve.picks;
+    curve.options = options_->toSketch(taken.curve.options);
+    if (found_.repair() != nullptr || taken.layer < 0) {
+        for (SketchPick& pick : curve.picks) {
+            pick.point = treeOf(*found_.designer).closestPoint(pick.position).point;
+        }
+    }
+    return curve;
 }
 
 // Ridges and valleys take seconds on a large mesh, so they wait until somebody snaps.
@@ -148,7 +190,7 @@ void CurveTool::prepareCrests() {
         return;
     }
     preparingCrests_ =
-        std::async(std::launch::async, [designer = designer_, progress = untilTheEnd()] {
+        std::async(std::launch::async, [designer = found_.designer, progress = untilTheEnd()] {
             const auto field = [&](FieldKind kind) {
                 return std::make_shared<const std::vector<double>>(
                     makeField(surfaceOf(*designer), FieldOptions{.kind = kind}, {}, progress)
@@ -165,13 +207,23 @@ void CurveTool::prepareCrests() {
 void CurveTool::refresh() {
     if (session_) {
         session_->update();
+        layers_.show(session_->sketch());
+        makeWhatWaits();
     }
-    const SketchCurve* const curve = session_ ? session_->sketch().activeCurve() : nullptr;
-    panel_.show(
-        session_.get(),
-        curve == nullptr ? std::nullopt : std::optional(options_->fromSketch(curve->options)),
-        hasLayers_
-    );
+    if (panel_ == nullptr) {
+        return;
+    }
+    PanelState state;
+    state.session = session_.get();
+    if (const SketchCurve* const curve = session_ ? session_->sketch().activeCurve() : nullptr) {
+        state.active = options_->fromSketch(curve->options);
+    }
+    state.isTurning = isTurning_;
+    state.isHostsCamera = isHostsCamera();
+    state.isMaking = isMaking_;
+    state.notice = notice_;
+    state.edge = session_ ? surfaceOf(*found_.designer).averageEdgeLength() : 0.0;
+    panel_->show(state);
     view_.update();
 }
 
@@ -183,11 +235,11 @@ void CurveTool::draw() {
     }
 }
 
-// ---- Events ----
+// ---- The mouse ----
 
 Pointer CurveTool::pointerOf(const QMouseEvent& event, const View& seen) {
     Pointer pointer = seen.pointerAt(event.localPos());
-    pointer.snaps = event.modifiers().testFlag(Qt::ControlModifier);
+    pointer.snaps = event.modifiers().testFlag(Qt::ControlModifier) != kept::isMagnetOn();
     pointer.removes = event.modifiers().testFlag(Qt::ShiftModifier);
     if (pointer.snaps) {
         prepareCrests();
@@ -197,7 +249,8 @@ Pointer CurveTool::pointerOf(const QMouseEvent& event, const View& seen) {
 
 void CurveTool::mousePress(QMouseEvent& event) {
     last_ = event.localPos();
-    const bool isOurs = session_ && seen_ && event.button() == Qt::LeftButton &&
+    notice_.clear();
+    const bool isOurs = session_ && seen_ && !isTurning_ && event.button() == Qt::LeftButton &&
                         !event.modifiers().testFlag(Qt::AltModifier);
     if (!isOurs || !session_->press(pointerOf(event, *seen_))) {
         lendToCamera(event);
@@ -207,7 +260,7 @@ void CurveTool::mousePress(QMouseEvent& event) {
 
 void CurveTool::mouseMove(QMouseEvent& event) {
     last_ = event.localPos();
-    if (session_ && seen_) {
+    if (session_ && seen_ && !isTurning_) {
         session_->move(pointerOf(event, *seen_));
         refresh();
     }
@@ -227,74 +280,247 @@ void CurveTool::wheel(QWheelEvent& event) {
     toggleCamera();
 }
 
-void CurveTool::keyPress(QKeyEvent& event) {
-    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
-        event.accept();
-        commit();
+// ---- Options and looks ----
+
+void CurveTool::setOptions(const DrawnOptions& options, bool isLive) {
+    if (!session_) {
         return;
     }
-    const bool withControl = event.modifiers().testFlag(Qt::ControlModifier);
-    for (const KeyBinding& binding : kBindings) {
-        if (binding.key == event.key() && binding.withControl == withControl) {
-            event.accept();
-            runKey(binding.means);
+    notice_.clear();
+    try {
+        session_->setOptions(options_->toSketch(options), isLive);
+    } catch (const InputError& error) {
+        notice_ = error.what();
+    }
+    refresh();
+}
+
+void CurveTool::setLook(int curve, const SketchLook& look) {
+    if (!session_ || curve >= static_cast<int>(session_->sketch().curves.size())) {
+        return;
+    }
+    if (!(look.colour == session_->sketch().curves[curve]->look.colour)) {
+        kept::setColour(look.colour);  // and of curves to come
+        session_->setColour(look.colour);
+    }
+    session_->setLook(curve, look);
+    refresh();
+}
+
+void CurveTool::choose(int curve) {
+    if (session_ && curve < static_cast<int>(session_->sketch().curves.size())) {
+        session_->select(curve);
+        refresh();
+    }
+}
+
+// ---- Layers ----
+
+CurveMaker CurveTool::maker() {
+    return {
+        .options = [this](const SketchCurve& curve) { return options_->fromSketch(curve.options); },
+        .result =
+            [this](const SketchCurve& curve, const CurveRequest& request) {
+                const std::vector<double> none;
+                const std::vector<double>& field =
+                    curve.options.guides ? curve.options.guides->values().field : none;
+                const Curve& drawn = *curve.settled;
+                CurveResult result =
+                    curveResult({}, drawn, field, secondsOf(drawn.report), found_, request);
+                found_.isKept = true;  // by the next curve
+                return result;
+            }
+    };
+}
+
+void CurveTool::makeLayers() {
+    isMaking_ = session_ != nullptr;
+    refresh();
+}
+
+void CurveTool::use(const FilterDescription& filter) {
+    used_ = &filter;
+    makeLayers();
+}
+
+void CurveTool::makeWhatWaits() {
+    if (!isMaking_ || !session_->isSettled()) {
+        return;
+    }
+    isMaking_ = false;
+    const FilterDescription* const filter = std::exchange(used_, nullptr);
+    if (!bringLayers() || filter == nullptr) {
+        return;
+    }
+    try {
+        use_(*filter);
+    } catch (const std::exception& error) {
+        notice_ = error.what();
+    }
+}
+
+// Whether what could be made was made.
+bool CurveTool::bringLayers() {
+    session_->newCurve();  // the next click begins one
+    try {
+        const int count = layers_.bring(session_->sketch(), maker());
+        notice_ = count == 0 ? tr("All curves are layers already.")
+                             : tr("%n layer(s) made.", nullptr, count);
+        return true;
+    } catch (const std::exception& error) {
+        notice_ = error.what();
+        return false;
+    }
+}
+
+void CurveTool::finish() {
+    if (!session_) {
+        return;
+    }
+    session_->cancel();
+    static_cast<void>(session_->settleWithin(kPatience));
+    static_cast<void>(bringLayers());
+    const int left = layers_.keepUnfinished(session_->sketch(), maker());
+    if (left > 0) {
+        layers_.say(
+            std::to_string(left) + (left == 1 ? " curve is" : " curves are") +
+            " not finished, and kept with the surface: the drawing tool goes on with " +
+            (left == 1 ? "it" : "them") + " when it is started there again."
+        );
+    }
+}
+
+// ---- Keys, and the end of the host ----
+
+bool CurveTool::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::ShortcutOverride:
+        case QEvent::KeyPress:
+            return takeKey(*watched, static_cast<QKeyEvent&>(*event));
+        case QEvent::Close:
+            if (watched == view_.window()) {
+                const bool may = mayClose();
+                event->setAccepted(may);
+                return !may;
+            }
+            if (const auto* const widget = qobject_cast<QWidget*>(watched);
+                widget != nullptr && widget->isAncestorOf(&view_)) {
+                finish();  // the host asks about layers
+            }
+            return false;
+        case QEvent::MouseButtonRelease:
+            return watched == &view_ && isLent_ &&
+                   returnFromCamera(static_cast<QMouseEvent&>(*event));
+        case QEvent::Leave:
+            if (watched == &view_ && session_) {
+                session_->leave();
+                refresh();
+            }
+            return false;
+        default:
+            return false;
+    }
+}
+
+// Whether keys in the host's window are for this view: nothing is open above, and its document is
+// the one in front.
+bool CurveTool::isInFront() const {
+    if (QApplication::activeModalWidget() != nullptr ||
+        QApplication::activePopupWidget() != nullptr || panel_ == nullptr) {
+        return false;
+    }
+    const QWidget* const active = QApplication::activeWindow();
+    if (active != view_.window() && active != panel_) {
+        return false;
+    }
+    for (const QWidget* widget = &view_; widget != nullptr; widget = widget->parentWidget()) {
+        if (const auto* const document = qobject_cast<const QMdiSubWindow*>(widget)) {
+            return document->mdiArea() == nullptr ||
+                   document->mdiArea()->currentSubWindow() == document;
         }
+    }
+    return true;
+}
+
+bool CurveTool::takeKey(QObject& watched, QKeyEvent& event) {
+    const std::optional<ToolKey> key = toolKeyOf(event);
+    if (!key || !isInFront() || !isForTool(*key, QApplication::focusWidget(), *panel_)) {
+        return false;
+    }
+    if (event.type() == QEvent::KeyPress && !watched.isWidgetType()) {
+        return false;  // on its way to a widget
+    }
+    event.accept();
+    if (event.type() == QEvent::KeyPress) {
+        run(*key);
+    }
+    return true;
+}
+
+void CurveTool::run(const ToolKey& key) {
+    switch (key.action) {
+        case ToolKey::Action::Sketch:
+            runKey(key.sketch);
+            break;
+        case ToolKey::Action::MakeLayers:
+            makeLayers();
+            break;
+        case ToolKey::Action::TurnView:
+            if (isHostsCamera()) {
+                suspending_->trigger();
+            } else if (session_ && session_->isDragging()) {
+                runKey(SketchKey::Cancel);
+            } else {
+                setTurning(!isTurning_);
+            }
+            break;
+        case ToolKey::Action::Nothing:
+            break;
     }
 }
 
 void CurveTool::runKey(SketchKey key) {
+    notice_.clear();
     if (session_ && seen_) {
-        session_->key(key, seen_->pointerAt(last_));
+        Pointer pointer = seen_->pointerAt(last_);
+        pointer.snaps = kept::isMagnetOn();
+        session_->key(key, pointer);
         refresh();
     }
 }
 
-void CurveTool::setOptions(const DrawnOptions& options) {
-    if (!session_) {
-        return;
-    }
-    try {
-        session_->setOptions(options_->toSketch(options));
-        refresh();
-    } catch (const InputError& error) {
-        panel_.say(error.what());
-    }
+int CurveTool::unsavedCurves() const {
+    return session_ == nullptr
+               ? 0
+               : static_cast<int>(std::ranges::count_if(
+                     session_->sketch().curves, [&](const std::shared_ptr<SketchCurve>& curve) {
+                         return !layers_.isSaved(*curve);
+                     }
+                 ));
 }
 
-// Whether there was nothing to be made, or it was made.
-bool CurveTool::commit() {
-    if (!session_) {
-        return false;
+// The host does not ask, so this does.
+bool CurveTool::mayClose() {
+    if (session_) {
+        session_->cancel();
     }
-    std::vector<DrawnCurve> curves;
-    for (const std::shared_ptr<const SketchCurve>& curve : session_->commit()) {
-        curves.push_back({curve->picks, options_->fromSketch(curve->options)});
+    const int count = unsavedCurves();
+    if (count == 0) {
+        return true;
     }
-    refresh();
-    try {
-        host_.makeLayers(curves);
-    } catch (const std::exception& error) {
-        for (const DrawnCurve& curve : curves) {
-            reopen(curve);
-        }
-        refresh();
-        panel_.say(error.what());
-        return false;
-    }
-    hasLayers_ = hasLayers_ || !curves.empty();
-    refresh();
-    return true;
-}
-
-void CurveTool::use(const FilterDescription& filter) {
-    if (!commit()) {
-        return;
-    }
-    try {
-        host_.useCurves(filter);
-    } catch (const std::exception& error) {
-        panel_.say(error.what());
-    }
+    QMessageBox question(
+        QMessageBox::Question,
+        tr("B-spline Curves"),
+        tr("%n curve(s) that you drew are not saved in a file.", nullptr, count),
+        QMessageBox::NoButton,
+        view_.window()
+    );
+    question.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
+    QPushButton* const stay = question.addButton(tr("Go on drawing"), QMessageBox::RejectRole);
+    question.setDefaultButton(stay);
+    question.setEscapeButton(stay);
+    question.exec();
+    return question.clickedButton() != stay;
 }
 
 // ---- The camera ----
@@ -304,40 +530,66 @@ void CurveTool::toggleCamera() {
     QMetaObject::invokeMethod(&view_, "suspendEditToggle");
 }
 
+bool CurveTool::isHostsCamera() const {
+    return suspending_ != nullptr && suspending_->isEnabled() && suspending_->isChecked();
+}
+
+void CurveTool::setTurning(bool turns) {
+    isTurning_ = turns;
+    if (session_) {
+        session_->cancel();
+        session_->leave();
+    }
+    refresh();
+}
+
+// The right button turns the view as the left one does in the host's camera, since the left one
+// draws.
 void CurveTool::lendToCamera(QMouseEvent& event) {
     isLent_ = true;
     toggleCamera();
+    const auto asLeft = [](Qt::MouseButton button) {
+        return button == Qt::RightButton ? Qt::LeftButton : button;
+    };
     QMouseEvent same(
         event.type(),
         event.localPos(),
         event.windowPos(),
         event.screenPos(),
-        event.button(),
-        event.buttons(),
+        asLeft(event.button()),
+        asLeft(event.button()),
         // What the tool alone asked for is not the camera's.
         event.modifiers() & ~Qt::KeyboardModifiers(Qt::AltModifier)
     );
     QCoreApplication::sendEvent(&view_, &same);
 }
 
-bool CurveTool::eventFilter(QObject* watched, QEvent* event) {
-    if (isLent_ && event->type() == QEvent::MouseButtonRelease) {
-        // After the camera had it.
-        QMetaObject::invokeMethod(
-            this,
-            [this] {
-                if (std::exchange(isLent_, false)) {
-                    toggleCamera();
-                }
-            },
-            Qt::QueuedConnection
-        );
+// Whether the event was handed on in another shape.
+bool CurveTool::returnFromCamera(QMouseEvent& event) {
+    // After the camera had it.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            if (std::exchange(isLent_, false)) {
+                toggleCamera();
+            }
+        },
+        Qt::QueuedConnection
+    );
+    if (event.button() != Qt::RightButton) {
+        return false;
     }
-    if (session_ && event->type() == QEvent::Leave) {
-        session_->leave();
-        refresh();
-    }
-    return QObject::eventFilter(watched, event);
+    QMouseEvent asLeft(
+        event.type(),
+        event.localPos(),
+        event.windowPos(),
+        event.screenPos(),
+        Qt::LeftButton,
+        Qt::NoButton,
+        event.modifiers()
+    );
+    QCoreApplication::sendEvent(&view_, &asLeft);
+    return true;
 }
 
 }  // namespace bspline_curve

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "edit_bspline_curve/common/drawn_curve.h"
 #include "edit_bspline_curve/common/option_book.h"
+#include "edit_bspline_curve/common/sketch_layers.h"
+#include "edit_bspline_curve/common/tool_keys.h"
 #include "edit_bspline_curve/common/tool_panel.h"
 #include "edit_bspline_curve/common/view.h"
+#include "filters/designer_cache.h"
 #include "filters/layer_input.h"
 #include "sketch/drawing_session.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
 #include <atomic>
 #include <functional>
@@ -17,32 +20,42 @@
 #include <optional>
 #include <vector>
 
+class QAction;
 class QKeyEvent;
 class QMouseEvent;
 class QWheelEvent;
 
 namespace bspline_curve {
 
-/// What the tool asks of MeshLab's document. What these throw is shown, and curves stay.
-struct ToolHost {
-    std::function<void(const std::vector<DrawnCurve>&)> makeLayers;
-    /// Runs a filter with the curves that became layers.
-    std::function<void(const FilterDescription&)> useCurves;
+/// What the tool begins with.
+struct ToolStart {
+    LayerInput surface;
+    std::vector<TakenUp> curves;
+    int active = -1;  ///< index of one of them; -1: none
+    QString note;     ///< to be said at first
 };
 
 /// The drawing tool in a view of MeshLab, whatever its version: takes Qt's events, draws with
 /// OpenGL. The surface is prepared on a thread of its own; until then only the camera moves.
+///
+/// While it is there, its keys are its own wherever the focus is in MeshLab's window, so that they
+/// reach none of the host's shortcuts (see tool_keys.h), and MeshLab does not close before what is
+/// drawn is a layer or its user was asked.
 class CurveTool : public QObject {
     Q_OBJECT
 
 public:
-    /// `reopened`: a curve to go on with. The view must outlive this.
-    CurveTool(
-        QGLWidget& view, LayerInput surface, std::optional<DrawnCurve> reopened, ToolHost host
-    );
+    /// Runs a filter with the curves that are layers. What it throws is shown.
+    using Use = std::function<void(const FilterDescription&)>;
+
+    /// View and layers must outlive this.
+    CurveTool(QGLWidget& view, ToolStart start, SketchLayers& layers, Use use);
     ~CurveTool() override;
     CurveTool(const CurveTool&) = delete;
     CurveTool& operator=(const CurveTool&) = delete;
+
+    /// Makes layers of what is drawn, and keeps the rest with the surface.
+    void finish();
 
     /// Within the host's drawing.
     void draw();
@@ -51,49 +64,73 @@ public:
     void mouseMove(QMouseEvent& event);
     void mouseRelease(QMouseEvent& event);
     void wheel(QWheelEvent& event);
-    void keyPress(QKeyEvent& event);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     /// What is prepared on a thread of its own.
     struct Prepared {
-        std::shared_ptr<const CurveDesigner> designer;
+        DesignerCache::Found found;
         LayerInput layer;  ///< quality and selections on the designer's mesh
-        bool isMended = false;
     };
 
+    [[nodiscard]] Progress untilTheEnd() const;
+    void connectPanel();
     void look();  ///< whether what is prepared is ready
     void begin(Prepared prepared);
+    [[nodiscard]] SketchCurve toSketch(const TakenUp& taken);
     void prepareCrests();
+    void stop();     ///< all threads
     void refresh();  ///< after any change
-    void setOptions(const DrawnOptions& options);
-    void runKey(SketchKey key);
-    bool commit();
+    void setOptions(const DrawnOptions& options, bool isLive);
+    void setLook(int curve, const SketchLook& look);
+    void choose(int curve);
+    [[nodiscard]] CurveMaker maker();
+
+    // Layers, when all curves are settled.
+    void makeLayers();
     void use(const FilterDescription& filter);
-    void reopen(const DrawnCurve& curve);
-    [[nodiscard]] Progress untilTheEnd() const;
+    void makeWhatWaits();
+    bool bringLayers();
+
+    // Keys and the host's window.
+    [[nodiscard]] bool isInFront() const;
+    bool takeKey(QObject& watched, QKeyEvent& event);
+    void run(const ToolKey& key);
+    void runKey(SketchKey key);
+    bool mayClose();
+    [[nodiscard]] int unsavedCurves() const;
+
+    // The camera.
     [[nodiscard]] Pointer pointerOf(const QMouseEvent& event, const View& seen);
     void lendToCamera(QMouseEvent& event);
+    bool returnFromCamera(QMouseEvent& event);
     void toggleCamera();
+    void setTurning(bool turns);
+    [[nodiscard]] bool isHostsCamera() const;
 
     QGLWidget& view_;
-    ToolHost host_;
-    std::optional<DrawnCurve> reopened_;  ///< until the session is there
+    SketchLayers& layers_;
+    Use use_;
+    ToolStart start_;  ///< until the session is there
     bool hadTracking_;
-    ToolPanel panel_;
+    QPointer<ToolPanel> panel_;     ///< the host's window may delete it
+    QPointer<QAction> suspending_;  ///< the host's own, which gives the mouse to the camera
     QTimer timer_;
     std::atomic<bool> isEnding_ = false;
     std::future<Prepared> preparing_;
     std::future<SnapOptions> preparingCrests_;
-    std::shared_ptr<const CurveDesigner> designer_;
+    DesignerCache::Found found_;
     std::unique_ptr<OptionBook> options_;
     std::unique_ptr<DrawingSession> session_;
-    bool hasCrests_ = false;    ///< or they are being prepared
-    bool hasLayers_ = false;    ///< curves became layers
-    std::optional<View> seen_;  ///< of the last drawing
-    QPointF last_;              ///< where the mouse was
-    bool isLent_ = false;       ///< the mouse moves the camera until its button is released
+    bool hasCrests_ = false;                   ///< or they are being prepared
+    QString notice_;                           ///< to be said until the next event
+    bool isMaking_ = false;                    ///< layers wait for curves that are being solved
+    const FilterDescription* used_ = nullptr;  ///< and then this runs
+    std::optional<View> seen_;                 ///< of the last drawing
+    QPointF last_;                             ///< where the mouse was
+    bool isTurning_ = false;                   ///< all of the mouse is the camera's
+    bool isLent_ = false;  ///< the mouse moves the camera until its button is released
 };
 
 }  // namespace bspline_curve

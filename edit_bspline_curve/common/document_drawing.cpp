@@ -2,17 +2,13 @@
 #include "edit_bspline_curve/common/document_drawing.h"
 
 #include "bspline_curve/error.h"
-#include "edit_bspline_curve/common/reopen.h"
-#include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 
 #include <QAction>
 #include <QMenu>
-#include <QStringList>
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -44,18 +40,6 @@ QAction& actionOf(const FilterDescription& filter, const QWidget& window) {
     throw std::runtime_error(
         "the filter \"" + filter.name + "\" is not there: install its plugin as well"
     );
-}
-
-std::string picksText(const DrawnCurve& curve) {
-    QStringList picks;
-    for (const SketchPick& pick : curve.picks) {
-        QStringList numbers;
-        for (const double x : pick.position) {
-            numbers << QString::number(x, 'g', std::numeric_limits<double>::max_digits10);
-        }
-        picks << numbers.join(' ');
-    }
-    return picks.join("; ").toStdString();
 }
 
 std::set<int> layerIds(const MeshDocument& document) {
@@ -99,92 +83,47 @@ private:
 }  // namespace
 
 DocumentDrawing::DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataContext& shared)
-    : document_(document), shared_(shared), view_(currentView()) {
+    : document_(document), view_(currentView()) {
     const MeshModel* const surface = defaultSurface(document);
     if (surface == nullptr) {
         throw InputError(
             InputErrorCode::EmptyMesh, "there is no layer: load a triangle mesh first"
         );
     }
-    begin(*surface);
-}
-
-void DocumentDrawing::begin(const MeshModel& surface) {
-    surface_ = surface.id();
-    LayerArrays arrays = arraysOf(surface);
-    const int current = document_.mm()->id();
-    std::optional<DrawnCurve> curve = reopened(*document_.mm(), surface, arrays);
-    const bool isReopened = curve.has_value();
+    surface_ = surface->id();
+    LayerArrays arrays = arraysOf(*surface);
+    layers_ = std::make_unique<SketchLayers>(document, shared, view_, *surface, arrays);
+    ToolStart start;
+    int other = 0;
+    start.curves = layers_->takeUp(arrays, other);
+    if (other > 0) {
+        start.note = QObject::tr(
+            "%n curve(s) of this surface were drawn with options that the tool "
+            "does not offer: they stay as they are.",
+            nullptr,
+            other
+        );
+    }
+    for (std::size_t i = 0; i < start.curves.size(); ++i) {
+        if (start.curves[i].layer == document.mm()->id()) {
+            start.active = static_cast<int>(i);
+        }
+    }
+    start.surface = std::move(arrays.input);
     tool_ = std::make_unique<CurveTool>(
-        view_,
-        std::move(arrays.input),
-        std::move(curve),
-        ToolHost{
-            .makeLayers = [this](const std::vector<DrawnCurve>& curves) { makeLayers(curves); },
-            .useCurves = [this](const FilterDescription& filter) { useCurves(filter); }
+        view_, std::move(start), *layers_, [this](const FilterDescription& filter) {
+            useCurves(filter);
         }
     );
-    if (isReopened) {
-        reopened_ = current;
-        setCurveVisible(document_, reopened_, false);
-    }
 }
 
 DocumentDrawing::~DocumentDrawing() {
-    tool_.reset();
-    if (reopened_ >= 0) {
-        setCurveVisible(document_, reopened_, true);
-    }
-}
-
-bool DocumentDrawing::hasSurface() const {
-    return host::layerWithId(document_, surface_) != nullptr;
-}
-
-void DocumentDrawing::makeLayers(const std::vector<DrawnCurve>& curves) {
-    for (const DrawnCurve& curve : curves) {
-        makeLayer(curve);
-    }
-    if (reopened_ >= 0 && !curves.empty()) {
-        removeCurve(document_, std::exchange(reopened_, -1));
-    }
-    document_.setCurrentMesh(surface_);
-    document_.setVisible(surface_, true);  // lets the list of layers see it
-}
-
-void DocumentDrawing::makeLayer(const DrawnCurve& curve) {
-    const FilterDescription& filter = curveFilter();
-    QAction& action = actionOf(filter, *view_.window());
-    RichParameterList parameters =
-        dialogParameters(filter, document_, host::offeredToScripts(filter));
-    const auto set = [&](const std::string& id, const ParameterValue& value) {
-        setParameter(parameters, filter.parameter(id), value, document_);
-    };
-    const ParameterValues values = valuesOf(curve.options);
-    for (const std::string& id : drawnParameters()) {
-        set(id, values.value(id));
-    }
-    set("surface_layer", LayerId{surface_});
-    set("picks", picksText(curve));
-    if (parameters.hasParameter("replace")) {  // each curve has a layer of its own
-        set("replace", false);
-    }
-    run(action, parameters);
-}
-
-std::vector<int> DocumentDrawing::madeCurves() const {
-    std::vector<int> curves;
-    for (const int layer : made_) {
-        if (host::layerWithId(document_, layer) != nullptr) {
-            curves.push_back(layer);
-        }
-    }
-    return curves;
+    tool_->finish();
 }
 
 void DocumentDrawing::useCurves(const FilterDescription& filter) {
     QAction& action = actionOf(filter, *view_.window());
-    const std::vector<int> curves = madeCurves();
+    const std::vector<int> curves = layers_->shownLayers();
     if (curves.empty()) {
         throw std::runtime_error("there is no curve: draw one first");
     }
@@ -210,17 +149,9 @@ void DocumentDrawing::run(QAction& filter, const RichParameterList& parameters) 
     entry.second = parameters;
     host::historyOf(document_).append(entry);
     for (const int id : layerIds(document_)) {
-        if (before.contains(id)) {
-            continue;
+        if (!before.contains(id)) {
+            layers_->showNew(id);
         }
-        MeshModel* const layer = document_.getMesh(id);
-        if (sourceOf(*layer) != nullptr) {
-            made_.push_back(id);
-        }
-        MLRenderingData data;
-        MLPoliciesStandAloneFunctions::suggestedDefaultPerViewRenderingData(layer, data);
-        shared_.setRenderingDataPerMeshView(id, view_.context(), data);
-        shared_.manageBuffers(id);
     }
 }
 

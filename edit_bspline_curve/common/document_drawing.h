@@ -2,8 +2,10 @@
 #pragma once
 
 #include "edit_bspline_curve/common/curve_tool.h"
+#include "edit_bspline_curve/common/sketch_layers.h"
 #include "host_filters.h"
 
+#include <memory>
 #include <vector>
 
 class QAction;
@@ -14,33 +16,30 @@ namespace bspline_curve {
 /// is drawn, and ends.
 class DocumentDrawing {
 public:
-    /// On the layer that a curve would be drawn on (see defaultSurface()). A curve that is the
-    /// current layer is taken up again, and its layers are hidden meanwhile. Throws InputError
-    /// where there is no surface or it has no faces.
+    /// On the layer that a curve would be drawn on (see defaultSurface()). All curves that the
+    /// document has of it are taken up again; the one that is the current layer is the active one.
+    /// Throws InputError where there is no surface or it has no faces.
     DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataContext& shared);
+
+    /// Makes layers of what is drawn, and keeps the rest with the surface.
     ~DocumentDrawing();
+
     DocumentDrawing(const DocumentDrawing&) = delete;
     DocumentDrawing& operator=(const DocumentDrawing&) = delete;
 
     /// Whether the surface is still there.
-    [[nodiscard]] bool hasSurface() const;
+    [[nodiscard]] bool hasSurface() const { return layers_->hasSurface(); }
 
     [[nodiscard]] CurveTool& tool() { return *tool_; }
 
 private:
-    void begin(const MeshModel& surface);
-    void makeLayers(const std::vector<DrawnCurve>& curves);
-    void makeLayer(const DrawnCurve& curve);
     void useCurves(const FilterDescription& filter);
-    [[nodiscard]] std::vector<int> madeCurves() const;
     void run(QAction& filter, const RichParameterList& parameters);
 
     MeshDocument& document_;
-    MLSceneGLSharedDataContext& shared_;
     QGLWidget& view_;
-    int surface_ = -1;       ///< id of its layer
-    int reopened_ = -1;      ///< id of the layer of the curve that was taken up again
-    std::vector<int> made_;  ///< ids of the layers of curves
+    int surface_ = -1;  ///< id of its layer
+    std::unique_ptr<SketchLayers> layers_;
     std::unique_ptr<CurveTool> tool_;
 };
 

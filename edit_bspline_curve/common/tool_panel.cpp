@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/tool_panel.h"
 
+#include "edit_bspline_curve/common/curve_words.h"
+#include "edit_bspline_curve/common/kept_settings.h"
+
 #include <QCheckBox>
+#include <QCloseEvent>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QSlider>
 #include <QSpinBox>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,42 +28,17 @@
 namespace bspline_curve {
 namespace {
 
-constexpr int kMargin = 8;
-constexpr int kFrame = 24;  // height of a window's title
-constexpr int kTextWidth = 240;
-constexpr int kTextLines = 6;
+constexpr int kMargin = 6, kSpacing = 4, kTextLines = 5, kWidth = 236;
 constexpr int kMostDegree = 4;
+constexpr int kTensionSteps = 100;  // of the slider, over [0, 1]
 constexpr double kLargest = 1e9;
-constexpr double kTensionStep = 0.1, kWeightStep = 500.0, kThresholdStep = 0.05;
+constexpr double kWeightStep = 500.0, kThresholdStep = 0.05;
 
-// What people want to know of a curve.
-QString describe(const SketchCurve& curve) {
-    const int picks = static_cast<int>(curve.picks.size());
-    if (!curve.problem.message.empty()) {
-        return QString::fromStdString(curve.problem.message);
-    }
-    if (!curve.isDrawable()) {
-        return QObject::tr("%1 pick: click the next one").arg(picks);
-    }
-    if (curve.settled == nullptr) {
-        return QObject::tr("%1 picks …").arg(picks);
-    }
-    const SurfacePolyline& line = curve.settled->polyline;
-    double length = line.closed ? (line.points.front() - line.points.back()).norm() : 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-        length += (line.points[i] - line.points[i - 1]).norm();
-    }
-    const SolveReport& report = curve.settled->report;
-    const auto& s = report.seconds;
-    const double seconds =
-        s.path + s.initial + s.minimise + s.knots + s.polyline + s.failedAttempts;
-    return QObject::tr("%1 picks, length %2\n%3 edges from the surface (allowed: %4)\n%5 ms")
-        .arg(picks)
-        .arg(length, 0, 'g', 4)
-        .arg(report.maxDistance, 0, 'f', 3)
-        .arg(report.allowedDistance, 0, 'f', 3)
-        .arg(1e3 * seconds, 0, 'f', 1);
-}
+// Names in the host's settings.
+constexpr const char* kFloating = "panel_floating";
+constexpr const char* kArea = "panel_area";
+constexpr const char* kGeometry = "panel_geometry";
+constexpr const char* kMore = "panel_more";
 
 // ---- Widgets for parameters of the filter ----
 
@@ -75,6 +59,7 @@ QComboBox* choiceOf(const char* id) {
     }
     box->setToolTip(helpOf(described));
     box->setFocusPolicy(Qt::TabFocus);  // else letters would choose an option after a click
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     return box;
 }
 
@@ -96,6 +81,24 @@ void choose(QComboBox& box, const std::string& id) {
     box.setCurrentIndex(box.findData(QString::fromStdString(id)));
 }
 
+QToolButton* buttonOf(const QString& text, const QString& help) {
+    auto* const button = new QToolButton;
+    button->setText(text);
+    button->setToolTip(help);
+    button->setFocusPolicy(Qt::NoFocus);  // keys go on to the view
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    return button;
+}
+
+QHBoxLayout* rowOf(std::initializer_list<QWidget*> widgets) {
+    auto* const row = new QHBoxLayout;
+    row->setSpacing(kSpacing);
+    for (QWidget* const widget : widgets) {
+        row->addWidget(widget);
+    }
+    return row;
+}
+
 // What people can do with curves, and how buttons name it.
 struct Use {
     const FilterDescription& filter;
@@ -112,110 +115,285 @@ std::vector<Use> uses() {
 
 }  // namespace
 
-ToolPanel::ToolPanel(QWidget* view)
-    : QWidget(view->window(), Qt::Tool),
-      closed_(new QCheckBox(tr("closed"))),
+ToolPanel::ToolPanel(QWidget& view)
+    : QDockWidget(tr("B-spline Curves"), view.window()),
+      turn_(buttonOf(
+          tr("Turn view"),
+          tr("The mouse turns the view instead of drawing (Escape). While drawing, the right "
+             "button "
+             "or Alt turns it too, the middle button moves it, and the wheel zooms.")
+      )),
+      magnet_(buttonOf(
+          tr("Magnet"),
+          tr("Picks snap to the nearest pick of another curve, boundary, crease, ridge, valley or "
+             "vertex; Ctrl does the opposite for a moment.")
+      )),
+      list_(new CurveList),
+      isClosed_(new QCheckBox(tr("closed"))),
       degree_(new QSpinBox),
-      tension_(numberOf("tension", 0.0, 1.0, 2)),
+      tension_(new QSlider(Qt::Horizontal)),
+      tensionText_(new QLabel),
       field_(choiceOf("field")),
       fieldWeight_(numberOf("field_weight", 0.0, kLargest, 1)),
       avoid_(choiceOf("avoid")),
       avoidThreshold_(numberOf("avoid_threshold", -kLargest, kLargest, 4)),
-      buttons_(new QWidget),
-      commit_(new QPushButton(tr("Make layers (Enter)"))),
-      uses_(makeUses()),
+      commit_(buttonOf(
+          tr("Make layers (Enter)"),
+          tr("Makes a layer of each curve that is new or was changed. So does the end of the tool.")
+      )),
+      uses_(new QWidget),
+      unit_(new QComboBox),
       text_(new QLabel) {
-    setWindowTitle(tr("B-spline Curves"));
+    setObjectName("bspline_curve_panel");
     setAttribute(Qt::WA_ShowWithoutActivating);
-    auto* const grid = new QGridLayout(buttons_);
-    grid->setContentsMargins(0, 0, 0, 0);
-    addButton(tr("Undo"), tr("Ctrl+Z"), SketchKey::Undo);
-    addButton(tr("Redo"), tr("Ctrl+Y"), SketchKey::Redo);
-    addButton(tr("New curve"), tr("N"), SketchKey::NewCurve);
-    addButton(tr("Remove"), tr("Delete: the selected pick, or the curve"), SketchKey::Remove);
-    text_->setWordWrap(true);
-    text_->setFixedSize(kTextWidth, kTextLines * fontMetrics().lineSpacing());
-    text_->setAlignment(Qt::AlignTop);
-    auto* const all = new QVBoxLayout(this);
-    all->addLayout(makeForm());
-    all->addWidget(buttons_);
+    auto* const inside = new QWidget;
+    auto* const all = new QVBoxLayout(inside);
+    all->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+    all->setSpacing(kSpacing);
+    addModes(*all);
+    all->addWidget(list_);
+    addOptions(*all);
+    addMoreOptions(*all);
     all->addWidget(commit_);
-    all->addWidget(uses_);
-    all->addWidget(text_);
-    for (QWidget* const widget : findChildren<QPushButton*>()) {
-        widget->setFocusPolicy(Qt::NoFocus);
-    }
-    connect(commit_, &QPushButton::clicked, this, &ToolPanel::commitAsked);
+    addUses(*all);
+    addFiles(*all);
+    text_->setWordWrap(true);
+    text_->setMinimumHeight(kTextLines * fontMetrics().lineSpacing());
+    text_->setAlignment(Qt::AlignTop);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text_->setFocusPolicy(Qt::NoFocus);
+    all->addWidget(text_, 1);
+    auto* const scroll = new QScrollArea;  // of a window that is too low
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(kWidth);
+    scroll->setWidget(inside);
+    setWidget(scroll);
+    connect(commit_, &QToolButton::clicked, this, &ToolPanel::commitAsked);
     setOptions(DrawnOptions());
-    move(view->mapToGlobal(QPoint(kMargin, kFrame)));
+    place(view);
 }
 
-QLayout* ToolPanel::makeForm() {
+ToolPanel::~ToolPanel() = default;
+
+// ---- Parts ----
+
+void ToolPanel::addModes(QVBoxLayout& all) {
+    turn_->setCheckable(true);
+    magnet_->setCheckable(true);
+    magnet_->setChecked(kept::isMagnetOn());
+    connect(turn_, &QToolButton::toggled, this, [this](bool turns) {
+        if (!isShowing_) {
+            emit turnAsked(turns);
+        }
+    });
+    connect(magnet_, &QToolButton::toggled, this, [this](bool isOn) {
+        kept::setMagnetOn(isOn);
+        emit magnetChanged();
+    });
+    all.addLayout(rowOf({turn_, magnet_}));
+    const auto keyButton = [this](const QString& text, const QString& help, SketchKey key) {
+        auto* const button = buttonOf(text, help);
+        connect(button, &QToolButton::clicked, this, [this, key] { emit keyAsked(key); });
+        return button;
+    };
+    all.addLayout(rowOf(
+        {keyButton(tr("Undo"), tr("Ctrl+Z"), SketchKey::Undo),
+         keyButton(tr("Redo"), tr("Ctrl+Y"), SketchKey::Redo),
+         keyButton(tr("New"), tr("N: the next click begins a curve"), SketchKey::NewCurve),
+         keyButton(
+             tr("Remove"),
+             tr("Delete: the selected pick, or the active curve where none is selected"),
+             SketchKey::Remove
+         )}
+    ));
+    connect(list_, &CurveList::chosen, this, &ToolPanel::curveChosen);
+    connect(list_, &CurveList::lookChanged, this, &ToolPanel::lookAsked);
+}
+
+void ToolPanel::addOptions(QVBoxLayout& all) {
     degree_->setRange(
         static_cast<int>(parameter("degree").min.value_or(1)),
         static_cast<int>(parameter("degree").max.value_or(kMostDegree))
     );
-    tension_->setSingleStep(kTensionStep);
+    degree_->setToolTip(helpOf(parameter("degree")));
+    isClosed_->setToolTip(helpOf(parameter("closed")));
+    tension_->setRange(0, kTensionSteps);
+    tension_->setFocusPolicy(Qt::NoFocus);
+    tension_->setToolTip(helpOf(parameter("tension")));
+    tensionText_->setMinimumWidth(fontMetrics().horizontalAdvance("0.00 "));
+    connect(isClosed_, &QCheckBox::toggled, this, &ToolPanel::changed);
+    connect(degree_, qOverload<int>(&QSpinBox::valueChanged), this, &ToolPanel::changed);
+    connect(tension_, &QSlider::valueChanged, this, &ToolPanel::tensionChanged);
+    connect(tension_, &QSlider::sliderReleased, this, &ToolPanel::changed);
+    isClosed_->setFocusPolicy(Qt::NoFocus);
+    auto* const first = rowOf({isClosed_, new QLabel(tr("degree")), degree_});
+    first->setStretch(0, 1);
+    all.addLayout(first);
+    auto* const form = new QFormLayout;
+    form->setSpacing(kSpacing);
+    form->addRow(tr("tension"), rowOf({tension_, tensionText_}));
+    form->addRow(tr("field"), field_);
+    all.addLayout(form);
+}
+
+void ToolPanel::addMoreOptions(QVBoxLayout& all) {
     fieldWeight_->setSingleStep(kWeightStep);
     avoidThreshold_->setSingleStep(kThresholdStep);
-    auto* const form = new QFormLayout;
-    form->addRow(closed_);
-    form->addRow(tr("degree"), degree_);
-    form->addRow(tr("tension"), tension_);
-    form->addRow(tr("field"), field_);
+    unit_->setEditable(true);
+    unit_->addItems({"", "mm", "cm", "m", "in"});
+    unit_->setEditText(kept::unit());
+    unit_->setToolTip(
+        tr("The unit of the mesh, which its file does not tell: shown after lengths.")
+    );
+    auto* const folded = new QWidget;
+    auto* const form = new QFormLayout(folded);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setSpacing(kSpacing);
     form->addRow(tr("weight"), fieldWeight_);
     form->addRow(tr("avoid"), avoid_);
     form->addRow(tr("threshold"), avoidThreshold_);
-    connect(closed_, &QCheckBox::toggled, this, &ToolPanel::changed);
-    connect(degree_, qOverload<int>(&QSpinBox::valueChanged), this, &ToolPanel::changed);
-    for (const QDoubleSpinBox* const box : {tension_, fieldWeight_, avoidThreshold_}) {
+    form->addRow(tr("unit"), unit_);
+    auto* const more =
+        buttonOf(tr("More options"), tr("Weight of the field, faces to avoid, unit"));
+    more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    more->setAutoRaise(true);
+    more->setCheckable(true);
+    const auto fold = [more, folded](bool isOpen) {
+        more->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+        folded->setVisible(isOpen);
+        kept::setValue(kMore, isOpen);
+    };
+    connect(more, &QToolButton::toggled, folded, fold);
+    const bool wasOpen = kept::value(kMore, false).toBool();
+    more->setChecked(wasOpen);
+    all.addWidget(more);
+    all.addWidget(folded);
+    fold(wasOpen);
+    for (const QDoubleSpinBox* const box : {fieldWeight_, avoidThreshold_}) {
         connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ToolPanel::changed);
     }
     for (const QComboBox* const box : {field_, avoid_}) {
         connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ToolPanel::changed);
     }
-    return form;
+    connect(unit_, &QComboBox::editTextChanged, this, [this](const QString& unit) {
+        kept::setUnit(unit.trimmed());
+        emit unitChanged();
+    });
 }
 
-QWidget* ToolPanel::makeUses() {
-    auto* const row = new QWidget;
-    auto* const layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
+void ToolPanel::addUses(QVBoxLayout& all) {
+    auto* const row = new QHBoxLayout(uses_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kSpacing);
     for (const Use& use : uses()) {
-        auto* const button = new QPushButton(use.text);
-        button->setToolTip(tr("Makes layers, then: %1. %2")
-                               .arg(
-                                   QString::fromStdString(use.filter.name),
-                                   QString::fromStdString(use.filter.shortDescription)
-                               ));
-        layout->addWidget(button);
+        auto* const button = buttonOf(
+            use.text,
+            tr("Makes layers of the curves, then runs %1 with those that are shown. %2")
+                .arg(
+                    QString::fromStdString(use.filter.name),
+                    QString::fromStdString(use.filter.shortDescription)
+                )
+        );
+        row->addWidget(button);
         const FilterDescription* const filter = &use.filter;
-        connect(button, &QPushButton::clicked, this, [this, filter] { emit useAsked(filter); });
+        connect(button, &QToolButton::clicked, this, [this, filter] { emit useAsked(filter); });
     }
-    return row;
+    all.addWidget(uses_);
 }
 
-void ToolPanel::addButton(const QString& text, const QString& help, SketchKey key) {
-    auto* const grid = qobject_cast<QGridLayout*>(buttons_->layout());
-    auto* const button = new QPushButton(text);
-    button->setToolTip(help);
-    const int count = grid->count();
-    grid->addWidget(button, count / 2, count % 2);
-    connect(button, &QPushButton::clicked, this, [this, key] { emit keyAsked(key); });
+void ToolPanel::addFiles(QVBoxLayout& all) {
+    save_ = buttonOf(
+        tr("Save …"),
+        tr("The curves with their picks and options, as .json, .obj or .dxf: all can be opened "
+           "again.")
+    );
+    open_ = buttonOf(tr("Open …"), tr("Curves of a file, to go on with."));
+    connect(save_, &QToolButton::clicked, this, &ToolPanel::saveAsked);
+    connect(open_, &QToolButton::clicked, this, &ToolPanel::openAsked);
+    all.addLayout(rowOf({save_, open_}));
+}
+
+// ---- Place ----
+
+// Docked, so that it does not cover the mesh, or where it was left.
+void ToolPanel::place(QWidget& view) {
+    auto* const window = qobject_cast<QMainWindow*>(view.window());
+    const bool floats = window == nullptr || kept::value(kFloating, false).toBool();
+    if (window != nullptr) {
+        const auto area = static_cast<Qt::DockWidgetArea>(
+            kept::value(kArea, static_cast<int>(Qt::LeftDockWidgetArea)).toInt()
+        );
+        window->addDockWidget(
+            area == Qt::RightDockWidgetArea ? area : Qt::LeftDockWidgetArea, this
+        );
+    }
+    setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+    setFloating(floats);
+    if (floats) {
+        const QRect kept = kept::value(kGeometry).toRect();
+        if (kept.isValid()) {
+            setGeometry(kept);
+        } else {
+            adjustSize();
+            move(view.mapToGlobal(QPoint(kMargin, kMargin)));
+        }
+    }
+    QDockWidget::show();
+    const auto keep = [this] { keepPlace(); };
+    connect(this, &QDockWidget::topLevelChanged, this, keep);
+    connect(this, &QDockWidget::dockLocationChanged, this, keep);
+    connect(this, &QDockWidget::visibilityChanged, this, keep);
+}
+
+void ToolPanel::keepPlace() const {
+    kept::setValue(kFloating, isFloating());
+    if (isFloating()) {
+        kept::setValue(kGeometry, geometry());
+    } else if (const auto* const window = qobject_cast<const QMainWindow*>(parentWidget())) {
+        kept::setValue(
+            kArea, static_cast<int>(window->dockWidgetArea(const_cast<ToolPanel*>(this)))
+        );
+    }
+}
+
+void ToolPanel::closeEvent(QCloseEvent* event) {
+    keepPlace();
+    event->ignore();  // who owns it ends the tool, and it with that
+    emit closed();
+}
+
+// ---- Options ----
+
+bool ToolPanel::isMagnetOn() const {
+    return magnet_->isChecked();
 }
 
 void ToolPanel::changed() {
     if (!isShowing_) {
         enableOptions();
-        emit optionsChanged(options());
+        emit optionsChanged(options(), false);
+    }
+}
+
+void ToolPanel::tensionChanged(int steps) {
+    if (!isShowing_) {
+        tensionValue_ = static_cast<double>(steps) / kTensionSteps;
+        tensionText_->setText(QString::number(tensionValue_, 'f', 2));
+        emit optionsChanged(options(), tension_->isSliderDown());
     }
 }
 
 void ToolPanel::setOptions(const DrawnOptions& options) {
     const bool wasShowing = std::exchange(isShowing_, true);
-    closed_->setChecked(options.closed);
+    isClosed_->setChecked(options.closed);
     degree_->setValue(options.degree);
-    tension_->setValue(options.tension);
+    if (!tension_->isSliderDown()) {
+        tension_->setValue(static_cast<int>(std::lround(options.tension * kTensionSteps)));
+    }
+    tensionValue_ = options.tension;
+    tensionText_->setText(QString::number(tensionValue_, 'f', 2));
     choose(*field_, options.field);
     fieldWeight_->setValue(options.fieldWeight);
     choose(*avoid_, options.avoid);
@@ -232,9 +410,9 @@ void ToolPanel::enableOptions() {
 
 DrawnOptions ToolPanel::options() const {
     return {
-        .closed = closed_->isChecked(),
+        .closed = isClosed_->isChecked(),
         .degree = degree_->value(),
-        .tension = tension_->value(),
+        .tension = tensionValue_,
         .field = chosen(*field_),
         .fieldWeight = fieldWeight_->value(),
         .avoid = chosen(*avoid_),
@@ -242,29 +420,56 @@ DrawnOptions ToolPanel::options() const {
     };
 }
 
-void ToolPanel::show(
-    const DrawingSession* session, const std::optional<DrawnOptions>& active, bool hasLayers
-) {
-    const SketchCurve* const curve = session == nullptr ? nullptr : session->sketch().activeCurve();
+// ---- What is to be seen ----
+
+void ToolPanel::show(const PanelState& state) {
+    const SketchCurve* const curve =
+        state.session == nullptr ? nullptr : state.session->sketch().activeCurve();
     isShowing_ = true;
-    closed_->setEnabled(curve != nullptr && curve->picks.size() >= 3);
-    if (active) {
-        setOptions(*active);
+    turn_->setChecked(state.isTurning);
+    isClosed_->setEnabled(curve != nullptr && curve->picks.size() >= 3);
+    if (state.active) {
+        setOptions(*state.active);
     } else {
-        closed_->setChecked(false);
+        isClosed_->setChecked(false);
     }
-    const bool hasCurves = session != nullptr && !session->sketch().curves.empty();
+    const bool hasCurves = state.session != nullptr && !state.session->sketch().curves.empty();
     commit_->setEnabled(hasCurves);
-    uses_->setEnabled(hasCurves || hasLayers);
-    if (curve != nullptr) {
-        say(describe(*curve));
-    } else if (session != nullptr) {
-        say(tr(
-            "Click points on the surface in the order of the curve. Drag picks; click the curve to "
-            "insert one, the first pick to close it. Ctrl snaps, Shift removes, Alt moves the view."
-        ));
+    uses_->setEnabled(hasCurves);
+    save_->setEnabled(hasCurves);
+    open_->setEnabled(state.session != nullptr);
+    if (state.session != nullptr) {
+        list_->show(state.session->sketch());
+        say(textOf(state));
     }
     isShowing_ = false;
+}
+
+QString ToolPanel::textOf(const PanelState& state) const {
+    if (state.isHostsCamera) {
+        return tr("MeshLab has the mouse: press the icon of this tool, or Escape, to draw on.");
+    }
+    if (state.isTurning) {
+        return tr("The mouse turns the view. Press Escape or \"Turn view\" to draw on.");
+    }
+    if (state.isMaking) {
+        return tr("Layers are made as soon as all curves are computed …");
+    }
+    if (!state.notice.isEmpty()) {
+        return state.notice;
+    }
+    const DrawingSession& session = *state.session;
+    const QString snapped = session.snapped().kind == SnapKind::None
+                                ? QString()
+                                : tr("\nSnaps to %1.").arg(nameOf(session.snapped().kind));
+    if (const SketchCurve* const curve = session.sketch().activeCurve()) {
+        return wordsFor(*curve, state.edge, kept::unit()) + snapped;
+    }
+    return tr("Click points on the surface in the order of the curve. Drag picks; click the curve "
+              "to insert one, the first pick to close it. Shift removes. The right button turns "
+              "the "
+              "view.") +
+           snapped;
 }
 
 void ToolPanel::say(const QString& text) {

@@ -1,66 +1,104 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "edit_bspline_curve/common/curve_list.h"
 #include "filters/drawn_options.h"
 #include "sketch/drawing_session.h"
 
-#include <QWidget>
+#include <QDockWidget>
 #include <optional>
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
-class QLayout;
-class QPushButton;
+class QLineEdit;
+class QSlider;
 class QSpinBox;
+class QToolButton;
+class QVBoxLayout;
 
 namespace bspline_curve {
 
-/// The small window beside the view: options of the active curve, buttons, and what is to be said.
-class ToolPanel : public QWidget {
+/// What the panel shows.
+struct PanelState {
+    const DrawingSession* session = nullptr;  ///< null: it is not there yet
+    std::optional<DrawnOptions> active = {};  ///< options of the active curve
+    bool isTurning = false;                   ///< the mouse turns the view
+    bool isHostsCamera = false;               ///< MeshLab has suspended the tool
+    bool isMaking = false;                    ///< layers will be made when curves are ready
+    QString notice = {};                      ///< what is to be said before anything else
+    double edge = 0.0;                        ///< mean edge length, in the mesh's unit
+};
+
+/// The panel beside the view: options of the active curve, buttons, the list of curves, and what is
+/// to be said. It is docked, or where it was left. The host's window owns it and may delete it.
+class ToolPanel : public QDockWidget {
     Q_OBJECT
 
 public:
-    explicit ToolPanel(QWidget* view);
+    explicit ToolPanel(QWidget& view);
+    ~ToolPanel() override;
+    ToolPanel(const ToolPanel&) = delete;
+    ToolPanel& operator=(const ToolPanel&) = delete;
 
-    /// Shows the state of a session; null: it is not there yet. `active`: the options of the active
-    /// curve, if there is one. `hasLayers`: curves became layers, which filters can use.
-    void show(
-        const DrawingSession* session, const std::optional<DrawnOptions>& active, bool hasLayers
-    );
+    void show(const PanelState& state);
     void say(const QString& text);
 
+    [[nodiscard]] bool isMagnetOn() const;
+
 signals:
-    void optionsChanged(const bspline_curve::DrawnOptions& options);
+    /// `isLive`: more of this change is to come.
+    void optionsChanged(const bspline_curve::DrawnOptions& options, bool isLive);
     void keyAsked(bspline_curve::SketchKey key);
     void commitAsked();
     void useAsked(const bspline_curve::FilterDescription* filter);
-    void keyPressed(QKeyEvent* event);  ///< that no part of the panel wanted
+    void turnAsked(bool turns);
+    void magnetChanged();
+    void unitChanged();
+    void curveChosen(int curve);
+    void lookAsked(int curve, const bspline_curve::SketchLook& look);
+    void saveAsked();
+    void openAsked();
+    void closed();  ///< by its user
 
 protected:
-    void keyPressEvent(QKeyEvent* event) override { emit keyPressed(event); }
+    void closeEvent(QCloseEvent* event) override;
 
 private:
-    [[nodiscard]] QLayout* makeForm();
-    [[nodiscard]] QWidget* makeUses();
-    void addButton(const QString& text, const QString& help, SketchKey key);
+    void place(QWidget& view);
+    void keepPlace() const;
+    void addModes(QVBoxLayout& all);
+    void addOptions(QVBoxLayout& all);
+    void addMoreOptions(QVBoxLayout& all);
+    void addUses(QVBoxLayout& all);
+    void addFiles(QVBoxLayout& all);
     void changed();
+    void tensionChanged(int steps);
     void setOptions(const DrawnOptions& options);
     void enableOptions();
     [[nodiscard]] DrawnOptions options() const;
+    [[nodiscard]] QString textOf(const PanelState& state) const;
 
-    QCheckBox* closed_;
+    QToolButton* turn_;
+    QToolButton* magnet_;
+    CurveList* list_;
+    QCheckBox* isClosed_;
     QSpinBox* degree_;
-    QDoubleSpinBox* tension_;
+    QSlider* tension_;
+    QLabel* tensionText_;
     QComboBox* field_;
     QDoubleSpinBox* fieldWeight_;
     QComboBox* avoid_;
     QDoubleSpinBox* avoidThreshold_;
-    QWidget* buttons_;
-    QPushButton* commit_;
+    QToolButton* commit_;
     QWidget* uses_;
+    QToolButton* save_ = nullptr;
+    QToolButton* open_ = nullptr;
+    QComboBox* unit_;
     QLabel* text_;
+    double tensionValue_ = 0.0;  ///< finer than the slider
     bool isShowing_ = false;
 };
 

@@ -15,17 +15,6 @@ using Allocator = vcg::tri::Allocator<CMeshO>;
 const std::string kSource = "bspline_curve_source";
 const std::string kOfCurve = "bspline_curve_of_curve";
 
-std::vector<int> layersOfCurve(const MeshDocument& document, int curve) {
-    std::vector<int> layers;
-    for (const MeshModel* const layer : host::layersOf(document)) {
-        const int* const id = host::perMeshAttribute<int>(layer->cm, kOfCurve);
-        if (layer->id() == curve || (id != nullptr && *id == curve)) {
-            layers.push_back(layer->id());
-        }
-    }
-    return layers;
-}
-
 }  // namespace
 
 void keepSource(
@@ -67,6 +56,17 @@ void attachToCurve(MeshModel& layer, const MeshModel& curve) {
 
 bool isOfCurve(const MeshModel& layer) {
     return host::perMeshAttribute<int>(layer.cm, kOfCurve) != nullptr;
+}
+
+std::vector<int> layersOfCurve(const MeshDocument& document, int curve) {
+    std::vector<int> layers;
+    for (const MeshModel* const layer : host::layersOf(document)) {
+        const int* const id = host::perMeshAttribute<int>(layer->cm, kOfCurve);
+        if (layer->id() == curve || (id != nullptr && *id == curve)) {
+            layers.push_back(layer->id());
+        }
+    }
+    return layers;
 }
 
 void setCurveVisible(MeshDocument& document, int curve, bool isVisible) {

@@ -45,6 +45,9 @@ void attachToCurve(MeshModel& layer, const MeshModel& curve);
 /// Whether a layer goes with a curve, and is none itself.
 [[nodiscard]] bool isOfCurve(const MeshModel& layer);
 
+/// Ids of the layer of a curve and of those that go with it.
+[[nodiscard]] std::vector<int> layersOfCurve(const MeshDocument& document, int curve);
+
 /// Shows or hides the layer of a curve, and those that go with it.
 void setCurveVisible(MeshDocument& document, int curve, bool isVisible);
 

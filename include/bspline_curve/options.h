@@ -49,6 +49,8 @@ struct PaperOptions {
     double featureTolerance =
         1.0;  ///< epsilon_d of the stop rules 1 and 2, relative to the energy,
               ///< >= 0
+
+    friend bool operator==(const PaperOptions&, const PaperOptions&) = default;
 };
 
 /// Options of one curve. The defaults are what measured best; paperPreset() is what the paper says.
@@ -89,6 +91,8 @@ struct SolverOptions {
 
     /// Throws InputError (BadOption) naming field, value and rule.
     void validate() const;
+
+    friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
 };
 
 /// The settings of the paper (2023), for comparison; degree, closed, tension and field stay at

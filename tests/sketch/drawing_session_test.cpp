@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <future>
 #include <stdexcept>
 
 namespace bspline_curve {
@@ -319,24 +321,112 @@ TEST_P(ASession, CancelsADrag) {
     EXPECT_FALSE(s_.session.release(s_.camera.beside(points_[1], 40.0)));
 }
 
-TEST_P(ASession, HandsOverItsCurvesAndTakesThemUpAgain) {
+TEST_P(ASession, BeginsWithCurvesThatUndoDoesNotRemove) {
     drawArc();
+    const SketchCurve first = curve();
+    DrawingSession later(s_.designer);
+    later.begin({first, first}, 1);
+    later.settle();
+    ASSERT_EQ(later.sketch().curves.size(), 2U);
+    EXPECT_EQ(later.sketch().active, 1);
+    EXPECT_FALSE(later.canUndo());
+    for (const auto& drawn : later.sketch().curves) {
+        ASSERT_TRUE(drawn->settled);
+        EXPECT_EQ(drawn->settled->polyline.points, first.settled->polyline.points);
+    }
+    later.add({first});
+    ASSERT_EQ(later.sketch().curves.size(), 3U);
+    later.undo();
+    EXPECT_EQ(later.sketch().curves.size(), 2U);
+}
+
+TEST_P(ASession, GivesEachCurveAnIdThatItKeeps) {
+    drawArc();
+    const std::uint64_t id = curve().id;
+    EXPECT_NE(id, 0U);
     s_.session.newCurve();
-    s_.click(s_.camera.over({0.0, -0.6, 0.8}));  // a single pick is no curve
-    const auto drawn = s_.session.commit();
-    ASSERT_EQ(drawn.size(), 1U);
-    EXPECT_EQ(drawn[0]->settled->polyline.points, s_.drawn(*drawn[0]).polyline.points);
-    // What has no polyline stays, and is gone on with.
-    ASSERT_EQ(count(), 1U);
-    EXPECT_FALSE(s_.session.canUndo());
-    s_.click(s_.camera.over({0.4, -0.6, 0.7}));
-    ASSERT_EQ(count(), 1U);
-    EXPECT_EQ(curve().picks.size(), 2U);
-    ASSERT_EQ(s_.session.commit().size(), 1U);
-    EXPECT_EQ(count(), 0U);
-    s_.session.reopen(drawn[0]->picks, drawn[0]->options);
-    s_.session.settle();
-    EXPECT_EQ(curve().settled->polyline.points, drawn[0]->settled->polyline.points);
+    s_.click(s_.camera.over({0.0, -0.6, 0.8}));
+    EXPECT_NE(curve(1).id, id);
+    s_.session.select(0);
+    s_.session.removePick(1);
+    EXPECT_EQ(curve().id, id);
+    s_.session.undo();
+    EXPECT_EQ(curve().id, id);
+}
+
+TEST_P(ASession, ChangesALookWithoutMovingTheCurve) {
+    drawArc();
+    const auto settled = curve().settled;
+    const SketchCurve before = curve();
+    s_.session.setLook(0, {.name = "margin", .colour = {10, 200, 30}, .isHidden = false});
+    EXPECT_EQ(curve().settled, settled);
+    EXPECT_EQ(curve().look.name, "margin");
+    EXPECT_TRUE(curve().asksForTheSame(before));
+    s_.session.undo();
+    EXPECT_EQ(curve().look, before.look);
+    s_.session.movePick(1, curve().picks[0].point);
+    EXPECT_FALSE(curve().asksForTheSame(before));
+}
+
+TEST_P(ASession, EntersASlidersMovesAsOneChange) {
+    drawArc();
+    SketchCurveOptions options;
+    for (const double tension : {0.1, 0.2, 0.3}) {
+        options.solver.tension = tension;
+        s_.session.setOptions(options, true);
+    }
+    options.solver.tension = 0.4;
+    s_.session.setOptions(options);
+    EXPECT_EQ(curve().options.solver.tension, 0.4);
+    s_.session.undo();
+    EXPECT_EQ(curve().options.solver.tension, 0.0);
+    s_.session.redo();
+    EXPECT_EQ(curve().options.solver.tension, 0.4);
+    options.solver.tension = 0.5;
+    s_.session.setOptions(options);  // another change
+    s_.session.undo();
+    EXPECT_EQ(curve().options.solver.tension, 0.4);
+}
+
+TEST_P(ASession, NeitherHitsNorSelectsWhatIsHidden) {
+    drawArc();
+    SketchLook look = curve().look;
+    look.isHidden = true;
+    s_.session.setLook(0, look);
+    EXPECT_EQ(s_.session.sketch().active, -1);
+    s_.session.move(s_.camera.over(points_[1]));
+    EXPECT_EQ(s_.session.hovered(), SketchHit());
+    EXPECT_FALSE(s_.session.key(SketchKey::NextCurve, {}));
+    EXPECT_THROW(s_.session.setLook(1, look), std::out_of_range);
+}
+
+TEST_P(ASession, TellsWhatAPickSnapsTo) {
+    drawArc();
+    Pointer pointer = s_.camera.beside(points_[1], 40.0);
+    s_.session.press(pointer);
+    EXPECT_EQ(s_.session.snapped().kind, SnapKind::None);
+    pointer.snaps = true;
+    s_.session.move(pointer);
+    EXPECT_EQ(s_.session.snapped().kind, SnapKind::Vertex);
+    s_.session.release(pointer);
+    EXPECT_EQ(s_.session.snapped().kind, SnapKind::None);
+}
+
+TEST_P(ASession, WaitsForCurvesNoLongerThanAsked) {
+    std::promise<void> goOn;
+    const std::shared_future<void> gate = goOn.get_future();
+    SketchCurveOptions options;
+    options.guides =
+        std::make_shared<const SketchGuides>([gate](const Progress&) -> SketchGuides::Values {
+            gate.wait();
+            return {};
+        });
+    s_.session.setOptions(options);
+    s_.click(points_);
+    EXPECT_FALSE(s_.session.settleWithin(std::chrono::milliseconds(1)));
+    goOn.set_value();
+    EXPECT_TRUE(s_.session.settleWithin(std::chrono::minutes(1)));
+    EXPECT_TRUE(curve().settled);
 }
 
 }  // namespace

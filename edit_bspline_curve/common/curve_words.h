@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sketch/sketch.h"
+
+#include <QString>
+
+namespace bspline_curve {
+
+/// What people want to know of a curve: how many picks, how long, how near to the surface, or why
+/// there is none. `edge`: the mean edge length of the surface; `unit`: of lengths, or empty.
+[[nodiscard]] QString wordsFor(const SketchCurve& curve, double edge, const QString& unit);
+
+}  // namespace bspline_curve

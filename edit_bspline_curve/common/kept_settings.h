@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sketch/sketch.h"
+
+#include <QString>
+#include <QVariant>
+
+namespace bspline_curve {
+
+/// What the drawing tool keeps from one start of the host to the next, in the host's settings.
+namespace kept {
+
+[[nodiscard]] QVariant value(const QString& name, const QVariant& standard = {});
+void setValue(const QString& name, const QVariant& value);
+
+/// Of new curves.
+[[nodiscard]] SketchColour colour();
+void setColour(SketchColour colour);
+
+/// The name of the unit that the mesh is in, as it is shown after lengths; empty: not known.
+[[nodiscard]] QString unit();
+void setUnit(const QString& unit);
+
+/// Whether picks snap without a key.
+[[nodiscard]] bool isMagnetOn();
+void setMagnetOn(bool isOn);
+
+}  // namespace kept
+
+}  // namespace bspline_curve
