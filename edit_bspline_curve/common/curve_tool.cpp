@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "design/designer_surface.h"
+#include "edit_bspline_curve/common/curve_words.h"
 #include "edit_bspline_curve/common/kept_settings.h"
 #include "edit_bspline_curve/common/sketch_painter.h"
 #include "field/make_field.h"
@@ -365,7 +366,7 @@ bool CurveTool::bringLayers() {
     try {
         const int count = layers_.bring(session_->sketch(), maker());
         notice_ = count == 0 ? tr("All curves are layers already.")
-                             : tr("%n layer(s) made.", nullptr, count);
+                             : tr("%1 made.").arg(countText(count, "layer"));
         return true;
     } catch (const std::exception& error) {
         notice_ = error.what();
@@ -383,7 +384,7 @@ void CurveTool::finish() {
     const int left = layers_.keepUnfinished(session_->sketch(), maker());
     if (left > 0) {
         layers_.say(
-            std::to_string(left) + (left == 1 ? " curve is" : " curves are") +
+            countText(left, "curve").toStdString() + (left == 1 ? " is" : " are") +
             " not finished, and kept with the surface: the drawing tool goes on with " +
             (left == 1 ? "it" : "them") + " when it is started there again."
         );
@@ -511,7 +512,8 @@ bool CurveTool::mayClose() {
     QMessageBox question(
         QMessageBox::Question,
         tr("B-spline Curves"),
-        tr("%n curve(s) that you drew are not saved in a file.", nullptr, count),
+        tr("%1 that you drew %2 not saved in a file.")
+            .arg(countText(count, "curve"), count == 1 ? "is" : "are"),
         QMessageBox::NoButton,
         view_.window()
     );

@@ -10,28 +10,28 @@ QString lengthText(double length, const QString& unit) {
     return QString::number(length, 'g', 3) + (unit.isEmpty() ? QString() : " " + unit);
 }
 
-QString countOfPicks(const SketchCurve& curve) {
-    const auto picks = static_cast<int>(curve.picks.size());
-    return picks == 1 ? QObject::tr("1 pick") : QObject::tr("%1 picks").arg(picks);
-}
-
 }  // namespace
 
+QString countText(int count, const QString& noun) {
+    return QString("%1 %2%3").arg(count).arg(noun, count == 1 ? "" : "s");
+}
+
 QString wordsFor(const SketchCurve& curve, double edge, const QString& unit) {
+    const QString picks = countText(static_cast<int>(curve.picks.size()), "pick");
     if (!curve.problem.message.empty()) {
         return QString::fromStdString(curve.problem.message);
     }
     if (!curve.isDrawable()) {
-        return countOfPicks(curve) + QObject::tr(": click the next one");
+        return QObject::tr("%1: click the next one").arg(picks);
     }
     if (curve.settled == nullptr) {
-        return countOfPicks(curve) + " …";
+        return picks + " …";
     }
     const SolveReport& report = curve.settled->report;
     QString text =
         QObject::tr("%1, %2, %3 long.")
             .arg(
-                countOfPicks(curve),
+                picks,
                 curve.options.solver.closed ? QObject::tr("closed") : QObject::tr("open"),
                 lengthText(lengthOf(curve.settled->polyline), unit)
             );

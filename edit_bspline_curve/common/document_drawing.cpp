@@ -2,6 +2,7 @@
 #include "edit_bspline_curve/common/document_drawing.h"
 
 #include "bspline_curve/error.h"
+#include "edit_bspline_curve/common/curve_words.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/surface_choice.h"
@@ -98,11 +99,10 @@ DocumentDrawing::DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataCont
     start.curves = layers_->takeUp(arrays, other);
     if (other > 0) {
         start.note = QObject::tr(
-            "%n curve(s) of this surface were drawn with options that the tool "
-            "does not offer: they stay as they are.",
-            nullptr,
-            other
-        );
+                         "%1 of this surface %2 drawn with options that the tool does not "
+                         "offer: they stay as they are."
+        )
+                         .arg(countText(other, "curve"), other == 1 ? "was" : "were");
     }
     for (std::size_t i = 0; i < start.curves.size(); ++i) {
         if (start.curves[i].layer == document.mm()->id()) {

@@ -174,7 +174,7 @@ int SketchLayers::bring(const Sketch& sketch, const CurveMaker& maker) {
     show(sketch);
     if (hasSurface()) {
         document_.setCurrentMesh(surface_);
-        document_.setVisible(surface_, host::layerWithId(document_, surface_)->isVisible());
+        QMetaObject::invokeMethod(&view_, "updateLayerTable", Qt::QueuedConnection);
     }
     return count;
 }
