@@ -443,18 +443,22 @@ bool CurveTool::isInFront() const {
     return true;
 }
 
+// Whether nobody else is to have the key. The host's shortcuts never have it.
 bool CurveTool::takeKey(QObject& watched, QKeyEvent& event) {
     const std::optional<ToolKey> key = toolKeyOf(event);
-    if (!key || !isInFront() || !isForTool(*key, QApplication::focusWidget(), *panel_)) {
+    if (!key || !isInFront()) {
         return false;
     }
-    if (event.type() == QEvent::KeyPress && !watched.isWidgetType()) {
-        return false;  // on its way to a widget
+    if (event.type() == QEvent::ShortcutOverride) {
+        event.accept();
+        return true;
+    }
+    const bool isOnItsWay = !watched.isWidgetType();  // to a widget
+    if (isOnItsWay || !isForTool(*key, QApplication::focusWidget(), *panel_)) {
+        return false;
     }
     event.accept();
-    if (event.type() == QEvent::KeyPress) {
-        run(*key);
-    }
+    run(*key);
     return true;
 }
 

@@ -34,13 +34,30 @@ const std::array kBindings = {
     KeyBinding{Qt::Key_X, Qt::NoModifier, SketchKey::Cancel},
 };
 
-bool isTyping(const QWidget* focus) {
-    const auto* const box = qobject_cast<const QComboBox*>(focus);
+bool isText(const QWidget* focus) {
     return qobject_cast<const QLineEdit*>(focus) != nullptr ||
            qobject_cast<const QTextEdit*>(focus) != nullptr ||
-           qobject_cast<const QPlainTextEdit*>(focus) != nullptr ||
-           qobject_cast<const QAbstractSpinBox*>(focus) != nullptr ||
-           (box != nullptr && box->isEditable());
+           qobject_cast<const QPlainTextEdit*>(focus) != nullptr;
+}
+
+bool isHistory(const ToolKey& key) {
+    return key.action == ToolKey::Action::Sketch &&
+           (key.sketch == SketchKey::Undo || key.sketch == SketchKey::Redo);
+}
+
+// What a field of numbers has no use for.
+bool isLetter(const ToolKey& key) {
+    if (key.action != ToolKey::Action::Sketch) {
+        return false;
+    }
+    switch (key.sketch) {
+        case SketchKey::Next:
+        case SketchKey::Previous:
+        case SketchKey::Remove:
+            return false;
+        default:
+            return true;
+    }
 }
 
 }  // namespace
@@ -72,12 +89,14 @@ std::optional<ToolKey> toolKeyOf(const QKeyEvent& event) {
 }
 
 bool isForTool(const ToolKey& key, const QWidget* focus, const QWidget& panel) {
-    if (!isTyping(focus)) {
+    const bool isOwn = focus != nullptr && panel.isAncestorOf(focus);
+    if (isOwn && isHistory(key)) {
         return true;
     }
-    const bool isHistory = key.action == ToolKey::Action::Sketch &&
-                           (key.sketch == SketchKey::Undo || key.sketch == SketchKey::Redo);
-    return isHistory && panel.isAncestorOf(focus);
+    if (qobject_cast<const QAbstractSpinBox*>(focus) != nullptr) {
+        return isOwn && isLetter(key);
+    }
+    return !isText(focus) && qobject_cast<const QComboBox*>(focus) == nullptr;
 }
 
 }  // namespace bspline_curve

@@ -26,8 +26,9 @@ struct ToolKey {
 /// None: the key is the host's.
 [[nodiscard]] std::optional<ToolKey> toolKeyOf(const QKeyEvent& event);
 
-/// Whether a key of the tool goes to it, and not to what has the focus: fields that text is typed
-/// into keep theirs, but for undo and redo in the tool's own panel.
+/// Whether a key of the tool goes to it, and not to what has the focus: fields that something is
+/// typed into keep theirs, but for undo and redo in the tool's own panel, and letters in its fields
+/// of numbers.
 [[nodiscard]] bool isForTool(const ToolKey& key, const QWidget* focus, const QWidget& panel);
 
 }  // namespace bspline_curve

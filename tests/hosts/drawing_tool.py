@@ -12,11 +12,19 @@ DRAG = np.array([0, -60])
 # Colours of the painter.
 SELECTED, HANDLE, CURVE, BAD = (255, 191, 26), (255, 255, 255), (242, 64, 26), (230, 0, 0)
 
-# The last row of buttons in the panel, and where it is, relative to its height.
-BUTTONS, BUTTON_ROW = ("Imprint", "Cut", "Segment"), 0.692
+# What the log says of each layer of a curve that is made.
+MADE = "^shell="
 
-# From the top of the panel to the middle of its row of the degree.
-DEGREE_ROW = 33
+# The panel, docked on the left: its buttons, from the top left corner of MeshLab's window.
+BUTTONS = {
+    "Close": (260, 60), "Turn view": (68, 89), "Magnet": (198, 89),
+    "Undo": (34, 117), "Redo": (97, 117), "New": (160, 117), "Remove": (227, 117),
+    "closed": (13, 263), "degree": (236, 264), "tension": (145, 289), "field": (160, 314), "More options": (68, 343),
+    "Make layers": (130, 371), "Imprint": (46, 399), "Cut": (133, 399), "Segment": (220, 399),
+    "Save": (68, 427), "Open": (198, 427),
+}
+FIRST_CURVE, CURVE_HEIGHT = (96, 163), 19  # rows of its list; and the columns of eye and colour there
+EYE_COLUMN, COLOUR_COLUMN = 17, 52
 
 
 def is_like(pixel, colour, tolerance=40):
@@ -36,12 +44,25 @@ class Tool:
         self.meshlab, self.display = meshlab, meshlab.display
         meshlab.start_action(TOOL)
         meshlab.wait_for_log(f"Started Mode {TOOL}", count)
-        meshlab.wait_for_window("^B-spline Curves$")
-        meshlab.wait_for_still_picture()
-        view = meshlab.view()
+        self._find_view()
+
+    def _find_view(self):
+        """Where the view is, beside the panel."""
+        self.meshlab.wait_for_still_picture()
+        view = self.meshlab.view()
+        assert view.x > self.meshlab.main.x, "the panel is not docked"
         self.middle = np.array([view.x + view.width // 2, view.y + view.height // 2])
         self.beside = np.array([view.x + view.width - 40, view.y + 60])
         self.view_height = view.height
+
+    def wait_for_end(self):
+        """Until the panel is gone."""
+        wait_until(lambda: self.meshlab.view().x == self.meshlab.main.x, "the end of the tool")
+
+    def end(self):
+        """Presses the tool's icon again."""
+        self.meshlab.start_action(TOOL)
+        self.wait_for_end()
 
     def expect(self, offset, colour):
         place = self.middle + offset
@@ -57,6 +78,15 @@ class Tool:
             self._mouse("mousemove", *(self.middle + start + way * step // steps))
         self._mouse("mouseup", 1)
 
+    def hold(self, start, way):
+        """Begins a drag, and does not end it."""
+        self._mouse("mousemove", *(self.middle + start))
+        self._mouse("mousedown", 1)
+        self._mouse("mousemove", *(self.middle + start + way))
+
+    def let_go(self):
+        self._mouse("mouseup", 1)
+
     def curve_between(self, a, b):
         """A pixel of the curve near the middle of two offsets, as an offset."""
         picture = self.display.picture()
@@ -68,20 +98,26 @@ class Tool:
                 return near + offset - self.middle
         raise AssertionError("no curve between the picks")
 
+    def draw(self, offsets=CLICKS):
+        """Clicks picks, one after the other."""
+        for offset in offsets:
+            self.click(offset)
+            self.expect(offset, SELECTED)
+
     def choose_field(self, begin):
         """Chooses the first field in the panel whose label begins so, in one word, by keys."""
-        panel = self.meshlab.window("^B-spline Curves$")
-        self.meshlab.click(panel.x + panel.width / 2, panel.y + DEGREE_ROW)
-        self.meshlab.key("Tab", "Tab")  # from degree over tension
+        self.press("degree")
+        self.meshlab.key("Tab")
         self.meshlab.type(begin)
 
-    def press_button(self, name):
-        """Clicks a button in the last row of the panel."""
-        panel = self.meshlab.window("^B-spline Curves$")
-        column = BUTTONS.index(name)
-        self.meshlab.click(
-            panel.x + panel.width * (column + 0.5) / len(BUTTONS), panel.y + panel.height * BUTTON_ROW
-        )
+    def press(self, button):
+        """Clicks a button of the panel."""
+        x, y = BUTTONS[button]
+        self.meshlab.click(self.meshlab.main.x + x, self.meshlab.main.y + y)
+
+    def press_row(self, row, x=FIRST_CURVE[0]):
+        """Clicks a row of the list of curves."""
+        self.meshlab.click(self.meshlab.main.x + x, self.meshlab.main.y + FIRST_CURVE[1] + row * CURVE_HEIGHT)
 
     def _mouse(self, *words):
         self.display.xdotool(*(str(word if isinstance(word, str) else int(word)) for word in words))

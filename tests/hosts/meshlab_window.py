@@ -95,6 +95,10 @@ class MeshLabWindow:
 
         return wait_until(found, f"{count} lines of the log with {expected!r}")
 
+    def exit_status(self):
+        """Waits until MeshLab ends by itself; its exit status."""
+        return wait_until(lambda: (self._process.poll() is not None) and (self._process.poll(),), "MeshLab's end")[0]
+
     # ---- windows ----
 
     def window(self, name):
@@ -245,7 +249,8 @@ class MeshLabWindow:
 
     def _focus_view(self):
         """Clicks beside the mesh."""
-        self.click(self.main.x + 20, self.main.y + 150)
+        view = self.view()
+        self.click(view.x + 20, view.y + 100)
 
     def wait_for_still_picture(self):
         """Until the display looks the same twice in a row. The frame rate below the mesh never does."""

@@ -3,7 +3,7 @@
 import re
 
 import numpy as np
-from drawing_tool import CLICKS, DRAG, HANDLE, SELECTED, TOOL, Tool, is_disc
+from drawing_tool import CLICKS, DRAG, HANDLE, MADE, SELECTED, Tool, is_disc
 from virtual_display import wait_until
 
 
@@ -30,7 +30,7 @@ def test_a_curve_is_clicked_dragged_undone_closed_and_made_a_layer(meshlab):
     tool.click(CLICKS[0])  # the first pick closes the curve
     meshlab.wait_for_still_picture()
     meshlab.key("Return")
-    line = meshlab.wait_for_log("^shell=")
+    line = meshlab.wait_for_log(MADE)
     assert re.search("usable=true .*closed=true degree=3", line), line
 
 
@@ -40,10 +40,9 @@ def test_a_layer_of_a_curve_is_taken_up_again(meshlab):
         tool.click(offset)
         tool.expect(offset, SELECTED)
     meshlab.key("Return")
-    first = meshlab.wait_for_log("^shell=")
+    first = meshlab.wait_for_log(MADE)
     assert meshlab.layers() == 3  # surface, curve, tube
-    meshlab.start_action(TOOL)  # ends it
-    meshlab.wait_for_no_window("^B-spline Curves$")
+    tool.end()
     meshlab.select_layer(1)
 
     tool = Tool(meshlab, count=2)
@@ -52,7 +51,7 @@ def test_a_layer_of_a_curve_is_taken_up_again(meshlab):
     tool.drag(CLICKS[2], DRAG)
     tool.expect(CLICKS[2] + DRAG, SELECTED)
     meshlab.key("Return")
-    second = meshlab.wait_for_log("^shell=", 2)
+    second = meshlab.wait_for_log(MADE, 2)
     assert meshlab.layers() == 3  # in place of the old ones
     length = lambda line: float(re.search(r" length=([0-9.e+-]+)", line)[1])
     assert abs(length(second) - length(first)) > 0.01

@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pymeshlab
 import pytest
-from drawing_tool import BAD, BUTTONS, CLICKS, CURVE, DRAG, HANDLE, SELECTED, TOOL, Tool, is_like
+from drawing_tool import BAD, CLICKS, CURVE, DRAG, HANDLE, MADE, SELECTED, Tool, is_like
 from meshlab_window import FIRST_LAYER, LAYER_ROW
 from meshlabserver import run_server
 
@@ -66,9 +66,8 @@ def test_the_layer_is_the_curve_of_the_filter_where_it_was_clicked(meshlab, disp
     draw(tool)
     picture = display.picture()
     meshlab.key("Return")
-    meshlab.wait_for_log("^shell=")
-    meshlab.start_action(TOOL)  # ends it
-    meshlab.wait_for_no_window("^B-spline Curves$")
+    meshlab.wait_for_log(MADE)
+    tool.end()
     meshlab.select_layer(CURVE_ROW)
     meshlab.export_layer(tmp_path / "layer.ply")
     meshlab.save_script(tmp_path / "drawn.mlx")
@@ -116,7 +115,7 @@ def eye(meshlab, row):
     return np.array(meshlab.display.picture().crop((x, y - 8, x + 20, y + 8)), dtype=int)
 
 
-@pytest.mark.parametrize("button", BUTTONS)
+@pytest.mark.parametrize("button", ["Imprint", "Cut", "Segment"])
 def test_a_button_uses_the_curves_just_drawn(meshlab, button):
     tool = Tool(meshlab)
     for offset in CLICKS:
@@ -124,10 +123,10 @@ def test_a_button_uses_the_curves_just_drawn(meshlab, button):
         tool.expect(offset, SELECTED)
     tool.click(CLICKS[0])
     meshlab.wait_for_still_picture()
-    tool.press_button(button)
+    tool.press(button)
     line = meshlab.wait_for_log("^curves=")
     assert re.search("curves=1 projected_curves=0 .* parts=2 ", line), line
-    meshlab.wait_for_no_window("^B-spline Curves$")  # the tool ended
+    tool.wait_for_end()
     assert meshlab.layers() == 4  # surface, curve, tube, result
     # The surface is hidden, curve and tube are not, and the result is the current layer.
     assert np.abs(eye(meshlab, 1) - eye(meshlab, 2)).max() < 40
