@@ -8,6 +8,7 @@
 #include "surface/error_messages.h"
 #include "surface/picks.h"
 #include "surface/points_on_mended.h"
+#include "surface/surface_point.h"
 
 #include <Eigen/Geometry>
 
@@ -33,13 +34,6 @@ double diagonalOf(const TriangleMesh& mesh) {
         }
     }
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
-Vec3 positionOf(const TriangleMesh& mesh, const SurfacePoint& point) {
-    const Triangle& face = mesh.faces[point.face];
-    return point.barycentric[0] * mesh.vertices[face[0]] +
-           point.barycentric[1] * mesh.vertices[face[1]] +
-           point.barycentric[2] * mesh.vertices[face[2]];
 }
 
 CurveRecord givenRecord(const CurveToSave& saved, const CurveFileSurface& surface) {
