@@ -33,6 +33,11 @@ inline void removeLayer(MeshDocument& document, int id) {
     document.delMesh(static_cast<unsigned int>(id));
 }
 
+/// Writes a line into the document's log.
+inline void log(MeshDocument& document, GLLogStream::Levels level, const std::string& text) {
+    document.Log.log(level, text);
+}
+
 /// Names and pictures of textures.
 inline void copyTextures(const MeshModel& from, MeshModel& to) {
     to.cm.textures = from.cm.textures;

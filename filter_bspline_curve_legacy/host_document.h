@@ -29,6 +29,11 @@ inline void removeLayer(MeshDocument& document, int id) {
     document.delMesh(document.getMesh(id));
 }
 
+/// Writes a line into the document's log.
+inline void log(MeshDocument& document, GLLogStream::Levels level, const std::string& text) {
+    document.Log.Log(level, text);
+}
+
 /// Names of textures: this version reads the pictures by them.
 inline void copyTextures(const MeshModel& from, MeshModel& to) {
     to.cm.textures = from.cm.textures;

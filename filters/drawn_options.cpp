@@ -60,6 +60,18 @@ ParameterValues valuesOf(const DrawnOptions& options) {
     return values;
 }
 
+DrawnOptions drawnOptionsOf(const ParameterValues& values) {
+    return {
+        .closed = values.get<bool>("closed"),
+        .degree = values.get<int>("degree"),
+        .tension = values.get<double>("tension"),
+        .field = values.get<std::string>("field"),
+        .fieldWeight = values.get<double>("field_weight"),
+        .avoid = values.get<std::string>("avoid"),
+        .avoidThreshold = values.get<double>("avoid_threshold"),
+    };
+}
+
 std::optional<DrawnOptions> drawnOptions(const CurveRequest& request) {
     const DrawnOptions options{
         .closed = request.solver.closed,

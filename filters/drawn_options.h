@@ -30,6 +30,9 @@ struct DrawnOptions {
 /// InputError where a name is none of the filter's.
 [[nodiscard]] ParameterValues valuesOf(const DrawnOptions& options);
 
+/// Of the values of curveFilter(), those that DrawnOptions has: the inverse of valuesOf().
+[[nodiscard]] DrawnOptions drawnOptionsOf(const ParameterValues& values);
+
 /// The options that a request was made of; none where it asks for something that a drawing tool
 /// does not offer, so that the same curve could not be drawn again. Picks and what the curve leaves
 /// besides its layer do not count.

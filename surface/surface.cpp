@@ -4,6 +4,7 @@
 #include "surface/face_adjacency.h"
 #include "surface/mesh_checks.h"
 #include "surface/refused_mesh.h"
+#include "surface/surface_point.h"
 #include "utility/report_progress.h"
 #include "utility/worker_task.h"
 
@@ -64,10 +65,7 @@ Surface::Surface(TriangleMesh mesh, const Progress& progress) : mesh_(std::move(
 }
 
 Vec3 Surface::position(const SurfacePoint& point) const {
-    const Triangle& face = mesh_.faces[point.face];
-    return point.barycentric[0] * mesh_.vertices[face[0]] +
-           point.barycentric[1] * mesh_.vertices[face[1]] +
-           point.barycentric[2] * mesh_.vertices[face[2]];
+    return positionOf(mesh_, point);
 }
 
 Vec3 Surface::faceNormal(int face) const {

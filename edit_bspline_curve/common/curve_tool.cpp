@@ -9,10 +9,14 @@
 #include "field/make_field.h"
 #include "filters/find_designer.h"
 #include "filters/mended_layer.h"
+#include "filters/utf8_path.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QMdiArea>
 #include <QMdiSubWindow>
 #include <QMessageBox>
@@ -32,6 +36,9 @@ constexpr int kLookEvery = 15;  // milliseconds
 /// The host waits no longer than this for curves that are still being solved when the tool ends;
 /// their picks are kept then.
 constexpr std::chrono::milliseconds kPatience(150);
+
+/// Formats of the files that curves are saved to and opened from.
+constexpr const char* kFiles = "Curves (*.json *.obj *.dxf)";
 
 QAction* suspendingActionOf(const QWidget& window) {
     for (QAction* const action : window.findChildren<QAction*>()) {
@@ -61,13 +68,14 @@ CurveTool::CurveTool(QGLWidget& view, ToolStart start, SketchLayers& layers, Use
           std::async(
               std::launch::async,
               [layer = std::move(start_.surface), progress = untilTheEnd()]() mutable {
+                  const MeshChecksum checksum = checksumOf(layer.mesh);
                   DesignerCache designers;
                   // Strictness is the filter's.
                   DesignerCache::Found found = designerFor(layer, {}, {}, designers, progress);
                   if (const MeshRepair* const repair = found.repair()) {
                       layer = carriedOver(layer, *repair);
                   }
-                  return Prepared{std::move(found), std::move(layer)};
+                  return Prepared{std::move(found), std::move(layer), checksum};
               }
           )
       ),
@@ -111,6 +119,8 @@ void CurveTool::connectPanel() {
     connect(panel_, &ToolPanel::lookAsked, this, [this](int curve, const SketchLook& look) {
         QTimer::singleShot(0, this, [this, curve, look] { setLook(curve, look); });
     });
+    connect(panel_, &ToolPanel::saveAsked, this, &CurveTool::save);
+    connect(panel_, &ToolPanel::openAsked, this, &CurveTool::open);
     connect(panel_, &ToolPanel::closed, this, [this] {
         QMetaObject::invokeMethod(&view_, "endEdit", Qt::QueuedConnection);
     });
@@ -152,6 +162,7 @@ void CurveTool::look() {
 
 void CurveTool::begin(Prepared prepared) {
     found_ = std::move(prepared.found);
+    checksum_ = prepared.checksum;
     options_ = std::make_unique<OptionBook>(found_.designer, std::move(prepared.layer));
     SessionSettings settings;
     settings.colour = kept::colour();
@@ -162,7 +173,8 @@ void CurveTool::begin(Prepared prepared) {
     session_ = std::make_unique<DrawingSession>(found_.designer, std::move(settings));
     std::vector<SketchCurve> curves;
     for (const TakenUp& taken : start_.curves) {
-        curves.push_back(toSketch(taken));
+        curves.push_back(toSketch(taken.curve, taken.layer >= 0 && found_.repair() == nullptr));
+        curves.back().look.isHidden = taken.isHidden;
     }
     session_->begin(std::move(curves), start_.active);
     layers_.begin(start_.curves, session_->sketch());
@@ -172,17 +184,32 @@ void CurveTool::begin(Prepared prepared) {
     refresh();
 }
 
-SketchCurve CurveTool::toSketch(const TakenUp& taken) {
+// `isOnMesh`: the picks are on the designer's mesh; else their positions are near to it.
+SketchCurve CurveTool::toSketch(const DrawnCurve& drawn, bool isOnMesh) {
     SketchCurve curve;
-    curve.look = taken.look;
-    curve.picks = taken.curve.picks;
-    curve.options = options_->toSketch(taken.curve.options);
-    if (found_.repair() != nullptr || taken.layer < 0) {
+    curve.look.name = drawn.name;
+    if (drawn.colour) {
+        curve.look.colour = {(*drawn.colour)[0], (*drawn.colour)[1], (*drawn.colour)[2]};
+    }
+    curve.picks = drawn.picks;
+    curve.options = options_->toSketch(drawn.options);
+    if (!isOnMesh) {
         for (SketchPick& pick : curve.picks) {
             pick.point = treeOf(*found_.designer).closestPoint(pick.position).point;
         }
     }
     return curve;
+}
+
+DrawnCurve CurveTool::toDrawn(const SketchCurve& curve) const {
+    constexpr std::uint8_t kOpaque = 255;
+    const SketchColour& colour = curve.look.colour;
+    return {
+        .picks = curve.picks,
+        .options = options_->fromSketch(curve.options),
+        .name = curve.look.name,
+        .colour = CurveColour{colour.red, colour.green, colour.blue, kOpaque}
+    };
 }
 
 // Ridges and valleys take seconds on a large mesh, so they wait until somebody snaps.
@@ -319,7 +346,7 @@ void CurveTool::choose(int curve) {
 
 CurveMaker CurveTool::maker() {
     return {
-        .options = [this](const SketchCurve& curve) { return options_->fromSketch(curve.options); },
+        .drawn = [this](const SketchCurve& curve) { return toDrawn(curve); },
         .result =
             [this](const SketchCurve& curve, const CurveRequest& request) {
                 const std::vector<double> none;
@@ -389,6 +416,69 @@ void CurveTool::finish() {
             (left == 1 ? "it" : "them") + " when it is started there again."
         );
     }
+}
+
+// ---- Files ----
+
+CurveFileSurface CurveTool::fileSurface() const {
+    return {
+        .mesh = found_.designer->mesh(),
+        .checksum = checksum_,
+        .repair = found_.repair(),
+        .tree = &treeOf(*found_.designer)
+    };
+}
+
+// Whether all curves are in a file now.
+bool CurveTool::save() {
+    const QString file = QFileDialog::getSaveFileName(
+        view_.window(), tr("Save curves"), QDir(kept::folder()).filePath("curves.json"), kFiles
+    );
+    if (file.isEmpty()) {
+        return false;
+    }
+    session_->settle();
+    std::vector<CurveToSave> curves;
+    for (const std::shared_ptr<SketchCurve>& curve : session_->sketch().curves) {
+        curves.push_back({toDrawn(*curve), curve->settled});
+    }
+    try {
+        saveDrawnCurves(utf8Path(file.toStdString()), curves, fileSurface());
+    } catch (const std::exception& error) {
+        QMessageBox::warning(view_.window(), tr("B-spline Curves"), error.what());
+        return false;
+    }
+    kept::setFolder(QFileInfo(file).path());
+    saved_.assign(session_->sketch().curves.begin(), session_->sketch().curves.end());
+    notice_ =
+        tr("%1 saved to %2.")
+            .arg(countText(static_cast<int>(curves.size()), "curve"), QFileInfo(file).fileName());
+    refresh();
+    return true;
+}
+
+void CurveTool::open() {
+    const QString file =
+        QFileDialog::getOpenFileName(view_.window(), tr("Open curves"), kept::folder(), kFiles);
+    if (file.isEmpty() || !session_) {
+        return;
+    }
+    try {
+        const OpenedCurves opened = openDrawnCurves(utf8Path(file.toStdString()), fileSurface());
+        std::vector<SketchCurve> curves;
+        for (const DrawnCurve& drawn : opened.curves) {
+            curves.push_back(toSketch(drawn, true));
+        }
+        session_->add(std::move(curves));
+        kept::setFolder(QFileInfo(file).path());
+        notice_ = tr("%1 opened.").arg(countText(static_cast<int>(opened.curves.size()), "curve"));
+        for (const std::string& note : opened.notes) {
+            notice_ += "\n" + QString::fromStdString(note);
+        }
+    } catch (const std::exception& error) {
+        notice_ = error.what();
+    }
+    refresh();
 }
 
 // ---- Keys, and the end of the host ----
@@ -494,22 +584,20 @@ void CurveTool::runKey(SketchKey key) {
     }
 }
 
-int CurveTool::unsavedCurves() const {
-    return session_ == nullptr
-               ? 0
-               : static_cast<int>(std::ranges::count_if(
-                     session_->sketch().curves, [&](const std::shared_ptr<SketchCurve>& curve) {
-                         return !layers_.isSaved(*curve);
-                     }
-                 ));
+bool CurveTool::isSaved(const std::shared_ptr<SketchCurve>& curve) const {
+    return layers_.isSaved(*curve) || std::ranges::find(saved_, curve) != saved_.end();
 }
 
 // The host does not ask, so this does.
 bool CurveTool::mayClose() {
-    if (session_) {
-        session_->cancel();
+    if (!session_) {
+        return true;
     }
-    const int count = unsavedCurves();
+    session_->cancel();
+    const std::vector<std::shared_ptr<SketchCurve>>& curves = session_->sketch().curves;
+    const auto count = static_cast<int>(std::ranges::count_if(curves, [&](const auto& curve) {
+        return !isSaved(curve);
+    }));
     if (count == 0) {
         return true;
     }
@@ -521,11 +609,15 @@ bool CurveTool::mayClose() {
         QMessageBox::NoButton,
         view_.window()
     );
+    QPushButton* const saves = question.addButton(tr("Save …"), QMessageBox::AcceptRole);
     question.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
     QPushButton* const stay = question.addButton(tr("Go on drawing"), QMessageBox::RejectRole);
     question.setDefaultButton(stay);
     question.setEscapeButton(stay);
     question.exec();
+    if (question.clickedButton() == saves) {
+        return save();
+    }
     return question.clickedButton() != stay;
 }
 

@@ -7,6 +7,7 @@
 #include "edit_bspline_curve/common/tool_panel.h"
 #include "edit_bspline_curve/common/view.h"
 #include "filters/designer_cache.h"
+#include "filters/drawn_curve_file.h"
 #include "filters/layer_input.h"
 #include "sketch/drawing_session.h"
 
@@ -71,14 +72,16 @@ private:
     /// What is prepared on a thread of its own.
     struct Prepared {
         DesignerCache::Found found;
-        LayerInput layer;  ///< quality and selections on the designer's mesh
+        LayerInput layer;       ///< quality and selections on the designer's mesh
+        MeshChecksum checksum;  ///< of the mesh as it was given
     };
 
     [[nodiscard]] Progress untilTheEnd() const;
     void connectPanel();
     void look();  ///< whether what is prepared is ready
     void begin(Prepared prepared);
-    [[nodiscard]] SketchCurve toSketch(const TakenUp& taken);
+    [[nodiscard]] SketchCurve toSketch(const DrawnCurve& drawn, bool isOnMesh);
+    [[nodiscard]] DrawnCurve toDrawn(const SketchCurve& curve) const;
     void prepareCrests();
     void stop();     ///< all threads
     void refresh();  ///< after any change
@@ -93,13 +96,18 @@ private:
     void makeWhatWaits();
     bool bringLayers();
 
+    // Files.
+    bool save();
+    void open();
+    [[nodiscard]] CurveFileSurface fileSurface() const;
+
     // Keys and the host's window.
     [[nodiscard]] bool isInFront() const;
     bool takeKey(QObject& watched, QKeyEvent& event);
     void run(const ToolKey& key);
     void runKey(SketchKey key);
     bool mayClose();
-    [[nodiscard]] int unsavedCurves() const;
+    [[nodiscard]] bool isSaved(const std::shared_ptr<SketchCurve>& curve) const;
 
     // The camera.
     [[nodiscard]] Pointer pointerOf(const QMouseEvent& event, const View& seen);
@@ -121,10 +129,12 @@ private:
     std::future<Prepared> preparing_;
     std::future<SnapOptions> preparingCrests_;
     DesignerCache::Found found_;
+    MeshChecksum checksum_;  ///< of the surface
     std::unique_ptr<OptionBook> options_;
     std::unique_ptr<DrawingSession> session_;
-    bool hasCrests_ = false;                   ///< or they are being prepared
-    QString notice_;                           ///< to be said until the next event
+    bool hasCrests_ = false;                                 ///< or they are being prepared
+    std::vector<std::shared_ptr<const SketchCurve>> saved_;  ///< to files, by their user
+    QString notice_;                                         ///< to be said until the next event
     bool isMaking_ = false;                    ///< layers wait for curves that are being solved
     const FilterDescription* used_ = nullptr;  ///< and then this runs
     std::optional<View> seen_;                 ///< of the last drawing

@@ -5,6 +5,7 @@
 #include "edit_bspline_curve/common/curve_words.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
+#include "filter_bspline_curve/common/restore_curves.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 
 #include <QAction>
@@ -85,6 +86,7 @@ private:
 
 DocumentDrawing::DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataContext& shared)
     : document_(document), view_(currentView()) {
+    const RestoredCurves restored = restoreCurves(document);
     const MeshModel* const surface = defaultSurface(document);
     if (surface == nullptr) {
         throw InputError(
@@ -95,14 +97,18 @@ DocumentDrawing::DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataCont
     LayerArrays arrays = arraysOf(*surface);
     layers_ = std::make_unique<SketchLayers>(document, shared, view_, *surface, arrays);
     ToolStart start;
+    for (const std::string& note : restored.notes) {
+        host::warn(document, note);
+        start.note += QString::fromStdString(note) + "\n";
+    }
     int other = 0;
     start.curves = layers_->takeUp(arrays, other);
     if (other > 0) {
-        start.note = QObject::tr(
-                         "%1 of this surface %2 drawn with options that the tool does not "
-                         "offer: they stay as they are."
+        start.note += QObject::tr(
+                          "%1 of this surface %2 drawn with options that the tool does not "
+                          "offer: they stay as they are."
         )
-                         .arg(countText(other, "curve"), other == 1 ? "was" : "were");
+                          .arg(countText(other, "curve"), other == 1 ? "was" : "were");
     }
     for (std::size_t i = 0; i < start.curves.size(); ++i) {
         if (start.curves[i].layer == document.mm()->id()) {

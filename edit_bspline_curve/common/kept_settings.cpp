@@ -54,4 +54,12 @@ void setMagnetOn(bool isOn) {
     setValue("magnet", isOn);
 }
 
+QString folder() {
+    return value("folder").toString();
+}
+
+void setFolder(const QString& folder) {
+    setValue("folder", folder);
+}
+
 }  // namespace bspline_curve::kept

@@ -26,6 +26,10 @@ void setUnit(const QString& unit);
 [[nodiscard]] bool isMagnetOn();
 void setMagnetOn(bool isOn);
 
+/// Where curves were saved or opened last.
+[[nodiscard]] QString folder();
+void setFolder(const QString& folder);
+
 }  // namespace kept
 
 }  // namespace bspline_curve

@@ -2,6 +2,7 @@
 #include "edit_bspline_curve/common/reopen.h"
 
 #include "filter_bspline_curve/common/curve_source.h"
+#include "surface/surface_point.h"
 
 #include <Eigen/Geometry>
 
@@ -14,15 +15,6 @@ namespace {
 /// A pick stays where it is to within this, relative to the diagonal: more than the rounding of
 /// floats, less than anybody moves a vertex.
 constexpr double kSamePlace = 1e-6;
-
-Vec3 positionOf(const TriangleMesh& mesh, const SurfacePoint& point) {
-    const Triangle& face = mesh.faces[point.face];
-    Vec3 position = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-        position += point.barycentric[k] * mesh.vertices[face[k]];
-    }
-    return position;
-}
 
 double diagonalOf(const TriangleMesh& mesh) {
     Eigen::AlignedBox3d box;
@@ -58,6 +50,8 @@ std::optional<DrawnCurve> reopened(
     }
     curve.options = *source->options;
     curve.options.closed = source->closed;
+    curve.name = layer.label().toStdString();
+    curve.colour = colourOf(layer);
     return curve;
 }
 

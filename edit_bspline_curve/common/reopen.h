@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "edit_bspline_curve/common/drawn_curve.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
+#include "filters/drawn_curve.h"
 
 #include <optional>
 

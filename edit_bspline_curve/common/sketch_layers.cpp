@@ -33,15 +33,6 @@ std::string picksText(const SketchCurve& curve) {
     return picks.join("; ").toStdString();
 }
 
-SketchColour colourOf(const MeshModel& layer) {
-    for (const CVertexO& vertex : layer.cm.vert) {
-        if (!vertex.IsD()) {
-            return {vertex.cC()[0], vertex.cC()[1], vertex.cC()[2]};
-        }
-    }
-    return {};
-}
-
 void setColour(MeshModel& layer, const SketchColour& colour) {
     layer.updateDataMask(MeshModel::MM_VERTCOLOR);
     for (CVertexO& vertex : layer.cm.vert) {
@@ -74,12 +65,7 @@ std::vector<TakenUp> SketchLayers::takeUp(const LayerArrays& arrays, int& other)
     MeshModel& surface = *document_.getMesh(surface_);
     for (const MeshModel* const layer : host::layersOf(document_)) {
         if (std::optional<DrawnCurve> curve = reopened(*layer, surface, arrays)) {
-            SketchLook look{
-                .name = layer->label().toStdString(),
-                .colour = colourOf(*layer),
-                .isHidden = !layer->isVisible()
-            };
-            taken.push_back({*std::move(curve), std::move(look), layer->id()});
+            taken.push_back({*std::move(curve), layer->id(), !layer->isVisible()});
         } else if (const CurveSource* const source = sourceOf(*layer)) {
             other += source->surface == surface_ ? 1 : 0;
         }
@@ -88,7 +74,7 @@ std::vector<TakenUp> SketchLayers::takeUp(const LayerArrays& arrays, int& other)
         host::perMeshAttribute<std::vector<DrawnCurve>>(surface.cm, kUnfinished);
     if (unfinished != nullptr) {
         for (const DrawnCurve& curve : *unfinished) {
-            taken.push_back({curve, {}, -1});
+            taken.push_back({curve});
         }
     }
     return taken;
@@ -98,7 +84,7 @@ void SketchLayers::begin(const std::vector<TakenUp>& taken, const Sketch& sketch
     for (std::size_t i = 0; i < taken.size(); ++i) {
         if (taken[i].layer >= 0) {
             const std::shared_ptr<SketchCurve>& curve = sketch.curves[i];
-            made_[curve->id] = {taken[i].layer, curve, !taken[i].look.isHidden};
+            made_[curve->id] = {taken[i].layer, curve, !taken[i].isHidden};
         }
     }
 }
@@ -234,7 +220,7 @@ RichParameterList SketchLayers::parametersOf(
 // the curve already.
 int SketchLayers::makeOnSurface(const SketchCurve& curve, const CurveMaker& maker) {
     const FilterDescription& filter = curveFilter();
-    const RichParameterList parameters = parametersOf(curve, maker.options(curve));
+    const RichParameterList parameters = parametersOf(curve, maker.drawn(curve).options);
     CurveRequest request = curveRequest(valuesOf(parameters, filter));
     request.solver = curve.options.solver;  // lists of parameters round some numbers
     const CurveResult result = maker.result(curve, request);
@@ -286,7 +272,7 @@ int SketchLayers::keepUnfinished(const Sketch& sketch, const CurveMaker& maker) 
     std::vector<DrawnCurve> left;
     for (const std::shared_ptr<SketchCurve>& curve : sketch.curves) {
         if (!isLayer(*curve) && !curve->picks.empty()) {
-            left.push_back({curve->picks, maker.options(*curve)});
+            left.push_back(maker.drawn(*curve));
         }
     }
     CMeshO& mesh = document_.getMesh(surface_)->cm;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "edit_bspline_curve/common/drawn_curve.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
+#include "filters/drawn_curve.h"
 #include "filters/run_filters.h"
 #include "host_filters.h"
 #include "sketch/sketch.h"
@@ -20,13 +20,13 @@ namespace bspline_curve {
 /// A curve that the document has of a surface, with which the tool goes on.
 struct TakenUp {
     DrawnCurve curve;
-    SketchLook look;
     int layer = -1;  ///< its id; -1: it is no layer yet
+    bool isHidden = false;
 };
 
 /// Makes of a curve what its filter would make: of the tool, which has solved it already.
 struct CurveMaker {
-    std::function<DrawnOptions(const SketchCurve&)> options;
+    std::function<DrawnCurve(const SketchCurve&)> drawn;  ///< what it is drawn from
     std::function<CurveResult(const SketchCurve&, const CurveRequest&)> result;
 };
 

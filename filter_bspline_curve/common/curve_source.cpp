@@ -35,7 +35,13 @@ void keepSource(
     source.positions = pickPositions(polyline);
     source.closed = polyline.closed;
     source.options = drawnOptions(request);
-    Allocator::AddPerMeshAttribute<CurveSource>(curve.cm, kSource)() = std::move(source);
+    source.curve = std::make_shared<const Curve>(result.curve);
+    source.toWorld = surface.cm.Tr;
+    keepSource(curve, std::move(source));
+}
+
+void keepSource(MeshModel& curve, CurveSource source) {
+    Allocator::GetPerMeshAttribute<CurveSource>(curve.cm, kSource)() = std::move(source);
 }
 
 std::vector<Vec3> pickPositions(const SurfacePolyline& polyline) {
@@ -48,6 +54,14 @@ std::vector<Vec3> pickPositions(const SurfacePolyline& polyline) {
 
 const CurveSource* sourceOf(const MeshModel& layer) {
     return host::perMeshAttribute<CurveSource>(layer.cm, kSource);
+}
+
+std::optional<CurveColour> colourOf(const MeshModel& layer) {
+    if (!layer.hasDataMask(MeshModel::MM_VERTCOLOR) || layer.cm.vert.empty()) {
+        return std::nullopt;
+    }
+    const vcg::Color4b& colour = layer.cm.vert.front().cC();
+    return CurveColour{colour[0], colour[1], colour[2], colour[3]};
 }
 
 void attachToCurve(MeshModel& layer, const MeshModel& curve) {

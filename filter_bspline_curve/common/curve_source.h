@@ -3,11 +3,12 @@
 
 #include "bspline_curve/mesh.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
-#include "filters/drawn_options.h"
+#include "filters/drawn_curve.h"
 #include "filters/requests.h"
 #include "filters/run_filters.h"
 #include "host_document.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,9 +23,16 @@ struct CurveSource {
     std::vector<Vec3> positions;      ///< of the picks, in world coordinates
     bool closed = false;
     std::optional<DrawnOptions> options;  ///< none: more was asked for than these can say
+    /// In world coordinates, with faces of the arrays of that layer. Null: it is not known.
+    std::shared_ptr<const Curve> curve;
+    Matrix44m toWorld = Matrix44m::Identity();  ///< of that layer, when the curve was drawn
+    std::string file;  ///< UTF-8; that the layer was read from with its picks; empty: none
 };
 
-/// Writes the source of a result into its curve's layer.
+/// Writes a source into its curve's layer.
+void keepSource(MeshModel& curve, CurveSource source);
+
+/// The same for a result.
 void keepSource(
     MeshModel& curve,
     const MeshModel& surface,
@@ -36,8 +44,12 @@ void keepSource(
 /// The positions of a polyline's picks.
 [[nodiscard]] std::vector<Vec3> pickPositions(const SurfacePolyline& polyline);
 
-/// Null where the layer is no curve of ours, or was read from a file.
+/// Null where the layer is no curve of ours, or was read from a file and restoreCurves() was not
+/// called since.
 [[nodiscard]] const CurveSource* sourceOf(const MeshModel& layer);
+
+/// The colour of the layer's vertices; none where they have none.
+[[nodiscard]] std::optional<CurveColour> colourOf(const MeshModel& layer);
 
 /// Marks a layer as one that goes with a curve: its tube, its control polygon, …
 void attachToCurve(MeshModel& layer, const MeshModel& curve);

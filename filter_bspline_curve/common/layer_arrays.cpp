@@ -22,27 +22,6 @@ Eigen::Matrix4d matrixOf(const MeshModel& layer) {
     return matrix;
 }
 
-/// World coordinates of a point of the layer; exactly its own ones where the matrix is the
-/// identity.
-class ToWorld {
-public:
-    explicit ToWorld(const MeshModel& layer)
-        : matrix_(matrixOf(layer)), isIdentity_(matrix_ == Eigen::Matrix4d::Identity()) {}
-
-    [[nodiscard]] Vec3 operator()(const Point3m& p) const {
-        return isIdentity_ ? toVec3(p) : (matrix_ * toVec3(p).homogeneous()).hnormalized();
-    }
-
-    [[nodiscard]] bool isInvertible() const {
-        const double determinant = matrix_.determinant();
-        return std::isfinite(determinant) && determinant != 0.0;
-    }
-
-private:
-    Eigen::Matrix4d matrix_;
-    bool isIdentity_;
-};
-
 void addVertices(LayerArrays& arrays, const MeshModel& layer, std::vector<int>& newIds) {
     const ToWorld toWorld(layer);
     if (!toWorld.isInvertible()) {
@@ -60,7 +39,7 @@ void addVertices(LayerArrays& arrays, const MeshModel& layer, std::vector<int>& 
         }
         newIds[v] = static_cast<int>(arrays.vertexIds.size());
         arrays.vertexIds.push_back(static_cast<int>(v));
-        arrays.input.mesh.vertices.push_back(toWorld(vertex.cP()));
+        arrays.input.mesh.vertices.push_back(toWorld(toVec3(vertex.cP())));
         arrays.input.selectedVertices.push_back(vertex.IsS() ? 1 : 0);
         if (hasQuality) {
             arrays.input.quality.push_back(double(vertex.cQ()));
@@ -82,6 +61,14 @@ void addFaces(LayerArrays& arrays, const MeshModel& layer, const std::vector<int
 }
 
 }  // namespace
+
+ToWorld::ToWorld(const MeshModel& layer)
+    : matrix_(matrixOf(layer)), isIdentity_(matrix_ == Eigen::Matrix4d::Identity()) {}
+
+bool ToWorld::isInvertible() const {
+    const double determinant = matrix_.determinant();
+    return std::isfinite(determinant) && determinant != 0.0;
+}
 
 LayerArrays arraysOf(const MeshModel& layer) {
     LayerArrays arrays;
@@ -126,7 +113,7 @@ std::vector<Vec3> pointsOf(const MeshModel& layer) {
     const ToWorld toWorld(layer);
     for (const CVertexO& vertex : layer.cm.vert) {
         if (!vertex.IsD()) {
-            points.push_back(toWorld(vertex.cP()));
+            points.push_back(toWorld(toVec3(vertex.cP())));
         }
     }
     return points;

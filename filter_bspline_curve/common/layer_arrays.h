@@ -5,6 +5,8 @@
 #include "host_document.h"
 #include "surface/mesh_checksum.h"
 
+#include <Eigen/Geometry>
+
 #include <vector>
 
 namespace bspline_curve {
@@ -14,6 +16,22 @@ struct LayerArrays {
     LayerInput input;
     std::vector<int> vertexIds;  ///< index in the layer of each vertex
     std::vector<int> faceIds;    ///< index in the layer of each face
+};
+
+/// World coordinates of points of a layer; exactly their own ones where its matrix is the identity.
+class ToWorld {
+public:
+    explicit ToWorld(const MeshModel& layer);
+
+    [[nodiscard]] Vec3 operator()(const Vec3& point) const {
+        return isIdentity_ ? point : Vec3((matrix_ * point.homogeneous()).hnormalized());
+    }
+
+    [[nodiscard]] bool isInvertible() const;
+
+private:
+    Eigen::Matrix4d matrix_;
+    bool isIdentity_;
 };
 
 /// Throws InputError where the layer has no faces or its matrix is singular. In double precision

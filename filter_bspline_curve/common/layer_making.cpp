@@ -37,7 +37,7 @@ void addEdges(CMeshO& mesh, bool closed) {
 }
 
 void attachTo(const MeshModel& surface, MeshModel& layer) {
-    Allocator::AddPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() = surface.id();
+    Allocator::GetPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() = surface.id();
     layer.cm.Tr = surface.cm.Tr;
     vcg::tri::UpdateBounding<CMeshO>::Box(layer.cm);
 }
@@ -53,7 +53,11 @@ FromWorld::FromWorld(const Matrix44m& matrix) : isIdentity_(matrix == Matrix44m:
 }
 
 Point3m FromWorld::operator()(const Vec3& world) const {
-    return toPoint3m(isIdentity_ ? world : Vec3((inverse_ * world.homogeneous()).hnormalized()));
+    return toPoint3m(inDoubles(world));
+}
+
+Vec3 FromWorld::inDoubles(const Vec3& world) const {
+    return isIdentity_ ? world : Vec3((inverse_ * world.homogeneous()).hnormalized());
 }
 
 }  // namespace bspline_curve

@@ -33,6 +33,9 @@ public:
 
     [[nodiscard]] Point3m operator()(const Vec3& world) const;
 
+    /// The same, not rounded to the host's scalar.
+    [[nodiscard]] Vec3 inDoubles(const Vec3& world) const;
+
 private:
     bool isIdentity_;
     Eigen::Matrix4d inverse_;

@@ -3,6 +3,9 @@
 
 #include "filter_bspline_curve/common/layer_making.h"
 #include "filter_bspline_curve/common/polyline_attributes.h"
+#include "filter_bspline_curve/common/save_watcher.h"
+#include "filter_bspline_curve/common/surface_choice.h"
+#include "filter_bspline_curve/common/window.h"
 
 #include <vcg/complex/algorithms/update/normal.h>
 
@@ -20,13 +23,12 @@ using Allocator = vcg::tri::Allocator<CMeshO>;
 const std::string kChecksum = "bspline_curve_surface_checksum";
 
 /// Positions in the coordinates of the surface's layer, from the layer's own vertices.
-void addVertices(
+void placeVertices(
     CMeshO& curve,
     const MeshModel& surface,
     const LayerArrays& arrays,
     const SurfacePolyline& polyline
 ) {
-    Allocator::AddVertices(curve, polyline.surfacePoints.size());
     for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
         const auto& [face, barycentric] = polyline.surfacePoints[i];
         const int layerFace = arrays.faceIds[face];
@@ -41,6 +43,10 @@ void addVertices(
 }
 
 void setAttributes(CMeshO& curve, const LayerArrays& arrays, const SurfacePolyline& polyline) {
+    for (const std::string& name :
+         {kFaceIndexAttribute, kBarycentricAttribute, kParameterAttribute}) {
+        Allocator::DeletePerVertexAttribute(curve, name);  // of any type, read from a file
+    }
     auto faceIndex = Allocator::AddPerVertexAttribute<Scalarm>(curve, kFaceIndexAttribute);
     auto barycentric = Allocator::AddPerVertexAttribute<Point3m>(curve, kBarycentricAttribute);
     auto parameter = Allocator::AddPerVertexAttribute<Scalarm>(curve, kParameterAttribute);
@@ -66,13 +72,14 @@ MeshModel& addPointsLayer(
 ) {
     MeshModel& layer = *document.addNewMesh("", look.name, look.isCurrent);
     layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
-    addVertices(layer.cm, surface.layer, surface.arrays, polyline);
+    Allocator::AddVertices(layer.cm, polyline.surfacePoints.size());
     for (std::size_t i = 0; i < look.quality.size(); ++i) {
         layer.cm.vert[i].Q() = static_cast<CVertexO::QualityType>(look.quality[i]);
     }
-    setAttributes(layer.cm, surface.arrays, polyline);
-    attachTo(surface.layer, layer);
-    Allocator::AddPerMeshAttribute<MeshChecksum>(layer.cm, kChecksum)() = checksumOf(surface.layer);
+    putOnSurface(layer, surface, polyline);
+    if (hasWindow()) {
+        watchSaving(document);
+    }
     return layer;
 }
 
@@ -110,6 +117,18 @@ MeshModel& addPolylinesLayer(
         first = end;
     }
     return layer;
+}
+
+void putOnSurface(MeshModel& layer, const SurfaceLayer& surface, const SurfacePolyline& polyline) {
+    placeVertices(layer.cm, surface.layer, surface.arrays, polyline);
+    setAttributes(layer.cm, surface.arrays, polyline);
+    attachTo(surface.layer, layer);
+    rememberSurface(layer, surface.layer);
+}
+
+void rememberSurface(MeshModel& layer, const MeshModel& surface) {
+    Allocator::GetPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() = surface.id();
+    Allocator::GetPerMeshAttribute<MeshChecksum>(layer.cm, kChecksum)() = checksumOf(surface);
 }
 
 const MeshChecksum* checksumOfSurface(const MeshModel& polyline) {

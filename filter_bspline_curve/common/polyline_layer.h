@@ -43,6 +43,13 @@ MeshModel& addPolylinesLayer(
     const QString& name
 );
 
+/// Puts the vertices of a layer, as many as those of a polyline and in its order, where that is on
+/// the surface, with all that addPolylineLayer() gives them but quality and edges.
+void putOnSurface(MeshModel& layer, const SurfaceLayer& surface, const SurfacePolyline& polyline);
+
+/// Lets a layer remember a surface and its checksum, as these do.
+void rememberSurface(MeshModel& layer, const MeshModel& surface);
+
 /// The checksum of the surface that these keep; null where the layer is none of ours.
 [[nodiscard]] const MeshChecksum* checksumOfSurface(const MeshModel& polyline);
 

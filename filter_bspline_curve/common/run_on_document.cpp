@@ -9,6 +9,7 @@
 #include "filter_bspline_curve/common/made_layers.h"
 #include "filter_bspline_curve/common/picked_points.h"
 #include "filter_bspline_curve/common/polyline_layer.h"
+#include "filter_bspline_curve/common/restore_curves.h"
 #include "filter_bspline_curve/common/result_layers.h"
 #include "filter_bspline_curve/common/show_curve.h"
 #include "filter_bspline_curve/common/surface_choice.h"
@@ -17,6 +18,7 @@
 #include "filters/run_curve_uses.h"
 #include "filters/run_pattern.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -170,6 +172,18 @@ const Entry& entryOf(const FilterDescription& filter) {
     throw std::logic_error("no way to run " + filter.id);
 }
 
+/// Curves that were read from files, for filters that use some.
+void takeUpCurves(MeshDocument& document, const FilterDescription& filter) {
+    const bool usesCurves =
+        std::ranges::find(filter.parameters, "curve_layer", &ParameterDescription::id) !=
+        filter.parameters.end();
+    if (usesCurves) {
+        for (const std::string& note : restoreCurves(document).notes) {
+            host::log(document, GLLogStream::WARNING, note);
+        }
+    }
+}
+
 }  // namespace
 
 const std::vector<const FilterDescription*>& allFilters() {
@@ -208,6 +222,7 @@ FilterAnswer runOnDocument(
     DesignerCache& designers,
     const Progress& progress
 ) {
+    takeUpCurves(document, filter);
     return entryOf(filter).run({
         .document = document,
         .values = valuesOf(parameters, filter),
