@@ -31,17 +31,15 @@ bool DrawingSession::hides(const Pointer& pointer, const Vec3& point) const {
     return !isInSight(pointer, seenBy(pointer), point);
 }
 
-SurfacePoint DrawingSession::pointUnder(
-    const Pointer& pointer, const TriangleTree::Hit& seen
-) const {
-    if (!pointer.snaps) {
-        return seen.point;
+SurfacePoint DrawingSession::pointUnder(const Pointer& pointer, const TriangleTree::Hit& seen) {
+    snapped_ = {SnapKind::None, seen.point};
+    if (pointer.snaps) {
+        const double reach = settings_.snapPixels * pointer.pixelAt(seen.distance);
+        snapped_ = snap(
+            surfaceOf(*designer_), sketch_, sketch_.active, seen.point, reach, settings_.snapping
+        );
     }
-    const double reach = settings_.snapPixels * pointer.pixelAt(seen.distance);
-    return snap(
-               surfaceOf(*designer_), sketch_, sketch_.active, seen.point, reach, settings_.snapping
-    )
-        .point;
+    return snapped_.point;
 }
 
 bool DrawingSession::hasMoved(const Pointer& pointer) const {
@@ -98,6 +96,7 @@ bool DrawingSession::press(const Pointer& pointer) {
 
 bool DrawingSession::move(const Pointer& pointer) {
     const TriangleTree::Hit seen = seenBy(pointer);
+    snapped_ = {};
     if (mode_ == Mode::Pressed && hasMoved(pointer)) {
         mode_ = Mode::Dragging;
         closesOnRelease_ = false;
@@ -139,6 +138,7 @@ bool DrawingSession::release(const Pointer& pointer) {
 
 void DrawingSession::leave() {
     hovered_ = {};
+    snapped_ = {};
     if (mode_ == Mode::Idle) {
         dropLive();
     }

@@ -91,6 +91,11 @@ public:
     /// none, or it is not known yet.
     [[nodiscard]] const std::shared_ptr<const Curve>& preview() const { return preview_; }
 
+    /// What the pick that is dragged, or that a click would add, snapped to.
+    [[nodiscard]] const Snap& snapped() const { return snapped_; }
+
+    [[nodiscard]] const CurveDesigner& designer() const { return *designer_; }
+
     /// Whether a curve of the sketch is still to be solved.
     [[nodiscard]] bool isSettled() const;
 
@@ -119,10 +124,8 @@ private:
 
     [[nodiscard]] SketchPick pickAt(const SurfacePoint& point) const;
     [[nodiscard]] TriangleTree::Hit seenBy(const Pointer& pointer) const;
-    /// The point under the pointer, snapped where that is asked for.
-    [[nodiscard]] SurfacePoint pointUnder(
-        const Pointer& pointer, const TriangleTree::Hit& seen
-    ) const;
+    /// The point under the pointer, snapped where that is asked for, which snapped() then tells.
+    [[nodiscard]] SurfacePoint pointUnder(const Pointer& pointer, const TriangleTree::Hit& seen);
     [[nodiscard]] bool hasMoved(const Pointer& pointer) const;
 
     // Of key().
@@ -150,6 +153,7 @@ private:
     Sketch sketch_;
     SketchHistory history_;
     SketchHit hovered_;
+    Snap snapped_;
     Mode mode_ = Mode::Idle;
     Vec3 pressedAt_ = Vec3::Zero();
     bool closesOnRelease_ = false;

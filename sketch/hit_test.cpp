@@ -66,11 +66,11 @@ SketchHit hitTest(
 ) {
     const Nearest nearest(pointer, seen);
     std::vector<int> order;
-    if (sketch.active >= 0) {
+    if (sketch.active >= 0 && !sketch.activeCurve()->isHidden) {
         order.push_back(sketch.active);
     }
     for (int i = 0; i < static_cast<int>(sketch.curves.size()); ++i) {
-        if (i != sketch.active) {
+        if (i != sketch.active && !sketch.curves[i]->isHidden) {
             order.push_back(i);
         }
     }

@@ -30,7 +30,8 @@ struct HitRadii {
 );
 
 /// What of a sketch is under the pointer: the nearest pick, else the nearest curve (its settled
-/// polyline); of the active curve first. What the surface hides is not hit. `seen`: where the ray
+/// polyline); of the active curve first. Neither what the
+/// surface hides nor a curve that is hidden is hit. `seen`: where the ray
 /// meets the surface (firstHit). Linear in the number of picks and vertices.
 [[nodiscard]] SketchHit hitTest(
     const Sketch& sketch,

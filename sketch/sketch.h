@@ -6,6 +6,7 @@
 #include "sketch/sketch_guides.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -17,6 +18,13 @@ namespace bspline_curve {
 struct SketchCurveOptions {
     SolverOptions solver{};                      ///< `closed` too
     std::shared_ptr<const SketchGuides> guides;  ///< null: neither a field nor faces to avoid
+};
+
+/// As a view shows it, of sRGB.
+struct SketchColour {
+    std::uint8_t red = 0, green = 0, blue = 0;
+
+    [[nodiscard]] bool operator==(const SketchColour&) const = default;
 };
 
 struct SketchPick {
@@ -35,6 +43,9 @@ struct SketchProblem {
 struct SketchCurve {
     std::vector<SketchPick> picks;
     SketchCurveOptions options;
+    std::string name;
+    SketchColour colour{225, 60, 30};
+    bool isHidden = false;  ///< neither painted nor hit
     /// The curve from scratch: it depends on picks and options alone, so it is the one that a
     /// filter draws. Null until it is solved, and where there is none.
     std::shared_ptr<const Curve> settled;

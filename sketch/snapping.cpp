@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <unordered_set>
 
 namespace bspline_curve {
@@ -126,9 +127,12 @@ Snap nearestPick(const Snapper& snapper, const Sketch& sketch, int own, const Ve
     Snap snap;
     double least = std::numeric_limits<double>::infinity();
     for (int c = 0; c < static_cast<int>(sketch.curves.size()); ++c) {
+        if (c == own || sketch.curves[c]->isHidden) {
+            continue;
+        }
         for (const SketchPick& pick : sketch.curves[c]->picks) {
             const double squared = (pick.position - from).squaredNorm();
-            if (c != own && squared < least && snapper.isNear(pick.position) &&
+            if (squared < least && snapper.isNear(pick.position) &&
                 snapper.holds(pick.point.face)) {
                 least = squared;
                 snap = {SnapKind::Pick, pick.point};
@@ -139,6 +143,26 @@ Snap nearestPick(const Snapper& snapper, const Sketch& sketch, int own, const Ve
 }
 
 }  // namespace
+
+const char* nameOf(SnapKind kind) {
+    switch (kind) {
+        case SnapKind::None:
+            return "";
+        case SnapKind::Pick:
+            return "another pick";
+        case SnapKind::Boundary:
+            return "a boundary";
+        case SnapKind::Crease:
+            return "a crease";
+        case SnapKind::Ridge:
+            return "a ridge";
+        case SnapKind::Valley:
+            return "a valley";
+        case SnapKind::Vertex:
+            return "a vertex";
+    }
+    throw std::logic_error("no kind of snapping");
+}
 
 Snap snap(
     const Surface& surface,

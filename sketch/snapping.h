@@ -22,15 +22,18 @@ struct SnapOptions {
 
 enum class SnapKind { None, Pick, Boundary, Crease, Ridge, Valley, Vertex };
 
+/// For people: "a boundary", "a ridge", …; empty for None.
+[[nodiscard]] const char* nameOf(SnapKind kind);
+
 struct Snap {
     SnapKind kind = SnapKind::None;
     SurfacePoint point;  ///< as given where nothing is near
 };
 
 /// The feature to which a point of a surface snaps: of those within `reach` (user's unit) along
-/// connected faces the nearest pick of a curve other than `own` (-1: any), else the nearest point
-/// of a boundary or crease edge, else the vertex with the largest ridge or valley, else the nearest
-/// vertex. Linear in the number of faces within reach.
+/// connected faces the nearest pick of a curve that is shown and other than `own` (-1: any), else
+/// the nearest point of a boundary or crease edge, else the vertex with the largest ridge or
+/// valley, else the nearest vertex. Linear in the number of faces within reach.
 [[nodiscard]] Snap snap(
     const Surface& surface,
     const Sketch& sketch,

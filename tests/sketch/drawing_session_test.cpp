@@ -192,6 +192,27 @@ TEST_P(ASession, SnapsWhileTheKeyIsHeld) {
     cube.click(pointer);
     EXPECT_LT((cube.session.sketch().curves[0]->picks[0].position - Vec3(0.53, 0, 1)).norm(), 0.01);
     EXPECT_EQ(cube.session.sketch().curves[0]->picks[0].position.y(), 0.0);
+    EXPECT_EQ(cube.session.snapped().kind, SnapKind::Crease);
+    EXPECT_STREQ(nameOf(cube.session.snapped().kind), "a crease");
+    // What a click would add there.
+    static_cast<void>(cube.session.move(cube.camera.over({0.3, 0.003, 1.0})));
+    EXPECT_EQ(cube.session.snapped().kind, SnapKind::None);
+    pointer = cube.camera.over({0.3, 0.003, 1.0});
+    pointer.snaps = true;
+    static_cast<void>(cube.session.move(pointer));
+    EXPECT_EQ(cube.session.snapped().kind, SnapKind::Crease);
+    cube.session.leave();
+    EXPECT_EQ(cube.session.snapped().kind, SnapKind::None);
+}
+
+TEST_P(ASession, DoesNotHitCurvesThatAreHidden) {
+    drawArc();
+    const Pointer over = s_.camera.over(points_[1]);
+    static_cast<void>(s_.session.move(over));
+    EXPECT_EQ(s_.session.hovered(), (SketchHit{0, 1, -1}));
+    s_.session.sketch().curves[0]->isHidden = true;
+    static_cast<void>(s_.session.move(over));
+    EXPECT_EQ(s_.session.hovered(), SketchHit{});
 }
 
 TEST_P(ASession, SnapsToRidgesOnceTheyAreKnown) {

@@ -83,6 +83,12 @@ TEST(PicksSnap, ToPicksOfOtherCurvesFirst) {
             .norm(),
         1e-15
     );
+    sketch.curves[1]->isHidden = true;
+    EXPECT_LT(
+        (snappedTo(sheet, {0.53, 0.02, 0}, 0.05, SnapKind::Pick, sketch) - Vec3(0.5, 0.03, 0))
+            .norm(),
+        1e-15
+    );
 }
 
 // On the far side of a thin sheet a pick is near, but not on faces that are.
