@@ -96,6 +96,7 @@ bool DrawingSession::press(const Pointer& pointer) {
 
 bool DrawingSession::move(const Pointer& pointer) {
     const TriangleTree::Hit seen = seenBy(pointer);
+    snapped_ = {};
     if (mode_ == Mode::Pressed && hasMoved(pointer)) {
         mode_ = Mode::Dragging;
         closesOnRelease_ = false;
@@ -434,7 +435,6 @@ void DrawingSession::enter() {
 void DrawingSession::settleNow() {
     dropLive();
     hovered_ = {};
-    snapped_ = {};
     askSettled();
 }
 

@@ -31,6 +31,7 @@ struct SketchProblem {
     std::vector<int> picks;  ///< those concerned; all where it is not known which
 };
 
+/// Of sRGB.
 struct SketchColour {
     std::uint8_t red = 225, green = 60, blue = 30;
 

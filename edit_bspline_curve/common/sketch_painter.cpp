@@ -1,129 +1,281 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/sketch_painter.h"
 
+#include "design/designer_surface.h"
+#include "edit_bspline_curve/common/handle_glyph.h"
+#include "edit_bspline_curve/common/line_style.h"
+#include "edit_bspline_curve/common/snap_glyph.h"
+
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace bspline_curve {
 namespace {
 
-// Sizes in logical pixels, colours as red, green, blue.
-struct Style {
-    double line = 2.5, otherLine = 1.5, pick = 10.0, rim = 14.0;
-    Vec3 active{0.95, 0.25, 0.1}, other{0.6, 0.2, 0.15}, preview{0.95, 0.7, 0.2};
-    Vec3 handle{1.0, 1.0, 1.0}, edge{0.1, 0.1, 0.1}, selected{1.0, 0.75, 0.1};
-    Vec3 hovered{1.0, 1.0, 0.4}, bad{0.9, 0.0, 0.0};
-    double hiddenAlpha = 0.2;
-    /// What lies on the surface is drawn nearer by this share of the depth's range.
-    double depthShift = 2e-4;
+// Logical pixels.
+constexpr LineWidths kActive{1.3, 2.7, 4.0};
+constexpr LineWidths kOther{0.9, 1.9, 3.2};
+constexpr double kDot = 2.2;  // radius of picks without handles
+constexpr double kPreview = 1.1, kPreviewHalo = 2.4;
+constexpr double kDash = 7.0, kGap = 5.0;
+constexpr double kLift = 4.0;         // see ScreenProjection
+constexpr double kLeastApart = 18.0;  // picks that get a number
+
+constexpr SketchColour kPreviewColour{255, 245, 215};
+constexpr double kPreviewHaloAlpha = 0.8;
+constexpr double kHiddenLine = 0.35, kHiddenHandle = 0.4;
+
+// A pick with a handle.
+struct PaintedPick {
+    ScreenNode node;
+    HandleState state;
+    bool isHidden = false;
 };
-
-const Style kStyle;
-
-void setColour(const Vec3& colour, double alpha) {
-    glColor4d(colour[0], colour[1], colour[2], alpha);
-}
-
-void drawLine(const std::vector<Vec3>& points, bool closed) {
-    glBegin(closed ? GL_LINE_LOOP : GL_LINE_STRIP);
-    for (const Vec3& p : points) {
-        glVertex3d(p[0], p[1], p[2]);
-    }
-    glEnd();
-}
 
 class Painter {
 public:
-    Painter(const DrawingSession& session, const View& view) : session_(session), view_(view) {}
+    Painter(const DrawingSession& session, const View& view)
+        : session_(session),
+          view_(view),
+          surface_(surfaceOf(session.designer())),
+          projection_(view, kLift) {}
 
-    void paintLines(double alpha) const {
+    // What lies on the surface.
+    [[nodiscard]] ScreenBatch lines() const {
+        ScreenBatch batch;
         const Sketch& sketch = session_.sketch();
         for (int c = 0; c < static_cast<int>(sketch.curves.size()); ++c) {
-            const SketchCurve& curve = *sketch.curves[c];
-            const bool isActive = c == sketch.active;
-            glLineWidth(width(isActive ? kStyle.line : kStyle.otherLine));
-            setColour(isActive ? kStyle.active : kStyle.other, alpha);
-            drawLine(curve.shownPoints(), curve.options.solver.closed);
+            if (c != sketch.active) {
+                addCurve(batch, c);
+            }
         }
         if (session_.preview()) {
-            glLineWidth(width(kStyle.otherLine));
-            glEnable(GL_LINE_STIPPLE);
-            glLineStipple(2, 0x5555);
-            setColour(kStyle.preview, alpha);
-            drawLine(session_.preview()->polyline.points, false);
-            glDisable(GL_LINE_STIPPLE);
+            addPreview(batch, session_.preview()->polyline);
         }
+        if (sketch.active >= 0) {
+            addCurve(batch, sketch.active);
+        }
+        return batch;
     }
 
-    // Whole ones: on a steep surface a part of a disc would lie behind it.
-    void paintPicks() const {
+    // Above the surface, whole: on a steep one a part of a handle would lie behind it.
+    void paintHandles() const {
+        ScreenBatch hidden;
+        ScreenBatch shown;
         const Sketch& sketch = session_.sketch();
         for (int c = 0; c < static_cast<int>(sketch.curves.size()); ++c) {
-            for (int i = 0; i < static_cast<int>(sketch.curves[c]->picks.size()); ++i) {
-                paintPick(c, i);
+            if (hasHandles(c)) {
+                const std::vector<std::optional<PaintedPick>> picks = paintedPicks(c);
+                addHandles(picks, false, hidden);
+                addHandles(picks, true, shown);
+                if (c == sketch.active) {
+                    addNumbers(picks, hidden, shown);
+                }
+            }
+        }
+        const Snap& snapped = session_.snapped();
+        if (snapped.kind != SnapKind::None) {
+            if (const auto place = nodeOf({snapped.point, surface_.position(snapped.point)})) {
+                addSnapGlyph(shown, *place, snapped.kind, view_.ratio());
+            }
+        }
+        hidden.draw(kHiddenHandle);
+        shown.draw();
+    }
+
+private:
+    [[nodiscard]] const SketchCurve& curve(int c) const { return *session_.sketch().curves[c]; }
+
+    [[nodiscard]] bool hasHandles(int c) const {
+        return !curve(c).look.isHidden &&
+               (c == session_.sketch().active || c == session_.hovered().curve);
+    }
+
+    // Not so where a curve was solved on a mesh that was mended further.
+    [[nodiscard]] Vec3 normalAt(const SurfacePoint& point) const {
+        const bool isKnown = point.face >= 0 && point.face < surface_.faceCount();
+        return isKnown ? surface_.faceNormal(point.face) : Vec3(Vec3::Zero());
+    }
+
+    [[nodiscard]] std::optional<ScreenNode> nodeOf(const SketchPick& pick) const {
+        return projection_.node(pick.position, normalAt(pick.point));
+    }
+
+    [[nodiscard]] std::vector<ScreenLine> onScreen(
+        const SurfacePolyline& line, const std::vector<Vec3>& points, bool closed
+    ) const {
+        const auto normalOf = [&](std::size_t i) { return normalAt(line.surfacePoints[i]); };
+        return projection_.lines(points, normalOf, closed);
+    }
+
+    void addCurve(ScreenBatch& batch, int c) const {
+        const SketchCurve& curve = this->curve(c);
+        if (curve.look.isHidden) {
+            return;
+        }
+        const LineStyle style(
+            curve.look.colour, c == session_.sketch().active ? kActive : kOther, view_.ratio()
+        );
+        if (const auto& solved = curve.settled ? curve.settled : curve.last) {
+            const bool closed = curve.options.solver.closed;
+            for (const ScreenLine& line : onScreen(solved->polyline, curve.shownPoints(), closed)) {
+                style.addLine(batch, line);
+            }
+        }
+        if (!hasHandles(c)) {
+            for (const SketchPick& pick : curve.picks) {
+                if (const auto node = nodeOf(pick)) {
+                    style.addDot(batch, *node, kDot);
+                }
             }
         }
     }
 
-private:
-    [[nodiscard]] GLfloat width(double pixels) const {
-        return static_cast<GLfloat>(pixels * view_.ratio());
+    // Light dashes in a dark band.
+    void addPreview(ScreenBatch& batch, const SurfacePolyline& polyline) const {
+        const double ratio = view_.ratio();
+        for (const ScreenLine& line : onScreen(polyline, polyline.points, polyline.closed)) {
+            batch.addStroke(line, kPreviewHalo * ratio, {kDark, kPreviewHaloAlpha});
+            for (const ScreenLine& dash : dashes(line, kDash * ratio, kGap * ratio)) {
+                batch.addStroke(dash, kPreview * ratio, {kPreviewColour});
+            }
+        }
     }
 
-    void paintPick(int c, int i) const {
-        const SketchCurve& curve = *session_.sketch().curves[c];
-        const SketchProblem& problem = curve.problem;
-        const bool isBad =
+    [[nodiscard]] HandleState stateOf(int c, int i) const {
+        const SketchProblem& problem = curve(c).problem;
+        HandleState state;
+        state.isBad =
             !problem.message.empty() &&
             (problem.picks.empty() || std::ranges::find(problem.picks, i) != problem.picks.end());
-        Vec3 colour = kStyle.handle;
-        if (isBad) {
-            colour = kStyle.bad;
-        } else if (session_.hovered() == SketchHit{c, i, -1}) {
-            colour = kStyle.hovered;
-        } else if (c == session_.sketch().active && i == session_.sketch().selected) {
-            colour = kStyle.selected;
-        }
-        const Vec3& position = curve.picks[i].position;
-        const Pointer towards = view_.pointerAt(view_.positionOf(position));
-        const double alpha = session_.hides(towards, position) ? kStyle.hiddenAlpha : 1.0;
-        paintPoint(position, kStyle.rim, kStyle.edge, alpha);
-        paintPoint(position, kStyle.pick, colour, alpha);
+        state.isHovered = session_.hovered() == SketchHit{c, i, -1};
+        state.isSelected = c == session_.sketch().active && i == session_.sketch().selected;
+        return state;
     }
 
-    void paintPoint(const Vec3& p, double size, const Vec3& colour, double alpha) const {
-        glPointSize(width(size));
-        setColour(colour, alpha);
-        glBegin(GL_POINTS);
-        glVertex3d(p[0], p[1], p[2]);
-        glEnd();
+    // As for what is hit, but for faces that are seen from behind: what lies just before them is
+    // the other side of a thin plate.
+    [[nodiscard]] bool isHidden(const SketchPick& pick) const {
+        const Pointer pointer = view_.pointerAt(view_.positionOf(pick.position));
+        const TriangleTree::Hit seen =
+            treeOf(session_.designer()).firstHit(pointer.origin, pointer.direction);
+        const double along = (pick.position - pointer.origin).dot(pointer.direction);
+        const bool isFromBehind = normalAt(pick.point).dot(pointer.direction) > 0.0;
+        return !isInSight(pointer, seen, pick.position) ||
+               (isFromBehind && seen.point.face >= 0 &&
+                along - seen.distance > pointer.pixelAt(along));
+    }
+
+    // Of a curve, in order; nothing for those behind the eye.
+    [[nodiscard]] std::vector<std::optional<PaintedPick>> paintedPicks(int c) const {
+        std::vector<std::optional<PaintedPick>> painted;
+        for (int i = 0; i < static_cast<int>(curve(c).picks.size()); ++i) {
+            const SketchPick& pick = curve(c).picks[i];
+            painted.emplace_back();
+            if (const auto node = nodeOf(pick)) {
+                painted.back() = {*node, stateOf(c, i), isHidden(pick)};
+            }
+        }
+        return painted;
+    }
+
+    // Those that matter most above the others.
+    void addHandles(
+        const std::vector<std::optional<PaintedPick>>& picks, bool isShown, ScreenBatch& batch
+    ) const {
+        for (const bool isSpecial : {false, true}) {
+            for (const std::optional<PaintedPick>& pick : picks) {
+                if (pick && pick->isHidden != isShown && pick->state.isSpecial() == isSpecial) {
+                    addHandle(batch, pick->node, pick->state, view_.ratio());
+                }
+            }
+        }
+    }
+
+    void addNumbers(
+        const std::vector<std::optional<PaintedPick>>& picks,
+        ScreenBatch& hidden,
+        ScreenBatch& shown
+    ) const {
+        for (std::size_t i = 0; i < picks.size(); ++i) {
+            const std::optional<PaintedPick>& pick = picks[i];
+            if (pick && (isMarked(*pick) || (!pick->isHidden && isApart(picks, i)))) {
+                addHandleNumber(
+                    pick->isHidden ? hidden : shown,
+                    pick->node,
+                    outside(picks, i),
+                    static_cast<int>(i) + 1,
+                    view_.ratio()
+                );
+            }
+        }
+    }
+
+    // Whether the number is shown in any case: not so where all picks are bad.
+    [[nodiscard]] bool isMarked(const PaintedPick& pick) const {
+        const bool isNamed =
+            pick.state.isBad && !session_.sketch().activeCurve()->problem.picks.empty();
+        return isNamed || pick.state.isHovered || pick.state.isSelected;
+    }
+
+    [[nodiscard]] bool isApart(
+        const std::vector<std::optional<PaintedPick>>& picks, std::size_t i
+    ) const {
+        const double least = kLeastApart * view_.ratio();
+        for (std::size_t k = 0; k < picks.size(); ++k) {
+            if (k != i && picks[k] &&
+                (picks[k]->node.at - picks[i]->node.at).squaredNorm() < least * least) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // Across the curve at a pick, where it bends away from.
+    [[nodiscard]] Eigen::Vector2d outside(
+        const std::vector<std::optional<PaintedPick>>& picks, std::size_t i
+    ) const {
+        const std::size_t count = picks.size();
+        const bool closed = session_.sketch().activeCurve()->options.solver.closed;
+        const Eigen::Vector2d& here = picks[i]->node.at;
+        const auto wayTo = [&](std::size_t k, bool isThere) -> Eigen::Vector2d {
+            return isThere && picks[k] ? Eigen::Vector2d((picks[k]->node.at - here).normalized())
+                                       : Eigen::Vector2d(Eigen::Vector2d::Zero());
+        };
+        const Eigen::Vector2d before = wayTo((i + count - 1) % count, closed || i > 0);
+        const Eigen::Vector2d after = wayTo((i + 1) % count, closed || i + 1 < count);
+        const Eigen::Vector2d along = after - before;
+        Eigen::Vector2d across(-along.y(), along.x());
+        if (across.norm() < std::numeric_limits<double>::epsilon()) {
+            across = Eigen::Vector2d::UnitY();
+        }
+        const double bend = across.dot(before + after);
+        const bool isStraight = before.isZero() || after.isZero() || bend == 0.0;
+        const bool isWrong = isStraight ? across.y() < 0.0 : bend > 0.0;
+        return isWrong ? Eigen::Vector2d(-across.normalized())
+                       : Eigen::Vector2d(across.normalized());
     }
 
     const DrawingSession& session_;
     const View& view_;
+    const Surface& surface_;
+    ScreenProjection projection_;
 };
 
 }  // namespace
 
 void paintSketch(const DrawingSession& session, const View& view) {
     const Painter painter(session, view);
-    glPushAttrib(GL_ALL_ATTRIB_BITS);
-    glDisable(GL_LIGHTING);
-    glDisable(GL_TEXTURE_2D);
-    glDisable(GL_CLIP_PLANE0);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glEnable(GL_LINE_SMOOTH);
-    glEnable(GL_POINT_SMOOTH);
+    const ScreenBatch lines = painter.lines();
+    const ScreenFrame frame(view);
     glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
     glDepthFunc(GL_GREATER);
-    painter.paintLines(kStyle.hiddenAlpha);
-    glDepthRange(0.0, 1.0 - kStyle.depthShift);
+    lines.draw(kHiddenLine);
     glDepthFunc(GL_LEQUAL);
-    painter.paintLines(1.0);
+    lines.draw();
     glDisable(GL_DEPTH_TEST);
-    painter.paintPicks();
-    glPopAttrib();
+    painter.paintHandles();
 }
 
 }  // namespace bspline_curve

@@ -8,20 +8,22 @@
 namespace bspline_curve {
 
 View::View(const QGLWidget& widget)
-    : ratio_(widget.devicePixelRatioF()), height_(widget.height() * ratio_) {
+    : View(widget.devicePixelRatioF(), widget.height() * widget.devicePixelRatioF()) {}
+
+View::View(double ratio, double height) : ratio_(ratio), height_(height) {
     glGetDoublev(GL_MODELVIEW_MATRIX, modelView_.data());
     glGetDoublev(GL_PROJECTION_MATRIX, projection_.data());
     std::array<GLint, 4> viewport{};
     glGetIntegerv(GL_VIEWPORT, viewport.data());
     viewport_ << viewport[0], viewport[1], viewport[2], viewport[3];
+    toWorld_ = (projection_ * modelView_).inverse();
 }
 
 Pointer View::pointerAt(const QPointF& position) const {
     const double x = 2.0 * (position.x() * ratio_ - viewport_[0]) / viewport_[2] - 1.0;
     const double y = 2.0 * (height_ - position.y() * ratio_ - viewport_[1]) / viewport_[3] - 1.0;
-    const Eigen::Matrix4d toWorld = (projection_ * modelView_).inverse();
     const auto at = [&](double depth) -> Vec3 {
-        const Eigen::Vector4d p = toWorld * Eigen::Vector4d(x, y, depth, 1.0);
+        const Eigen::Vector4d p = toWorld_ * Eigen::Vector4d(x, y, depth, 1.0);
         return p.head<3>() / p[3];
     };
     Pointer pointer;

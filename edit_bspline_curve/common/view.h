@@ -19,6 +19,8 @@ class View {
 public:
     /// From the current context, within the host's drawing.
     explicit View(const QGLWidget& widget);
+    /// Likewise, of what is no widget. `ratio`: see below; `height`: in device pixels.
+    View(double ratio, double height);
 
     /// The ray through a position in the widget, in logical pixels from its top left corner.
     [[nodiscard]] Pointer pointerAt(const QPointF& position) const;
@@ -28,8 +30,16 @@ public:
     /// Device pixels per logical pixel.
     [[nodiscard]] double ratio() const { return ratio_; }
 
+    [[nodiscard]] const Eigen::Matrix4d& modelView() const { return modelView_; }
+
+    [[nodiscard]] const Eigen::Matrix4d& projection() const { return projection_; }
+
+    /// Width and height in device pixels.
+    [[nodiscard]] Eigen::Vector2d size() const { return viewport_.tail<2>(); }
+
 private:
     Eigen::Matrix4d modelView_, projection_;
+    Eigen::Matrix4d toWorld_;   ///< from what OpenGL calls clip coordinates
     Eigen::Vector4d viewport_;  ///< device pixels: x, y, width, height
     double ratio_;
     double height_;  ///< of the widget, device pixels

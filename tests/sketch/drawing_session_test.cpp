@@ -194,6 +194,17 @@ TEST_P(ASession, SnapsWhileTheKeyIsHeld) {
     cube.click(pointer);
     EXPECT_LT((cube.session.sketch().curves[0]->picks[0].position - Vec3(0.53, 0, 1)).norm(), 0.01);
     EXPECT_EQ(cube.session.sketch().curves[0]->picks[0].position.y(), 0.0);
+    EXPECT_EQ(cube.session.snapped().kind, SnapKind::Crease);
+    EXPECT_STREQ(nameOf(cube.session.snapped().kind), "a crease");
+    // What a click would add there.
+    static_cast<void>(cube.session.move(cube.camera.over({0.3, 0.003, 1.0})));
+    EXPECT_EQ(cube.session.snapped().kind, SnapKind::None);
+    pointer = cube.camera.over({0.3, 0.003, 1.0});
+    pointer.snaps = true;
+    static_cast<void>(cube.session.move(pointer));
+    EXPECT_EQ(cube.session.snapped().kind, SnapKind::Crease);
+    cube.session.leave();
+    EXPECT_EQ(cube.session.snapped().kind, SnapKind::None);
 }
 
 TEST_P(ASession, SnapsToRidgesOnceTheyAreKnown) {
@@ -409,6 +420,8 @@ TEST_P(ASession, TellsWhatAPickSnapsTo) {
     s_.session.move(pointer);
     EXPECT_EQ(s_.session.snapped().kind, SnapKind::Vertex);
     s_.session.release(pointer);
+    EXPECT_EQ(s_.session.snapped().kind, SnapKind::Vertex);  // that of the pick
+    s_.session.leave();
     EXPECT_EQ(s_.session.snapped().kind, SnapKind::None);
 }
 
