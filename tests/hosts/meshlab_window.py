@@ -48,10 +48,10 @@ def write_settings(display):
 
 
 class MeshLabWindow:
-    """A running MeshLab with one mesh. Use it in a `with` statement; it ends with it."""
+    """A running MeshLab with these files. Use it in a `with` statement; it ends with it."""
 
-    def __init__(self, display, program, mesh, **environment):
-        self.display, self.program, self.mesh = display, program, mesh
+    def __init__(self, display, program, *files, **environment):
+        self.display, self.program, self.files = display, program, files
         self._environment = {"BSPLINE_CURVE_CACHE": "", **environment}
         self._process = None
         self._log_path = None
@@ -60,9 +60,9 @@ class MeshLabWindow:
         write_settings(self.display)
         self._log_path = self.display.home / "meshlab.log"
         with open(self._log_path, "wb") as log:
-            self._process = self.display.start([self.program, self.mesh], output=log, **self._environment)
+            self._process = self.display.start([self.program, *self.files], output=log, **self._environment)
         try:
-            self.wait_for_log("All files opened")
+            self.wait_for_log("All files opened|Opened project")
             self.main = wait_until(lambda: self.window(r"^MeshLab .*\["), "MeshLab's window")
             self._focus_view()
         except BaseException:
@@ -219,12 +219,30 @@ class MeshLabWindow:
     def export_layer(self, path):
         """Writes the current layer to a file that is not there yet, with File > Export Mesh as."""
         self.key("ctrl+shift+e")
+        self.name_layers_file(path)
+
+    def name_layers_file(self, path):
+        """Answers the dialogs that write a layer."""
         self.wait_for_window("^Save .* Layer$")
         self.type(path)
         self.key("Return")
         self.wait_for_window("^Choose Saving Options")
         self.key("Return")
         self.wait_for_log(f"^Saved Mesh {re.escape(str(path))}")
+
+    def save_project(self, path, unsaved=()):
+        """Writes the project, and first, as MeshLab asks, layers that have no file yet, to these."""
+        self.key("ctrl+s")
+        for file in unsaved:
+            self.name_layers_file(file)
+        self.name_file("^Save Project File$", path)
+
+    def name_file(self, title, path):
+        """Types a name into a file dialog."""
+        self.wait_for_window(title)
+        self.type(path)
+        self.key("Return")
+        self.wait_for_no_window(title)
 
     def save_script(self, path):
         """Writes the filters that were applied to a file that is not there yet."""
