@@ -57,7 +57,7 @@ public:
                     textOf(p.label),
                     textOf(p.fullHelp()),
                     p.isFolded(),
-                    surface_,
+                    p.id == "curve_layer" ? defaultCurves(document_) : surface_,
                     document_
                 );
                 break;
