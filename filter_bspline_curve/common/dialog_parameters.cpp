@@ -62,7 +62,9 @@ public:
                 );
                 break;
             case ParameterType::Bool:
-                addAs<RichBool>(p, p.isOfWindow() || std::get<bool>(p.defaultValue));
+                addAs<RichBool>(
+                    p, (p.isOnInWindow && hasWindow()) || std::get<bool>(p.defaultValue)
+                );
                 break;
             case ParameterType::Int:
                 addAs<RichInt>(p, std::get<int>(p.defaultValue));
