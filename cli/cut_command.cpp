@@ -94,7 +94,9 @@ public:
         app_.add_flag(
                 "--split",
                 arguments_.split,
-                "Write each part to a file of its own, the largest first: FILE.ply, FILE-2.ply, …"
+                "Write each part at a curve to a file of its own, and all that no curve parts to "
+                "one, "
+                "the largest first: FILE.ply, FILE-2.ply, …"
         )
             ->excludes(keep);
         auto* const fill =
@@ -223,9 +225,9 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
     for (AtomicFile& each : written) {
         each.commit();
     }
+    saySlits(file.imprinted, file.parts, !arguments.keep);
     if (files.size() > 1) {
-        std::cerr << "bspline_curve: the curves leave " << files.size()
-                  << " parts, the smallest in "
+        std::cerr << "bspline_curve: the mesh is in " << files.size() << " files, the last is "
                   << numberedFile(arguments.output, files.size() - 1).string() << '\n';
     }
     return ExitCode::Success;

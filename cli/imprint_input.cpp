@@ -4,9 +4,13 @@
 #include "cli/interrupt.h"
 #include "cli/mesh_input.h"
 #include "cli/value_checks.h"
+#include "imprint/slits.h"
 #include "utility/stopwatch.h"
 
 #include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <string>
 
 namespace bspline_curve::cli {
 
@@ -50,6 +54,13 @@ ImprintedFile readAndImprint(const ImprintInput& input, ProgressBar& bar) {
         result.inputQuality.resize(read.checksum().vertices);
     }
     return result;
+}
+
+void saySlits(const ImprintedMesh& imprinted, const MeshParts& parts, bool isCut) {
+    const std::string note = describeSlits(slitsOf(imprinted, parts), isCut);
+    if (!note.empty()) {
+        std::cerr << "bspline_curve: " << note << '\n';
+    }
 }
 
 }  // namespace bspline_curve::cli

@@ -45,4 +45,7 @@ struct ImprintedFile {
 /// Reads, draws and imprints. Shows the bar up to 0.7. Throws InputError, Cancelled.
 [[nodiscard]] ImprintedFile readAndImprint(const ImprintInput& input, ProgressBar& bar);
 
+/// Says of curves that part nothing, see describeSlits(); nothing where there is none.
+void saySlits(const ImprintedMesh& imprinted, const MeshParts& parts, bool isCut);
+
 }  // namespace bspline_curve::cli

@@ -130,6 +130,7 @@ ExitCode segmentBy(const SegmentArguments& arguments, ProgressBar& bar) {
     for (AtomicFile& each : files) {
         each.commit();
     }
+    saySlits(imprinted, parts, false);
     return ExitCode::Success;
 }
 

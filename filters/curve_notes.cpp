@@ -4,6 +4,7 @@
 #include "surface/error_messages.h"
 
 #include <cctype>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -48,6 +49,20 @@ std::string describeRepeatedPicks(const SolveReport& report) {
     return (picks.size() == 1 ? "pick " : "picks ") + describeElements(picks) +
            (picks.size() == 1 ? " is" : " are") +
            " at the same point of the surface as the one before; the curve passes it once";
+}
+
+std::string describeLayers(const std::vector<std::string>& names) {
+    constexpr std::size_t kMostNames = 6;
+    const std::size_t named = names.size() > kMostNames ? kMostNames - 1 : names.size();
+    std::string text = "The mesh is parted into " + std::to_string(names.size()) + " layers: ";
+    for (std::size_t i = 0; i < named; ++i) {
+        const bool isLast = i + 1 == names.size();
+        text += (i == 0 ? "\"" : isLast ? " and \"" : ", \"") + names[i] + "\"";
+    }
+    if (named < names.size()) {
+        text += " and " + std::to_string(names.size() - named) + " more";
+    }
+    return text + ".";
 }
 
 }  // namespace bspline_curve

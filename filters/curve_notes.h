@@ -4,6 +4,7 @@
 #include "bspline_curve/report.h"
 
 #include <string>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -19,5 +20,8 @@ namespace bspline_curve {
 
 /// Which picks are at the same point as the one before, for people; empty where none is.
 [[nodiscard]] std::string describeRepeatedPicks(const SolveReport& report);
+
+/// That a mesh was parted into layers of these names: the first few of them.
+[[nodiscard]] std::string describeLayers(const std::vector<std::string>& names);
 
 }  // namespace bspline_curve

@@ -128,6 +128,9 @@ ParameterDescription readParameter(DescriptionReader& reader) {
     parameter.help = reader.text("help");
     parameter.type = readType(reader);
     parameter.defaultValue = readDefault(reader, parameter.type);
+    if (parameter.type == ParameterType::Bool) {
+        parameter.isOnInWindow = reader.flagOr("onInWindow", false);
+    }
     if (isNumber(parameter.type)) {
         parameter.min = reader.number("min");
         parameter.max = reader.number("max");

@@ -50,6 +50,7 @@ struct ParameterDescription {
     ParameterValue defaultValue;
     std::optional<double> min, max;   ///< of Int, Double and Percentage; absent: no limit
     bool excludesMin = false;         ///< the values are above min
+    bool isOnInWindow = false;        ///< of Bool: hosts with a window have it on by default
     bool isSlider = false;            ///< for dialogs: all of [min, max] within reach of the mouse
     int decimals = 3;                 ///< of Double and Percentage, for dialogs
     std::vector<EnumOption> options;  ///< of Enum

@@ -105,9 +105,6 @@ CutRequest cutRequest(const ParameterValues& values) {
     if (choice.keep == KeptParts::All && choice.fill != FillKind::None) {
         refuseChoice("fill needs keep: with all parts there is no hole to fill");
     }
-    if (choice.keep != KeptParts::All && choice.split) {
-        refuseChoice("split makes a layer of every part, so it needs keep to be all");
-    }
     if (!std::isfinite(choice.relief)) {
         refuseChoice("relief must be finite");
     }

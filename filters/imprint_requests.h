@@ -19,7 +19,7 @@ namespace bspline_curve {
 /// What all of them take.
 struct CurveUse {
     LayerId surface;
-    LayerId curve;  ///< the surface itself, or no id: all visible layers of polylines
+    LayerId curve;  ///< the surface itself, or no id: its curves, as the host knows them
     Placing placing;
     MendingOptions mending;
 };
@@ -37,7 +37,7 @@ struct CutChoice {
     KeptParts keep = KeptParts::All;
     std::string seed;  ///< "x y z"; empty: the one point of the host's own tool
     FillKind fill = FillKind::None;
-    bool split = false;
+    bool split = false;   ///< where all are kept: a layer for each part
     double relief = 0.0;  ///< height that the parts to keep are moved by; 0: they are cut
 };
 

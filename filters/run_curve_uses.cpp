@@ -6,9 +6,11 @@
 #include "design/curve_on_given_mesh.h"
 #include "design/strict_polyline.h"
 #include "fill/raised_parts.h"
+#include "filters/curve_notes.h"
 #include "filters/mended_layer.h"
 #include "imprint/mesh_parts.h"
 #include "imprint/part_choice.h"
+#include "imprint/slits.h"
 #include "shell/extended_surface.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
@@ -156,7 +158,15 @@ MeshesResult finished(
 }
 
 std::string partSuffix(const std::vector<int>& chosen) {
-    return " part " + std::to_string(chosen.front());
+    return chosen.size() == 1 ? " part " + std::to_string(chosen.front()) : " rest";
+}
+
+/// Adds a warning where curves part nothing.
+void warnOfSlits(Imprinted& from, bool isCut) {
+    const std::string note = describeSlits(slitsOf(*from.imprint, from.parts), isCut);
+    if (!note.empty()) {
+        from.warnings.push_back(asSentence(note));
+    }
 }
 
 MeshLayer layerOf(
@@ -234,10 +244,11 @@ MeshesResult runCutFilter(
         }
         const std::string suffix = request.choice.relief != 0.0 ? " relief"
                                    : choice                     ? " part"
-                                   : request.choice.split       ? partSuffix(chosen)
+                                   : chosenParts.size() > 1     ? partSuffix(chosen)
                                                                 : " cut";
         layers.push_back(layerOf(from, suffix, std::move(taken)));
     }
+    warnOfSlits(from, !choice);
     from.figures.push_back({"doubled_vertices", countOf(doubled)});
     from.figures.push_back({"filled_holes", filledHoles});
     return finished(std::move(from), std::move(layers), watch, false);
@@ -251,6 +262,7 @@ MeshesResult runSegmentFilter(
     if (partedParts(*from.imprint, from.parts).empty()) {
         refuseNothingParted();
     }
+    warnOfSlits(from, false);
     std::vector<MeshLayer> layers;
     if (request.split) {
         const CutMesh cut = cutAlongCurves(*from.imprint);

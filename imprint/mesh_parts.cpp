@@ -8,23 +8,30 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <utility>
 
 namespace bspline_curve {
 
+std::vector<std::array<int, 2>> edgesOf(const ImprintedCurve& curve) {
+    std::vector<std::array<int, 2>> edges;
+    const std::size_t count = curve.vertices.size();
+    for (std::size_t i = 0; i + 1 < count + (curve.closed ? 1 : 0); ++i) {
+        const auto [low, high] = std::minmax(curve.vertices[i], curve.vertices[(i + 1) % count]);
+        if (low != high) {
+            edges.push_back({low, high});
+        }
+    }
+    sortUnique(edges);
+    return edges;
+}
+
 std::vector<std::array<int, 2>> curveEdges(const ImprintedMesh& imprinted) {
     std::vector<std::array<int, 2>> edges;
     for (const ImprintedCurve& curve : imprinted.curves) {
-        const std::size_t count = curve.vertices.size();
-        for (std::size_t i = 0; i + 1 < count + (curve.closed ? 1 : 0); ++i) {
-            const auto [low, high] =
-                std::minmax(curve.vertices[i], curve.vertices[(i + 1) % count]);
-            if (low != high) {
-                edges.push_back({low, high});
-            }
-        }
+        std::ranges::copy(edgesOf(curve), std::back_inserter(edges));
     }
     sortUnique(edges);
     return edges;

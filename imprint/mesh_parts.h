@@ -29,7 +29,10 @@ struct MeshParts {
 /// one part on both sides, as that of an open curve, parts nothing. O(n log n).
 [[nodiscard]] MeshParts partsOf(const ImprintedMesh& imprinted);
 
-/// Edges that are on curves, each as (lower, higher vertex), ascending.
+/// The edges of a curve, each as (lower, higher vertex), ascending.
+[[nodiscard]] std::vector<std::array<int, 2>> edgesOf(const ImprintedCurve& curve);
+
+/// Edges that are on curves, likewise.
 [[nodiscard]] std::vector<std::array<int, 2>> curveEdges(const ImprintedMesh& imprinted);
 
 /// The mesh opened along its curves: vertices on them are doubled, once for each fan of faces that

@@ -11,9 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace bspline_curve {
 
@@ -146,11 +148,18 @@ std::vector<std::vector<int>> partsPerMesh(
     if (!split) {
         return {all};
     }
-    std::vector<std::vector<int>> each;
-    for (const int part : all) {
-        each.push_back({part});
+    std::vector<std::vector<int>> groups;
+    const std::vector<int> parted = partedParts(imprinted, parts);
+    for (const int part : parted) {
+        groups.push_back({part});
     }
-    return each;
+    std::vector<int> others;
+    std::ranges::set_difference(all, parted, std::back_inserter(others));
+    if (!others.empty()) {
+        groups.push_back(std::move(others));
+    }
+    std::ranges::sort(groups);
+    return groups;
 }
 
 CutMesh openedAlongCurves(const ImprintedMesh& imprinted) {

@@ -36,7 +36,8 @@ struct PartChoice {
 );
 
 /// The parts of each mesh that a cut makes (labels, ascending): the chosen ones, or where none is
-/// chosen each by itself (`split`), or all in one. Throws like chosenParts().
+/// chosen all in one, or with `split` each part at a curve by itself and those together that no
+/// curve parts from another; the mesh with the largest part first. Throws like chosenParts().
 [[nodiscard]] std::vector<std::vector<int>> partsPerMesh(
     const ImprintedMesh& imprinted,
     const MeshParts& parts,

@@ -16,16 +16,6 @@ namespace bspline_curve {
 
 namespace {
 
-bool isPolyline(const MeshModel& layer) {
-    return layer.cm.FN() == 0 && layer.cm.EN() > 0;
-}
-
-/// The layer that a polyline was drawn on; -1: none that is there.
-int surfaceOfPolyline(const MeshDocument& document, const MeshModel& layer) {
-    const int* const id = host::perMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute);
-    return id == nullptr || host::layerWithId(document, *id) == nullptr ? -1 : *id;
-}
-
 /// Empty where the layer has no such attributes.
 std::vector<SurfacePoint> placesOf(const MeshModel& layer, const LayerArrays& arrays) {
     auto faces = vertexAttribute<Scalarm>(layer.cm, kFaceIndexAttribute);
@@ -64,7 +54,7 @@ PolylineLayer polylineOf(const MeshModel& layer) {
     return polyline;
 }
 
-/// The layer that was chosen, or null for all visible ones.
+/// The layer that was chosen, or null where none was.
 const MeshModel* chosenLayer(const MeshDocument& document, const CurveUse& use) {
     if (use.curve.id < 0 || use.curve == use.surface) {
         return nullptr;
@@ -84,6 +74,25 @@ const MeshModel* chosenLayer(const MeshDocument& document, const CurveUse& use) 
     );
 }
 
+/// The layers that are meant where none is chosen.
+std::vector<const MeshModel*> usualLayers(const MeshDocument& document, const MeshModel& surface) {
+    std::vector<const MeshModel*> curves;
+    std::vector<const MeshModel*> results;
+    std::vector<const MeshModel*> ofOthers;
+    for (const MeshModel* const layer : host::layersOf(document)) {
+        if (!layer->isVisible() || !isPolyline(*layer) || isOfCurve(*layer)) {
+            continue;
+        }
+        const MeshModel* const drawnOn = surfaceOfCurve(document, *layer);
+        if (drawnOn != nullptr && drawnOn != &surface) {
+            ofOthers.push_back(layer);
+        } else {
+            (isResult(*layer) ? results : curves).push_back(layer);
+        }
+    }
+    return !curves.empty() ? curves : !results.empty() ? results : ofOthers;
+}
+
 }  // namespace
 
 CurvesOnLayer curvesOnLayer(
@@ -94,21 +103,16 @@ CurvesOnLayer curvesOnLayer(
 ) {
     CurvesOnLayer input{.surface = arrays.input, .checksum = checksumOf(surface), .curves = {}};
     const MeshModel* const chosen = chosenLayer(document, use);
-    for (const MeshModel* const layer : host::layersOf(document)) {
-        const bool isMeant = chosen != nullptr
-                                 ? layer == chosen
-                                 : layer->isVisible() && isPolyline(*layer) && !isOfCurve(*layer);
-        if (!isMeant) {
-            continue;
-        }
+    const std::vector<const MeshModel*> layers =
+        chosen != nullptr ? std::vector{chosen} : usualLayers(document, surface);
+    for (const MeshModel* const layer : layers) {
         PolylineLayer polyline = polylineOf(*layer);
-        const int drawnOn = surfaceOfPolyline(document, *layer);
-        if (drawnOn == surface.id()) {
+        if (surfaceOfCurve(document, *layer) == &surface) {
             polyline.places = placesOf(*layer, arrays);
             const MeshChecksum* const checksum = checksumOfSurface(*layer);
             polyline.drawnOn = checksum == nullptr ? std::nullopt : std::optional(*checksum);
         } else {
-            polyline.isOptional = chosen == nullptr && drawnOn >= 0;
+            polyline.isOptional = chosen == nullptr;
         }
         input.curves.push_back(std::move(polyline));
     }

@@ -9,9 +9,11 @@
 namespace bspline_curve {
 
 /// The surface and the layers of curves that a filter is to use: the one that is named or, where
-/// that is the surface itself, all visible layers of polylines; those that go with a curve, as its
-/// control polygon, are no curves. Takes the input out of the arrays. Throws InputError where a
-/// named layer is not there or has no polyline.
+/// that is the surface itself, all visible polylines that were drawn on it or on no layer that is
+/// there. Results of such filters (isResult()) are meant only where there are no others, and curves
+/// of other surfaces only where there are no results either; those that go with a curve, as its
+/// control polygon, never. Polylines that were not drawn on the surface are optional. Takes the
+/// input out of the arrays. Throws InputError where a named layer is not there or has no polyline.
 [[nodiscard]] CurvesOnLayer curvesOnLayer(
     const MeshDocument& document,
     const MeshModel& surface,

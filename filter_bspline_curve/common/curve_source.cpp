@@ -14,6 +14,7 @@ using Allocator = vcg::tri::Allocator<CMeshO>;
 
 const std::string kSource = "bspline_curve_source";
 const std::string kOfCurve = "bspline_curve_of_curve";
+const std::string kResult = "bspline_curve_result";
 
 }  // namespace
 
@@ -81,6 +82,14 @@ std::vector<int> layersOfCurve(const MeshDocument& document, int curve) {
         }
     }
     return layers;
+}
+
+void markAsResult(MeshModel& layer) {
+    Allocator::AddPerMeshAttribute<int>(layer.cm, kResult)() = 1;
+}
+
+bool isResult(const MeshModel& layer) {
+    return host::perMeshAttribute<int>(layer.cm, kResult) != nullptr;
 }
 
 void setCurveVisible(MeshDocument& document, int curve, bool isVisible) {

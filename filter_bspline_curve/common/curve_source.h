@@ -60,6 +60,13 @@ void attachToCurve(MeshModel& layer, const MeshModel& curve);
 /// Ids of the layer of a curve and of those that go with it.
 [[nodiscard]] std::vector<int> layersOfCurve(const MeshDocument& document, int curve);
 
+/// Marks a layer of polylines as the result of a filter that uses curves: lines at a distance, a
+/// pattern. Such lines are no input of these filters unless they are chosen.
+void markAsResult(MeshModel& layer);
+
+/// Whether a layer is such a result.
+[[nodiscard]] bool isResult(const MeshModel& layer);
+
 /// Shows or hides the layer of a curve, and those that go with it.
 void setCurveVisible(MeshDocument& document, int curve, bool isVisible);
 

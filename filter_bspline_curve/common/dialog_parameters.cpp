@@ -57,12 +57,14 @@ public:
                     textOf(p.label),
                     textOf(p.fullHelp()),
                     p.isFolded(),
-                    surface_,
+                    p.id == "curve_layer" ? defaultCurves(document_) : surface_,
                     document_
                 );
                 break;
             case ParameterType::Bool:
-                addAs<RichBool>(p, p.isOfWindow() || std::get<bool>(p.defaultValue));
+                addAs<RichBool>(
+                    p, (p.isOnInWindow && hasWindow()) || std::get<bool>(p.defaultValue)
+                );
                 break;
             case ParameterType::Int:
                 addAs<RichInt>(p, std::get<int>(p.defaultValue));

@@ -16,7 +16,8 @@ enum class Offered {
 
 /// The parameters of a filter as the host's dialogs, scripts and Python calls take them, with the
 /// defaults for this document. In a window a curve comes with a thin tube, since the window draws
-/// polylines one pixel wide, and replaces the one whose picks were moved.
+/// polylines one pixel wide, and replaces the one whose picks were moved; a cut makes a layer of
+/// each part; a curve that is the current layer is the one to use.
 [[nodiscard]] RichParameterList dialogParameters(
     const FilterDescription& filter, host::DialogDocument& document, Offered offered = Offered::All
 );

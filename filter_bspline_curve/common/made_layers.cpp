@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/common/made_layers.h"
 
+#include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/layer_making.h"
 #include "filter_bspline_curve/common/polyline_attributes.h"
 #include "filter_bspline_curve/common/window.h"
@@ -9,6 +10,7 @@
 #include <vcg/complex/algorithms/update/normal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -38,8 +40,9 @@ public:
     LayerFiller(MeshModel& layer, const SurfaceLayer& surface, const MadeMesh& made)
         : layer_(layer), from_(surface.layer), arrays_(surface.arrays), made_(made) {}
 
-    void fill(bool showsParts) {
-        enableData(showsParts);
+    /// `coloursParts`: colours faces by their part, without a word of it in their quality.
+    void fill(bool showsParts, bool coloursParts) {
+        enableData(showsParts, coloursParts);
         addVertices();
         addFaces();
         carryVertexData();
@@ -48,7 +51,10 @@ public:
         carryFaceAttributes();
         addOwnAttributes();
         if (showsParts) {
-            showParts();
+            labelParts();
+        }
+        if (showsParts || coloursParts) {
+            colourParts();
         }
         vcg::tri::UpdateNormal<CMeshO>::PerVertexNormalizedPerFaceNormalized(layer_.cm);
         attachTo(from_, layer_);
@@ -57,7 +63,7 @@ public:
 private:
     [[nodiscard]] bool has(int data) const { return from_.hasDataMask(data); }
 
-    void enableData(bool showsParts) {
+    void enableData(bool showsParts, bool coloursParts) {
         int mask = MeshModel::MM_NONE;
         for (const int data :
              {MeshModel::MM_VERTQUALITY,
@@ -71,7 +77,10 @@ private:
             }
         }
         if (showsParts) {
-            mask |= MeshModel::MM_FACEQUALITY | MeshModel::MM_FACECOLOR;
+            mask |= MeshModel::MM_FACEQUALITY;
+        }
+        if (showsParts || coloursParts) {
+            mask |= MeshModel::MM_FACECOLOR;
         }
         layer_.updateDataMask(mask);
         host::copyTextures(from_, layer_);
@@ -260,12 +269,16 @@ private:
         copyFaces([&](std::size_t f, int id) { parent[f] = static_cast<Scalarm>(id); });
     }
 
-    void showParts() {
+    void labelParts() {
         for (std::size_t f = 0; f < layer_.cm.face.size(); ++f) {
-            const int part = made_.labels()[f];
-            const auto [red, green, blue] = partColour(part);
+            layer_.cm.face[f].Q() = static_cast<CFaceO::QualityType>(made_.labels()[f]);
+        }
+    }
+
+    void colourParts() {
+        for (std::size_t f = 0; f < layer_.cm.face.size(); ++f) {
+            const auto [red, green, blue] = partColour(made_.labels()[f]);
             constexpr unsigned char kOpaque = 255;
-            layer_.cm.face[f].Q() = static_cast<CFaceO::QualityType>(part);
             layer_.cm.face[f].C() = vcg::Color4b(red, green, blue, kOpaque);
         }
     }
@@ -275,6 +288,20 @@ private:
     const LayerArrays& arrays_;
     const MadeMesh& made_;
 };
+
+/// Whether a layer shows colours or pictures, so that its parts are told apart without further
+/// ones.
+bool isColoured(const MeshModel& layer) {
+    return std::ranges::any_of(
+        std::array{
+            MeshModel::MM_VERTCOLOR,
+            MeshModel::MM_FACECOLOR,
+            MeshModel::MM_VERTTEXCOORD,
+            MeshModel::MM_WEDGTEXCOORD
+        },
+        [&](int data) { return layer.hasDataMask(data); }
+    );
+}
 
 void selectBand(MeshModel& surface, const LayerArrays& arrays, const std::vector<char>& band) {
     for (CFaceO& face : surface.cm.face) {
@@ -291,18 +318,26 @@ void selectBand(MeshModel& surface, const LayerArrays& arrays, const std::vector
 
 }  // namespace
 
-void addMadeLayers(
+std::vector<std::string> addMadeLayers(
     MeshDocument& document, const SurfaceLayer& surface, const MeshesResult& result
 ) {
+    std::vector<const MeshModel*> layers;
+    const bool coloursParts = hasWindow() && result.layers.size() > 1 && !isColoured(surface.layer);
     for (std::size_t i = 0; i < result.layers.size(); ++i) {
         const MeshLayer& mesh = result.layers[i];
         const QString name = nameOf(surface.layer) + QString::fromStdString(mesh.suffix);
         MeshModel& layer = *document.addNewMesh("", name, i == 0);
-        LayerFiller(layer, surface, mesh.made).fill(mesh.showsParts);
+        LayerFiller(layer, surface, mesh.made).fill(mesh.showsParts, coloursParts);
+        layers.push_back(&layer);
     }
     if (hasWindow()) {
         document.setVisible(surface.layer.id(), false);
     }
+    std::vector<std::string> labels;  // MeshLab changes names that are taken
+    for (const MeshModel* const layer : layers) {
+        labels.push_back(layer->label().toStdString());
+    }
+    return labels;
 }
 
 void addOffsetLayers(
@@ -317,12 +352,12 @@ void addOffsetLayers(
         const int piece = ++pieces[curve];
         QString name = QString::fromStdString(curve) + " offset";
         name += piece > 1 ? QString(" %1").arg(piece) : QString();
-        addPolylineLayer(
+        markAsResult(addPolylineLayer(
             document,
             {surface, arrays},
             line,
             {.name = name, .quality = line.parameters, .isCurrent = i == 0}
-        );
+        ));
     }
     if (!result.band.empty()) {
         selectBand(surface, arrays, result.band);

@@ -6,6 +6,9 @@
 #include "filters/run_curve_uses.h"
 #include "host_document.h"
 
+#include <string>
+#include <vector>
+
 namespace bspline_curve {
 
 /// Adds a layer for each mesh, named after the surface's layer and under its matrix; the first
@@ -13,11 +16,14 @@ namespace bspline_curve {
 /// qualities, texture coordinates, selections, custom attributes of numbers and points; values at
 /// new vertices are linear in each face. New custom attributes: `on_curve` of vertices, 1 on
 /// curves, and `parent` of faces, the surface's face that each is part of (-1: it fills a hole). In
-/// a window the surface is hidden, since it would shine through.
-void addMadeLayers(MeshDocument& document, const SurfaceLayer& surface, const MeshesResult& result);
+/// a window the surface is hidden, since it would shine through, and several layers get the colours
+/// of their parts unless the surface has colours or textures. Returns the layers' labels.
+std::vector<std::string> addMadeLayers(
+    MeshDocument& document, const SurfaceLayer& surface, const MeshesResult& result
+);
 
 /// Adds a layer for each line, named after the layer of its curve; the first becomes the current
-/// one. Selects the band where there is one.
+/// one. They are marked as results, see markAsResult(). Selects the band where there is one.
 void addOffsetLayers(
     MeshDocument& document,
     MeshModel& surface,

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "filter_bspline_curve/common/curve_layers.h"
+#include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/layer_making.h"
@@ -14,13 +15,16 @@
 #include "filter_bspline_curve/common/show_curve.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 #include "filter_bspline_curve/common/window.h"
+#include "filters/curve_notes.h"
 #include "filters/labels.h"
 #include "filters/run_curve_uses.h"
 #include "filters/run_pattern.h"
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -84,8 +88,23 @@ Used usedLayers(const Run& run, const CurveUse& use) {
 }
 
 FilterAnswer shown(const Run& run, const Used& used, const MeshesResult& result) {
-    addMadeLayers(run.document, {used.surface, used.arrays}, result);
-    return {.figures = result.figures, .log = result.log};
+    const std::vector<std::string> names =
+        addMadeLayers(run.document, {used.surface, used.arrays}, result);
+    FilterAnswer answer{.figures = result.figures, .log = result.log};
+    if (names.size() > 1) {
+        answer.log.table.insert(answer.log.table.begin(), describeLayers(names));
+    }
+    return answer;
+}
+
+/// In a window the current layer stays: lines that were made are not what the next filter is for.
+template <class AddLayers>
+void addLines(MeshDocument& document, const AddLayers& addLayers) {
+    const MeshModel* const current = document.mm();
+    addLayers();
+    if (hasWindow() && current != nullptr) {
+        document.setCurrentMesh(current->id());
+    }
 }
 
 FilterAnswer imprintCurves(const Run& run) {
@@ -121,7 +140,9 @@ FilterAnswer offsetCurves(const Run& run) {
     const OffsetRequest request = offsetRequest(run.values);
     const Used used = usedLayers(run, request.use);
     const OffsetResult result = runOffsetFilter(used.input, request, run.progress);
-    addOffsetLayers(run.document, used.surface, used.arrays, result);
+    addLines(run.document, [&] {
+        addOffsetLayers(run.document, used.surface, used.arrays, result);
+    });
     return {.figures = result.figures, .log = result.log};
 }
 
@@ -139,7 +160,10 @@ FilterAnswer drawPattern(const Run& run) {
     for (const PatternCurve& each : result.curves) {
         lines.push_back(&each.curve.polyline);
     }
-    addPolylinesLayer(run.document, {surface, arrays}, lines, nameOf(surface) + " pattern");
+    addLines(run.document, [&] {
+        const QString name = nameOf(surface) + " pattern";
+        markAsResult(addPolylinesLayer(run.document, {surface, arrays}, lines, name));
+    });
     return {.figures = result.figures, .log = result.log};
 }
 

@@ -2,8 +2,10 @@
 #include "filter_bspline_curve/common/surface_choice.h"
 
 #include "bspline_curve/error.h"
+#include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/picked_points.h"
+#include "filter_bspline_curve/common/window.h"
 
 #include <string>
 
@@ -11,10 +13,10 @@ namespace bspline_curve {
 
 namespace {
 
-const MeshModel* onlyLayerWithFaces(const MeshDocument& document) {
+const MeshModel* onlySurface(const MeshDocument& document) {
     const MeshModel* found = nullptr;
     for (const MeshModel* layer : host::layersOf(document)) {
-        if (layer->cm.FN() > 0) {
+        if (layer->cm.FN() > 0 && !isOfCurve(*layer)) {
             if (found != nullptr) {
                 return nullptr;
             }
@@ -24,14 +26,16 @@ const MeshModel* onlyLayerWithFaces(const MeshDocument& document) {
     return found;
 }
 
-/// The layer that a curve of this filter was drawn on; null where the layer is no such curve or its
-/// surface is gone.
+}  // namespace
+
+bool isPolyline(const MeshModel& layer) {
+    return layer.cm.FN() == 0 && layer.cm.EN() > 0;
+}
+
 const MeshModel* surfaceOfCurve(const MeshDocument& document, const MeshModel& layer) {
     const int* const id = host::perMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute);
     return id == nullptr ? nullptr : host::layerWithId(document, *id);
 }
-
-}  // namespace
 
 const MeshModel& layerNamed(
     const MeshDocument& document, const LayerId& layer, const char* parameter
@@ -48,14 +52,20 @@ const MeshModel& layerNamed(
 
 const MeshModel* defaultSurface(const MeshDocument& document) {
     const MeshModel* current = document.mm();
-    if (current == nullptr || current->cm.FN() > 0) {
+    if (current == nullptr || (current->cm.FN() > 0 && !isOfCurve(*current))) {
         return current;
     }
     if (const MeshModel* surface = surfaceOfCurve(document, *current)) {
         return surface;
     }
-    const MeshModel* only = onlyLayerWithFaces(document);
+    const MeshModel* only = onlySurface(document);
     return only == nullptr ? current : only;
+}
+
+const MeshModel* defaultCurves(const MeshDocument& document) {
+    const MeshModel* const current = document.mm();
+    const bool isCurve = current != nullptr && isPolyline(*current) && !isOfCurve(*current);
+    return isCurve && hasWindow() ? current : defaultSurface(document);
 }
 
 const MeshModel& surfaceOf(const MeshDocument& document, const CurveRequest& request) {

@@ -34,7 +34,7 @@ class MeshError(InputError):
 
 
 class MeshWarning(UserWarning):
-    """A mesh was mended so that it can be drawn on; the message says what was done."""
+    """A mesh was mended so that it can be drawn on, or is not parted or raised as it seems; the message says how."""
 
 
 class PickError(InputError):

@@ -117,6 +117,8 @@ class Imprint:
     def cut(self, keep: Keep | None = None, fill: Fill = "none", progress: Progress | None = None) -> Cut:
         """Open the mesh along the curves; an open curve becomes a slit with joined ends. O(m log m).
 
+        A MeshWarning says which curves part nothing, so that nothing comes apart there.
+
         Parameters
         ----------
         keep : "largest", "smallest", "inside" or (3,) array of float, default None
@@ -140,6 +142,11 @@ class Imprint:
         Cancelled
             `progress` returned False.
         """
+        cut = self._cut(keep, fill, progress)
+        self._warn_of_slits(is_cut=keep is None, stacklevel=3)
+        return cut
+
+    def _cut(self, keep: Keep | None, fill: Fill, progress: Progress | None) -> Cut:
         shape = cast(str, checked_value("fill", FILL, fill))
         if keep is None:
             if shape != "none":
@@ -203,6 +210,11 @@ class Imprint:
             raise FieldError(f"given has {len(rows)} rows, but must have {count}, one for each vertex of the mesh", "bad-array")
         corners = rows[np.asarray(faces)[inside]]
         return np.concatenate([rows, np.einsum("ij,ij...->i...", weights, corners)])
+
+    def _warn_of_slits(self, is_cut: bool, stacklevel: int) -> None:
+        note = self._core.slit_note(is_cut)
+        if note:
+            warnings.warn(note, MeshWarning, stacklevel=stacklevel)
 
     def _measured(self) -> tuple[Int32s, list[Part]]:
         if self._parts is None:

@@ -152,10 +152,15 @@ class Mesh(MeshKeywords):
         progress: Progress | None = None,
     ) -> Cut:
         """Open a copy of the mesh along curves: imprint(curves, snap).cut(keep, fill, progress)."""
-        return self.imprint(curves, snap).cut(keep, fill, progress)
+        imprint = self.imprint(curves, snap)
+        cut = imprint._cut(keep, fill, progress)
+        imprint._warn_of_slits(is_cut=keep is None, stacklevel=3)
+        return cut
 
     def segment(self, curves: Iterable[Curve], snap: float = 1e-9) -> Imprint:
         """Label the parts that curves leave: an imprint whose `labels` and `parts` are more than those of the mesh.
+
+        A MeshWarning says which curves part nothing while others do.
 
         Parameters
         ----------
@@ -175,6 +180,7 @@ class Mesh(MeshKeywords):
         imprint = self.imprint(curves, snap)
         if len(imprint.parts) <= self.components:
             raise InputError("the curves part nothing: close them, or let them reach the boundary or each other", "no-path")
+        imprint._warn_of_slits(is_cut=False, stacklevel=3)
         return imprint
 
     def pattern(

@@ -7,6 +7,7 @@
 #include "imprint/imprint.h"
 #include "imprint/mesh_parts.h"
 #include "imprint/part_choice.h"
+#include "imprint/slits.h"
 #include "python/core/arrays.h"
 #include "python/core/mesh_designer.h"
 #include "python/core/python_progress.h"
@@ -80,6 +81,12 @@ nb::tuple partsTuple(const Imprint& imprint) {
         );
     }
     return nb::make_tuple(arrayOf(std::move(parts.labels)), list);
+}
+
+// What to say of curves that part nothing; empty where there are none.
+std::string slitNote(const Imprint& imprint, bool isCut) {
+    const nb::gil_scoped_release unlocked;
+    return describeSlits(slitsOf(imprint.made, partsOf(imprint.made)), isCut);
 }
 
 // (vertices, faces, imprinted vertex of each vertex) of the mesh opened along the curves.
@@ -181,6 +188,7 @@ void bindImprint(nb::module_& module) {
         .def_prop_ro("origins", originsTuple)
         .def_prop_ro("largest_move", [](const Imprint& i) { return i.made.largestMove; })
         .def("parts", partsTuple)
+        .def("slit_note", slitNote)
         .def("cut", cutTuple)
         .def(
             "take",

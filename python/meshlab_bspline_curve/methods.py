@@ -115,8 +115,8 @@ def generate_bspline_curve_on_surface(
     Parameters
     ----------
     surface_layer : int, optional
-        The layer with the triangle mesh that the curve is drawn on. Default: the current layer. If that has no faces:
-        the layer that it was drawn on if it is a curve of this filter, else the only layer with faces.
+        The layer with the triangle mesh that the curve is drawn on. Default: the current layer. If that has no faces,
+        or is the tube of a curve: the layer that it was drawn on, else the only other layer with faces.
     closed : bool, default False
         On: a closed curve through at least 3 picks. Off: an open curve from the first to the last of at least 2 picks,
         unless the file of picks says that it is closed.
@@ -482,11 +482,13 @@ def imprint_curves(
     Parameters
     ----------
     surface_layer : int, optional
-        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
-        on if it is a curve of this plugin, else the only layer with faces.
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
     curve_layer : int, optional
-        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
-        without those that were drawn on another layer and are not near.
+        A layer of polylines: edges without faces. The surface itself (default) stands for its visible curves, and for
+        visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
+        they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
+        MeshLab's window the current layer is chosen if it is a curve.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
         drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
@@ -547,18 +549,20 @@ def cut_along_curves(
     """Opens a copy of the mesh along curves, whole or in parts.
 
     Opens a copy of the mesh along curves: vertices on them are doubled, so that each side has its own, and an open
-    curve becomes a slit. The result is one layer, a layer for each part, or the part that is kept, whose holes can be
-    filled. Colours, qualities, texture coordinates, selections and custom attributes of numbers and points come along,
-    interpolated linearly in each face.
+    curve becomes a slit. A warning counts the curves that part nothing. The result is one layer, a layer for each part,
+    or the part that is kept, whose holes can be filled. Colours, qualities, texture coordinates, selections and custom
+    attributes of numbers and points come along, interpolated linearly in each face.
 
     Parameters
     ----------
     surface_layer : int, optional
-        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
-        on if it is a curve of this plugin, else the only layer with faces.
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
     curve_layer : int, optional
-        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
-        without those that were drawn on another layer and are not near.
+        A layer of polylines: edges without faces. The surface itself (default) stands for its visible curves, and for
+        visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
+        they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
+        MeshLab's window the current layer is chosen if it is a curve.
     keep : {'all', 'largest', 'smallest', 'inside', 'seed'}, default 'all'
         Which parts the result has. all: all parts; largest: the part at curves with the largest area; smallest: the one
         with the smallest area; inside: all parts at curves but the largest; seed: the part at a point.
@@ -570,7 +574,8 @@ def cut_along_curves(
         least area, without new vertices; smooth: as dense as around, with its tangent planes. Only with keep largest or
         smallest or inside or seed.
     split : bool, default False
-        Makes a layer of each part, the largest first. Only with keep all.
+        Makes a layer of each part at curves, the largest first, and one of all that no curve parts. On in MeshLab's
+        window. Only with keep all.
     relief : float, default 0.0
         Keeps the whole surface, with the parts to keep moved by this along their normals, in the unit of the mesh, and
         walls around them. Negative: engraved. 0: the parts are cut. Only with keep largest or smallest or inside or
@@ -643,13 +648,15 @@ def segment_by_curves(
     Parameters
     ----------
     surface_layer : int, optional
-        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
-        on if it is a curve of this plugin, else the only layer with faces.
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
     curve_layer : int, optional
-        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
-        without those that were drawn on another layer and are not near.
+        A layer of polylines: edges without faces. The surface itself (default) stands for its visible curves, and for
+        visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
+        they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
+        MeshLab's window the current layer is chosen if it is a curve.
     split : bool, default False
-        Makes a layer of each part, the largest first.
+        Makes a layer of each part at curves, the largest first, and one of all that no curve parts.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
         drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
@@ -713,11 +720,13 @@ def offset_curve_on_surface(
     Parameters
     ----------
     surface_layer : int, optional
-        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
-        on if it is a curve of this plugin, else the only layer with faces.
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
     curve_layer : int, optional
-        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
-        without those that were drawn on another layer and are not near.
+        A layer of polylines: edges without faces. The surface itself (default) stands for its visible curves, and for
+        visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
+        they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
+        MeshLab's window the current layer is chosen if it is a curve.
     offset : float ≥ 0, default 0.0
         Distance from the curve along the surface. 0: 2 % of the diagonal.
     side : {'both', 'left', 'right'}, default 'both'
@@ -800,8 +809,8 @@ def pattern_on_surface(
     Parameters
     ----------
     surface_layer : int, optional
-        The layer with the triangle mesh. Default: the current layer. If that has no faces: the layer that it was drawn
-        on if it is a curve of this plugin, else the only layer with faces.
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
     drawing : str, optional
         A file with a planar drawing: the paths of .svg, or the curves of .dxf. Empty: a text.
     text : str, optional
@@ -815,8 +824,10 @@ def pattern_on_surface(
         The point "x y z" in world coordinates. Empty: the one point of Edit > PickPoints on the surface. Only with
         place point.
     curve_layer : int, optional
-        A layer of polylines: edges without faces. The surface itself (default): all visible layers of polylines,
-        without those that were drawn on another layer and are not near.
+        A layer of polylines: edges without faces. The surface itself (default) stands for its visible curves, and for
+        visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
+        they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
+        MeshLab's window the current layer is chosen if it is a curve.
     size : float ≥ 0, default 0.0
         The longer side of the drawing, or of the whole text, in the unit of the mesh. 0: as Scale says; if that is 0 as
         well, 10 % of the diagonal, or along a curve so that copies touch.

@@ -104,10 +104,42 @@ def test_a_relief_that_turns_faces_over_says_so(run, tmp_path, ring):
 
 
 def test_an_open_curve_becomes_a_slit(run, tmp_path, ring):
-    assert run("cut", "hill.ply", "--curve", "slit.json", "--output", "slit.ply").returncode == 0
+    result = run("cut", "hill.ply", "--curve", "slit.json", "--split", "--output", "slit.ply")
+    assert result.returncode == 0 and not (tmp_path / "slit-2.ply").exists()
+    note = r"bspline_curve: the curve parts nothing: the mesh is cut open along it \((\d+) edges\), a slit that is closed to the eye; draw"
+    edges = int(re.match(note, result.stderr).group(1))
     mesh = load(tmp_path / "slit.ply")
     assert mesh.body_count == 1
     assert mesh.euler_number == 0  # the plate's 1, less a hole
+    assert len(mesh.vertices) - len(np.unique(mesh.vertices, axis=0)) == edges - 1  # all but its ends are doubled
+    both = run("cut", "hill.ply", *RING, "--curve", "slit.json", "--keep", "inside", "--output", "part.ply")
+    assert both.returncode == 0 and "1 of 2 curves parts nothing; draw" in both.stderr
+    assert run("segment", "hill.ply", *RING, "--curve", "slit.json", "--output", "parts.ply").stderr == both.stderr
+
+
+def test_what_parts_the_mesh_is_not_warned_of(run, tmp_path, ring):
+    vertices, _ = ring
+    low, high = vertices[[0, -1]].tolist()
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": [low, high]}))
+    assert run("hill.ply", "--picks", "picks.json", "--field", "none", "--output", "across.json").returncode == 0
+    for curves in (("--curve", "across.json"), RING):
+        result = run("cut", "hill.ply", *curves, "--output", "cut.ply")
+        assert (result.returncode, result.stderr) == (0, "")
+        assert load(tmp_path / "cut.ply").body_count == 2
+
+
+def test_components_that_no_curve_parts_stay_in_one_file(run, tmp_path, ring):
+    vertices, faces = ring
+    copies = [vertices, *(0.1 * vertices + [shift, 0, 0] for shift in (50, 60))]
+    meshes.write_ply(tmp_path / "three.ply", np.vstack(copies), np.vstack([faces + i * len(vertices) for i in range(3)]))
+    points = json.loads((tmp_path / "ring.json").read_text())["polyline"]["points"]
+    (tmp_path / "ring.obj").write_text(
+        "".join("v %r %r %r\n" % tuple(p) for p in points) + f"l {' '.join(str(i + 1) for i in range(len(points)))} 1\n"
+    )
+    result = run("cut", "three.ply", "--curve", "ring.obj", "--split", "--output", "part.ply")
+    assert result.returncode == 0, result.stderr
+    assert result.stderr == "bspline_curve: the mesh is in 3 files, the last is part-3.ply\n"
+    assert [load(tmp_path / f"part{end}.ply").body_count for end in ("", "-2", "-3")] == [1, 1, 2]
 
 
 def test_segments_are_labelled_coloured_and_measured(run, tmp_path, ring):

@@ -199,16 +199,8 @@ TEST(Fill, NewVerticesCarryTheMeanOfTheirRim) {
 
 TEST(Fill, RefusesWhereTheBoundaryIsPartOfTheRim) {
     const Surface surface(plate(2, 2));
-    std::vector<SurfacePoint> across;
-    for (const int vertex : {1, 4, 7}) {
-        SurfacePoint point{.face = *surface.facesAround(vertex).begin()};
-        for (int k = 0; k < 3; ++k) {
-            point.barycentric[k] = surface.faces()[point.face][k] == vertex ? 1.0 : 0.0;
-        }
-        across.push_back(point);
-    }
     const ImprintedMesh imprinted =
-        imprint(surface, std::vector{polylineThrough(surface, across, false)}, {});
+        imprint(surface, std::vector{polylineAlong(surface, {1, 4, 7}, false)}, {});
     expectRefused(
         [&] { return fillAround(imprinted, partsOf(imprinted), {0}, FillShape::Flat); },
         InputErrorCode::NoPath,

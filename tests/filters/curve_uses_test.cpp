@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/curve_notes.h"
 #include "filters/run_curve_uses.h"
 #include "filters/runs_on_plates.h"
 
@@ -201,9 +202,6 @@ TEST(CutFilter, RefusesWhatCannotBeByName) {
     values.set("fill", std::string("flat"));
     expectPart(refusal([&] { return cutRequest(values); }), "fill needs keep");
     values.set("keep", std::string("inside"));
-    values.set("split", true);
-    expectPart(refusal([&] { return cutRequest(values); }), "split");
-    values.set("split", false);
     values.set("relief", 0.5);
     expectPart(refusal([&] { return cutRequest(values); }), "no hole to fill");
     values.set("keep", std::string("all"));
@@ -211,6 +209,70 @@ TEST(CutFilter, RefusesWhatCannotBeByName) {
     expectPart(refusal([&] { return cutRequest(values); }), "relief needs keep");
     values.set("relief", std::numeric_limits<double>::infinity());
     expectPart(refusal([&] { return cutRequest(values); }), "relief must be finite");
+}
+
+TEST(CutFilter, ALayerForEachPartIsWhereAllAreKept) {
+    const CurvesOnLayer input = onPlate({square()});
+    CutRequest request;
+    request.choice = {.keep = KeptParts::Inside, .seed = "", .split = true};
+    const MeshesResult result = runCutFilter(input, {}, request);
+    ASSERT_EQ(result.layers.size(), 1U);
+    EXPECT_EQ(result.layers[0].suffix, " part");
+}
+
+TEST(CutFilter, KeepsTogetherWhatNoCurveParts) {
+    CurvesOnLayer input = onPlate({square()});
+    const TriangleMesh plate = input.surface.mesh;
+    for (const double x : {5.0, 10.0}) {
+        const int first = static_cast<int>(input.surface.mesh.vertices.size());
+        for (const Vec3& vertex : plate.vertices) {
+            input.surface.mesh.vertices.push_back(0.1 * vertex + Vec3(x, 0.0, 0.0));
+        }
+        for (const Triangle& face : plate.faces) {
+            input.surface.mesh.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+        }
+    }
+    CutRequest request;
+    request.choice.split = true;
+    const MeshesResult result = runCutFilter(input, {}, request);
+    ASSERT_EQ(result.layers.size(), 3U);
+    EXPECT_EQ(result.layers[1].suffix, " part 1");
+    EXPECT_EQ(result.layers[2].suffix, " rest");
+    EXPECT_NEAR(areaOf(result.layers[2].made.mesh()), 0.02, 1e-12);
+}
+
+TEST(CutFilter, SaysWhichCurvesPartNothing) {
+    const PolylineLayer slit = polyline("slit", {{0.1, 0.1, 0}, {0.9, 0.15, 0}}, false);
+    const PolylineLayer across = polyline("across", {{0, 0.1, 0}, {1, 0.15, 0}}, false);
+    CutRequest request;
+    request.choice.split = true;
+    MeshesResult result = runCutFilter(onPlate({slit}), {}, request);
+    ASSERT_EQ(result.layers.size(), 1U);
+    EXPECT_EQ(result.layers[0].suffix, " cut");
+    ASSERT_EQ(result.log.warnings.size(), 1U);
+    expectPart(result.log.warnings[0], "The curve parts nothing: the mesh is cut open along it (");
+    expectPart(result.log.warnings[0], "from boundary to boundary, to part the mesh.");
+    result = runCutFilter(onPlate({across, square()}), {}, request);
+    EXPECT_EQ(result.layers.size(), 3U);
+    EXPECT_TRUE(result.log.warnings.empty());
+    request.choice.keep = KeptParts::Inside;
+    result = runCutFilter(onPlate({slit, square()}), {}, request);
+    ASSERT_EQ(result.log.warnings.size(), 1U);
+    expectPart(result.log.warnings[0], "1 of 2 curves parts nothing; draw a closed curve");
+    result = runSegmentFilter(onPlate({slit, square()}), {});
+    ASSERT_EQ(result.log.warnings.size(), 1U);
+    expectPart(result.log.warnings[0], "1 of 2 curves parts nothing; draw a closed curve");
+}
+
+TEST(CurveNotes, NameTheFirstLayers) {
+    EXPECT_EQ(describeLayers({"a", "b"}), R"(The mesh is parted into 2 layers: "a" and "b".)");
+    EXPECT_EQ(
+        describeLayers({"a", "b", "c"}), R"(The mesh is parted into 3 layers: "a", "b" and "c".)"
+    );
+    EXPECT_EQ(
+        describeLayers({"a", "b", "c", "d", "e", "f", "g"}),
+        R"(The mesh is parted into 7 layers: "a", "b", "c", "d", "e" and 2 more.)"
+    );
 }
 
 TEST(SegmentFilter, LabelsAndMeasuresParts) {

@@ -179,6 +179,8 @@ TEST(FilterDescription, HasEightParametersAboveTheFoldAtMost) {
         EXPECT_LE(shown, filter.id == fieldFilter().id ? 10 : 8) << filter.name;
     }
     EXPECT_TRUE(curveFilter().parameter("replace").isOfWindow());
+    EXPECT_TRUE(cutFilter().parameter("split").isOnInWindow);
+    EXPECT_FALSE(segmentFilter().parameter("split").isOnInWindow);
     EXPECT_TRUE(curveFilter().parameter("picks").isFolded());
     EXPECT_FALSE(curveFilter().parameter("picks").isAdvanced());
 }

@@ -127,7 +127,14 @@ def test_a_button_uses_the_curves_just_drawn(meshlab, button):
     line = meshlab.wait_for_log("^curves=")
     assert re.search("curves=1 projected_curves=0 .* parts=2 ", line), line
     tool.wait_for_end()
-    assert meshlab.layers() == 4  # surface, curve, tube, result
+    # Surface, curve, tube, result; of a cut one for each part.
+    assert meshlab.layers() == (5 if button == "Cut" else 4)
+    if button == "Cut":
+        meshlab.wait_for_log('^The mesh is parted into 2 layers: "sphere part 0" and "sphere part 1".$')
+        meshlab.wait_for_still_picture()
+        picture = meshlab.display.picture()
+        inside, outside = (picture.getpixel(tuple(int(v) for v in tool.middle + offset)) for offset in ((20, 30), (-180, 30)))
+        assert not is_like(inside, outside, 80)
     # The surface is hidden, curve and tube are not, and the result is the current layer.
     assert np.abs(eye(meshlab, 1) - eye(meshlab, 2)).max() < 40
     assert np.abs(eye(meshlab, 0) - eye(meshlab, 1)).max() > 80

@@ -19,22 +19,6 @@ namespace {
 
 using namespace test_support;
 
-/// The curve along edges of a plate of n x n cells, through grid points (i, j).
-SurfacePolyline alongGrid(
-    const Surface& surface, int n, const std::vector<std::array<int, 2>>& grid, bool closed
-) {
-    std::vector<SurfacePoint> points;
-    for (const auto& [i, j] : grid) {
-        const int vertex = j * (n + 1) + i;
-        SurfacePoint point{.face = *surface.facesAround(vertex).begin()};
-        for (int k = 0; k < 3; ++k) {
-            point.barycentric[k] = surface.faces()[point.face][k] == vertex ? 1.0 : 0.0;
-        }
-        points.push_back(point);
-    }
-    return polylineThrough(surface, points, closed);
-}
-
 /// A plate of 8 x 8 cells with two squares of 2 x 2 and 1 x 1 cells.
 class TwoSquares : public testing::Test {
 protected:
@@ -104,6 +88,24 @@ TEST(PartChoice, LeavesOtherComponentsAlone) {
     ASSERT_EQ(parts.parts.size(), 3U);
     EXPECT_EQ(partedParts(imprinted, parts), (std::vector{1, 2}));
     EXPECT_EQ(chosenParts(imprinted, parts, {.which = PartChoice::Which::Largest}), std::vector{1});
+}
+
+TEST(PartChoice, ComponentsThatNoCurvePartsAreOneMeshTogether) {
+    const auto movedPlate = [](double x, double size) {
+        return transformed(plate(4, 4), Eigen::Isometry3d(Eigen::Translation3d(x, 0, 0)), size);
+    };
+    const std::vector<std::array<int, 2>> corners{{1, 1}, {2, 1}, {2, 2}, {1, 2}};
+    const auto groups = [&](const TriangleMesh& mesh) {
+        const Surface surface(mesh);
+        const ImprintedMesh imprinted =
+            imprint(surface, std::vector{alongGrid(surface, 4, corners, true)}, {});
+        return partsPerMesh(imprinted, partsOf(imprinted), std::nullopt, true);
+    };
+    using Groups = std::vector<std::vector<int>>;
+    const TriangleMesh two = joined(plate(4, 4), movedPlate(9, 3.0));
+    EXPECT_EQ(groups(plate(4, 4)), (Groups{{0}, {1}}));
+    EXPECT_EQ(groups(two), (Groups{{0}, {1}, {2}}));
+    EXPECT_EQ(groups(joined(two, movedPlate(30, 0.5))), (Groups{{0, 2}, {1}, {3}}));
 }
 
 TEST(PartChoice, RefusesASlit) {

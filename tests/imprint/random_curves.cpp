@@ -20,6 +20,28 @@ SurfacePolyline polylineThrough(
     return line;
 }
 
+SurfacePolyline polylineAlong(
+    const Surface& surface, const std::vector<int>& vertices, bool closed
+) {
+    std::vector<SurfacePoint> points;
+    for (const int vertex : vertices) {
+        SurfacePoint point{.face = *surface.facesAround(vertex).begin()};
+        point.barycentric[cornerOf(surface.faces()[point.face], vertex)] = 1.0;
+        points.push_back(point);
+    }
+    return polylineThrough(surface, points, closed);
+}
+
+SurfacePolyline alongGrid(
+    const Surface& surface, int n, const std::vector<std::array<int, 2>>& grid, bool closed
+) {
+    std::vector<int> vertices;
+    for (const auto& [i, j] : grid) {
+        vertices.push_back(j * (n + 1) + i);
+    }
+    return polylineAlong(surface, vertices, closed);
+}
+
 namespace {
 
 /// A point in a face: inside, on a side or at a corner; now and then hardly off a side.

@@ -5,6 +5,7 @@
 #include "support/random.h"
 #include "surface/surface.h"
 
+#include <array>
 #include <vector>
 
 namespace bspline_curve::test_support {
@@ -12,6 +13,16 @@ namespace bspline_curve::test_support {
 /// A polyline through given places, its t evenly spaced.
 SurfacePolyline polylineThrough(
     const Surface& surface, const std::vector<SurfacePoint>& points, bool closed
+);
+
+/// A polyline along edges, through given vertices.
+SurfacePolyline polylineAlong(
+    const Surface& surface, const std::vector<int>& vertices, bool closed
+);
+
+/// The same on a plate of n x n cells, through grid points (i, j).
+SurfacePolyline alongGrid(
+    const Surface& surface, int n, const std::vector<std::array<int, 2>>& grid, bool closed
 );
 
 /// A random strict polyline: an open walk over faces, edges and vertices, which turns back, crosses

@@ -169,9 +169,56 @@ def test_an_offset_is_a_curve_at_the_distance_and_is_used_again(ringed):
     middles = vertices[faces].mean(1)
     far = np.linalg.norm(middles[:, None] - curve.points, axis=2).min(1)
     assert band.any() and far[band].max() < 0.0505
+    figures = document.apply_filter("segment_by_curves", surface_layer=0, curve_layer=2)
+    assert (figures["curves"], figures["projected_curves"], figures["parts"]) == (1, 0, 2)
+
+
+def test_offsets_are_no_input_of_a_second_offset(ringed):
+    document, curve = ringed
+    for count in (1, 2):
+        document.set_current_mesh(0)
+        figures = document.apply_filter("offset_curve_on_surface", offset=pymeshlab.PureValue(0.03))
+        assert (figures["curves"], figures["pieces"]) == (1, 2)
+        assert len(labels(document)) == 2 + 2 * count
+    # Not where they are visible beside curves, but where they are chosen, or alone.
     document.set_current_mesh(0)
+    assert document.apply_filter("segment_by_curves")["parts"] == 2
+    figures = document.apply_filter("segment_by_curves", surface_layer=0, curve_layer=2)
+    assert (figures["curves"], figures["parts"]) == (1, 2) and figures["part_perimeters"][1] != pytest.approx(curve.length())
+    for layer in (1, 4, 5):
+        document.set_mesh_visibility(layer, False)
     figures = document.apply_filter("segment_by_curves")
-    assert (figures["curves"], figures["projected_curves"], figures["parts"]) == (2, 0, 3)
+    assert (figures["curves"], figures["parts"]) == (2, 3)
+
+
+def test_curves_of_other_surfaces_are_left_out(ringed):
+    document, _ = ringed
+    vertices, faces = wavy_plate()
+    document.add_mesh(pymeshlab.Mesh(vertices + [0, 0, 1e-3], faces), "other")
+    draw(document, vertices[[12 * 41 + 12, 12 * 41 + 28, 28 * 41 + 28]], surface_layer=2)
+    for surface, drawn in ((0, 1), (2, 3)):
+        chosen = document.apply_filter("imprint_curves", surface_layer=surface, curve_layer=drawn)
+        usual = document.apply_filter("imprint_curves", surface_layer=surface, curve_layer=surface)
+        assert (usual["curves"], usual["projected_curves"], usual["faces"]) == (1, 0, chosen["faces"])
+    # Where a surface has none of its own, those of others are meant that are near; and one that is chosen always.
+    document.add_mesh(pymeshlab.Mesh(vertices, faces), "third")
+    assert document.apply_filter("imprint_curves", surface_layer=document.current_mesh_id())["curves"] == 2
+    assert document.apply_filter("imprint_curves", surface_layer=0, curve_layer=3)["projected_curves"] == 1
+
+
+def test_the_tube_of_a_curve_is_no_surface(plate):
+    vertices, _ = wavy_plate()
+    draw(plate, vertices[CORNERS], closed=True, tube_radius=pymeshlab.PureValue(0.01))
+    assert labels(plate) == ["plate", "plate curve", "plate tube"]
+    plate.set_current_mesh(2)
+    figures = plate.apply_filter("cut_along_curves", keep="inside")
+    assert labels(plate)[3:] == ["plate part"] and figures["projected_curves"] == 0
+    plate.set_current_mesh(2)
+    draw(plate, vertices[CORNERS[:2]])
+    assert labels(plate)[4].startswith("plate curve")  # no "plate tube curve"
+    # Where it is named, it is meant.
+    figures = plate.apply_filter("imprint_curves", surface_layer=2, curve_layer=1)
+    assert plate.current_mesh().label() == "plate tube imprinted" and figures["projected_curves"] == 1
 
 
 def test_polylines_from_elsewhere_are_projected(plate):
@@ -221,7 +268,6 @@ def test_layers_that_moved_together_are_exact(ringed):
     ("cut_along_curves", {"keep": "seed", "seed": "0 0 9"}, "the seed .* away from the mesh"),
     ("cut_along_curves", {"keep": "seed"}, "keep is seed, but there are 0 points"),
     ("cut_along_curves", {"fill": "flat"}, "fill needs keep"),
-    ("cut_along_curves", {"keep": "largest", "split": True}, "split makes a layer of every part"),
     ("offset_curve_on_surface", {"offset": pymeshlab.PureValue(4)}, 'layer "plate curve": no point of the surface'),
     ("imprint_curves", {"snap": 0.5}, "snap is 0.5, but must be in"),
 ])

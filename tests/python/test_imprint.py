@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Curves as edges of a mesh, in arrays."""
+import warnings
+
 import numpy as np
 import pytest
 
@@ -122,6 +124,16 @@ def test_a_part_is_moved_along_its_normals(mesh, ring, part):
     np.testing.assert_array_equal(relief.origins[: len(imprint.vertices)], np.arange(len(imprint.vertices)))
 
 
+def test_curves_that_part_the_mesh_are_not_warned_of(mesh, arrays, ring):
+    low, high = arrays[0].min(axis=0), arrays[0].max(axis=0)
+    ends = [arrays[0][np.abs(arrays[0][:, :2] - end).sum(axis=1).argmin()] for end in (low[:2], high[:2])]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert len(mesh.segment([mesh.curve(ends)]).parts) == 2  # from boundary to boundary
+        mesh.cut([mesh.curve(ends)])
+        mesh.cut([ring])
+
+
 def test_a_relief_says_where_it_cannot_be(mesh, ring):
     imprint = mesh.imprint([ring])
     with pytest.warns(bspline_curve.MeshWarning, match=r"turns \d+ faces over"):
@@ -134,7 +146,16 @@ def test_a_relief_says_where_it_cannot_be(mesh, ring):
 
 def test_an_open_curve_parts_nothing(mesh, arrays, ring):
     slit = mesh.curve(arrays[0][[500, 900]])
-    assert len(mesh.cut([slit]).vertices) > len(mesh.imprint([slit]).vertices)
+    imprint = mesh.imprint([slit])
+    edges = len(imprint.curves[0]) - 1
+    for cut in (imprint.cut, lambda: mesh.cut([slit])):
+        with pytest.warns(bspline_curve.MeshWarning, match=rf"^the curve parts nothing: .*\({edges} edges\)") as noted:
+            assert len(cut().vertices) > len(imprint.vertices)
+        assert [note.filename for note in noted] == [__file__]
+    beside = mesh.curve(arrays[0][[45, 70]])
+    for use in (mesh.segment, lambda curves: mesh.cut(curves, keep="inside")):
+        with pytest.warns(bspline_curve.MeshWarning, match="^1 of 2 curves parts nothing; draw a closed curve"):
+            use([beside, ring])
     for refused in (lambda: mesh.segment([slit]), lambda: mesh.cut([slit], keep="inside")):
         with pytest.raises(bspline_curve.InputError, match="part nothing"):
             refused()

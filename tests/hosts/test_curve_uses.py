@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which layers filters that use curves take in MeshLab's window, and what they say and show."""
+import re
+
+import numpy as np
+from meshlabserver import figures_of
+
+CURVE, CUT, OFFSET = "B-spline Curve on Surface", "Cut along Curves", "Offset Curve on Surface"
+CLICKS = np.array([[0, -110], [90, -60], [70, 60], [-50, 70]])  # in pixels from the middle of the view
+SURFACE_ROW, CURVE_ROW, TUBE_ROW, OFFSET_ROW = range(4)  # in the list of layers
+
+
+def draw(meshlab):
+    view = meshlab.view()
+    meshlab.pick(CLICKS + [view.x + view.width / 2, view.y + view.height / 2])
+    use(meshlab, CURVE)
+
+
+def use(meshlab, name, count=1):
+    dialog = meshlab.open_filter(name)
+    meshlab.apply(dialog)
+    meshlab.applied(name, count)
+    meshlab.close(dialog)
+
+
+def offsets(meshlab):
+    """Curves, those that were projected, and lines of each offset."""
+    figures = [f for f in map(figures_of, meshlab.log()) if f and "offset" in f]
+    return [tuple(int(f[key]) for key in ("curves", "projected_curves", "pieces")) for f in figures]
+
+
+def test_offsets_are_of_curves_unless_a_line_is_chosen(meshlab):
+    draw(meshlab)
+    for count in (1, 2):
+        use(meshlab, OFFSET, count)
+        assert meshlab.current_layer() == SURFACE_ROW
+    meshlab.select_layer(TUBE_ROW)
+    use(meshlab, OFFSET, 3)
+    meshlab.select_layer(CURVE_ROW)
+    use(meshlab, OFFSET, 4)
+    assert meshlab.current_layer() == CURVE_ROW
+    assert offsets(meshlab) == 4 * [(1, 0, 1)]
+    meshlab.select_layer(OFFSET_ROW)
+    use(meshlab, OFFSET, 5)
+    assert offsets(meshlab)[4:] == [(1, 0, 2)]  # of a closed line, on both sides
+
+
+def test_a_cut_along_an_open_curve_says_that_it_parts_nothing(meshlab):
+    draw(meshlab)
+    use(meshlab, CUT)
+    assert re.search(r"The curve parts nothing: the mesh is cut open along it \(\d+ edges\)", "\n".join(meshlab.log()))
+    assert meshlab.layers() == 4  # surface, curve, tube, result
