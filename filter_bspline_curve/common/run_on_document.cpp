@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "filter_bspline_curve/common/curve_layers.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
+#include "filter_bspline_curve/common/kept_font.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/layer_making.h"
 #include "filter_bspline_curve/common/made_layers.h"
@@ -138,6 +139,9 @@ FilterAnswer drawPattern(const Run& run) {
         lines.push_back(&each.curve.polyline);
     }
     addPolylinesLayer(run.document, {surface, arrays}, lines, nameOf(surface) + " pattern");
+    if (!request.text.empty()) {
+        keepFont(request.fontFile);
+    }
     return {.figures = result.figures, .log = result.log};
 }
 
