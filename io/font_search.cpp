@@ -82,7 +82,7 @@ void addBelow(const char* variable, const fs::path& below, std::vector<fs::path>
 
 }  // namespace
 
-#if defined(_WIN32)
+#ifdef _WIN32
 
 std::vector<fs::path> fontFolders() {
     std::vector<fs::path> folders;

@@ -138,7 +138,7 @@ void browse(const ParameterDescription& parameter, QLineEdit& field) {
     const QString label = QString::fromStdString(parameter.label);
     const QString filters = label + " (" + patterns.join(" ") + ")";
     const QString path = ask(field.window(), label, field.text(), filters, nullptr, {});
-    if (still && !path.isEmpty()) {
+    if (still != nullptr && !path.isEmpty()) {
         field.setText(path);
     }
 }
@@ -241,7 +241,8 @@ private:
     }
 
     void look() {
-        if (!frame_ || !area_ || !dialog_.isVisible() || dialog_.windowHandle() == nullptr) {
+        if (frame_ == nullptr || area_ == nullptr || !dialog_.isVisible() ||
+            dialog_.windowHandle() == nullptr) {
             return;
         }
         const QRect room = roomFor(dialog_);
@@ -263,9 +264,10 @@ private:
             std::min(frame_->minimumSizeHint().width() + bar, room.width() - std::max(around, 0))
         );
         // The width may change how labels break.
-        for (QWidget* widget = area_; widget != &dialog_; widget = widget->parentWidget()) {
-            if (widget->parentWidget()->layout() != nullptr) {
-                widget->parentWidget()->layout()->activate();
+        for (const QWidget* widget = area_; widget != &dialog_;) {
+            widget = widget->parentWidget();
+            if (widget->layout() != nullptr) {
+                widget->layout()->activate();
             }
         }
         dialog_.resize(
