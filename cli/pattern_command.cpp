@@ -13,10 +13,12 @@
 #include "design/designer_surface.h"
 #include "design/mended_designer.h"
 #include "filters/requests.h"
+#include "filters/utf8_path.h"
 #include "io/atomic_file.h"
 #include "io/curve_reader.h"
 #include "io/curve_writer.h"
 #include "io/drawing_reader.h"
+#include "io/font_search.h"
 #include "io/pattern_report.h"
 #include "io/report_writer.h"
 #include "io/text_outlines.h"
@@ -79,9 +81,6 @@ public:
         if (arguments_.drawing.empty() == arguments_.text.empty()) {
             throw CLI::ValidationError("one of --drawing and --text is required");
         }
-        if (!arguments_.text.empty() && arguments_.font.empty()) {
-            throw CLI::ValidationError("--text needs --font");
-        }
         arguments_.mending = mendingOptions(options_.values());
         return arguments_;
     }
@@ -103,7 +102,12 @@ private:
         )
             ->type_name("TEXT")
             ->excludes("--drawing");
-        app_.add_option("--font", arguments_.font, "Font of --text: .ttf, .otf or .pfb")
+        app_.add_option(
+                "--font",
+                arguments_.font,
+                "Font of --text: .ttf, .otf or .pfb; "
+                "default: a plain one of this system"
+        )
             ->type_name("FILE")
             ->needs("--text");
         app_.add_option(
@@ -281,15 +285,26 @@ Pattern patternOn(
     return pattern;
 }
 
+/// What is to be drawn, with notes for people; `figures` keep the font of a text.
+DrawingFile drawingOf(const PatternArguments& arguments, PatternFigures& figures) {
+    if (arguments.text.empty()) {
+        return readDrawing(arguments.drawing);
+    }
+    const std::filesystem::path font = fontOrDefault(arguments.font);
+    figures.font = utf8Text(font);
+    DrawingFile file{.drawing = textOutlines(arguments.text, font), .notes = {}};
+    if (arguments.font.empty()) {
+        file.notes.push_back("the font is " + figures.font + "; --font chooses another");
+    }
+    return file;
+}
+
 ExitCode draw(const PatternArguments& arguments, ProgressBar& bar) {
     checkFiles(arguments);
     bar.show(0.0, "reading");
     PatternFigures figures;
     Stopwatch watch;
-    const DrawingFile drawing =
-        arguments.text.empty()
-            ? readDrawing(arguments.drawing)
-            : DrawingFile{.drawing = textOutlines(arguments.text, arguments.font), .notes = {}};
+    const DrawingFile drawing = drawingOf(arguments, figures);
     MeshFile file = readInputMesh(arguments.mesh, arguments.mending.strict);
     const MeshChecksum checksum = checksumOf(file.mesh);
     figures.readSeconds = watch.lap();

@@ -2,6 +2,7 @@
 #include "filter_bspline_curve/filter_bspline_curve.h"
 
 #include "filter_bspline_curve/common/dialog_parameters.h"
+#include "filter_bspline_curve/common/fit_dialog.h"
 #include "filter_bspline_curve/common/run_on_document.h"
 #include "filter_bspline_curve/common/window.h"
 #include "filters/description_html.h"
@@ -108,7 +109,9 @@ int FilterBsplineCurvePlugin::postCondition(const QAction* action) const {
 RichParameterList FilterBsplineCurvePlugin::initParameterList(
     const QAction* action, const MeshDocument& document
 ) {
-    return dialogParameters(description(ID(action)), document);
+    const FilterDescription& filter = description(ID(action));
+    fitDialogSoon(filterName(ID(action)), filter);
+    return dialogParameters(filter, document);
 }
 
 std::map<std::string, QVariant> FilterBsplineCurvePlugin::applyFilter(

@@ -26,6 +26,14 @@ using EnumNumber = IntValue;
 using SliderNumber = FloatValue;
 using PercentageNumber = FloatValue;
 
+/// Whether what is typed into the widgets of files counts.
+constexpr bool kFileWidgetsTakeTyping = true;
+
+/// Of a parameter that names a file.
+[[nodiscard]] inline QString pathOf(const RichParameterList& list, const QString& name) {
+    return list.getString(name);
+}
+
 /// Adds a parameter; `values`: what its constructor takes between the name and the texts.
 template <class Rich, class... Values>
 void add(

@@ -2,6 +2,7 @@
 #include "filter_bspline_curve_legacy/filter_bspline_curve_legacy.h"
 
 #include "filter_bspline_curve/common/dialog_parameters.h"
+#include "filter_bspline_curve/common/fit_dialog.h"
 #include "filter_bspline_curve/common/run_on_document.h"
 #include "filter_bspline_curve/common/window.h"
 #include "filters/description_html.h"
@@ -42,30 +43,67 @@ Progress hostProgress(vcg::CallBackPos* callback) {
     };
 }
 
-/// The filters stand in the order of allFilters(); after them comes the twin of the first, with all
-/// options.
-int twin() {
-    return static_cast<int>(allFilters().size());
+/// A filter as this host lists it.
+struct Listed {
+    const FilterDescription& filter;
+    bool isTwin = false;   ///< with all options
+    bool hasTwin = false;  ///< so it has the main ones in a window
+};
+
+/// Whether its dialog would have many parameters that most people do not need.
+bool needsTwin(const FilterDescription& filter) {
+    return std::ranges::any_of(filter.parameters, [](const ParameterDescription& parameter) {
+        return parameter.isFolded() && !parameter.isAdvanced();
+    });
+}
+
+/// In the order of allFilters(), and after all of them the twins.
+const std::vector<Listed>& listed() {
+    static const std::vector<Listed> filters = [] {
+        std::vector<Listed> all;
+        for (const FilterDescription* const filter : allFilters()) {
+            all.push_back({.filter = *filter, .hasTwin = needsTwin(*filter)});
+        }
+        for (const FilterDescription* const filter : allFilters()) {
+            if (needsTwin(*filter)) {
+                all.push_back({.filter = *filter, .isTwin = true});
+            }
+        }
+        return all;
+    }();
+    return filters;
+}
+
+int listedCount() {
+    return static_cast<int>(listed().size());
 }
 
 const FilterDescription& description(int filter) {
-    return *allFilters().at(filter == twin() ? 0 : filter);
+    return listed().at(filter).filter;
+}
+
+/// A script lists each parameter that it is told of.
+Offered offeredOf(const Listed& each) {
+    if (hasWindow()) {
+        return each.hasTwin ? Offered::Main : Offered::All;
+    }
+    return !each.isTwin && &each.filter == &curveFilter() ? Offered::Usual : Offered::All;
 }
 
 }  // namespace
 
 FilterBsplineCurveLegacyPlugin::FilterBsplineCurveLegacyPlugin() {
-    for (int filter = 0; filter <= twin(); ++filter) {
+    for (int filter = 0; filter < listedCount(); ++filter) {
         typeList.push_back(filter);
     }
     // The search of the window lists filters whose names match alike by the address of their
-    // actions, so those of earlier filters get lower ones: the first goes before its twin.
+    // actions, so those of earlier filters get lower ones: a filter goes before its twin.
     std::vector<QAction*> actions;
-    for (int filter = 0; filter <= twin(); ++filter) {
+    for (int filter = 0; filter < listedCount(); ++filter) {
         actions.push_back(new QAction(this));
     }
     std::ranges::sort(actions, std::less<>());
-    for (int filter = 0; filter <= twin(); ++filter) {
+    for (int filter = 0; filter < listedCount(); ++filter) {
         actions[filter]->setText(filterName(filter));
         actionList.push_back(actions[filter]);
     }
@@ -77,7 +115,7 @@ QString FilterBsplineCurveLegacyPlugin::pluginName() const {
 
 QString FilterBsplineCurveLegacyPlugin::filterName(FilterIDType filter) const {
     const QString name = QString::fromStdString(description(filter).name);
-    return filter == twin() ? name + " (All Options)" : name;
+    return listed().at(filter).isTwin ? name + " (All Options)" : name;
 }
 
 QString FilterBsplineCurveLegacyPlugin::filterScriptFunctionName(FilterIDType filter) {
@@ -117,9 +155,8 @@ void FilterBsplineCurveLegacyPlugin::initParameterSet(
     QAction* action, MeshDocument& document, RichParameterList& parameters
 ) {
     const FilterIDType filter = ID(action);
-    const Offered usual = hasWindow() ? Offered::Main : Offered::Usual;
-    const Offered offered = filter == 0 ? usual : Offered::All;
-    parameters = dialogParameters(description(filter), document, offered);
+    fitDialogSoon(filterName(filter), description(filter));
+    parameters = dialogParameters(description(filter), document, offeredOf(listed().at(filter)));
 }
 
 bool FilterBsplineCurveLegacyPlugin::applyFilter(

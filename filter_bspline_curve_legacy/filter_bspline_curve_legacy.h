@@ -7,9 +7,9 @@
 #include <common/interfaces.h>
 
 /// The filters for MeshLab 2020.09 and its meshlabserver: they convert between layers and the
-/// library of the filters and hold no algorithm. Dialogs of this version are as high as their
-/// parameters are many and fold none away, so the filter for curves offers the main ones, and is
-/// there once more with all of them, for scripts.
+/// library of the filters and hold no algorithm. Dialogs of this version fold
+/// no parameters away, so filters with many offer the main ones there, and are listed once more
+/// with all of them.
 class FilterBsplineCurveLegacyPlugin : public QObject, public MeshFilterInterface {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(MESH_FILTER_INTERFACE_IID)

@@ -20,6 +20,16 @@ using EnumNumber = EnumValue;
 using SliderNumber = DynamicFloatValue;
 using PercentageNumber = AbsPercValue;
 
+/// Whether what is typed into the widgets of files counts. Here only their buttons do, so a dialog
+/// has text in their place.
+constexpr bool kFileWidgetsTakeTyping = false;
+
+/// Of a parameter that names a file, be it a text or not.
+[[nodiscard]] inline QString pathOf(const RichParameterList& list, const QString& name) {
+    const Value& value = list.getParameterByName(name).value();
+    return value.isFileName() ? value.getFileName() : value.getString();
+}
+
 /// Adds a parameter; `values`: what its constructor takes between the name and the texts. These
 /// dialogs fold nothing away.
 template <class Rich, class... Values>

@@ -12,9 +12,6 @@ void checkDrawing(const PatternRequest& request) {
     if (request.drawingFile.empty() == request.text.empty()) {
         refuseChoice("give a drawing or a text, and not both");
     }
-    if (!request.text.empty() && request.fontFile.empty()) {
-        refuseChoice("a text needs a font file");
-    }
 }
 
 }  // namespace

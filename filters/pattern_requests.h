@@ -15,9 +15,10 @@ namespace bspline_curve {
 enum class PatternPlace { Point, Curve };
 
 struct PatternRequest {
-    CurveUse use;                ///< its curves, where the drawing goes along them
-    std::string drawingFile;     ///< UTF-8; empty: text
-    std::string text, fontFile;  ///< UTF-8
+    CurveUse use;             ///< its curves, where the drawing goes along them
+    std::string drawingFile;  ///< UTF-8; empty: text
+    std::string text;         ///< UTF-8
+    std::string fontFile;     ///< UTF-8; empty: found
     PatternPlace place = PatternPlace::Point;
     std::string centre;  ///< "x y z"; empty: the one point of the host's own tool
     std::string up;      ///< "x y z"; empty: found

@@ -8,6 +8,7 @@
 #include "filters/mended_layer.h"
 #include "filters/utf8_path.h"
 #include "io/drawing_reader.h"
+#include "io/font_search.h"
 #include "io/text_outlines.h"
 #include "pattern/draw_pattern.h"
 #include "utility/report_progress.h"
@@ -24,11 +25,16 @@ namespace {
 /// Share of the work, for progress only, up to the end of preparing the surface.
 constexpr double kPatternSurfaceShare = 0.3;
 
-DrawingFile drawingOf(const PatternRequest& request) {
+/// What is to be drawn; `log` is told what of a file was left out, and the font of a text.
+Drawing drawingOf(const PatternRequest& request, FilterLog& log) {
     if (request.text.empty()) {
-        return readDrawing(utf8Path(request.drawingFile));
+        DrawingFile file = readDrawing(utf8Path(request.drawingFile));
+        log.warnings = std::move(file.notes);
+        return std::move(file.drawing);
     }
-    return {.drawing = textOutlines(request.text, utf8Path(request.fontFile)), .notes = {}};
+    const std::filesystem::path font = fontOrDefault(utf8Path(request.fontFile));
+    log.table.push_back("font=" + utf8Text(font));
+    return textOutlines(request.text, font);
 }
 
 /// Adds what was drawn along another curve.
@@ -100,7 +106,8 @@ PatternResult runPatternFilter(
 ) {
     Stopwatch watch;
     report(progress, 0.0, "drawing");
-    const DrawingFile file = drawingOf(request);
+    PatternResult result;
+    const Drawing drawing = drawingOf(request, result.log);
     const DesignerCache::Found found = designerFor(
         input.surface,
         {},
@@ -108,13 +115,11 @@ PatternResult runPatternFilter(
         designers,
         partOf(progress, 0.0, kPatternSurfaceShare)
     );
-    PatternResult result;
-    result.log.warnings = file.notes;
     if (found.mending) {
         result.log.warnings.push_back(describeMending(*found.mending));
     }
     auto [pattern, warnings] = drawnOn(
-        found, file.drawing, input, toolPoints, request, partOf(progress, kPatternSurfaceShare, 1.0)
+        found, drawing, input, toolPoints, request, partOf(progress, kPatternSurfaceShare, 1.0)
     );
     std::ranges::move(warnings, std::back_inserter(result.log.warnings));
     double length = 0.0;

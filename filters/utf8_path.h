@@ -11,4 +11,10 @@ namespace bspline_curve {
     return {std::u8string(text.begin(), text.end())};
 }
 
+/// The text in UTF-8 by which hosts name a path.
+[[nodiscard]] inline std::string utf8Text(const std::filesystem::path& path) {
+    const std::u8string text = path.u8string();
+    return {text.begin(), text.end()};
+}
+
 }  // namespace bspline_curve

@@ -39,7 +39,7 @@ std::string patternReportBytes(const Pattern& pattern, const PatternFigures& fig
     for (const PatternCurve& each : pattern.curves) {
         curves.push_back(curveJsonOf(each));
     }
-    const Json document{
+    Json document{
         {"curves", std::move(curves)},
         {"tolerance", pattern.tolerance},
         {"largest_deviation", pattern.largestDeviation},
@@ -51,6 +51,9 @@ std::string patternReportBytes(const Pattern& pattern, const PatternFigures& fig
           {"prepare", figures.prepareSeconds},
           {"draw", figures.drawSeconds}}},
     };
+    if (!figures.font.empty()) {
+        document["font"] = figures.font;
+    }
     return jsonText(document);
 }
 

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "io/byte_stream.h"
+#include "io/environment.h"
 #include "io/shell_file.h"
 #include "io/text_parsing.h"
 
@@ -34,12 +35,6 @@ std::string inHexadecimal(std::uint64_t value) {
     char* const end = std::to_chars(digits.data(), digits.data() + kDigits, value, 16).ptr;
     const std::string text(digits.data(), end);
     return std::string(kDigits - text.size(), '0') + text;
-}
-
-// A path from the environment; nothing where the variable is not set or empty.
-std::optional<fs::path> pathFrom(const char* variable) {
-    const char* const value = std::getenv(variable);
-    return value == nullptr || *value == '\0' ? std::nullopt : std::optional<fs::path>(value);
 }
 
 void removeIfOld(const fs::path& file, fs::file_time_type lastUse) {
@@ -84,14 +79,14 @@ ShellCache::ShellCache(fs::path directory, std::uint64_t sizeLimitBytes)
 
 std::optional<fs::path> ShellCache::defaultDirectory() {
     if (std::getenv("BSPLINE_CURVE_CACHE") != nullptr) {
-        const auto chosen = pathFrom("BSPLINE_CURVE_CACHE");
+        const auto chosen = environmentPath("BSPLINE_CURVE_CACHE");
         return chosen ? std::optional(*chosen / "shells") : std::nullopt;
     }
     // A relative path there is to be ignored (XDG Base Directory Specification).
-    if (const auto cache = pathFrom("XDG_CACHE_HOME"); cache && cache->is_absolute()) {
+    if (const auto cache = environmentPath("XDG_CACHE_HOME"); cache && cache->is_absolute()) {
         return *cache / "bspline_curve" / "shells";
     }
-    if (const auto home = pathFrom("HOME")) {
+    if (const auto home = environmentPath("HOME")) {
         return *home / ".cache" / "bspline_curve" / "shells";
     }
     return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/common/dialog_parameters.h"
 
+#include "filter_bspline_curve/common/kept_font.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 #include "filter_bspline_curve/common/window.h"
 
@@ -82,10 +83,8 @@ public:
                 addAs<RichString>(p, defaultText(p));
                 break;
             case ParameterType::OpenFile:
-                addAs<host::FileOpen>(p, defaultText(p), patternsOf(p));
-                break;
             case ParameterType::SaveFile:
-                addAs<host::FileSave>(p, defaultText(p), patternsOf(p).join(" "));
+                addFile(p);
                 break;
         }
     }
@@ -114,8 +113,18 @@ private:
         }
     }
 
+    void addFile(const ParameterDescription& p) {
+        if (!host::kFileWidgetsTakeTyping && hasWindow()) {
+            addAs<RichString>(p, defaultText(p));
+        } else if (p.type == ParameterType::OpenFile) {
+            addAs<host::FileOpen>(p, defaultText(p), patternsOf(p));
+        } else {
+            addAs<host::FileSave>(p, defaultText(p), patternsOf(p).join(" "));
+        }
+    }
+
     static QString defaultText(const ParameterDescription& p) {
-        return textOf(std::get<std::string>(p.defaultValue));
+        return textOf(p.id == "font" ? keptFont() : std::get<std::string>(p.defaultValue));
     }
 
     /// In the unit of the mesh.
@@ -205,10 +214,8 @@ void read(const RichParameterList& list, const ParameterDescription& p, Paramete
             values.set(p.id, trimmedText(list.getString(name)));
             break;
         case ParameterType::OpenFile:
-            values.set(p.id, trimmedText(list.getOpenFileName(name)));
-            break;
         case ParameterType::SaveFile:
-            values.set(p.id, trimmedText(list.getSaveFileName(name)));
+            values.set(p.id, trimmedText(host::pathOf(list, name)));
             break;
     }
 }

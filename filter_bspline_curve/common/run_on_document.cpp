@@ -5,6 +5,7 @@
 #include "filter_bspline_curve/common/curve_layers.h"
 #include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
+#include "filter_bspline_curve/common/kept_font.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/layer_making.h"
 #include "filter_bspline_curve/common/made_layers.h"
@@ -164,6 +165,9 @@ FilterAnswer drawPattern(const Run& run) {
         const QString name = nameOf(surface) + " pattern";
         markAsResult(addPolylinesLayer(run.document, {surface, arrays}, lines, name));
     });
+    if (!request.text.empty()) {
+        keepFont(request.fontFile);
+    }
     return {.figures = result.figures, .log = result.log};
 }
 

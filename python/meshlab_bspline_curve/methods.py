@@ -816,7 +816,8 @@ def pattern_on_surface(
     text : str, optional
         A text to carry in place of a drawing, as outlines of the letters of the font. Empty: a drawing.
     font : str, optional
-        The font file of the text.
+        The font file of the text. Empty: a plain sans serif of this system, such as DejaVu Sans or Arial; the log names
+        its file. MeshLab's window begins with the font that was given last.
     place : {'point', 'curve'}, default 'point'
         Where the drawing goes. point: the middle of the drawing comes to lie on the centre; curve: the drawing's x axis
         along the curve, its y axis to the left, seen with the surface's normal upwards.

@@ -98,3 +98,30 @@ def test_refusals(run, refused, scene):
     refused(1, "pattern", "plate.ply", "--drawing", "star.svg", "--centre", "0.5,0.5,0", "--output", "p.csv", says=["holds one curve"])
     (scene / "empty.json").write_text('{"curves": []}')
     refused(1, *pattern, "--along", "empty.json", says=["no list of curves"])
+
+
+@pytest.fixture
+def without_fonts(monkeypatch, tmp_path):
+    """A system without fonts; what is put into fonts/ there is found."""
+    for name in ("HOME", "XDG_DATA_DIRS", "XDG_DATA_HOME"):
+        monkeypatch.setenv(name, str(tmp_path))
+    return tmp_path
+
+
+def test_a_text_takes_a_font_of_the_system_and_says_which(run, scene):
+    text = ["pattern", "plate.ply", "--text", "io", "--centre", "0.5,0.5,0", "--report", "report.json"]
+    found = run(*text, "--output", "found.json")
+    if "no font was found" in found.stderr:
+        pytest.skip("no well-known font on this system")
+    assert found.returncode == 0, found.stderr
+    font = json.loads((scene / "report.json").read_text())["font"]
+    assert found.stderr == f"bspline_curve: note: the font is {font}; --font chooses another\n"
+    given = run(*text, "--font", font, "--output", "given.json")
+    assert (given.returncode, given.stderr) == (0, "")
+    assert curves_of(scene / "given.json") == curves_of(scene / "found.json")
+    assert json.loads((scene / "report.json").read_text())["font"] == font
+
+
+def test_a_text_without_any_font_is_refused(refused, scene, without_fonts):
+    refused(1, "pattern", "plate.ply", "--text", "io", "--centre", "0.5,0.5,0", "--output", "p.json",
+            says=["no font was found", "give a font file"])

@@ -47,10 +47,10 @@ def prefix(legacy_plugin, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def program_of(request, display):
-    """program_of(version): MeshLab's program, with our plugins where it looks for them."""
+def program_on(request):
+    """program_on(display, version): MeshLab's program, with our plugins where it looks for them on this display."""
 
-    def program(version):
+    def program(display, version):
         if version == "2020.09":
             return request.getfixturevalue("prefix") / "bin" / "meshlab"
         where = subprocess.run([ROOT / "scripts" / "build_meshlab_gui", "--where"], capture_output=True, text=True)
@@ -64,6 +64,12 @@ def program_of(request, display):
         return found
 
     return program
+
+
+@pytest.fixture(scope="session")
+def program_of(program_on, display):
+    """program_of(version): that program for the display of all tests."""
+    return lambda version: program_on(display, version)
 
 
 @pytest.fixture(params=["2020.09", "2025.07"])

@@ -2,6 +2,7 @@
 """Drives MeshLab's window as a user does, with mouse and keyboard, and waits for what MeshLab itself shows or logs."""
 import re
 import tempfile
+import time
 from dataclasses import dataclass
 
 from virtual_display import wait_until
@@ -23,6 +24,11 @@ LAYER_NAME, FIRST_LAYER, LAYER_ROW = 80, 95, 31
 # From the bottom of a filter's dialog to the middle of its last row of buttons, Close and Apply.
 BUTTON_HEIGHT = 22
 
+# From there to the row above it, Default and Help; in 2025.07 to what unfolds the rest of the parameters.
+HELP_ROW, UNFOLD = 31, {False: 183, True: 214}  # where the filter has a preview
+
+# For so long our dialogs look after their size and place once they are shown.
+FITTED_SECONDS = 1.0
 
 # Where the menu Filters is, and from the bottom left corner of the dialog of scripts to the middle of its button Save Script.
 FILTERS_MENU = 118, 29
@@ -172,11 +178,35 @@ class MeshLabWindow:
     def open_filter(self, name):
         """Opens a filter's dialog; its window."""
         self.start_action(name)
+        return self.wait_for_dialog(name)
+
+    def wait_for_dialog(self, name):
+        """A filter's dialog that has its size and place."""
+        self.wait_for_window(f"^{re.escape(name)}$")
+        self.wait_for_still_picture()
+        time.sleep(FITTED_SECONDS)
         return self.wait_for_window(f"^{re.escape(name)}$")
 
     def apply(self, dialog):
         """Clicks Apply of a filter's dialog; see applied() and wait_for_window("^Filter Failure$")."""
         self.click(dialog.x + dialog.width * 0.74, dialog.y + dialog.height - BUTTON_HEIGHT)
+
+    def toggle_help(self, dialog):
+        """Clicks Help of a filter's dialog; the dialog as it is then."""
+        self.click(dialog.x + dialog.width * 0.74, dialog.y + dialog.height - BUTTON_HEIGHT - HELP_ROW)
+        return self.wait_for_dialog(dialog.name)
+
+    def unfold(self, dialog, has_preview=False):
+        """Shows all parameters of a filter's dialog of 2025.07."""
+        before = self.display.picture()
+        self.click(dialog.x + dialog.width / 2, dialog.y + dialog.height - BUTTON_HEIGHT - UNFOLD[has_preview])
+        self.change_of_picture((dialog.x, dialog.y, dialog.x + dialog.width, dialog.y + dialog.height), before)
+
+    def write_into(self, dialog, above_bottom, text):
+        """Writes into a field of a filter's dialog, in place of what it holds."""
+        self.click(dialog.x + dialog.width * 0.5, dialog.y + dialog.height - above_bottom)
+        self.key("ctrl+a")
+        self.type(text)
 
     def applied(self, name, count=1):
         """Waits until a filter was applied so many times, in all."""

@@ -209,6 +209,15 @@ def test_segments_are_in_the_log_and_in_the_quality_of_faces(serve, sphere, writ
     assert counts.tolist() == [int(f["faces"]) for f in table]
 
 
+def test_paths_that_the_window_took_as_text_are_read(serve, sphere, write_script, tmp_path):
+    (tmp_path / "picks.xyz").write_text(SPHERE_PICKS.replace("; ", "\n"))
+    script = write_script((CURVE, {"picks_file": str(tmp_path / "picks.xyz"), "save": str(tmp_path / "saved.csv")}))
+    script.write_text(script.read_text().replace("RichOpenFile", "RichString").replace("RichSaveFile", "RichString"))
+    run = serve("-i", sphere, "-s", script, "-o", tmp_path / "curve.obj")
+    assert run.status == 0, run.output
+    assert (tmp_path / "saved.csv").is_file()
+
+
 def test_the_twin_has_the_advanced_options(serve, sphere, write_script, tmp_path):
     script = write_script((ALL_OPTIONS, {"picks": SPHERE_PICKS, "distance_tolerance": 0.01, "preset": "default"}))
     run = serve("-i", sphere, "-s", script, "-o", tmp_path / "curve.obj")

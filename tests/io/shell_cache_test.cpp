@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/shell_cache.h"
 
+#include "io/environment_variable.h"
 #include "io/stored_shell.h"
 #include "io/temporary_files.h"
 
@@ -8,7 +9,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <thread>
 
 namespace bspline_curve::io_tests {
@@ -91,34 +91,6 @@ protected:
     HandmadeShell shell_ = smallShell();
     fs::path folder_ = path("cache/shells");
     ShellCache cache_{folder_};
-};
-
-/// Sets a variable of the environment for as long as it lives; nullptr: not set at all.
-class Variable {
-public:
-    Variable(const char* name, const char* value) : name_(name) {
-        if (const char* const old = std::getenv(name)) {
-            old_ = old;
-        }
-        set(value);
-    }
-
-    ~Variable() { set(old_ ? old_->c_str() : nullptr); }
-
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-private:
-    void set(const char* value) {
-        if (value != nullptr) {
-            ::setenv(name_, value, 1);
-        } else {
-            ::unsetenv(name_);
-        }
-    }
-
-    const char* name_;
-    std::optional<std::string> old_;
 };
 
 /// Files of this process cannot grow beyond a size for as long as it lives.

@@ -66,10 +66,21 @@ def test_a_text(plate):
     assert figures["curves"] == 4 + 4 + 2  # two boxes and two rings
 
 
+def test_a_text_without_a_font_takes_one_of_the_system(plate, monkeypatch, tmp_path):
+    if not FONT.exists():
+        pytest.skip(f"no {FONT}")
+    options = {"text": "io", "centre": text_of(middle_of_the_plate()), "size": pymeshlab.PureValue(0.3)}
+    assert plate.apply_filter("pattern_on_surface", **options)["curves"] == 4 + 4 + 2
+    for name in ("HOME", "XDG_DATA_DIRS", "XDG_DATA_HOME"):
+        monkeypatch.setenv(name, str(tmp_path))
+    with pytest.raises(pymeshlab.PyMeshLabException, match="no font was found for the text: give a font file"):
+        plate.apply_filter("pattern_on_surface", surface_layer=0, **options)
+
+
 @pytest.mark.parametrize(("options", "said"), [
     ({}, "drawing or a text"),
     ({"drawing": "no.svg", "centre": "0.5 0.5 0"}, "no.svg"),
-    ({"text": "a"}, "font"),
+    ({"text": "a", "font": "no.ttf", "centre": "0.5 0.5 0"}, "no.ttf"),
     ({"drawing": "star.svg", "text": "a"}, "not both"),
     ({"drawing": "star.svg"}, "0 points"),
     ({"drawing": "star.svg", "centre": "0 0 9"}, "away from the mesh"),
