@@ -169,6 +169,8 @@ REFUSED = [
     ("draw_curve(vertices, faces, picks, field=[1, 2])", "field has shape (2,), but must have (2562,), a value for each vertex"),
     ("draw_curve(vertices, faces, picks, field=vertices[:, 0], quality=vertices[:, 0])", "field and quality are both given"),
     ("draw_curve(vertices, faces, picks, field='quality')", "field is 'quality', but quality is not given"),
+    ("draw_curve(vertices, faces, picks, quality=vertices[:, 0])", "quality is given, but nothing uses it"),
+    ("draw_curve(vertices, faces, picks, field='valley', quality=vertices[:, 0])", "quality is given, but nothing uses it"),
     ("draw_curve(vertices, faces, picks, field='obstacle')", "field is 'obstacle', which needs field_region"),
     ("draw_curve(vertices, faces, picks, field='obstacle', field_region=[1], avoid=[2])", "compute_field(kind='obstacle')"),
     ("draw_curve(vertices, faces, picks, avoid='selected-faces')", "arrays know no selection: give ids of faces"),
