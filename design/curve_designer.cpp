@@ -15,6 +15,7 @@
 #include "shell/shell_store.h"
 #include "solver/obstacles.h"
 #include "solver/problem_traces.h"
+#include "surface/error_messages.h"
 #include "surface/picks.h"
 #include "surface/region.h"
 #include "surface/surface_point.h"
@@ -84,8 +85,8 @@ void refuseAvoidedPicks(
     const auto refuse = [](std::size_t pick, int face, const std::string& what) {
         throw InputError(
             InputErrorCode::PickAvoided,
-            "pick " + std::to_string(pick) + " lies in face " + std::to_string(face) + what +
-                ": move the pick, or avoid fewer faces",
+            describePicks({static_cast<std::int64_t>(pick)}) + " lies in face " +
+                std::to_string(face) + what + ": move the pick, or avoid fewer faces",
             {static_cast<std::int64_t>(pick)}
         );
     };
@@ -381,10 +382,12 @@ Curve CurveDesigner::State::design(
         );
         refuseAvoidedPicks(surface(), *obstacles, located);
     }
+    const std::vector<int> given = located.given();
     const DesignContext context{
         *field,
         obstacles ? &*obstacles : nullptr,
         repeated.empty() ? inputs.start : nullptr,  // which has as many picks as were given
+        given
     };
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {

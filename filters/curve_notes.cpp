@@ -45,8 +45,7 @@ std::string describeRepeatedPicks(const SolveReport& report) {
     if (picks.empty()) {
         return "";
     }
-    return (picks.size() == 1 ? "pick " : "picks ") + describeElements(picks) +
-           (picks.size() == 1 ? " is" : " are") +
+    return describePicks(picks) + (picks.size() == 1 ? " is" : " are") +
            " at the same point of the surface as the one before; the curve passes it once";
 }
 

@@ -22,6 +22,13 @@ std::string describeElements(const std::vector<std::int64_t>& elements) {
     return text;
 }
 
+std::string describePicks(std::vector<std::int64_t> picks) {
+    for (std::int64_t& pick : picks) {
+        ++pick;
+    }
+    return (picks.size() == 1 ? "pick " : "picks ") + describeElements(picks);
+}
+
 std::string describeCount(std::size_t count, const std::string& one, const std::string& many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }

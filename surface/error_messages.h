@@ -13,6 +13,10 @@ namespace bspline_curve {
 /// "3, 17, 20, 21, 25 and 12 more": the first ids of a list, for messages.
 [[nodiscard]] std::string describeElements(const std::vector<std::int64_t>& elements);
 
+/// "pick 1", "picks 1, 4, 5": picks for messages, where they are counted from 1. `picks`: their
+/// indices, from 0, at least one.
+[[nodiscard]] std::string describePicks(std::vector<std::int64_t> picks);
+
 /// "1 face", "17 faces": a count and its noun (or the start of its sentence), for messages.
 [[nodiscard]] std::string describeCount(
     std::size_t count, const std::string& one, const std::string& many

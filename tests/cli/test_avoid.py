@@ -89,9 +89,9 @@ def test_what_has_no_way_is_refused_by_name(refused, tmp_path, wall):
     V, F, _ = wall
     middle = V[F].mean(1)
     np.save(tmp_path / "whole.npy", np.flatnonzero(abs(middle[:, 0] - 0.5) < 0.1))
-    refused(1, *DRAW, "--avoid", "whole.npy", says=["from pick 0 to pick 1", "avoid"])
+    refused(1, *DRAW, "--avoid", "whole.npy", says=["from pick 1 to pick 2", "avoid"])
     np.save(tmp_path / "left.npy", np.flatnonzero(middle[:, 0] < 0.3))
-    refused(1, *DRAW, "--avoid", "left.npy", says=["pick 0 lies in face", "avoid"])
+    refused(1, *DRAW, "--avoid", "left.npy", says=["pick 1 lies in face", "avoid"])
 
 
 FACES = 2 * CELLS * CELLS

@@ -219,7 +219,7 @@ def test_the_twin_has_the_advanced_options(serve, sphere, write_script, tmp_path
 @pytest.mark.parametrize(
     ("changes", "expected"),
     [
-        ({"picks": "1 0 0; 0 1 0; 3 3 3"}, "pick 2"),
+        ({"picks": "1 0 0; 0 1 0; 3 3 3"}, "pick 3"),
         ({"picks_file": "not there.pp"}, "not there.pp"),
         ({"picks": SPHERE_PICKS, "picks_file": "x.pp"}, "more than once, by picks and picks_file"),
         ({}, "no picks: give picks, picks_file or picks_layer"),

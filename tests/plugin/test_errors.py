@@ -38,8 +38,8 @@ def test_picks_on_different_components_are_named():
 
 
 def test_text_that_is_no_point_is_named(plate):
-    assert_refuses(plate, r"pick 1.*4 5", picks="0.1 0.1 0; 4 5")
-    assert_refuses(plate, r"pick 0.*one", picks="one 2 3")
+    assert_refuses(plate, r"pick 2.*4 5", picks="0.1 0.1 0; 4 5")
+    assert_refuses(plate, r"pick 1.*one", picks="one 2 3")
 
 
 def test_picks_given_twice(plate, plate_picks, tmp_path):

@@ -15,6 +15,12 @@ TEST(InputError, NamesAtMostFiveElementsAndCountsTheRest) {
     EXPECT_EQ(describeElements({3, 17, 20, 21, 25, 26, 27}), "3, 17, 20, 21, 25 and 2 more");
 }
 
+TEST(ErrorMessages, CountPicksFromOne) {
+    EXPECT_EQ(describePicks({0}), "pick 1");
+    EXPECT_EQ(describePicks({0, 3, 4}), "picks 1, 4, 5");
+    EXPECT_EQ(describePicks({0, 1, 2, 3, 4, 5}), "picks 1, 2, 3, 4, 5 and 1 more");
+}
+
 TEST(InputError, CountsInSingularAndPlural) {
     EXPECT_EQ(describeCount(1, "face", "faces"), "1 face");
     EXPECT_EQ(describeCount(17, "face", "faces"), "17 faces");
