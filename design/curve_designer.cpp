@@ -48,14 +48,16 @@ void requireExactAvoidance(const SolverOptions& options) {
             );
         }
     };
-    require(options.quadrature != Quadrature::Samples, "quadrature = samples", "cells");
+    require(options.quadrature != Quadrature::Samples, "quadrature = \"samples\"", "\"cells\"");
     require(
         options.initialCurve == InitialCurve::GeodesicFit,
-        "initial_curve = control-polygon",
-        "geodesic-fit"
+        "initial_curve = \"control-polygon\"",
+        "\"geodesic-fit\""
     );
     require(
-        options.interpolation == Interpolation::Constraint, "interpolation = penalty", "constraint"
+        options.interpolation == Interpolation::Constraint,
+        "interpolation = \"penalty\"",
+        "\"constraint\""
     );
 }
 
@@ -404,6 +406,8 @@ Curve CurveDesigner::State::design(
     }
     const CurveProblem& problem = solved.problem;
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
+    curve.report.meanEdgeLength = surface().averageEdgeLength();
+    curve.report.diagonal = surface().diagonal();
     if (obstacles) {
         requireClear(surface(), curve.polyline, *obstacles);
         curve.report.avoidedFaces = static_cast<int>(region.size());

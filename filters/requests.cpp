@@ -103,7 +103,7 @@ CurveRequest curveRequest(const ParameterValues& values) {
     request.solver.validate();
     request.sampling.validate();
     request.shell.validate();
-    checkLength("radius of the tube", request.tubeRadius);
+    checkLength("tube radius", request.tubeRadius);
     request.mending = mendingOptions(values);
     return request;
 }

@@ -31,7 +31,11 @@ namespace bspline_curve {
     const std::string& remedy
 );
 
-/// "12.4": a length with four significant digits, for messages; the same in every locale.
+/// "12.4", "12350", "1.2e-07": a number with four significant digits, for messages; the same in
+/// every locale.
 [[nodiscard]] std::string describeNumber(double value);
+
+/// "12.4 mesh units": a length in the unit of the mesh, for messages.
+[[nodiscard]] std::string describeLength(double length);
 
 }  // namespace bspline_curve

@@ -34,9 +34,15 @@ struct Run {
     const Progress& progress;
 };
 
-using Runner = FilterAnswer (*)(const Run& run);
+/// What a filter answered, in words and for scripts.
+struct Answered {
+    Figures figures;
+    FilterLog log;
+};
 
-FilterAnswer drawCurve(const Run& run) {
+using Runner = Answered (*)(const Run& run);
+
+Answered drawCurve(const Run& run) {
     const CurveRequest request = curveRequest(run.values);
     const MeshModel& surface = surfaceOf(run.document, request);
     const LayerArrays arrays = arraysOf(surface);
@@ -51,7 +57,7 @@ FilterAnswer drawCurve(const Run& run) {
     return {.figures = result.figures, .log = result.log};
 }
 
-FilterAnswer computeField(const Run& run) {
+Answered computeField(const Run& run) {
     MeshModel* const layer = run.document.mm();
     if (layer == nullptr) {
         throw InputError(
@@ -83,12 +89,12 @@ Used usedLayers(const Run& run, const CurveUse& use) {
     };
 }
 
-FilterAnswer shown(const Run& run, const Used& used, const MeshesResult& result) {
+Answered shown(const Run& run, const Used& used, const MeshesResult& result) {
     addMadeLayers(run.document, {used.surface, used.arrays}, result);
     return {.figures = result.figures, .log = result.log};
 }
 
-FilterAnswer imprintCurves(const Run& run) {
+Answered imprintCurves(const Run& run) {
     const ImprintRequest request = imprintRequest(run.values);
     const Used used = usedLayers(run, request.use);
     return shown(run, used, runImprintFilter(used.input, request, run.progress));
@@ -103,7 +109,7 @@ std::vector<Vec3> toolPointsOf(const MeshModel& surface) {
     return points;
 }
 
-FilterAnswer cutAlong(const Run& run) {
+Answered cutAlong(const Run& run) {
     const CutRequest request = cutRequest(run.values);
     const Used used = usedLayers(run, request.imprint.use);
     return shown(
@@ -111,13 +117,13 @@ FilterAnswer cutAlong(const Run& run) {
     );
 }
 
-FilterAnswer segmentBy(const Run& run) {
+Answered segmentBy(const Run& run) {
     const SegmentRequest request = segmentRequest(run.values);
     const Used used = usedLayers(run, request.imprint.use);
     return shown(run, used, runSegmentFilter(used.input, request, run.progress));
 }
 
-FilterAnswer offsetCurves(const Run& run) {
+Answered offsetCurves(const Run& run) {
     const OffsetRequest request = offsetRequest(run.values);
     const Used used = usedLayers(run, request.use);
     const OffsetResult result = runOffsetFilter(used.input, request, run.progress);
@@ -125,7 +131,7 @@ FilterAnswer offsetCurves(const Run& run) {
     return {.figures = result.figures, .log = result.log};
 }
 
-FilterAnswer drawPattern(const Run& run) {
+Answered drawPattern(const Run& run) {
     const PatternRequest request = patternRequest(run.values);
     const MeshModel& surface = layerNamed(run.document, request.use.surface, "surface_layer");
     const LayerArrays arrays = arraysOf(surface);
@@ -223,12 +229,16 @@ FilterAnswer runOnDocument(
     const Progress& progress
 ) {
     takeUpCurves(document, filter);
-    return entryOf(filter).run({
+    const Answered answered = entryOf(filter).run({
         .document = document,
         .values = valuesOf(parameters, filter),
         .designers = designers,
         .progress = progress,
     });
+    return {
+        .figures = answered.figures,
+        .log = hasWindow() ? windowLog(answered.log, filter) : scriptLog(answered.log)
+    };
 }
 
 std::string failureOf(const FilterDescription& filter, const std::exception& error) {

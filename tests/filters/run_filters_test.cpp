@@ -273,7 +273,7 @@ TEST(RunCurveFilter, MakesATubeAroundTheCurve) {
     request.tubeRadius = 10.0;
     expectPart(
         refusal([&] { return draw(plateLayer(), request); }),
-        "radius of the tube is 10, but must be at most the diagonal of the mesh, 1.414"
+        "tube radius is 10, but must be at most the diagonal of the mesh, 1.414"
     );
 }
 
@@ -382,14 +382,14 @@ TEST(RunCurveFilter, RefusesPicksThatAreMissingOrGivenTwice) {
     CurveRequest request;
     expectPart(
         refusal([&] { return runCurveFilter(plateLayer(), {}, request, designers); }),
-        "no picks: give picks, picks_file or picks_layer"
+        "or give one of the options picks, picks_file and picks_layer"
     );
     request.picksText = "0 0 0; 1 0 0";
     request.picksFile = "p.pp";
     const PickCandidates layer{.tool = {}, .layer = PicksLayer{"p", kPicks, false}};
     expectPart(
         refusal([&] { return runCurveFilter(plateLayer(), layer, request, designers); }),
-        "by picks and picks_file and picks_layer: give one of them"
+        "by the options picks and picks_file and picks_layer: give one of them"
     );
     const PickCandidates mesh{.tool = {}, .layer = PicksLayer{"p", kPicks, true}};
     expectPart(

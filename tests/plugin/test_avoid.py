@@ -68,7 +68,7 @@ def test_nothing_is_avoided_by_default(walled):
 @pytest.mark.parametrize("parameters, message", [
     ({"avoid": "over-threshold", "avoid_threshold": 0.5}, "pick 2 lies in face .* avoid"),
     ({"avoid": "selected-faces", "avoid_margin": 0.0}, "avoid margin"),
-    ({"avoid": "selected-faces", "preset": "paper"}, "use cells"),
+    ({"avoid": "selected-faces", "preset": "paper"}, 'use "cells"'),
 ])
 def test_what_cannot_be_is_refused(walled, parameters, message):
     document, vertices, _ = walled

@@ -30,6 +30,11 @@ TEST(InputError, WritesNumbersWithFourSignificantDigits) {
     EXPECT_EQ(describeNumber(12.4), "12.4");
     EXPECT_EQ(describeNumber(1.0 / 3.0), "0.3333");
     EXPECT_EQ(describeNumber(-1.23456789e-7), "-1.235e-07");
+    EXPECT_EQ(describeNumber(9999.96), "1e+04");
+    EXPECT_EQ(describeNumber(12345.6), "12350");
+    EXPECT_EQ(describeNumber(-123456789.0), "-123500000");
+    EXPECT_EQ(describeNumber(1.5e12), "1.5e+12");
+    EXPECT_EQ(describeLength(0.25), "0.25 mesh units");
 }
 
 TEST(InputError, CarriesCodeMessageAndAllElements) {
