@@ -102,7 +102,7 @@ FACES = 2 * CELLS * CELLS
     (1, ("words.txt",), ["words.txt, line 1", "whole number"]),
     (1, ("none.txt",), ["none.txt", "no such file"]),
     (1, ("wall.txt", "--quadrature", "samples"), ["quadrature", "cells"]),
-    (1, ("wall.txt", "--preset", "paper"), ["use cells"]),
+    (1, ("wall.txt", "--preset", "paper"), ["use \"cells\""]),
     (2, ("under-threshold",), ["--avoid-threshold"]),
     (2, ("wall.txt", "--avoid-threshold", "1"), ["--avoid-threshold"]),
     (2, ("wall.txt", "--avoid-margin", "0"), ["(0, 1]"]),
