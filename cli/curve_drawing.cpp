@@ -40,20 +40,17 @@ void checkIsFile(std::string_view option, const std::filesystem::path& word) {
     );
 }
 
-/// Makes of a field that nobody chose the quality of the mesh, or none; what to say of it.
+/// Makes of the automatic field the quality of the mesh, or none; what to say of it.
 std::vector<std::string> chooseField(CurveArguments& arguments, const LoadedMesh& loaded) {
     if (arguments.field != kAutomaticField) {
         return {};
     }
-    if (!isFollowedUnasked(loaded.mesh.quality)) {
+    if (!canBeFollowed(loaded.mesh.quality)) {
         arguments.field.clear();
         return {};
     }
     arguments.field = name(FieldKind::Quality);
-    return {
-        "the curve follows the quality of " + arguments.mesh.filename().string() +
-        "; --field none draws it without"
-    };
+    return {"the curve follows the quality of " + arguments.mesh.filename().string()};
 }
 
 /// The values of a file, or of the mesh where they are asked for, as field or for a threshold.

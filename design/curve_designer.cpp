@@ -15,6 +15,7 @@
 #include "shell/shell_store.h"
 #include "solver/obstacles.h"
 #include "solver/problem_traces.h"
+#include "surface/error_messages.h"
 #include "surface/picks.h"
 #include "surface/region.h"
 #include "surface/surface_point.h"
@@ -47,14 +48,16 @@ void requireExactAvoidance(const SolverOptions& options) {
             );
         }
     };
-    require(options.quadrature != Quadrature::Samples, "quadrature = samples", "cells");
+    require(options.quadrature != Quadrature::Samples, "quadrature = \"samples\"", "\"cells\"");
     require(
         options.initialCurve == InitialCurve::GeodesicFit,
-        "initial_curve = control-polygon",
-        "geodesic-fit"
+        "initial_curve = \"control-polygon\"",
+        "\"geodesic-fit\""
     );
     require(
-        options.interpolation == Interpolation::Constraint, "interpolation = penalty", "constraint"
+        options.interpolation == Interpolation::Constraint,
+        "interpolation = \"penalty\"",
+        "\"constraint\""
     );
 }
 
@@ -84,8 +87,8 @@ void refuseAvoidedPicks(
     const auto refuse = [](std::size_t pick, int face, const std::string& what) {
         throw InputError(
             InputErrorCode::PickAvoided,
-            "pick " + std::to_string(pick) + " lies in face " + std::to_string(face) + what +
-                ": move the pick, or avoid fewer faces",
+            describePicks({static_cast<std::int64_t>(pick)}) + " lies in face " +
+                std::to_string(face) + what + ": move the pick, or avoid fewer faces",
             {static_cast<std::int64_t>(pick)}
         );
     };
@@ -381,10 +384,12 @@ Curve CurveDesigner::State::design(
         );
         refuseAvoidedPicks(surface(), *obstacles, located);
     }
+    const std::vector<int> given = located.given();
     const DesignContext context{
         *field,
         obstacles ? &*obstacles : nullptr,
         repeated.empty() ? inputs.start : nullptr,  // which has as many picks as were given
+        given
     };
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {
@@ -401,6 +406,8 @@ Curve CurveDesigner::State::design(
     }
     const CurveProblem& problem = solved.problem;
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
+    curve.report.meanEdgeLength = surface().averageEdgeLength();
+    curve.report.diagonal = surface().diagonal();
     if (obstacles) {
         requireClear(surface(), curve.polyline, *obstacles);
         curve.report.avoidedFaces = static_cast<int>(region.size());

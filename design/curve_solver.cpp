@@ -259,7 +259,8 @@ PickPath CurveSolver::pathRound(
          &prepared_.patches(),
          kind,
          kStrategy.chordTolerances * distanceToleranceOf(prepared_, options_),
-         side_}
+         side_,
+         context_.givenPicks}
     );
 }
 

@@ -19,11 +19,17 @@ namespace bspline_curve {
 namespace {
 
 [[noreturn]] void throwNoPath(
-    std::size_t from, std::size_t to, const PathConstraints& constraints
+    std::size_t legFrom, std::size_t legTo, const PathConstraints& constraints
 ) {
     const std::span<const int> blocked = constraints.blockedFaces;
-    const std::string what = "no way along the surface from pick " + std::to_string(from) +
-                             " to pick " + std::to_string(to);
+    const auto givenPick = [&](std::size_t pick) {
+        const std::span<const int> given = constraints.givenPicks;
+        return given.empty() ? static_cast<std::int64_t>(pick) : std::int64_t{given[pick]};
+    };
+    const std::int64_t from = givenPick(legFrom);
+    const std::int64_t to = givenPick(legTo);
+    const std::string what =
+        "no way along the surface from " + describePicks({from}) + " to " + describePicks({to});
     const std::vector<std::int64_t> faces(blocked.begin(), blocked.end());
     if (constraints.obstacles != nullptr) {
         throw InputError(
@@ -31,7 +37,7 @@ namespace {
             what + " that goes round the faces to avoid" +
                 (blocked.empty() ? "" : " and those where the surface crosses itself or folds") +
                 ": avoid fewer faces, or move a pick",
-            {static_cast<std::int64_t>(from), static_cast<std::int64_t>(to)}
+            {std::min(from, to), std::max(from, to)}
         );
     }
     if (blocked.empty()) {

@@ -18,7 +18,7 @@ void SamplingOptions::validate() const {
     if (!(maxSegmentLength >= 0.0) || !std::isfinite(maxSegmentLength)) {
         throw InputError(
             InputErrorCode::BadOption,
-            "maximal segment length is " + std::to_string(maxSegmentLength) +
+            "max segment length is " + std::to_string(maxSegmentLength) +
                 ", but must be finite and not negative"
         );
     }

@@ -87,9 +87,7 @@ void FieldOptions::validate() const {
         creaseAngle,
         "in [0, 180] (degrees)"
     );
-    require(
-        isShare(reach) && reach > 0.0, "reach of the field", reach, "in (0, 1] (of the diagonal)"
-    );
+    require(isShare(reach) && reach > 0.0, "field reach", reach, "in (0, 1] (of the diagonal)");
     require(
         obstacleValue >= 0.0 && std::isfinite(obstacleValue),
         "obstacle value",
@@ -102,7 +100,7 @@ void FieldOptions::validate() const {
         obstacleSlope,
         "finite and above 0 (per diagonal)"
     );
-    require(isShare(smoothing), "smoothing of the field", smoothing, "in [0, 1] (of the diagonal)");
+    require(isShare(smoothing), "field smoothing", smoothing, "in [0, 1] (of the diagonal)");
 }
 
 }  // namespace bspline_curve

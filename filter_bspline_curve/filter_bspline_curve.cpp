@@ -133,9 +133,8 @@ std::map<std::string, QVariant> FilterBsplineCurvePlugin::applyFilter(
     }
 }
 
-void FilterBsplineCurvePlugin::writeLog(const FilterLog& written) {
-    log(written.figures);
-    for (const std::string& line : written.table) {
+void FilterBsplineCurvePlugin::writeLog(const LogLines& written) {
+    for (const std::string& line : written.lines) {
         log(line);
     }
     for (const std::string& warning : written.warnings) {

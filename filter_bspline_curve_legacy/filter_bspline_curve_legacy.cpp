@@ -167,7 +167,7 @@ bool FilterBsplineCurveLegacyPlugin::applyFilter(
 ) {
     const FilterDescription& filter = description(ID(action));
     errorMessage.clear();
-    FilterLog written;
+    LogLines written;
     try {
         written =
             runOnDocument(filter, document, parameters, designers_, hostProgress(callback)).log;
@@ -177,7 +177,7 @@ bool FilterBsplineCurveLegacyPlugin::applyFilter(
     if (callback != nullptr) {
         callback(kAllDone, isServer() ? "" : "done");
     }
-    if (written.figures.empty()) {
+    if (written.lines.empty()) {
         Log(GLLogStream::WARNING, errorMessage.toStdString());
         return false;
     }
@@ -185,9 +185,8 @@ bool FilterBsplineCurveLegacyPlugin::applyFilter(
     return true;
 }
 
-void FilterBsplineCurveLegacyPlugin::writeLog(const FilterLog& written) {
-    Log(GLLogStream::FILTER, written.figures);
-    for (const std::string& line : written.table) {
+void FilterBsplineCurveLegacyPlugin::writeLog(const LogLines& written) {
+    for (const std::string& line : written.lines) {
         Log(GLLogStream::FILTER, line);
     }
     for (const std::string& warning : written.warnings) {

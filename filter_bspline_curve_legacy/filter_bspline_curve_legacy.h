@@ -39,7 +39,7 @@ public:
     ) override;
 
 private:
-    void writeLog(const bspline_curve::FilterLog& written);
+    void writeLog(const bspline_curve::LogLines& written);
 
     bspline_curve::DesignerCache designers_;
 };

@@ -6,7 +6,7 @@
 
 namespace bspline_curve {
 
-bool isFollowedUnasked(std::span<const double> quality) {
+bool canBeFollowed(std::span<const double> quality) {
     if (quality.empty() ||
         !std::ranges::all_of(quality, [](double value) { return std::isfinite(value); })) {
         return false;

@@ -63,7 +63,9 @@ PicksFile choosePicks(const CurveRequest& request, PickCandidates candidates) {
         for (std::size_t i = 1; i < sources.size(); ++i) {
             names += " and " + sources[i];
         }
-        refusePicks("picks are given more than once, by " + names + ": give one of them");
+        refusePicks(
+            "picks are given more than once, by the options " + names + ": give one of them"
+        );
     }
     if (!request.picksText.empty()) {
         return {.picks = parsePicksText(request.picksText), .closed = {}};
@@ -76,8 +78,9 @@ PicksFile choosePicks(const CurveRequest& request, PickCandidates candidates) {
     }
     if (candidates.tool.empty()) {
         refusePicks(
-            "no picks: give picks, picks_file or picks_layer, or pick points on the surface with "
-            "Edit > PickPoints"
+            "no picks: pick points on the surface with Edit > PickPoints, or give one of the "
+            "options "
+            "picks, picks_file and picks_layer"
         );
     }
     return {.picks = candidates.tool, .closed = {}};

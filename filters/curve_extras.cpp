@@ -36,7 +36,7 @@ void checkTube(const CurveRequest& request, const Surface& surface) {
     if (request.tubeRadius > surface.diagonal()) {
         throw InputError(
             InputErrorCode::BadOption,
-            "radius of the tube is " + describeNumber(request.tubeRadius) +
+            "tube radius is " + describeNumber(request.tubeRadius) +
                 ", but must be at most the diagonal of the mesh, " +
                 describeNumber(surface.diagonal())
         );

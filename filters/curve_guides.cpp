@@ -86,8 +86,7 @@ CurveGuides curveGuides(
     const Progress& progress
 ) {
     CurveGuides guides;
-    guides.hasField =
-        request.field && (!request.field->automatic || isFollowedUnasked(layer.quality));
+    guides.hasField = request.field && (!request.field->automatic || canBeFollowed(layer.quality));
     if (guides.hasField) {
         guides.field =
             madeFrom(layer, [&] { return fieldOf(layer, surface, *request.field, progress); });

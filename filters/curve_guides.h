@@ -26,7 +26,7 @@ struct CurveGuides {
     Region avoid;
 };
 
-/// The field that a request asks for, or that is followed unasked, and the faces that it avoids.
+/// The field that a request asks for, and the faces that it avoids.
 /// `layer`: what goes with the surface's mesh; its own mesh is not looked at. Throws InputError,
 /// Cancelled.
 [[nodiscard]] CurveGuides curveGuides(

@@ -18,9 +18,10 @@ std::string asSentence(std::string note) {
 std::string describeUnusable(const SolveReport& report) {
     constexpr double kMissed = 1e-9;  // of the diagonal; constraints are met to rounding
     std::string text = std::string("the curve is not usable (") + name(report.status) +
-                       "): the spline is up to " + describeNumber(report.maxDistance) +
-                       " mean edge lengths from the surface, the tolerance is " +
-                       describeNumber(report.allowedDistance);
+                       "): the spline is up to " +
+                       describeLength(report.maxDistance * report.meanEdgeLength) +
+                       " from the surface, the tolerance is " +
+                       describeNumber(report.allowedDistance * report.meanEdgeLength);
     if (report.farPart) {
         const FarPart& part = *report.farPart;
         const std::vector<std::int64_t> faces(part.faces.begin(), part.faces.end());
@@ -28,7 +29,7 @@ std::string describeUnusable(const SolveReport& report) {
                 " (faces " + describeElements(faces) + ")";
     }
     if (report.maxPickGap > kMissed) {
-        text += "; it misses a pick by " + describeNumber(report.maxPickGap) + " of the diagonal";
+        text += "; it misses a pick by " + describeLength(report.maxPickGap * report.diagonal);
     }
     return text + "; try more picks, a finer mesh or a larger distance tolerance";
 }
@@ -46,8 +47,7 @@ std::string describeRepeatedPicks(const SolveReport& report) {
     if (picks.empty()) {
         return "";
     }
-    return (picks.size() == 1 ? "pick " : "picks ") + describeElements(picks) +
-           (picks.size() == 1 ? " is" : " are") +
+    return describePicks(picks) + (picks.size() == 1 ? " is" : " are") +
            " at the same point of the surface as the one before; the curve passes it once";
 }
 

@@ -6,6 +6,7 @@
 #include "io/curve_json.h"
 #include "io/json_reader.h"
 #include "io/text_parsing.h"
+#include "surface/error_messages.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -148,7 +149,9 @@ private:
         std::vector<SketchPick> picks;
         if (curve.contains("picks")) {
             const PointsOfJson read =
-                surfacePointsOfJson(file_, curve.at("picks"), "picks", "pick");
+                surfacePointsOfJson(file_, curve.at("picks"), "picks", [](std::size_t index) {
+                    return describePicks({static_cast<std::int64_t>(index)});
+                });
             for (std::size_t i = 0; i < read.points.size(); ++i) {
                 picks.push_back({read.points[i], read.positions[i]});
             }

@@ -9,8 +9,6 @@ namespace bspline_curve {
 
 namespace {
 
-constexpr const char* kNoField = "none";
-
 template <class Options>
 bool areSame(const Bindings<Options>& bindings, const Options& a, const Options& b) {
     return std::ranges::all_of(bindings, [&](const Binding<Options>& binding) {

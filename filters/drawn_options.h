@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/filter_description.h"
 #include "filters/parameter_values.h"
 #include "filters/requests.h"
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace bspline_curve {
 
-/// What a drawing tool offers of a curve, named and valued as the parameters of curveFilter().
+/// The default of a parameter of curveFilter().
+template <class Value>
+[[nodiscard]] Value curveDefault(std::string_view id) {
+    return std::get<Value>(curveFilter().parameter(id).defaultValue);
+}
+
+/// What a drawing tool offers of a curve, named and valued as the parameters of curveFilter(), with
+/// the same defaults.
 struct DrawnOptions {
-    bool closed = false;
-    int degree = 3;
-    double tension = 0.0;
-    std::string field = "none";
-    double fieldWeight = 2000.0;
-    std::string avoid = "none";
-    double avoidThreshold = 0.0;
+    bool closed = curveDefault<bool>("closed");
+    int degree = curveDefault<int>("degree");
+    double tension = curveDefault<double>("tension");
+    std::string field = curveDefault<std::string>("field");
+    double fieldWeight = curveDefault<double>("field_weight");
+    std::string avoid = curveDefault<std::string>("avoid");
+    double avoidThreshold = curveDefault<double>("avoid_threshold");
 
     friend bool operator==(const DrawnOptions&, const DrawnOptions&) = default;
 };

@@ -103,13 +103,15 @@ CutRequest cutRequest(const ParameterValues& values) {
     const CutChoice& choice = request.choice;
     readAll(values, cutBindings(), request.choice);
     if (choice.keep == KeptParts::All && choice.fill != FillKind::None) {
-        refuseChoice("fill needs keep: with all parts there is no hole to fill");
+        refuseChoice(
+            "the option fill needs the option keep: with all parts there is no hole to fill"
+        );
     }
     if (!std::isfinite(choice.relief)) {
         refuseChoice("relief must be finite");
     }
     if (choice.relief != 0.0 && choice.keep == KeptParts::All) {
-        refuseChoice("relief needs keep: which parts are meant");
+        refuseChoice("the option relief needs the option keep: which parts are meant");
     }
     if (choice.relief != 0.0 && choice.fill != FillKind::None) {
         refuseChoice("with relief the whole surface is kept, so there is no hole to fill");
@@ -148,8 +150,9 @@ std::optional<PartChoice> partChoice(const CutChoice& choice, const std::vector<
     const std::vector<Vec3> points = choice.seed.empty() ? toolPoints : parsePicksText(choice.seed);
     if (points.size() != 1) {
         refuseChoice(
-            "keep is seed, but there are " + std::to_string(points.size()) +
-            " points: give one as seed \"x y z\", or pick one on the surface with Edit > PickPoints"
+            "keep is \"seed\", but there are " + std::to_string(points.size()) +
+            " points: give one by the option seed, as \"x y z\", or pick one on the surface with "
+            "Edit > PickPoints"
         );
     }
     return PartChoice{.which = Which::Seed, .seed = points.front()};

@@ -74,7 +74,8 @@ Vec3 patternCentre(const PatternRequest& request, const std::vector<Vec3>& toolP
     if (points.size() != 1) {
         refuseChoice(
             "there are " + std::to_string(points.size()) +
-            " points for the centre: give one as centre \"x y z\", or pick one on the surface with "
+            " points for the centre: give one by the option centre, as \"x y z\", or pick one on "
+            "the surface with "
             "Edit > PickPoints"
         );
     }

@@ -11,7 +11,6 @@ namespace bspline_curve {
 
 namespace {
 
-constexpr const char* kNone = "none";
 constexpr const char* kNatural = "natural";
 
 // What is left at its default is what the preset says.
@@ -37,7 +36,7 @@ FieldRequest readField(
     return request;
 }
 
-// Nobody chose it, so nobody knows its unit either: it is mapped to [0, 1].
+// The quality may have any unit, so it is mapped to [0, 1].
 FieldRequest automaticField(const ParameterValues& values) {
     FieldRequest request = readField(values, "field", "field_");
     request.options.kind = FieldKind::Quality;
@@ -86,7 +85,7 @@ CurveRequest curveRequest(const ParameterValues& values) {
         if (!hasThreshold(request.avoid)) {
             request.field = automaticField(values);
         }
-    } else if (field != kNone) {
+    } else if (field != kNoField) {
         request.field = readField(values, "field", "field_");
     }
     if (values.get<std::string>("preset") == "paper") {
@@ -104,7 +103,7 @@ CurveRequest curveRequest(const ParameterValues& values) {
     request.solver.validate();
     request.sampling.validate();
     request.shell.validate();
-    checkLength("radius of the tube", request.tubeRadius);
+    checkLength("tube radius", request.tubeRadius);
     request.mending = mendingOptions(values);
     return request;
 }

@@ -17,7 +17,8 @@ namespace bspline_curve {
 /// Which selection of a layer is a region.
 enum class RegionSource { SelectedFaces, SelectedVertices };
 
-/// The choice of `field` for a quality that is followed unasked.
+/// The choices of `field` for none, and for the quality if the mesh has one (see canBeFollowed()).
+inline constexpr const char* kNoField = "none";
 inline constexpr const char* kAutomaticField = "auto";
 
 /// A field that the user asked for.
@@ -25,7 +26,7 @@ struct FieldRequest {
     FieldOptions options;
     RegionSource region = RegionSource::SelectedFaces;
     MendingOptions mending{};  ///< of fieldFilter()
-    bool automatic = false;  ///< nobody asked: only where isFollowedUnasked() holds for the quality
+    bool automatic = false;    ///< only where canBeFollowed() holds for the quality
 };
 
 /// What a curve does not enter: a selection of the layer, or the faces over which the mean of the

@@ -8,6 +8,7 @@
 #include "fill/raised_parts.h"
 #include "filters/curve_notes.h"
 #include "filters/mended_layer.h"
+#include "filters/summaries.h"
 #include "imprint/mesh_parts.h"
 #include "imprint/part_choice.h"
 #include "imprint/slits.h"
@@ -152,6 +153,7 @@ MeshesResult finished(
     result.log.warnings = std::move(imprinted.warnings);
     if (withTable) {
         result.log.table = partTable(imprinted.parts);
+        result.log.tableInWords = partTableInWords(imprinted.parts);
     }
     addPartFigures(imprinted.parts, result.figures);
     return result;
@@ -188,7 +190,9 @@ MeshesResult runImprintFilter(
     Imprinted from = imprinted(input, request, progress);
     std::vector<MeshLayer> layers;
     layers.push_back(layerOf(from, " imprinted", wholeImprint(*from.imprint, from.parts)));
-    return finished(std::move(from), std::move(layers), watch, false);
+    MeshesResult result = finished(std::move(from), std::move(layers), watch, false);
+    result.log.summary = imprintSummary(result.figures);
+    return result;
 }
 
 namespace {
@@ -251,7 +255,9 @@ MeshesResult runCutFilter(
     warnOfSlits(from, !choice);
     from.figures.push_back({"doubled_vertices", countOf(doubled)});
     from.figures.push_back({"filled_holes", filledHoles});
-    return finished(std::move(from), std::move(layers), watch, false);
+    MeshesResult result = finished(std::move(from), std::move(layers), watch, false);
+    result.log.summary = cutSummary(result.figures, result.layers.size());
+    return result;
 }
 
 MeshesResult runSegmentFilter(
@@ -277,7 +283,9 @@ MeshesResult runSegmentFilter(
             layerOf(from, " segmented", wholeImprint(*from.imprint, from.parts), true)
         );
     }
-    return finished(std::move(from), std::move(layers), watch, true);
+    MeshesResult result = finished(std::move(from), std::move(layers), watch, true);
+    result.log.summary = segmentSummary(result.figures);
+    return result;
 }
 
 namespace {
@@ -359,7 +367,11 @@ OffsetResult runOffsetFilter(
         {"largest_deviation", deviation},
         {"seconds", watch.lap()},
     };
-    result.log = {.figures = keyValueText(result.figures), .warnings = std::move(placed.warnings)};
+    result.log = {
+        .figures = keyValueText(result.figures),
+        .warnings = std::move(placed.warnings),
+        .summary = offsetSummary(result.figures)
+    };
     return result;
 }
 

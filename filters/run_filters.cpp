@@ -10,8 +10,10 @@
 #include "filters/curve_guides.h"
 #include "filters/curve_notes.h"
 #include "filters/find_designer.h"
+#include "filters/labels.h"
 #include "filters/layer_ids.h"
 #include "filters/mended_layer.h"
+#include "filters/summaries.h"
 #include "io/curve_writer.h"
 #include "io/report_writer.h"
 #include "utility/report_progress.h"
@@ -118,7 +120,12 @@ CurveResult curveResult(
             std::string("shell=") + shellName(result.curve) + " field=" +
             (result.followsField && request.field ? name(request.field->options.kind) : "none") +
             " " + keyValueText(result.figures),
-        .warnings = warningsOf(result.curve, found)
+        .warnings = warningsOf(result.curve, found),
+        .summary = curveSummary(
+            result.curve,
+            request,
+            {.followsField = result.followsField, .isSurfaceKept = found.isKept, .seconds = seconds}
+        )
     };
     addExtras(request, given, *found.designer, along, result);
     return result;
@@ -145,7 +152,23 @@ FieldResult runFieldFilter(
         {"maximum", maximum},
     };
     result.log.figures = keyValueText(result.figures);
+    result.log.summary = fieldSummary(request.options.kind, result.values.size(), result.figures);
     return result;
+}
+
+LogLines scriptLog(const FilterLog& log) {
+    LogLines written{.lines = {log.figures}, .warnings = log.warnings};
+    written.lines.insert(written.lines.end(), log.table.begin(), log.table.end());
+    return written;
+}
+
+LogLines windowLog(const FilterLog& log, const FilterDescription& filter) {
+    LogLines shown{.lines = {log.summary}, .warnings = {}};
+    shown.lines.insert(shown.lines.end(), log.tableInWords.begin(), log.tableInWords.end());
+    for (const std::string& warning : log.warnings) {
+        shown.warnings.push_back(withLabels(warning, filter));
+    }
+    return shown;
 }
 
 std::string describeFailure(const char* what, const std::exception& error) {

@@ -18,12 +18,25 @@
 // The filters, from arrays to arrays. Hosts convert, show and log.
 namespace bspline_curve {
 
-/// What a host is to write into its log.
+/// What a host is to write into its log: lines for scripts, and the same in words for people.
 struct FilterLog {
-    std::string figures;                ///< one line "key=value key=value …"
-    std::vector<std::string> table{};   ///< further lines of that kind, one for each part
-    std::vector<std::string> warnings;  ///< whole sentences
+    std::string figures;                      ///< one line "key=value key=value …"
+    std::vector<std::string> table{};         ///< further lines of that kind, one for each part
+    std::vector<std::string> warnings;        ///< whole sentences
+    std::string summary{};                    ///< of `figures`: one or a few sentences
+    std::vector<std::string> tableInWords{};  ///< of `table`
 };
+
+/// What a host writes, line by line.
+struct LogLines {
+    std::vector<std::string> lines, warnings;
+};
+
+/// For scripts: `figures` and `table`.
+[[nodiscard]] LogLines scriptLog(const FilterLog& log);
+
+/// For people in a window: `summary`, `tableInWords`, and the labels of the dialog in warnings.
+[[nodiscard]] LogLines windowLog(const FilterLog& log, const FilterDescription& filter);
 
 /// The control points of a spline in order, with segments between them.
 struct ControlPolygon {

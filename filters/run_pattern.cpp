@@ -6,6 +6,7 @@
 #include "design/strict_polyline.h"
 #include "filters/find_designer.h"
 #include "filters/mended_layer.h"
+#include "filters/summaries.h"
 #include "filters/utf8_path.h"
 #include "io/drawing_reader.h"
 #include "io/font_search.h"
@@ -138,6 +139,7 @@ PatternResult runPatternFilter(
         {"seconds", watch.lap()},
     };
     result.log.figures = keyValueText(result.figures);
+    result.log.summary = patternSummary(result.figures);
     return result;
 }
 

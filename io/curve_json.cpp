@@ -3,6 +3,7 @@
 
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
+#include "surface/error_messages.h"
 
 #include <charconv>
 #include <cmath>
@@ -201,7 +202,10 @@ SurfacePoint surfacePointOfJson(
 }
 
 PointsOfJson surfacePointsOfJson(
-    const path& file, const json& value, const std::string& list, const std::string& each
+    const path& file,
+    const json& value,
+    const std::string& list,
+    std::string (*nameOf)(std::size_t index)
 ) {
     const json& points = arrayOf(file, value, "points", list);
     const json& faces = arrayOf(file, value, "faces", list);
@@ -211,7 +215,7 @@ PointsOfJson surfacePointsOfJson(
     }
     PointsOfJson read;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::string name = each + " " + std::to_string(i);
+        const std::string name = nameOf(i);
         read.points.push_back(surfacePointOfJson(file, faces[i], barycentrics[i], name));
         read.positions.push_back(pointOfJson(file, points[i], "position of " + name));
     }
@@ -230,7 +234,9 @@ SurfacePolyline polylineOfJson(const path& file, const json& document) {
     const json& polyline = memberOf(file, document, "polyline");
     SurfacePolyline line;
     line.closed = flagOfJson(file, document, "closed");
-    PointsOfJson read = surfacePointsOfJson(file, polyline, "polyline", "vertex");
+    PointsOfJson read = surfacePointsOfJson(file, polyline, "polyline", [](std::size_t index) {
+        return "vertex " + std::to_string(index);
+    });
     const std::size_t count = read.points.size();
     if (count < 2) {
         refuseFile(file, "a curve of less than 2 points");
@@ -251,7 +257,7 @@ SurfacePolyline polylineOfJson(const path& file, const json& document) {
     if (polyline.contains("picks")) {
         for (const json& pick : arrayOf(file, polyline, "picks", "polyline")) {
             line.picks.push_back(indexOf(
-                file, pick, count - 1, "vertex of pick " + std::to_string(line.picks.size())
+                file, pick, count - 1, "vertex of " + describePicks({std::ssize(line.picks)})
             ));
         }
     }

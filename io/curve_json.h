@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -50,12 +51,12 @@ struct PointsOfJson {
     std::vector<SurfacePoint> points;
 };
 
-/// In messages `list` is what they are called, and `each` one of them, before its number.
+/// In messages `list` is what they are called, and `nameOf` names the one with an index.
 [[nodiscard]] PointsOfJson surfacePointsOfJson(
     const std::filesystem::path& file,
     const nlohmann::json& value,
     const std::string& list,
-    const std::string& each
+    std::string (*nameOf)(std::size_t index)
 );
 
 /// "closed" and "polyline" of a document. Without "t" the parameters are even. Whether it lies on a

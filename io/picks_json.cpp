@@ -2,6 +2,7 @@
 #include "io/json_reader.h"
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
+#include "surface/error_messages.h"
 
 #include <nlohmann/json.hpp>
 
@@ -35,9 +36,7 @@ PicksFile picksOfJson(const path& file, const std::string& bytes) {
     }
     PicksFile result;
     for (const nlohmann::json& value : document["picks"]) {
-        result.picks.push_back(
-            pointOfJson(file, value, "pick " + std::to_string(result.picks.size()))
-        );
+        result.picks.push_back(pointOfJson(file, value, describePicks({std::ssize(result.picks)})));
     }
     if (document.contains("closed")) {
         if (!document["closed"].is_boolean()) {

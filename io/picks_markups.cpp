@@ -73,10 +73,10 @@ std::vector<Vec3> placedPoints(const path& file, const json& markup, const std::
         refuseFile(file, name + R"(: "controlPoints" is not a list)");
     }
     const double flip = isRas(file, markup, name) ? -1.0 : 1.0;
-    std::size_t index = 0;
+    std::size_t number = 0;
     for (const json& point : markup["controlPoints"]) {
         std::string pointName = name;
-        pointName.append(", control point ").append(std::to_string(index++));
+        pointName.append(", control point ").append(std::to_string(++number));
         if (!point.is_object()) {
             refuseFile(file, pointName + " is not {…}");
         }
@@ -114,9 +114,9 @@ PicksFile picksOfMarkups(const path& file, const json& document) {
     }
     std::vector<Markup> found;
     std::string others;
-    std::size_t index = 0;
+    std::size_t number = 0;
     for (const json& markup : list) {
-        const std::string name = "markup " + std::to_string(index++);
+        const std::string name = "markup " + std::to_string(++number);
         if (!markup.is_object()) {
             refuseFile(file, name + " is not {…}");
         }

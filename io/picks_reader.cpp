@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
+#include "surface/error_messages.h"
 
 #include <algorithm>
 #include <array>
@@ -78,7 +79,7 @@ std::vector<Vec3> parsePicksText(std::string_view text) {
         if (words.empty()) {
             continue;
         }
-        const std::string name = "pick " + std::to_string(picks.size()) + ", " + inQuotes(part);
+        const std::string name = describePicks({std::ssize(picks)}) + ", " + inQuotes(part);
         if (words.size() != 3) {
             throw InputError(
                 InputErrorCode::UnreadableFile, name + ", is not of the form \"x y z\""

@@ -94,7 +94,7 @@ void DrawingScale::validate() const {
     checkLength(size, "size");
     checkLength(scale, "scale");
     if (size > 0.0 && scale > 0.0) {
-        refuse("size and scale exclude each other; give one of them");
+        refuse("the options size and scale exclude each other; give one of them");
     }
 }
 
@@ -127,7 +127,10 @@ Drawing laidAlongCurve(
     double factor = factorOf(layout.scale, box.sizes().maxCoeff(), 0.0);
     if (factor == 0.0) {
         if (!(box.sizes().x() > 0.0)) {
-            refuse("the drawing has no width that could fill the curve; give size or scale");
+            refuse(
+                "the drawing has no width that could fill the curve; give one of the options size "
+                "and scale"
+            );
         }
         factor = touchingWidth(layout, length, closed) / box.sizes().x();
     }

@@ -92,7 +92,7 @@ def draw_function(flt, parameters):
     keywords = [keyword(p) for p in parameters]
     at = names.index("field") + 1
     keywords.insert(at, "quality: npt.ArrayLike | None = None")
-    quality = (*QUALITY_HELP, "A value for each vertex, for field 'quality' and for faces to avoid where there is no field.")
+    quality = (*QUALITY_HELP, "A value for each vertex, for field 'quality' or 'auto', and for faces to avoid where there is no field.")
     told = [documented(p, False) for p in parameters]
     told.insert(at, quality)
     doc = docstring(

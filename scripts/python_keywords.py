@@ -27,6 +27,7 @@ RAISES = [
     ("InputError", "An argument is wrong; which, and what to do. Its subclasses tell which kind of argument."),
     ("Cancelled", "`progress` returned False."),
 ]
+NONE_IN_PYTHON = ("field", "avoid")  # None stands for their default, "none"
 KINDS_LEFT_OUT = {"quality", "obstacle"}  # they need an array
 
 
@@ -153,6 +154,9 @@ def kinds(kind):
 def keywords(filters):
     """The text of _keywords.py."""
     of_curve, of_field = filters[:2]
+    for parameter in of_curve["parameters"]:
+        if parameter["id"] in NONE_IN_PYTHON and parameter["default"] != "none":
+            raise SystemExit(f"{parameter['id']} is {parameter['default']} by default: None cannot stand for it in Python")
     shell = parameters_of(of_curve, is_of_shell)
     drawing = parameters_of(of_curve, lambda p: not is_of_shell(p) and not is_of_field(p))
     kind = next(p for p in of_field["parameters"] if p["id"] == "kind")

@@ -45,11 +45,12 @@ void ShellOptions::validate() const {
     if (smoothingPasses < 0) {
         throw InputError(
             InputErrorCode::BadOption,
-            "smoothing passes are " + std::to_string(smoothingPasses) + ", but must not be negative"
+            "shell smoothing passes are " + std::to_string(smoothingPasses) +
+                ", but must not be negative"
         );
     }
-    checkShare(targetThickness, "target thickness of the shell");
-    checkShare(targetEdgeLength, "target edge length of the shell");
+    checkShare(targetThickness, "target thickness");
+    checkShare(targetEdgeLength, "target edge length");
 }
 
 }  // namespace bspline_curve

@@ -92,8 +92,8 @@ void SolverOptions::validate() const {
         normalBendingWeight,
         "in (0, 1]"
     );
-    require(maxRounds >= 1, "maximal rounds", maxRounds, "at least 1");
-    require(maxIterations >= 1, "maximal iterations", maxIterations, "at least 1");
+    require(maxRounds >= 1, "max rounds", maxRounds, "at least 1");
+    require(maxIterations >= 1, "max iterations", maxIterations, "at least 1");
     require(minimumSpan > 0.0 && minimumSpan <= 0.1, "minimum span", minimumSpan, "in (0, 0.1]");
     validatePaper(paper);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace bspline_curve {
 
@@ -20,6 +21,13 @@ std::string describeElements(const std::vector<std::int64_t>& elements) {
         text += " and " + std::to_string(elements.size() - named) + " more";
     }
     return text;
+}
+
+std::string describePicks(std::vector<std::int64_t> picks) {
+    for (std::int64_t& pick : picks) {
+        ++pick;
+    }
+    return (picks.size() == 1 ? "pick " : "picks ") + describeElements(picks);
 }
 
 std::string describeCount(std::size_t count, const std::string& one, const std::string& many) {
@@ -40,7 +48,14 @@ void refuseElements(
 
 std::string describeNumber(double value) {
     constexpr int kSignificantDigits = 4;
+    constexpr double kFirstRounded = 1e4;  // numbers from here to the next have no decimals
+    constexpr double kFirstWithExponent = 1e9;
     std::array<char, 32> text{};
+    const double size = std::abs(value);
+    if (size >= kFirstRounded && size < kFirstWithExponent) {
+        const double unit = std::pow(10.0, std::floor(std::log10(size)) + 1 - kSignificantDigits);
+        return std::to_string(std::llround(std::round(value / unit) * unit));
+    }
     const auto [end, error] = std::to_chars(
         text.data(),
         text.data() + text.size(),
@@ -49,6 +64,10 @@ std::string describeNumber(double value) {
         kSignificantDigits
     );
     return {text.data(), end};
+}
+
+std::string describeLength(double length) {
+    return describeNumber(length) + " mesh units";
 }
 
 }  // namespace bspline_curve

@@ -13,6 +13,10 @@ namespace bspline_curve {
 /// "3, 17, 20, 21, 25 and 12 more": the first ids of a list, for messages.
 [[nodiscard]] std::string describeElements(const std::vector<std::int64_t>& elements);
 
+/// "pick 1", "picks 1, 4, 5": picks for messages, where they are counted from 1. `picks`: their
+/// indices, from 0, at least one.
+[[nodiscard]] std::string describePicks(std::vector<std::int64_t> picks);
+
 /// "1 face", "17 faces": a count and its noun (or the start of its sentence), for messages.
 [[nodiscard]] std::string describeCount(
     std::size_t count, const std::string& one, const std::string& many
@@ -27,7 +31,11 @@ namespace bspline_curve {
     const std::string& remedy
 );
 
-/// "12.4": a length with four significant digits, for messages; the same in every locale.
+/// "12.4", "12350", "1.2e-07": a number with four significant digits, for messages; the same in
+/// every locale.
 [[nodiscard]] std::string describeNumber(double value);
+
+/// "12.4 mesh units": a length in the unit of the mesh, for messages.
+[[nodiscard]] std::string describeLength(double length);
 
 }  // namespace bspline_curve

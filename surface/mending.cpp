@@ -35,7 +35,8 @@ void checkMending(const MendingOptions& options) {
     if (options.strict && options.weld > 0.0) {
         throw InputError(
             InputErrorCode::BadOption,
-            "strict takes a mesh as it is and weld joins its vertices: choose one of them"
+            "the options strict and weld exclude each other: one takes a mesh as it is, the other "
+            "joins its vertices; choose one"
         );
     }
 }

@@ -25,10 +25,6 @@ constexpr double kGapRelative = 1e-6;
 
 using Closest = TriangleTree::Closest;
 
-std::string pickName(std::int64_t pick) {
-    return "pick " + std::to_string(pick);
-}
-
 // Refuses the picks for which isBad holds, unless there are none. The message names the first one;
 // what(first) goes on.
 template <class Condition, class What>
@@ -44,9 +40,9 @@ void refuseWhere(
     if (bad.empty()) {
         return;
     }
-    std::string message = pickName(bad.front()) + what(bad.front());
+    std::string message = describePicks({bad.front()}) + what(bad.front());
     if (bad.size() > named) {
-        message += " (all picks concerned: " + describeElements(bad) + ")";
+        message += " (all that are concerned: " + describePicks(bad) + ")";
     }
     throw InputError(code, message + ": " + remedy, std::move(bad));
 }
@@ -240,7 +236,7 @@ LocatedPicks locatePicks(
         count,
         [&](std::size_t i) { return components[i] != components[0]; },
         [](std::size_t) {
-            return " lies on another connected component of the surface than " + pickName(0);
+            return " lies on another connected component of the surface than " + describePicks({0});
         },
         "pick points on one component" + adviceOnGaps(surface, components)
     );
@@ -252,6 +248,16 @@ std::vector<int> LocatedPicks::repeated() const {
     return indicesWhere<int>(pointOf.size(), [&](std::size_t i) {
         return i > 0 && (pointOf[i] == pointOf[i - 1] || pointOf[i] < pointOf[i - 1]);
     });
+}
+
+std::vector<int> LocatedPicks::given() const {
+    std::vector<int> first;
+    for (int pick = 0; pick < static_cast<int>(pointOf.size()); ++pick) {
+        if (pointOf[pick] == static_cast<int>(first.size())) {
+            first.push_back(pick);
+        }
+    }
+    return first;
 }
 
 }  // namespace bspline_curve

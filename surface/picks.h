@@ -22,13 +22,16 @@ struct LocatedPicks {
 
     /// Picks, as given, that coincide with the one before, ascending.
     [[nodiscard]] std::vector<int> repeated() const;
+
+    /// Of each point, the first pick there.
+    [[nodiscard]] std::vector<int> given() const;
 };
 
 /// Projects picked points to the surface (closest point), in order. Where connected components lie
 /// within 1e-6 diagonals of each other, to one component if all picks are as near to it.
 /// Throws InputError: TooFewPicks (fewer than 2, or 3 when closed), NonFiniteCoordinate,
 /// PickTooFar, CoincidentPicks (so few different ones), PicksOnDifferentComponents; each names the
-/// picks by their index from 0.
+/// picks by their index from 0; messages count them from 1.
 [[nodiscard]] LocatedPicks locatePicks(
     const Surface& surface, const TriangleTree& tree, const std::vector<Vec3>& picks, bool closed
 );

@@ -39,9 +39,15 @@ struct Run {
     const Progress& progress;
 };
 
-using Runner = FilterAnswer (*)(const Run& run);
+/// What a filter answered, in words and for scripts.
+struct Answered {
+    Figures figures;
+    FilterLog log;
+};
 
-FilterAnswer drawCurve(const Run& run) {
+using Runner = Answered (*)(const Run& run);
+
+Answered drawCurve(const Run& run) {
     const CurveRequest request = curveRequest(run.values);
     const MeshModel& surface = surfaceOf(run.document, request);
     const LayerArrays arrays = arraysOf(surface);
@@ -56,7 +62,7 @@ FilterAnswer drawCurve(const Run& run) {
     return {.figures = result.figures, .log = result.log};
 }
 
-FilterAnswer computeField(const Run& run) {
+Answered computeField(const Run& run) {
     MeshModel* const layer = run.document.mm();
     if (layer == nullptr) {
         throw InputError(
@@ -88,12 +94,13 @@ Used usedLayers(const Run& run, const CurveUse& use) {
     };
 }
 
-FilterAnswer shown(const Run& run, const Used& used, const MeshesResult& result) {
+Answered shown(const Run& run, const Used& used, const MeshesResult& result) {
     const std::vector<std::string> names =
         addMadeLayers(run.document, {used.surface, used.arrays}, result);
-    FilterAnswer answer{.figures = result.figures, .log = result.log};
+    Answered answer{.figures = result.figures, .log = result.log};
     if (names.size() > 1) {
-        answer.log.table.insert(answer.log.table.begin(), describeLayers(names));
+        std::vector<std::string>& words = answer.log.tableInWords;
+        words.insert(words.begin(), describeLayers(names));
     }
     return answer;
 }
@@ -108,7 +115,7 @@ void addLines(MeshDocument& document, const AddLayers& addLayers) {
     }
 }
 
-FilterAnswer imprintCurves(const Run& run) {
+Answered imprintCurves(const Run& run) {
     const ImprintRequest request = imprintRequest(run.values);
     const Used used = usedLayers(run, request.use);
     return shown(run, used, runImprintFilter(used.input, request, run.progress));
@@ -123,7 +130,7 @@ std::vector<Vec3> toolPointsOf(const MeshModel& surface) {
     return points;
 }
 
-FilterAnswer cutAlong(const Run& run) {
+Answered cutAlong(const Run& run) {
     const CutRequest request = cutRequest(run.values);
     const Used used = usedLayers(run, request.imprint.use);
     return shown(
@@ -131,13 +138,13 @@ FilterAnswer cutAlong(const Run& run) {
     );
 }
 
-FilterAnswer segmentBy(const Run& run) {
+Answered segmentBy(const Run& run) {
     const SegmentRequest request = segmentRequest(run.values);
     const Used used = usedLayers(run, request.imprint.use);
     return shown(run, used, runSegmentFilter(used.input, request, run.progress));
 }
 
-FilterAnswer offsetCurves(const Run& run) {
+Answered offsetCurves(const Run& run) {
     const OffsetRequest request = offsetRequest(run.values);
     const Used used = usedLayers(run, request.use);
     const OffsetResult result = runOffsetFilter(used.input, request, run.progress);
@@ -147,7 +154,7 @@ FilterAnswer offsetCurves(const Run& run) {
     return {.figures = result.figures, .log = result.log};
 }
 
-FilterAnswer drawPattern(const Run& run) {
+Answered drawPattern(const Run& run) {
     const PatternRequest request = patternRequest(run.values);
     const MeshModel& surface = layerNamed(run.document, request.use.surface, "surface_layer");
     const LayerArrays arrays = arraysOf(surface);
@@ -251,12 +258,16 @@ FilterAnswer runOnDocument(
     const Progress& progress
 ) {
     takeUpCurves(document, filter);
-    return entryOf(filter).run({
+    const Answered answered = entryOf(filter).run({
         .document = document,
         .values = valuesOf(parameters, filter),
         .designers = designers,
         .progress = progress,
     });
+    return {
+        .figures = answered.figures,
+        .log = hasWindow() ? windowLog(answered.log, filter) : scriptLog(answered.log)
+    };
 }
 
 std::string failureOf(const FilterDescription& filter, const std::exception& error) {

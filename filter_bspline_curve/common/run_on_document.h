@@ -29,7 +29,7 @@ enum class Menu { Creation, Quality, Remeshing };
 /// What a filter answers with.
 struct FilterAnswer {
     Figures figures;
-    FilterLog log;
+    LogLines log;  ///< in words where there is a window
 };
 
 /// Runs a filter on a document and shows its results. Throws InputError, Cancelled, std::bad_alloc.

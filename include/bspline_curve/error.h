@@ -42,8 +42,8 @@ public:
 
     [[nodiscard]] InputErrorCode code() const { return code_; }
 
-    /// Ids of the faces, vertices or picks concerned, ascending; every one, not only those in the
-    /// message.
+    /// Ids of the faces, vertices or picks concerned, from 0 on, ascending; every one, not only
+    /// those in the message, which counts picks from 1.
     [[nodiscard]] const std::vector<std::int64_t>& elements() const { return elements_; }
 
 private:

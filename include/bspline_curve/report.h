@@ -74,6 +74,8 @@ struct SolveReport {
     /// are very short (PreparedSurface::finestEdge). Set by CurveDesigner.
     double allowedDistance = 0.0;
     double maxPickGap = 0.0;  ///< largest |P(t_ki) - x_i|, relative to the diagonal
+    /// What distances are relative to above, in the user's unit. Set by CurveDesigner.
+    double meanEdgeLength = 0.0, diagonal = 0.0;
     int newtonIterations = 0;
     /// Of its weight, what the field had: less than 1 where it drew the ends of an open curve past
     /// their picks. Set by CurveSolver.

@@ -14,7 +14,7 @@ class InputError(ValueError):
     code : str
         The kind of defect: "pick-too-far", "non-manifold-edge", "bad-option" …
     vertices, faces, picks : tuple of int
-        Ids of what is wrong, ascending: every one, not only those in the message.
+        Ids of what is wrong, from 0 on, ascending: every one, not only those in the message, which counts picks from 1.
     """
 
     def __init__(self, message: str, code: str = "bad-argument", kind: str = "", elements: Sequence[int] = ()) -> None:
@@ -38,7 +38,7 @@ class MeshWarning(UserWarning):
 
 
 class PickError(InputError):
-    """No curve can pass these picks: `picks` says which, counted from 0."""
+    """No curve can pass these picks: `picks` says which, as indices from 0; the message counts them from 1."""
 
 
 class FieldError(InputError):

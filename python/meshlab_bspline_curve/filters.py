@@ -44,7 +44,7 @@ def draw_curve(
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
-    field: Field | npt.ArrayLike = "auto",
+    field: Field | npt.ArrayLike = "none",
     quality: npt.ArrayLike | None = None,
     field_weight: float = 2000.0,
     tube_radius: float = 0.0,
@@ -118,7 +118,7 @@ def draw_curve(
     tension : float in [0, 1], default 0.0
         From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
     field : {'none', 'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
-        'quality', 'obstacle', 'auto'} or (n,) array of float, its values, default 'auto'
+        'quality', 'obstacle', 'auto'} or (n,) array of float, its values, default 'none'
         A scalar that draws the curve to where its cost is low. none: no field; normal-variation: least product of the
         normals of a vertex and its faces; maximal-curvature: largest principal curvature, at a scale; ridge: how convex
         the surface is across, at a scale; valley: how concave the surface is across, at a scale; crease-distance: along
@@ -126,7 +126,7 @@ def draw_curve(
         quality of the mesh; obstacle: a hill on a region of faces; auto: the per-vertex quality, mapped to [0, 1],
         where the mesh has one that is finite and not constant and that no threshold of avoid is for; else none.
     quality : (n,) array of float, optional
-        A value for each vertex, for field 'quality' and for faces to avoid where there is no field.
+        A value for each vertex, for field 'quality' or 'auto', and for faces to avoid where there is no field.
     field_weight : float ≥ 0, default 2000.0
         Weight of the field against smoothness, in units of 1 / cost, for costs between 0 and 1. 0: the field has no
         effect.

@@ -46,7 +46,7 @@ def generate_bspline_curve_on_surface(
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
-    field: Field = "auto",
+    field: Field = "none",
     field_weight: float = 2000.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     picks_layer: int | None = None,
@@ -125,7 +125,7 @@ def generate_bspline_curve_on_surface(
     tension : float in [0, 1], default 0.0
         From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
     field : {'none', 'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
-        'quality', 'obstacle', 'auto'}, default 'auto'
+        'quality', 'obstacle', 'auto'}, default 'none'
         A scalar that draws the curve to where its cost is low. none: no field; normal-variation: least product of the
         normals of a vertex and its faces; maximal-curvature: largest principal curvature, at a scale; ridge: how convex
         the surface is across, at a scale; valley: how concave the surface is across, at a scale; crease-distance: along

@@ -48,8 +48,10 @@ def draw(
     values = {**options, "picks": picks_text(through), "save": "" if save is None else os.fspath(save)}
     values["field"], quality = chosen_field(choices, len(vertices))
     values["avoid"], selected = chosen_faces(choices, values["field"], len(faces))
-    if values["avoid"] in ("under-threshold", "over-threshold") and values["field"] in ("none", "auto") and quality is None:
+    if avoids_by_quality(values) and quality is None:
         raise ValueError(f"avoid is {values['avoid']!r}, which needs a field or quality: give one of them")
+    if quality is not None and not uses_quality(values):
+        raise ValueError("quality is given, but nothing uses it: set field to 'quality' or 'auto', or avoid to a threshold")
     values = checked(CURVE, values)
     if not len(through):
         raise ValueError("picks is empty: an open curve needs 2 points, a closed one 3")
@@ -85,6 +87,14 @@ def mesh_arrays(mesh: tuple[npt.ArrayLike, npt.ArrayLike]) -> tuple[Floats, Int3
         if not len(array):
             raise ValueError(f"{name} is empty: a triangle mesh is needed")
     return vertices, faces
+
+
+def avoids_by_quality(values: Mapping[str, Any]) -> bool:
+    return values["avoid"] in ("under-threshold", "over-threshold") and values["field"] in ("none", "auto")
+
+
+def uses_quality(values: Mapping[str, Any]) -> bool:
+    return values["field"] in ("quality", "auto") or avoids_by_quality(values)
 
 
 def chosen_field(choices: Mapping[str, Any], vertices: int) -> tuple[str, Floats | None]:

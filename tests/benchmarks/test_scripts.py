@@ -58,7 +58,7 @@ def test_picks_are_far_apart_on_the_largest_component_and_the_same_every_time():
 
 def test_what_the_program_refuses_is_said(bench_program):
     vertices, faces = cases.bumpy_torus(24, 12)
-    with pytest.raises(cases.NoCurve, match="pick 1"):
+    with pytest.raises(cases.NoCurve, match="pick 2"):
         cases.draw(bench_program, cases.Case("far", vertices, faces, np.array([vertices[0], [9, 9, 9]]), False))
 
 

@@ -89,9 +89,9 @@ def test_what_has_no_way_is_refused_by_name(refused, tmp_path, wall):
     V, F, _ = wall
     middle = V[F].mean(1)
     np.save(tmp_path / "whole.npy", np.flatnonzero(abs(middle[:, 0] - 0.5) < 0.1))
-    refused(1, *DRAW, "--avoid", "whole.npy", says=["from pick 0 to pick 1", "avoid"])
+    refused(1, *DRAW, "--avoid", "whole.npy", says=["from pick 1 to pick 2", "avoid"])
     np.save(tmp_path / "left.npy", np.flatnonzero(middle[:, 0] < 0.3))
-    refused(1, *DRAW, "--avoid", "left.npy", says=["pick 0 lies in face", "avoid"])
+    refused(1, *DRAW, "--avoid", "left.npy", says=["pick 1 lies in face", "avoid"])
 
 
 FACES = 2 * CELLS * CELLS
@@ -102,7 +102,7 @@ FACES = 2 * CELLS * CELLS
     (1, ("words.txt",), ["words.txt, line 1", "whole number"]),
     (1, ("none.txt",), ["none.txt", "no such file"]),
     (1, ("wall.txt", "--quadrature", "samples"), ["quadrature", "cells"]),
-    (1, ("wall.txt", "--preset", "paper"), ["use cells"]),
+    (1, ("wall.txt", "--preset", "paper"), ["use \"cells\""]),
     (2, ("under-threshold",), ["--avoid-threshold"]),
     (2, ("wall.txt", "--avoid-threshold", "1"), ["--avoid-threshold"]),
     (2, ("wall.txt", "--avoid-margin", "0"), ["(0, 1]"]),

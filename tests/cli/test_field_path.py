@@ -36,15 +36,15 @@ def test_the_first_path_takes_the_road(run, road):
     assert away < 1e-6 and abs(cost - 1) < 1e-6
 
 
-def test_quality_is_followed_where_no_field_is_named(run, road):
+def test_quality_is_followed_only_where_it_is_asked_for(run, road):
     draw = ["plate.ply", "--picks", "picks.json", "--output"]
-    unasked = run(*draw, "unasked.ply", "--report", "r.json")
-    assert "note: the curve follows the quality of plate.ply; --field none draws it without" in unasked.stderr
+    automatic = run(*draw, "auto.ply", "--field", "auto", "--report", "r.json")
+    assert automatic.stderr == "bspline_curve: note: the curve follows the quality of plate.ply\n"
     assert json.loads((road / "r.json").read_text())["field"]["kind"] == "quality"
     assert "note" not in run(*draw, "asked.ply", "--field", "quality").stderr
-    y = [read_ply(road / name)["vertex"]["y"] for name in ("unasked.ply", "asked.ply")]
+    y = [read_ply(road / name)["vertex"]["y"] for name in ("auto.ply", "asked.ply")]
     assert np.allclose(*y, rtol=0, atol=1e-9)
-    assert "note" not in run(*draw, "none.ply", "--field", "none").stderr
+    assert "note" not in run(*draw, "none.ply").stderr
     assert np.abs(read_ply(road / "none.ply")["vertex"]["y"] - 0.5).max() < 1e-9
 
 

@@ -139,4 +139,4 @@ def test_every_verb_draws_curves_through_picks_first(run, refused, tmp_path, dra
     assert [c["closed"] for c in json.loads((tmp_path / "both.json").read_text())["curves"]] == [False, False, True]
     refused(2, "imprint", "hill.ply", *CURVES, *options, "--output", "out.ply", says=["options of curves are for --picks"])
     (tmp_path / "off.json").write_text(json.dumps({"picks": [ring[0], [9, 9, 9]]}))
-    refused(1, "cut", "hill.ply", "--picks", "off.json", "--output", "out.ply", says=["pick 1"])
+    refused(1, "cut", "hill.ply", "--picks", "off.json", "--output", "out.ply", says=["pick 2"])

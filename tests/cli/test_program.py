@@ -129,7 +129,7 @@ def test_a_pick_given_twice_is_passed_once_with_a_note(run, plate):
     picks = json.loads((plate / "picks.json").read_text())["picks"]
     (plate / "picks.json").write_text(json.dumps({"picks": [picks[0], picks[1], picks[1], *picks[2:]]}))
     result = run(*DEFAULT[:-1], "twice.json", "--report", "report.json")
-    assert result.returncode == 0 and "note: pick 2 is at the same point" in result.stderr
+    assert result.returncode == 0 and "note: pick 3 is at the same point" in result.stderr
     once, twice = (json.loads((plate / f"{name}.json").read_text()) for name in ("once", "twice"))
     assert once["polyline"]["points"] == twice["polyline"]["points"]
     first, second, *rest = once["polyline"]["picks"]

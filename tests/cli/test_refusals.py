@@ -155,7 +155,7 @@ def test_a_face_that_names_a_vertex_twice(refused, plate):
         ("a.pp", "<PickedPoints>\n<point x='1' y='2'/>\n</PickedPoints>", "line 2"),
         ("a.pp", "<PickedPoints>", "XML"),
         ("a.json", "{", "JSON"),
-        ("a.json", '{"picks": [[0, 0]]}', "pick 0"),
+        ("a.json", '{"picks": [[0, 0]]}', "pick 1"),
         ("a.json", '{"picks": []}', "no picks"),
         ("a.xyz", "0 0 0\n0 zero 0\n", "line 2"),
         ("a.csv", "a,b,c\n0,0,0\n", "line 1"),

@@ -135,7 +135,7 @@ def test_parts_that_only_look_joined_are_welded_where_that_is_asked(run, refused
     meshes.write_ply(tmp_path / "halves.ply", V, F)
     (tmp_path / "picks.json").write_text(json.dumps({"picks": V[[20, 100, 140]].tolist()}))
     words = ("halves.ply", "--picks", "picks.json", "--output", "curve.ply")
-    line = refused(1, *words, says=["pick 1", "another connected component", "only gaps of less than", "option weld"])
+    line = refused(1, *words, says=["pick 2", "another connected component", "only gaps of less than", "option weld"])
     assert "1e-06" in line
     process = run(*words, "--weld", "1e-6")
     assert process.returncode == 0 and process.stderr == "bspline_curve: note: the mesh was mended: 9 vertices merged\n"

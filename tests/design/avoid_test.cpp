@@ -215,7 +215,7 @@ TEST_P(Avoidance, PicksThatLieInsideAreRefusedByName) {
             {{0.1, 0.1, 0}, {0.9, 0.1, 0}, inside},
             disc,
             InputErrorCode::PickAvoided,
-            "pick 2 lies in face",
+            "pick 3 lies in face",
             {{2}}
         );
     }
@@ -232,8 +232,17 @@ TEST_P(Avoidance, PicksBehindARingAreRefusedByName) {
         {{0.1, 0.1, 0}, {0.9, 0.1, 0}, {0.5, 0.5, 0}},
         ring,
         InputErrorCode::NoPath,
-        "from pick 1 to pick 2",
+        "from pick 2 to pick 3",
         {{1, 2}}
+    );
+    // Numbered as they were given, also where some are at the same point.
+    expectNoCurve(
+        designer,
+        {{0.1, 0.1, 0}, {0.1, 0.1, 0}, {0.9, 0.1, 0}, {0.9, 0.1, 0}, {0.5, 0.5, 0}},
+        ring,
+        InputErrorCode::NoPath,
+        "from pick 3 to pick 5",
+        {{2, 4}}
     );
 }
 

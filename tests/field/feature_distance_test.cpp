@@ -129,7 +129,7 @@ TEST(FeatureDistance, RefusesMeshesWithoutFeatures) {
     const InputErrorCode option = InputErrorCode::BadOption;
     expectNone(sphere, crease, bad, "no edge of the mesh turns by more than the crease angle");
     expectNone(sphere, boundary, bad, "closed");
-    expectNone(plate(2, 2), noReach, option, "reach of the field is 0");
+    expectNone(plate(2, 2), noReach, option, "field reach is 0");
     expectNone(plate(2, 2), {.creaseAngle = 181.0}, option, "crease angle is 181");
 }
 

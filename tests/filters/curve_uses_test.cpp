@@ -200,13 +200,13 @@ TEST(CutFilter, RefusesWhatCannotBeByName) {
     expectPart(refused(onPlate({square()})), "there are 0 points");
     ParameterValues values(cutFilter());
     values.set("fill", std::string("flat"));
-    expectPart(refusal([&] { return cutRequest(values); }), "fill needs keep");
+    expectPart(refusal([&] { return cutRequest(values); }), "fill needs the option keep");
     values.set("keep", std::string("inside"));
     values.set("relief", 0.5);
     expectPart(refusal([&] { return cutRequest(values); }), "no hole to fill");
     values.set("keep", std::string("all"));
     values.set("fill", std::string("none"));
-    expectPart(refusal([&] { return cutRequest(values); }), "relief needs keep");
+    expectPart(refusal([&] { return cutRequest(values); }), "relief needs the option keep");
     values.set("relief", std::numeric_limits<double>::infinity());
     expectPart(refusal([&] { return cutRequest(values); }), "relief must be finite");
 }

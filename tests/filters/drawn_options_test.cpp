@@ -10,7 +10,6 @@ namespace {
 
 CurveRequest requestWith(const char* id, const ParameterValue& value) {
     ParameterValues values(curveFilter());
-    values.set("field", "none");
     values.set(id, value);
     return curveRequest(values);
 }
@@ -40,10 +39,9 @@ TEST(DrawnOptions, ComeBackFromTheRequestThatIsMadeOfThem) {
     }
 }
 
-TEST(DrawnOptions, AreTheDefaultsOfTheFilterButForTheField) {
-    DrawnOptions options;
-    options.field = kAutomaticField;
-    const ParameterValues values = valuesOf(options);
+TEST(DrawnOptions, AreTheDefaultsOfTheFilter) {
+    EXPECT_EQ(DrawnOptions().field, kNoField);
+    const ParameterValues values = valuesOf(DrawnOptions());
     for (const ParameterDescription& parameter : curveFilter().parameters) {
         EXPECT_EQ(values.value(parameter.id), parameter.defaultValue) << parameter.id;
     }

@@ -190,7 +190,8 @@ TEST(Labels, TakeThePlaceOfIds) {
         withLabels("picks_layer: layer \"a\" has faces; give picks_file.", curveFilter()),
         "\"Picks: layer\": layer \"a\" has faces; give \"Picks: file\"."
     );
-    const std::string unchanged = "degree is 7, x_picks_file and picks_files are none of ours: µ";
+    const std::string unchanged =
+        "µ is 7, x_picks_file and picks_files are none of ours, nor degree";
     EXPECT_EQ(withLabels(unchanged, curveFilter()), unchanged);
     EXPECT_EQ(withLabels("", curveFilter()), "");
     EXPECT_EQ(withLabels("tube_radius", curveFilter()), "\"Radius of the tube\"");

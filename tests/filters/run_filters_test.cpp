@@ -106,29 +106,31 @@ CurveRequest requestWith(const std::vector<std::pair<std::string, ParameterValue
     return curveRequest(all);
 }
 
-TEST(RunCurveFilter, FollowsTheQualityWhereNoFieldIsNamed) {
+TEST(RunCurveFilter, FollowsTheQualityOnlyWhereItIsAskedTo) {
     LayerInput layer = plateLayer();
     for (const Vec3& vertex : layer.mesh.vertices) {
         layer.quality.push_back(100.0 + 20.0 * std::abs(vertex.y() - 0.5));  // mapped to [0, 1]
     }
-    const CurveResult unasked = draw(layer, requestWith());
+    const CurveResult automatic =
+        draw(layer, requestWith({{"field", std::string(kAutomaticField)}}));
     const CurveResult asked =
         draw(layer, requestWith({{"field", std::string("quality")}, {"field_normalised", true}}));
-    const CurveResult without = draw(layer, requestWith({{"field", std::string("none")}}));
-    EXPECT_EQ(unasked.curve.polyline.points, asked.curve.polyline.points);
-    EXPECT_NE(unasked.curve.polyline.points, without.curve.polyline.points);
-    expectPart(unasked.log.figures, " field=quality ");
+    const CurveResult without = draw(layer, requestWith());
+    EXPECT_EQ(automatic.curve.polyline.points, asked.curve.polyline.points);
+    EXPECT_NE(automatic.curve.polyline.points, without.curve.polyline.points);
+    expectPart(automatic.log.figures, " field=quality ");
     expectPart(without.log.figures, " field=none ");
 }
 
 TEST(RunCurveFilter, FollowsNoQualityThatSaysNothing) {
     LayerInput layer = plateLayer();
-    const CurveResult without = draw(layer, requestWith());
+    const CurveRequest automatic = requestWith({{"field", std::string(kAutomaticField)}});
+    const CurveResult without = draw(layer, automatic);
     expectPart(without.log.figures, " field=none ");
     layer.quality.assign(layer.mesh.vertices.size(), 3.0);
-    EXPECT_EQ(draw(layer, requestWith()).curve.polyline.points, without.curve.polyline.points);
+    EXPECT_EQ(draw(layer, automatic).curve.polyline.points, without.curve.polyline.points);
     layer.quality.front() = std::nan("");
-    EXPECT_EQ(draw(layer, requestWith()).curve.polyline.points, without.curve.polyline.points);
+    EXPECT_EQ(draw(layer, automatic).curve.polyline.points, without.curve.polyline.points);
 }
 
 TEST(RunCurveFilter, FollowsNoQualityThatFacesToAvoidAreNamedBy) {
@@ -137,7 +139,12 @@ TEST(RunCurveFilter, FollowsNoQualityThatFacesToAvoidAreNamedBy) {
         layer.quality.push_back(vertex.y());
     }
     const CurveResult result = draw(
-        layer, requestWith({{"avoid", std::string("over-threshold")}, {"avoid_threshold", 0.95}})
+        layer,
+        requestWith(
+            {{"field", std::string(kAutomaticField)},
+             {"avoid", std::string("over-threshold")},
+             {"avoid_threshold", 0.95}}
+        )
     );
     expectPart(result.log.figures, " field=none ");
     EXPECT_GT(figure<int>(result.figures, "avoided_faces"), 0);
@@ -266,7 +273,7 @@ TEST(RunCurveFilter, MakesATubeAroundTheCurve) {
     request.tubeRadius = 10.0;
     expectPart(
         refusal([&] { return draw(plateLayer(), request); }),
-        "radius of the tube is 10, but must be at most the diagonal of the mesh, 1.414"
+        "tube radius is 10, but must be at most the diagonal of the mesh, 1.414"
     );
 }
 
@@ -375,14 +382,14 @@ TEST(RunCurveFilter, RefusesPicksThatAreMissingOrGivenTwice) {
     CurveRequest request;
     expectPart(
         refusal([&] { return runCurveFilter(plateLayer(), {}, request, designers); }),
-        "no picks: give picks, picks_file or picks_layer"
+        "or give one of the options picks, picks_file and picks_layer"
     );
     request.picksText = "0 0 0; 1 0 0";
     request.picksFile = "p.pp";
     const PickCandidates layer{.tool = {}, .layer = PicksLayer{"p", kPicks, false}};
     expectPart(
         refusal([&] { return runCurveFilter(plateLayer(), layer, request, designers); }),
-        "by picks and picks_file and picks_layer: give one of them"
+        "by the options picks and picks_file and picks_layer: give one of them"
     );
     const PickCandidates mesh{.tool = {}, .layer = PicksLayer{"p", kPicks, true}};
     expectPart(

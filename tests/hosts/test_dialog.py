@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from meshlab_window import MeshLabWindow
-from meshlabserver import figures_of
+from summaries import curves_told
 from virtual_display import VirtualDisplay
 
 CURVE = "B-spline Curve on Surface"
@@ -169,6 +169,5 @@ def test_moved_picks_replace_their_curve_and_the_surface_stays_current(version, 
             assert meshlab.layers() == LAYERS
             if count == 1:
                 meshlab.pick([FURTHER + middle])  # the tool goes on where it was, since the surface is current
-        drawn = [figures for figures in map(figures_of, meshlab.log()) if figures and "usable" in figures]
-        lengths = [float(figures["length"]) for figures in drawn]
+        lengths = [float(told["length"]) for told in curves_told(meshlab.log())]
         assert lengths[1] > 1.1 * lengths[0]

@@ -228,10 +228,10 @@ def test_the_twin_has_the_advanced_options(serve, sphere, write_script, tmp_path
 @pytest.mark.parametrize(
     ("changes", "expected"),
     [
-        ({"picks": "1 0 0; 0 1 0; 3 3 3"}, "pick 2"),
+        ({"picks": "1 0 0; 0 1 0; 3 3 3"}, "pick 3"),
         ({"picks_file": "not there.pp"}, "not there.pp"),
-        ({"picks": SPHERE_PICKS, "picks_file": "x.pp"}, "more than once, by picks and picks_file"),
-        ({}, "no picks: give picks, picks_file or picks_layer"),
+        ({"picks": SPHERE_PICKS, "picks_file": "x.pp"}, "more than once, by the options picks and picks_file"),
+        ({}, "give one of the options picks, picks_file and picks_layer"),
         ({"picks": SPHERE_PICKS, "degree": 5}, "degree"),
         ({"picks": SPHERE_PICKS, "field": "quality"}, "no per-vertex quality"),
     ],
@@ -248,7 +248,7 @@ def test_errors_are_lines_of_the_log_and_nothing_is_written(changes, expected, s
     ("changes", "expected"),
     [
         ({"keep": "seed", "seed": "9 9 9"}, "the seed (9, 9, 9) is"),
-        ({"fill": "flat"}, "fill needs keep"),
+        ({"fill": "flat"}, "the option fill needs the option keep"),
     ],
 )
 def test_a_cut_that_cannot_be_is_refused(changes, expected, serve, sphere, write_script, tmp_path):

@@ -81,7 +81,7 @@ TEST_F(PicksMarkups, MarkupsWithoutPointsAndOfOtherTypesArePassedOver) {
 TEST_F(PicksMarkups, RefusesSeveralMarkupsWithPoints) {
     expectContains(
         refused(file(markup("Fiducial") + ", " + markup("Plane") + ", " + markup("Curve"))),
-        "among them markup 0 (Fiducial) and markup 2 (Curve): save the one"
+        "among them markup 1 (Fiducial) and markup 3 (Curve): save the one"
     );
 }
 
@@ -91,24 +91,24 @@ TEST_F(PicksMarkups, SaysWhatIsWrongAndWhere) {
     };
     expectContains(
         refused(file(markup("Curve", R"("coordinateSystem": "IJK", )"))),
-        "markup 0: the coordinateSystem \"IJK\" is neither LPS nor RAS"
+        "markup 1: the coordinateSystem \"IJK\" is neither LPS nor RAS"
     );
     expectContains(
         refused(points(R"([{"position": [1, 2, 3]}, {"position": [1, 2]}])")),
-        "markup 0, control point 1: its position is not [x, y, z] but \"[1,2]\""
+        "markup 1, control point 2: its position is not [x, y, z] but \"[1,2]\""
     );
-    expectContains(refused(points(R"([{"position": ""}])")), "control point 0: its position");
+    expectContains(refused(points(R"([{"position": ""}])")), "control point 1: its position");
     expectContains(refused(points(R"([{"position": [1, 2, null]}])")), "[1,2,null]");
-    expectContains(refused(points(R"([{"label": "F"}])")), "control point 0 has no position");
+    expectContains(refused(points(R"([{"label": "F"}])")), "control point 1 has no position");
     expectContains(
         refused(points(R"([{"position": [1, 2, 3], "positionStatus": "lost"}])")), "\"lost\""
     );
     expectContains(
         refused(points(R"([{"position": [1, 2, 3], "positionStatus": 2}])")), "not a text"
     );
-    expectContains(refused(points("[1]")), "control point 0 is not {");
+    expectContains(refused(points("[1]")), "control point 1 is not {");
     expectContains(refused(points("{}")), "\"controlPoints\" is not a list");
-    expectContains(refused(file("7")), "markup 0 is not {");
+    expectContains(refused(file("7")), "markup 1 is not {");
     expectContains(refused(R"({"markups": {}})"), "\"markups\" is not a list");
     expectContains(refused(R"({"markups": [)"), "is not JSON");
 }

@@ -66,8 +66,8 @@ TEST_F(PicksReader, ReadsJsonAndWhetherItIsClosed) {
 }
 
 TEST_F(PicksReader, RefusesWrongJson) {
-    expectContains(refused("a.json", "{\"picks\": [[1, 2, 3],\n [1, 2]]}"), "pick 1");
-    expectContains(refused("b.json", "{\"picks\": [[1, 2, \"3\"]]}"), "pick 0");
+    expectContains(refused("a.json", "{\"picks\": [[1, 2, 3],\n [1, 2]]}"), "pick 2");
+    expectContains(refused("b.json", "{\"picks\": [[1, 2, \"3\"]]}"), "pick 1");
     expectContains(refused("c.json", "{\"picks\": \n[[1, 2, 3]"), "line 2");
     expectContains(refused("d.json", "{\"points\": []}"), "picks");
     expectContains(refused("e.json", "[[1, 2, 3]]"), "picks");
@@ -129,8 +129,8 @@ TEST(PicksText, TakesSemicolonsOrLinesAndCommasBetweenCoordinates) {
 }
 
 TEST(PicksText, NamesThePickThatIsWrong) {
-    expectContains(refusal([] { return parsePicksText("1 2 3; 1 2"); }), "pick 1");
-    expectContains(refusal([] { return parsePicksText("1 2 3 4"); }), "pick 0");
+    expectContains(refusal([] { return parsePicksText("1 2 3; 1 2"); }), "pick 2");
+    expectContains(refusal([] { return parsePicksText("1 2 3 4"); }), "pick 1");
     expectContains(refusal([] { return parsePicksText("1 2 x"); }), "\"x\"");
     expectContains(refusal([] { return parsePicksText("1 2 inf"); }), "finite");
 }

@@ -66,9 +66,9 @@ def test_nothing_is_avoided_by_default(walled):
 
 
 @pytest.mark.parametrize("parameters, message", [
-    ({"avoid": "over-threshold", "avoid_threshold": 0.5}, "pick 1 lies in face .* avoid"),
+    ({"avoid": "over-threshold", "avoid_threshold": 0.5}, "pick 2 lies in face .* avoid"),
     ({"avoid": "selected-faces", "avoid_margin": 0.0}, "avoid margin"),
-    ({"avoid": "selected-faces", "preset": "paper"}, "use cells"),
+    ({"avoid": "selected-faces", "preset": "paper"}, 'use "cells"'),
 ])
 def test_what_cannot_be_is_refused(walled, parameters, message):
     document, vertices, _ = walled
@@ -78,4 +78,4 @@ def test_what_cannot_be_is_refused(walled, parameters, message):
 def test_a_wall_without_a_gap_is_refused_by_its_picks(walled):
     document, vertices, _ = walled
     document.compute_selection_by_condition_per_vertex(condselect="(x > 0.4) && (x < 0.6)")
-    assert_refuses(document, "from pick 0 to pick 1", picks=as_text(picks_on(vertices)), avoid="selected-vertices")
+    assert_refuses(document, "from pick 1 to pick 2", picks=as_text(picks_on(vertices)), avoid="selected-vertices")

@@ -21,12 +21,12 @@ def test_too_few_picks(plate, plate_picks):
 
 def test_a_pick_far_from_the_surface_is_named(plate, plate_picks):
     plate_picks[2, 2] += 0.1
-    assert_refuses(plate, r"[Pp]ick 2", picks=as_text(plate_picks))
+    assert_refuses(plate, r"[Pp]ick 3", picks=as_text(plate_picks))
 
 
 def test_too_few_different_picks_are_named(plate, plate_picks):
     picks = np.repeat(plate_picks[:1], 3, axis=0)
-    assert_refuses(plate, r"[Pp]ick 0.*leaves 1 point", picks=as_text(picks))
+    assert_refuses(plate, r"[Pp]ick 1.*leaves 1 point", picks=as_text(picks))
 
 
 def test_picks_on_different_components_are_named():
@@ -38,8 +38,8 @@ def test_picks_on_different_components_are_named():
 
 
 def test_text_that_is_no_point_is_named(plate):
-    assert_refuses(plate, r"pick 1.*4 5", picks="0.1 0.1 0; 4 5")
-    assert_refuses(plate, r"pick 0.*one", picks="one 2 3")
+    assert_refuses(plate, r"pick 2.*4 5", picks="0.1 0.1 0; 4 5")
+    assert_refuses(plate, r"pick 1.*one", picks="one 2 3")
 
 
 def test_picks_given_twice(plate, plate_picks, tmp_path):

@@ -113,7 +113,7 @@ def test_the_saved_curve_is_read_by_meshlabs_importer(plate, plate_picks, tmp_pa
 @pytest.mark.parametrize("parameters, message", [
     ({"save": "/no/such/folder/curve.ply"}, "no/such/folder"),
     ({"save": "curve.doc"}, ".doc"),
-    ({"tube_radius": pymeshlab.PureValue(50)}, "radius of the tube is 50.*diagonal"),
+    ({"tube_radius": pymeshlab.PureValue(50)}, "tube radius is 50.*diagonal"),
     ({"tube_radius": pymeshlab.PureValue(-1)}, "-1"),
 ])
 def test_what_cannot_be_is_refused_and_leaves_nothing(plate, plate_picks, parameters, message, tmp_path, monkeypatch):

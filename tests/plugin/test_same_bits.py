@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The same curve is the same bytes: from run to run, on one core and on two, with and without AVX2 and FMA in the C library, by the
-program, the plugin and the Python package."""
+program, the plugin and the Python package. The meshes have a quality, which curves follow only where they are asked to."""
 import json
 import os
 import struct
@@ -59,6 +59,11 @@ def mesh_of(name):
     return MESHES[name]
 
 
+def quality_of(name):
+    """What would draw every curve aside."""
+    return np.sin(np.arange(len(mesh_of(name)[0])) / 7.0)
+
+
 def picks_of(name, kind):
     vertices, _ = mesh_of(name)
     count = 6 if kind == "closed" else 4
@@ -74,9 +79,9 @@ def by_program(program, folder, name, kind, cores=None, environment=None):
     if not mesh.exists():
         vertices, faces = mesh_of(name)
         header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\nproperty double x\nproperty double y\n"
-                  f"property double z\nelement face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
+                  f"property double z\nproperty double quality\nelement face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
         rows = b"".join(struct.pack("<B3i", 3, *face) for face in faces.tolist())
-        mesh.write_bytes(header.encode() + np.asarray(vertices, "<f8").tobytes() + rows)
+        mesh.write_bytes(header.encode() + np.column_stack([vertices, quality_of(name)]).astype("<f8").tobytes() + rows)
     picks.write_text(json.dumps({"picks": picks_of(name, kind).tolist()}))
     words = [program, mesh, "--picks", picks, "--output", curve]
     for key, value in OPTIONS[kind].items():
@@ -109,6 +114,6 @@ def test_a_curve_is_the_same_bytes_everywhere(program, package, tmp_path, name, 
         curve = package.Mesh(vertices, faces).curve(picks_of(name, kind), **OPTIONS[kind])
     assert bytes_of(curve.points, curve.faces, curve.barycentrics) == expected, "by the Python package"
     document = pymeshlab.MeshSet(verbose=False)
-    document.add_mesh(pymeshlab.Mesh(vertices, faces))
+    document.add_mesh(pymeshlab.Mesh(vertices, faces, v_scalar_array=quality_of(name)))
     layer = CurveLayer(draw(document, picks_of(name, kind), **OPTIONS[kind])[0])
     assert bytes_of(layer.points, layer.faces, layer.barycentric) == expected, "by the plugin"

@@ -50,7 +50,7 @@ def test_a_broken_mesh_is_refused(vertices, faces, code, ids, text):
     (SQUARE[:, :2], "bad-array", (), r"picks has shape \(4, 2\)"),
     ([["0", "0", "0"]], "bad-array", (), "picks holds <U1"),
     ([[0, 0, 0], [0, np.nan, 0]], "non-finite-coordinate", (1,), r"picks\[1\] is \[0.0, nan, 0.0\], but must be finite"),
-    ([[0, 0, 0], [0, 0, 5]], "pick-too-far", (1,), "pick 1 lies"),
+    ([[0, 0, 0], [0, 0, 5]], "pick-too-far", (1,), "pick 2 lies"),
     ([[0, 0, 0], [0, 0, 0]], "coincident-picks", (0, 1), "pick"),
     ([(0, (1, 0, 0)), (3200, (1, 0, 0))], "index-out-of-range", (1,), r"picks\[1\] is in face 3200, but there are 3200"),
     ([(0, (1, 0, 0)), (3, (1, 1, 0))], "bad-array", (1,), r"picks\[1\] has barycentric coordinates"),

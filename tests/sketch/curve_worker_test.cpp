@@ -90,7 +90,7 @@ TEST_F(AWorker, SaysWhyThereIsNoCurveAndWhichPicksAreConcerned) {
     ASSERT_EQ(all.size(), 1U);
     EXPECT_EQ(all[0].curve, nullptr);
     EXPECT_EQ(all[0].problem.picks, std::vector<int>{2});
-    EXPECT_NE(all[0].problem.message.find("pick 2"), std::string::npos);
+    EXPECT_NE(all[0].problem.message.find("pick 3"), std::string::npos);
 }
 
 }  // namespace

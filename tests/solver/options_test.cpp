@@ -72,9 +72,9 @@ TEST(SolverOptionsValidation, ChecksWholeNumbers) {
         expectRefused(&SolverOptions::degree, degree, "degree", std::to_string(degree));
     }
     expectAccepted(&SolverOptions::maxRounds, 1);
-    expectRefused(&SolverOptions::maxRounds, 0, "maximal rounds", "0");
+    expectRefused(&SolverOptions::maxRounds, 0, "max rounds", "0");
     expectAccepted(&SolverOptions::maxIterations, 1);
-    expectRefused(&SolverOptions::maxIterations, -1, "maximal iterations", "-1");
+    expectRefused(&SolverOptions::maxIterations, -1, "max iterations", "-1");
 }
 
 TEST(SolverOptionsValidation, ChecksNumbers) {

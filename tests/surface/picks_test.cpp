@@ -79,8 +79,8 @@ TEST_F(PicksTest, MustLieWithinOnePercentOfTheDiagonal) {
         false,
         PickTooFar,
         {1, 3},
-        {"pick 1 lies 0.25 from the surface, more than 1 % of the diagonal (0.05)",
-         "all picks concerned: 1, 3"}
+        {"pick 2 lies 0.25 from the surface, more than 1 % of the diagonal (0.05)",
+         "all that are concerned: picks 2, 4"}
     );
 }
 
@@ -90,6 +90,7 @@ TEST_F(PicksTest, ThatFollowEachOtherAtOnePointAreOne) {
     EXPECT_EQ(located.points.size(), 3U);
     EXPECT_EQ(located.pointOf, (std::vector{0, 1, 1, 1, 2}));
     EXPECT_EQ(located.repeated(), (std::vector{2, 3}));
+    EXPECT_EQ(located.given(), (std::vector{0, 1, 4}));
 }
 
 TEST_F(PicksTest, AtTheEndOfAClosedCurveAreOneWithTheFirst) {
@@ -98,6 +99,7 @@ TEST_F(PicksTest, AtTheEndOfAClosedCurveAreOneWithTheFirst) {
     EXPECT_EQ(located.points.size(), 3U);
     EXPECT_EQ(located.pointOf, (std::vector{0, 1, 2, 0, 0}));
     EXPECT_EQ(located.repeated(), (std::vector{3, 4}));
+    EXPECT_EQ(located.given(), (std::vector{0, 1, 2}));
     // An open curve comes back.
     EXPECT_EQ(locatePicks(surface, tree, picks, false).pointOf, (std::vector{0, 1, 2, 3, 3}));
 }
@@ -139,7 +141,7 @@ TEST(Picks, ChooseTheComponentThatTheyShareWhereSeveralLieUponEachOther) {
     expectRefused(
         [&] { return locatePicks(surface, tree, {onBoth, onFirst, onSecond}, false); },
         PicksOnDifferentComponents,
-        "pick 2 lies on another",
+        "pick 3 lies on another",
         Elements{2}
     );
 }
@@ -152,7 +154,7 @@ TEST_F(PicksOnTwoComponentsTest, MustLieOnOneComponent) {
         false,
         PicksOnDifferentComponents,
         {1, 3},
-        {"pick 1 lies on another connected component of the surface than pick 0"}
+        {"pick 2 lies on another connected component of the surface than pick 1"}
     );
 }
 
