@@ -36,13 +36,4 @@ inline void runFilter(
     return document.filterHistory;
 }
 
-/// As filters log what they did.
-inline void logFilter(MeshDocument& document, const std::string& text) {
-    document.Log.log(GLLogStream::FILTER, text);
-}
-
-inline void warn(MeshDocument& document, const std::string& text) {
-    document.Log.log(GLLogStream::WARNING, text);
-}
-
 }  // namespace bspline_curve::host

@@ -15,7 +15,7 @@ bool EditBsplineCurveLegacy::StartEdit(
     try {
         drawing_ = std::make_unique<DocumentDrawing>(document, *shared);
     } catch (const std::exception& error) {
-        host::warn(document, error.what());
+        host::log(document, GLLogStream::WARNING, error.what());
         return false;
     }
     return true;

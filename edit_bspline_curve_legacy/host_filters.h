@@ -38,13 +38,4 @@ inline void runFilter(
     return *document.filterHistory;
 }
 
-/// As filters log what they did.
-inline void logFilter(MeshDocument& document, const std::string& text) {
-    document.Log.Log(GLLogStream::FILTER, text.c_str());
-}
-
-inline void warn(MeshDocument& document, const std::string& text) {
-    document.Log.Log(GLLogStream::WARNING, text.c_str());
-}
-
 }  // namespace bspline_curve::host

@@ -3,7 +3,11 @@
 
 #include "bspline_curve/error.h"
 #include "design/curve_on_given_mesh.h"
+#include "filters/curve_comments.h"
+#include "filters/fitting_picks.h"
 #include "io/atomic_file.h"
+#include "io/curve_writer.h"
+#include "io/polyline_reader.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"
 #include "surface/picks.h"
@@ -14,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -25,6 +30,12 @@ using std::filesystem::path;
 
 /// A pick is where it was up to this, relative to the diagonal: more than the rounding of floats.
 constexpr double kSamePlaceRelative = 1e-6;
+
+/// How far picks that are chosen along a polyline may leave it aside, relative to the diagonal.
+constexpr double kFitRelative = 0.002;
+constexpr std::size_t kMostFittedPicks = 200;
+/// More are a drawing of something else, as the edges of a mesh.
+constexpr std::size_t kMostPolylines = 1000;
 
 double diagonalOf(const TriangleMesh& mesh) {
     Eigen::AlignedBox3d box;
@@ -52,7 +63,65 @@ CurveRecord givenRecord(const CurveToSave& saved, const CurveFileSurface& surfac
     return record;
 }
 
+/// None: that of no polylines.
+std::optional<CommentStyle> commentStyleOf(const path& file) {
+    const std::string extension = lowerCaseExtension(file);
+    if (extension == ".obj") {
+        return CommentStyle::Obj;
+    }
+    return extension == ".dxf" ? std::optional(CommentStyle::Dxf) : std::nullopt;
+}
+
+/// Polylines, and what their format cannot say in comments before them.
+std::string commentedPolylines(CommentStyle style, const CurveRecords& records) {
+    std::vector<const Curve*> curves;
+    for (const CurveRecord& record : records.curves) {
+        if (record.curve) {
+            curves.push_back(record.curve.get());
+        }
+    }
+    return asComments(style, shortRecordsText(records)) +
+           curvesBytes(style == CommentStyle::Obj ? "a.obj" : "a.dxf", curves, records.mesh);
+}
+
 // ---- Opening ----
+
+/// The polylines of a file that says nothing of picks, each described by a few of its vertices.
+CurveRecords fittedRecords(const path& file, double diagonal, std::vector<std::string>& notes) {
+    const std::vector<SpacePolyline> lines = readPolylines(file);
+    if (lines.size() > kMostPolylines) {
+        refuseFile(
+            file,
+            "has " + std::to_string(lines.size()) + " polylines, and at most " +
+                std::to_string(kMostPolylines) + " are opened as curves"
+        );
+    }
+    CurveRecords records;
+    for (const SpacePolyline& line : lines) {
+        double tolerance = kFitRelative * diagonal;
+        std::vector<int> picks = fittingPicks(line, tolerance);
+        while (picks.size() > kMostFittedPicks) {
+            picks = fittingPicks(line, tolerance *= 2.0);
+        }
+        if (picks.size() < 2) {
+            continue;  // all of it is one point
+        }
+        CurveRecord record;
+        record.closed = line.closed && picks.size() >= 3;
+        for (const int vertex : picks) {
+            record.picks.push_back({.point = {}, .position = line.points[vertex]});
+        }
+        DrawnOptions options;
+        options.closed = record.closed;
+        record.options = options;
+        records.curves.push_back(std::move(record));
+    }
+    notes.push_back(
+        file.string() +
+        " keeps no picks: they were chosen along its polylines, and the curves were drawn anew."
+    );
+    return records;
+}
 
 /// Puts picks onto a surface.
 class PickPlacer {
@@ -84,7 +153,10 @@ public:
         return placed.farthest <= kPickReachRelative * diagonal_;
     }
 
-    [[nodiscard]] double diagonal() const { return diagonal_; }
+    /// Whether they were farther from the surface than rounding explains.
+    [[nodiscard]] bool isOff(const Placed& placed) const {
+        return placed.farthest > kSamePlaceRelative * diagonal_;
+    }
 
 private:
     [[nodiscard]] std::optional<SketchPick> samePlace(const SketchPick& pick) const {
@@ -138,11 +210,10 @@ std::string labelOf(std::size_t number, const std::string& name) {
 void saveDrawnCurves(
     const path& file, std::span<const CurveToSave> curves, const CurveFileSurface& surface
 ) {
-    const std::string extension = lowerCaseExtension(file);
-    if (extension != ".json") {
-        throw InputError(
-            InputErrorCode::UnwritableFile, file.string() + ": curves are saved as .json"
-        );
+    const bool isJson = lowerCaseExtension(file) == ".json";
+    const std::optional<CommentStyle> style = commentStyleOf(file);
+    if (!isJson && !style) {
+        refuseWriting(file, "curves are saved as .json, .obj or .dxf");
     }
     if (curves.empty()) {
         refuseWriting(file, "there is no curve to be saved");
@@ -151,7 +222,7 @@ void saveDrawnCurves(
     for (const CurveToSave& curve : curves) {
         records.curves.push_back(givenRecord(curve, surface));
     }
-    AtomicFile(file, recordsText(records)).commit();
+    AtomicFile(file, isJson ? recordsText(records) : commentedPolylines(*style, records)).commit();
 }
 
 OpenedCurves placedRecords(
@@ -170,7 +241,9 @@ OpenedCurves placedRecords(
             );
             continue;
         }
-        if (placed.projected > 0) {
+        // Picks that were chosen along a polyline were never on the surface.
+        const bool wereOnSurface = record.picks.front().point.face >= 0;
+        if (placed.projected > 0 && (wereOnSurface || placer.isOff(placed))) {
             opened.notes.push_back(
                 label + ": " + std::to_string(placed.projected) + " of " +
                 std::to_string(placed.picks.size()) + " picks were projected to the surface, by " +
@@ -202,7 +275,19 @@ OpenedCurves placedRecords(
 }
 
 OpenedCurves openDrawnCurves(const path& file, const CurveFileSurface& surface) {
-    return placedRecords(file, recordsOf(file, readWholeFile(file)), surface);
+    if (lowerCaseExtension(file) == ".json") {
+        return placedRecords(file, recordsOf(file, readWholeFile(file)), surface);
+    }
+    if (const std::optional<CommentStyle> style = commentStyleOf(file)) {
+        if (const auto text = textOfComments(*style, readWholeFile(file))) {
+            return placedRecords(file, recordsOf(file, *text), surface);
+        }
+    }
+    std::vector<std::string> notes;
+    CurveRecords records = fittedRecords(file, diagonalOf(surface.mesh), notes);
+    OpenedCurves opened = placedRecords(file, records, surface);
+    std::ranges::move(notes, std::back_inserter(opened.notes));
+    return opened;
 }
 
 }  // namespace bspline_curve

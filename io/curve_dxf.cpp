@@ -23,6 +23,9 @@ Eigen::AlignedBox3d boxOf(std::span<const CurveContent> contents) {
 
 /// The variables of the header that say where the drawing is.
 void addExtent(DxfText& dxf, const Eigen::AlignedBox3d& box) {
+    if (box.isEmpty()) {
+        return;
+    }
     dxf.add(9, "$EXTMIN");
     dxf.add(10, Vec3(box.min()));
     dxf.add(9, "$EXTMAX");

@@ -31,11 +31,15 @@ PicksFile picksOfJson(const path& file, const std::string& bytes) {
     if (document.is_object() && document.contains("markups")) {
         return picksOfMarkups(file, document);
     }
-    if (!document.is_object() || !document.contains("picks") || !document["picks"].is_array()) {
+    // A curve that was saved with its picks has where on its mesh they are, too.
+    const nlohmann::json::json_pointer plain("/picks");
+    const nlohmann::json::json_pointer ofCurve("/picks/points");
+    const auto& where = document.contains(ofCurve) ? ofCurve : plain;
+    if (!document.contains(where) || !document.at(where).is_array()) {
         refuseFile(file, R"(needs {"picks": [[x, y, z], …]}, or the "markups" of 3D Slicer)");
     }
     PicksFile result;
-    for (const nlohmann::json& value : document["picks"]) {
+    for (const nlohmann::json& value : document.at(where)) {
         result.picks.push_back(pointOfJson(file, value, describePicks({std::ssize(result.picks)})));
     }
     if (document.contains("closed")) {

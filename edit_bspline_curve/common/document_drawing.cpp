@@ -98,7 +98,7 @@ DocumentDrawing::DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataCont
     layers_ = std::make_unique<SketchLayers>(document, shared, view_, *surface, arrays);
     ToolStart start;
     for (const std::string& note : restored.notes) {
-        host::warn(document, note);
+        host::log(document, GLLogStream::WARNING, note);
         start.note += QString::fromStdString(note) + "\n";
     }
     int other = 0;

@@ -229,9 +229,12 @@ int SketchLayers::makeOnSurface(const SketchCurve& curve, const CurveMaker& make
     entry.first = QString::fromStdString(filter.name);
     entry.second = parameters;
     host::historyOf(document_).append(entry);
-    host::logFilter(document_, result.log.figures);
-    for (const std::string& warning : result.log.warnings) {
-        host::warn(document_, warning);
+    const LogLines said = windowLog(result.log, filter);
+    for (const std::string& line : said.lines) {
+        host::log(document_, GLLogStream::FILTER, line);
+    }
+    for (const std::string& warning : said.warnings) {
+        host::log(document_, GLLogStream::WARNING, warning);
     }
     return document_.mm()->id();
 }
@@ -246,8 +249,9 @@ int SketchLayers::makeAlone(const SketchCurve& curve) {
     }
     addEdges(layer.cm, line.closed);
     vcg::tri::UpdateBounding<CMeshO>::Box(layer.cm);
-    host::warn(
+    host::log(
         document_,
+        GLLogStream::WARNING,
         "The surface of a curve is gone or was changed while it was drawn: the curve is kept as a "
         "polyline, where it was."
     );

@@ -75,7 +75,7 @@ public:
     void showNew(int layer);
 
     /// A line in the document's log.
-    void say(const std::string& text) { host::warn(document_, text); }
+    void say(const std::string& text) { host::log(document_, GLLogStream::WARNING, text); }
 
 private:
     struct Made {

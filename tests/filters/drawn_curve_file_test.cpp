@@ -3,14 +3,22 @@
 
 #include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
+#include "filters/fitting_picks.h"
 #include "io/curve_reader.h"
 #include "io/curve_writer.h"
+#include "io/damage.h"
+#include "io/polyline_reader.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <numbers>
+#include <random>
+#include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,6 +40,18 @@ TriangleMesh hilly() {
         vertex.z() = 0.1 * std::sin(3.0 * vertex.x()) * vertex.y();
     }
     return mesh;
+}
+
+double distanceTo(const SpacePolyline& line, const Vec3& point) {
+    double nearest = std::numeric_limits<double>::infinity();
+    const std::size_t count = line.points.size();
+    for (std::size_t i = 0; i + (line.closed ? 0 : 1) < count; ++i) {
+        const Vec3& from = line.points[i];
+        const Vec3 along = line.points[(i + 1) % count] - from;
+        const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (point - from - t * along).norm());
+    }
+    return nearest;
 }
 
 /// Curves on a hilly plate, with numbers that need all their digits.
@@ -85,14 +105,177 @@ protected:
 }  // namespace
 
 TEST_F(DrawnCurveFile, KeepsPicksOptionsNameAndColourToTheBit) {
-    for (const char* const name : {"a.json"}) {
+    for (const char* const name : {"a.json", "a.obj", "a.DXF"}) {
         saveDrawnCurves(path(name), curves_, surface_);
         const OpenedCurves opened = openDrawnCurves(path(name), surface_);
         SCOPED_TRACE(name);
         expectSame(opened.curves);
         EXPECT_TRUE(opened.notes.empty());
     }
-    EXPECT_EQ(fileCount(), 1U);
+    EXPECT_EQ(fileCount(), 3U);
+}
+
+TEST_F(DrawnCurveFile, OfPolylinesIsReadByProgramsThatKnowNothingOfPicks) {
+    for (const char* const name : {"a.obj", "a.dxf"}) {
+        saveDrawnCurves(path(name), curves_, surface_);
+        const std::vector<SpacePolyline> lines = readPolylines(path(name));
+        ASSERT_EQ(lines.size(), 2U) << name;
+        for (std::size_t c = 0; c < lines.size(); ++c) {
+            std::vector<Vec3> points = curves_[c].curve->polyline.points;
+            const auto first = std::ranges::find(points, lines[c].points.front());
+            std::ranges::rotate(points, first);  // a closed one begins anywhere
+            EXPECT_EQ(lines[c].points, points);
+            EXPECT_EQ(lines[c].closed, curves_[c].drawn.options.closed);
+        }
+        std::istringstream text(read(path(name)));
+        for (std::string line; std::getline(text, line);) {
+            EXPECT_LT(line.size(), 256U);
+            EXPECT_TRUE(std::ranges::all_of(line, [](char c) { return c >= ' ' && c <= '~'; }));
+        }
+    }
+    expectContains(read(path("a.obj")), "# bspline_curve {\"curves\":[{\"name\":\"Gr\\u00f6");
+    EXPECT_TRUE(read(path("a.dxf")).starts_with("999\nbspline_curve {"));
+}
+
+TEST_F(DrawnCurveFile, OfOtherProgramsGivesPicksAlongItsPolylines) {
+    for (const char* const name : {"a.obj", "a.dxf", "a.ply"}) {
+        const std::vector<const Curve*> curves{curves_[0].curve.get(), curves_[1].curve.get()};
+        write(name, curvesBytes(name, curves));
+        const OpenedCurves opened = openDrawnCurves(path(name), surface_);
+        ASSERT_EQ(opened.curves.size(), 2U) << name;
+        ASSERT_EQ(opened.notes.size(), 1U) << name;
+        expectContains(opened.notes[0], "keeps no picks: they were chosen along its polylines");
+        for (std::size_t c = 0; c < 2; ++c) {
+            const DrawnCurve& drawn = opened.curves[c];
+            EXPECT_EQ(drawn.options, (DrawnOptions{.closed = c == 1}));
+            EXPECT_GE(drawn.picks.size(), 3U);
+            EXPECT_LT(drawn.picks.size(), 40U);
+            std::vector<Vec3> positions;
+            for (const SketchPick& pick : drawn.picks) {
+                positions.push_back(pick.position);
+            }
+            const Curve again = designer_.design(positions, {.closed = drawn.options.closed});
+            const SpacePolyline line{again.polyline.points, again.polyline.closed};
+            for (const Vec3& point : curves_[c].curve->polyline.points) {
+                EXPECT_LT(distanceTo(line, point), 0.005);
+            }
+        }
+    }
+}
+
+TEST_F(DrawnCurveFile, RefusesWhatCannotBeSavedOrOpened) {
+    const auto saved = [&](const char* name, std::span<const CurveToSave> curves) {
+        return refusal(
+            [&] {
+                saveDrawnCurves(path(name), curves, surface_);
+                return 0;
+            },
+            InputErrorCode::UnwritableFile
+        );
+    };
+    expectContains(saved("a.ply", curves_), "a.ply: curves are saved as .json, .obj or .dxf");
+    expectContains(saved("a.json", {}), "a.json: there is no curve to be saved");
+    expectContains(saved("none/a.obj", curves_), "does not exist");
+    EXPECT_EQ(fileCount(), 0U);
+    const auto opened = [&](const char* name, const std::string& bytes) {
+        write(name, bytes);
+        return refusal([&] { return openDrawnCurves(path(name), surface_); });
+    };
+    expectContains(opened("a.json", "{}"), "a.json: has no \"closed\"");
+    expectContains(opened("a.json", R"({"closed": true})"), "neither \"picks\" nor a \"polyline\"");
+    expectContains(opened("a.json", R"({"curves": []})"), "\"curves\" is no list of curves");
+    expectContains(opened("a.obj", "# bspline_curve {\nv 0 0 0\n"), "a.obj: is not JSON");
+    expectContains(opened("a.obj", "v 0 0 0\n"), "a.obj: has no polyline");
+    expectContains(opened("a.txt", "v 0 0 0\n"), "curves are read from .json");
+    const auto withOption = [&](const std::string& options) {
+        const std::string pick =
+            R"({"points": [[0,0,0]], "faces": [0], "barycentrics": [[1,0,0]]})";
+        return opened(
+            "a.json", R"({"closed": true, "picks": )" + pick + R"(, "options": )" + options + "}"
+        );
+    };
+    expectContains(withOption(R"({"degree": 2.5})"), "option \"degree\" is not a whole number");
+    expectContains(withOption(R"({"degree": 99})"), "degree");
+    expectContains(withOption(R"({"field": "none at all"})"), "field must be one of");
+    expectContains(withOption("[]"), "\"options\" is no object");
+}
+
+TEST_F(DrawnCurveFile, OfALaterVersionIsOpenedWithoutTheOptionsThatAreNotKnown) {
+    saveDrawnCurves(path("a.json"), std::span(curves_).first(1), surface_);
+    std::string text = read(path("a.json"));
+    const std::string before = "\"options\":{";
+    text.insert(text.find(before) + before.size(), "\"strokes\":7,");
+    write("b.json", text);
+    const OpenedCurves opened = openDrawnCurves(path("b.json"), surface_);
+    EXPECT_EQ(opened.curves.at(0).options, curves_[0].drawn.options);
+    ASSERT_EQ(opened.notes.size(), 1U);
+    expectContains(opened.notes[0], "the option \"strokes\" is not known here");
+}
+
+TEST_F(DrawnCurveFile, ThatIsDamagedIsRefusedOrOpened) {
+    std::mt19937 random(7);
+    for (const char* const name : {"a.json", "a.obj", "a.dxf"}) {
+        saveDrawnCurves(path(name), curves_, surface_);
+        const std::string bytes = read(path(name));
+        for (int i = 0; i < 300; ++i) {
+            write(name, damaged(bytes, "0123456789.-e[]{},:\"ab \\", random));
+            try {
+                const OpenedCurves opened = openDrawnCurves(path(name), surface_);
+                for (const DrawnCurve& curve : opened.curves) {
+                    for (const SketchPick& pick : curve.picks) {
+                        ASSERT_LT(pick.point.face, surface_.mesh.faces.size());
+                        ASSERT_TRUE(pick.position.allFinite());
+                    }
+                }
+            } catch (const InputError& error) {
+                expectContains(error.what(), name);
+            }
+        }
+    }
+}
+
+TEST_F(DrawnCurveFile, OnAMendedMeshHasTheFacesOfTheGivenOne) {
+    TriangleMesh given = designer_.mesh();
+    given.faces.insert(given.faces.begin() + 10, given.faces[10]);  // twice
+    std::swap(given.faces[5][0], given.faces[5][1]);                // turned over
+    const MeshRepair repair = repairMesh(given);
+    const CurveFileSurface mended{
+        .mesh = repair.mesh, .checksum = checksumOf(given), .repair = &repair
+    };
+    CurveToSave curve{.drawn = curves_[0].drawn, .curve = nullptr};
+    curve.drawn.picks = {
+        pickAt(repair.mesh, 5, {0.1, 0.2, 0.7}), pickAt(repair.mesh, 100, {0.1, 0.2, 0.7})
+    };
+    saveDrawnCurves(path("a.json"), std::span(&curve, 1), mended);
+    expectContains(read(path("a.json")), "\"faces\":[5,101]");
+    const OpenedCurves opened = openDrawnCurves(path("a.json"), mended);
+    EXPECT_TRUE(opened.notes.empty());
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(opened.curves[0].picks[i].point.face, curve.drawn.picks[i].point.face);
+        EXPECT_EQ(opened.curves[0].picks[i].position, curve.drawn.picks[i].position);
+    }
+}
+
+TEST(FittingPicks, DescribeALineByItsCornersAndARingByThreeAtLeast) {
+    EXPECT_EQ(
+        fittingPicks({{{0, 0, 0}, {1, 0, 0}, {2, 1e-4, 0}, {3, 0, 0}, {3, 1, 0}, {3, 2, 0}}}, 1e-3),
+        (std::vector<int>{0, 3, 5})
+    );
+    EXPECT_EQ(fittingPicks({{{0, 0, 0}, {1, 0, 0}}}, 1e-3), (std::vector<int>{0, 1}));
+    EXPECT_EQ(
+        fittingPicks({{{0, 0, 0}, {1, 1e-4, 0}, {2, 0, 0}, {1, -1e-5, 0}}, true}, 1e-3),
+        (std::vector<int>{0, 1, 2})
+    );
+    SpacePolyline ring{.points = {}, .closed = true};
+    for (int i = 0; i < 1000; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / 1000;
+        ring.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    }
+    const std::size_t count = fittingPicks(ring, 0.01).size();
+    EXPECT_GE(count, 8U);
+    EXPECT_LE(count, 32U);
+    ring.points.assign(5, Vec3(1, 2, 3));
+    EXPECT_EQ(fittingPicks(ring, 0.01), (std::vector<int>{0}));
 }
 
 TEST_F(DrawnCurveFile, OfOneCurveIsReadAsACurveFileToo) {

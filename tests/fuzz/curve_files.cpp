@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/error.h"
 #include "design/strict_polyline.h"
+#include "filters/drawn_curve_file.h"
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
 #include "io/byte_stream.h"
@@ -10,6 +11,7 @@
 #include "shell/extended_surface.h"
 #include "support/meshes.h"
 #include "surface/mending.h"
+#include "surface/surface_point.h"
 
 #include <algorithm>
 #include <array>
@@ -72,18 +74,49 @@ TriangleMesh brokenSphere() {
     return mesh;
 }
 
-}  // namespace
-
-void readCurveBytes(std::string_view bytes) {
+const std::array<CurveMesh, 2>& curveMeshes() {
     static const std::array<CurveMesh, 2> kMeshes{
         CurveMesh(test_support::icosphere(0)), CurveMesh(brokenSphere())
     };
+    return kMeshes;
+}
+
+}  // namespace
+
+void readCurveBytes(std::string_view bytes) {
     const FuzzFile file("curve.json", bytes);
-    for (const auto& [checksum, mended] : kMeshes) {
+    for (const auto& [checksum, mended] : curveMeshes()) {
         try {
             const SurfacePolyline line =
                 readCurve(file.path(), mended.made, checksum, mended.repair());
             require(isStrict(mended.made, line), "every segment lies in a face");
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+}
+
+void openDrawnBytes(std::string_view bytes) {
+    if (bytes.empty()) {
+        return;
+    }
+    constexpr std::array kNames{"curves.json", "curves.obj", "curves.dxf"};
+    const FuzzFile file(
+        kNames[static_cast<unsigned char>(bytes[0]) % kNames.size()], bytes.substr(1)
+    );
+    for (const auto& [checksum, mended] : curveMeshes()) {
+        const TriangleMesh& mesh = mended.made.mesh();
+        const CurveFileSurface surface{
+            .mesh = mesh, .checksum = checksum, .repair = mended.repair()
+        };
+        try {
+            for (const DrawnCurve& curve : openDrawnCurves(file.path(), surface).curves) {
+                for (const SketchPick& pick : curve.picks) {
+                    const double gap = (positionOf(mesh, pick.point) - pick.position).norm();
+                    require(gap < 1e-5, "picks are on the surface");
+                }
+                static_cast<void>(valuesOf(curve.options));
+            }
         } catch (const InputError&) {
             continue;
         }

@@ -14,6 +14,7 @@ std::span<const FuzzTarget> fuzzTargets() {
         {.name = "stl", .run = readStlBytes},
         {.name = "picks", .run = readPicksBytes},
         {.name = "curve_json", .run = readCurveBytes},
+        {.name = "drawn_curves", .run = openDrawnBytes},
         {.name = "shell_file", .run = readShellBytes},
         {.name = "field", .run = readFieldBytes},
         {.name = "face_ids", .run = readFaceIdsBytes},

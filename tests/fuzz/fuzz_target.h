@@ -41,6 +41,8 @@ void readStlBytes(std::string_view bytes);
 void readPicksBytes(std::string_view bytes);
 
 void readCurveBytes(std::string_view bytes);  ///< .json of a curve
+/// Curves to go on with; the first byte chooses the format.
+void openDrawnBytes(std::string_view bytes);
 void readShellBytes(std::string_view bytes);  ///< a file of the cache of shells
 
 void readFieldBytes(std::string_view bytes);    ///< .npy or text; the first byte chooses

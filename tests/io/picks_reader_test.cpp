@@ -65,9 +65,20 @@ TEST_F(PicksReader, ReadsJsonAndWhetherItIsClosed) {
     EXPECT_EQ(readPicks(write("c.json", "{\"closed\": false, " + picks + "}")).closed, false);
 }
 
+TEST_F(PicksReader, ReadsThePicksOfACurve) {
+    const PicksFile file = readPicks(write(
+        "a.json",
+        R"({"closed": true, "picks": {"points": [[1, 2, 3], [-0.5, 1e-3, 0]], "faces": [1, 2]}})"
+    ));
+    EXPECT_EQ(file.picks, kPicks);
+    EXPECT_EQ(file.closed, true);
+}
+
 TEST_F(PicksReader, RefusesWrongJson) {
     expectContains(refused("a.json", "{\"picks\": [[1, 2, 3],\n [1, 2]]}"), "pick 2");
     expectContains(refused("b.json", "{\"picks\": [[1, 2, \"3\"]]}"), "pick 1");
+    expectContains(refused("i.json", R"({"picks": {"points": [[1, 2]]}})"), "pick 1");
+    expectContains(refused("j.json", R"({"picks": {"points": 1}})"), "needs");
     expectContains(refused("c.json", "{\"picks\": \n[[1, 2, 3]"), "line 2");
     expectContains(refused("d.json", "{\"points\": []}"), "picks");
     expectContains(refused("e.json", "[[1, 2, 3]]"), "picks");
