@@ -68,7 +68,12 @@ class MeshLabWindow:
         with open(self._log_path, "wb") as log:
             self._process = self.display.start([self.program, *self.files], output=log, **self._environment)
         try:
-            self.wait_for_log("All files opened|Opened project")
+            if self.files[-1].suffix == ".mlp":
+                self.main = wait_until(lambda: self.window(r"^MeshLab .*\["), "MeshLab's window")
+                wait_until(lambda: self.view() is not None, "the view of the project")
+                self.wait_for_still_picture()
+            else:
+                self.wait_for_log("All files opened")
             self.main = wait_until(lambda: self.window(r"^MeshLab .*\["), "MeshLab's window")
             self._focus_view()
         except BaseException:
@@ -261,11 +266,19 @@ class MeshLabWindow:
         self.wait_for_log(f"^Saved Mesh {re.escape(str(path))}")
 
     def save_project(self, path, unsaved=()):
-        """Writes the project, and first, as MeshLab asks, layers that have no file yet, to these."""
+        """Writes the project and, as MeshLab asks, layers that have no file yet to these: 2020.09 asks first, 2025.07 then."""
         self.key("ctrl+s")
+        asks_first = "2020" in self.main.name
+        if not asks_first:
+            self.name_file("^Save Project File$", path)
+            if unsaved:
+                self.wait_for_window("^Layer.s. not saved$")
+                self.key("Return")
         for file in unsaved:
             self.name_layers_file(file)
-        self.name_file("^Save Project File$", path)
+        if asks_first:
+            self.name_file("^Save Project File$", path)
+        wait_until(path.is_file, f"the file {path}")
 
     def name_file(self, title, path):
         """Types a name into a file dialog."""
@@ -293,7 +306,7 @@ class MeshLabWindow:
         ids = self.display.xdotool("search", "--onlyvisible", "--class", "meshlab")
         parts = [window for window in map(self._described, ids) if window and window.name.startswith("MeshLab_64bit")]
         # Of those that are equally large the last one holds no other, and only its place is exact.
-        return max(reversed(parts), key=lambda window: window.width * window.height)
+        return max(reversed(parts), key=lambda window: window.width * window.height, default=None)
 
     def _focus_view(self):
         """Clicks beside the mesh."""
