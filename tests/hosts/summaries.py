@@ -10,6 +10,8 @@ CURVE = re.compile(
 )
 FIELD = re.compile(rf'Field "(?P<field>[^"]+)" at (?P<vertices>\d+) vertices: from {NUMBER} to {NUMBER}, {NUMBER} on average\.')
 
+OFFSET = re.compile(rf"Lines at {NUMBER} mesh units from (?P<curves>\d+) curves?: (?P<pieces>\d+) pieces?, .*")
+
 
 def curves_told(log):
     """Of each curve in the log: kind, picks, length, usable, distance, field, kept; all are texts or None."""
@@ -19,3 +21,8 @@ def curves_told(log):
 def fields_told(log):
     """Of each field in the log: least, largest, mean."""
     return [tuple(map(float, found.groups()[2:])) for found in map(FIELD.fullmatch, log) if found]
+
+
+def offsets_told(log):
+    """Of each offset in the log: how many curves it is of, and how many lines there are."""
+    return [(int(found["curves"]), int(found["pieces"])) for found in map(OFFSET.fullmatch, log) if found]

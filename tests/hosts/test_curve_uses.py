@@ -3,7 +3,7 @@
 import re
 
 import numpy as np
-from meshlabserver import figures_of
+from summaries import offsets_told
 
 CURVE, CUT, OFFSET = "B-spline Curve on Surface", "Cut along Curves", "Offset Curve on Surface"
 CLICKS = np.array([[0, -110], [90, -60], [70, 60], [-50, 70]])  # in pixels from the middle of the view
@@ -23,12 +23,6 @@ def use(meshlab, name, count=1):
     meshlab.close(dialog)
 
 
-def offsets(meshlab):
-    """Curves, those that were projected, and lines of each offset."""
-    figures = [f for f in map(figures_of, meshlab.log()) if f and "offset" in f]
-    return [tuple(int(f[key]) for key in ("curves", "projected_curves", "pieces")) for f in figures]
-
-
 def test_offsets_are_of_curves_unless_a_line_is_chosen(meshlab):
     draw(meshlab)
     for count in (1, 2):
@@ -39,10 +33,10 @@ def test_offsets_are_of_curves_unless_a_line_is_chosen(meshlab):
     meshlab.select_layer(CURVE_ROW)
     use(meshlab, OFFSET, 4)
     assert meshlab.current_layer() == CURVE_ROW
-    assert offsets(meshlab) == 4 * [(1, 0, 1)]
+    assert offsets_told(meshlab.log()) == 4 * [(1, 1)]
     meshlab.select_layer(OFFSET_ROW)
     use(meshlab, OFFSET, 5)
-    assert offsets(meshlab)[4:] == [(1, 0, 2)]  # of a closed line, on both sides
+    assert offsets_told(meshlab.log())[4:] == [(1, 2)]  # of a closed line, on both sides
 
 
 def test_a_cut_along_an_open_curve_says_that_it_parts_nothing(meshlab):

@@ -53,9 +53,12 @@ def test_its_curves_cut_the_mesh(plate, star):
 def test_a_drawing_along_a_curve(plate, star):
     vertices, _ = wavy_plate()
     draw(plate, vertices[[20 * 41 + 5, 20 * 41 + 20, 20 * 41 + 35]], field="none")
-    figures = plate.apply_filter("pattern_on_surface", surface_layer=0, place="curve", drawing=star, repeat=3,
-                                 size=pymeshlab.PureValue(0.1))
-    assert figures["curves"] == 27
+    for _ in range(2):  # the second is not along the lines of the first
+        figures = plate.apply_filter("pattern_on_surface", surface_layer=0, place="curve", drawing=star, repeat=3,
+                                     size=pymeshlab.PureValue(0.1))
+        assert figures["curves"] == 27
+    assert plate.apply_filter("imprint_curves", surface_layer=0)["curves"] == 1
+    assert plate.apply_filter("imprint_curves", surface_layer=0, curve_layer=2)["curves"] == 27
 
 
 def test_a_text(plate):
