@@ -35,6 +35,7 @@ Drawing drawingOf(const PatternRequest& request, FilterLog& log) {
     }
     const std::filesystem::path font = fontOrDefault(utf8Path(request.fontFile));
     log.table.push_back("font=" + utf8Text(font));
+    log.tableInWords.push_back("The text is set in the font " + utf8Text(font) + ".");
     return textOutlines(request.text, font);
 }
 

@@ -156,9 +156,9 @@ int SketchLayers::bring(const Sketch& sketch, const CurveMaker& maker) {
         }
         made.curve = curve;
     }
-    removeLost(sketch);
+    const bool isLess = removeLost(sketch);
     show(sketch);
-    if (hasSurface()) {
+    if (hasSurface() && (count > 0 || isLess)) {
         document_.setCurrentMesh(surface_);
         QMetaObject::invokeMethod(&view_, "updateLayerTable", Qt::QueuedConnection);
     }
@@ -166,15 +166,16 @@ int SketchLayers::bring(const Sketch& sketch, const CurveMaker& maker) {
 }
 
 // Of curves that were removed.
-void SketchLayers::removeLost(const Sketch& sketch) {
-    std::erase_if(made_, [&](const auto& entry) {
-        const bool isLost =
-            std::ranges::find(sketch.curves, entry.first, &SketchCurve::id) == sketch.curves.end();
-        if (isLost) {
-            removeCurve(document_, entry.second.layer);
-        }
-        return isLost;
-    });
+bool SketchLayers::removeLost(const Sketch& sketch) {
+    return std::erase_if(made_, [&](const auto& entry) {
+               const bool isLost =
+                   std::ranges::find(sketch.curves, entry.first, &SketchCurve::id) ==
+                   sketch.curves.end();
+               if (isLost) {
+                   removeCurve(document_, entry.second.layer);
+               }
+               return isLost;
+           }) > 0;
 }
 
 void SketchLayers::make(const std::shared_ptr<const SketchCurve>& curve, const CurveMaker& maker) {

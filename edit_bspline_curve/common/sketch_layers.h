@@ -92,7 +92,7 @@ private:
     int makeOnSurface(const SketchCurve& curve, const CurveMaker& maker);
     int makeAlone(const SketchCurve& curve);
     void setVisible(Made& made, bool isVisible);
-    void removeLost(const Sketch& sketch);
+    bool removeLost(const Sketch& sketch);  ///< whether there were any
 
     MeshDocument& document_;
     MLSceneGLSharedDataContext& shared_;

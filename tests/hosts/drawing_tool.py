@@ -13,7 +13,7 @@ DRAG = np.array([0, -60])
 SELECTED, HANDLE, CURVE, BAD = (255, 191, 26), (255, 255, 255), (242, 64, 26), (230, 0, 0)
 
 # What the log says of each layer of a curve that is made.
-MADE = "^shell="
+MADE = "^(Open|Closed) curve through "
 
 # The panel, docked on the left: its buttons, from the top left corner of MeshLab's window.
 BUTTONS = {

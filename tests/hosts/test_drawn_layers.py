@@ -100,7 +100,7 @@ def test_a_curve_follows_the_field_that_is_chosen(meshlab):
     tool.choose_field("Ridges")
     tool.expect(CLICKS[0], HANDLE)
     meshlab.key("Return")
-    meshlab.wait_for_log("^shell=.* field=ridge .*usable=true")
+    meshlab.wait_for_log('^Open curve through .* usable: .*follows the field "Ridges"')
 
 
 # Of the columns in the list of layers: the eye, from the left edge of the list.
