@@ -284,7 +284,7 @@ OpenedCurves openDrawnCurves(const path& file, const CurveFileSurface& surface) 
         }
     }
     std::vector<std::string> notes;
-    CurveRecords records = fittedRecords(file, diagonalOf(surface.mesh), notes);
+    const CurveRecords records = fittedRecords(file, diagonalOf(surface.mesh), notes);
     OpenedCurves opened = placedRecords(file, records, surface);
     std::ranges::move(notes, std::back_inserter(opened.notes));
     return opened;

@@ -118,7 +118,7 @@ private:
         keepSource(layer_, std::move(source));
     }
 
-    Vec3 worldPosition(const LayerArrays& arrays, const SurfacePoint& point) const {
+    [[nodiscard]] Vec3 worldPosition(const LayerArrays& arrays, const SurfacePoint& point) const {
         const TriangleMesh& mesh = arrays.input.mesh;
         if (point.face >= static_cast<int>(mesh.faces.size())) {
             refuseFile(

@@ -51,7 +51,7 @@ private:
             QString& known = files_[layer->id()];
             if (file != known && !wasReadFrom(*layer, file)) {
                 keep(*layer);
-            } else if (saved.count(file) != 0) {
+            } else if (saved.contains(file)) {
                 layers[file].push_back(layer);
             }
             known = file;
