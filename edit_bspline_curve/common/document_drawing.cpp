@@ -96,6 +96,9 @@ DocumentDrawing::DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataCont
     surface_ = surface->id();
     LayerArrays arrays = arraysOf(*surface);
     layers_ = std::make_unique<SketchLayers>(document, shared, view_, *surface, arrays);
+    for (const int layer : restored.layers) {
+        layers_->showNew(layer);
+    }
     ToolStart start;
     for (const std::string& note : restored.notes) {
         host::log(document, GLLogStream::WARNING, note);
@@ -116,6 +119,9 @@ DocumentDrawing::DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataCont
         }
     }
     start.surface = std::move(arrays.input);
+    if (!restored.layers.empty()) {
+        QMetaObject::invokeMethod(&view_, "updateLayerTable", Qt::QueuedConnection);
+    }
     tool_ = std::make_unique<CurveTool>(
         view_, std::move(start), *layers_, [this](const FilterDescription& filter) {
             useCurves(filter);

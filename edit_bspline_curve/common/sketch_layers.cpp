@@ -11,6 +11,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace bspline_curve {
@@ -53,9 +54,13 @@ SketchLayers::SketchLayers(
       shared_(shared),
       view_(view),
       surface_(surface.id()),
-      ids_{.input = {}, .vertexIds = arrays.vertexIds, .faceIds = arrays.faceIds},
-      matrix_(surface.cm.Tr),
-      checksum_(checksumOf(surface)) {}
+      ids_{
+          .input = {},
+          .vertexIds = arrays.vertexIds,
+          .faceIds = arrays.faceIds,
+          .checksum = checksumOf(surface)
+      },
+      matrix_(surface.cm.Tr) {}
 
 // ---- What the document has ----
 
@@ -95,7 +100,7 @@ bool SketchLayers::hasSurface() const {
 
 bool SketchLayers::isSurfaceSame() const {
     const MeshModel* const surface = host::layerWithId(document_, surface_);
-    return surface != nullptr && surface->cm.Tr == matrix_ && checksumOf(*surface) == checksum_;
+    return surface != nullptr && surface->cm.Tr == matrix_ && checksumOf(*surface) == ids_.checksum;
 }
 
 // ---- Layers and curves ----
@@ -142,10 +147,14 @@ std::vector<int> SketchLayers::shownLayers() const {
 
 int SketchLayers::bring(const Sketch& sketch, const CurveMaker& maker) {
     int count = 0;
+    std::optional<bool> isSame;  // takes time in proportion to the surface
     for (const std::shared_ptr<SketchCurve>& curve : sketch.curves) {
         if (!isLayer(*curve)) {
             if (curve->settled) {
-                make(curve, maker);
+                if (!isSame) {
+                    isSame = isSurfaceSame();
+                }
+                take(curve, *isSame ? makeOnSurface(*curve, maker) : makeAlone(*curve));
                 ++count;
             }
             continue;
@@ -178,8 +187,8 @@ bool SketchLayers::removeLost(const Sketch& sketch) {
            }) > 0;
 }
 
-void SketchLayers::make(const std::shared_ptr<const SketchCurve>& curve, const CurveMaker& maker) {
-    const int layer = isSurfaceSame() ? makeOnSurface(*curve, maker) : makeAlone(*curve);
+// A new layer for a curve.
+void SketchLayers::take(const std::shared_ptr<const SketchCurve>& curve, int layer) {
     const auto before = made_.find(curve->id);
     if (before != made_.end()) {
         removeCurve(document_, before->second.layer);

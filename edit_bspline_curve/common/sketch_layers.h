@@ -88,7 +88,7 @@ private:
     [[nodiscard]] RichParameterList parametersOf(
         const SketchCurve& curve, const DrawnOptions& options
     ) const;
-    void make(const std::shared_ptr<const SketchCurve>& curve, const CurveMaker& maker);
+    void take(const std::shared_ptr<const SketchCurve>& curve, int layer);
     int makeOnSurface(const SketchCurve& curve, const CurveMaker& maker);
     int makeAlone(const SketchCurve& curve);
     void setVisible(Made& made, bool isVisible);
@@ -97,10 +97,9 @@ private:
     MeshDocument& document_;
     MLSceneGLSharedDataContext& shared_;
     QGLWidget& view_;
-    int surface_;       ///< id
-    LayerArrays ids_;   ///< without input
-    Matrix44m matrix_;  ///< of the surface, as it was
-    MeshChecksum checksum_;
+    int surface_;                         ///< id
+    LayerArrays ids_;                     ///< without input
+    Matrix44m matrix_;                    ///< of the surface, as it was
     std::map<std::uint64_t, Made> made_;  ///< by the ids of their curves
 };
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <optional>
 #include <vector>
 
 namespace bspline_curve {
@@ -16,6 +17,8 @@ struct LayerArrays {
     LayerInput input;
     std::vector<int> vertexIds;  ///< index in the layer of each vertex
     std::vector<int> faceIds;    ///< index in the layer of each face
+    /// See checksumOf(); none: it was not needed yet.
+    std::optional<MeshChecksum> checksum{};
 };
 
 /// World coordinates of points of a layer; exactly their own ones where its matrix is the identity.

@@ -123,12 +123,15 @@ void putOnSurface(MeshModel& layer, const SurfaceLayer& surface, const SurfacePo
     placeVertices(layer.cm, surface.layer, surface.arrays, polyline);
     setAttributes(layer.cm, surface.arrays, polyline);
     attachTo(surface.layer, layer);
-    rememberSurface(layer, surface.layer);
+    rememberSurface(layer, surface.layer, surface.arrays.checksum);
 }
 
-void rememberSurface(MeshModel& layer, const MeshModel& surface) {
+void rememberSurface(
+    MeshModel& layer, const MeshModel& surface, const std::optional<MeshChecksum>& checksum
+) {
     Allocator::GetPerMeshAttribute<int>(layer.cm, kSurfaceLayerAttribute)() = surface.id();
-    Allocator::GetPerMeshAttribute<MeshChecksum>(layer.cm, kChecksum)() = checksumOf(surface);
+    Allocator::GetPerMeshAttribute<MeshChecksum>(layer.cm, kChecksum)() =
+        checksum ? *checksum : checksumOf(surface);
 }
 
 const MeshChecksum* checksumOfSurface(const MeshModel& polyline) {

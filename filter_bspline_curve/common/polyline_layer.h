@@ -7,6 +7,7 @@
 #include "surface/mesh_checksum.h"
 
 #include <QString>
+#include <optional>
 #include <span>
 
 namespace bspline_curve {
@@ -47,8 +48,10 @@ MeshModel& addPolylinesLayer(
 /// the surface, with all that addPolylineLayer() gives them but quality and edges.
 void putOnSurface(MeshModel& layer, const SurfaceLayer& surface, const SurfacePolyline& polyline);
 
-/// Lets a layer remember a surface and its checksum, as these do.
-void rememberSurface(MeshModel& layer, const MeshModel& surface);
+/// Lets a layer remember a surface and its checksum, as these do. `checksum`: where it is known.
+void rememberSurface(
+    MeshModel& layer, const MeshModel& surface, const std::optional<MeshChecksum>& checksum = {}
+);
 
 /// The checksum of the surface that these keep; null where the layer is none of ours.
 [[nodiscard]] const MeshChecksum* checksumOfSurface(const MeshModel& polyline);
