@@ -25,7 +25,7 @@ constexpr LineWidths kRingWidths{1.1, 2.1, 2.9};
 constexpr double kCross = 12.0;
 constexpr LineWidths kCrossWidths{1.3, 2.3, 3.1};
 constexpr double kNumberHeight = 8.0, kNumberWidth = 0.75, kNumberHalo = 2.25;
-constexpr double kNumberDistance = 17.0;
+constexpr double kNumberDistance = 17.0, kNumberDistanceLarge = 21.0;
 
 ScreenNode beside(const ScreenNode& place, const Eigen::Vector2d& offset) {
     ScreenNode node;
@@ -80,12 +80,15 @@ void addHandle(
 void addHandleNumber(
     ScreenBatch& batch,
     const ScreenNode& place,
+    const HandleState& state,
     const Eigen::Vector2d& direction,
     int number,
     double ratio
 ) {
+    const bool isLarge = state.isSelected || state.isBad;
+    const double distance = isLarge ? kNumberDistanceLarge : kNumberDistance;
     const std::vector<ScreenLine> strokes =
-        strokesOf(number, place.at + ratio * kNumberDistance * direction, ratio * kNumberHeight);
+        strokesOf(number, place.at + ratio * distance * direction, ratio * kNumberHeight);
     for (const ScreenLine& stroke : strokes) {
         batch.addStroke(stroke, ratio * kNumberHalo, {kLight});
     }

@@ -19,6 +19,7 @@ void addHandle(ScreenBatch& batch, const ScreenNode& place, const HandleState& s
 void addHandleNumber(
     ScreenBatch& batch,
     const ScreenNode& place,
+    const HandleState& state,
     const Eigen::Vector2d& direction,
     int number,
     double ratio

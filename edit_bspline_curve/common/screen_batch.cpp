@@ -10,9 +10,9 @@
 namespace bspline_curve {
 namespace {
 
-constexpr double kFade = 0.5;       // pixels on each side of an edge
-constexpr double kRoundFrom = 0.5;  // radians: joins of sharper bends are round
-constexpr double kSectorStep = 0.35;
+constexpr double kFade = 0.5;         // pixels on each side of an edge
+constexpr double kRoundFrom = 0.5;    // radians: joins of sharper bends are round
+constexpr double kChordUnseen = 0.1;  // pixels from arcs to their chords
 
 constexpr std::array<GLenum, 17> kSwitchedOff = {
     GL_LIGHTING,
@@ -98,7 +98,8 @@ void ScreenBatch::add(const ScreenNode& node, const Eigen::Vector2d& offset, con
 void ScreenBatch::addSector(
     const ScreenNode& centre, double from, double angle, const Brush& brush
 ) {
-    const int steps = std::max(1, static_cast<int>(std::ceil(angle / kSectorStep)));
+    const double step = 2.0 * std::sqrt(2.0 * kChordUnseen / brush.outer);
+    const int steps = std::max(1, static_cast<int>(std::ceil(angle / step)));
     const auto ring = [&](double inner, double outer, double outerAlpha) {
         beginStrip();
         for (int i = 0; i <= steps; ++i) {

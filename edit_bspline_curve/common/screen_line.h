@@ -15,6 +15,7 @@ struct ScreenNode {
     double depth = 0.0;                            ///< as OpenGL has it: -1 is near, 1 is far
     /// How the depth of the surface changes per device pixel to the right and upwards.
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+    double depthPerPixel = 0.0;  ///< of a device pixel towards the viewer; negative
 
     [[nodiscard]] double depthAt(const Eigen::Vector2d& p) const {
         return depth + slope.dot(p - at);
@@ -38,8 +39,8 @@ public:
     /// Nothing where the point does not lie before the eye. `normal`: of the face, any length.
     [[nodiscard]] std::optional<ScreenNode> node(const Vec3& point, const Vec3& normal) const;
 
-    /// A polyline, without points that follow others at less than a logical pixel or so; cut where
-    /// it passes behind the eye. `normalOf`: by index of the point.
+    /// A polyline, without points whose absence nobody sees; cut where it passes behind the eye.
+    /// `normalOf`: by index of the point.
     [[nodiscard]] std::vector<ScreenLine> lines(
         const std::vector<Vec3>& points,
         const std::function<Vec3(std::size_t)>& normalOf,
@@ -48,9 +49,11 @@ public:
 
 private:
     [[nodiscard]] ScreenNode seen(const Eigen::Vector4d& eyePoint, const Vec3& normal) const;
-    [[nodiscard]] double nearness(const Vec3& point) const;
+    [[nodiscard]] double nearness(const Eigen::Vector4d& clip) const;
+    [[nodiscard]] Eigen::Vector2d pixelOf(const Eigen::Vector4d& clip) const;
 
     Eigen::Matrix4d modelView_, projection_;
+    Eigen::Matrix4d toClip_;   ///< their product
     Eigen::Matrix3d normals_;  ///< from the world's to the eye's
     Eigen::Vector2d size_;
     double ratio_, lift_;

@@ -204,6 +204,7 @@ private:
                 addHandleNumber(
                     pick->isHidden ? hidden : shown,
                     pick->node,
+                    pick->state,
                     outside(picks, i),
                     static_cast<int>(i) + 1,
                     view_.ratio()

@@ -156,6 +156,10 @@ SurfacePoint PaintedScene::nearest(const Vec3& point) const {
     return treeOf(*designer_).closestPoint(point).point;
 }
 
+Vec3 PaintedScene::positionOf(const SurfacePoint& point) const {
+    return surfaceOf(*designer_).position(point);
+}
+
 void PaintedScene::preview(const Pointer& pointer) {
     static_cast<void>(session_->move(pointer));
     while (!session_->preview()) {
@@ -179,7 +183,8 @@ double contrastNear(
         for (int dx = -reach; dx <= reach; ++dx) {
             const int x = static_cast<int>(std::floor(place.x())) + dx;
             const int y = static_cast<int>(std::floor(place.y())) + dy;
-            if ((Eigen::Vector2d(x + 0.5, y + 0.5) - place).norm() <= radius) {
+            const bool isNear = (Eigen::Vector2d(x + 0.5, y + 0.5) - place).norm() <= radius;
+            if (isNear && !(with.at(x, y) == without.at(x, y))) {
                 most = std::max(most, contrast(with.at(x, y), without.at(x, y)));
             }
         }

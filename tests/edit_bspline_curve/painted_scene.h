@@ -74,6 +74,7 @@ public:
     void addPicks(const std::vector<Vec3>& points);
     /// The point of the surface nearest to one of space.
     [[nodiscard]] SurfacePoint nearest(const Vec3& point) const;
+    [[nodiscard]] Vec3 positionOf(const SurfacePoint& point) const;
     /// Moves the pointer there, and waits for the preview.
     void preview(const Pointer& pointer);
 
