@@ -10,7 +10,7 @@ CLICKS = np.array([[-110, -20], [-60, 60], [20, 90], [90, 40], [100, -50]])
 DRAG = np.array([0, -60])
 
 # Colours of the painter.
-SELECTED, HANDLE, CURVE, BAD = (255, 191, 26), (255, 255, 255), (242, 64, 26), (230, 0, 0)
+SELECTED, HANDLE, CURVE, BAD = (255, 191, 26), (255, 255, 255), (225, 60, 30), (230, 0, 0)
 
 # What the log says of each layer of a curve that is made.
 MADE = "^(Open|Closed) curve through "
