@@ -7,6 +7,7 @@
 #include "edit_bspline_curve/common/snap_glyph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -21,6 +22,8 @@ constexpr double kPreview = 1.1, kPreviewHalo = 2.4;
 constexpr double kDash = 7.0, kGap = 5.0;
 constexpr double kLift = 4.0;         // see ScreenProjection
 constexpr double kLeastApart = 18.0;  // picks that get a number
+
+constexpr double kLeastBend = 0.05;  // of a curve that has an outer side
 
 constexpr SketchColour kPreviewColour{255, 245, 215};
 constexpr double kPreviewHaloAlpha = 0.8;
@@ -200,12 +203,13 @@ private:
     ) const {
         for (std::size_t i = 0; i < picks.size(); ++i) {
             const std::optional<PaintedPick>& pick = picks[i];
-            if (pick && (isMarked(*pick) || (!pick->isHidden && isApart(picks, i)))) {
+            if (pick &&
+                (isMarked(*pick) || (!pick->isHidden && isApart(picks, i, pick->node.at)))) {
                 addHandleNumber(
                     pick->isHidden ? hidden : shown,
                     pick->node,
                     pick->state,
-                    outside(picks, i),
+                    outside(picks, i, pick->node.at),
                     static_cast<int>(i) + 1,
                     view_.ratio()
                 );
@@ -221,28 +225,32 @@ private:
     }
 
     [[nodiscard]] bool isApart(
-        const std::vector<std::optional<PaintedPick>>& picks, std::size_t i
+        const std::vector<std::optional<PaintedPick>>& picks,
+        std::size_t i,
+        const Eigen::Vector2d& here
     ) const {
         const double least = kLeastApart * view_.ratio();
         for (std::size_t k = 0; k < picks.size(); ++k) {
-            if (k != i && picks[k] &&
-                (picks[k]->node.at - picks[i]->node.at).squaredNorm() < least * least) {
+            const std::optional<PaintedPick>& other = picks[k];
+            if (k != i && other && (other->node.at - here).squaredNorm() < least * least) {
                 return false;
             }
         }
         return true;
     }
 
-    // Across the curve at a pick, where it bends away from.
+    // Across the curve at a pick, on the outer side of its bend; upwards where there is none.
     [[nodiscard]] Eigen::Vector2d outside(
-        const std::vector<std::optional<PaintedPick>>& picks, std::size_t i
+        const std::vector<std::optional<PaintedPick>>& picks,
+        std::size_t i,
+        const Eigen::Vector2d& here
     ) const {
         const std::size_t count = picks.size();
         const bool closed = session_.sketch().activeCurve()->options.solver.closed;
-        const Eigen::Vector2d& here = picks[i]->node.at;
         const auto wayTo = [&](std::size_t k, bool isThere) -> Eigen::Vector2d {
-            return isThere && picks[k] ? Eigen::Vector2d((picks[k]->node.at - here).normalized())
-                                       : Eigen::Vector2d(Eigen::Vector2d::Zero());
+            const std::optional<PaintedPick>& other = picks[k];
+            return isThere && other ? Eigen::Vector2d((other->node.at - here).normalized())
+                                    : Eigen::Vector2d(Eigen::Vector2d::Zero());
         };
         const Eigen::Vector2d before = wayTo((i + count - 1) % count, closed || i > 0);
         const Eigen::Vector2d after = wayTo((i + 1) % count, closed || i + 1 < count);
@@ -252,7 +260,8 @@ private:
             across = Eigen::Vector2d::UnitY();
         }
         const double bend = across.dot(before + after);
-        const bool isStraight = before.isZero() || after.isZero() || bend == 0.0;
+        const bool isStraight =
+            before.isZero() || after.isZero() || std::abs(bend) < kLeastBend * across.norm();
         const bool isWrong = isStraight ? across.y() < 0.0 : bend > 0.0;
         return isWrong ? Eigen::Vector2d(-across.normalized())
                        : Eigen::Vector2d(across.normalized());
