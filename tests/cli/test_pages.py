@@ -50,3 +50,15 @@ def test_names_stand_in_the_file_that_the_page_tells(page):
     pairs += [(name, path) for path, name in re.findall(r"`([\w/]+\.(?:h|cpp))` \(`([A-Za-z_:]+)`", text_of(ROOT / page))]
     assert len(pairs) > 5
     assert [pair for pair in pairs if pair[0].split("::")[-1] not in (ROOT / pair[1]).read_text()] == []
+
+
+def test_the_guide_names_the_keys_of_the_drawing_tool():
+    table = re.search(r"### Keys\n\n(.*?)\n\n", (ROOT / "docs" / "MESHLAB.md").read_text(), re.S)[1]
+    told = {key.strip() for row in table.splitlines()[2:] for key in row.split("|")[1].split(",")}
+    source = (ROOT / "edit_bspline_curve" / "common" / "tool_keys.cpp").read_text()
+    names = {"Period": "full stop", "Comma": "comma"}
+    bound = {"Enter", "Escape"}
+    for key, modifiers in re.findall(r"KeyBinding\{Qt::Key_(\w+), ([^,]+),", source):
+        held = [name for name, word in (("Ctrl+", "Control"), ("Shift+", "Shift")) if word in modifiers]
+        bound.add("".join(held) + names.get(key, key))
+    assert told == bound

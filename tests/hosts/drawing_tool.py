@@ -40,9 +40,10 @@ def is_disc(picture, place, colour):
 class Tool:
     """The tool in a window, started."""
 
-    def __init__(self, meshlab, count=1):
+    def __init__(self, meshlab, count=1, start=None):
+        """`start`: presses what starts it; by default it is found by its name."""
         self.meshlab, self.display = meshlab, meshlab.display
-        meshlab.start_action(TOOL)
+        (start or (lambda: meshlab.start_action(TOOL)))()
         meshlab.wait_for_log(f"Started Mode {TOOL}", count)
         self._find_view()
 
