@@ -9,7 +9,7 @@
 namespace bspline_curve {
 namespace {
 
-enum Column { kEye, kColour, kName, kColumns };
+constexpr int kEye = 0, kColour = 1, kName = 2, kColumns = 3;
 
 constexpr int kSwatch = 14, kRows = 4, kNarrow = 28;
 

@@ -6,10 +6,8 @@
 #include <QString>
 #include <QVariant>
 
-namespace bspline_curve {
-
 /// What the drawing tool keeps from one start of the host to the next, in the host's settings.
-namespace kept {
+namespace bspline_curve::kept {
 
 [[nodiscard]] QVariant value(const QString& name, const QVariant& standard = {});
 void setValue(const QString& name, const QVariant& value);
@@ -30,6 +28,4 @@ void setMagnetOn(bool isOn);
 [[nodiscard]] QString folder();
 void setFolder(const QString& folder);
 
-}  // namespace kept
-
-}  // namespace bspline_curve
+}  // namespace bspline_curve::kept

@@ -67,7 +67,7 @@ SketchLayers::SketchLayers(
 std::vector<TakenUp> SketchLayers::takeUp(const LayerArrays& arrays, int& other) {
     std::vector<TakenUp> taken;
     other = 0;
-    MeshModel& surface = *document_.getMesh(surface_);
+    const MeshModel& surface = *document_.getMesh(surface_);
     for (const MeshModel* const layer : host::layersOf(document_)) {
         if (std::optional<DrawnCurve> curve = reopened(*layer, surface, arrays)) {
             taken.push_back({*std::move(curve), layer->id(), !layer->isVisible()});

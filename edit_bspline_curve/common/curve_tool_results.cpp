@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of the curves that are drawn with the tool: layers and files.
+#include "design/designer_surface.h"
+#include "edit_bspline_curve/common/curve_tool.h"
+#include "edit_bspline_curve/common/curve_words.h"
+#include "edit_bspline_curve/common/kept_settings.h"
+#include "filters/utf8_path.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+/// The host waits no longer than this for curves that are still being solved when the tool ends;
+/// their picks are kept then.
+constexpr std::chrono::milliseconds kPatience(150);
+
+/// Formats of the files that curves are saved to and opened from.
+constexpr const char* kFiles = "Curves (*.json *.obj *.dxf)";
+
+double secondsOf(const SolveReport& report) {
+    const auto& s = report.seconds;
+    return s.path + s.initial + s.minimise + s.knots + s.polyline + s.failedAttempts;
+}
+
+}  // namespace
+
+CurveMaker CurveTool::maker() {
+    return {
+        .drawn = [this](const SketchCurve& curve) { return toDrawn(curve); },
+        .result =
+            [this](const SketchCurve& curve, const CurveRequest& request) {
+                const std::vector<double> none;
+                const std::vector<double>& field =
+                    curve.options.guides ? curve.options.guides->values().field : none;
+                const Curve& drawn = *curve.settled;
+                CurveResult result =
+                    curveResult({}, drawn, field, secondsOf(drawn.report), found_, request);
+                found_.isKept = true;  // by the next curve
+                return result;
+            }
+    };
+}
+
+void CurveTool::makeLayers() {
+    isMaking_ = session_ != nullptr;
+    refresh();
+}
+
+void CurveTool::use(const FilterDescription& filter) {
+    used_ = &filter;
+    makeLayers();
+}
+
+void CurveTool::makeWhatWaits() {
+    if (!isMaking_ || !session_->isSettled()) {
+        return;
+    }
+    isMaking_ = false;
+    const FilterDescription* const filter = std::exchange(used_, nullptr);
+    if (!bringLayers() || filter == nullptr) {
+        return;
+    }
+    try {
+        use_(*filter);
+    } catch (const std::exception& error) {
+        notice_ = error.what();
+    }
+}
+
+// Whether what could be made was made.
+bool CurveTool::bringLayers() {
+    session_->newCurve();  // the next click begins one
+    try {
+        const int count = layers_.bring(session_->sketch(), maker());
+        notice_ = count == 0 ? tr("All curves are layers already.")
+                             : tr("%1 made.").arg(countText(count, "layer"));
+        return true;
+    } catch (const std::exception& error) {
+        notice_ = error.what();
+        return false;
+    }
+}
+
+void CurveTool::finish() {
+    if (!session_) {
+        return;
+    }
+    session_->cancel();
+    static_cast<void>(session_->settleWithin(kPatience));
+    static_cast<void>(bringLayers());
+    const int left = layers_.keepUnfinished(session_->sketch(), maker());
+    if (left > 0) {
+        layers_.say(
+            countText(left, "curve").toStdString() + (left == 1 ? " is" : " are") +
+            " not finished, and kept with the surface: the drawing tool goes on with " +
+            (left == 1 ? "it" : "them") + " when it is started there again."
+        );
+    }
+}
+
+// ---- Files ----
+
+CurveFileSurface CurveTool::fileSurface() const {
+    return {
+        .mesh = found_.designer->mesh(),
+        .checksum = checksum_,
+        .repair = found_.repair(),
+        .tree = &treeOf(*found_.designer)
+    };
+}
+
+// Whether all curves are in a file now.
+bool CurveTool::save() {
+    const QString file = QFileDialog::getSaveFileName(
+        view_.window(), tr("Save curves"), QDir(kept::folder()).filePath("curves.json"), kFiles
+    );
+    if (file.isEmpty()) {
+        return false;
+    }
+    session_->settle();
+    std::vector<CurveToSave> curves;
+    for (const std::shared_ptr<SketchCurve>& curve : session_->sketch().curves) {
+        curves.push_back({toDrawn(*curve), curve->settled});
+    }
+    try {
+        saveDrawnCurves(utf8Path(file.toStdString()), curves, fileSurface());
+    } catch (const std::exception& error) {
+        QMessageBox::warning(view_.window(), tr("B-spline Curves"), error.what());
+        return false;
+    }
+    kept::setFolder(QFileInfo(file).path());
+    saved_.assign(session_->sketch().curves.begin(), session_->sketch().curves.end());
+    notice_ =
+        tr("%1 saved to %2.")
+            .arg(countText(static_cast<int>(curves.size()), "curve"), QFileInfo(file).fileName());
+    refresh();
+    return true;
+}
+
+void CurveTool::open() {
+    const QString file =
+        QFileDialog::getOpenFileName(view_.window(), tr("Open curves"), kept::folder(), kFiles);
+    if (file.isEmpty() || !session_) {
+        return;
+    }
+    try {
+        const OpenedCurves opened = openDrawnCurves(utf8Path(file.toStdString()), fileSurface());
+        std::vector<SketchCurve> curves;
+        for (const DrawnCurve& drawn : opened.curves) {
+            curves.push_back(toSketch(drawn, true));
+        }
+        session_->add(std::move(curves));
+        kept::setFolder(QFileInfo(file).path());
+        notice_ = tr("%1 opened.").arg(countText(static_cast<int>(opened.curves.size()), "curve"));
+        for (const std::string& note : opened.notes) {
+            notice_ += "\n" + QString::fromStdString(note);
+        }
+    } catch (const std::exception& error) {
+        notice_ = error.what();
+    }
+    refresh();
+}
+
+}  // namespace bspline_curve
