@@ -186,8 +186,11 @@ public:
         if (area_ == nullptr) {
             area_ = makeScroll(frame);
             dialog_.setMinimumSize(0, 0);  // it was that of all parameters
-            if (const QPushButton* const help = buttonNamed(dialog, "Help")) {
-                connect(help, &QPushButton::clicked, this, [this] { fitSoon(); });
+        }
+        for (const QPushButton* const button : dialog.findChildren<QPushButton*>()) {
+            // Help, and what unfolds parameters: MeshLab's own answer comes first.
+            if (button->text() == "Help" || button->isFlat()) {
+                connect(button, &QPushButton::clicked, this, [this] { fitSoon(); });
             }
         }
         for (QWidget* const child : frame.findChildren<QWidget*>()) {
@@ -274,7 +277,11 @@ private:
             std::min(std::max(dialog_.width(), dialog_.minimumSizeHint().width()), room.width()),
             std::min(dialog_.height(), room.height())
         );
-        const int lacking = naturalHeight(*frame_) - area_->viewport()->height();
+        const int natural = naturalHeight(*frame_);
+        if (frame_->minimumHeight() > 0) {
+            frame_->setMinimumHeight(natural);  // 2020.09 sets it once, without the help
+        }
+        const int lacking = natural - area_->viewport()->height();
         dialog_.resize(dialog_.width(), std::min(dialog_.height() + lacking, room.height()));
     }
 
