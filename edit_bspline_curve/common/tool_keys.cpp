@@ -96,7 +96,10 @@ bool isForTool(const ToolKey& key, const QWidget* focus, const QWidget& panel) {
     if (qobject_cast<const QAbstractSpinBox*>(focus) != nullptr) {
         return isOwn && isLetter(key);
     }
-    return !isText(focus) && qobject_cast<const QComboBox*>(focus) == nullptr;
+    if (qobject_cast<const QComboBox*>(focus) != nullptr) {
+        return !isLetter(key);  // letters choose
+    }
+    return !isText(focus);
 }
 
 }  // namespace bspline_curve

@@ -106,7 +106,8 @@ TEST_F(KeysInAWindow, AreTheToolsButWhereSomethingIsTyped) {
     EXPECT_FALSE(isOurs(Qt::Key_Delete, &own_));
     EXPECT_FALSE(isOurs(Qt::Key_Period, &own_));
     EXPECT_FALSE(isOurs(Qt::Key_Return, &own_));
-    EXPECT_FALSE(isOurs(Qt::Key_A, &choice_));
+    EXPECT_FALSE(isOurs(Qt::Key_A, &choice_));  // chooses what begins so
+    EXPECT_TRUE(isOurs(Qt::Key_Return, &choice_));
     // Letters are no numbers, and undo is the tool's wherever its user is in the panel.
     EXPECT_TRUE(isOurs(Qt::Key_N, &own_));
     EXPECT_TRUE(isOurs(Qt::Key_Z, &own_, Qt::ControlModifier));
