@@ -124,7 +124,7 @@ bool CurveTool::save() {
     if (file.isEmpty()) {
         return false;
     }
-    session_->settle();
+    static_cast<void>(session_->settleWithin(kPatience));  // others are saved with their picks
     std::vector<CurveToSave> curves;
     for (const std::shared_ptr<SketchCurve>& curve : session_->sketch().curves) {
         curves.push_back({toDrawn(*curve), curve->settled});

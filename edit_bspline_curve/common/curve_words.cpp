@@ -2,6 +2,7 @@
 #include "edit_bspline_curve/common/curve_words.h"
 
 #include "design/strict_polyline.h"
+#include "filters/labels.h"
 
 namespace bspline_curve {
 namespace {
@@ -19,7 +20,7 @@ QString countText(int count, const QString& noun) {
 QString wordsFor(const SketchCurve& curve, double edge, const QString& unit) {
     const QString picks = countText(static_cast<int>(curve.picks.size()), "pick");
     if (!curve.problem.message.empty()) {
-        return QString::fromStdString(curve.problem.message);
+        return QString::fromStdString(withLabels(curve.problem.message, curveFilter()));
     }
     if (!curve.isDrawable()) {
         return QObject::tr("%1: click the next one").arg(picks);
