@@ -95,6 +95,7 @@ private:
     void use(const FilterDescription& filter);
     void makeWhatWaits();
     bool bringLayers();
+    [[nodiscard]] QString madeText(int made) const;
 
     // Files.
     bool save();

@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <utility>
@@ -76,16 +77,33 @@ void CurveTool::makeWhatWaits() {
 
 // Whether what could be made was made.
 bool CurveTool::bringLayers() {
-    session_->newCurve();  // the next click begins one
     try {
-        const int count = layers_.bring(session_->sketch(), maker());
-        notice_ = count == 0 ? tr("All curves are layers already.")
-                             : tr("%1 made.").arg(countText(count, "layer"));
+        notice_ = madeText(layers_.bring(session_->sketch(), maker()));
+        const SketchCurve* const active = session_->sketch().activeCurve();
+        if (active != nullptr && layers_.isLayer(*active)) {
+            session_->newCurve();  // the next click begins one
+        }
         return true;
     } catch (const std::exception& error) {
         notice_ = error.what();
         return false;
     }
+}
+
+QString CurveTool::madeText(int made) const {
+    const std::vector<std::shared_ptr<SketchCurve>>& curves = session_->sketch().curves;
+    const auto left = static_cast<int>(std::ranges::count_if(curves, [&](const auto& curve) {
+        return !layers_.isLayer(*curve);
+    }));
+    if (left > 0) {
+        return tr("%1 made. %2 not finished: add picks, or move those that are red.")
+            .arg(
+                countText(made, "layer"),
+                countText(left, "curve") + (left == 1 ? tr(" is") : tr(" are"))
+            );
+    }
+    return made > 0 || curves.empty() ? tr("%1 made.").arg(countText(made, "layer"))
+                                      : tr("All curves are layers already.");
 }
 
 void CurveTool::finish() {
@@ -94,7 +112,9 @@ void CurveTool::finish() {
     }
     session_->cancel();
     static_cast<void>(session_->settleWithin(kPatience));
-    static_cast<void>(bringLayers());
+    if (!bringLayers()) {
+        layers_.say(notice_.toStdString());
+    }
     const int left = layers_.keepUnfinished(session_->sketch(), maker());
     if (left > 0) {
         layers_.say(
