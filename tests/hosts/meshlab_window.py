@@ -70,7 +70,7 @@ class MeshLabWindow:
         try:
             if self.files[-1].suffix == ".mlp":
                 self.main = wait_until(lambda: self.window(r"^MeshLab .*\["), "MeshLab's window")
-                wait_until(lambda: self.view() is not None, "the view of the project")
+                self.view()  # of the project
                 self.wait_for_still_picture()
             else:
                 self.wait_for_log("All files opened")
@@ -303,6 +303,10 @@ class MeshLabWindow:
 
     def view(self):
         """The part of the window that shows the mesh."""
+        return wait_until(self._view, "the view")
+
+    def _view(self):
+        """The same; None while there is none, as before a project is open, or while windows come and go."""
         ids = self.display.xdotool("search", "--onlyvisible", "--class", "meshlab")
         parts = [window for window in map(self._described, ids) if window and window.name.startswith("MeshLab_64bit")]
         # Of those that are equally large the last one holds no other, and only its place is exact.
