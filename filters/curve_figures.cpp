@@ -7,13 +7,6 @@ namespace bspline_curve {
 
 namespace {
 
-/// Of one curve on a surface that is ready.
-double secondsOf(const SolveReport& report) {
-    const auto& part = report.seconds;
-    return part.path + part.initial + part.minimise + part.knots + part.polyline +
-           part.failedAttempts;
-}
-
 /// x, y, z of each point in turn: hosts keep vectors, but no matrix of n rows.
 std::vector<double> flattened(const std::vector<Vec3>& points) {
     std::vector<double> values;
@@ -28,6 +21,12 @@ std::vector<double> asNumbers(const std::vector<int>& indices) {
 }
 
 }  // namespace
+
+double secondsOf(const SolveReport& report) {
+    const auto& part = report.seconds;
+    return part.path + part.initial + part.minimise + part.knots + part.polyline +
+           part.failedAttempts;
+}
 
 Figures curveFigures(const Curve& curve, const DesignerCache::Found& found, double seconds) {
     const SolveReport& report = curve.report;

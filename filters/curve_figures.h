@@ -7,6 +7,9 @@
 
 namespace bspline_curve {
 
+/// How long one curve took on a surface that was ready.
+[[nodiscard]] double secondsOf(const SolveReport& report);
+
 /// What the filter for curves answers with; lengths and control points in world units. `seconds`:
 /// of the whole run. Times of what was kept from an earlier curve are 0.
 [[nodiscard]] Figures curveFigures(

@@ -4,6 +4,7 @@
 #include "edit_bspline_curve/common/curve_tool.h"
 #include "edit_bspline_curve/common/curve_words.h"
 #include "edit_bspline_curve/common/kept_settings.h"
+#include "filters/curve_figures.h"
 #include "filters/utf8_path.h"
 
 #include <QDir>
@@ -24,11 +25,6 @@ constexpr std::chrono::milliseconds kPatience(150);
 
 /// Formats of the files that curves are saved to and opened from.
 constexpr const char* kFiles = "Curves (*.json *.obj *.dxf)";
-
-double secondsOf(const SolveReport& report) {
-    const auto& s = report.seconds;
-    return s.path + s.initial + s.minimise + s.knots + s.polyline + s.failedAttempts;
-}
 
 }  // namespace
 
