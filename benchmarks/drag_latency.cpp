@@ -2,7 +2,6 @@
 // How long a drawing session takes from a mouse event to the curve: one pick of a curve is dragged
 // over the surface in steps of a fifth of an edge, and each event waits for the one before.
 #include "bspline_curve/designer.h"
-#include "design/designer_surface.h"
 #include "io/mesh_reader.h"
 #include "io/picks_reader.h"
 #include "sketch/drawing_session.h"
@@ -63,7 +62,7 @@ std::vector<SurfacePoint> wayFrom(
 ) {
     const SurfacePolyline& line = curve.polyline;
     const Vec3 from = line.points[line.picks[pick]];
-    const Surface& surface = surfaceOf(designer);
+    const Surface& surface = designer.surface();
     // Away from the curve: across it, in the tangent plane.
     const auto here = static_cast<std::size_t>(line.picks[pick]);
     const Vec3 along = (line.points[here + 1] - line.points[here]).normalized();
@@ -71,7 +70,7 @@ std::vector<SurfacePoint> wayFrom(
     std::vector<SurfacePoint> way;
     for (int i = 1; i <= count; ++i) {
         const int steps = i <= count / 2 ? i : count - i;
-        way.push_back(treeOf(designer).closestPoint(from + steps * step * across).point);
+        way.push_back(designer.tree().closestPoint(from + steps * step * across).point);
     }
     return way;
 }
@@ -87,10 +86,9 @@ nlohmann::ordered_json measure(
     SessionSettings settings;
     settings.wake = [&bell] { bell.ring(); };
     DrawingSession session(designer, settings);
-    const Surface& surface = surfaceOf(*designer);
+    const Surface& surface = designer->surface();
     for (const SurfacePoint& pick :
-         locatePicks(surface, treeOf(*designer), given.picks, given.closed.value_or(false))
-             .points) {
+         locatePicks(surface, designer->tree(), given.picks, given.closed.value_or(false)).points) {
         session.addPick(pick);
     }
     session.setClosed(given.closed.value_or(false));

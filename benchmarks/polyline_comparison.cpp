@@ -9,6 +9,7 @@
 #include "io/mesh_reader.h"
 #include "io/picks_reader.h"
 #include "surface/picks.h"
+#include "surface/surface.h"
 #include "utility/stopwatch.h"
 #include "utility/worker_task.h"
 #include "utility/worker_thread.h"
@@ -22,6 +23,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -131,7 +133,7 @@ int run(int count, const char* const* words) {
     options.tension = tension;
     options.validate();
     const CurveDesigner designer(mesh);
-    const PreparedSurface prepared(mesh, {});
+    const PreparedSurface prepared(std::make_shared<const Surface>(mesh), {});
     Json rows = Json::array();
     for (const int number : samples) {
         rows.push_back(

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -73,7 +74,7 @@ Scene::Scene(int subdivisions)
     : mesh(bumpySphere(subdivisions)),
       picks(picksOn(mesh)),
       options(closedCurve()),
-      prepared(mesh, {}),
+      prepared(std::make_shared<const Surface>(mesh), {}),
       located(locatePicks(prepared.surface(), prepared.tree(), picks, options.closed).points),
       path(makePath()),
       problem(makeProblem(prepared, options, path.picks)),

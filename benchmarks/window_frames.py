@@ -19,8 +19,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
+from float_ply import bunny_ply  # noqa: E402
 from meshlab_window import MeshLabWindow  # noqa: E402
-from sample_bunny import bunny_ply  # noqa: E402
 from virtual_display import VirtualDisplay  # noqa: E402
 
 TOOL = "Draw B-spline Curves"

@@ -32,7 +32,7 @@ from cases import PROGRAM, ROOT, machine, replace_table, write_json
 MESHES = (".ply", ".obj", ".off", ".stl")
 KINDS = {"A": "open, 4 picks", "B": "closed, 6 picks", "C": "open, field `valley`", "": "other picks"}
 OPTIONS = {"C": ["--field", "valley"]}
-MENDED = {"merged_vertices": "vertices merged", "removed_degenerate_faces": "faces without area removed",
+MENDED = {"left_out_faces": "faces that are not finite left out", "merged_vertices": "vertices merged", "removed_degenerate_faces": "faces without area removed",
           "split_faces": "faces split", "removed_duplicate_faces": "duplicate faces removed", "reversed_faces": "faces reversed",
           "cut_edges": "edges cut", "duplicated_vertices": "vertices duplicated"}
 SIMILAR = 2.0  # sizes within this factor are alike

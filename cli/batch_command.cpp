@@ -8,11 +8,10 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/job_table.h"
-#include "cli/mesh_process.h"
 #include "cli/packet_socket.h"
 #include "cli/progress_bar.h"
 #include "cli/temporary_folder.h"
-#include "cli/verb.h"
+#include "cli/verb_parser.h"
 #include "io/job_results.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"
@@ -35,7 +34,6 @@
 #include <string>
 #include <system_error>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace bspline_curve::cli {
@@ -429,12 +427,7 @@ ExitCode runJobs(const BatchArguments& arguments, ProgressBar& bar) {
 }  // namespace
 
 ExitCode runBatch(Arguments arguments) {
-    const auto parsed = parseBatchArguments(arguments);
-    if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
-        return *code;
-    }
-    const auto& batch = std::get<BatchArguments>(parsed);
-    return runVerb([&](ProgressBar& bar) { return runJobs(batch, bar); }, AfterInterrupt::Finish);
+    return runParsed<BatchParser>(arguments, runJobs, AfterInterrupt::Finish);
 }
 
 }  // namespace bspline_curve::cli

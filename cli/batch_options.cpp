@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/batch_options.h"
 
-#include "cli/parse_with.h"
 #include "cli/value_checks.h"
+#include "cli/verb_parser.h"
 #include "io/text_parsing.h"
 
 #include <algorithm>
@@ -24,101 +24,66 @@ std::size_t jobNumber(std::string_view word) {
     return static_cast<std::size_t>(*number);
 }
 
-/// The command line of one batch, and what was given on it.
-class BatchParser {
-public:
-    BatchParser() {
-        arguments_.atOnce = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-        addFiles();
-        addRun();
-    }
-
-    /// Throws CLI::ParseError.
-    BatchArguments parse(Arguments words) {
-        // CLI11 takes them in reverse order.
-        app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-        arguments_.only = only_.empty() ? JobSelection() : JobSelection(only_);
-        if (arguments_.results.empty()) {
-            arguments_.results = arguments_.jobs;
-            arguments_.results.replace_extension(".results.csv");
-        }
-        if (jobMemory_) {
-            constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
-            arguments_.jobMemoryBytes =
-                static_cast<std::uint64_t>(std::llround(*jobMemory_ * kGibibyte));
-        }
-        return arguments_;
-    }
-
-    [[nodiscard]] const CLI::App& app() const { return app_; }
-
-private:
-    void addFiles() {
-        app_.add_option(
-                "JOBS",
-                arguments_.jobs,
-                "CSV with a header and a line per curve: columns mesh, picks, output, and any "
-                "option of a curve by its name; empty: its default. Paths are relative to this "
-                "file"
-        )
-            ->required()
-            ->type_name("");
-        app_.add_option(
-                "--results",
-                arguments_.results,
-                "CSV to write, a line for each job as it ends; default: JOBS with the extension "
-                ".results.csv"
-        )
-            ->type_name("FILE.csv");
-    }
-
-    void addRun() {
-        constexpr int kMostAtOnce = 4096;
-        constexpr double kMostGibibytes = 1 << 20;
-        app_.add_option("--jobs", arguments_.atOnce, "So many jobs at once; default: one per core")
-            ->check(Interval<int>{.low = 1, .high = kMostAtOnce}.validator())
-            ->type_name("N");
-        app_.add_flag(
-            "--resume",
-            arguments_.resume,
-            "Go on with the results file: jobs that it says are done, and whose output is there, "
-            "are not run again"
-        );
-        app_.add_option(
-                "--only", only_, "Run these jobs of the file, counted from 1: 3, 2-5, 1,4-6"
-        )
-            ->type_name("JOBS");
-        app_.add_option(
-                "--job-memory",
-                jobMemory_,
-                "A job that needs more memory than this fails, in GiB of address space; default: "
-                "no limit"
-        )
-            ->check(
-                Interval<double>{.low = 0.0, .high = kMostGibibytes, .withLow = false}.validator()
-            )
-            ->type_name("GIB");
-        app_.add_flag(
-            "--dry-run",
-            arguments_.dryRun,
-            "Check the jobs file and print the command of each job; run nothing"
-        );
-    }
-
-    CLI::App app_{
-        "Draws many curves, each in a process of its own: whatever happens to one, the others go "
-        "on.\n\n"
-        "Exit status: 0 all jobs are done; 1 some are not, or a bad jobs file, before anything "
-        "runs;\n"
-        "2 wrong usage; 130 interrupted by Ctrl-C, --resume goes on.\n",
-        "bspline_curve batch"
-    };
-    BatchArguments arguments_;
-    std::string only_;
-    std::optional<double> jobMemory_;
-};
-
 }  // namespace
+
+BatchParser::BatchParser() {
+    arguments.atOnce = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    app.add_option(
+           "JOBS",
+           arguments.jobs,
+           "CSV with a header and a line per curve: columns mesh, picks, output, and any "
+           "option of a curve by its name; empty: its default. Paths are relative to this "
+           "file"
+    )
+        ->required()
+        ->type_name("");
+    app.add_option(
+           "--results",
+           arguments.results,
+           "CSV to write, a line for each job as it ends; default: JOBS with the extension "
+           ".results.csv"
+    )
+        ->type_name("FILE.csv");
+    constexpr int kMostAtOnce = 4096;
+    constexpr double kMostGibibytes = 1 << 20;
+    app.add_option("--jobs", arguments.atOnce, "So many jobs at once; default: one per core")
+        ->check(Interval<int>{.low = 1, .high = kMostAtOnce}.validator())
+        ->type_name("N");
+    app.add_flag(
+        "--resume",
+        arguments.resume,
+        "Go on with the results file: jobs that it says are done, and whose output is there, "
+        "are not run again"
+    );
+    app.add_option("--only", only, "Run these jobs of the file, counted from 1: 3, 2-5, 1,4-6")
+        ->type_name("JOBS");
+    app.add_option(
+           "--job-memory",
+           jobMemory,
+           "A job that needs more memory than this fails, in GiB of address space; default: "
+           "no limit"
+    )
+        ->check(Interval<double>{.low = 0.0, .high = kMostGibibytes, .withLow = false}.validator())
+        ->type_name("GIB");
+    app.add_flag(
+        "--dry-run",
+        arguments.dryRun,
+        "Check the jobs file and print the command of each job; run nothing"
+    );
+}
+
+BatchArguments BatchParser::finish() {
+    arguments.only = only.empty() ? JobSelection() : JobSelection(only);
+    if (arguments.results.empty()) {
+        arguments.results = arguments.jobs;
+        arguments.results.replace_extension(".results.csv");
+    }
+    if (jobMemory) {
+        constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
+        arguments.jobMemoryBytes = static_cast<std::uint64_t>(std::llround(*jobMemory * kGibibyte));
+    }
+    return arguments;
+}
 
 JobSelection::JobSelection(const std::string& text) {
     for (const std::string_view part : splitAt(text, ',')) {
@@ -145,10 +110,6 @@ std::size_t JobSelection::last() const {
         result = std::max(result, last);
     }
     return result;
-}
-
-std::variant<BatchArguments, ExitCode> parseBatchArguments(Arguments arguments) {
-    return parseWith<BatchParser>(arguments);
 }
 
 }  // namespace bspline_curve::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/command.h"
+#include <CLI/CLI.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace bspline_curve::cli {
@@ -43,8 +42,23 @@ struct BatchArguments {
     std::optional<std::uint64_t> jobMemoryBytes;
 };
 
-/// Reads the command line; or, after --help or a wrong one, says how the program ends. Prints help
-/// to stdout and one line about what is wrong to stderr.
-[[nodiscard]] std::variant<BatchArguments, ExitCode> parseBatchArguments(Arguments arguments);
+/// That command line, see runParsed().
+struct BatchParser {
+    BatchParser();
+
+    [[nodiscard]] BatchArguments finish();
+
+    CLI::App app{
+        "Draws many curves, each in a process of its own: whatever happens to one, the others go "
+        "on.\n\n"
+        "Exit status: 0 all jobs are done; 1 some are not, or a bad jobs file, before anything "
+        "runs;\n"
+        "2 wrong usage; 130 interrupted by Ctrl-C, --resume goes on.\n",
+        "bspline_curve batch"
+    };
+    BatchArguments arguments;
+    std::string only;
+    std::optional<double> jobMemory;
+};
 
 }  // namespace bspline_curve::cli

@@ -40,6 +40,15 @@ void printError(const std::string& message);
 /// The verb imprint: curves as edges of the mesh.
 [[nodiscard]] ExitCode runImprint(Arguments arguments);
 
+/// The word before which `batch` starts this program for a mesh; no verb for users.
+inline constexpr const char* kMeshProcess = "--mesh-process";
+
+/// Reads requests from the standard input, a packet socket: a number and the command line of a
+/// curve, all on the mesh of the first one. Answers each, when its curve has ended, with the
+/// number, the exit code, the signal that ended it (0: none), its peak memory in bytes and what it
+/// printed. Ends without answers, with a line on stderr, where the mesh is refused.
+[[nodiscard]] ExitCode runMeshProcess();
+
 /// The verb offset: curves at a distance from a curve, along the surface.
 [[nodiscard]] ExitCode runOffset(Arguments arguments);
 

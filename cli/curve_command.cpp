@@ -1,48 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve MESH --picks FILE --output FILE …: one curve through picks on a mesh.
-#include "bspline_curve/designer.h"
-#include "bspline_curve/error.h"
-#include "bspline_curve/progress.h"
-#include "cli/command.h"
 #include "cli/curve_drawing.h"
 #include "cli/curve_options.h"
 #include "cli/interrupt.h"
-#include "cli/mesh_input.h"
-#include "cli/prepared_mesh.h"
-#include "cli/progress_bar.h"
-#include "cli/shell_cache_option.h"
-#include "cli/verb.h"
-#include "design/curve_on_given_mesh.h"
-#include "design/designer_surface.h"
-#include "filters/curve_notes.h"
-#include "filters/requests.h"
-#include "io/atomic_file.h"
+#include "cli/process_figures.h"
+#include "cli/result_files.h"
+#include "cli/verb_parser.h"
 #include "io/curve_writer.h"
-#include "io/field_reader.h"
 #include "io/report_writer.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace bspline_curve::cli {
 
 namespace {
 
-/// Refuses what could only fail after the work.
+// Share of the progress, up to the end of preparing the mesh.
+constexpr double kPreparedShare = 0.6;
+
 void checkFiles(const CurveArguments& arguments) {
     checkDrawingFiles(arguments);
-    checkCurveExtension(arguments.output);
-    checkWritable(arguments.output);
-    if (!arguments.report.empty()) {
-        checkReportExtension(arguments.report);
-        checkWritable(arguments.report);
-    }
+    checkOutput(arguments.output, checkCurveExtension);
+    checkOutput(arguments.report, checkReportExtension);
 }
 
 double median(std::vector<double> values) {
@@ -54,9 +40,9 @@ double median(std::vector<double> values) {
 /// Median seconds of further curves on the same shell; none where none are asked for.
 std::optional<double> timeWarm(
     const CurveArguments& arguments,
-    const Inputs& inputs,
+    const std::vector<Vec3>& picks,
     const CurveDesigner& designer,
-    const Drawn& drawn,
+    const DesignedCurve& drawn,
     ProgressBar& bar
 ) {
     std::vector<double> times;
@@ -64,7 +50,7 @@ std::optional<double> timeWarm(
         bar.show(static_cast<double>(i) / arguments.repeat, "repeat");
         Stopwatch watch;
         static_cast<void>(designer.design(
-            inputs.picks,
+            picks,
             arguments.solver,
             arguments.sampling,
             {.field = drawn.field, .avoid = drawn.avoid},
@@ -75,97 +61,88 @@ std::optional<double> timeWarm(
     return times.empty() ? std::nullopt : std::optional(median(std::move(times)));
 }
 
-/// The curve with the faces and barycentric coordinates of the mesh as it was given.
-Curve onGivenMesh(const Curve& curve, const MeshRepair* repair) {
-    Curve given = curve;
-    bringBack(given, repair);
-    return given;
-}
-
-/// Writes curve and report together: both files appear, or none. Only the report of a curve that is
-/// not usable, where that is required.
-void writeResults(
-    const CurveArguments& arguments,
-    const PreparedMesh& prepared,
-    const Drawn& drawn,
-    const Curve& given
+RunFigures figuresOf(
+    const CurveArguments& arguments, const LoadedMesh& loaded, const DesignedCurve& drawn
 ) {
-    const Surface& surface = surfaceOf(prepared.designer());
-    std::optional<AtomicFile> report;
-    if (!arguments.report.empty()) {
-        report.emplace(arguments.report, reportText(given, surface, drawn.figures));
+    const CurveDesigner& designer = loaded.workpiece->designer();
+    RunFigures figures;
+    figures.fieldSeconds = drawn.field.empty() ? 0.0 : drawn.fieldSeconds;
+    figures.designSeconds = drawn.seconds;
+    figures.stages = designer.seconds();
+    figures.coldSeconds = figures.stages.validate + figures.stages.tree + figures.stages.shell +
+                          figures.fieldSeconds + figures.designSeconds;
+    figures.peakMemoryBytes = peakMemoryBytes();
+    figures.readSeconds = loaded.readSeconds;
+    figures.readMemoryBytes = loaded.readMemoryBytes;
+    figures.shell = designer.shell();
+    figures.meshFile = arguments.mesh.string();
+    figures.repair = loaded.workpiece->repair();
+    if (arguments.field && !drawn.field.empty()) {
+        figures.field = name(arguments.field->options.kind);
+        figures.fieldCost = name(arguments.solver.fieldCost);
     }
-    beginWriting();
-    if (given.report.usable || !arguments.requireUsable) {
-        const std::vector<double> quality =
-            drawn.field.empty() ? std::vector<double>()
-                                : fieldAlong(drawn.curve.polyline, surface.faces(), drawn.field);
-        writeCurve(arguments.output, given, quality, prepared.loaded.checksum);
-    }
-    if (report) {
-        report->commit();
-    }
+    figures.notes = loaded.notes();
+    std::ranges::copy(figures.shell.notes, std::back_inserter(figures.notes));
+    std::ranges::copy(drawn.notes, std::back_inserter(figures.notes));
+    return figures;
 }
 
 ExitCode drawAndWrite(
     const CurveArguments& arguments,
-    const Inputs& inputs,
-    const PreparedMesh& prepared,
+    const std::vector<Vec3>& picks,
+    const LoadedMesh& loaded,
     ProgressBar& bar
 ) {
-    Drawn drawn = drawCold(arguments, inputs, prepared, bar);
-    drawn.figures.warmSeconds = timeWarm(arguments, inputs, prepared.designer(), drawn, bar);
+    const Workpiece& workpiece = *loaded.workpiece;
+    const DesignedCurve drawn =
+        drawThrough(picks, arguments, loaded, progressPart(bar, kPreparedShare, 1.0));
+    const Curve& curve = drawn.curve;
+    RunFigures figures = figuresOf(arguments, loaded, drawn);
+    figures.warmSeconds = timeWarm(arguments, picks, workpiece.designer(), drawn, bar);
     bar.clear();
-    const Curve given = onGivenMesh(drawn.curve, prepared.mended.repair());
-    printNotes(inputs.notes);
-    printNotes(drawn.figures.shell.notes);
-    if (!given.report.repeatedPicks.empty()) {
-        printError("note: " + describeRepeatedPicks(given.report));
+    const bool isRefused = !curve.report.usable && arguments.requireUsable;
+    ResultFiles files;
+    if (!arguments.report.empty()) {
+        files.add(arguments.report, reportText(curve, workpiece.surface(), figures));
     }
-    if (given.report.fieldShare < 1.0) {
-        printError("note: " + describeWeakenedField(given.report));
+    if (!isRefused) {
+        files.add(
+            arguments.output, curveBytes(arguments.output, curve, drawn.along, workpiece.checksum())
+        );
     }
-    writeResults(arguments, prepared, drawn, given);
-    if (given.report.usable) {
-        return ExitCode::Success;
+    // Why it is refused comes last, and is no note.
+    const std::span<const std::string> notes = figures.notes;
+    printNotes(notes.first(notes.size() - (isRefused ? 1 : 0)));
+    files.commit();
+    if (isRefused) {
+        printError(notes.back());
     }
-    const std::string why = describeUnusable(given.report);
-    printError(arguments.requireUsable ? why : "note: " + why);
-    return arguments.requireUsable ? ExitCode::Failure : ExitCode::Success;
+    return isRefused ? ExitCode::Failure : ExitCode::Success;
 }
 
 ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
     checkFiles(arguments);
     bar.show(0.0, "reading");
-    std::vector<Vec3> picks = picksFor(arguments);
-    LoadedMesh loaded = loadMesh(arguments);
-    Inputs inputs = inputsFor(arguments, loaded, std::move(picks));
-    const PreparedMesh prepared(std::move(loaded), arguments, progressPart(bar, 0.0, kShellShare));
-    bar.clear();
-    sayMended(prepared.mended.mending);
-    carryOver(inputs, prepared.mended.repair());
-    return drawAndWrite(arguments, inputs, prepared, bar);
+    const std::vector<Vec3> picks = picksFrom(arguments.picks, arguments);
+    LoadedMesh loaded = loadMesh(arguments.mesh, arguments.mending.strict);
+    readDrawingFiles(arguments, loaded.layer.mesh);
+    loaded.prepareForCurves(arguments, arguments.noCache, progressPart(bar, 0.0, kPreparedShare));
+    return drawAndWrite(arguments, picks, loaded, bar);
 }
 
 }  // namespace
 
-ExitCode drawOn(const PreparedMesh& prepared, CurveArguments arguments) {
+ExitCode drawOn(const LoadedMesh& loaded, CurveArguments arguments) {
     return runVerb([&](ProgressBar& bar) {
         checkFiles(arguments);
-        Inputs inputs = inputsFor(arguments, prepared.loaded, picksFor(arguments));
-        sayMended(prepared.mended.mending);
-        carryOver(inputs, prepared.mended.repair());
-        return drawAndWrite(arguments, inputs, prepared, bar);
+        const std::vector<Vec3> picks = picksFrom(arguments.picks, arguments);
+        readDrawingFiles(arguments, loaded.workpiece->mesh());
+        return drawAndWrite(arguments, picks, loaded, bar);
     });
 }
 
 ExitCode runCurve(Arguments arguments) {
-    auto parsed = parseCurveArguments(arguments);
-    if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
-        return *code;
-    }
-    auto& curve = std::get<CurveArguments>(parsed);
-    return runVerb([&](ProgressBar& bar) { return draw(curve, bar); });
+    return runParsed<CurveParser>(arguments, draw);
 }
 
 }  // namespace bspline_curve::cli

@@ -1,43 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/curve.h"
-#include "bspline_curve/options.h"
-#include "bspline_curve/shell.h"
 #include "cli/command.h"
-#include "cli/field_input.h"
-#include "surface/mending.h"
+#include "cli/drawing_options.h"
+#include "cli/loaded_mesh.h"
+
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace bspline_curve::cli {
 
 /// Everything that the command line of one curve says.
-struct CurveArguments {
-    std::filesystem::path mesh, picks, output;
+struct CurveArguments : DrawingArguments {
+    std::filesystem::path picks, output;
     std::filesystem::path report;  ///< empty: none asked for
-    std::string field;          ///< empty: none; "auto"; the name of a kind; else a file of values
-    FieldOptions fieldOptions;  ///< of a file, too: its values are those of the kind quality
-    RegionArguments fieldRegion;
-    RegionArguments
-        avoid;       ///< thresholds are for the field, or for the quality where there is none
-    int repeat = 0;  ///< further curves to time
-    MendingOptions mending{};
+    int repeat = 0;                ///< further curves to time
     bool requireUsable = false;
-    bool noCache = false;
-    SolverOptions solver;  ///< the preset with what was given explicitly; closed where --closed
-                           ///< was, fieldCost the kind's natural one where none was given
-    ShellOptions shell;
-    SamplingOptions sampling;
 };
 
-/// Reads the command line; or, after --help, --version or a wrong one, says how the program ends.
-/// Prints help to stdout and one line about what is wrong to stderr.
-[[nodiscard]] std::variant<CurveArguments, ExitCode> parseCurveArguments(Arguments arguments);
+/// That command line, see runParsed().
+struct CurveParser {
+    CurveParser();
+
+    [[nodiscard]] CurveArguments finish();
+
+    CLI::App app;
+    CurveArguments arguments;
+    DrawingOptions drawing{app, arguments};
+};
+
+/// Draws one curve on a mesh that is ready, and writes it. Prints what goes wrong.
+[[nodiscard]] ExitCode drawOn(const LoadedMesh& loaded, CurveArguments arguments);
 
 /// An option of the command line, for those who write one.
 struct CurveOption {

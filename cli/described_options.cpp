@@ -37,11 +37,11 @@ std::string flagOf(std::string_view parameterId) {
 
 void DescribedOptions::keep(const std::string& id, ParameterValue value) {
     values_.set(id, std::move(value));
-    given_.insert(id);
+    said_.insert(id);
 }
 
 bool DescribedOptions::isAnyGivenBut(std::span<const std::string_view> ids) const {
-    return std::ranges::any_of(given_, [&](const std::string& id) {
+    return std::ranges::any_of(said_, [&](const std::string& id) {
         return std::ranges::find(ids, id) == ids.end();
     });
 }
@@ -52,10 +52,11 @@ CLI::Option* DescribedOptions::addNumber(
 ) {
     const Interval<Number> range = rangeOf<Number>(parameter);
     const auto keepNumber = [this, id = parameter.id](const Number& value) { keep(id, value); };
-    const std::string help = parameter.help + " (" + range.text() + ")";
-    CLI::Option* const option = app_.add_option_function<Number>(flags, keepNumber, help)
-                                    ->check(range.validator())
-                                    ->type_name(std::is_integral_v<Number> ? "N" : "X");
+    const std::string& help = extras.help.empty() ? parameter.help : extras.help;
+    CLI::Option* const option =
+        app_.add_option_function<Number>(flags, keepNumber, help + " (" + range.text() + ")")
+            ->check(range.validator())
+            ->type_name(std::is_integral_v<Number> ? "N" : "X");
     if (extras.hasDefault) {
         option->default_str(CLI::detail::to_string(values_.get<Number>(parameter.id)));
     }
@@ -67,31 +68,31 @@ CLI::Option* DescribedOptions::addChoice(
 ) {
     const std::vector<std::string> ids = parameter.optionIds(kHasSelections);
     const auto keepWord =
-        [this, id = parameter.id, ids, file = extras.file](const std::string& word) {
-            given_.insert(id);
+        [this, id = parameter.id, ids, other = extras.other](const std::string& word) {
+            said_.insert(id);
             if (std::ranges::find(ids, word) != ids.end()) {
                 keep(id, word);
             } else {
-                *file = word;  // without a file the check lets only options pass
+                *other = word;  // without one the check lets only options pass
             }
         };
     std::string help = parameter.fullHelp(kHasSelections);
     std::string words = joined(ids);
-    if (extras.file != nullptr) {
-        help += " Or a file: " + extras.fileHelp;
-        words += "|FILE";
+    if (extras.other != nullptr) {
+        help += " " + extras.otherHelp;
+        words += extras.otherType;
     }
     CLI::Option* const option =
         app_.add_option_function<std::string>(flags, keepWord, help)->type_name(words);
-    if (extras.file == nullptr) {
+    if (extras.other == nullptr) {
         option->check(oneOf(ids));
     }
     return extras.isRequired ? option->required()
                              : option->default_str(values_.get<std::string>(parameter.id));
 }
 
-void DescribedOptions::add(
-    std::string_view id, const std::string& group, const OptionExtras& extras
+CLI::Option* DescribedOptions::add(
+    std::string_view id, const OptionExtras& extras, const std::string& group
 ) {
     const ParameterDescription& parameter = values_.filter().parameter(id);
     const std::string flags = flagOf(id) + extras.aliases;
@@ -101,7 +102,7 @@ void DescribedOptions::add(
             option = app_.add_flag_function(
                 flags,
                 [this, key = parameter.id](std::int64_t /*times*/) { keep(key, true); },
-                parameter.help
+                extras.help.empty() ? parameter.help : extras.help
             );
             break;
         case ParameterType::Int:
@@ -117,7 +118,7 @@ void DescribedOptions::add(
         default:
             throw std::invalid_argument(parameter.id + " is no option of the program");
     }
-    option->group(group);
+    return option->group(group);
 }
 
 }  // namespace bspline_curve::cli

@@ -21,11 +21,14 @@ inline constexpr const char* kMainGroup = "Options";
 
 /// What the program has beyond the description of a parameter.
 struct OptionExtras {
-    std::string aliases{};        ///< ",--lambda"
-    std::string* file = nullptr;  ///< of an enumeration: any other word is a file and goes here
-    std::string fileHelp{};       ///< what the file holds
-    bool isRequired = false;      ///< of an enumeration
-    bool hasDefault = true;       ///< of a number; false: the help names none
+    std::string aliases{};  ///< ",--lambda"
+    /// Of an enumeration: any other word goes here.
+    std::string* other = nullptr;
+    std::string otherHelp{};         ///< what such a word is
+    std::string otherType{"|FILE"};  ///< follows the words that are listed
+    bool isRequired = false;         ///< of an enumeration
+    bool hasDefault = true;          ///< of a number; false: the help names none
+    std::string help{};              ///< of a switch or number, in place of what is described
 };
 
 /// Options of a verb that the parameters of a filter describe: avoid_margin is --avoid-margin, with
@@ -35,19 +38,19 @@ public:
     /// Both must outlive this.
     DescribedOptions(CLI::App& app, const FilterDescription& filter) : app_(app), values_(filter) {}
 
-    /// The default that this verb has instead.
-    void setDefault(std::string_view id, ParameterValue value) {
-        values_.set(id, std::move(value));
-    }
+    /// The default that this verb has instead; or, after parsing, what was meant.
+    void set(std::string_view id, ParameterValue value) { values_.set(id, std::move(value)); }
 
     /// Declares the option of a parameter, listed under `group` in the help.
-    void add(std::string_view id, const std::string& group, const OptionExtras& extras = {});
+    CLI::Option* add(
+        std::string_view id, const OptionExtras& extras = {}, const std::string& group = kMainGroup
+    );
 
     /// What was given, else the defaults.
     [[nodiscard]] const ParameterValues& values() const { return values_; }
 
     /// Whether the option was on the command line.
-    [[nodiscard]] bool isGiven(std::string_view id) const { return given_.contains(id); }
+    [[nodiscard]] bool isGiven(std::string_view id) const { return said_.contains(id); }
 
     /// Whether one of them was, but for some.
     [[nodiscard]] bool isAnyGivenBut(std::span<const std::string_view> ids) const;
@@ -64,7 +67,7 @@ private:
 
     CLI::App& app_;
     ParameterValues values_;
-    std::set<std::string, std::less<>> given_;
+    std::set<std::string, std::less<>> said_;
 };
 
 /// "--avoid-margin" for avoid_margin.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/drawing_options.h"
 
-#include "cli/field_input.h"
 #include "filters/requests.h"
 
 #include <CLI/CLI.hpp>
@@ -33,7 +32,7 @@ constexpr std::array<std::string_view, 10> kOfHosts = {
 };
 
 /// Those that say how the mesh is mended.
-constexpr std::array<std::string_view, 2> kOfMending = {"strict", "weld"};
+constexpr std::array<std::string_view, 3> kOfMending = {"strict", "weld", "slits"};
 
 std::string groupOf(const ParameterDescription& parameter) {
     if (parameter.group == "advanced.field") {
@@ -44,45 +43,46 @@ std::string groupOf(const ParameterDescription& parameter) {
 
 }  // namespace
 
-DrawingOptions::DrawingOptions(CLI::App& app, CurveArguments& arguments)
+DrawingOptions::DrawingOptions(CLI::App& app, DrawingArguments& arguments)
     : app_(app), arguments_(arguments), options_(app, curveFilter()) {}
 
-void DrawingOptions::addAll() {
+void DrawingOptions::add(const std::string& group) {
     for (const ParameterDescription& parameter : curveFilter().parameters) {
-        if (std::ranges::find(kOfHosts, parameter.id) == kOfHosts.end()) {
-            options_.add(parameter.id, groupOf(parameter), extrasOf(parameter.id));
+        const std::string& id = parameter.id;
+        if (std::ranges::find(kOfHosts, id) == kOfHosts.end()) {
+            const bool isOfMending = std::ranges::find(kOfMending, id) != kOfMending.end();
+            const std::string used = isOfMending ? kMainGroup : group;
+            options_.add(id, extrasOf(id), group.empty() ? groupOf(parameter) : used);
         }
     }
-    addRegionOptions(app_, kFieldGroup, kFieldPrefix, arguments_.fieldRegion);
-}
-
-void DrawingOptions::addForUses(const std::string& group) {
-    for (const ParameterDescription& parameter : curveFilter().parameters) {
-        if (std::ranges::find(kOfHosts, parameter.id) != kOfHosts.end()) {
-            continue;
-        }
-        const bool isOfMending = std::ranges::find(kOfMending, parameter.id) != kOfMending.end();
-        options_.add(parameter.id, isOfMending ? kMainGroup : group, extrasOf(parameter.id));
-    }
-    addRegionOptions(app_, group, kFieldPrefix, arguments_.fieldRegion);
+    region_ =
+        std::make_unique<RegionOptions>(app_, group.empty() ? kFieldGroup : group, kFieldPrefix);
 }
 
 bool DrawingOptions::isAnyGivenForDrawing() const {
-    return options_.isAnyGivenBut(kOfMending) || arguments_.fieldRegion.isGiven();
+    return options_.isAnyGivenBut(kOfMending) || region_->isGiven();
 }
 
 void DrawingOptions::finish() {
-    if (!fieldFile_.empty()) {
+    if (!valuesFile_.empty()) {
         // The values of a file are treated as those of a mesh.
-        options_.setDefault("field", std::string(name(FieldKind::Quality)));
+        options_.set("field", std::string(name(FieldKind::Quality)));
     }
-    const CurveRequest request = curveRequest(options_.values());
-    arguments_.solver = request.solver;
-    arguments_.sampling = request.sampling;
-    arguments_.shell = request.shell;
-    arguments_.mending = request.mending;
-    setField(request);
-    setAvoided(request);
+    CurveRequest request = curveRequest(options_.values());
+    const FaceChoice& region =
+        region_->choice(request.field ? request.field->options.kind : FieldKind::Quality);
+    if (request.field) {
+        request.field->region = region;
+    }
+    checkThreshold(request.avoid);
+    if (!avoidFile_.empty()) {
+        request.avoid = {.by = FaceChoice::By::Ids};
+    }
+    arguments_.values = valuesFile_;
+    arguments_.region = region_->file();
+    arguments_.avoided = avoidFile_;
+    static_cast<CurveOptions&>(arguments_) = static_cast<const CurveOptions&>(request);
+    static_cast<PreparingOptions&>(arguments_) = static_cast<const PreparingOptions&>(request);
 }
 
 OptionExtras DrawingOptions::extrasOf(std::string_view id) {
@@ -93,45 +93,30 @@ OptionExtras DrawingOptions::extrasOf(std::string_view id) {
         return {.aliases = ",--mu"};
     }
     if (id == "field") {
-        return {.file = &fieldFile_, .fileHelp = ".npy, or a text of one number per vertex."};
+        return {
+            .other = &valuesFile_,
+            .otherHelp = "Or a file: .npy, or a text of one number per vertex."
+        };
     }
     if (id == "avoid_threshold") {
         return {.hasDefault = false};  // --avoid needs it
     }
     if (id == "avoid") {
         return {
-            .file = &avoidFile_,
-            .fileHelp = "ids of the faces from 0 on, .npy of integers or a text."
+            .other = &avoidFile_,
+            .otherHelp = "Or a file: ids of the faces from 0 on, .npy of integers or a text."
         };
     }
     return {};
 }
 
-void DrawingOptions::setField(const CurveRequest& request) {
-    arguments_.fieldOptions.kind = FieldKind::Quality;
-    if (request.field) {
-        arguments_.fieldOptions = request.field->options;
-        arguments_.field = request.field->automatic ? kAutomaticField
-                           : fieldFile_.empty()     ? name(arguments_.fieldOptions.kind)
-                                                    : fieldFile_;
-    }
-    checkRegion(arguments_.fieldRegion, arguments_.fieldOptions.kind, kFieldPrefix);
-}
-
-void DrawingOptions::setAvoided(const CurveRequest& request) {
-    const bool isUnder = request.avoid == Avoid::UnderThreshold;
-    const bool isOver = request.avoid == Avoid::OverThreshold;
-    const bool needsThreshold = avoidFile_.empty() && (isUnder || isOver);
-    if (needsThreshold != options_.isGiven("avoid_threshold")) {
+void DrawingOptions::checkThreshold(const FaceChoice& avoid) const {
+    const bool isNeeded = avoidFile_.empty() && avoid.hasThreshold();
+    if (isNeeded != options_.isGiven("avoid_threshold")) {
         throw CLI::ValidationError(
-            "--avoid-threshold is for --avoid under-threshold and --avoid over-threshold, "
-            "which "
+            "--avoid-threshold is for --avoid under-threshold and --avoid over-threshold, which "
             "need it"
         );
-    }
-    arguments_.avoid.file = avoidFile_;
-    if (needsThreshold) {
-        (isUnder ? arguments_.avoid.under : arguments_.avoid.over) = request.avoidThreshold;
     }
 }
 

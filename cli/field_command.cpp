@@ -1,117 +1,108 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve field MESH --kind KIND --output FILE …: a field on a mesh.
-#include "bspline_curve/error.h"
-#include "cli/command.h"
-#include "cli/field_options.h"
-#include "cli/interrupt.h"
-#include "cli/mesh_input.h"
-#include "cli/progress_bar.h"
-#include "cli/verb.h"
-#include "field/make_field.h"
-#include "io/atomic_file.h"
+#include "cli/described_options.h"
+#include "cli/loaded_mesh.h"
+#include "cli/region_options.h"
+#include "cli/result_files.h"
+#include "cli/verb_parser.h"
+#include "filters/requests.h"
 #include "io/field_report.h"
 #include "io/field_writer.h"
-#include "io/mesh_reader.h"
 #include "io/report_writer.h"
 #include "utility/stopwatch.h"
-
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace bspline_curve::cli {
 
 namespace {
 
-/// Refuses what could only fail after the work.
-void checkOutputs(const FieldArguments& arguments) {
-    checkFieldExtension(arguments.output);
-    checkWritable(arguments.output);
-    if (!arguments.report.empty()) {
-        checkReportExtension(arguments.report);
-        checkWritable(arguments.report);
-    }
-}
+struct FieldArguments {
+    std::filesystem::path mesh, output;
+    std::filesystem::path report;  ///< empty: none asked for
+    std::filesystem::path region;  ///< likewise
+    FieldLayerRequest request;
+};
 
-/// Writes field and report together: both files appear, or none.
-void writeResults(
-    const FieldArguments& arguments,
-    const TriangleMesh& given,
-    const Surface& surface,
-    const std::vector<double>& field,
-    FieldRunFigures& figures
-) {
-    Stopwatch watch;
-    AtomicFile output(arguments.output, fieldBytes(arguments.output, given, field));
-    figures.seconds.write = watch.lap();
-    std::optional<AtomicFile> report;
-    if (!arguments.report.empty()) {
-        report.emplace(arguments.report, fieldReportText(surface, field, figures));
+struct FieldParser {
+    FieldParser() {
+        addMesh(app, arguments.mesh);
+        options.add("kind", {.isRequired = true});
+        addOutput(
+            app,
+            arguments.output,
+            "Field to write: .ply (the mesh with the field as per-vertex quality), .npy or .txt"
+        );
+        addReport(
+            app,
+            arguments.report,
+            "Write minimum, mean and maximum of the field, and times, as .json"
+        );
+        for (const ParameterDescription& parameter : fieldFilter().parameters) {
+            // The region is a selection elsewhere; here it is a file or a threshold.
+            if (parameter.id != "kind" && parameter.id != "region") {
+                options.add(parameter.id);
+            }
+        }
     }
-    beginWriting();
-    output.commit();
-    if (report) {
-        report->commit();
-    }
-}
 
-ExitCode compute(const FieldArguments& arguments, ProgressBar& bar) {
-    checkOutputs(arguments);
-    FieldRunFigures figures;
-    figures.meshFile = arguments.mesh.string();
-    figures.kind = name(arguments.field.kind);
-    figures.naturalCost = name(naturalCost(arguments.field.kind));
+    FieldArguments finish() {
+        arguments.request = fieldRequest(options.values());
+        arguments.request.region = region.choice(arguments.request.options.kind);
+        arguments.region = region.file();
+        return arguments;
+    }
+
+    CLI::App app{
+        "Computes a field on a triangle mesh, one value per vertex, that curves can follow or "
+        "avoid:\ngive it to a curve by --field, or look at it in MeshLab.\n\n"
+        "Exit status: 0 done; 1 bad mesh or file, or nothing there to make the field from; 2 "
+        "wrong\nusage; 130 interrupted by Ctrl-C. No output is written unless the status is 0.\n",
+        "bspline_curve field"
+    };
+    FieldArguments arguments;
+    DescribedOptions options{app, fieldFilter()};
+    RegionOptions region{app, kMainGroup, "--"};
+};
+
+ExitCode compute(FieldArguments& arguments, ProgressBar& bar) {
+    checkOutput(arguments.output, checkFieldExtension);
+    checkOutput(arguments.report, checkReportExtension);
+    FieldLayerRequest& request = arguments.request;
     bar.show(0.0, "reading");
-    Stopwatch watch;
-    MeshFile file = readInputMesh(arguments.mesh, arguments.mending.strict);
-    figures.seconds.read = watch.lap();
-    throwIfInterrupted();
-    if (arguments.field.kind == FieldKind::Quality && file.quality.empty()) {
-        refuseMissingQuality(arguments.mesh);
-    }
-    const TriangleMesh given = file.mesh;
-    const auto [surface, mending] = surfaceOfMended(std::move(file.mesh), arguments.mending);
-    sayMended(mending);
-    figures.seconds.validate = watch.lap();
-    figures.repair = reportOf(mending);
-    if (mending && !file.quality.empty()) {
-        file.quality = mending->repair.carriedOver(file.quality);
-    }
-    const Region region = readRegion(
-        arguments.region,
-        surface,
-        {.file = arguments.mesh,
-         .faces = static_cast<int>(given.faces.size()),
-         .quality = file.quality,
-         .repair = mending ? &mending->repair : nullptr}
-    );
-    std::vector<double> field = makeField(
-        surface,
-        arguments.field,
-        {.quality = file.quality, .region = region},
-        progressPart(bar, 0.0, 1.0)
-    );
-    figures.seconds.field = watch.lap();
-    if (mending) {
-        field = mending->toOrigin(std::move(field));
-    }
+    LoadedMesh loaded = loadMesh(arguments.mesh, request.mending.strict);
+    loaded.prepare({.mending = request.mending});
     bar.clear();
-    writeResults(arguments, given, surface, field, figures);
+    printNotes(loaded.notes());
+    const Workpiece& workpiece = *loaded.workpiece;
+    Stopwatch watch;
+    if (!arguments.region.empty()) {
+        request.region.ids = regionOf(arguments.region, workpiece.mesh());
+    }
+    const ScalarField field = workpiece.field(loaded.layer, request, progressPart(bar, 0.0, 1.0));
+    FieldRunFigures figures{
+        .meshFile = arguments.mesh.string(),
+        .kind = name(request.options.kind),
+        .naturalCost = name(naturalCost(request.options.kind)),
+        .seconds = {},
+        .repair = workpiece.repair()
+    };
+    figures.seconds.read = loaded.readSeconds;
+    figures.seconds.validate = workpiece.seconds();
+    figures.seconds.field = watch.lap();
+    bar.clear();
+    ResultFiles files;
+    files.add(arguments.output, fieldBytes(arguments.output, workpiece.mesh(), field.values()));
+    figures.seconds.write = watch.lap();
+    if (!arguments.report.empty()) {
+        files.add(arguments.report, fieldReportText(workpiece.surface(), field.values(), figures));
+    }
+    files.commit();
     return ExitCode::Success;
 }
 
 }  // namespace
 
 ExitCode runField(Arguments arguments) {
-    const auto parsed = parseFieldArguments(arguments);
-    if (const auto* const code = std::get_if<ExitCode>(&parsed)) {
-        return *code;
-    }
-    const auto& field = std::get<FieldArguments>(parsed);
-    return runVerb([&](ProgressBar& bar) { return compute(field, bar); });
+    return runParsed<FieldParser>(arguments, compute);
 }
 
 }  // namespace bspline_curve::cli

@@ -3,7 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "cli/curve_options.h"
-#include "io/atomic_file.h"
+#include "cli/result_files.h"
 #include "io/csv.h"
 #include "io/curve_writer.h"
 #include "io/number_text.h"
@@ -90,6 +90,7 @@ std::string preparationOf(const CurveArguments& curve) {
           shell.targetEdgeLength,
           curve.mending.strict ? 1.0 : 0.0,
           curve.mending.weld,
+          curve.mending.slits ? 1.0 : 0.0,
           curve.noCache ? 1.0 : 0.0}) {
         text += ' ' + numberText(value);
     }
@@ -169,13 +170,9 @@ private:
         const CurveArguments curve = readCurveArguments(words);
         job.preparation = preparationOf(curve);
         job.outputPath = folder_ / curve.output;
-        checkCurveExtension(job.outputPath);
-        checkWritable(job.outputPath);
-        if (!curve.report.empty()) {
-            job.reportPath = folder_ / curve.report;
-            checkReportExtension(job.reportPath);
-            checkWritable(job.reportPath);
-        }
+        job.reportPath = curve.report.empty() ? path() : folder_ / curve.report;
+        checkOutput(job.outputPath, checkCurveExtension);
+        checkOutput(job.reportPath, checkReportExtension);
     }
 
     path folder_;

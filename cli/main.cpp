@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
-#include "cli/mesh_process.h"
-#include "cli/nearest_word.h"
 #include "cli/process_figures.h"
 #include "cli/value_checks.h"
 

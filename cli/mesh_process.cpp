@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The process of a batch that reads and prepares one mesh, once, and starts a copy of itself for
 // each curve on it. So a curve that crashes ends alone, and so does a mesh.
-#include "cli/mesh_process.h"
-
-#include "bspline_curve/progress.h"
 #include "cli/child_process.h"
+#include "cli/curve_options.h"
 #include "cli/interrupt.h"
 #include "cli/packet_socket.h"
-#include "cli/prepared_mesh.h"
 #include "cli/verb.h"
 
 #include <poll.h>
@@ -36,9 +33,10 @@ CurveArguments argumentsOf(const std::vector<std::string>& request) {
 class MeshServer {
 public:
     MeshServer(const CurveArguments& arguments, std::vector<std::string> first)
-        : prepared_(loadMesh(arguments), arguments, [](double, const char*) {
-              return !interrupted();
-          }) {
+        : loaded_(loadMesh(arguments.mesh, arguments.mending.strict)) {
+        loaded_.prepareForCurves(arguments, arguments.noCache, [](double, const char*) {
+            return !interrupted();
+        });
         start(std::move(first));
     }
 
@@ -58,7 +56,7 @@ private:
 
     void start(std::vector<std::string> request) {
         auto process = std::make_unique<ChildProcess>([&] {
-            return reportingErrors([&] { return drawOn(prepared_, argumentsOf(request)); });
+            return reportingErrors([&] { return drawOn(loaded_, argumentsOf(request)); });
         });
         curves_.push_back({std::move(request.front()), std::move(process)});
     }
@@ -124,7 +122,7 @@ private:
         ));
     }
 
-    PreparedMesh prepared_;
+    LoadedMesh loaded_;
     std::vector<RunningCurve> curves_;
     bool isOpen_ = true;  // more requests may come
     bool isInterruptPassedOn_ = false;

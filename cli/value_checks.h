@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/nearest_word.h"
-
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
 // What options accept, and how they say so.
 namespace bspline_curve::cli {
+
+/// "; did you mean valley?" where one of `words` differs from `word` by at most two letters (one in
+/// words of up to three); else "".
+[[nodiscard]] std::string didYouMean(std::string_view word, std::span<const std::string> words);
 
 /// An interval of numbers; its text is part of the help.
 template <class Number>

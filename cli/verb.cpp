@@ -6,7 +6,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -16,6 +19,23 @@ void printError(const std::string& message) {
     std::string line = message;
     std::ranges::replace_if(line, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     std::cerr << "bspline_curve: " << line << '\n';
+}
+
+ExitCode reportingErrors(const std::function<ExitCode()>& run) {
+    try {
+        return run();
+    } catch (const std::bad_alloc&) {
+        printError("out of memory");
+    } catch (const std::exception& error) {
+        printError(std::string("internal error: ") + error.what());
+    }
+    return ExitCode::Failure;
+}
+
+void printNotes(std::span<const std::string> notes) {
+    for (const std::string& note : notes) {
+        printError("note: " + note);
+    }
 }
 
 ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work, AfterInterrupt after) {
@@ -28,7 +48,7 @@ ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work, AfterInterru
         return work(bar);
     } catch (const InputError& error) {
         bar.clear();
-        printError(error.what());
+        printError(withRemedy(error.what(), error.remedy(), kRemedyWords));
         return ExitCode::Failure;
     } catch (const Cancelled&) {
         bar.clear();

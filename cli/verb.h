@@ -4,8 +4,11 @@
 #include "bspline_curve/progress.h"
 #include "cli/command.h"
 #include "cli/progress_bar.h"
+#include "surface/error_messages.h"
 
 #include <functional>
+#include <span>
+#include <string>
 
 namespace CLI {
 class App;
@@ -21,6 +24,11 @@ enum class AfterInterrupt {
     Finish    ///< it ends by itself, as it has other processes to end
 };
 
+/// What helps against an error, in words of the program.
+inline constexpr RemedyWords kRemedyWords{
+    .mend = "without --strict the mesh is mended", .weld = "--weld % joins these components"
+};
+
 /// Does the work of a verb; what it throws becomes one line on stderr and an exit code. From
 /// here on the first Ctrl-C cancels.
 [[nodiscard]] ExitCode runVerb(
@@ -30,6 +38,9 @@ enum class AfterInterrupt {
 
 /// A part [from, to] of the whole bar, and a way out for Ctrl-C.
 [[nodiscard]] Progress progressPart(ProgressBar& bar, double from, double to);
+
+/// One line on stderr for each.
+void printNotes(std::span<const std::string> notes);
 
 /// Prints help, version or what is wrong with a command line.
 [[nodiscard]] ExitCode explainParseError(const CLI::App& app, const CLI::ParseError& error);

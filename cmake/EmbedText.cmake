@@ -17,6 +17,6 @@ endfunction()
 
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   file(READ ${FILE} text)
-  file(WRITE ${SOURCE} "#include <string_view>\n\nnamespace ${NAMESPACE} {\n\nextern const std::string_view ${NAME};\n"
+  file(WRITE ${SOURCE} "#include <string_view>\n\n// Texts may be long.\n#pragma GCC diagnostic ignored \"-Woverlength-strings\"\n\nnamespace ${NAMESPACE} {\n\nextern const std::string_view ${NAME};\n"
     "const std::string_view ${NAME} = R\"embedded(${text})embedded\";\n\n}  // namespace ${NAMESPACE}\n")
 endif()

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
-#include "design/curve_on_given_mesh.h"
 #include "design/curve_solver.h"
-#include "design/designer_surface.h"
+#include "design/detours.h"
 #include "design/field_cache.h"
 #include "design/prepared_surface.h"
 #include "design/rejoined_designers.h"
@@ -16,9 +15,12 @@
 #include "solver/obstacles.h"
 #include "solver/problem_traces.h"
 #include "surface/error_messages.h"
+#include "surface/field_on_surface.h"
 #include "surface/picks.h"
 #include "surface/region.h"
+#include "surface/strict_line.h"
 #include "surface/surface_point.h"
+#include "surface/weld_remedy.h"
 #include "utility/index_sets.h"
 #include "utility/report_progress.h"
 #include "utility/sparse_map.h"
@@ -120,7 +122,8 @@ void describeShell(const CurveProblem& problem, const Solution& solution, Curve&
     curve.facesPassed = static_cast<int>(faces.size());
 }
 
-// Share of the progress for what comes before the shell.
+// Shares of the progress for the surface, and for what comes before the shell.
+constexpr double kValidShare = 0.02;
 constexpr double kPreparedShare = 0.1;
 
 // `trace`: of this spline, in the problem's shell or along the fibres; none: of the cells.
@@ -209,6 +212,25 @@ Curve curveOf(const Surface& surface, Solved& solved, const SamplingOptions& sam
     return curve;
 }
 
+/// `asked`: faces of the surface's input, `avoided`: those of the surface.
+void reportAvoided(
+    const Surface& surface, std::span<const int> asked, const Region& avoided, Curve& curve
+) {
+    std::vector<int> faces(asked.begin(), asked.end());
+    sortUnique(faces);
+    curve.report.avoidedFaces = static_cast<int>(faces.size());
+    curve.report.clearance = clearanceOf(curve.polyline, surface, avoided);
+}
+
+/// `numbers`: of the picks, as they were asked for.
+void reportDetour(const PreparedSurface& prepared, std::span<const int> numbers, Curve& curve) {
+    if (std::optional<Detour> detour = worstDetour(prepared, curve.polyline)) {
+        detour->from = numbers[detour->from];
+        detour->to = numbers[detour->to];
+        curve.report.detours.push_back(*detour);
+    }
+}
+
 /// Gives each pick as given its vertex and parameter, where some are one; those at the end that
 /// coincide with the first of a closed curve have t = 1.
 void giveRepeatedPicks(const LocatedPicks& located, Curve& curve) {
@@ -226,21 +248,95 @@ void giveRepeatedPicks(const LocatedPicks& located, Curve& curve) {
 
 }  // namespace
 
+namespace {
+
+/// The legs of a curve that is still to be drawn.
+std::vector<CurveLeg> legsBetween(
+    const TriangleTree& tree, const std::vector<Vec3>& picks, bool closed
+) {
+    std::vector<SurfacePoint> points;
+    for (const Vec3& pick : picks) {
+        points.push_back(tree.closestPoint(pick).point);
+    }
+    if (closed) {
+        points.push_back(points.front());
+    }
+    std::vector<CurveLeg> legs;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        legs.push_back({points[i], points[i + 1], std::numeric_limits<double>::infinity()});
+    }
+    return legs;
+}
+
+/// The legs that go farther than they need. `isRejoined`: on the mesh that was joined for the ways.
+std::vector<Detour> detoursOf(
+    const SurfacePolyline& line, const RejoinedDesigners::Ways& ways, bool isRejoined
+) {
+    constexpr double kLongest = 1.5;  // a curve bends less than the shortest way, and goes farther
+    const std::vector<CurveLeg> legs = curveLegsOf(line);
+    std::vector<Detour> detours;
+    const auto count = static_cast<int>(line.picks.size());
+    const auto detourOf = [&](int leg, double ratio, Detour::Round round) {
+        return Detour{.from = leg, .to = (leg + 1) % count, .ratio = ratio, .round = round};
+    };
+    for (const auto& [leg, before, shortest, isOverSlit] : ways.shorter) {
+        if (isOverSlit || !isRejoined) {
+            detours.push_back(detourOf(
+                leg,
+                legs[leg].length / shortest,
+                isOverSlit ? Detour::Round::Slit : Detour::Round::Cut
+            ));
+        }
+    }
+    for (std::size_t i = 0; isRejoined && i < legs.size(); ++i) {
+        const double ratio = legs[i].length / ways.lengths[i];
+        if (ratio > kLongest &&
+            std::ranges::find(detours, static_cast<int>(i), &Detour::from) == detours.end()) {
+            detours.push_back(detourOf(static_cast<int>(i), ratio, Detour::Round::Cut));
+        }
+    }
+    std::ranges::sort(detours, {}, &Detour::from);
+    return detours;
+}
+
+}  // namespace
+
 struct CurveDesigner::State : PreparedSurface {
     using PreparedSurface::PreparedSurface;
 
-    /// As CurveDesigner::design(), on the components that there are.
+    /// As CurveDesigner::design(), on the components that there are; the curve has the surface's
+    /// own ids. `avoid`: likewise.
     [[nodiscard]] Curve design(
         const std::vector<Vec3>& picks,
         const SolverOptions& options,
         const SamplingOptions& sampling,
         const CurveInputs& inputs,
+        const Region& avoid,
         const Progress& progress
     ) const;
 
-    /// The same where other faces are joined for these picks; nothing where that does not help.
-    /// Starts from no other curve.
+    /// The faces to avoid. Throws InputError.
+    [[nodiscard]] Region regionOf(const CurveInputs& inputs) const {
+        return surface().provenance().facesFromInput(makeRegion(
+            surface().input(), std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end())
+        ));
+    }
+
+    /// The same where mending has parted faces or left slits: over the former where that is
+    /// shorter. The curve has the ids of the surface's input.
+    [[nodiscard]] Curve designOverParted(
+        const std::vector<Vec3>& picks,
+        const SolverOptions& options,
+        const SamplingOptions& sampling,
+        const CurveInputs& inputs,
+        const Region& avoid,
+        const Progress& progress
+    ) const;
+
+    /// On a surface joined anew for some ways; nothing where that does not help. Starts from no
+    /// other curve; ids are the input's.
     [[nodiscard]] std::optional<Curve> designRejoined(
+        const std::vector<Step>& steps,
         const std::vector<Vec3>& picks,
         const SolverOptions& options,
         const SamplingOptions& sampling,
@@ -248,25 +344,66 @@ struct CurveDesigner::State : PreparedSurface {
         const Progress& progress
     ) const;
 
-    /// The faces to avoid. Throws InputError.
-    [[nodiscard]] Region regionOf(const CurveInputs& inputs) const {
-        return makeRegion(
-            surface(), std::vector<std::int64_t>(inputs.avoid.begin(), inputs.avoid.end())
-        );
-    }
-
     mutable FieldCache fieldCache;
     std::unique_ptr<RejoinedDesigners> rejoinedDesigners{};  ///< null: nothing is to be joined
 };
 
+namespace {
+
+/// The curve from which one may start, with the surface's own ids; none where it does not lie on
+/// it.
+std::optional<Curve> startOn(const Surface& surface, const Curve* start) {
+    if (start == nullptr) {
+        return std::nullopt;
+    }
+    std::optional<Curve> own(*start);
+    if (!surface.provenance().isIdentity()) {
+        try {
+            own->polyline = strictLine(surface, std::move(own->polyline), "the start");
+        } catch (const InputError&) {
+            return std::nullopt;  // it passes from sheet to sheet: the curve starts from scratch
+        }
+    }
+    return own;
+}
+
+}  // namespace
+
 CurveDesigner::CurveDesigner(
     TriangleMesh mesh,
     const ShellOptions& options,
+    const MendingOptions& mending,
     const Progress& progress,
     const ShellStore* store
 ) {
-    state_ =
-        std::make_unique<State>(std::move(mesh), options, partOf(progress, 0.0, kPreparedShare));
+    options.validate();
+    Stopwatch watch;
+    auto surface = std::make_shared<const Surface>(
+        std::move(mesh), mending, partOf(progress, 0.0, kValidShare)
+    );
+    *this = CurveDesigner(
+        std::move(surface), options, partOf(progress, kValidShare, 1.0), store, watch.lap()
+    );
+}
+
+CurveDesigner::CurveDesigner(
+    std::shared_ptr<const Surface> surface,
+    const ShellOptions& options,
+    const Progress& progress,
+    const ShellStore* store,
+    double seconds
+) {
+    state_ = std::make_unique<State>(
+        std::move(surface), options, partOf(progress, 0.0, kPreparedShare), seconds
+    );
+    const RepairReport* const repair = state_->surface().provenance().report();
+    // One that was joined anew has no report.
+    if (state_->surface().leavesSlits() || (repair != nullptr && !repair->isEmpty())) {
+        auto designers = std::make_unique<RejoinedDesigners>(state_->surface());
+        if (!designers->empty()) {
+            state_->rejoinedDesigners = std::move(designers);
+        }
+    }
     bspline_curve::report(progress, kPreparedShare, "building the shell");
     if (options.kind != ShellKind::Local) {
         static_cast<void>(state_->wholeShell(partOf(progress, kPreparedShare, 1.0), store));
@@ -278,20 +415,15 @@ CurveDesigner::CurveDesigner(CurveDesigner&&) noexcept = default;
 CurveDesigner& CurveDesigner::operator=(CurveDesigner&&) noexcept = default;
 
 const TriangleMesh& CurveDesigner::mesh() const {
-    return state_->surface().mesh();
+    return state_->surface().input();
 }
 
-const Surface& surfaceOf(const CurveDesigner& designer) {
-    return designer.state_->surface();
+const Surface& CurveDesigner::surface() const {
+    return state_->surface();
 }
 
-const TriangleTree& treeOf(const CurveDesigner& designer) {
-    return designer.state_->tree();
-}
-
-void letRejoin(CurveDesigner& designer, std::vector<int> vertexOrigins) {
-    designer.state_->rejoinedDesigners =
-        std::make_unique<RejoinedDesigners>(std::move(vertexOrigins));
+const TriangleTree& CurveDesigner::tree() const {
+    return state_->tree();
 }
 
 StageSeconds CurveDesigner::seconds() const {
@@ -317,49 +449,105 @@ Curve CurveDesigner::design(
     const CurveInputs& inputs,
     const Progress& progress
 ) const {
+    const Region avoid = state_->regionOf(inputs);
     try {
-        return state_->design(picks, options, sampling, inputs, progress);
+        if (state_->rejoinedDesigners != nullptr) {
+            return state_->designOverParted(picks, options, sampling, inputs, avoid, progress);
+        }
+        Curve curve = state_->design(picks, options, sampling, inputs, avoid, progress);
+        surface().provenance().bringToInput(curve);
+        return curve;
     } catch (const InputError& error) {
         if (error.code() != InputErrorCode::PicksOnDifferentComponents) {
             throw;
         }
-        std::optional<Curve> curve =
-            state_->designRejoined(picks, options, sampling, inputs, progress);
-        if (!curve) {
-            throw;
-        }
-        return *std::move(curve);
+        const Remedy remedy = weldFor(surface(), tree(), picks, options.closed, progress);
+        throw InputError(error.code(), error.what(), error.elements(), remedy);
     }
 }
 
+Curve CurveDesigner::State::designOverParted(
+    const std::vector<Vec3>& picks,
+    const SolverOptions& options,
+    const SamplingOptions& sampling,
+    const CurveInputs& inputs,
+    const Region& avoid,
+    const Progress& progress
+) const {
+    std::optional<Curve> curve;
+    std::optional<InputError> refusal;
+    try {
+        curve = design(picks, options, sampling, inputs, avoid, progress);
+    } catch (const InputError& error) {
+        if (error.code() != InputErrorCode::PicksOnDifferentComponents &&
+            error.code() != InputErrorCode::NoPath) {
+            throw;
+        }
+        refusal = error;
+    }
+    const std::vector<CurveLeg> legs =
+        curve ? curveLegsOf(curve->polyline) : legsBetween(tree(), picks, options.closed);
+    if (curve) {
+        surface().provenance().bringToInput(*curve);
+    }
+    const Progress rest = partOf(progress, curve ? 1.0 : 0.0, 1.0);
+    const RejoinedDesigners::Ways ways = rejoinedDesigners->waysFor(legs, avoid, rest);
+    bool isRejoined = false;
+    if (!ways.steps.empty()) {
+        std::optional<Curve> other =
+            designRejoined(ways.steps, picks, options, sampling, inputs, rest);
+        // With a field it is the field's matter how long a curve is.
+        if (other && (!curve || (other->report.usable &&
+                                 (!inputs.field.empty() || !curve->report.usable ||
+                                  lengthOf(other->polyline) < lengthOf(curve->polyline))))) {
+            curve = std::move(other);
+            isRejoined = true;
+        }
+    }
+    if (!curve) {
+        const bool isSlit =
+            std::ranges::any_of(ways.shorter, [](const auto& leg) { return leg.isOverSlit; });
+        const std::string slits =
+            isSlit ? "; slits part them, which are joined without the options strict and slits"
+                   : "";
+        throw InputError(refusal->code(), refusal->what() + slits, refusal->elements());
+    }
+    for (const Detour& detour : detoursOf(curve->polyline, ways, isRejoined)) {
+        std::erase_if(curve->report.detours, [&](const Detour& d) {
+            return d.from == detour.from;
+        });
+        curve->report.detours.push_back(detour);
+    }
+    std::ranges::sort(curve->report.detours, {}, &Detour::from);
+    return *std::move(curve);
+}
+
 std::optional<Curve> CurveDesigner::State::designRejoined(
+    const std::vector<Step>& steps,
     const std::vector<Vec3>& picks,
     const SolverOptions& options,
     const SamplingOptions& sampling,
     const CurveInputs& inputs,
     const Progress& progress
 ) const {
-    if (rejoinedDesigners == nullptr) {
+    const auto there = rejoinedDesigners->designerFor(
+        steps, this->options(), partOf(progress, 0.0, kPreparedShare)
+    );
+    if (there == nullptr) {
         return std::nullopt;
     }
-    const Progress preparing = partOf(progress, 0.0, kPreparedShare);
-    const Region avoid = regionOf(inputs);
-    const auto rejoined = rejoinedDesigners->find(
-        surface(), tree(), picks, options.closed, avoid, this->options(), preparing
-    );
-    if (rejoined == nullptr) {
-        return std::nullopt;
+    const ScalarField field = rejoinedField(surface(), inputs.field, there->surface());
+    try {
+        return there->design(
+            picks,
+            options,
+            sampling,
+            {.field = field, .avoid = inputs.avoid},
+            partOf(progress, kPreparedShare, 1.0)
+        );
+    } catch (const InputError&) {
+        return std::nullopt;  // what is wrong without the ways says more
     }
-    const RejoinedInputs there(inputs, surface(), *rejoined);
-    Curve curve = rejoined->designer.design(
-        picks,
-        options,
-        sampling,
-        {.field = there.field, .avoid = there.avoid},
-        partOf(progress, kPreparedShare, 1.0)
-    );
-    bringBack(curve, &rejoined->repair);
-    return curve;
 }
 
 Curve CurveDesigner::State::design(
@@ -367,29 +555,29 @@ Curve CurveDesigner::State::design(
     const SolverOptions& options,
     const SamplingOptions& sampling,
     const CurveInputs& inputs,
+    const Region& avoid,
     const Progress& progress
 ) const {
     options.validate();
     sampling.validate();
-    const std::shared_ptr<const ValidatedField> field =
-        fieldCache.find(surface(), *extended(), inputs.field, options.fieldCost);
+    const std::shared_ptr<const ValidatedField> field = fieldCache.find(
+        surface(), *extended(), valuesOn(surface(), inputs.field), options.fieldCost
+    );
     const LocatedPicks located = locatePicks(surface(), tree(), picks, options.closed);
     const std::vector<int> repeated = located.repeated();
-    const Region region = regionOf(inputs);
     std::optional<Obstacles> obstacles;
-    if (!region.empty()) {
+    if (!avoid.empty()) {
         requireExactAvoidance(options);
         obstacles.emplace(
-            surface(), *extended(), region, options.avoidMargin * surface().diagonal()
+            surface(), *extended(), avoid, options.avoidMargin * surface().diagonal()
         );
         refuseAvoidedPicks(surface(), *obstacles, located);
     }
-    const std::vector<int> given = located.given();
+    const std::vector<int> numbers = located.given();
+    const std::optional<Curve> start =
+        startOn(surface(), repeated.empty() ? inputs.start : nullptr);  // it has as many picks
     const DesignContext context{
-        *field,
-        obstacles ? &*obstacles : nullptr,
-        repeated.empty() ? inputs.start : nullptr,  // which has as many picks as were given
-        given
+        *field, obstacles ? &*obstacles : nullptr, start ? &*start : nullptr, numbers
     };
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {
@@ -410,8 +598,10 @@ Curve CurveDesigner::State::design(
     curve.report.diagonal = surface().diagonal();
     if (obstacles) {
         requireClear(surface(), curve.polyline, *obstacles);
-        curve.report.avoidedFaces = static_cast<int>(region.size());
-        curve.report.clearance = clearanceOf(curve.polyline, surface(), region);
+        reportAvoided(surface(), inputs.avoid, avoid, curve);
+    }
+    if (obstacles || !inputs.field.empty() || problem.shell != nullptr) {
+        reportDetour(*this, numbers, curve);
     }
     if (!repeated.empty()) {
         giveRepeatedPicks(located, curve);

@@ -104,6 +104,8 @@ Solution tightAlong(const PreparedSurface& prepared, CurveProblem problem, Initi
     for (PickConstraint& pick : problem.picks) {
         pick.position = positionOn(prepared, pick.point);
     }
+    // Where the path winds through folds, its spans are as short in them as on a straight one.
+    problem.options.minimumSpan *= std::min(1.0, problem.chordLength / path.length());
     SheetTraceStart traced = sheetStartOf(prepared, problem);
     traced.guide = guide;
     traced.mostDistance = kLadder.farthestFit * problem.distanceTolerance;

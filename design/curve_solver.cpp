@@ -23,12 +23,12 @@ struct StrategyConstants {
     /// strong.
     double firstShare = 0.9;
     /// Of that: for an attempt from another curve; of what is left, up to the end of
-    /// attempts without a shell, of a tight fit, and of attempts that need a shell.
-    double startShare = 0.2, nearbyShare = 0.5, tightlyShare = 0.55, cellsShare = 0.95;
+    /// attempts without a shell, and of attempts that need a shell.
+    double startShare = 0.2, nearbyShare = 0.5, cellsShare = 0.95;
     /// Of what needs the shell: up to its end, and of attempts at samples in it.
     double builtShare = 0.5, sampledShare = 0.7;
-    /// Of attempts at samples: up to the end of the loose one, and of those from tight fits.
-    double looseShare = 0.5, tightShare = 0.9;
+    /// Of attempts at samples: up to the end of the loose one.
+    double looseShare = 0.5;
     /// First weights for tight fits, as stiffnesses of stiffStart(): each is tried in turn.
     std::array<double, 3> stiffnesses = {5e7, 5e9, 5e11};
     /// Chords of paths for tight fits lie within so many tolerances of the surface. With more,
@@ -40,13 +40,6 @@ struct StrategyConstants {
     /// Shares of the field by which paths follow it, cell by cell: less where no spline along them
     /// stays in the shell.
     std::array<double, 3> guideShares = {1.0, 0.25, 0.0};
-    /// With a shell a curve that no attempt without one leads to takes some tenths of a second on
-    /// surfaces of up to so many faces, through so many picks. Else a tight fit comes first.
-    int mostFaces = 2000;
-    std::size_t mostPicks = 12;
-    /// No such shell is built where a vertex has more faces around it: they are all near to each
-    /// other there, and would be tested pair by pair.
-    int mostFacesAround = 100;
     /// A field must not draw an open curve past its ends so far, relative to the chord to the pick
     /// beside it, beyond so many times what its path does: less is hardly seen, and round a limb
     /// the path does so too.
@@ -148,10 +141,10 @@ bool CurveSolver::turnsBack(const Solved& solved) const {
 
 // The cheapest way first:
 // 1. at samples, from a curve through picks nearby, where one is given: a few steps;
-// 2. at samples along the fibres, without a shell, in three attempts (see relaxOver);
-// 3. the same in the shell of the whole surface, where that is asked for, or knows faces to avoid;
-// 4. cell by cell in that shell: slow, but each iterate lies inside;
-// 5. without relaxing anything, along a shortest path.
+// 2. at samples along the fibres, without a shell (see relaxOver);
+// 3. where that is not for this curve, or it has faces to avoid, in the shell of the whole surface:
+//    at samples where such a shell was asked for, else cell by cell, each iterate inside;
+// 4. without relaxing anything, along a shortest path.
 Solved CurveSolver::solveInTurn(const Progress& progress) const {
     const Progress begin = partOf(progress, 0.0, kStrategy.startShare);
     if (std::optional<Solved> solved = solveFromStart(begin)) {
@@ -165,45 +158,24 @@ Solved CurveSolver::solveInTurn(const Progress& progress) const {
             return std::move(*solved);
         }
     }
-    std::optional<Solved> tight;
-    if (isLocal() && hasTriedSamples()) {
-        const bool isShellSlow = hasLargeFans();
-        if (isShellSlow || prepared_.surface().faceCount() > kStrategy.mostFaces ||
-            picks_.size() > kStrategy.mostPicks) {
-            tight = solveTightly(partOf(rest, kStrategy.nearbyShare, kStrategy.tightlyShare));
-            if (isShellSlow || tight->solution.report.usable) {
-                return std::move(*tight);
-            }
+    std::optional<Solved> inShell;
+    if (needsShell()) {
+        inShell = solveInShell(partOf(rest, kStrategy.nearbyShare, kStrategy.cellsShare));
+        if (inShell && inShell->solution.report.usable) {
+            return std::move(*inShell);
         }
     }
-    std::optional<Solved> inShell =
-        solveInShell(partOf(rest, kStrategy.tightlyShare, kStrategy.cellsShare));
+    Solved tight = solveTightly(partOf(rest, kStrategy.cellsShare, 1.0));
     const bool isInside = inShell && std::isfinite(inShell->solution.report.maxDistance);
-    if (isInside && inShell->solution.report.usable) {
-        return std::move(*inShell);
-    }
-    if (!tight) {
-        tight = solveTightly(partOf(rest, kStrategy.cellsShare, 1.0));
-    }
-    return isInside && !tight->solution.report.usable ? std::move(*inShell) : std::move(*tight);
+    return isInside && !tight.solution.report.usable ? std::move(*inShell) : std::move(tight);
 }
 
-// Whether attempts at samples without a shell have had their chance.
-bool CurveSolver::hasTriedSamples() const {
+// Where attempts at samples without one are none, or must not be the only ones.
+bool CurveSolver::needsShell() const {
     CurveProblem problem;
     problem.options = options_;
     problem.fieldCosts = context_.field.costs;
-    return context_.obstacles == nullptr && isForSamples(problem);
-}
-
-bool CurveSolver::hasLargeFans() const {
-    const Surface& surface = prepared_.surface();
-    for (int v = 0; v < surface.vertexCount(); ++v) {
-        if (surface.facesAround(v).size() > kStrategy.mostFacesAround) {
-            return true;
-        }
-    }
-    return false;
+    return !isLocal() || context_.obstacles != nullptr || !isForSamples(problem);
 }
 
 // Nothing where picks lie in faces that the shell leaves out, or have no way between them round
@@ -215,8 +187,7 @@ std::optional<Solved> CurveSolver::solveInShell(const Progress& progress) const 
         return std::nullopt;
     }
     try {
-        // Another attempt would end as the first one did, unless paths are now others.
-        if (!isLocal() || !blockedFaces.empty()) {
+        if (!isLocal()) {
             if (std::optional<Solved> solved = relaxOver(
                     &whole, partOf(progress, kStrategy.builtShare, kStrategy.sampledShare)
                 )) {
@@ -295,14 +266,14 @@ std::optional<Solved> CurveSolver::solveFromStart(const Progress& progress) cons
     const Shell* const shell = isLocal() ? nullptr : &prepared_.wholeShell().build.shell;
     CurveProblem problem = problemOn(dragged->path, shell, progress);
     SampledStart begin{std::move(dragged->spline), start.report.rounds.back().alpha};
-    return relaxed(std::move(problem), dragged->path.path, std::move(begin), StopPolicy::Short);
+    double work = workAtSamples();
+    return relaxed(std::move(problem), dragged->path.path, std::move(begin), work);
 }
 
 // At samples, in the shell given or along the fibres. Nothing where no attempt leads to a curve:
-// 1. from a loose fit to the initial path, which bends least, with a short patience;
+// 1. from a loose fit to the initial path, which bends least;
 // 2. from tight fits: a loose one may slip through a thin part of the surface, or into a fold, and
-//    does not find back, however large its weight of the distance becomes;
-// 3. from the loose fit again, until rounds run out.
+//    does not find back, however large its weight of the distance becomes.
 std::optional<Solved> CurveSolver::relaxOver(
     const ObtainedShell* whole, const Progress& progress
 ) const {
@@ -315,30 +286,19 @@ std::optional<Solved> CurveSolver::relaxOver(
         shell = &whole->build.shell;
     }
     const PickPath quick = pathRound(blocked, travel, PathKind::Quick);
-    const Progress begin = partOf(progress, 0.0, kStrategy.looseShare);
-    CurveProblem loose = problemOn(quick, shell, begin);
+    CurveProblem loose = problemOn(quick, shell, partOf(progress, 0.0, kStrategy.looseShare));
     if (!isForSamples(loose)) {
         return std::nullopt;
     }
     double pathSeconds = lap.lap();
-    Lost lost;
-    std::optional<Solved> solved = relaxed(loose, quick.path, {}, StopPolicy::Short, &lost);
+    double work = workAtSamples();
+    std::optional<Solved> solved = relaxed(std::move(loose), quick.path, {}, work);
     // With obstacles it is mostly these that are in its way.
-    if (!solved && context_.obstacles == nullptr && workLeft(lost) > 0.0) {
+    if (!solved && context_.obstacles == nullptr) {
         lap.lap();
         const PickPath close = pathRound(blocked, travel, PathKind::Close);
         pathSeconds += lap.lap();
-        solved = relaxTightly(
-            close, shell, partOf(progress, kStrategy.looseShare, kStrategy.tightShare), lost
-        );
-    }
-    if (!solved) {
-        const Progress last = partOf(progress, kStrategy.tightShare, 1.0);
-        loose.progress = last;
-        solved = relaxed(std::move(loose), quick.path, {}, StopPolicy::Long, &lost);
-    }
-    if (!solved && whole == nullptr && context_.obstacles == nullptr) {
-        solved = onSheet(std::move(lost));
+        solved = relaxTightly(close, shell, partOf(progress, kStrategy.looseShare, 1.0), work);
     }
     if (solved) {
         solved->solution.report.seconds.path = pathSeconds;
@@ -347,66 +307,44 @@ std::optional<Solved> CurveSolver::relaxOver(
 }
 
 std::optional<Solved> CurveSolver::relaxTightly(
-    const PickPath& path, const Shell* shell, const Progress& progress, Lost& lost
+    const PickPath& path, const Shell* shell, const Progress& progress, double& work
 ) const {
     const std::size_t count = kStrategy.stiffnesses.size();
-    for (std::size_t i = 0; i < count && workLeft(lost) > 0.0; ++i) {
+    for (std::size_t i = 0; i < count && work > 0.0; ++i) {
         CurveProblem problem = problemOn(path, shell, stepOf(progress, i, count));
         SampledStart start = stiffStart(problem, path.path, kStrategy.stiffnesses[i]);
-        if (std::optional<Solved> solved = relaxed(
-                std::move(problem), path.path, std::move(start), StopPolicy::Short, &lost
-            )) {
+        if (std::optional<Solved> solved =
+                relaxed(std::move(problem), path.path, std::move(start), work)) {
             return solved;
         }
     }
     return std::nullopt;
 }
 
-double CurveSolver::workLeft(const Lost& lost) const {
-    double left =
-        kStrategy.mostWork + kStrategy.mostWorkPerPick * static_cast<double>(picks_.size());
-    for (const Solved& one : lost) {
-        left -= static_cast<double>(one.solution.work);
-    }
-    return left;
+double CurveSolver::workAtSamples() const {
+    return kStrategy.mostWork + kStrategy.mostWorkPerPick * static_cast<double>(picks_.size());
 }
 
-// Nothing where there is no such curve; it is then added to those that are lost.
+// Along the fibres; where it crosses some, by the nearest points of its sheet.
 std::optional<Solved> CurveSolver::relaxed(
     CurveProblem problem,
     const InitialPath& initialPath,
     std::optional<SampledStart> start,
-    StopPolicy stopPolicy,
-    Lost* lost
+    double& work
 ) const {
-    const double work = lost != nullptr ? workLeft(*lost) : workLeft({});
     if (!isForSamples(problem) || work <= 0.0) {
         return std::nullopt;
     }
-    Solution solution = relaxAtSamples(problem, initialPath, std::move(start), stopPolicy, work);
+    Solution solution = relaxAtSamples(problem, initialPath, std::move(start), work);
+    work -= static_cast<double>(solution.work);
     problem.progress = {};  // it ends here
-    if (solution.report.usable) {
-        return Solved{std::move(problem), std::move(solution)};
-    }
-    if (lost != nullptr) {
-        lost->push_back({std::move(problem), std::move(solution)});
-    }
-    return std::nullopt;
-}
-
-// Of the curves that are within the tolerance of the sheet that they lie on, that which bends
-// least.
-std::optional<Solved> CurveSolver::onSheet(Lost lost) const {
-    std::ranges::stable_sort(lost, {}, [](const Solved& one) {
-        const std::vector<IterationReport>& iterations = one.solution.report.iterations;
-        return iterations.empty() ? 0.0 : iterations.back().terms.internal;
-    });
-    for (const auto& [problem, solution] : lost) {
+    if (!solution.report.usable && problem.shell == nullptr && problem.obstacles == nullptr) {
         if (std::optional<Solution> found = followedOnSheet(prepared_, problem, solution)) {
-            return Solved{problem, std::move(*found)};
+            solution = std::move(*found);
         }
     }
-    return std::nullopt;
+    return solution.report.usable ? std::optional(Solved{std::move(problem), std::move(solution)})
+                                  : std::nullopt;
 }
 
 // Nothing where no spline along the paths stays in the shell.
@@ -417,9 +355,6 @@ std::optional<Solved> CurveSolver::solveInCells(
     if (options_.quadrature == Quadrature::Samples) {
         boundary.emplace(whole.build.shell);
     }
-    // Where attempts at samples have failed, it is a last one.
-    const StopPolicy stopPolicy =
-        isLocal() && hasTriedSamples() ? StopPolicy::Short : StopPolicy::Long;
     Stopwatch lap;
     InitialPath failed;
     for (const double share : kStrategy.guideShares) {
@@ -435,7 +370,7 @@ std::optional<Solved> CurveSolver::solveInCells(
         CurveProblem problem = problemOn(path, &whole.build.shell, progress);
         problem.boundary = boundary ? &*boundary : nullptr;
         const double pathSeconds = lap.lap();
-        if (std::optional<Solution> solution = solveCellwise(problem, path.path, stopPolicy)) {
+        if (std::optional<Solution> solution = solveCellwise(problem, path.path)) {
             problem.boundary = nullptr;  // it ends here
             problem.progress = {};
             solution->report.seconds.path = pathSeconds;

@@ -59,9 +59,6 @@ public:
     [[nodiscard]] Solved solveTightly(const Progress& progress) const;
 
 private:
-    // Curves that were relaxed at samples, but could not be followed along the fibres.
-    using Lost = std::vector<Solved>;
-
     [[nodiscard]] bool isLocal() const { return prepared_.options().kind == ShellKind::Local; }
 
     [[nodiscard]] PickPath pathRound(
@@ -78,24 +75,21 @@ private:
         const ObtainedShell* whole, const Progress& progress
     ) const;
     [[nodiscard]] std::optional<Solved> relaxTightly(
-        const PickPath& path, const Shell* shell, const Progress& progress, Lost& lost
+        const PickPath& path, const Shell* shell, const Progress& progress, double& work
     ) const;
+    // `work`: what is left for attempts at samples; falls by what this one takes.
     [[nodiscard]] std::optional<Solved> relaxed(
         CurveProblem problem,
         const InitialPath& initialPath,
         std::optional<SampledStart> start,
-        StopPolicy stopPolicy,
-        Lost* lost = nullptr
+        double& work
     ) const;
-    // At samples, after these attempts.
-    [[nodiscard]] double workLeft(const Lost& lost) const;
-    [[nodiscard]] std::optional<Solved> onSheet(Lost lost) const;
+    [[nodiscard]] double workAtSamples() const;
     [[nodiscard]] std::optional<Solved> solveInShell(const Progress& progress) const;
     [[nodiscard]] std::optional<Solved> solveInCells(
         const ObtainedShell& whole, const Progress& progress
     ) const;
-    [[nodiscard]] bool hasTriedSamples() const;
-    [[nodiscard]] bool hasLargeFans() const;
+    [[nodiscard]] bool needsShell() const;
     [[nodiscard]] bool arePicksIn(const std::vector<int>& faces) const;
 
     const PreparedSurface& prepared_;

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "surface/error_messages.h"
+#include "utility/index_sets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,16 @@
 namespace bspline_curve {
 namespace {
 
-void requireFinite(std::span<const double> field, std::span<const double> costs) {
+void requireFinite(
+    const Surface& surface, std::span<const double> field, std::span<const double> costs
+) {
     std::vector<std::int64_t> bad;
     for (std::size_t v = 0; v < field.size(); ++v) {
         if (!std::isfinite(field[v]) || !std::isfinite(costs[v])) {
-            bad.push_back(static_cast<std::int64_t>(v));
+            bad.push_back(surface.provenance().inputVertex(static_cast<int>(v)));
         }
     }
+    sortUnique(bad);
     if (!bad.empty()) {
         throw InputError(
             InputErrorCode::BadField,
@@ -58,19 +62,9 @@ ValidatedField validateField(
     std::span<const double> field,
     FieldCost cost
 ) {
-    if (field.empty()) {
-        return {};
-    }
-    if (field.size() != surface.vertices().size()) {
-        throw InputError(
-            InputErrorCode::BadField,
-            "the field has " + std::to_string(field.size()) + " values for " +
-                std::to_string(surface.vertices().size()) + " vertices: give one value per vertex"
-        );
-    }
     ValidatedField checked;
     checked.vertexCosts = vertexCostsOf(field, cost);
-    requireFinite(field, checked.vertexCosts);
+    requireFinite(surface, field, checked.vertexCosts);
     checked.values.assign(field.begin(), field.end());
     for (const int origin : extended.ghostOrigin) {
         checked.values.push_back(field[origin]);
@@ -83,25 +77,26 @@ ValidatedField validateField(
 std::shared_ptr<const ValidatedField> FieldCache::find(
     const Surface& surface,
     const ExtendedSurface& extended,
-    std::span<const double> field,
+    const std::shared_ptr<const std::vector<double>>& field,
     FieldCost cost
 ) {
-    if (field.empty()) {
+    if (field == nullptr) {
         return std::make_shared<const ValidatedField>();
     }
     const std::scoped_lock lock(mutex_);
-    if (!isKept(field, cost)) {
+    // Compares the bits: a value that is no number is like none that is kept.
+    const bool isSame =
+        field_ != nullptr && cost == cost_ &&
+        (field == field_ ||
+         (field->size() == field_->size() &&
+          std::memcmp(field->data(), field_->data(), field->size() * sizeof(double)) == 0));
+    if (!isSame) {
         kept_ =
-            std::make_shared<const ValidatedField>(validateField(surface, extended, field, cost));
+            std::make_shared<const ValidatedField>(validateField(surface, extended, *field, cost));
+        field_ = field;
         cost_ = cost;
     }
     return kept_;
-}
-
-// Compares the bits: a value that is no number is like none that is kept.
-bool FieldCache::isKept(std::span<const double> field, FieldCost cost) const {
-    return kept_ != nullptr && cost == cost_ && field.size() == kept_->vertexCosts.size() &&
-           std::memcmp(field.data(), kept_->values.data(), field.size_bytes()) == 0;
 }
 
 }  // namespace bspline_curve

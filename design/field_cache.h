@@ -27,8 +27,8 @@ struct ValidatedField {
     [[nodiscard]] FieldTravel travel(const SolverOptions& options, double share) const;
 };
 
-/// Throws InputError (BadField) where there is not one value per vertex, or one or its cost is not
-/// finite. O(#V).
+/// `field`: one value per vertex. Throws InputError (BadField) where one or its cost is not finite,
+/// naming vertices of the surface's input. O(#V).
 [[nodiscard]] ValidatedField validateField(
     const Surface& surface,
     const ExtendedSurface& extended,
@@ -40,19 +40,18 @@ struct ValidatedField {
 /// them. Many threads may ask at once.
 class FieldCache {
 public:
-    /// See validateField; an empty field costs nothing.
+    /// See validateField; no field (null) costs nothing, nor does one that was kept.
     [[nodiscard]] std::shared_ptr<const ValidatedField> find(
         const Surface& surface,
         const ExtendedSurface& extended,
-        std::span<const double> field,
+        const std::shared_ptr<const std::vector<double>>& field,
         FieldCost cost
     );
 
 private:
-    [[nodiscard]] bool isKept(std::span<const double> field, FieldCost cost) const;
-
     std::mutex mutex_;
     FieldCost cost_ = FieldCost::Identity;
+    std::shared_ptr<const std::vector<double>> field_;
     std::shared_ptr<const ValidatedField> kept_;
 };
 

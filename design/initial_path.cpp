@@ -47,8 +47,7 @@ namespace {
         InputErrorCode::SelfIntersection,
         what + " that avoids the " + std::to_string(blocked.size()) +
             " faces where the surface crosses itself or folds (faces " + describeElements(faces) +
-            "): repair them (in MeshLab: Select Self Intersecting Faces, delete, Close Holes), or "
-            "move a pick",
+            "): mend the mesh there, or move a pick",
         faces
     );
 }
@@ -59,15 +58,19 @@ TravelCosts totalCosts(const Surface& surface, const PathConstraints& constraint
         constraints.field.empty()) {
         return {};
     }
-    return {[&surface, &constraints](int face) {
-        if (std::ranges::binary_search(constraints.blockedFaces, face)) {
-            return std::numeric_limits<double>::infinity();
-        }
-        const FieldTravel& field = constraints.field;
-        const double cost = field.empty() ? 1.0 : field.costOf(surface.faces()[face]);
-        const Obstacles* const obstacles = constraints.obstacles;
-        return obstacles == nullptr ? cost : cost * obstacles->pathCost(face);
-    }};
+    return {
+        [&surface, &constraints](int face) {
+            if (std::ranges::binary_search(constraints.blockedFaces, face)) {
+                return std::numeric_limits<double>::infinity();
+            }
+            const FieldTravel& field = constraints.field;
+            const double cost = field.empty() ? 1.0 : field.costOf(surface.faces()[face]);
+            const Obstacles* const obstacles = constraints.obstacles;
+            return obstacles == nullptr ? cost : cost * obstacles->pathCost(face);
+        },
+        1.0,
+        constraints.field.empty()
+    };
 }
 
 // The point where a path leaves a face for that of the next point, away from the obstacles.
@@ -91,6 +94,7 @@ struct InitialPathConstants {
                                 // by vertex; over more it is shortened at points of it
     int mostFieldPatches = 11;  // likewise under a field, which the cost of each face is asked of
     double mostDetour = 2.0;    // of the way over a gap to its chord, as over a wedge of 60 degrees
+    double longNeedle = 0.1;    // of a way over patches: patches of longer needles lead astray
 };
 
 constexpr InitialPathConstants kInitialPath;
@@ -101,7 +105,8 @@ public:
     PathFinder(
         const Surface& surface, const ExtendedSurface& extended, const PathConstraints& constraints
     )
-        : extended_(extended),
+        : surface_(surface),
+          extended_(extended),
           constraints_(constraints),
           finder_(surface, totalCosts(surface, constraints), constraints.patches) {}
 
@@ -110,10 +115,14 @@ public:
     ) {
         std::optional<GeodesicPath> path = finder_.find(start, goal, mostPatches());
         if (path && path->isOverPatches) {
-            if (std::optional<std::vector<SurfacePoint>> points = shortened(path->points)) {
+            const std::optional<std::vector<SurfacePoint>> points = shortened(path->points);
+            if (points && !mayBeDetour(*points, *path)) {
                 return points;
             }
             path = finder_.find(start, goal);
+            if (points && path && lengthOf(*points) <= path->length) {
+                return points;
+            }
         }
         return path ? std::optional(std::move(path->points)) : std::nullopt;
     }
@@ -126,6 +135,25 @@ private:
         }
         return constraints_.field.empty() ? kInitialPath.mostPatches
                                           : kInitialPath.mostFieldPatches;
+    }
+
+    // Whether a way over patches deserves a second look. Under a field short ways are not sought.
+    [[nodiscard]] bool mayBeDetour(
+        std::span<const SurfacePoint> shortened, const GeodesicPath& way
+    ) const {
+        const auto isLongNeedle = [&](const SurfacePoint& point) {
+            return needleLength(surface_, point.face) > kInitialPath.longNeedle * way.length;
+        };
+        return constraints_.field.empty() &&
+               (lengthOf(shortened) > way.length || std::ranges::any_of(way.points, isLongNeedle));
+    }
+
+    [[nodiscard]] double lengthOf(std::span<const SurfacePoint> points) const {
+        double length = 0.0;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            length += (surface_.position(points[i]) - surface_.position(points[i - 1])).norm();
+        }
+        return length;
     }
 
     // A way over patches, shortened; nothing where that is of no use.
@@ -176,6 +204,7 @@ private:
         return points;
     }
 
+    const Surface& surface_;
     const ExtendedSurface& extended_;
     const PathConstraints& constraints_;
     GeodesicPathFinder finder_;

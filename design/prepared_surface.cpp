@@ -11,8 +11,7 @@ namespace bspline_curve {
 namespace {
 
 // Shares of the preparation.
-constexpr double kValidShare = 0.25;
-constexpr double kPatchesShare = 0.6;
+constexpr double kPatchesShare = 0.5;
 
 ShellOptions validated(const ShellOptions& options) {
     options.validate();
@@ -33,31 +32,34 @@ auto PreparedSurface::orEndTasks(const Make& make) {
 }
 
 PreparedSurface::PreparedSurface(
-    TriangleMesh mesh, const ShellOptions& options, const Progress& progress
+    std::shared_ptr<const Surface> surface,
+    const ShellOptions& options,
+    const Progress& progress,
+    double seconds
 )
     : options_(validated(options)),
-      surface_(std::move(mesh), partOf(progress, 0.0, kValidShare)),
-      finestEdge_(kFinestEdge * std::sqrt(surface_.area())),
-      validateSeconds_(watch_.lap()),
+      surface_(std::move(surface)),
+      finestEdge_(kFinestEdge * std::sqrt(surface_->area())),
+      validateSeconds_(seconds),
       roughBase_(
-          std::async(std::launch::async, [this] { return makeRoughBase(surface_, untilEnd_); })
+          std::async(std::launch::async, [this] { return makeRoughBase(*surface_, untilEnd_); })
       ),
       patches_(orEndTasks([&] {
-          return PatchLevels(surface_, partOf(progress, kValidShare, kPatchesShare));
+          return PatchLevels(*surface_, partOf(progress, 0.0, kPatchesShare));
       })),
       futureBase_(
           std::async(
               std::launch::async,
               [this] {
                   return extendSurface(
-                      surface_, roughBase_.get(), options_.smoothingPasses, patches_, untilEnd_
+                      *surface_, roughBase_.get(), options_.smoothingPasses, patches_, untilEnd_
                   );
               }
           )
       ),
       tree_(orEndTasks([&] {
           return TriangleTree(
-              surface_.vertices(), surface_.faces(), partOf(progress, kPatchesShare, 1.0)
+              surface_->vertices(), surface_->faces(), partOf(progress, kPatchesShare, 1.0)
           );
       })),
       treeSeconds_(watch_.lap()),
@@ -75,10 +77,10 @@ const ObtainedShell& PreparedSurface::wholeShell(
             whole.kind = ShellKind::FullResolution;
         }
         auto obtained = std::make_unique<ObtainedShell>(
-            findOrMakeShell(surface_, extended_, whole, store, progress)
+            findOrMakeShell(*surface_, extended_, whole, store, progress)
         );
         wholeSeconds_ = building.lap();
-        keepShell(surface_, *extended_, whole, store, *obtained);
+        keepShell(*surface_, *extended_, whole, store, *obtained);
         whole_ = std::move(obtained);
     }
     return *whole_;

@@ -21,13 +21,18 @@ namespace bspline_curve {
 /// first asked for. Several threads may use it at once.
 class PreparedSurface {
 public:
-    /// Validates the mesh; two threads. Throws InputError, Cancelled.
-    PreparedSurface(TriangleMesh mesh, const ShellOptions& options, const Progress& progress = {});
+    /// Two threads. `seconds`: what the surface took. Throws InputError (BadOption), Cancelled.
+    PreparedSurface(
+        std::shared_ptr<const Surface> surface,
+        const ShellOptions& options,
+        const Progress& progress = {},
+        double seconds = 0.0
+    );
 
     PreparedSurface(const PreparedSurface&) = delete;
     PreparedSurface& operator=(const PreparedSurface&) = delete;
 
-    [[nodiscard]] const Surface& surface() const { return surface_; }
+    [[nodiscard]] const Surface& surface() const { return *surface_; }
 
     [[nodiscard]] const TriangleTree& tree() const { return tree_; }
 
@@ -64,7 +69,7 @@ private:
 
     ShellOptions options_;
     Stopwatch watch_;
-    Surface surface_;
+    std::shared_ptr<const Surface> surface_;
     double finestEdge_;
     double validateSeconds_;
     std::atomic<bool> isEnding_ = false;

@@ -1,82 +1,173 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/rejoined_designers.h"
 
-#include "design/curve_on_given_mesh.h"
-#include "surface/refused_mesh.h"
+#include "bspline_curve/error.h"
+#include "surface/field_on_surface.h"
 #include "surface/rejoining.h"
-#include "utility/report_progress.h"
 
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace bspline_curve {
 namespace {
 
-constexpr double kWaysShare = 0.5;  // of the progress
+/// Ways that are not shorter by more than this are left alone.
+constexpr double kWorthwhile = 1.05;
+
+/// See PartedEdges.
+std::vector<int> rootsOf(const Surface& surface) {
+    std::vector<int> roots = surface.provenance().vertexRoots();
+    if (roots.empty()) {
+        roots.resize(surface.vertices().size());
+        std::iota(roots.begin(), roots.end(), 0);
+    }
+    return roots;
+}
 
 }  // namespace
 
-std::shared_ptr<const RejoinedDesigners::Rejoined> RejoinedDesigners::find(
-    const Surface& mended,
-    const TriangleTree& tree,
-    const std::vector<Vec3>& picks,
-    bool closed,
-    const std::vector<int>& avoid,
-    const ShellOptions& options,
-    const Progress& progress
+RejoinedDesigners::RejoinedDesigners(const Surface& surface)
+    : surface_(surface),
+      roots_(rootsOf(surface)),
+      parted_(surface, roots_, surface.leavesSlits() || surface.provenance().isOneSided()) {}
+
+/// Whether a way of the length that is worthwhile can reach a parted edge.
+bool RejoinedDesigners::mayBeShorter(const CurveLeg& leg) const {
+    const double longest = leg.length / kWorthwhile;
+    const Vec3 from = surface_.position(leg.from);
+    const Vec3 to = surface_.position(leg.to);
+    return (to - from).norm() < longest &&
+           std::ranges::any_of(
+               parted_.edges(),
+               [&](const PartedEdges::Edge& edge) {
+                   const double least = (edge.middle - from).norm() + (edge.middle - to).norm();
+                   return least - edge.length < longest;
+               }
+           );
+}
+
+/// Whether the mended surface does not go on at a step.
+bool RejoinedDesigners::isCrossed(const Step& step, bool isSlit) const {
+    return step.edge >= 0 && parted_.edges()[step.edge].isSlit == isSlit &&
+           surface_.faceNeighbours()[step.from / 3][step.from % 3] != step.to / 3;
+}
+
+bool RejoinedDesigners::crosses(const FaceWay& way, bool isSlit) const {
+    return std::ranges::any_of(way.steps, [&](const Step& s) { return isCrossed(s, isSlit); });
+}
+
+RejoinedDesigners::Ways RejoinedDesigners::waysFor(
+    const std::vector<CurveLeg>& legs, std::span<const int> avoid, const Progress& progress
+) const {
+    WaysOverFaces finder(surface_, parted_, avoid);
+    Ways ways;
+    std::vector<std::optional<FaceWay>> found(legs.size());  // worthwhile ones
+    bool isWorthwhile = false;
+    const auto find = [&](const CurveLeg& leg, Crossing crossing, double longest) {
+        return finder.find(leg.from, leg.to, crossing, longest, progress);
+    };
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+        const CurveLeg& leg = legs[i];
+        if (!mayBeShorter(leg)) {
+            continue;
+        }
+        const double longest = leg.length / kWorthwhile;
+        const auto index = static_cast<int>(i);
+        std::optional<FaceWay> way = find(leg, Crossing::Slits, longest);
+        if (way && crosses(*way, true)) {
+            const double shortest = way->length;
+            way = find(leg, Crossing::Parted, longest);
+            if (!way || way->length > kWorthwhile * shortest) {
+                ways.shorter.push_back({index, leg.length, shortest, true});
+            }
+        }
+        if (!way || !crosses(*way, false) ||
+            find(leg, Crossing::Joined, kWorthwhile * way->length)) {
+            continue;
+        }
+        ways.shorter.push_back({index, leg.length, way->length, false});
+        found[i] = std::move(way);
+        isWorthwhile = true;
+    }
+    for (std::size_t i = 0; isWorthwhile && i < legs.size(); ++i) {
+        const std::optional<FaceWay> way =
+            found[i] ? std::move(found[i])
+                     : find(legs[i], Crossing::Joined, std::numeric_limits<double>::infinity());
+        isWorthwhile = way.has_value();
+        if (way) {
+            ways.steps.insert(ways.steps.end(), way->steps.begin(), way->steps.end());
+            ways.lengths.push_back(way->length);
+        }
+    }
+    if (!isWorthwhile) {
+        ways.steps.clear();
+        ways.lengths.clear();
+    }
+    return ways;
+}
+
+std::shared_ptr<const CurveDesigner> RejoinedDesigners::designerFor(
+    const std::vector<Step>& steps, const ShellOptions& options, const Progress& progress
 ) {
-    std::vector<int> faces;
-    for (const Vec3& pick : picks) {
-        faces.push_back(tree.closestPoint(pick).point.face);
-    }
-    if (closed) {
-        faces.push_back(faces.front());
-    }
-    std::vector<Passage> passages =
-        passagesBetween(mended, vertexOrigins_, faces, avoid, partOf(progress, 0.0, kWaysShare));
-    if (passages.empty()) {
-        return nullptr;
-    }
+    Passages passages = passagesOf(steps);
     {
         const std::scoped_lock lock(mutex_);
-        if (last_ != nullptr && last_->passages == passages) {
+        // Where sides agree everywhere, all that is not parted is joined whatever the ways are.
+        if (last_ != nullptr && passages_.stretches == passages.stretches &&
+            (!isOneSided_ || passages_.strips == passages.strips)) {
             return last_;
         }
     }
+    MeshRepair again = rejoined(surface_.mesh(), roots_, parted_, passages);
+    const bool isOneSided = again.isOneSided;
+    TriangleMesh mesh = std::move(again.mesh);
+    Provenance provenance(surface_.provenance(), surface_.mesh(), again);
     try {
-        MeshRepair repair = rejoined(mended.mesh(), vertexOrigins_, passages);
-        CurveDesigner designer(std::move(repair.mesh), options, partOf(progress, kWaysShare, 1.0));
-        auto made = std::make_shared<const Rejoined>(
-            Rejoined{std::move(passages), std::move(repair), std::move(designer)}
+        auto made = std::make_shared<const CurveDesigner>(
+            std::make_shared<const Surface>(std::move(mesh), std::move(provenance)),
+            options,
+            progress
         );
         const std::scoped_lock lock(mutex_);
+        passages_ = std::move(passages);
+        isOneSided_ = isOneSided;
         last_ = made;
         return made;
-    } catch (const RefusedMesh&) {
-        // Edges of a few digits' length cannot be divided: faces are left without area.
-        return nullptr;
+    } catch (const InputError&) {
+        return nullptr;  // it is no surface
     }
 }
 
-RejoinedInputs::RejoinedInputs(
-    const CurveInputs& inputs, const Surface& mended, const RejoinedDesigners::Rejoined& rejoined
+ScalarField rejoinedField(
+    const Surface& surface, const ScalarField& field, const Surface& rejoined
 ) {
-    avoid = facesOfMended(inputs.avoid, rejoined.repair);
-    if (inputs.field.empty()) {
-        return;
+    const auto values = valuesOn(surface, field);
+    if (values == nullptr) {
+        return {};
     }
-    const TriangleMesh& mesh = rejoined.designer.mesh();
-    const auto faceCount = static_cast<int>(mesh.faces.size());
-    field.assign(mesh.vertices.size(), 0.0);
-    for (int f = faceCount - 1; f >= 0; --f) {  // the first face comes last
+    std::vector<double> there(rejoined.vertices().size(), 0.0);
+    for (int f = rejoined.faceCount() - 1; f >= 0; --f) {  // the first face comes last
         for (int k = 0; k < 3; ++k) {
-            const auto [face, weights] = rejoined.repair.toOrigin({f, Vec3::Unit(k)});
-            double value = 0.0;
-            for (int corner = 0; corner < 3; ++corner) {
-                value += weights[corner] * inputs.field[mended.faces()[face][corner]];
+            const SurfacePoint corner{.face = f, .barycentric = Vec3::Unit(k)};
+            const auto at = surface.provenance().fromInput(rejoined.provenance().toInput(corner));
+            if (!at) {
+                throw std::logic_error("a face that was joined anew comes from nowhere");
             }
-            field[mesh.faces[f][k]] = value;
+            double value = 0.0;
+            for (int i = 0; i < 3; ++i) {
+                value += at->barycentric[i] * (*values)[surface.faces()[at->face][i]];
+            }
+            there[rejoined.faces()[f][k]] = value;
         }
     }
+    auto own = std::make_shared<const ScalarField::OnSurface>(
+        ScalarField::OnSurface{.surface = rejoined.provenance().key(), .values = std::move(there)}
+    );
+    return {field.values(), std::move(own)};
 }
 
 }  // namespace bspline_curve

@@ -2,63 +2,74 @@
 #pragma once
 
 #include "bspline_curve/designer.h"
+#include "design/detours.h"
 #include "surface/passages.h"
-#include "surface/repair.h"
 #include "surface/surface.h"
-#include "surface/triangle_tree.h"
+#include "surface/ways_over_faces.h"
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace bspline_curve {
 
-/// Designers for picks that mending has put on different components, each on the mesh joined anew
-/// for its picks; the last one is kept. Several threads may use it at once.
+/// Designers for curves whose ways mending has lengthened or cut off, each on the mesh joined anew
+/// for its curve; the last one is kept. Several threads may use it at once.
 class RejoinedDesigners {
 public:
-    /// `vertexOrigins`: of the mended mesh, see MeshRepair.
-    explicit RejoinedDesigners(std::vector<int> vertexOrigins)
-        : vertexOrigins_(std::move(vertexOrigins)) {}
+    /// Refers to the surface.
+    explicit RejoinedDesigners(const Surface& surface);
 
-    /// A designer on the mended mesh joined anew, see rejoined().
-    struct Rejoined {
-        std::vector<Passage> passages;
-        MeshRepair repair;  ///< of the mended mesh; its own mesh has moved to the designer
-        CurveDesigner designer;
+    /// Whether there is nothing that a curve could pass.
+    [[nodiscard]] bool empty() const { return parted_.empty(); }
+
+    /// A leg that could be shorter.
+    struct Shorter {
+        int leg;
+        double before, shortest;  ///< lengths; infinite before: there was no leg
+        bool isOverSlit;          ///< which stays open
     };
 
-    /// For a curve through the picks, round the faces to avoid, ascending. Null where they lie on
-    /// one component already, or have no way between them, or only one over an edge too short to
-    /// be divided. Throws Cancelled.
-    [[nodiscard]] std::shared_ptr<const Rejoined> find(
-        const Surface& mended,
-        const TriangleTree& tree,
-        const std::vector<Vec3>& picks,
-        bool closed,
-        const std::vector<int>& avoid,
-        const ShellOptions& options,
-        const Progress& progress
+    struct Ways {
+        /// Of the legs one after the other; empty where joining anew helps none, or they have none.
+        std::vector<Step> steps;
+        std::vector<double> lengths;  ///< of the legs' ways, likewise
+        std::vector<Shorter> shorter;
+    };
+
+    /// Those that are shorter than the legs of a curve by more than 5 %, over parted edges, and
+    /// shorter than those on the surface. Looks only where such a way could be. `avoid`:
+    /// see WaysOverFaces. Throws Cancelled.
+    [[nodiscard]] Ways waysFor(
+        const std::vector<CurveLeg>& legs, std::span<const int> avoid, const Progress& progress
+    ) const;
+
+    /// For curves that take some ways, a designer on the surface joined anew, which has the same
+    /// input; null where a mesh with their passages is none. Throws Cancelled.
+    [[nodiscard]] std::shared_ptr<const CurveDesigner> designerFor(
+        const std::vector<Step>& steps, const ShellOptions& options, const Progress& progress
     );
 
 private:
-    std::vector<int> vertexOrigins_;
+    [[nodiscard]] bool mayBeShorter(const CurveLeg& leg) const;
+    [[nodiscard]] bool isCrossed(const Step& step, bool isSlit) const;
+    [[nodiscard]] bool crosses(const FaceWay& way, bool isSlit) const;
+
+    const Surface& surface_;
+    std::vector<int> roots_;
+    PartedEdges parted_;
     std::mutex mutex_;
-    std::shared_ptr<const Rejoined> last_;
+    Passages passages_;  // of the last one
+    bool isOneSided_ = false;
+    std::shared_ptr<const CurveDesigner> last_;
 };
 
-/// What curves on the mended mesh are drawn by, on the rejoined one: linear along divided edges;
-/// where vertices became one, it has the value of the first face around it. Starts are left out.
-struct RejoinedInputs {
-    std::vector<double> field;
-    std::vector<int> avoid;
-
-    RejoinedInputs(
-        const CurveInputs& inputs,
-        const Surface& mended,
-        const RejoinedDesigners::Rejoined& rejoined
-    );
-};
+/// A field of curves on a surface, for those on one that was joined anew: linear along divided
+/// edges; where vertices became one, it has the value of the first face around it.
+[[nodiscard]] ScalarField rejoinedField(
+    const Surface& surface, const ScalarField& field, const Surface& rejoined
+);
 
 }  // namespace bspline_curve

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/strict_polyline.h"
 
-#include "bspline_curve/error.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>
@@ -162,37 +161,6 @@ SurfacePolyline makeStrictPolyline(
     const SamplingOptions& sampling
 ) {
     return PolylineMaker(surface, problem, shadow).make(sampling);
-}
-
-bool isStrict(const Surface& surface, const SurfacePolyline& line) {
-    const std::vector<SurfacePoint>& points = line.surfacePoints;
-    for (std::size_t i = line.closed ? 0 : 1; i < points.size(); ++i) {
-        const SurfacePoint& before = points[i > 0 ? i - 1 : points.size() - 1];
-        if (before.face != points[i].face && commonFace(surface, before, points[i]) < 0) {
-            return false;
-        }
-    }
-    return true;
-}
-
-void checkUnparted(const Surface& mended, const SurfacePolyline& line, const std::string& curve) {
-    if (!isStrict(mended, line)) {
-        throw InputError(
-            InputErrorCode::NoPath,
-            curve +
-                ": a segment of the curve is not in one face of the mended mesh: it passes from "
-                "sheet to sheet at an edge of more than two faces, where they are parted, or the "
-                "curve is of another mesh; move its picks so that it stays on one sheet"
-        );
-    }
-}
-
-double lengthOf(const SurfacePolyline& line) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-        length += (line.points[i] - line.points[i - 1]).norm();
-    }
-    return line.closed ? length + (line.points.front() - line.points.back()).norm() : length;
 }
 
 }  // namespace bspline_curve

@@ -7,8 +7,6 @@
 #include "solver/curve_problem.h"
 #include "surface/surface.h"
 
-#include <string>
-
 namespace bspline_curve {
 
 /// The polyline strictly on the surface (end of Sect. 4.4): crossings of edges, picks and samples
@@ -19,17 +17,5 @@ namespace bspline_curve {
     const ProjectedCurve& shadow,
     const SamplingOptions& sampling
 );
-
-/// Whether every segment of a polyline lies in one face of the surface: by the faces and
-/// barycentric coordinates of its ends, not by positions, so that the sides of the thinnest plate
-/// are two. O(n).
-[[nodiscard]] bool isStrict(const Surface& surface, const SurfacePolyline& line);
-
-/// Throws InputError (NoPath) where a curve on a mended mesh is not strict: if it was drawn there,
-/// it passes from sheet to sheet where mending has parted them. `curve` names it.
-void checkUnparted(const Surface& mended, const SurfacePolyline& line, const std::string& curve);
-
-/// The length of a polyline, with the segment that closes it.
-[[nodiscard]] double lengthOf(const SurfacePolyline& line);
 
 }  // namespace bspline_curve

@@ -4,11 +4,7 @@
 #include "filter_bspline_curve/common/dialog_parameters.h"
 
 #include <common/filterscript.h>
-#include <common/interfaces.h>
 #include <common/ml_shared_data_context.h>
-
-#include <stdexcept>
-#include <string>
 
 // What MeshLab's versions spell differently about running filters: here, 2020.09.
 namespace bspline_curve::host {
@@ -16,21 +12,6 @@ namespace bspline_curve::host {
 /// Which parameters of a filter its scripts have.
 [[nodiscard]] inline Offered offeredToScripts(const FilterDescription& filter) {
     return &filter == &curveFilter() ? Offered::Usual : Offered::All;
-}
-
-[[nodiscard]] inline bool isFilter(const QAction& action) {
-    return qobject_cast<MeshFilterInterface*>(action.parent()) != nullptr;
-}
-
-/// Throws what tells why the filter failed.
-inline void runFilter(
-    QAction& filter, MeshDocument& document, const RichParameterList& parameters
-) {
-    auto& plugin = *qobject_cast<MeshFilterInterface*>(filter.parent());
-    plugin.setLog(&document.Log);
-    if (!plugin.applyFilter(&filter, document, parameters, nullptr)) {
-        throw std::runtime_error(plugin.errorMsg().toStdString());
-    }
 }
 
 /// The filters that were applied, as scripts are saved from.

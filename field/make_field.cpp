@@ -9,6 +9,8 @@
 #include "field/surface_diffusion.h"
 #include "field/value_range.h"
 #include "surface/error_messages.h"
+#include "surface/field_on_surface.h"
+#include "surface/region.h"
 #include "utility/report_progress.h"
 
 #include <Eigen/Core>
@@ -18,6 +20,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -73,11 +77,11 @@ std::vector<double> boundaryDistance(const Surface& surface, const FieldOptions&
 }
 
 std::vector<double> checkedQuality(const Surface& surface, std::span<const double> quality) {
-    if (quality.size() != surface.vertices().size()) {
+    if (quality.size() != surface.input().vertices.size()) {
         throw InputError(
             InputErrorCode::BadField,
             "the quality has " + std::to_string(quality.size()) + " values, the mesh " +
-                std::to_string(surface.vertexCount()) + " vertices"
+                std::to_string(surface.input().vertices.size()) + " vertices"
         );
     }
     std::vector<std::int64_t> bad;
@@ -96,7 +100,7 @@ std::vector<double> checkedQuality(const Surface& surface, std::span<const doubl
             "give every vertex a number"
         );
     }
-    return {quality.begin(), quality.end()};
+    return surface.provenance().valuesFromInput(quality);
 }
 
 /// The field of a kind, before what every kind has.
@@ -124,7 +128,13 @@ std::vector<double> fieldOfKind(
             return checkedQuality(surface, inputs.quality);
         case FieldKind::Obstacle:
             return obstacleField(
-                surface, inputs.region, options.obstacleValue, options.obstacleSlope
+                surface,
+                surface.provenance().facesFromInput(makeRegion(
+                    surface.input(),
+                    std::vector<std::int64_t>(inputs.region.begin(), inputs.region.end())
+                )),
+                options.obstacleValue,
+                options.obstacleSlope
             );
         case FieldKind::MaximalCurvature:
             break;
@@ -154,7 +164,7 @@ void smooth(
 
 }  // namespace
 
-std::vector<double> makeField(
+ScalarField makeField(
     const Surface& surface,
     const FieldOptions& options,
     const FieldInputs& inputs,
@@ -174,16 +184,16 @@ std::vector<double> makeField(
         invert(values);
     }
     report(progress, 1.0, "field");
-    return values;
+    return fieldOf(surface, std::move(values));
 }
 
-std::vector<double> makeField(
+ScalarField makeField(
     const TriangleMesh& mesh,
     const FieldOptions& options,
     const FieldInputs& inputs,
     const Progress& progress
 ) {
-    return makeField(Surface(mesh), options, inputs, progress);
+    return makeField(Surface(mesh, MendingOptions()), options, inputs, progress);
 }
 
 }  // namespace bspline_curve

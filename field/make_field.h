@@ -4,12 +4,11 @@
 #include "bspline_curve/field.h"
 #include "surface/surface.h"
 
-#include <vector>
-
 namespace bspline_curve {
 
-/// makeField() of a surface that is validated already.
-[[nodiscard]] std::vector<double> makeField(
+/// makeField() of a surface that is there already. Quality and region are those of its input, as is
+/// the field, which keeps its values on the surface itself.
+[[nodiscard]] ScalarField makeField(
     const Surface& surface,
     const FieldOptions& options,
     const FieldInputs& inputs = {},

@@ -40,9 +40,6 @@ std::vector<char> flagsOf(const Surface& surface, std::span<const int> region) {
     }
     std::vector<char> isInRegion(surface.faces().size(), 0);
     for (const int face : region) {
-        if (face < 0 || face >= surface.faceCount()) {
-            refuse("the mesh has no face " + std::to_string(face), {face});
-        }
         isInRegion[face] = 1;
     }
     return isInRegion;

@@ -81,8 +81,11 @@ SurfaceDiffusion::SurfaceDiffusion(const Surface& surface, const Progress& progr
     }
     report(progress, kAngles, kSmoothing);
     vertexOf_.reserve(count);
-    for (const MortonKey& key :
-         spatialOrder(count, [&](std::size_t i) { return surface.vertices()[i]; })) {
+    const Vec3& somewhere = surface.vertices()[surface.faces().front()[0]];
+    for (const MortonKey& key : spatialOrder(count, [&](std::size_t i) {
+             const Vec3& vertex = surface.vertices()[i];
+             return vertex.allFinite() ? vertex : somewhere;  // one that no face uses
+         })) {
         vertexOf_.push_back(key.index);
     }
     assemble(surface, terms, partOf(progress, kAlongCurve, kFirst));

@@ -23,12 +23,12 @@ Vec3 areaVector(const TriangleMesh& mesh, const Triangle& face) {
 /// Unit normals at the vertices of an imprint: those of the mesh without it, linear in each face,
 /// so that they change little across small faces.
 std::vector<Vec3> normalsOn(const ImprintedMesh& imprinted) {
-    const TriangleMesh input = withoutImprint(imprinted);
-    std::vector<Vec3> normals = vertexNormals(input);
-    for (const auto& [face, barycentric] : imprinted.newVertices) {
+    const TriangleMesh before = withoutImprint(imprinted);
+    std::vector<Vec3> normals = vertexNormals(before);
+    for (const auto& [face, barycentric] : imprinted.ownPlaces) {
         Vec3 normal = Vec3::Zero();
         for (int k = 0; k < 3; ++k) {
-            normal += barycentric[k] * normals[input.faces[face][k]];
+            normal += barycentric[k] * normals[before.faces[face][k]];
         }
         normals.push_back(normal.stableNormalized());
     }

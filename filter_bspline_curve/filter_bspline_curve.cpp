@@ -125,7 +125,7 @@ std::map<std::string, QVariant> FilterBsplineCurvePlugin::applyFilter(
     postConditionMask = static_cast<unsigned int>(postCondition(action));
     try {
         const FilterAnswer answer =
-            runOnDocument(filter, document, parameters, designers_, hostProgress(callback));
+            runOnDocument(filter, document, parameters, workpieces_, hostProgress(callback));
         writeLog(answer.log);
         return asHostExpects(answer.figures);
     } catch (const std::exception& error) {

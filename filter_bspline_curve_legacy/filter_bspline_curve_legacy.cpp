@@ -170,7 +170,7 @@ bool FilterBsplineCurveLegacyPlugin::applyFilter(
     LogLines written;
     try {
         written =
-            runOnDocument(filter, document, parameters, designers_, hostProgress(callback)).log;
+            runOnDocument(filter, document, parameters, workpieces_, hostProgress(callback)).log;
     } catch (const std::exception& error) {
         errorMessage = QString::fromStdString(failureOf(filter, error));
     }

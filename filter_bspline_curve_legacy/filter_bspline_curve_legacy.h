@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/designer_cache.h"
 #include "filters/run_filters.h"
+#include "workpiece/workpiece_cache.h"
 
 #include <common/interfaces.h>
 
@@ -41,5 +41,5 @@ public:
 private:
     void writeLog(const bspline_curve::LogLines& written);
 
-    bspline_curve::DesignerCache designers_;
+    bspline_curve::WorkpieceCache workpieces_;
 };

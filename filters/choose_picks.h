@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/layer_input.h"
 #include "filters/requests.h"
 #include "io/picks_reader.h"
+#include "workpiece/layer_input.h"
 
 namespace bspline_curve {
 

@@ -45,9 +45,8 @@ void checkTube(const CurveRequest& request, const Surface& surface) {
 
 void addExtras(
     const CurveRequest& request,
-    const TriangleMesh& given,
-    const CurveDesigner& designer,
-    std::span<const double> field,
+    const Workpiece& workpiece,
+    std::span<const double> along,
     CurveResult& result
 ) {
     const Curve& curve = result.curve;
@@ -58,12 +57,12 @@ void addExtras(
         result.controlPolygon = controlPolygonOf(curve.spline);
     }
     if (request.shellLayers) {
-        result.shellLayers = designer.shellLayers();
+        result.shellLayers = workpiece.designer().shellLayers();
     }
     if (request.saveFile.empty()) {
         return;
     }
-    writeCurve(utf8Path(request.saveFile), curve, field, checksumOf(given));
+    writeCurve(utf8Path(request.saveFile), curve, along, workpiece.checksum());
 }
 
 }  // namespace bspline_curve

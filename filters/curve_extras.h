@@ -15,14 +15,12 @@ void checkSaveFile(const CurveRequest& request);
 /// Refuses a tube that is larger than the mesh. Throws InputError (BadOption).
 void checkTube(const CurveRequest& request, const Surface& surface);
 
-/// Adds to a result what the request asks for, and writes its file. `given`: the mesh that the
-/// faces of the result are of. `field`: along the curve, or empty. Throws InputError
-/// (UnwritableFile).
+/// Adds to a result what the request asks for, and writes its file. `along`: the field along the
+/// curve, or empty. Throws InputError (UnwritableFile).
 void addExtras(
     const CurveRequest& request,
-    const TriangleMesh& given,
-    const CurveDesigner& designer,
-    std::span<const double> field,
+    const Workpiece& workpiece,
+    std::span<const double> along,
     CurveResult& result
 );
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/curve_figures.h"
 
-#include "design/strict_polyline.h"
+#include "surface/strict_line.h"
 
 namespace bspline_curve {
 
@@ -28,10 +28,10 @@ double secondsOf(const SolveReport& report) {
            part.failedAttempts;
 }
 
-Figures curveFigures(const Curve& curve, const DesignerCache::Found& found, double seconds) {
+Figures curveFigures(const Curve& curve, const WorkpieceCache::Found& found, double seconds) {
     const SolveReport& report = curve.report;
-    const ShellSummary& shell = found.designer->shell();
-    const StageSeconds stages = found.isKept ? StageSeconds() : found.designer->seconds();
+    const ShellSummary& shell = found->designer().shell();
+    const StageSeconds stages = found.isKept ? StageSeconds() : found->designer().seconds();
     return {
         {"usable", report.usable},
         {"converged", report.status == SolveStatus::Converged},

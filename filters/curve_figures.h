@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
-#include "filters/designer_cache.h"
 #include "filters/figures.h"
+#include "workpiece/workpiece_cache.h"
 
 namespace bspline_curve {
 
@@ -13,7 +13,7 @@ namespace bspline_curve {
 /// What the filter for curves answers with; lengths and control points in world units. `seconds`:
 /// of the whole run. Times of what was kept from an earlier curve are 0.
 [[nodiscard]] Figures curveFigures(
-    const Curve& curve, const DesignerCache::Found& found, double seconds
+    const Curve& curve, const WorkpieceCache::Found& found, double seconds
 );
 
 }  // namespace bspline_curve

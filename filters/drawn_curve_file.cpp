@@ -2,7 +2,6 @@
 #include "filters/drawn_curve_file.h"
 
 #include "bspline_curve/error.h"
-#include "design/curve_on_given_mesh.h"
 #include "filters/curve_comments.h"
 #include "filters/fitting_picks.h"
 #include "io/atomic_file.h"
@@ -11,8 +10,8 @@
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"
 #include "surface/picks.h"
-#include "surface/points_on_mended.h"
 #include "surface/surface_point.h"
+#include "surface/triangle_tree.h"
 
 #include <Eigen/Geometry>
 
@@ -45,22 +44,6 @@ double diagonalOf(const TriangleMesh& mesh) {
         }
     }
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
-CurveRecord givenRecord(const CurveToSave& saved, const CurveFileSurface& surface) {
-    CurveRecord record = recordOf(saved.drawn, saved.curve);
-    if (surface.repair == nullptr) {
-        return record;
-    }
-    for (SketchPick& pick : record.picks) {
-        pick.point = surface.repair->toOrigin(pick.point);
-    }
-    if (saved.curve) {
-        Curve curve = *saved.curve;
-        bringBack(curve, surface.repair);
-        record.curve = std::make_shared<const Curve>(std::move(curve));
-    }
-    return record;
 }
 
 /// None: that of no polylines.
@@ -128,11 +111,7 @@ class PickPlacer {
 public:
     /// `isSame`: whether faces and barycentric coordinates are of the surface as it was given.
     PickPlacer(const CurveFileSurface& surface, bool isSame)
-        : surface_(surface), isSame_(isSame), diagonal_(diagonalOf(surface.mesh)) {
-        if (isSame_ && surface.repair != nullptr) {
-            mended_.emplace(*surface.repair);
-        }
-    }
+        : surface_(surface), isSame_(isSame), diagonal_(diagonalOf(surface.mesh)) {}
 
     struct Placed {
         std::vector<SketchPick> picks;
@@ -140,11 +119,10 @@ public:
         double farthest = 0.0;  ///< how far they were from the surface
     };
 
-    Placed place(const std::vector<SketchPick>& given) {
+    Placed place(const std::vector<SketchPick>& picks) {
         Placed placed;
-        for (const SketchPick& pick : given) {
-            const std::optional<SketchPick> same = samePlace(pick);
-            placed.picks.push_back(same ? *same : projected(pick, placed));
+        for (const SketchPick& pick : picks) {
+            placed.picks.push_back(isSamePlace(pick) ? pick : projected(pick, placed));
         }
         return placed;
     }
@@ -159,45 +137,38 @@ public:
     }
 
 private:
-    [[nodiscard]] std::optional<SketchPick> samePlace(const SketchPick& pick) const {
+    [[nodiscard]] bool isSamePlace(const SketchPick& pick) const {
         const auto faces = static_cast<std::int64_t>(surface_.mesh.faces.size());
-        const std::int64_t given = surface_.repair != nullptr ? surface_.checksum.faces : faces;
-        if (!isSame_ || pick.point.face < 0 || pick.point.face >= given) {
-            return std::nullopt;
+        if (!isSame_ || pick.point.face < 0 || pick.point.face >= faces) {
+            return false;
         }
-        const std::optional<SurfacePoint> point =
-            mended_ ? mended_->pointAt(pick.point) : pick.point;
-        if (!point) {
-            return std::nullopt;
-        }
-        const double gap = (positionOf(surface_.mesh, *point) - pick.position).norm();
-        return gap <= kSamePlaceRelative * diagonal_
-                   ? std::optional(SketchPick{*point, pick.position})
-                   : std::nullopt;
+        const double gap = (positionOf(surface_.mesh, pick.point) - pick.position).norm();
+        return gap <= kSamePlaceRelative * diagonal_;
     }
 
     SketchPick projected(const SketchPick& pick, Placed& placed) {
-        const TriangleTree::Closest closest = tree().closestPoint(pick.position);
+        const TriangleTree::Closest closest = closestTo(pick.position);
         ++placed.projected;
         placed.farthest = std::max(placed.farthest, (closest.position - pick.position).norm());
         return {closest.point, closest.position};
     }
 
-    const TriangleTree& tree() {
-        if (surface_.tree != nullptr) {
-            return *surface_.tree;
+    TriangleTree::Closest closestTo(const Vec3& position) {
+        if (surface_.designer != nullptr) {
+            TriangleTree::Closest closest = surface_.designer->tree().closestPoint(position);
+            closest.point = surface_.designer->surface().provenance().toInput(closest.point);
+            return closest;
         }
-        if (!own_) {
-            own_.emplace(surface_.mesh.vertices, surface_.mesh.faces);
+        if (!tree_) {
+            tree_.emplace(surface_.mesh.vertices, surface_.mesh.faces);
         }
-        return *own_;
+        return tree_->closestPoint(position);
     }
 
     const CurveFileSurface& surface_;
     bool isSame_;
     double diagonal_;
-    std::optional<PointsOnMended> mended_;
-    std::optional<TriangleTree> own_;
+    std::optional<TriangleTree> tree_;
 };
 
 /// "curve 2 (rim)".
@@ -220,7 +191,7 @@ void saveDrawnCurves(
     }
     CurveRecords records{.mesh = surface.checksum, .curves = {}};
     for (const CurveToSave& curve : curves) {
-        records.curves.push_back(givenRecord(curve, surface));
+        records.curves.push_back(recordOf(curve.drawn, curve.curve));
     }
     AtomicFile(file, isJson ? recordsText(records) : commentedPolylines(*style, records)).commit();
 }

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/designer.h"
 #include "filters/curve_records.h"
 #include "filters/drawn_curve.h"
 #include "surface/mesh_checksum.h"
-#include "surface/repair.h"
-#include "surface/triangle_tree.h"
 
 #include <filesystem>
 #include <memory>
@@ -19,10 +18,10 @@ namespace bspline_curve {
 
 /// What the curves of a file are on.
 struct CurveFileSurface {
-    const TriangleMesh& mesh;            ///< that is drawn on
-    MeshChecksum checksum;               ///< of the mesh as it was given
-    const MeshRepair* repair = nullptr;  ///< how that was mended to `mesh`; null: it is that
-    const TriangleTree* tree = nullptr;  ///< of `mesh`; null: one is built where it is needed
+    const TriangleMesh& mesh;  ///< as it was given
+    MeshChecksum checksum;     ///< of it
+    /// Where picks are projected to it: what lies on it; null: a tree is built where it is needed.
+    const CurveDesigner* designer = nullptr;
 };
 
 /// A curve on the mesh of a CurveFileSurface, for its file.

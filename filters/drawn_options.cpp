@@ -21,13 +21,11 @@ bool areSame(const std::optional<FieldRequest>& a, const std::optional<FieldRequ
         return a.has_value() == b.has_value();
     }
     return areSame(fieldBindings("field", "field_"), a->options, b->options) &&
-           areSame(regionBindings("field_"), *a, *b);
+           areSame(regionBindings("field_"), a->region, b->region);
 }
 
 std::string avoidedOf(const CurveRequest& request) {
-    const Bindings<CurveRequest> bindings = curveBindings();
-    const auto found = std::ranges::find(bindings, "avoid", &Binding<CurveRequest>::id);
-    return std::get<std::string>(found->write(request));
+    return std::get<std::string>(avoidBindings().front().write(request.avoid));
 }
 
 std::string fieldOf(const CurveRequest& request) {
@@ -78,14 +76,13 @@ std::optional<DrawnOptions> drawnOptions(const CurveRequest& request) {
         .field = fieldOf(request),
         .fieldWeight = request.solver.fieldWeight,
         .avoid = avoidedOf(request),
-        .avoidThreshold = request.avoidThreshold,
+        .avoidThreshold = request.avoid.threshold,
     };
     const CurveRequest same = curveRequest(valuesOf(options));
-    const bool isOffered =
-        areSame(solverBindings(), request.solver, same.solver) &&
-        areSame(samplingBindings(), request.sampling, same.sampling) &&
-        areSame(shellBindings(), request.shell, same.shell) && areSame(request.field, same.field) &&
-        request.mending.strict == same.mending.strict && request.mending.weld == same.mending.weld;
+    const bool isOffered = areSame(solverBindings(), request.solver, same.solver) &&
+                           areSame(samplingBindings(), request.sampling, same.sampling) &&
+                           areSame(shellBindings(), request.shell, same.shell) &&
+                           areSame(request.field, same.field) && request.mending == same.mending;
     return isOffered ? std::optional(options) : std::nullopt;
 }
 

@@ -28,8 +28,8 @@ Bindings<ImprintOptions> imprintBindings() {
     return {bound("snap", &ImprintOptions::snap)};
 }
 
-Bindings<CutChoice> cutBindings() {
-    using C = CutChoice;
+Bindings<CutWords> cutBindings() {
+    using C = CutWords;
     return {
         chosen(
             "keep",
@@ -99,9 +99,9 @@ ImprintRequest imprintRequest(const ParameterValues& values) {
 }
 
 CutRequest cutRequest(const ParameterValues& values) {
-    CutRequest request{.imprint = imprintRequest(values), .choice = {}};
-    const CutChoice& choice = request.choice;
-    readAll(values, cutBindings(), request.choice);
+    CutRequest request{.imprint = imprintRequest(values), .words = {}};
+    const CutWords& choice = request.words;
+    readAll(values, cutBindings(), request.words);
     if (choice.keep == KeptParts::All && choice.fill != FillKind::None) {
         refuseChoice(
             "the option fill needs the option keep: with all parts there is no hole to fill"
@@ -133,9 +133,12 @@ OffsetRequest offsetRequest(const ParameterValues& values) {
     return request;
 }
 
-std::optional<PartChoice> partChoice(const CutChoice& choice, const std::vector<Vec3>& toolPoints) {
+namespace {
+
+/// The part that is kept, none: all.
+std::optional<PartChoice> partChoice(const CutWords& words, const std::vector<Vec3>& toolPoints) {
     using Which = PartChoice::Which;
-    switch (choice.keep) {
+    switch (words.keep) {
         case KeptParts::All:
             return std::nullopt;
         case KeptParts::Largest:
@@ -147,7 +150,7 @@ std::optional<PartChoice> partChoice(const CutChoice& choice, const std::vector<
         case KeptParts::Seed:
             break;
     }
-    const std::vector<Vec3> points = choice.seed.empty() ? toolPoints : parsePicksText(choice.seed);
+    const std::vector<Vec3> points = words.seed.empty() ? toolPoints : parsePicksText(words.seed);
     if (points.size() != 1) {
         refuseChoice(
             "keep is \"seed\", but there are " + std::to_string(points.size()) +
@@ -158,11 +161,19 @@ std::optional<PartChoice> partChoice(const CutChoice& choice, const std::vector<
     return PartChoice{.which = Which::Seed, .seed = points.front()};
 }
 
-std::optional<FillShape> fillShape(FillKind fill) {
-    if (fill == FillKind::None) {
-        return std::nullopt;
+}  // namespace
+
+CutChoice cutChoice(const CutWords& words, const std::vector<Vec3>& toolPoints) {
+    CutChoice choice{
+        .keep = partChoice(words, toolPoints),
+        .split = words.split,
+        .fill = std::nullopt,
+        .relief = words.relief
+    };
+    if (words.fill != FillKind::None) {
+        choice.fill = words.fill == FillKind::Flat ? FillShape::Flat : FillShape::Smooth;
     }
-    return fill == FillKind::Flat ? FillShape::Flat : FillShape::Smooth;
+    return choice;
 }
 
 }  // namespace bspline_curve

@@ -8,7 +8,7 @@
 #include "imprint/imprint.h"
 #include "imprint/part_choice.h"
 #include "offset/offset_curves.h"
-#include "surface/mending.h"
+#include "workpiece/curve_uses.h"
 
 #include <optional>
 #include <string>
@@ -29,11 +29,11 @@ struct ImprintRequest {
     ImprintOptions imprint;
 };
 
-/// The parts that a cut keeps, as users name them.
+/// What a cut leaves, as users name it.
 enum class KeptParts { All, Largest, Smallest, Inside, Seed };
 enum class FillKind { None, Flat, Smooth };
 
-struct CutChoice {
+struct CutWords {
     KeptParts keep = KeptParts::All;
     std::string seed;  ///< "x y z"; empty: the one point of the host's own tool
     FillKind fill = FillKind::None;
@@ -43,7 +43,7 @@ struct CutChoice {
 
 struct CutRequest {
     ImprintRequest imprint;
-    CutChoice choice;
+    CutWords words;
 };
 
 struct SegmentRequest {
@@ -63,7 +63,7 @@ inline constexpr double kOffsetRelative = 0.02;
 [[nodiscard]] Bindings<CurveUse> useBindings();
 [[nodiscard]] Bindings<Placing> placingBindings();
 [[nodiscard]] Bindings<ImprintOptions> imprintBindings();
-[[nodiscard]] Bindings<CutChoice> cutBindings();
+[[nodiscard]] Bindings<CutWords> cutBindings();
 [[nodiscard]] Bindings<SegmentRequest> segmentBindings();
 [[nodiscard]] Bindings<OffsetOptions> offsetBindings();
 [[nodiscard]] Bindings<OffsetRequest> bandBindings();
@@ -82,12 +82,8 @@ inline constexpr double kOffsetRelative = 0.02;
 [[nodiscard]] SegmentRequest segmentRequest(const ParameterValues& values);
 [[nodiscard]] OffsetRequest offsetRequest(const ParameterValues& values);
 
-/// The part that a choice keeps, none: all. `toolPoints`: of the host's own tool, in world
-/// coordinates. Throws InputError where a seed is meant and there is none, or more than one.
-[[nodiscard]] std::optional<PartChoice> partChoice(
-    const CutChoice& choice, const std::vector<Vec3>& toolPoints
-);
-
-[[nodiscard]] std::optional<FillShape> fillShape(FillKind fill);
+/// What a cut leaves. `toolPoints`: of the host's own tool, in world coordinates. Throws InputError
+/// where a seed is meant and there is none, or more than one.
+[[nodiscard]] CutChoice cutChoice(const CutWords& words, const std::vector<Vec3>& toolPoints);
 
 }  // namespace bspline_curve

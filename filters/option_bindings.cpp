@@ -198,15 +198,33 @@ Bindings<FieldOptions> fieldBindings(const std::string& kind, const std::string&
     };
 }
 
-Bindings<FieldRequest> regionBindings(const std::string& prefix) {
+Bindings<FaceChoice> regionBindings(const std::string& prefix) {
+    using By = FaceChoice::By;
     return {chosen(
         prefix + "region",
-        &FieldRequest::region,
-        Names<RegionSource>{
-            {"selected-faces", RegionSource::SelectedFaces},
-            {"selected-vertices", RegionSource::SelectedVertices}
+        &FaceChoice::by,
+        Names<By>{
+            {"selected-faces", By::SelectedFaces}, {"selected-vertices", By::SelectedVertices}
         }
     )};
+}
+
+Bindings<FaceChoice> avoidBindings() {
+    using By = FaceChoice::By;
+    return {
+        chosen(
+            "avoid",
+            &FaceChoice::by,
+            Names<By>{
+                {"none", By::Nothing},
+                {"selected-faces", By::SelectedFaces},
+                {"selected-vertices", By::SelectedVertices},
+                {"under-threshold", By::UnderThreshold},
+                {"over-threshold", By::OverThreshold}
+            }
+        ),
+        bound("avoid_threshold", &FaceChoice::threshold),
+    };
 }
 
 Bindings<CurveRequest> curveBindings() {
@@ -216,18 +234,6 @@ Bindings<CurveRequest> curveBindings() {
         bound("picks_layer", &C::picksLayer),
         bound("picks_file", &C::picksFile),
         bound("picks", &C::picksText),
-        chosen(
-            "avoid",
-            &C::avoid,
-            Names<Avoid>{
-                {"none", Avoid::Nothing},
-                {"selected-faces", Avoid::SelectedFaces},
-                {"selected-vertices", Avoid::SelectedVertices},
-                {"under-threshold", Avoid::UnderThreshold},
-                {"over-threshold", Avoid::OverThreshold}
-            }
-        ),
-        bound("avoid_threshold", &C::avoidThreshold),
         bound("tube_radius", &C::tubeRadius),
         bound("save", &C::saveFile),
         bound("control_polygon", &C::controlPolygon),

@@ -47,6 +47,7 @@ void readAll(const ParameterValues& values, const Bindings<Options>& bindings, O
 
 /// What the requests hold besides these.
 [[nodiscard]] Bindings<CurveRequest> curveBindings();
-[[nodiscard]] Bindings<FieldRequest> regionBindings(const std::string& prefix);
+[[nodiscard]] Bindings<FaceChoice> avoidBindings();
+[[nodiscard]] Bindings<FaceChoice> regionBindings(const std::string& prefix);
 
 }  // namespace bspline_curve

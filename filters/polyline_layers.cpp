@@ -2,12 +2,12 @@
 #include "filters/polyline_layers.h"
 
 #include "bspline_curve/error.h"
-#include "design/strict_polyline.h"
 #include "imprint/polyline_chains.h"
 #include "imprint/projected_polyline.h"
 #include "surface/error_messages.h"
 #include "surface/picks.h"
-#include "surface/points_on_mended.h"
+#include "surface/strict_line.h"
+#include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
 
 #include <algorithm>
@@ -30,16 +30,8 @@ constexpr double kSamePositionRelative = 1e-6;
 
 class CurvePlacer {
 public:
-    CurvePlacer(
-        const Surface& surface,
-        const MeshRepair* repair,
-        const CurvesOnLayer& input,
-        const Placing& placing
-    )
+    CurvePlacer(const Surface& surface, const CurvesOnLayer& input, const Placing& placing)
         : surface_(surface), input_(input), placing_(placing) {
-        if (repair != nullptr) {
-            mended_.emplace(*repair);
-        }
         if (placing_.distance == 0.0) {
             placing_.distance = kPickReachRelative * surface.diagonal();
         }
@@ -115,14 +107,15 @@ private:
     [[nodiscard]] SurfacePolyline exact(
         const PolylineLayer& layer, const PolylineChain& chain
     ) const {
+        const TriangleMesh& mesh = surface_.input();
         SurfacePolyline line;
         line.closed = chain.closed;
         for (const int index : chain.points) {
-            const std::optional<SurfacePoint> place = onSurface(layer.places[index]);
-            if (!place) {
+            const SurfacePoint& place = layer.places[index];
+            if (place.face < 0 || place.face >= static_cast<int>(mesh.faces.size())) {
                 return {};
             }
-            const Vec3 position = surface_.position(*place);
+            const Vec3 position = positionOf(mesh, place);
             const double size = surface_.diagonal() + position.norm();
             if (!((position - layer.points[index]).norm() <= kSamePositionRelative * size)) {
                 return {};
@@ -130,22 +123,14 @@ private:
             line.parameters.push_back(
                 static_cast<double>(line.points.size()) / static_cast<double>(chain.points.size())
             );
-            line.surfacePoints.push_back(*place);
+            line.surfacePoints.push_back(place);
             line.points.push_back(position);
         }
-        if (mended_) {
-            checkUnparted(surface_, line, "layer \"" + layer.label + "\"");
-            return line;
+        if (surface_.provenance().isIdentity()) {
+            return isStrict(surface_, line) ? line : SurfacePolyline();
         }
-        return isStrict(surface_, line) ? line : SurfacePolyline();
-    }
-
-    /// None where the surface has no such face.
-    [[nodiscard]] std::optional<SurfacePoint> onSurface(const SurfacePoint& place) const {
-        if (place.face < 0 || place.face >= static_cast<int>(input_.surface.mesh.faces.size())) {
-            return std::nullopt;
-        }
-        return mended_ ? mended_->pointAt(place) : place;
+        static_cast<void>(strictLine(surface_, line, "layer \"" + layer.label + "\""));
+        return line;
     }
 
     SurfacePolyline projectedChain(const PolylineLayer& layer, const PolylineChain& chain) {
@@ -175,7 +160,6 @@ private:
     const Surface& surface_;
     const CurvesOnLayer& input_;
     Placing placing_;
-    std::optional<PointsOnMended> mended_;  // where the surface is not the layer's mesh as it is
     std::optional<TriangleTree> tree_;
     PlacedCurves result_;
     std::optional<InputError> first_;  // of the layers left out
@@ -184,12 +168,9 @@ private:
 }  // namespace
 
 PlacedCurves placedCurves(
-    const Surface& surface,
-    const MeshRepair* repair,
-    const CurvesOnLayer& input,
-    const Placing& placing
+    const Surface& surface, const CurvesOnLayer& input, const Placing& placing
 ) {
-    return CurvePlacer(surface, repair, input, placing).place();
+    return CurvePlacer(surface, input, placing).place();
 }
 
 std::vector<std::string> leftOutWarnings(const PlacedCurves& placed, const LayerInput& surface) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
-#include "filters/layer_input.h"
 #include "surface/mesh_checksum.h"
 #include "surface/surface.h"
+#include "workpiece/layer_input.h"
 
 #include <array>
 #include <optional>
@@ -13,8 +13,6 @@
 
 // Layers of polylines, as curves on a surface.
 namespace bspline_curve {
-
-struct MeshRepair;
 
 /// A layer with edges and without faces, without the elements that the host has deleted.
 struct PolylineLayer {
@@ -53,17 +51,13 @@ struct PlacedCurves {
     std::vector<std::string> leftOut;  ///< labels of optional layers that are not near
 };
 
-/// The curves of all layers: the chains of edges of each, in order, cut where more than two edges
-/// meet. By their places where they know them and lie there still, exactly; else projected, see
-/// projectedPolyline(). `repair`: how the surface was mended, null where it was not; the curves are
-/// on the mended one. Throws InputError (NoPath: no layer has a curve, the mesh changed since a
-/// curve was drawn, or a curve passes from sheet to sheet where mending parts them; PickTooFar,
-/// NoPath: a layer is not near the surface), naming the layer.
+/// The curves of all layers on the surface's input: the chains of edges of each, in order, cut
+/// where more than two edges meet. By their places where they know them and lie there still,
+/// exactly; else projected, see projectedPolyline(). Throws InputError (NoPath: no layer has a
+/// curve, the mesh changed since a curve was drawn, or a curve passes from sheet to sheet where
+/// mending parts them; PickTooFar, NoPath: a layer is not near the surface), naming the layer.
 [[nodiscard]] PlacedCurves placedCurves(
-    const Surface& surface,
-    const MeshRepair* repair,
-    const CurvesOnLayer& input,
-    const Placing& placing
+    const Surface& surface, const CurvesOnLayer& input, const Placing& placing
 );
 
 /// What to say of layers that were left out.

@@ -31,7 +31,7 @@ FieldRequest readField(
 ) {
     FieldRequest request;
     readAll(values, fieldBindings(kind, prefix), request.options);
-    readAll(values, regionBindings(prefix), request);
+    readAll(values, regionBindings(prefix), request.region);
     request.options.validate();
     return request;
 }
@@ -56,14 +56,12 @@ void checkLength(const std::string& what, double length) {
     }
 }
 
-bool hasThreshold(Avoid avoid) {
-    return avoid == Avoid::UnderThreshold || avoid == Avoid::OverThreshold;
-}
-
 MendingOptions mendingOptions(const ParameterValues& values) {
     const double most = values.filter().parameter("weld").max.value_or(0.0);
     const MendingOptions mending{
-        .strict = values.get<bool>("strict"), .weld = values.get<double>("weld")
+        .strict = values.get<bool>("strict"),
+        .weld = values.get<double>("weld"),
+        .slits = values.get<bool>("slits")
     };
     if (!(mending.weld >= 0.0) || mending.weld > most) {
         throw InputError(
@@ -72,17 +70,18 @@ MendingOptions mendingOptions(const ParameterValues& values) {
                 describeNumber(most) + "]"
         );
     }
-    checkMending(mending);
+    mending.validate();
     return mending;
 }
 
 CurveRequest curveRequest(const ParameterValues& values) {
     CurveRequest request;
     readAll(values, curveBindings(), request);
+    readAll(values, avoidBindings(), request.avoid);
     const auto& field = values.get<std::string>("field");
     if (field == kAutomaticField) {
         // A threshold of faces to avoid is a use of the quality already.
-        if (!hasThreshold(request.avoid)) {
+        if (!request.avoid.hasThreshold()) {
             request.field = automaticField(values);
         }
     } else if (field != kNoField) {
@@ -108,10 +107,8 @@ CurveRequest curveRequest(const ParameterValues& values) {
     return request;
 }
 
-FieldRequest fieldRequest(const ParameterValues& values) {
-    FieldRequest request = readField(values, "kind", "");
-    request.mending = mendingOptions(values);
-    return request;
+FieldLayerRequest fieldRequest(const ParameterValues& values) {
+    return {readField(values, "kind", ""), mendingOptions(values)};
 }
 
 }  // namespace bspline_curve

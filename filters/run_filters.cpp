@@ -2,28 +2,23 @@
 #include "filters/run_filters.h"
 
 #include "bspline_curve/error.h"
-#include "design/curve_on_given_mesh.h"
-#include "design/designer_surface.h"
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
-#include "filters/curve_guides.h"
-#include "filters/curve_notes.h"
-#include "filters/find_designer.h"
 #include "filters/labels.h"
-#include "filters/layer_ids.h"
-#include "filters/mended_layer.h"
 #include "filters/summaries.h"
-#include "io/curve_writer.h"
 #include "io/report_writer.h"
+#include "io/shell_cache.h"
+#include "surface/error_messages.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
+#include "workpiece/curve_notes.h"
+#include "workpiece/layer_ids.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <iterator>
 #include <new>
 #include <numeric>
-#include <span>
 #include <utility>
 
 namespace bspline_curve {
@@ -32,118 +27,88 @@ namespace {
 
 // Shares of the work, for progress only.
 constexpr double kCurveSurfaceShare = 0.5;
-constexpr double kCurveFieldShare = 0.6;
 
-std::vector<std::string> warningsOf(const Curve& curve, const DesignerCache::Found& found) {
+std::vector<std::string> warningsOf(
+    const DesignedCurve& drawn, const WorkpieceCache::Found& found
+) {
     std::vector<std::string> warnings;
     if (!found.isKept) {
-        warnings = found.designer->shell().notes;
+        warnings = found->designer().shell().notes;
     }
-    if (found.mending) {
-        warnings.push_back(describeMending(*found.mending));
-    }
-    if (!curve.report.repeatedPicks.empty()) {
-        warnings.push_back(asSentence(describeRepeatedPicks(curve.report)));
-    }
-    if (curve.report.fieldShare < 1.0) {
-        warnings.push_back(asSentence(describeWeakenedField(curve.report)));
-    }
-    if (!curve.report.fieldAtRest) {
-        warnings.emplace_back(
-            "The field could still be lowered where the iterations ended: it pulls the curve into "
-            "bends that are sharper than its knots. Smooth the field, or lower its weight."
-        );
-    }
-    if (!curve.report.usable) {
-        warnings.push_back(asSentence(describeUnusable(curve.report)));
+    std::ranges::move(layerNotes(*found.workpiece), std::back_inserter(warnings));
+    for (const std::string& note : drawn.notes) {
+        warnings.push_back(asSentence(note));
     }
     return warnings;
 }
 
 }  // namespace
 
+std::vector<std::string> layerNotes(const Workpiece& workpiece) {
+    std::vector<std::string> notes;
+    for (const std::string& note : workpiece.notes()) {
+        notes.push_back(
+            asSentence(note) + " This is done on a copy in memory; the layer is unchanged."
+        );
+    }
+    return notes;
+}
+
 CurveResult runCurveFilter(
     const LayerInput& layer,
     const PickCandidates& picks,
     const CurveRequest& request,
-    DesignerCache& designers,
+    WorkpieceCache& workpieces,
     const Progress& progress
 ) {
     Stopwatch watch;
     checkSaveFile(request);
     const PicksFile chosen = choosePicks(request, picks);
-    SolverOptions options = request.solver;
-    options.closed = options.closed || chosen.closed.value_or(false);
-    const DesignerCache::Found found = designerFor(
-        layer, request.shell, request.mending, designers, partOf(progress, 0.0, kCurveSurfaceShare)
+    CurveOptions options = static_cast<const CurveOptions&>(request);
+    options.solver.closed = options.solver.closed || chosen.closed.value_or(false);
+    const std::optional<ShellCache> cache = ShellCache::ofUser();
+    const WorkpieceCache::Found found = workpieces.ready(
+        layer, request, partOf(progress, 0.0, kCurveSurfaceShare), cache ? &*cache : nullptr
     );
-    const CurveDesigner& designer = *found.designer;
-    const MeshRepair* const repair = found.repair();
-    const std::optional<LayerInput> carried =
-        repair == nullptr ? std::nullopt : std::optional(carriedOver(layer, *repair));
-    const LayerInput& inputs = carried ? *carried : layer;
-    checkTube(request, surfaceOf(designer));
-    const CurveGuides guides = curveGuides(
-        inputs, surfaceOf(designer), request, partOf(progress, kCurveSurfaceShare, kCurveFieldShare)
-    );
-    const std::vector<double>& field = guides.field;
-    Curve curve = designer.design(
-        chosen.picks,
-        options,
-        request.sampling,
-        {.field = field, .avoid = guides.avoid},
-        partOf(progress, kCurveFieldShare, 1.0)
-    );
-    return curveResult(layer.mesh, std::move(curve), field, watch.lap(), found, request);
+    checkTube(request, found->surface());
+    DesignedCurve drawn =
+        found->draw(chosen.picks, options, layer, partOf(progress, kCurveSurfaceShare, 1.0));
+    drawn.seconds = watch.lap();
+    return curveResult(std::move(drawn), found, request);
 }
 
 CurveResult curveResult(
-    const TriangleMesh& given,
-    Curve curve,
-    std::span<const double> field,
-    double seconds,
-    const DesignerCache::Found& found,
-    const CurveRequest& request
+    DesignedCurve drawn, const WorkpieceCache::Found& found, const CurveRequest& request
 ) {
     CurveResult result;
-    result.followsField = !field.empty();
-    result.curve = std::move(curve);
-    const std::vector<double> along =
-        field.empty() ? std::vector<double>()
-                      : fieldAlong(result.curve.polyline, found.designer->mesh().faces, field);
-    result.quality = field.empty() ? result.curve.polyline.parameters : along;
-    bringBack(result.curve, found.repair());
-    result.figures = curveFigures(result.curve, found, seconds);
-    result.log = {
-        // Names are no figures, since pymeshlab warns of texts.
-        .figures =
-            std::string("shell=") + shellName(result.curve) + " field=" +
-            (result.followsField && request.field ? name(request.field->options.kind) : "none") +
-            " " + keyValueText(result.figures),
-        .warnings = warningsOf(result.curve, found),
-        .summary = curveSummary(
-            result.curve,
-            request,
-            {.followsField = result.followsField, .isSurfaceKept = found.isKept, .seconds = seconds}
-        )
-    };
-    addExtras(request, given, *found.designer, along, result);
+    result.followsField = !drawn.field.empty();
+    result.quality = result.followsField ? drawn.along : drawn.curve.polyline.parameters;
+    result.log.warnings = warningsOf(drawn, found);
+    result.curve = std::move(drawn.curve);
+    result.figures = curveFigures(result.curve, found, drawn.seconds);
+    // Names are no figures, since pymeshlab warns of texts.
+    result.log.figures =
+        std::string("shell=") + shellName(result.curve) + " field=" +
+        (result.followsField && request.field ? name(request.field->options.kind) : "none") + " " +
+        keyValueText(result.figures);
+    result.log.summary = curveSummary(
+        result.curve,
+        request,
+        {.followsField = result.followsField,
+         .isSurfaceKept = found.isKept,
+         .seconds = drawn.seconds}
+    );
+    addExtras(request, *found.workpiece, drawn.along, result);
     return result;
 }
 
 FieldResult runFieldFilter(
-    const LayerInput& layer, const FieldRequest& request, const Progress& progress
+    const LayerInput& layer, const FieldLayerRequest& request, const Progress& progress
 ) {
     FieldResult result;
-    const auto [surface, mending] = surfaceOf(layer, request.mending);
-    result.values = madeFrom(layer, [&] {
-        if (!mending) {
-            return fieldOf(layer, *surface, request, progress);
-        }
-        result.log.warnings.push_back(describeMending(*mending));
-        const LayerInput carried = carriedOver(layer, mending->repair);
-        return mending->toOrigin(fieldOf(carried, *surface, request, progress));
-    });
+    const auto workpiece = workpieceOf(layer, {.mending = request.mending});
+    result.log.warnings = layerNotes(*workpiece);
+    result.values = workpiece->field(layer, request, progress).values();
     const auto [minimum, maximum] = std::ranges::minmax(result.values);
     const double sum = std::accumulate(result.values.begin(), result.values.end(), 0.0);
     result.figures = {
@@ -173,8 +138,12 @@ LogLines windowLog(const FilterLog& log, const FilterDescription& filter) {
 
 std::string describeFailure(const char* what, const std::exception& error) {
     const std::string subject = std::string("The ") + what;
-    if (dynamic_cast<const InputError*>(&error) != nullptr) {
-        return error.what();
+    if (const auto* const refused = dynamic_cast<const InputError*>(&error)) {
+        constexpr RemedyWords kWords{
+            .mend = "without the option strict the mesh is mended",
+            .weld = "the option weld (%) joins these components"
+        };
+        return withRemedy(error.what(), refused->remedy(), kWords);
     }
     if (dynamic_cast<const Cancelled*>(&error) != nullptr) {
         return subject + " was cancelled.";

@@ -4,14 +4,12 @@
 #include "bspline_curve/curve.h"
 #include "bspline_curve/progress.h"
 #include "bspline_curve/shell.h"
-#include "filters/designer_cache.h"
 #include "filters/figures.h"
-#include "filters/layer_input.h"
 #include "filters/requests.h"
+#include "workpiece/workpiece_cache.h"
 
 #include <exception>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -63,32 +61,29 @@ struct FieldResult {
     FilterLog log;
 };
 
+/// What is to be said of a layer that was mended, in sentences.
+[[nodiscard]] std::vector<std::string> layerNotes(const Workpiece& workpiece);
+
 /// Draws a curve, on a mended copy of a mesh that needs it, and writes the file that the request
-/// names. `designers` keeps what the next curve on the same mesh can use again. Throws InputError,
+/// names. `workpieces` keeps what the next curve on the same mesh can use again. Throws InputError,
 /// Cancelled, std::bad_alloc; see describeFailure().
 [[nodiscard]] CurveResult runCurveFilter(
     const LayerInput& layer,
     const PickCandidates& picks,
     const CurveRequest& request,
-    DesignerCache& designers,
+    WorkpieceCache& workpieces,
     const Progress& progress = {}
 );
 
-/// The result of that filter for a curve that was designed already, on the mesh of the designer.
-/// `given`: the layer's mesh; `field`: what the curve follows, one value per vertex of the
-/// designer's mesh, or none; `seconds`: how long it took. Throws InputError (UnwritableFile).
+/// The result of that filter for a curve that was drawn already. Throws InputError
+/// (UnwritableFile).
 [[nodiscard]] CurveResult curveResult(
-    const TriangleMesh& given,
-    Curve curve,
-    std::span<const double> field,
-    double seconds,
-    const DesignerCache::Found& found,
-    const CurveRequest& request
+    DesignedCurve drawn, const WorkpieceCache::Found& found, const CurveRequest& request
 );
 
 /// Computes a field. Throws likewise.
 [[nodiscard]] FieldResult runFieldFilter(
-    const LayerInput& layer, const FieldRequest& request, const Progress& progress = {}
+    const LayerInput& layer, const FieldLayerRequest& request, const Progress& progress = {}
 );
 
 /// What to tell the user about an exception of a filter. `what`: "curve", "field", "imprint" …

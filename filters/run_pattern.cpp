@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/run_pattern.h"
 
-#include "design/curve_on_given_mesh.h"
-#include "design/designer_surface.h"
-#include "design/strict_polyline.h"
-#include "filters/find_designer.h"
-#include "filters/mended_layer.h"
+#include "bspline_curve/designer.h"
 #include "filters/summaries.h"
 #include "filters/utf8_path.h"
 #include "io/drawing_reader.h"
 #include "io/font_search.h"
+#include "io/shell_cache.h"
 #include "io/text_outlines.h"
 #include "pattern/draw_pattern.h"
+#include "surface/strict_line.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
+#include <algorithm>
 #include <iterator>
-#include <memory>
+#include <optional>
 #include <utility>
 
 namespace bspline_curve {
@@ -62,14 +61,14 @@ struct DrawnPattern {
 };
 
 DrawnPattern drawnOn(
-    const DesignerCache::Found& found,
+    const Workpiece& workpiece,
     const Drawing& drawing,
     const CurvesOnLayer& input,
     const std::vector<Vec3>& toolPoints,
     const PatternRequest& request,
     const Progress& progress
 ) {
-    const CurveDesigner& designer = *found.designer;
+    const CurveDesigner& designer = workpiece.designer();
     if (request.place == PatternPlace::Point) {
         return {
             .pattern = patternRoundPoint(
@@ -84,8 +83,7 @@ DrawnPattern drawnOn(
             .warnings = {}
         };
     }
-    const PlacedCurves placed =
-        placedCurves(surfaceOf(designer), found.repair(), input, request.use.placing);
+    const PlacedCurves placed = placedCurves(workpiece.surface(), input, request.use.placing);
     DrawnPattern result;
     for (const PlacedCurve& curve : placed.curves) {
         take(
@@ -103,31 +101,33 @@ PatternResult runPatternFilter(
     const CurvesOnLayer& input,
     const std::vector<Vec3>& toolPoints,
     const PatternRequest& request,
-    DesignerCache& designers,
+    WorkpieceCache& workpieces,
     const Progress& progress
 ) {
     Stopwatch watch;
     report(progress, 0.0, "drawing");
     PatternResult result;
     const Drawing drawing = drawingOf(request, result.log);
-    const DesignerCache::Found found = designerFor(
+    const std::optional<ShellCache> cache = ShellCache::ofUser();
+    const WorkpieceCache::Found found = workpieces.ready(
         input.surface,
-        {},
-        request.use.mending,
-        designers,
-        partOf(progress, 0.0, kPatternSurfaceShare)
+        {.mending = request.use.mending},
+        partOf(progress, 0.0, kPatternSurfaceShare),
+        cache ? &*cache : nullptr
     );
-    if (found.mending) {
-        result.log.warnings.push_back(describeMending(*found.mending));
-    }
+    std::ranges::move(layerNotes(*found.workpiece), std::back_inserter(result.log.warnings));
     auto [pattern, warnings] = drawnOn(
-        found, drawing, input, toolPoints, request, partOf(progress, kPatternSurfaceShare, 1.0)
+        *found.workpiece,
+        drawing,
+        input,
+        toolPoints,
+        request,
+        partOf(progress, kPatternSurfaceShare, 1.0)
     );
     std::ranges::move(warnings, std::back_inserter(result.log.warnings));
     double length = 0.0;
-    for (PatternCurve& curve : pattern.curves) {
+    for (const PatternCurve& curve : pattern.curves) {
         length += lengthOf(curve.curve.polyline);
-        bringBack(curve.curve, found.repair());
     }
     result.curves = std::move(pattern.curves);
     result.figures = {

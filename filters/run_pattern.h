@@ -2,11 +2,11 @@
 #pragma once
 
 #include "bspline_curve/progress.h"
-#include "filters/designer_cache.h"
 #include "filters/pattern_requests.h"
 #include "filters/polyline_layers.h"
 #include "filters/run_filters.h"
 #include "pattern/carried_drawing.h"
+#include "workpiece/workpiece_cache.h"
 
 #include <vector>
 
@@ -24,7 +24,7 @@ struct PatternResult {
     const CurvesOnLayer& input,
     const std::vector<Vec3>& toolPoints,
     const PatternRequest& request,
-    DesignerCache& designers,
+    WorkpieceCache& workpieces,
     const Progress& progress = {}
 );
 

@@ -7,6 +7,7 @@
 #include "imprint/imprint_nodes.h"
 #include "surface/error_messages.h"
 #include "surface/predicates.h"
+#include "surface/strict_line.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
 
@@ -306,6 +307,7 @@ std::vector<int> crossingsOf(const std::vector<ImprintedCurve>& curves) {
 
 ImprintedMesh Imprinter::result() const {
     ImprintedMesh result;
+    result.surfaceVertexCount = surface_.vertexCount();
     result.mesh.vertices.reserve(surface_.vertices().size() + newPositions_.size());
     result.mesh.vertices = surface_.vertices();
     result.mesh.vertices.insert(
@@ -313,28 +315,28 @@ ImprintedMesh Imprinter::result() const {
     );
     const std::size_t faceCount = surface_.faces().size() + triangles_.size() - children_.size();
     result.mesh.faces.reserve(faceCount);
-    result.parents.reserve(faceCount);
+    result.ownParents.reserve(faceCount);
     int next = 0;
     const auto keepUntil = [&](int end) {
         result.mesh.faces.insert(
             result.mesh.faces.end(), surface_.faces().begin() + next, surface_.faces().begin() + end
         );
         for (; next < end; ++next) {
-            result.parents.push_back(next);
+            result.ownParents.push_back(next);
         }
     };
     for (const auto& [face, first, count] : children_) {
         keepUntil(face);
         const auto children = triangles_.begin() + first;
         result.mesh.faces.insert(result.mesh.faces.end(), children, children + count);
-        result.parents.resize(result.mesh.faces.size(), face);
+        result.ownParents.resize(result.mesh.faces.size(), face);
         result.dividedFaces += count > 1 ? 1 : 0;
         next = face + 1;
     }
     keepUntil(surface_.faceCount());
-    result.newVertices.reserve(newNodes_.size());
+    result.ownPlaces.reserve(newNodes_.size());
     for (const int node : newNodes_) {
-        result.newVertices.push_back(nodes_.surfacePoint(node));
+        result.ownPlaces.push_back(nodes_.surfacePoint(node));
     }
     for (std::size_t c = 0; c < pieces_.size(); ++c) {
         result.curves.push_back(imprintedCurve(c));
@@ -356,7 +358,48 @@ void ImprintOptions::validate() const {
     }
 }
 
+namespace {
+
+/// Says where all of it is on the input; first come the corners that mending has doubled.
+void bringToInput(const Surface& surface, ImprintedMesh& imprinted) {
+    const Provenance& provenance = surface.provenance();
+    imprinted.parents = imprinted.ownParents;
+    if (provenance.isIdentity()) {
+        imprinted.newVertices = imprinted.ownPlaces;
+        return;
+    }
+    for (int& parent : imprinted.parents) {
+        parent = provenance.inputFace(parent);
+    }
+    const auto first = static_cast<int>(surface.input().vertices.size());
+    for (int copy = first; copy < surface.vertexCount(); ++copy) {
+        const int face = *surface.facesAround(copy).begin();
+        const Vec3 corner = Vec3::Unit(cornerOf(surface.faces()[face], copy));
+        imprinted.newVertices.push_back(provenance.toInput({.face = face, .barycentric = corner}));
+    }
+    for (const SurfacePoint& point : imprinted.ownPlaces) {
+        imprinted.newVertices.push_back(provenance.toInput(point));
+    }
+}
+
+}  // namespace
+
 ImprintedMesh imprint(
+    const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
+) {
+    std::vector<SurfacePolyline> own;
+    if (!surface.provenance().isIdentity()) {
+        for (const SurfacePolyline& curve : curves) {
+            own.push_back(strictLine(surface, curve, "curve " + std::to_string(own.size())));
+        }
+        curves = own;
+    }
+    ImprintedMesh imprinted = imprintOwn(surface, curves, options);
+    bringToInput(surface, imprinted);
+    return imprinted;
+}
+
+ImprintedMesh imprintOwn(
     const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
 ) {
     options.validate();

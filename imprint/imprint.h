@@ -9,8 +9,6 @@
 
 namespace bspline_curve {
 
-struct MeshRepair;
-
 struct ImprintOptions {
     /// Points nearer than this to each other, to an edge, a vertex or another curve are taken as
     /// one with it, in [0, 0.01]: in barycentric coordinates, so relative to the altitudes of a
@@ -29,10 +27,10 @@ struct ImprintedCurve {
     std::vector<int> vertices;
 };
 
-/// A mesh with curves as edges.
+/// A mesh with curves as edges. Parents and places are those of the surface's input.
 struct ImprintedMesh {
-    /// Input vertices first, as they were; then those on edges and those in faces. The children of
-    /// a face stand where their parent stood.
+    /// The input's vertices first, as they were; then corners that mending has doubled; then those
+    /// of curves on edges and in faces. The children of a face stand where their parent stood.
     TriangleMesh mesh;
     std::vector<int> parents;               ///< for each face, the input face that it is part of
     std::vector<SurfacePoint> newVertices;  ///< for each new vertex, its place on the input
@@ -42,6 +40,12 @@ struct ImprintedMesh {
     std::vector<int> crossings;
     int dividedFaces = 0;
     double largestMove = 0.0;  ///< by snapping and rounding, in the user's unit
+
+    /// The same with the ids of the surface itself: its vertices come first; for each face that of
+    /// the surface, for each further vertex its place there.
+    int surfaceVertexCount = 0;
+    std::vector<int> ownParents;
+    std::vector<SurfacePoint> ownPlaces;
 
     [[nodiscard]] int inputVertexCount() const {
         return static_cast<int>(mesh.vertices.size() - newVertices.size());
@@ -54,12 +58,17 @@ struct ImprintedMesh {
 /// and run along edges and through vertices; their order does not matter. Imprinting what is
 /// imprinted changes nothing. O(n log n) for n segments, beside a copy of the mesh. Throws
 /// InputError (BadOption; NoPath where a curve is not strictly on the surface, or where new faces
-/// would be flat for any snapping distance); the input is not touched.
+/// would be flat for any snapping distance); the surface is not touched. Curves are on its input.
 [[nodiscard]] ImprintedMesh imprint(
     const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
 );
 
-/// The mesh without its imprint: as it was, bit for bit. O(n).
+/// The same for curves with the surface's own faces; parents and places are its own ones alone.
+[[nodiscard]] ImprintedMesh imprintOwn(
+    const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
+);
+
+/// The surface's mesh without its imprint: as it was, bit for bit. O(n).
 [[nodiscard]] TriangleMesh withoutImprint(const ImprintedMesh& imprinted);
 
 /// Values at the vertices of the imprinted mesh, from those at the input's: linear in each input
@@ -68,19 +77,6 @@ struct ImprintedMesh {
     const ImprintedMesh& imprinted,
     const std::vector<Triangle>& inputFaces,
     std::span<const double> values
-);
-
-/// Where an imprint comes from. For one on a mesh that was mended: in the mesh as it was given.
-struct ImprintOrigins {
-    std::vector<int> parents;  ///< for each face, the given face that it is part of
-    /// For each vertex after the given ones, its place on the given mesh; first are those that
-    /// mending doubled, at a corner.
-    std::vector<SurfacePoint> newVertices;
-};
-
-/// `input`: what was imprinted. `repair`: how it was mended; null: it was not. O(n).
-[[nodiscard]] ImprintOrigins originsOf(
-    const ImprintedMesh& imprinted, const Surface& input, const MeshRepair* repair
 );
 
 /// An imprinted curve as a polyline on the imprinted mesh, whose surface is given.

@@ -150,7 +150,9 @@ private:
 SurfacePolyline projectedPolyline(
     const Surface& surface, const TriangleTree& tree, const SpacePolyline& line, double distance
 ) {
-    return Projector(surface, tree, distance).project(line);
+    SurfacePolyline projected = Projector(surface, tree, distance).project(line);
+    surface.provenance().bringToInput(projected);
+    return projected;
 }
 
 }  // namespace bspline_curve

@@ -17,11 +17,12 @@ struct SpacePolyline {
 
 /// A polyline that is near the surface, projected onto it: its points become their closest points,
 /// and so do points between them, as dense as edges are there; shortest paths join these. The
-/// result is strict; t is the length along it, from 0 to 1. Throws InputError (PickTooFar) where a
-/// point of the polyline is farther from the surface than `distance`, and (NoPath) where one part
-/// of it and the next are near to parts of the surface that are not, or where nothing but one point
-/// is left; both name the vertex. The message begins with it, so that callers can say of which
-/// polyline. O(n log m) for n points of the result and m faces.
+/// result is strict, and on the surface's input; t is the length along it, from 0 to 1. Throws
+/// InputError (PickTooFar) where a point of the polyline is farther from the surface than
+/// `distance`, and (NoPath) where one part of it and the next are near to parts of the surface that
+/// are not, or where nothing but one point is left; both name the vertex. The message begins with
+/// it, so that callers can say of which polyline. O(n log m) for n points of the result and m
+/// faces.
 [[nodiscard]] SurfacePolyline projectedPolyline(
     const Surface& surface, const TriangleTree& tree, const SpacePolyline& line, double distance
 );

@@ -10,29 +10,20 @@
 
 namespace bspline_curve {
 
-struct MeshRepair;
-
 /// The polylines of a curve file that writeCurve() or curvesBytes() wrote as .json, by its faces
-/// and barycentric coordinates, so exactly where it was drawn. `mesh`: that of the surface, before
-/// it was mended, if it was, by `repair`; the curves are on the mended one. Throws InputError
-/// (UnreadableFile: another format, missing keys, values that are no surface points; NoPath: not on
-/// this mesh, since the file names the checksum of another, a face does not exist, a position
-/// differs by more than 1e-6 diagonals or a segment leaves its face; or it passes from sheet to
-/// sheet where mending parts them), naming file, vertex and what to do. Files without a checksum
-/// are read as well. O(n), for a mended mesh O(n log n).
+/// and barycentric coordinates, so exactly where it was drawn. `mesh`: the surface's input, which
+/// the curves are on. Throws InputError (UnreadableFile: another format, missing keys, values that
+/// are no surface points; NoPath: not on this mesh, since the file names the checksum of another, a
+/// face does not exist, a position differs by more than 1e-6 diagonals or a segment leaves its
+/// face; or it passes from sheet to sheet where mending parts them), naming file, vertex and what
+/// to do. Files without a checksum are read as well. O(n), for a mended mesh O(n log n).
 [[nodiscard]] std::vector<SurfacePolyline> readCurves(
-    const std::filesystem::path& file,
-    const Surface& surface,
-    const MeshChecksum& mesh,
-    const MeshRepair* repair = nullptr
+    const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
 );
 
 /// The same of a file with one curve; refuses another number.
 [[nodiscard]] SurfacePolyline readCurve(
-    const std::filesystem::path& file,
-    const Surface& surface,
-    const MeshChecksum& mesh,
-    const MeshRepair* repair = nullptr
+    const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
 );
 
 }  // namespace bspline_curve

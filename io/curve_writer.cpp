@@ -73,24 +73,6 @@ const CurveFormat& formatOfMany(const path& file) {
 
 }  // namespace
 
-std::vector<double> fieldAlong(
-    const SurfacePolyline& polyline,
-    const std::vector<Triangle>& faces,
-    std::span<const double> field
-) {
-    std::vector<double> values;
-    values.reserve(polyline.surfacePoints.size());
-    for (const SurfacePoint& point : polyline.surfacePoints) {
-        const Triangle& face = faces[point.face];
-        double value = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            value += point.barycentric[static_cast<Eigen::Index>(k)] * field[face[k]];
-        }
-        values.push_back(value);
-    }
-    return values;
-}
-
 std::string curveExtensions() {
     std::string text;
     for (const CurveFormat& format : kCurveFormats) {

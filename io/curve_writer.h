@@ -13,14 +13,6 @@
 
 namespace bspline_curve {
 
-/// A per-vertex field along a polyline: one value per polyline vertex, interpolated linearly in its
-/// face.
-[[nodiscard]] std::vector<double> fieldAlong(
-    const SurfacePolyline& polyline,
-    const std::vector<Triangle>& faces,
-    std::span<const double> field
-);
-
 /// The ends of names of curve files, for help and messages: ".ply, .obj, …".
 [[nodiscard]] std::string curveExtensions();
 

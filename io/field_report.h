@@ -4,7 +4,6 @@
 #include "surface/repair.h"
 #include "surface/surface.h"
 
-#include <optional>
 #include <span>
 #include <string>
 
@@ -20,7 +19,7 @@ struct FieldRunFigures {
         double read = 0.0, validate = 0.0, field = 0.0, write = 0.0;
     } seconds;
 
-    std::optional<RepairReport> repair;  ///< where it was asked for
+    const RepairReport* repair = nullptr;  ///< null: nothing was mended
 };
 
 /// The report as JSON: kind, minimum, mean and maximum over the vertices, times, mesh.

@@ -18,13 +18,12 @@ Json triple(const Vec3& values) {
 
 std::string imprintMapBytes(
     const ImprintedMesh& imprinted,
-    const ImprintOrigins& origins,
     const MeshParts& parts,
     std::span<const double> inputQuality,
     std::span<const double> quality
 ) {
     Json newVertices = Json::array();
-    for (const SurfacePoint& point : origins.newVertices) {
+    for (const SurfacePoint& point : imprinted.newVertices) {
         newVertices.push_back({{"face", point.face}, {"barycentric", triple(point.barycentric)}});
     }
     Json curves = Json::array();
@@ -39,7 +38,7 @@ std::string imprintMapBytes(
         };
     }
     const Json map{
-        {"parents", origins.parents},
+        {"parents", imprinted.parents},
         {"new_vertices", std::move(newVertices)},
         {"curves", std::move(curves)},
         {"crossings", imprinted.crossings},
@@ -71,7 +70,7 @@ Json reportOf(
     return {
         {"curves", imprinted.curves.size()},
         {"vertices", imprinted.mesh.vertices.size()},
-        {"new_vertices", imprinted.newVertices.size()},
+        {"new_vertices", imprinted.ownPlaces.size()},
         {"faces", imprinted.mesh.faces.size()},
         {"divided_faces", imprinted.dividedFaces},
         {"crossings", imprinted.crossings.size()},

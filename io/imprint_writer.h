@@ -5,7 +5,6 @@
 #include "imprint/mesh_parts.h"
 #include "surface/repair.h"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,7 +18,7 @@ struct ImprintFigures {
     double drawSeconds = 0.0;              ///< polylines projected, curves drawn through picks
     double imprintSeconds = 0.0;           ///< surface and curves in memory to arrays
     double snap = 0.0;                     ///< as asked for
-    std::optional<RepairReport> repair{};  ///< none: the mesh was not mended
+    const RepairReport* repair = nullptr;  ///< null: nothing was mended
 };
 
 /// How a cut came about, for its report.
@@ -35,7 +34,6 @@ struct CutFigures {
 /// order, closed), crossings, regions (per face), quality (input and output; null without).
 [[nodiscard]] std::string imprintMapBytes(
     const ImprintedMesh& imprinted,
-    const ImprintOrigins& origins,
     const MeshParts& parts,
     std::span<const double> inputQuality,
     std::span<const double> quality

@@ -77,7 +77,7 @@ TriangleMesh welded(const TriangleMesh& soup) {
             " a vertex twice",
         "faces",
         faces,
-        "remove them with MeshLab's filter 'Remove Zero Area Faces'"
+        "remove them"
     );
 }
 

@@ -3,8 +3,8 @@
 
 namespace bspline_curve {
 
-nlohmann::ordered_json repairJson(const std::optional<RepairReport>& repair) {
-    if (!repair) {
+nlohmann::ordered_json repairJson(const RepairReport* repair) {
+    if (repair == nullptr) {
         return nullptr;
     }
     nlohmann::ordered_json duplicated = nlohmann::ordered_json::array();
@@ -13,6 +13,7 @@ nlohmann::ordered_json repairJson(const std::optional<RepairReport>& repair) {
     }
     return {
         {"changes", repair->count()},
+        {"left_out_faces", repair->leftOutFaces},
         {"merged_vertices", repair->mergedVertices},
         {"removed_degenerate_faces", repair->removedDegenerateFaces},
         {"split_faces", repair->splitFaces},
@@ -20,6 +21,8 @@ nlohmann::ordered_json repairJson(const std::optional<RepairReport>& repair) {
         {"reversed_faces", repair->reversedFaces},
         {"cut_edges", repair->cutEdges},
         {"duplicated_vertices", duplicated},
+        {"joined_edges", repair->joinedEdges},
+        {"joined_vertices", repair->joinedVertices},
     };
 }
 

@@ -5,11 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <optional>
-
 namespace bspline_curve {
 
-/// The "repair" of a report; null where nothing was mended.
-[[nodiscard]] nlohmann::ordered_json repairJson(const std::optional<RepairReport>& repair);
+/// The "repair" of a report; null where there is none.
+[[nodiscard]] nlohmann::ordered_json repairJson(const RepairReport* repair);
 
 }  // namespace bspline_curve

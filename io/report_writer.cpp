@@ -102,6 +102,18 @@ Json farPartOf(const SolveReport& report) {
     return {{"from", part.from}, {"to", part.to}, {"faces", part.faces}};
 }
 
+Json detoursOf(const SolveReport& report) {
+    Json list = Json::array();
+    for (const Detour& detour : report.detours) {
+        list.push_back(
+            {{"picks", {detour.from, detour.to}},
+             {"ratio", detour.ratio},
+             {"round", name(detour.round)}}
+        );
+    }
+    return list;
+}
+
 Json meshOf(const Surface& surface, const std::string& file) {
     return {
         {"file", file},
@@ -129,9 +141,10 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"prisms", curve.prisms},
         {"faces_passed", curve.facesPassed},
         {"cached", curve.shell && figures.shell.isFromStore},
-        {"notes", figures.shell.notes},
+        {"notes", figures.notes},
         {"field", fieldOf(report, figures)},
         {"repeated_picks", report.repeatedPicks},
+        {"detours", detoursOf(report)},
         {"avoid", avoidanceOf(report)},
         {"seconds", secondsOf(report, figures)},
         {"peak_memory_bytes",

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -26,7 +27,8 @@ struct RunFigures {
     std::int64_t peakMemoryBytes = 0;  ///< of the program until the first curve was there
     std::int64_t readMemoryBytes = 0;  ///< likewise until the mesh was read
     ShellSummary shell;
-    std::optional<RepairReport> repair;  ///< where it was asked for
+    std::vector<std::string> notes;        ///< what people must know
+    const RepairReport* repair = nullptr;  ///< null: nothing was mended
 };
 
 /// The shell that a curve was drawn in, as reports say it: "fibres", "full" or "simplified".

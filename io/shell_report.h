@@ -6,7 +6,6 @@
 #include "surface/repair.h"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,8 @@ struct ShellRunFigures {
 
     /// Largest resident memory of the program, until the shell was there.
     std::int64_t peakMemoryBytes = 0;
-    std::optional<RepairReport> repair;  ///< where the mesh was mended
-    std::vector<std::string> notes;      ///< about the cache; empty where all is well
+    const RepairReport* repair = nullptr;  ///< null: nothing was mended
+    std::vector<std::string> notes;        ///< about the cache; empty where all is well
 };
 
 /// How thick a shell is: from top to bottom along each pillar of a prism over the surface (not

@@ -9,6 +9,7 @@
 #include "solver/curve_problem.h"
 #include "solver/initial_curve.h"
 #include "solver/spline_fit.h"
+#include "surface/strict_line.h"
 #include "surface/surface_point.h"
 #include "utility/report_progress.h"
 

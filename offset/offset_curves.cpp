@@ -2,11 +2,11 @@
 #include "offset/offset_curves.h"
 
 #include "bspline_curve/error.h"
-#include "design/strict_polyline.h"
 #include "imprint/imprint.h"
 #include "offset/distance_beams.h"
 #include "offset/level_lines.h"
 #include "offset/line_corners.h"
+#include "surface/strict_line.h"
 #include "utility/index_sets.h"
 #include "utility/report_progress.h"
 
@@ -129,7 +129,7 @@ std::vector<int> crossedLines(const Surface& surface, const std::vector<FittedLi
     if (lines.empty()) {
         return {};
     }
-    const ImprintedMesh imprinted = imprint(surface, lines, {});
+    const ImprintedMesh imprinted = imprintOwn(surface, lines, {});
     std::vector<int> crossed;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::vector<int>& vertices = imprinted.curves[i].vertices;
@@ -142,7 +142,10 @@ std::vector<int> crossedLines(const Surface& surface, const std::vector<FittedLi
     return crossed;
 }
 
-void checkInput(const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options) {
+/// The line with the surface's own faces.
+SurfacePolyline checkedInput(
+    const Surface& surface, const SurfacePolyline& line, const OffsetOptions& options
+) {
     options.validate();
     if (line.surfacePoints.size() < 2) {
         throw InputError(
@@ -150,13 +153,7 @@ void checkInput(const Surface& surface, const SurfacePolyline& line, const Offse
             "the curve has fewer than 2 points; draw it with at least 2 picks"
         );
     }
-    if (!isStrict(surface, line)) {
-        throw InputError(
-            InputErrorCode::NoPath,
-            "the curve does not lie on this mesh: a segment of it is not in one face; draw it on "
-            "this mesh"
-        );
-    }
+    return strictLine(surface, line, "the curve to offset");
 }
 
 }  // namespace
@@ -179,11 +176,18 @@ std::vector<SurfacePolyline> offsetPolylines(
     const OffsetOptions& options,
     const Progress& progress
 ) {
-    checkInput(surface, line, options);
     const DistanceBeams beams(
-        surface, line, rangeAround(options), partOf(progress, 0.0, kDistancesShare)
+        surface,
+        checkedInput(surface, line, options),
+        rangeAround(options),
+        partOf(progress, 0.0, kDistancesShare)
     );
-    return linesAt(surface, beams, options, partOf(progress, kDistancesShare, 1.0));
+    std::vector<SurfacePolyline> lines =
+        linesAt(surface, beams, options, partOf(progress, kDistancesShare, 1.0));
+    for (SurfacePolyline& each : lines) {
+        surface.provenance().bringToInput(each);
+    }
+    return lines;
 }
 
 std::vector<FittedLine> offsetCurves(
@@ -193,9 +197,11 @@ std::vector<FittedLine> offsetCurves(
     const OffsetOptions& options,
     const Progress& progress
 ) {
-    checkInput(surface, line, options);
     const DistanceBeams beams(
-        surface, line, rangeAround(options), partOf(progress, 0.0, kDistancesShare)
+        surface,
+        checkedInput(surface, line, options),
+        rangeAround(options),
+        partOf(progress, 0.0, kDistancesShare)
     );
     const std::vector<SurfacePolyline> lines =
         linesAt(surface, beams, options, partOf(progress, kDistancesShare, kLinesShare));
@@ -218,6 +224,9 @@ std::vector<FittedLine> offsetCurves(
                                               : fitter.unfitted(lines[i]);
         }
     }
+    for (FittedLine& each : fitted) {
+        surface.provenance().bringToInput(each.line);
+    }
     return fitted;
 }
 
@@ -227,18 +236,18 @@ std::vector<char> facesWithin(
     const OffsetOptions& options,
     const Progress& progress
 ) {
-    checkInput(surface, line, options);
+    const SurfacePolyline own = checkedInput(surface, line, options);
     // Sides are known where distances are.
     const bool needSides = options.sides != OffsetSides::Both;
     const DistanceRange range{.from = needSides ? 0.0 : options.distance, .to = options.distance};
-    const DistanceBeams beams(surface, line, range, progress);
+    const DistanceBeams beams(surface, own, range, progress);
     std::vector<char> within(surface.faceCount(), 0);
     for (const int f : beams.reachedFaces()) {
         const SidedDistance middle =
             beams.at({.face = f, .barycentric = Vec3::Constant(1.0 / 3.0)});
         within[f] = middle.distance <= options.distance && isOn(middle.side, options.sides) ? 1 : 0;
     }
-    return within;
+    return surface.provenance().flagsOfInput(std::move(within));
 }
 
 }  // namespace bspline_curve

@@ -29,12 +29,12 @@ struct OffsetOptions {
     void validate() const;
 };
 
-/// The lines at a geodesic distance from a polyline on the surface; see DistanceBeams and LevelLine
-/// for their accuracy. Where an offset runs into itself or another part, both end, so that no piece
-/// crosses itself or another; where two parts of it meet in a corner it is cut there, see
-/// cutAtCorners(). Lines end at the surface's boundary. Longest piece first. t is the length along
-/// the piece, from 0 to 1. Empty where no point has that distance. Throws InputError (BadOption;
-/// NoPath where `line` is not strict or has no length) or Cancelled.
+/// The lines at a geodesic distance from a polyline. Both are on the surface's input. See
+/// DistanceBeams and LevelLine for their accuracy. Where an offset runs into itself or another
+/// part, both end, so that no piece crosses itself or another; where two parts of it meet in a
+/// corner it is cut there, see cutAtCorners(). Lines end at the surface's boundary. Longest piece
+/// first. t is the length along the piece, from 0 to 1. Empty where no point has that distance.
+/// Throws InputError (BadOption; NoPath where `line` is not strict or has no length) or Cancelled.
 [[nodiscard]] std::vector<SurfacePolyline> offsetPolylines(
     const Surface& surface,
     const SurfacePolyline& line,
@@ -54,8 +54,8 @@ struct OffsetOptions {
     const Progress& progress = {}
 );
 
-/// For each face whether its middle is within `distance` of the polyline on the surface, on one
-/// side or both. Throws like offsetPolylines().
+/// For each face of the input whether its middle is within `distance` of the polyline on the
+/// surface, on one side or both. Throws like offsetPolylines().
 [[nodiscard]] std::vector<char> facesWithin(
     const Surface& surface,
     const SurfacePolyline& line,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/carried_drawing.h"
 
+#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
-#include "design/designer_surface.h"
 #include "pattern/carried_piece.h"
 #include "surface/error_messages.h"
 #include "surface/surface.h"
@@ -162,7 +162,7 @@ Pattern carriedDrawing(
     if (pieces.empty()) {
         throw InputError(InputErrorCode::BadOption, "the drawing has no paths");
     }
-    const Surface& surface = surfaceOf(designer);
+    const Surface& surface = designer.surface();
     Pattern pattern;
     pattern.tolerance =
         options.tolerance > 0.0 ? options.tolerance : kPatternToleranceRelative * meanSize(drawing);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/carried_piece.h"
 
-#include "design/designer_surface.h"
+#include "bspline_curve/designer.h"
 #include "offset/face_layout.h"
 #include "surface/segment_distance.h"
 #include "surface/surface.h"
@@ -69,7 +69,7 @@ public:
         : designer_(designer),
           piece_(piece),
           tolerance_(tolerance),
-          edge_(surfaceOf(designer).averageEdgeLength()) {}
+          edge_(designer.surface().averageEdgeLength()) {}
 
     DrawnPiece draw() {
         choosePicks();
@@ -93,7 +93,7 @@ private:
 
     [[nodiscard]] bool areApart(std::size_t a, std::size_t b) const {
         return (sample(a).position - sample(b).position).norm() >
-               kSamePointRelative * surfaceOf(designer_).diagonal();
+               kSamePointRelative * designer_.surface().diagonal();
     }
 
     /// The ends, and where the drawing has turned.

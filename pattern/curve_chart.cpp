@@ -2,9 +2,9 @@
 #include "pattern/curve_chart.h"
 
 #include "bspline_curve/error.h"
-#include "design/strict_polyline.h"
 #include "offset/surface_fan.h"
 #include "pattern/straightest_path.h"
+#include "surface/strict_line.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>
@@ -36,13 +36,6 @@ SurfacePoint between(
 
 CurveChart::CurveChart(const Surface& surface, const SurfacePolyline& line, double smoothing)
     : surface_(surface), closed_(line.closed), smoothing_(smoothing) {
-    if (!isStrict(surface, line)) {
-        throw InputError(
-            InputErrorCode::NoPath,
-            "the curve does not lie on this mesh: a segment of it is not in one face; draw it on "
-            "this mesh"
-        );
-    }
     Vec3 last = Vec3::Zero();
     const auto add = [&](const SurfacePoint& point) {
         const Vec3 position = surface.position(point);

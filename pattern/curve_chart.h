@@ -16,7 +16,7 @@ namespace bspline_curve {
 class CurveChart : public SurfaceChart {
 public:
     /// `smoothing`: half that length; 0: the polyline as it is. Throws InputError (NoPath) where
-    /// the polyline is not strict or has no length. The surface must outlive this.
+    /// the polyline, which must be strict, has no length. The surface must outlive this.
     CurveChart(const Surface& surface, const SurfacePolyline& line, double smoothing);
 
     /// On an open curve x must be in [0, length()], on a closed one it may be any.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/draw_pattern.h"
 
+#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
-#include "design/designer_surface.h"
 #include "pattern/curve_chart.h"
 #include "pattern/point_chart.h"
 #include "pattern/relief_smoothing.h"
 #include "surface/error_messages.h"
 #include "surface/picks.h"
+#include "surface/strict_line.h"
 #include "surface/surface_point.h"
 
 #include <cmath>
@@ -22,9 +23,9 @@ SurfacePoint centreOn(const CurveDesigner& designer, const Vec3& centre) {
             InputErrorCode::NonFiniteCoordinate, "the centre must have three finite coordinates"
         );
     }
-    const TriangleTree::Closest closest = treeOf(designer).closestPoint(centre);
+    const TriangleTree::Closest closest = designer.tree().closestPoint(centre);
     const double away = std::sqrt(closest.squaredDistance);
-    if (away > kPickReachRelative * surfaceOf(designer).diagonal()) {
+    if (away > kPickReachRelative * designer.surface().diagonal()) {
         throw InputError(
             InputErrorCode::PickTooFar,
             "the centre is " + describeNumber(away) +
@@ -62,14 +63,14 @@ Pattern patternRoundPoint(
     const Progress& progress
 ) {
     options.validate();
-    const WaySurface ways(surfaceOf(designer), options.smoothing);
+    const WaySurface ways(designer.surface(), options.smoothing);
     const Surface& surface = ways.surface();
     const SurfacePoint origin = centreOn(designer, centre);
     const PointChart chart(surface, origin, up ? *up : PointChart::defaultUp(surface, origin));
     return carriedDrawing(
         designer,
         chart,
-        laidRoundPoint(drawing, scale, surfaceOf(designer).diagonal()),
+        laidRoundPoint(drawing, scale, designer.surface().diagonal()),
         options,
         progress
     );
@@ -84,9 +85,13 @@ Pattern patternAlongCurve(
     const Progress& progress
 ) {
     options.validate();
-    const WaySurface ways(surfaceOf(designer), options.smoothing);
+    const WaySurface ways(designer.surface(), options.smoothing);
     const Surface& surface = ways.surface();
-    const CurveChart chart(surface, curve, surface.averageEdgeLength());
+    const CurveChart chart(
+        surface,
+        strictLine(designer.surface(), curve, "the curve of the row"),
+        surface.averageEdgeLength()
+    );
     return carriedDrawing(
         designer,
         chart,

@@ -32,7 +32,7 @@ KINDS_LEFT_OUT = {"quality", "obstacle"}  # they need an array
 
 
 def is_of_shell(parameter):
-    return parameter["id"] in ("shell", "strict", "weld") or parameter["group"] == "advanced.shell"
+    return parameter["id"] in ("shell", "strict", "weld", "slits") or parameter["group"] == "advanced.shell"
 
 
 def is_of_field(parameter):
@@ -160,7 +160,7 @@ def keywords(filters):
     shell = parameters_of(of_curve, is_of_shell)
     drawing = parameters_of(of_curve, lambda p: not is_of_shell(p) and not is_of_field(p))
     kind = next(p for p in of_field["parameters"] if p["id"] == "kind")
-    fields = parameters_of(of_field, lambda p: p["id"] not in ("strict", "weld"))
+    fields = parameters_of(of_field, lambda p: p["id"] not in ("strict", "weld", "slits"))
     return "\n".join([
         HEAD + '"""Keywords of meshes, curves and fields."""', "",
         "from __future__ import annotations", "",

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ranges>
 #include <span>
 #include <utility>
@@ -26,6 +27,8 @@ struct ExtensionConstants {
     int maxMoves = 60;
     /// Length of such a step, as a share of the way to the mean of the ring.
     double moveFraction = 0.25;
+    /// Longest edge at a vertex among needles, in shortest ones.
+    double needleRatio = 16.0;
     /// Width of the ghost strip, in mean lengths of the edges around a vertex.
     double ghostWidth = 0.5;
 };
@@ -229,18 +232,42 @@ private:
         }
     }
 
+    // How far the ring of a vertex counts at most, so that needles, which reach far beyond the fold
+    // that the vertex is to leave, do not draw it along.
+    [[nodiscard]] double reachOfRing(int v) const {
+        double shortest = std::numeric_limits<double>::infinity();
+        double longest = 0.0;
+        for (const int f : surface_.facesAround(v)) {
+            for (const int corner : surface_.faces()[f]) {
+                if (corner != v) {
+                    const Vec3 edge = surface_.vertices()[corner] - surface_.vertices()[v];
+                    shortest = std::min(shortest, edge.norm());
+                    longest = std::max(longest, edge.norm());
+                }
+            }
+        }
+        return longest > kExtension.needleRatio * shortest
+                   ? shortest / extended_.frame.scale
+                   : std::numeric_limits<double>::infinity();
+    }
+
     // One step of all unseen vertices; returns those that are unseen now, ascending.
     std::vector<int> moveVertices(const std::vector<int>& unseen, std::vector<char>& moved) {
         std::vector<Vec3> targets;
         std::vector<int> touched;
         for (const int v : unseen) {
+            const Vec3& here = extended_.vertices[v];
+            const double reach = reachOfRing(v);
             Vec3 sum = Vec3::Zero();
             int count = 0;
             for (const int f : surface_.facesAround(v)) {
                 for (const int corner : extended_.faces[f]) {
                     touched.push_back(corner);
                     if (corner != v) {
-                        sum += extended_.vertices[corner];
+                        const Vec3& ring = extended_.vertices[corner];
+                        const double distance = (ring - here).norm();
+                        sum +=
+                            distance > reach ? Vec3(here + reach / distance * (ring - here)) : ring;
                         ++count;
                     }
                 }

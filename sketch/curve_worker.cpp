@@ -152,6 +152,7 @@ SolveAnswer CurveWorker::answerTo(const SolveRequest& request, const Progress& p
         );
     } catch (const InputError& error) {
         answer.problem.message = error.what();
+        answer.problem.remedy = error.remedy();
         if (namesPicks(error.code())) {
             answer.problem.picks.assign(error.elements().begin(), error.elements().end());
         }

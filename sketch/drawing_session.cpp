@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sketch/drawing_session.h"
 
-#include "design/designer_surface.h"
+#include "bspline_curve/designer.h"
+#include "surface/surface_point.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -20,11 +21,11 @@ DrawingSession::DrawingSession(
 // ---- Points ----
 
 SketchPick DrawingSession::pickAt(const SurfacePoint& point) const {
-    return {point, surfaceOf(*designer_).position(point)};
+    return {point, positionOf(designer_->mesh(), point)};
 }
 
 TriangleTree::Hit DrawingSession::seenBy(const Pointer& pointer) const {
-    return treeOf(*designer_).firstHit(pointer.origin, pointer.direction);
+    return designer_->tree().firstHit(pointer.origin, pointer.direction);
 }
 
 bool DrawingSession::hides(const Pointer& pointer, const Vec3& point) const {
@@ -32,13 +33,13 @@ bool DrawingSession::hides(const Pointer& pointer, const Vec3& point) const {
 }
 
 SurfacePoint DrawingSession::pointUnder(const Pointer& pointer, const TriangleTree::Hit& seen) {
+    const Surface& surface = designer_->surface();
     snapped_ = {SnapKind::None, seen.point};
     if (pointer.snaps) {
         const double reach = settings_.snapPixels * pointer.pixelAt(seen.distance);
-        snapped_ = snap(
-            surfaceOf(*designer_), sketch_, sketch_.active, seen.point, reach, settings_.snapping
-        );
+        snapped_ = snap(surface, sketch_, sketch_.active, seen.point, reach, settings_.snapping);
     }
+    snapped_.point = surface.provenance().toInput(snapped_.point);
     return snapped_.point;
 }
 

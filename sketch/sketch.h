@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/error.h"
 #include "bspline_curve/options.h"
 #include "sketch/sketch_guides.h"
 
@@ -29,6 +30,7 @@ struct SketchPick {
 struct SketchProblem {
     std::string message;     ///< one line, for people
     std::vector<int> picks;  ///< those concerned; all where it is not known which
+    Remedy remedy{};         ///< what helps, which hosts say
 };
 
 /// Of sRGB.

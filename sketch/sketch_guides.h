@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "bspline_curve/progress.h"
+#include "bspline_curve/scalar_field.h"
 
 #include <functional>
 #include <mutex>
@@ -17,8 +18,8 @@ namespace bspline_curve {
 class SketchGuides {
 public:
     struct Values {
-        std::vector<double> field;  ///< one per vertex; empty: none
-        std::vector<int> avoid;     ///< faces
+        ScalarField field;
+        std::vector<int> avoid;  ///< faces
     };
 
     using Maker = std::function<Values(const Progress&)>;

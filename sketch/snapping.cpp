@@ -123,7 +123,9 @@ private:
     std::vector<int> faces_;
 };
 
-Snap nearestPick(const Snapper& snapper, const Sketch& sketch, int own, const Vec3& from) {
+Snap nearestPick(
+    const Surface& surface, const Snapper& snapper, const Sketch& sketch, int own, const Vec3& from
+) {
     Snap snap;
     double least = std::numeric_limits<double>::infinity();
     for (int c = 0; c < static_cast<int>(sketch.curves.size()); ++c) {
@@ -132,10 +134,13 @@ Snap nearestPick(const Snapper& snapper, const Sketch& sketch, int own, const Ve
         }
         for (const SketchPick& pick : sketch.curves[c]->picks) {
             const double squared = (pick.position - from).squaredNorm();
-            if (squared < least && snapper.isNear(pick.position) &&
-                snapper.holds(pick.point.face)) {
+            if (squared >= least || !snapper.isNear(pick.position)) {
+                continue;
+            }
+            const auto point = surface.provenance().fromInput(pick.point);
+            if (point && snapper.holds(point->face)) {
                 least = squared;
-                snap = {SnapKind::Pick, pick.point};
+                snap = {SnapKind::Pick, *point};
             }
         }
     }
@@ -173,7 +178,7 @@ Snap snap(
     const SnapOptions& options
 ) {
     const Snapper snapper(surface, point, reach, options);
-    Snap found = nearestPick(snapper, sketch, own, surface.position(point));
+    Snap found = nearestPick(surface, snapper, sketch, own, surface.position(point));
     if (found.kind == SnapKind::None) {
         found = snapper.nearestEdge();
     }

@@ -46,7 +46,7 @@ public:
           policy_(policy),
           weights_(firstWeights),
           roundGoal_(policy.round),
-          stopRule_(policy.stop),
+          stopRule_(policy.givesUp),
           paper_(problem) {
         report_.knotsFirst = knotCount();
     }

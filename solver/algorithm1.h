@@ -14,10 +14,10 @@ namespace bspline_curve {
 /// How solve() goes about one kind of energy.
 struct SolvePolicy {
     WeightSchedule schedule;
-    StopPolicy stop = StopPolicy::Long;
-    NewtonPolicy newton;  ///< whose budget ends the rounds as well
-    NewtonGoal rough;     ///< of rounds whose integrals are rough
-    NewtonGoal round;     ///< of the others
+    bool givesUp = false;  ///< see StopRule
+    NewtonPolicy newton;   ///< whose budget ends the rounds as well
+    NewtonGoal rough;      ///< of rounds whose integrals are rough
+    NewtonGoal round;      ///< of the others
     /// That of rounds after one that stopped where it began, far from the surface: else alpha would
     /// grow in vain.
     double idleDecrement = 0.0;

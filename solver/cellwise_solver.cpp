@@ -47,12 +47,6 @@ struct CellwiseConstants {
     /// usable curves on meshes that people have, half take a thousandth of them, the slowest one
     /// half.
     double mostWork = 2e5, mostWorkPerPick = 5e4;
-    /// A last attempt, where those at samples have failed, ends its rounds earlier, and creeps less
-    /// at rest, in this share of that work: that takes less than half of the time, and such curves
-    /// bend as much on average.
-    double lastRoundDecrement = 1e-3;
-    int lastRestIterations = 15;
-    double lastWorkShare = 0.6;
 };
 
 constexpr CellwiseConstants kCellwise;
@@ -61,11 +55,7 @@ constexpr CellwiseConstants kCellwise;
 // Corners that are cut at lambda = 1 are a few per cent of it, and would not be seen beside it.
 // Parameters follow the length of the initial path.
 double tensionFloor(const CurveProblem& problem, const InitialPath& initialPath) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < initialPath.points.size(); ++i) {
-        length += (initialPath.points[i].position - initialPath.points[i - 1].position).norm();
-    }
-    const double ratio = length / problem.chordLength;
+    const double ratio = initialPath.length() / problem.chordLength;
     return problem.options.tension * ratio * ratio;
 }
 
@@ -107,15 +97,6 @@ SolvePolicy policyFor(const CurveProblem& problem) {
     return policy;
 }
 
-SolvePolicy lastPolicyFor(const CurveProblem& problem) {
-    SolvePolicy policy = policyFor(problem);
-    policy.stop = StopPolicy::Short;
-    policy.newton.mostWork *= kCellwise.lastWorkShare;
-    policy.round.decrement = std::max(policy.round.decrement, kCellwise.lastRoundDecrement);
-    policy.restIterations = std::min(policy.restIterations, kCellwise.lastRestIterations);
-    return policy;
-}
-
 EnergyWeights firstWeights(const CurveProblem& problem, Energy& energy) {
     EnergyWeights weights;
     weights.alpha = kCellwise.firstAlpha;
@@ -134,28 +115,21 @@ EnergyWeights firstWeights(const CurveProblem& problem, Energy& energy) {
 }  // namespace
 
 Solution solveInShell(
-    const CurveProblem& problem,
-    const InitialPath& initialPath,
-    SplineCurve first,
-    StopPolicy stopPolicy
+    const CurveProblem& problem, const InitialPath& initialPath, SplineCurve first
 ) {
     CellwiseEnergy energy(problem, std::move(first), tensionFloor(problem, initialPath));
     const EnergyWeights weights = firstWeights(problem, energy);
-    const SolvePolicy policy =
-        stopPolicy == StopPolicy::Short ? lastPolicyFor(problem) : policyFor(problem);
-    return solve(problem, energy, weights, policy);
+    return solve(problem, energy, weights, policyFor(problem));
 }
 
-std::optional<Solution> solveCellwise(
-    const CurveProblem& problem, const InitialPath& initialPath, StopPolicy stopPolicy
-) {
+std::optional<Solution> solveCellwise(const CurveProblem& problem, const InitialPath& initialPath) {
     Stopwatch watch;
     std::optional<SplineCurve> first = makeFirstCurve(problem, initialPath);
     if (!first) {
         return std::nullopt;
     }
     const double initial = watch.lap();
-    Solution solution = solveInShell(problem, initialPath, std::move(*first), stopPolicy);
+    Solution solution = solveInShell(problem, initialPath, std::move(*first));
     solution.report.seconds.initial = initial;
     return solution;
 }

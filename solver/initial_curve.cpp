@@ -115,6 +115,14 @@ std::size_t InitialPath::indexAt(double t) const {
     return std::min(index, points.size() - 2);
 }
 
+double InitialPath::length() const {
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        length += (points[i].position - points[i - 1].position).norm();
+    }
+    return length;
+}
+
 Vec3 InitialPath::positionAt(double t) const {
     const std::size_t i = indexAt(t);
     const Point& a = points[i];

@@ -24,6 +24,8 @@ struct InitialPath {
 
     /// On the straight line between two points.
     [[nodiscard]] Vec3 positionAt(double t) const;
+
+    [[nodiscard]] double length() const;
 };
 
 struct SplineCurve {

@@ -22,6 +22,9 @@ struct SampledEnergyConstants {
     /// More knots no longer change the curve where bulges of all spans would lower the energy by
     /// less than this share of it; with twice as much curves bend more for few knots less.
     double negligibleGain = 0.01;
+    /// Of quadratic splines, whose bending falls with the square of the span alone: with 0.01 they
+    /// have three times the knots for the same curve.
+    double negligibleQuadraticGain = 0.03;
     /// A curve whose energy, which is dimensionless, is less is a segment, but for roundings.
     double straightEnergy = 1e-12;
     /// So many spans at once are asked by one of two threads: for some microseconds.
@@ -166,8 +169,9 @@ KnotDemand SampledEnergy::refinementGain() {
     });
     gain.total = std::accumulate(gain.perSpan.begin(), gain.perSpan.end(), 0.0);
     const double scale = valueOf(integrals_->terms(now_, now_.frames)).scale;
-    gain.isNegligible =
-        gain.total < kSampledEnergy.negligibleGain * std::max(scale, kSampledEnergy.straightEnergy);
+    const double negligible = space().degree() > 2 ? kSampledEnergy.negligibleGain
+                                                   : kSampledEnergy.negligibleQuadraticGain;
+    gain.isNegligible = gain.total < negligible * std::max(scale, kSampledEnergy.straightEnergy);
     return gain;
 }
 

@@ -14,6 +14,18 @@
 #include <numeric>
 
 namespace bspline_curve {
+
+struct BulgeValue {
+    double value, slope, second;  // derivatives by tau
+};
+
+// How a span may bulge, by tau in [0, 1].
+struct BulgeShape {
+    double bend, stretch;  // the integrals of second^2 and slope^2 over tau
+    bool isOfSlope;        // of derivative 1 by t at a break, in place of a value by itself
+    BulgeValue (*at)(double tau);
+};
+
 namespace {
 
 // Energies below this are rounding: a curve that strays from a straight one by 1e-7 of its length
@@ -50,6 +62,36 @@ using PackedMatrix = Eigen::Array<double, 6, 1>;
 PackedMatrix packed(const SymmetricMatrix& m) {
     return Eigen::Map<const PackedMatrix>(m.data());
 }
+
+// tau^2 (1 - tau)^2, which no cubic spline has.
+constexpr BulgeShape kBubble = {
+    0.8, 2.0 / 105.0, false, [](double tau) -> BulgeValue {
+        const double rest = 1.0 - tau;
+        return {
+            tau * tau * rest * rest, 2.0 * tau * rest * (1.0 - 2.0 * tau), 2.0 - 12.0 * tau * rest
+        };
+    }
+};
+
+// The halves of spans on both sides of a break have one quadratic spline that is 0 there and beyond
+// the spans: with slope 1 at the break.
+BulgeValue hatAfter(double tau) {
+    const double rest = 1.0 - tau;
+    return tau < 0.5 ? BulgeValue{tau - 1.5 * tau * tau, 1.0 - 3.0 * tau, -3.0}
+                     : BulgeValue{0.5 * rest * rest, -rest, 1.0};
+}
+
+BulgeValue hatBefore(double tau) {
+    const auto [value, slope, second] = hatAfter(1.0 - tau);
+    return {-value, slope, -second};
+}
+
+// Where the curvature is linear, even spans gain 1/32 by halving, and hats by themselves 1/20, half
+// of it at either end.
+constexpr double kSharedGain = 0.5 * 20.0 / 32.0;
+
+constexpr BulgeShape kHatAfter = {5.0, 1.0 / 6.0, true, hatAfter};
+constexpr BulgeShape kHatBefore = {5.0, 1.0 / 6.0, true, hatBefore};
 
 // Of E_int with all bending, on the j-th control point of a span.
 inline Vec3 ambientForce(
@@ -317,44 +359,67 @@ void SampledIntegrals::addDamping(
 }
 
 double SampledIntegrals::refinementGain(const FootedSpline& spline, double alpha, int span) const {
+    if (space_.degree() > 2) {
+        Bulge bulge;
+        addBulge(spline, alpha, span, kBubble, bulge);
+        return gainOf(bulge);
+    }
+    return kSharedGain * (gainAtBreak(spline, alpha, span) + gainAtBreak(spline, alpha, span + 1));
+}
+
+double SampledIntegrals::gainOf(const Bulge& bulge) {
+    const Vec3 step = dense(bulge.stiffness).llt().solve(bulge.force);
+    return std::max(0.0, 0.5 * bulge.force.dot(step));
+}
+
+double SampledIntegrals::gainAtBreak(const FootedSpline& spline, double alpha, int atBreak) const {
+    const int spans = space_.spanCount();
+    Bulge bulge;
+    if (atBreak > 0 || space_.closed()) {
+        addBulge(spline, alpha, (atBreak + spans - 1) % spans, kHatBefore, bulge);
+    }
+    if (atBreak < spans || space_.closed()) {
+        addBulge(spline, alpha, atBreak % spans, kHatAfter, bulge);
+    }
+    return gainOf(bulge);
+}
+
+void SampledIntegrals::addBulge(
+    const FootedSpline& spline, double alpha, int span, const BulgeShape& shape, Bulge& bulge
+) const {
     const double length = space_.spanLength(span);
+    const double size = shape.isOfSlope ? length : 1.0;
     const int perSpan = samplesPerSpan();
-    // b = tau^2 (1 - tau)^2: the integrals of b''^2 and b'^2 over tau.
-    constexpr double kBend = 0.8;
-    constexpr double kStretch = 2.0 / 105.0;
     const double tension = problem_.options.tension;
     const double scale = 2.0 / (problem_.chordLength * problem_.chordLength);
-    const double own = scale * ((1.0 - tension) * kBend / (length * length * length) +
-                                tension * kStretch / length);
+    const double own = scale * size * size *
+                       ((1.0 - tension) * shape.bend / (length * length * length) +
+                        tension * shape.stretch / length);
     EnergyTerms unused;
-    SymmetricMatrix stiffness{own, 0.0, 0.0, own, 0.0, own};
-    Vec3 force = Vec3::Zero();
+    bulge.stiffness += {own, 0.0, 0.0, own, 0.0, own};
     for (int i = 0; i < perSpan; ++i) {
         const int sample = span * perSpan + i;
         const Sample& table = samples_[sample];
-        const double tau = sampleParameter(i, segments_);
-        const double rest = 1.0 - tau;
-        const double value = tau * tau * rest * rest;
-        const double second = (2.0 - 12.0 * tau * rest) / (length * length);
+        const BulgeValue at = shape.at(sampleParameter(i, segments_));
+        const double value = size * at.value;
+        const double second = size * at.second / (length * length);
         const PointDerivatives point = pointDerivatives(spline, alpha, 0.0, sample, unused);
         const Vec3& direction = spline.frames[sample].direction;
         const Vec3& bending = spline.seconds[sample];
-        force += value * point.force +
-                 second * table.normalBending * direction.dot(bending) * direction +
-                 (second * scale * (1.0 - tension) * table.weight) * bending;
-        stiffness += (value * value) * point.second;
-        stiffness += rankOne(direction, second * second * table.normalBending);
+        bulge.force += value * point.force +
+                       second * table.normalBending * direction.dot(bending) * direction +
+                       (second * scale * (1.0 - tension) * table.weight) * bending;
+        bulge.stiffness += (value * value) * point.second;
+        bulge.stiffness += rankOne(direction, second * second * table.normalBending);
     }
     if (tension > 0.0) {
         const PolynomialCurve curve = space_.polynomial(spline.controls, span);
         for (int i = 0; i < perSpan; ++i) {
             const double tau = sampleParameter(i, segments_);
-            const double slope = 2.0 * tau * (1.0 - tau) * (1.0 - 2.0 * tau) / length;
-            force += slope * scale * tension / perSpan * curve.derivativeAt(tau);
+            const double slope = size * shape.at(tau).slope / length;
+            bulge.force += slope * scale * tension / perSpan * curve.derivativeAt(tau);
         }
     }
-    const Vec3 bulge = dense(stiffness).llt().solve(force);
-    return std::max(0.0, 0.5 * force.dot(bulge));
 }
 
 double SampledIntegrals::largestHeight(const FootedSpline& spline) const {

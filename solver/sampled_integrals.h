@@ -39,6 +39,8 @@ struct FootedSpline {
     return point;
 }
 
+struct BulgeShape;
+
 /// The energy (7) of a spline at samples, by their foot points: E_int (4) without the normal
 /// bending that the surface forces, E_ext (5), and in place of (8) the mean of (height / unit)^2,
 /// which has no pole. It takes no cells, so what it costs does not depend on the resolution of the
@@ -125,8 +127,9 @@ public:
 
     /// How much the energy would fall if a span could bulge by itself: one Newton step for the
     /// bubble tau^2 (1 - tau)^2 times a vector, which no cubic spline of the space has and some of
-    /// a finer one nearly have. Its second derivative is orthogonal to those of cubics; quadratic
-    /// splines gain more by halving than it promises.
+    /// a finer one nearly have. Bending does not see bubbles of quadratic splines: they bend by
+    /// jumps at their breaks. There it is half of what the bulges at both ends of the span gain,
+    /// each of which is a quadratic spline on the halves of the two spans at a break.
     [[nodiscard]] double refinementGain(const FootedSpline& spline, double alpha, int span) const;
 
     [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
@@ -147,6 +150,18 @@ private:
     [[nodiscard]] SpanForces differentiateSpan(
         const FootedSpline& spline, double alpha, double turning, int span, SpanBlocks& blocks
     ) const;
+
+    // One Newton step of a spline that may bulge on some spans; `shape`: how, on this one.
+    struct Bulge {
+        SymmetricMatrix stiffness{};
+        Vec3 force = Vec3::Zero();
+    };
+
+    void addBulge(
+        const FootedSpline& spline, double alpha, int span, const BulgeShape& shape, Bulge& bulge
+    ) const;
+    [[nodiscard]] static double gainOf(const Bulge& bulge);
+    [[nodiscard]] double gainAtBreak(const FootedSpline& spline, double alpha, int atBreak) const;
     // What E_dist and E_ext say at a sample, by the position; adds to these terms.
     [[nodiscard]] PointDerivatives pointDerivatives(
         const FootedSpline& spline, double alpha, double turning, int sample, EnergyTerms& terms

@@ -35,7 +35,7 @@ double alphaOf(const CurveProblem& problem, double stiffness) {
 
 bool isForSamples(const CurveProblem& problem) {
     const SolverOptions& options = problem.options;
-    return options.quadrature == Quadrature::FootPoints && options.degree >= kSampled.leastDegree &&
+    return options.quadrature == Quadrature::FootPoints &&
            options.initialCurve == InitialCurve::GeodesicFit &&
            options.barrierWidth == BarrierWidth::Full &&
            options.distanceWeight == DistanceWeight::Schedule &&
@@ -54,12 +54,12 @@ WeightSchedule sampledSchedule() {
     return schedule;
 }
 
-SolvePolicy sampledPolicy(const CurveProblem& problem, StopPolicy stopPolicy, double startAlpha) {
+SolvePolicy sampledPolicy(const CurveProblem& problem, double startAlpha) {
     const bool hasField = fieldWeight(problem) > 0.0;
     SolvePolicy policy;
     policy.schedule = sampledSchedule();
     policy.schedule.returnTo = startAlpha;
-    policy.stop = stopPolicy;
+    policy.givesUp = true;
     policy.newton.negativeShares = kTurningShares;
     policy.newton.mostDampings = hasField ? 0 : kSampled.mostDampings;
     policy.newton.takesLastStep = true;
@@ -111,13 +111,11 @@ Solution relaxAtSamples(
     const CurveProblem& problem,
     const InitialPath& initialPath,
     std::optional<SampledStart> start,
-    StopPolicy stopPolicy,
     double mostWork
 ) {
     Stopwatch watch;
     const double startAlpha = start ? start->alpha : 0.0;
-    // After a first attempt has failed, most.
-    const bool isAgain = stopPolicy == StopPolicy::Long || (start && start->isTight);
+    const bool isAgain = start && start->isTight;  // a first attempt has failed
     SampledEnergy energy(
         problem,
         start ? std::move(start->curve) : looseFit(problem, initialPath),
@@ -128,7 +126,7 @@ Solution relaxAtSamples(
     const double initial = watch.lap();
     EnergyWeights weights;
     weights.alpha = std::max(firstAlphaOf(problem), kSampled.restartShare * startAlpha);
-    SolvePolicy policy = sampledPolicy(problem, stopPolicy, startAlpha);
+    SolvePolicy policy = sampledPolicy(problem, startAlpha);
     policy.newton.mostWork = mostWork;
     Solution solution = solve(problem, energy, weights, policy);
     solution.report.isSampled = true;
@@ -141,15 +139,12 @@ Solution relaxAtSamples(
 }
 
 std::optional<Solution> solveSampled(
-    const CurveProblem& problem,
-    const InitialPath& initialPath,
-    std::optional<SampledStart> start,
-    StopPolicy stopPolicy
+    const CurveProblem& problem, const InitialPath& initialPath, std::optional<SampledStart> start
 ) {
     if (!isForSamples(problem)) {
         return std::nullopt;
     }
-    Solution solution = relaxAtSamples(problem, initialPath, std::move(start), stopPolicy);
+    Solution solution = relaxAtSamples(problem, initialPath, std::move(start));
     return solution.report.usable ? std::optional(std::move(solution)) : std::nullopt;
 }
 

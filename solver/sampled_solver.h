@@ -69,7 +69,6 @@ struct SampledConstants {
     int mostDampings = 4;
     double leastStep = 0.0078125;  ///< a step is shortened to this at least: seven halvings
 
-    int leastDegree = 3;  ///< bulges do not say what quadratic splines gain by knots
     /// With more tension little holds a curve between samples, and corners at picks want knots that
     /// bulges do not ask for.
     double highestTension = 0.5;
@@ -84,9 +83,7 @@ inline constexpr SampledConstants kSampled;
 [[nodiscard]] WeightSchedule sampledSchedule();
 
 /// How solveSampled() goes about its energy; `startAlpha`: as in SampledStart, or 0.
-[[nodiscard]] SolvePolicy sampledPolicy(
-    const CurveProblem& problem, StopPolicy stopPolicy = StopPolicy::Short, double startAlpha = 0.0
-);
+[[nodiscard]] SolvePolicy sampledPolicy(const CurveProblem& problem, double startAlpha = 0.0);
 
 /// The unit of SampledEnergy's heights in solveSampled(), in the shell's frame.
 [[nodiscard]] double heightUnitOf(const CurveProblem& problem);
@@ -122,8 +119,7 @@ inline constexpr SampledConstants kSampled;
 [[nodiscard]] std::optional<Solution> solveSampled(
     const CurveProblem& problem,
     const InitialPath& initialPath,
-    std::optional<SampledStart> start = {},
-    StopPolicy stopPolicy = StopPolicy::Short
+    std::optional<SampledStart> start = {}
 );
 
 /// The same for a problem that isForSamples(), also where the curve does not come to lie there:
@@ -133,7 +129,6 @@ inline constexpr SampledConstants kSampled;
     const CurveProblem& problem,
     const InitialPath& initialPath,
     std::optional<SampledStart> start,
-    StopPolicy stopPolicy,
     double mostWork = std::numeric_limits<double>::infinity()
 );
 

@@ -3,6 +3,18 @@
 
 namespace bspline_curve {
 
+const char* name(Detour::Round round) {
+    switch (round) {
+        case Detour::Round::Slit:
+            return "slit";
+        case Detour::Round::Cut:
+            return "cut";
+        case Detour::Round::Guides:
+            break;
+    }
+    return "guides";
+}
+
 const char* name(SolveStatus status) {
     switch (status) {
         case SolveStatus::Converged:

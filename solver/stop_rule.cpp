@@ -20,6 +20,7 @@ struct StopConstants {
     /// Knots multiply in vain where they become so many times as many on a curve that is near, some
     /// on spans shorter than the tolerance; usual curves come to rest with up to twice as many.
     double mostKnotGrowth = 2.25;
+    double mostQuadraticKnotGrowth = 5.0;  ///< of quadratic splines, which need more
     /// Where spans are halved that leave the tolerance between samples, knots become a few more.
     /// Where they become so many times as many, it is the fibres there that are of no use.
     double mostHalving = 8.0;
@@ -72,7 +73,7 @@ bool StopRule::isInVain(
     if (roundsNearby_ >= kStop.mostUnfinishedRounds && areUnfinished(report)) {
         return true;
     }
-    if (policy_ == StopPolicy::Long) {
+    if (!givesUp_) {
         return false;
     }
     if (!isNear) {
@@ -81,8 +82,9 @@ bool StopRule::isInVain(
     }
     const int knots = report.rounds.back().knots;
     knotsNearby_ = knotsNearby_ > 0 ? knotsNearby_ : knots;
-    return knots > kStop.mostKnotGrowth * knotsNearby_ &&
-           shortestSpan(energy) < problem.distanceTolerance;
+    const double mostGrowth =
+        problem.options.degree > 2 ? kStop.mostKnotGrowth : kStop.mostQuadraticKnotGrowth;
+    return knots > mostGrowth * knotsNearby_ && shortestSpan(energy) < problem.distanceTolerance;
 }
 
 }  // namespace bspline_curve

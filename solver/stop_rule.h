@@ -5,16 +5,13 @@
 
 namespace bspline_curve {
 
-/// When solve() gives up a curve: mostly it passes through a fold or a thin part of the surface.
-enum class StopPolicy {
-    Short,  ///< where it stays far from the surface, or is near and still asks for more knots
-    Long,   ///< after SolverOptions::maxRounds, or where it is near and minimisation never ends
-};
-
 /// Tells after each round whether the next ones would be in vain.
 class StopRule {
 public:
-    explicit StopRule(StopPolicy policy) : policy_(policy) {}
+    /// `givesUp`: also a curve that stays far from the surface, or is near and still asks for more
+    /// knots: mostly it passes through a fold or a thin part of the surface. Else only one that is
+    /// near and whose minimisation never ends.
+    explicit StopRule(bool givesUp) : givesUp_(givesUp) {}
 
     /// `isNear`: the curve is near enough at all samples.
     [[nodiscard]] bool isInVain(
@@ -25,7 +22,7 @@ public:
     [[nodiscard]] bool isHalvingInVain(int knots);
 
 private:
-    StopPolicy policy_;
+    bool givesUp_;
     int knotsAtRest_ = 0;   // when that came first, or 0
     int knotsNearby_ = 0;   // since when the curve has been near, or 0
     int roundsNearby_ = 0;  // the last ones

@@ -46,6 +46,18 @@ void refuseElements(
     throw InputError(code, message, std::move(elements));
 }
 
+std::string withRemedy(const std::string& message, const Remedy& remedy, const RemedyWords& words) {
+    std::string text(
+        remedy.kind == Remedy::Kind::Mend   ? words.mend
+        : remedy.kind == Remedy::Kind::Weld ? words.weld
+                                            : ""
+    );
+    if (const std::size_t at = text.find('%'); at != std::string::npos) {
+        text.replace(at, 1, describeNumber(remedy.distance));
+    }
+    return text.empty() ? message : message + "; " + text;
+}
+
 std::string describeNumber(double value) {
     constexpr int kSignificantDigits = 4;
     constexpr double kFirstRounded = 1e4;  // numbers from here to the next have no decimals

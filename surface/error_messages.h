@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bspline_curve {
@@ -29,6 +30,16 @@ namespace bspline_curve {
     const std::string& noun,
     std::vector<std::int64_t> elements,
     const std::string& remedy
+);
+
+/// How a host says what helps; what it cannot do is empty. In `weld`, % stands for the distance.
+struct RemedyWords {
+    std::string_view mend, weld;
+};
+
+/// A message, and what helps in words of the host.
+[[nodiscard]] std::string withRemedy(
+    const std::string& message, const Remedy& remedy, const RemedyWords& words
 );
 
 /// "12.4", "12350", "1.2e-07": a number with four significant digits, for messages; the same in

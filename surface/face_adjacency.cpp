@@ -301,14 +301,12 @@ struct BadEdges {
     crowded.refuse(
         InputErrorCode::NonManifoldEdge,
         "more than two faces, or two copies of one face",
-        "remove some with MeshLab's filters 'Remove Duplicate Faces' and 'Repair non Manifold "
-        "Edges'"
+        "leave two different ones at each"
     );
     opposed.refuse(
         InputErrorCode::InconsistentOrientation,
         "faces that are turned opposite ways",
-        "turn them with MeshLab's filter 'Re-Orient all faces coherently'; if that does not help, "
-        "the mesh is one-sided like a Moebius strip, so cut it open first"
+        "turn some over, or cut the mesh open where it is one-sided like a Moebius strip"
     );
     refuseElements(
         InputErrorCode::NonManifoldVertex,
@@ -316,7 +314,7 @@ struct BadEdges {
             " parts of the surface that share no edge there",
         "vertices",
         Elements(suspects.begin(), suspects.end()),
-        "split them with MeshLab's filter 'Repair non Manifold Vertices by splitting'"
+        "give each part a vertex of its own"
     );
 }
 

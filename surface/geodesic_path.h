@@ -3,6 +3,7 @@
 
 #include "surface/strip_search.h"
 #include "surface/surface.h"
+#include "surface/window_search.h"
 
 #include <cstddef>
 #include <limits>
@@ -11,6 +12,15 @@
 #include <vector>
 
 namespace bspline_curve {
+
+/// A path that is longer than another by this factor is a detour. The promise is 1.05; with 1.02
+/// the search takes twice as long. Of 330 paths on scans none was longer than 1.02 times the
+/// shortest.
+inline constexpr double kDetour = 1.04;
+
+/// The longest side of a face that is at least 8 times as long as its height over that side; else
+/// 0.
+[[nodiscard]] double needleLength(const Surface& surface, int face);
 
 /// A polyline on the surface from one point to another: consecutive points share a face.
 struct GeodesicPath {
@@ -26,15 +36,17 @@ struct GeodesicPath {
 /// the strip is straightened by unfolding it into the plane (funnel algorithm); wherever the path
 /// bends round a vertex whose other side is cheaper, the strip is moved to that side, until none is
 /// left. Where all faces cost the same the result is a geodesic: it turns only at
-/// vertices with more than 2 pi of angle, at boundaries and at faces that may not be entered. Not
-/// always the globally shortest one.
+/// vertices with more than 2 pi of angle, at boundaries and at faces that may not be entered. Where
+/// another is shorter by kDetour or more, WindowSearch finds it.
 class GeodesicPathFinder {
 public:
     /// `patches`: see StripSearch.
     GeodesicPathFinder(
         const Surface& surface, TravelCosts costs, const PatchLevels* patches = nullptr
     )
-        : surface_(surface), search_(surface, std::move(costs), patches) {}
+        : surface_(surface),
+          search_(surface, std::move(costs), patches),
+          windows_(surface, search_.costs()) {}
 
     /// The path, or nothing if there is none. Where it would lead over more than `mostPatches`
     /// patches: a point in each of these, since to straighten a path costs about as much as all
@@ -49,8 +61,11 @@ public:
     [[nodiscard]] std::size_t explored() const { return search_.explored(); }
 
 private:
+    [[nodiscard]] GeodesicPath pathOver(std::vector<SurfacePoint> points, bool isOverPatches) const;
+
     const Surface& surface_;
     StripSearch search_;
+    WindowSearch windows_;
 };
 
 }  // namespace bspline_curve

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <compare>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -18,17 +19,35 @@ struct HalfEdge {
     auto operator<=>(const HalfEdge&) const = default;
 };
 
-/// All half-edges of the faces, so that those between the same vertices follow each other.
+/// All half-edges of the faces, ascending, so that those between the same vertices follow each
+/// other. O(n) where few faces meet in each vertex, else O(n log n).
 [[nodiscard]] inline std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& faces) {
-    std::vector<HalfEdge> halfEdges;
-    halfEdges.reserve(3 * faces.size());
-    for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
-            halfEdges.push_back({low, high, f, k});
+    std::vector<HalfEdge> halfEdges(3 * faces.size());
+    const auto forEachHalfEdge = [&](const auto& visit) {
+        for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
+            for (int k = 0; k < 3; ++k) {
+                const auto [low, high] = std::minmax(faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
+                visit(HalfEdge{low, high, f, k});
+            }
         }
+    };
+    int end = 0;
+    forEachHalfEdge([&](const HalfEdge& h) { end = std::max(end, h.low + 1); });
+    constexpr std::size_t kMostSparse = 8;  // counting is dearer where few of the vertices are used
+    if (static_cast<std::size_t>(end) > kMostSparse * halfEdges.size()) {
+        auto next = halfEdges.begin();
+        forEachHalfEdge([&](const HalfEdge& h) { *next++ = h; });
+        std::ranges::sort(halfEdges);
+        return halfEdges;
     }
-    std::ranges::sort(halfEdges);
+    // A counting sort by the low vertex.
+    std::vector<int> next(end + 1, 0);
+    forEachHalfEdge([&](const HalfEdge& h) { ++next[h.low + 1]; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    forEachHalfEdge([&](const HalfEdge& h) { halfEdges[next[h.low]++] = h; });
+    for (int low = 0, first = 0; low < end; first = next[low++]) {
+        std::sort(halfEdges.begin() + first, halfEdges.begin() + next[low]);
+    }
     return halfEdges;
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace bspline_curve {
@@ -16,12 +17,6 @@ namespace bspline_curve {
 namespace {
 
 using Elements = std::vector<std::int64_t>;
-
-bool isUsable(const Vec3& point) {
-    // A NaN compares false.
-    return std::abs(point[0]) <= kLargestCoordinate && std::abs(point[1]) <= kLargestCoordinate &&
-           std::abs(point[2]) <= kLargestCoordinate;
-}
 
 struct FaceArea {
     double twice;
@@ -41,6 +36,12 @@ FaceArea measure(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 }  // namespace
+
+bool isUsable(const Vec3& point) {
+    // A NaN compares false.
+    return std::abs(point[0]) <= kLargestCoordinate && std::abs(point[1]) <= kLargestCoordinate &&
+           std::abs(point[2]) <= kLargestCoordinate;
+}
 
 bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c) {
     return measure(a, b, c).isEnough;
@@ -64,9 +65,17 @@ void checkArrays(const TriangleMesh& mesh) {
         );
     }
 
-    Elements bad = indicesWhere<std::int64_t>(mesh.vertices.size(), [&](std::size_t v) {
-        return !isUsable(mesh.vertices[v]);
-    });
+    const auto vertexCount = static_cast<int>(mesh.vertices.size());
+    const auto isThere = [&](int vertex) { return vertex >= 0 && vertex < vertexCount; };
+    Elements bad;
+    if (!std::ranges::all_of(mesh.vertices, isUsable)) {
+        for (const Triangle& face : mesh.faces) {
+            std::ranges::copy_if(face, std::back_inserter(bad), [&](int v) {
+                return isThere(v) && !isUsable(mesh.vertices[v]);
+            });
+        }
+        sortUnique(bad);
+    }
     if (!bad.empty()) {
         refuseElements(
             InputErrorCode::NonFiniteCoordinate,
@@ -74,16 +83,11 @@ void checkArrays(const TriangleMesh& mesh) {
                 " a coordinate that is not a finite number below 1e60",
             "vertices",
             bad,
-            "delete them with the faces around them, then use MeshLab's filter 'Close Holes'"
+            "leave out the faces at them"
         );
     }
-
-    const auto vertexCount = static_cast<int>(mesh.vertices.size());
     bad = indicesWhere<std::int64_t>(mesh.faces.size(), [&](std::size_t f) {
-        const Triangle& face = mesh.faces[f];
-        return std::ranges::any_of(face, [&](int vertex) {
-            return vertex < 0 || vertex >= vertexCount;
-        });
+        return !std::ranges::all_of(mesh.faces[f], isThere);
     });
     if (!bad.empty()) {
         refuseElements(
@@ -114,7 +118,7 @@ double checkFacesHaveArea(const TriangleMesh& mesh) {
             describeCount(bad.size(), "face has", "faces have") + " a repeated vertex or no area",
             "faces",
             bad,
-            "remove them with MeshLab's filters 'Merge Close Vertices' and 'Remove Zero Area Faces'"
+            "remove them"
         );
     }
     return 0.5 * twice;

@@ -9,8 +9,11 @@ namespace bspline_curve {
 /// predicates.
 inline constexpr double kLargestCoordinate = 1e60;
 
-/// Checks the arrays of a mesh: it has faces, every coordinate is finite (unreferenced vertices
-/// too), every index names a vertex.
+/// Whether no coordinate is NaN or that large.
+[[nodiscard]] bool isUsable(const Vec3& point);
+
+/// Checks the arrays of a mesh: it has faces, every coordinate of a vertex that faces use is
+/// finite, every index names a vertex.
 /// Throws InputError: EmptyMesh, NonFiniteCoordinate (vertices), IndexOutOfRange (faces). O(n).
 void checkArrays(const TriangleMesh& mesh);
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/near_vertices.h"
 
+#include "surface/mesh_checks.h"
+#include "utility/index_sets.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -21,8 +23,8 @@ constexpr double kMostCells = 0x1p50;
 
 // Unites vertices with the same coordinates; returns the first of each place, by coordinates.
 std::vector<int> uniteEqual(const std::vector<Vec3>& vertices, DisjointSets& sets) {
-    std::vector<int> order(vertices.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<int> order =
+        indicesWhere<int>(vertices.size(), [&](std::size_t v) { return isUsable(vertices[v]); });
     std::ranges::sort(order, {}, [&](int v) {
         const Vec3& p = vertices[v];
         return std::tuple(p.x(), p.y(), p.z(), v);

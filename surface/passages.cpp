@@ -1,207 +1,164 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/passages.h"
 
-#include "surface/half_edges.h"
+#include "surface/seams.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
-#include <compare>
-#include <functional>
-#include <limits>
-#include <queue>
+#include <span>
+#include <utility>
 
 namespace bspline_curve {
 
 namespace {
 
-/// Of a way over faces: the fewest partings crossed first, then the shortest.
-struct WayCost {
-    int partings = std::numeric_limits<int>::max();
-    double length = 0.0;
-    auto operator<=>(const WayCost&) const = default;
-};
-
-/// Dijkstra's search over the faces, and over the edges at which mending has parted some.
-class WaysOverFaces {
-public:
-    WaysOverFaces(
-        const Surface& mended, const std::vector<int>& vertexOrigins, const std::vector<int>& avoid
-    )
-        : mended_(mended),
-          isAvoided_(mended.faces().size()),
-          edgeAt_(3 * mended.faces().size(), -1) {
-        for (const int face : avoid) {
-            isAvoided_[face] = true;
-        }
-        forEachEdge(
-            sortedHalfEdges(facesBeforeParting(mended.mesh(), vertexOrigins)),
-            [&](std::span<const HalfEdge> edge) {
-                const bool isParted =
-                    edge.size() > 2 ||
-                    (edge.size() == 2 &&
-                     mended_.faceNeighbours()[edge[0].face][edge[0].k] != edge[1].face);
-                if (isParted) {
-                    addEdge(edge);
-                }
-            }
-        );
+/// The half-edges with an end that is one vertex with others in the given mesh, by roots, sorted.
+std::vector<HalfEdge> halfEdgesByRoots(const Surface& surface, const std::vector<int>& roots) {
+    std::vector<int> counts(roots.size(), 0);
+    for (const int root : roots) {
+        ++counts[root];
     }
-
-    /// Adds the passages of the best way; returns whether there is one.
-    bool add(int from, int to, const Progress& progress) {
-        search(from, to, progress);
-        if (costs_[to].partings == WayCost().partings) {
-            return false;
-        }
-        for (int node = to; node != from; node = parents_[node]) {
-            const int edge = parents_[node] - mended_.faceCount();
-            // Faces that were cut out of an edge of two find together again, see rejoined().
-            if (edge >= 0 && facesAt_[edge].size() > 2) {
-                passages_.emplace_back(std::minmax(parents_[parents_[node]], node));
-            }
-        }
-        return true;
-    }
-
-    [[nodiscard]] std::vector<Passage> passages() && {
-        sortUnique(passages_);
-        return std::move(passages_);
-    }
-
-private:
-    void addEdge(std::span<const HalfEdge> edge) {
-        std::vector<int>& faces = facesAt_.emplace_back();
-        for (const HalfEdge& halfEdge : edge) {
-            faces.push_back(halfEdge.face);
-            edgeAt_[3 * halfEdge.face + halfEdge.k] = static_cast<int>(facesAt_.size()) - 1;
-        }
-        Vec3 ends = Vec3::Constant(0.5);
-        ends[edge.front().k] = 0.0;
-        middles_.push_back(mended_.position({edge.front().face, ends}));
-    }
-
-    [[nodiscard]] Vec3 place(int node) const {
-        if (node >= mended_.faceCount()) {
-            return middles_[node - mended_.faceCount()];
-        }
-        return mended_.position({node, Vec3::Constant(1.0 / 3.0)});
-    }
-
-    void search(int from, int to, const Progress& progress) {
-        constexpr int kNodesPerReport = 4096;
-        const std::size_t nodes = mended_.faces().size() + facesAt_.size();
-        costs_.assign(nodes, WayCost());
-        parents_.assign(nodes, -1);
-        queue_ = {};
-        costs_[from] = {0, 0.0};
-        queue_.emplace(costs_[from], from);
-        for (int seen = 0; !queue_.empty() && queue_.top().second != to; ++seen) {
-            if (seen % kNodesPerReport == 0) {
-                report(progress, 0.0, "joining sheets");
-            }
-            const auto [cost, node] = queue_.top();
-            queue_.pop();
-            if (cost == costs_[node]) {
-                leave(node);
-            }
-        }
-    }
-
-    void leave(int node) {
-        if (node >= mended_.faceCount()) {
-            for (const int face : facesAt_[node - mended_.faceCount()]) {
-                reach(node, face, 1);
-            }
-            return;
-        }
+    std::vector<HalfEdge> halfEdges;
+    for (int f = 0; f < surface.faceCount(); ++f) {
         for (int k = 0; k < 3; ++k) {
-            if (const int neighbour = mended_.faceNeighbours()[node][k]; neighbour >= 0) {
-                reach(node, neighbour, 0);
-            }
-            if (const int edge = edgeAt_[3 * node + k]; edge >= 0) {
-                reach(node, mended_.faceCount() + edge, 0);
+            const Triangle& face = surface.faces()[f];
+            const auto [low, high] =
+                std::minmax(roots[face[(k + 1) % 3]], roots[face[(k + 2) % 3]]);
+            if (counts[low] > 1 || counts[high] > 1) {
+                halfEdges.push_back({low, high, f, k});
             }
         }
     }
+    std::ranges::sort(halfEdges);
+    return halfEdges;
+}
 
-    void reach(int from, int to, int partings) {
-        if (to < mended_.faceCount() && isAvoided_[to]) {
-            return;
-        }
-        const WayCost& before = costs_[from];
-        const WayCost cost{
-            before.partings + partings, before.length + (place(to) - place(from)).norm()
-        };
-        if (cost < costs_[to]) {
-            costs_[to] = cost;
-            parents_[to] = from;
-            queue_.emplace(cost, to);
+/// Whether a pair of sides has a side in common with another one.
+bool meet(const std::pair<int, int>& a, const std::pair<int, int>& b) {
+    return a.first == b.first || a.first == b.second || a.second == b.first || a.second == b.second;
+}
+
+/// The stretches of one edge, for steps over it by share.
+std::vector<Stretch> stretchesOf(const std::vector<Step>& steps) {
+    struct Crossing {
+        double first, last;
+        std::pair<int, int> sides;
+    };
+
+    std::vector<Crossing> crossings;  // those of the same sides in a row are one
+    std::vector<std::pair<int, int>> pairs;
+    for (const Step& step : steps) {
+        const std::pair<int, int> sides = std::minmax(step.from, step.to);
+        pairs.push_back(sides);
+        if (!crossings.empty() && crossings.back().sides == sides) {
+            crossings.back().last = step.share;
+        } else {
+            crossings.push_back({step.share, step.share, sides});
         }
     }
-
-    using Entry = std::pair<WayCost, int>;
-
-    const Surface& mended_;
-    std::vector<bool> isAvoided_;
-    std::vector<int> edgeAt_;                // 3 face + k: edge where faces are parted, or -1
-    std::vector<std::vector<int>> facesAt_;  // of these edges
-    std::vector<Vec3> middles_;              // likewise
-    std::vector<WayCost> costs_;             // of nodes: faces, then edges
-    std::vector<int> parents_;               // likewise
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-    std::vector<Passage> passages_;
-};
+    sortUnique(pairs);
+    std::vector<Stretch> stretches;
+    const auto meetsAnother = [&](const std::pair<int, int>& one) {
+        return std::ranges::any_of(pairs, [&](const auto& p) { return p != one && meet(p, one); });
+    };
+    if (std::ranges::none_of(pairs, meetsAnother)) {
+        for (const std::pair<int, int>& sides : pairs) {
+            stretches.push_back({steps.front().edge, 0.0, 1.0, sides});
+        }
+        return stretches;
+    }
+    const auto count = static_cast<double>(crossings.size());
+    const double least = 0.5 / count;
+    double begin = 0.0;
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        const auto left = count - static_cast<double>(i) - 1.0;
+        const double middle =
+            left == 0.0 ? 1.0 : 0.5 * (crossings[i].last + crossings[i + 1].first);
+        const double end = std::clamp(middle, begin + least, 1.0 - left * least);
+        stretches.push_back({steps.front().edge, begin, end, crossings[i].sides});
+        begin = end;
+    }
+    return stretches;
+}
 
 }  // namespace
 
-std::vector<Passage> passagesAt(
-    std::span<const HalfEdge> edge, const std::vector<Passage>& passages
-) {
-    std::vector<Passage> found;
-    for (const HalfEdge& low : edge) {
-        for (auto next = std::ranges::lower_bound(passages, Passage(low.face, 0));
-             next != passages.end() && next->first == low.face;
-             ++next) {
-            if (std::ranges::find(edge, next->second, &HalfEdge::face) != edge.end()) {
-                found.push_back(*next);
+PartedEdges::PartedEdges(const Surface& surface, const std::vector<int>& roots, bool findsSlits) {
+    const std::vector<HalfEdge> halfEdges = halfEdgesByRoots(surface, roots);
+    forEachEdge(halfEdges, [&](std::span<const HalfEdge> edge) {
+        const bool isParted =
+            edge.size() > 2 ||
+            (edge.size() == 2 && surface.faceNeighbours()[edge[0].face][edge[0].k] != edge[1].face);
+        if (isParted) {
+            std::vector<int> sides;
+            for (const HalfEdge& halfEdge : edge) {
+                sides.push_back(sideOf(halfEdge.face, halfEdge.k));
             }
+            add(surface, std::move(sides), false);
+        }
+    });
+    std::ranges::sort(edgeOfSide_);
+    if (!findsSlits) {
+        return;
+    }
+    for (const auto& [a, b, isParallel] : findSeams(surface.mesh())) {
+        if (const int side = sideOf(a.face, a.k); edgeAt(side) < 0) {
+            add(surface, {side, sideOf(b.face, b.k)}, true);
         }
     }
-    return found;
+    std::ranges::sort(edgeOfSide_);
+}
+
+void PartedEdges::add(const Surface& surface, std::vector<int> sides, bool isSlit) {
+    const auto index = static_cast<int>(edges_.size());
+    for (const int side : sides) {
+        edgeOfSide_.emplace_back(side, index);
+    }
+    std::ranges::sort(sides);
+    const Triangle& face = surface.faces()[sides.front() / 3];
+    const Vec3& from = surface.vertices()[face[(sides.front() + 1) % 3]];
+    const Vec3& to = surface.vertices()[face[(sides.front() + 2) % 3]];
+    edges_.push_back({std::move(sides), isSlit, 0.5 * (from + to), (to - from).norm()});
+}
+
+int PartedEdges::edgeAt(int side) const {
+    const auto found = std::ranges::lower_bound(edgeOfSide_, side, {}, &std::pair<int, int>::first);
+    return found != edgeOfSide_.end() && found->first == side ? found->second : -1;
 }
 
 std::vector<Triangle> facesBeforeParting(
-    const TriangleMesh& mended, const std::vector<int>& vertexOrigins
+    const TriangleMesh& mended, const std::vector<int>& roots
 ) {
     std::vector<Triangle> faces = mended.faces;
     for (Triangle& face : faces) {
         for (int& v : face) {
-            v = vertexOrigins[v];
+            v = roots[v];
         }
     }
     return faces;
 }
 
-std::vector<Passage> passagesBetween(
-    const Surface& mended,
-    const std::vector<int>& vertexOrigins,
-    std::span<const int> faces,
-    const std::vector<int>& avoid,
-    const Progress& progress
-) {
-    WaysOverFaces ways(mended, vertexOrigins, avoid);
-    const std::vector<int>& components = mended.faceComponents();
-    for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
-        const bool isJoined = components[faces[i]] == components[faces[i + 1]];
-        if (isJoined && avoid.empty()) {
-            continue;
-        }
-        if (!ways.add(faces[i], faces[i + 1], stepOf(progress, i, faces.size() - 1))) {
-            return {};
+Passages passagesOf(const std::vector<Step>& steps) {
+    Passages passages;
+    std::vector<Step> parted;
+    for (const Step& step : steps) {
+        if (step.edge < 0) {
+            passages.strips.emplace_back(step.from, step.to);
+        } else {
+            parted.push_back(step);
         }
     }
-    return std::move(ways).passages();
+    std::ranges::stable_sort(parted, {}, [](const Step& s) { return std::pair(s.edge, s.share); });
+    for (auto first = parted.begin(); first != parted.end();) {
+        const auto last = std::find_if(first, parted.end(), [&](const Step& step) {
+            return step.edge != first->edge;
+        });
+        std::ranges::copy(
+            stretchesOf(std::vector<Step>(first, last)), std::back_inserter(passages.stretches)
+        );
+        first = last;
+    }
+    return passages;
 }
 
 }  // namespace bspline_curve

@@ -4,7 +4,6 @@
 #include "bspline_curve/error.h"
 #include "surface/closest_point.h"
 #include "surface/error_messages.h"
-#include "surface/near_vertices.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
@@ -13,6 +12,8 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -119,36 +120,6 @@ bool areEqual(const std::vector<int>& components) {
     return std::ranges::count(components, components.front()) == std::ssize(components);
 }
 
-// Whether welding vertices would join the components that picks lie on.
-bool onlyGapsPart(const Surface& surface, const std::vector<int>& components) {
-    DisjointSets near = nearVertices(surface.vertices(), kGapRelative * surface.diagonal());
-    DisjointSets joined(surface.componentCount());
-    std::vector<int> componentAt(surface.vertexCount(), -1);
-    for (int f = 0; f < surface.faceCount(); ++f) {
-        const int component = surface.faceComponents()[f];
-        for (const int v : surface.faces()[f]) {
-            int& first = componentAt[near.find(v)];
-            first = first < 0 ? component : joined.unite(first, component);
-        }
-    }
-    return std::ranges::all_of(components, [&](int component) {
-        return joined.find(component) == joined.find(components.front());
-    });
-}
-
-// What else to do where picks lie on several components; empty where they lie on one.
-std::string adviceOnGaps(const Surface& surface, const std::vector<int>& components) {
-    if (areEqual(components)) {
-        return "";
-    }
-    return onlyGapsPart(surface, components)
-               ? "; only gaps of less than " + describeNumber(kGapRelative) +
-                     " of the diagonal part them, which the option weld closes (" +
-                     describeNumber(kGapRelative) + ")"
-               : ", or join them with MeshLab's filter 'Merge Close Vertices' or the option weld "
-                 "if they only look joined";
-}
-
 // The closest point of each component that is hardly farther than the closest of all.
 std::map<int, Closest> closestOnEach(
     const Surface& surface, const TriangleTree& tree, const Vec3& pick, const Closest& closest
@@ -238,7 +209,7 @@ LocatedPicks locatePicks(
         [](std::size_t) {
             return " lies on another connected component of the surface than " + describePicks({0});
         },
-        "pick points on one component" + adviceOnGaps(surface, components)
+        "pick points on one component"
     );
 
     return withoutRepeats(projections, kPickSeparationRelative * surface.diagonal(), closed);

@@ -15,13 +15,13 @@ namespace {
 
 // The faces whose mean value, less the threshold, has the sign of `side`.
 Region facesBeside(
-    const Surface& surface, std::span<const double> field, double threshold, double side
+    const TriangleMesh& mesh, std::span<const double> field, double threshold, double side
 ) {
-    if (field.size() != surface.vertices().size()) {
+    if (field.size() != mesh.vertices.size()) {
         throw InputError(
             InputErrorCode::BadField,
             "the field has " + std::to_string(field.size()) + " values for " +
-                std::to_string(surface.vertexCount()) + " vertices: give one value per vertex"
+                std::to_string(mesh.vertices.size()) + " vertices: give one value per vertex"
         );
     }
     if (std::isnan(threshold)) {
@@ -30,8 +30,8 @@ Region facesBeside(
             "the threshold of the region to avoid is not a number: give one"
         );
     }
-    return indicesWhere<int>(surface.faces().size(), [&](std::size_t f) {
-        const Triangle& face = surface.faces()[f];
+    return indicesWhere<int>(mesh.faces.size(), [&](std::size_t f) {
+        const Triangle& face = mesh.faces[f];
         const double mean = (field[face[0]] + field[face[1]] + field[face[2]]) / 3.0;
         return side * mean > side * threshold;
     });
@@ -39,11 +39,8 @@ Region facesBeside(
 
 }  // namespace
 
-Region makeRegion(const Surface& surface, std::span<const std::int64_t> faces) {
-    return makeRegion(surface.faceCount(), faces);
-}
-
-Region makeRegion(int faceCount, std::span<const std::int64_t> faces) {
+Region makeRegion(const TriangleMesh& mesh, std::span<const std::int64_t> faces) {
+    const auto faceCount = static_cast<std::int64_t>(mesh.faces.size());
     Region region;
     region.reserve(faces.size());
     std::vector<std::int64_t> bad;
@@ -70,29 +67,29 @@ Region makeRegion(int faceCount, std::span<const std::int64_t> faces) {
     return region;
 }
 
-Region facesOfVertices(const Surface& surface, std::span<const char> selected) {
-    if (selected.size() != surface.vertices().size()) {
+Region facesOfVertices(const TriangleMesh& mesh, std::span<const char> selected) {
+    if (selected.size() != mesh.vertices.size()) {
         throw InputError(
             InputErrorCode::IndexOutOfRange,
             "the selection has " + std::to_string(selected.size()) + " flags for " +
-                std::to_string(surface.vertexCount()) + " vertices: give one flag per vertex"
+                std::to_string(mesh.vertices.size()) + " vertices: give one flag per vertex"
         );
     }
-    return indicesWhere<int>(surface.faces().size(), [&](std::size_t f) {
-        return std::ranges::all_of(surface.faces()[f], [&](int v) { return selected[v] != 0; });
+    return indicesWhere<int>(mesh.faces.size(), [&](std::size_t f) {
+        return std::ranges::all_of(mesh.faces[f], [&](int v) { return selected[v] != 0; });
     });
 }
 
-Region facesUnder(const Surface& surface, std::span<const double> field, double threshold) {
-    return facesBeside(surface, field, threshold, -1.0);
+Region facesUnder(const TriangleMesh& mesh, std::span<const double> field, double threshold) {
+    return facesBeside(mesh, field, threshold, -1.0);
 }
 
-Region facesOver(const Surface& surface, std::span<const double> field, double threshold) {
-    return facesBeside(surface, field, threshold, 1.0);
+Region facesOver(const TriangleMesh& mesh, std::span<const double> field, double threshold) {
+    return facesBeside(mesh, field, threshold, 1.0);
 }
 
-std::vector<char> faceFlags(const Surface& surface, const Region& region) {
-    std::vector<char> flags(surface.faces().size(), 0);
+std::vector<char> faceFlags(const TriangleMesh& mesh, const Region& region) {
+    std::vector<char> flags(mesh.faces.size(), 0);
     for (const int f : region) {
         flags[f] = 1;
     }

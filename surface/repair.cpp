@@ -17,9 +17,9 @@ bool RepairReport::isEmpty() const {
 
 int RepairReport::count() const {
     return static_cast<int>(
-        mergedVertices.size() + removedDegenerateFaces.size() + splitFaces.size() +
-        removedDuplicateFaces.size() + reversedFaces.size() + cutEdges.size() +
-        duplicatedVertices.size()
+        leftOutFaces.size() + mergedVertices.size() + removedDegenerateFaces.size() +
+        splitFaces.size() + removedDuplicateFaces.size() + reversedFaces.size() + cutEdges.size() +
+        joinedEdges.size() + joinedVertices.size() + duplicatedVertices.size()
     );
 }
 
@@ -30,6 +30,9 @@ std::string RepairReport::summary() const {
             text += (text.empty() ? "" : ", ") + describeCount(count, one, many);
         }
     };
+    add(leftOutFaces.size(),
+        "face with a coordinate that is not finite left out",
+        "faces with a coordinate that is not finite left out");
     add(mergedVertices.size(), "vertex merged", "vertices merged");
     add(removedDegenerateFaces.size(), "face without area removed", "faces without area removed");
     add(splitFaces.size(), "face beside them split", "faces beside them split");
@@ -37,6 +40,9 @@ std::string RepairReport::summary() const {
     add(reversedFaces.size(), "face turned over", "faces turned over");
     add(cutEdges.size(), "edge cut", "edges cut");
     add(duplicatedVertices.size(), "vertex duplicated", "vertices duplicated");
+    add(joinedEdges.size(),
+        "pair of edges on each other joined",
+        "pairs of edges on each other joined");
     return text;
 }
 
@@ -46,6 +52,16 @@ int MeshRepair::givenVertexCount() const {
         count -= duplicated.copies.size();
     }
     return static_cast<int>(count);
+}
+
+std::vector<int> MeshRepair::vertexRoots() const {
+    std::vector<int> roots = vertexOrigins;
+    if (!seamRoots.empty()) {
+        for (int& root : roots) {
+            root = seamRoots[root];
+        }
+    }
+    return roots;
 }
 
 SurfacePoint MeshRepair::toOrigin(const SurfacePoint& point) const {
@@ -71,8 +87,7 @@ double diagonalOf(const TriangleMesh& mesh) {
 
 }  // namespace
 
-MeshRepair repairMesh(TriangleMesh mesh, double weld) {
-    checkArrays(mesh);
+MeshRepair repairMesh(TriangleMesh mesh, double weld, bool slits) {
     MeshRepair repair;
     repair.mesh = std::move(mesh);
     repair.vertexOrigins.resize(repair.mesh.vertices.size());
@@ -80,13 +95,17 @@ MeshRepair repairMesh(TriangleMesh mesh, double weld) {
     repair.faceOrigins.resize(repair.mesh.faces.size());
     std::iota(repair.faceOrigins.begin(), repair.faceOrigins.end(), 0);
 
+    repair_steps::leaveOutFaces(repair);
+    checkArrays(repair.mesh);
     if (weld > 0.0) {
         repair_steps::weldVertices(repair, weld * diagonalOf(repair.mesh));
     }
     repair_steps::removeDegenerateFaces(repair);
     repair_steps::removeDuplicateFaces(repair);
-    repair_steps::Joints joints = repair_steps::joinAndOrient(repair);
-    repair_steps::splitVertices(repair, std::move(joints));
+    repair_steps::Joints joints = repair_steps::joinAndOrient(
+        repair, {}, slits ? std::vector<Seam>() : findSeams(repair.mesh)
+    );
+    repair_steps::splitVertices(repair, std::move(joints), repair_steps::Crowded::CutOut);
     return repair;
 }
 

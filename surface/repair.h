@@ -17,6 +17,8 @@ namespace bspline_curve {
 struct RepairReport {
     /// Vertices and what they were merged into: ends of edges without length, and what was welded.
     std::vector<std::pair<int, int>> mergedVertices;
+    /// Faces with a vertex that is nowhere: a coordinate is not finite.
+    std::vector<int> leftOutFaces;
     /// Faces with a repeated vertex or no area.
     std::vector<int> removedDegenerateFaces;
     /// Faces across the long side of a flat one, whose third vertex they were split at.
@@ -27,6 +29,10 @@ struct RepairReport {
     std::vector<int> reversedFaces;
     /// Edges where faces were parted, by their vertices.
     std::vector<std::array<int, 2>> cutEdges;
+    /// Seams that were joined, see findSeams(): both edges at each, by their vertices, and the
+    /// vertices that became another one there.
+    std::vector<std::array<std::array<int, 2>, 2>> joinedEdges;
+    std::vector<std::pair<int, int>> joinedVertices;
 
     struct DuplicatedVertex {
         int vertex;
@@ -51,7 +57,16 @@ struct MeshRepair {
     /// For faces that were reversed or split: column k is corner k in barycentric coordinates of
     /// the origin.
     std::map<int, Eigen::Matrix3d> changedCorners;
+    /// For each vertex of the given mesh the lowest of those that it is joined to along seams;
+    /// empty where none is.
+    std::vector<int> seamRoots;
+    /// Whether edges of two faces were cut, or seams left open, since the sides of faces disagree
+    /// however they are turned.
+    bool isOneSided = false;
     RepairReport report;
+
+    /// #V: where vertices of the same place along edges were parted or joined, one for all of them.
+    [[nodiscard]] std::vector<int> vertexRoots() const;
 
     /// Vertices of the given mesh; those of the repaired one after them are copies.
     [[nodiscard]] int givenVertexCount() const;
@@ -72,6 +87,7 @@ struct MeshRepair {
 };
 
 /// Makes a mesh one that Surface accepts, with no more than rounding of its coordinates:
+///   faces with a coordinate that is not finite are left out, unless all are such;
 ///   vertices within `weld` diagonals of each other are merged, where that is not 0;
 ///   faces without area are removed; their short edge is merged, or the face across the long edge
 ///   is split, so that no gap stays;
@@ -79,9 +95,10 @@ struct MeshRepair {
 ///   where more than two faces meet in an edge, the pairs that bend least stay joined, the others
 ///   are parted; parts that share a vertex only get a vertex each;
 ///   one-sided surfaces are cut open;
+///   faces on either side of a seam are joined, unless `slits` are to stay;
 ///   patches are oriented by the majority of their faces.
 /// The same input gives the same result. O(n log n).
 /// Throws InputError as checkArrays.
-[[nodiscard]] MeshRepair repairMesh(TriangleMesh mesh, double weld = 0.0);
+[[nodiscard]] MeshRepair repairMesh(TriangleMesh mesh, double weld = 0.0, bool slits = false);
 
 }  // namespace bspline_curve

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/surface.h"
 
+#include "bspline_curve/error.h"
 #include "surface/face_adjacency.h"
 #include "surface/mesh_checks.h"
-#include "surface/refused_mesh.h"
+#include "surface/repair.h"
+#include "surface/seams.h"
 #include "surface/surface_point.h"
 #include "utility/report_progress.h"
 #include "utility/worker_task.h"
@@ -11,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -42,15 +45,72 @@ std::pair<FaceAdjacency, double> validated(const TriangleMesh& mesh, const Progr
     return {joinFaces(mesh, std::move(at)), area};
 }
 
+/// Whether repairMesh can mend what a mesh was refused for.
+bool canBeMended(InputErrorCode code) {
+    return code == InputErrorCode::NonFiniteCoordinate || code == InputErrorCode::DegenerateFace ||
+           code == InputErrorCode::NonManifoldEdge || code == InputErrorCode::NonManifoldVertex ||
+           code == InputErrorCode::InconsistentOrientation;
+}
+
 }  // namespace
 
-Surface::Surface(TriangleMesh mesh, const Progress& progress) : mesh_(std::move(mesh)) {
-    FaceAdjacency adjacency;
-    try {
-        std::tie(adjacency, area_) = validated(mesh_, progress);
-    } catch (const InputError& error) {
-        throw RefusedMesh(error, std::move(mesh_));
+void MendingOptions::validate() const {
+    if (strict && weld > 0.0) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "the options strict and weld exclude each other: one takes a mesh as it is, the other "
+            "joins its vertices; choose one"
+        );
     }
+}
+
+Surface::Surface(TriangleMesh mesh, const Progress& progress) : mesh_(std::move(mesh)) {
+    validate(progress);
+}
+
+Surface::Surface(TriangleMesh mesh, Provenance provenance, const Progress& progress)
+    : mesh_(std::move(mesh)), provenance_(std::move(provenance)) {
+    validate(progress);
+}
+
+Surface::Surface(TriangleMesh input, const MendingOptions& mending, const Progress& progress)
+    : mesh_(std::move(input)), leavesSlits_(mending.strict || mending.slits) {
+    mending.validate();
+    std::optional<InputError> refusal;
+    if (mending.weld == 0.0 && (leavesSlits_ || findSeams(mesh_).empty())) {
+        try {
+            validate(progress);
+            return;
+        } catch (const InputError& error) {
+            if (!canBeMended(error.code())) {
+                throw;
+            }
+            refusal.emplace(
+                error.code(), error.what(), error.elements(), Remedy{.kind = Remedy::Kind::Mend}
+            );
+        }
+    }
+    MeshRepair repair = repairMesh(mesh_, mending.weld, mending.slits);
+    TriangleMesh given = std::exchange(mesh_, std::move(repair.mesh));
+    if (!repair.report.isEmpty()) {
+        provenance_ = Provenance(std::move(given), std::move(repair), refusal);
+    }
+    try {
+        validate(progress);
+    } catch (const InputError&) {
+        if (refusal) {
+            throw InputError(refusal->code(), refusal->what(), refusal->elements());
+        }
+        throw;
+    }
+    if (mending.strict && refusal) {
+        throw InputError(*refusal);
+    }
+}
+
+void Surface::validate(const Progress& progress) {
+    FaceAdjacency adjacency;
+    std::tie(adjacency, area_) = validated(mesh_, progress);
     report(progress, 0.8, kPreparingStage);
     faceNeighbours_ = std::move(adjacency.neighbours);
     averageEdgeLength_ = adjacency.averageEdgeLength;

@@ -2,16 +2,20 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
+#include "bspline_curve/options.h"
 #include "bspline_curve/progress.h"
+#include "surface/provenance.h"
 
 #include <vector>
 
 namespace bspline_curve {
 
 /// A validated, immutable triangle surface: finite, oriented, two-manifold, every face with area.
-/// Boundaries, several components and unreferenced vertices are allowed. Whether it crosses itself
+/// Boundaries, several components and unreferenced vertices are allowed; these may be anywhere, and
+/// need not be finite. Whether it crosses itself
 /// is not part of the validation (see self_intersection.h), since that only matters where the curve
-/// goes.
+/// goes. It knows the mesh that it was made from, its input: Provenance leads there and back. Ids
+/// of vertices and faces here are the surface's own; those of users are the input's.
 class Surface {
 public:
     /// Validates and takes over a mesh. O(n log n) time, on two threads where there are many faces,
@@ -21,7 +25,25 @@ public:
     /// the count, the first element ids, and what to do; Cancelled.
     explicit Surface(TriangleMesh mesh, const Progress& progress = {});
 
+    /// Likewise; a mesh that would be refused is mended first where that helps, and seams are
+    /// joined, see repairMesh(). One that is fine costs hardly more. Throws also InputError
+    /// (BadOption).
+    Surface(TriangleMesh input, const MendingOptions& mending, const Progress& progress = {});
+
+    /// Likewise, for a mesh that was made of another surface's own.
+    Surface(TriangleMesh mesh, Provenance provenance, const Progress& progress = {});
+
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
+
+    [[nodiscard]] const Provenance& provenance() const { return provenance_; }
+
+    /// Whether it was made so that edges that lie on each other may be slits.
+    [[nodiscard]] bool leavesSlits() const { return leavesSlits_; }
+
+    /// The mesh that the surface was made from.
+    [[nodiscard]] const TriangleMesh& input() const {
+        return provenance_.isIdentity() ? mesh_ : *provenance_.input();
+    }
 
     [[nodiscard]] const std::vector<Vec3>& vertices() const { return mesh_.vertices; }
 
@@ -80,7 +102,11 @@ public:
     [[nodiscard]] Vec3 faceNormal(int face) const;
 
 private:
+    void validate(const Progress& progress);
+
     TriangleMesh mesh_;
+    Provenance provenance_;
+    bool leavesSlits_ = false;
     std::vector<Triangle> faceNeighbours_;
     std::vector<int> faceComponents_;
     int componentCount_ = 0;

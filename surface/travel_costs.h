@@ -19,6 +19,8 @@ struct TravelCosts {
     std::function<double(int face)> ofFace{};
     /// No face costs less, > 0. The nearer to what the cheapest costs, the less is searched.
     double least = 1.0;
+    /// Most open faces cost 1, so that cheap ways are short ones.
+    bool areLengths = true;
 };
 
 /// A way from the start of a search to a place, to be gone on from (A*).

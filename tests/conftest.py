@@ -31,6 +31,20 @@ def build_folder():
 
 
 @pytest.fixture(scope="session")
+def program():
+    path = Path(os.environ.get("BSPLINE_CURVE_PROGRAM", BUILD / "bin" / "bspline_curve"))
+    assert path.is_file(), f"no program at {path}; build it, or set BSPLINE_CURVE_PROGRAM"
+    return path
+
+
+@pytest.fixture(scope="session")
+def bunny_path():
+    import pymeshlab
+
+    return Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj"
+
+
+@pytest.fixture(scope="session")
 def plugin_path():
     return BUILD / "plugins" / "libfilter_bspline_curve.so"
 

@@ -33,6 +33,14 @@ public:
         return low;
     }
 
+    /// The smallest element of each element's set.
+    [[nodiscard]] std::vector<int> lowest() && {
+        for (int& parent : parents_) {
+            parent = parents_[parent];  // which is smaller, and has its own already
+        }
+        return std::move(parents_);
+    }
+
     /// The number of each element's set, from 0 in order of the smallest elements, and how many
     /// sets there are.
     [[nodiscard]] std::pair<std::vector<int>, int> numbered() && {

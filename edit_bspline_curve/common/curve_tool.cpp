@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/curve_tool.h"
 
+#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
-#include "design/designer_surface.h"
 #include "edit_bspline_curve/common/kept_settings.h"
 #include "edit_bspline_curve/common/sketch_painter.h"
 #include "field/make_field.h"
-#include "filters/find_designer.h"
-#include "filters/mended_layer.h"
+#include "surface/field_on_surface.h"
 
 #include <QAction>
 #include <QApplication>
@@ -21,8 +20,6 @@
 namespace bspline_curve {
 namespace {
 
-constexpr int kLookEvery = 15;  // milliseconds
-
 QAction* suspendingActionOf(const QWidget& window) {
     for (QAction* const action : window.findChildren<QAction*>()) {
         if (action->shortcut() == QKeySequence(Qt::Key_Escape) && action->isCheckable()) {
@@ -34,10 +31,10 @@ QAction* suspendingActionOf(const QWidget& window) {
 
 }  // namespace
 
-CurveTool::CurveTool(QGLWidget& view, ToolStart start, SketchLayers& layers, Use use)
+CurveTool::CurveTool(QGLWidget& view, ToolStart start, SketchLayers& layers, CurveUses& uses)
     : view_(view),
       layers_(layers),
-      use_(std::move(use)),
+      uses_(uses),
       start_(std::move(start)),
       hadTracking_(view.hasMouseTracking()),
       panel_(new ToolPanel(view)),
@@ -45,15 +42,8 @@ CurveTool::CurveTool(QGLWidget& view, ToolStart start, SketchLayers& layers, Use
       preparing_(
           std::async(
               std::launch::async,
-              [layer = std::move(start_.surface), progress = untilTheEnd()]() mutable {
-                  const MeshChecksum checksum = checksumOf(layer.mesh);
-                  DesignerCache designers;
-                  // Strictness is the filter's.
-                  DesignerCache::Found found = designerFor(layer, {}, {}, designers, progress);
-                  if (const MeshRepair* const repair = found.repair()) {
-                      layer = carriedOver(layer, *repair);
-                  }
-                  return Prepared{std::move(found), std::move(layer), checksum};
+              [surface = std::move(start_.surface), progress = untilTheEnd()]() mutable {
+                  return prepare(std::move(surface), progress);
               }
           )
       ),
@@ -87,6 +77,7 @@ void CurveTool::connectPanel() {
     connect(panel_, &ToolPanel::useAsked, this, [this](const FilterDescription* filter) {
         use(*filter);
     });
+    connect(panel_, &ToolPanel::cancelAsked, this, &CurveTool::cancelUse);
     connect(panel_, &ToolPanel::turnAsked, this, &CurveTool::setTurning);
     connect(panel_, &ToolPanel::magnetChanged, this, &CurveTool::refresh);
     connect(panel_, &ToolPanel::unitChanged, this, &CurveTool::refresh);
@@ -118,7 +109,26 @@ void CurveTool::stop() {
 
 // ---- What is prepared ----
 
+CurveTool::Prepared CurveTool::prepare(LayerArrays surface, const Progress& progress) {
+    Prepared prepared;
+    prepared.ofLayer = checksumOf(surface);
+    // Strictness is the filter's.
+    prepared.workpiece = workpieceOf(surface.input, {}, progress);
+    static_cast<void>(prepared.workpiece->designer(progress));
+    prepared.layer = std::move(surface.input);
+    return prepared;
+}
+
 void CurveTool::look() {
+    takePrepared();
+    takeUse();
+    if (!preparing_.valid() && !preparingCrests_.valid() && uses_.running() == nullptr &&
+        !uses_.waits()) {
+        timer_.stop();
+    }
+}
+
+void CurveTool::takePrepared() {
     const auto isReady = [](const auto& future) {
         return future.valid() &&
                future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -133,29 +143,45 @@ void CurveTool::look() {
     } catch (const std::exception& error) {
         panel_->say(error.what());
     }
-    if (!preparing_.valid() && !preparingCrests_.valid()) {
-        timer_.stop();
+}
+
+// What the filter made is the current layer then, the surface is hidden, and the drawing is over:
+// so this waits for the end of a drag.
+void CurveTool::takeUse() {
+    if (panel_ != nullptr) {
+        panel_->showUse(uses_.running());
+    }
+    if (!uses_.waits() || (session_ && session_->isDragging())) {
+        return;
+    }
+    try {
+        if (uses_.step()) {
+            QMetaObject::invokeMethod(&view_, "updateLayerTable", Qt::QueuedConnection);
+            QMetaObject::invokeMethod(&view_, "endEdit", Qt::QueuedConnection);
+        }
+    } catch (const std::exception& error) {
+        notice_ = error.what();
+        refresh();
     }
 }
 
 void CurveTool::begin(Prepared prepared) {
-    found_ = std::move(prepared.found);
-    checksum_ = prepared.checksum;
-    options_ = std::make_unique<OptionBook>(found_.designer, std::move(prepared.layer));
+    workpiece_ = std::move(prepared.workpiece);
+    options_ = std::make_unique<OptionBook>(workpiece_, std::move(prepared.layer));
     SessionSettings settings;
     settings.colour = kept::colour();
     // The session's thread wakes ours.
     settings.wake = [this] {
         QMetaObject::invokeMethod(this, [this] { refresh(); }, Qt::QueuedConnection);
     };
-    session_ = std::make_unique<DrawingSession>(found_.designer, std::move(settings));
+    session_ = std::make_unique<DrawingSession>(workpiece_->sharedDesigner(), std::move(settings));
     std::vector<SketchCurve> curves;
     for (const TakenUp& taken : start_.curves) {
-        curves.push_back(toSketch(taken.curve, taken.layer >= 0 && found_.repair() == nullptr));
+        curves.push_back(toSketch(taken.curve, taken.layer >= 0));
         curves.back().look.isHidden = taken.isHidden;
     }
     session_->begin(std::move(curves), start_.active);
-    layers_.begin(start_.curves, session_->sketch());
+    layers_.begin(start_.curves, session_->sketch(), prepared.ofLayer);
     if (kept::isMagnetOn()) {
         prepareCrests();
     }
@@ -172,8 +198,11 @@ SketchCurve CurveTool::toSketch(const DrawnCurve& drawn, bool isOnMesh) {
     curve.picks = drawn.picks;
     curve.options = options_->toSketch(drawn.options);
     if (!isOnMesh) {
+        const CurveDesigner& designer = workpiece_->designer();
         for (SketchPick& pick : curve.picks) {
-            pick.point = treeOf(*found_.designer).closestPoint(pick.position).point;
+            pick.point = designer.surface().provenance().toInput(
+                designer.tree().closestPoint(pick.position).point
+            );
         }
     }
     return curve;
@@ -196,11 +225,10 @@ void CurveTool::prepareCrests() {
         return;
     }
     preparingCrests_ =
-        std::async(std::launch::async, [designer = found_.designer, progress = untilTheEnd()] {
+        std::async(std::launch::async, [workpiece = workpiece_, progress = untilTheEnd()] {
             const auto field = [&](FieldKind kind) {
-                return std::make_shared<const std::vector<double>>(
-                    makeField(surfaceOf(*designer), FieldOptions{.kind = kind}, {}, progress)
-                );
+                const Surface& surface = workpiece->surface();
+                return valuesOn(surface, makeField(surface, {.kind = kind}, {}, progress));
             };
             SnapOptions snapping;
             snapping.ridge = field(FieldKind::Ridge);
@@ -228,7 +256,7 @@ void CurveTool::refresh() {
     state.isHostsCamera = isHostsCamera();
     state.isMaking = isMaking_;
     state.notice = notice_;
-    state.edge = session_ ? surfaceOf(*found_.designer).averageEdgeLength() : 0.0;
+    state.edge = session_ ? workpiece_->surface().averageEdgeLength() : 0.0;
     panel_->show(state);
     view_.update();
 }

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "edit_bspline_curve/common/curve_uses.h"
 #include "edit_bspline_curve/common/option_book.h"
 #include "edit_bspline_curve/common/sketch_layers.h"
 #include "edit_bspline_curve/common/tool_keys.h"
 #include "edit_bspline_curve/common/tool_panel.h"
 #include "edit_bspline_curve/common/view.h"
-#include "filters/designer_cache.h"
 #include "filters/drawn_curve_file.h"
-#include "filters/layer_input.h"
 #include "sketch/drawing_session.h"
+#include "workpiece/workpiece.h"
 
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
 #include <atomic>
-#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -30,7 +29,7 @@ namespace bspline_curve {
 
 /// What the tool begins with.
 struct ToolStart {
-    LayerInput surface;
+    LayerArrays surface;
     std::vector<TakenUp> curves;
     int active = -1;  ///< index of one of them; -1: none
     QString note;     ///< to be said at first
@@ -46,11 +45,8 @@ class CurveTool : public QObject {
     Q_OBJECT
 
 public:
-    /// Runs a filter with the curves that are layers. What it throws is shown.
-    using Use = std::function<void(const FilterDescription&)>;
-
-    /// View and layers must outlive this.
-    CurveTool(QGLWidget& view, ToolStart start, SketchLayers& layers, Use use);
+    /// View, layers and uses must outlive this.
+    CurveTool(QGLWidget& view, ToolStart start, SketchLayers& layers, CurveUses& uses);
     ~CurveTool() override;
     CurveTool(const CurveTool&) = delete;
     CurveTool& operator=(const CurveTool&) = delete;
@@ -71,14 +67,17 @@ public:
 private:
     /// What is prepared on a thread of its own.
     struct Prepared {
-        DesignerCache::Found found;
-        LayerInput layer;       ///< quality and selections on the designer's mesh
-        MeshChecksum checksum;  ///< of the mesh as it was given
+        std::shared_ptr<const Workpiece> workpiece;
+        LayerInput layer;      ///< with quality and selections
+        MeshChecksum ofLayer;  ///< in the layer's own coordinates
     };
 
     [[nodiscard]] Progress untilTheEnd() const;
     void connectPanel();
-    void look();  ///< whether what is prepared is ready
+    static Prepared prepare(LayerArrays surface, const Progress& progress);
+    void look();  ///< whether what is computed beside is ready
+    void takePrepared();
+    void takeUse();
     void begin(Prepared prepared);
     [[nodiscard]] SketchCurve toSketch(const DrawnCurve& drawn, bool isOnMesh);
     [[nodiscard]] DrawnCurve toDrawn(const SketchCurve& curve) const;
@@ -93,6 +92,7 @@ private:
     // Layers, when all curves are settled.
     void makeLayers();
     void use(const FilterDescription& filter);
+    void cancelUse();
     void makeWhatWaits();
     bool bringLayers();
     [[nodiscard]] QString madeText(int made) const;
@@ -118,9 +118,11 @@ private:
     void setTurning(bool turns);
     [[nodiscard]] bool isHostsCamera() const;
 
+    static constexpr int kLookEvery = 15;  // milliseconds
+
     QGLWidget& view_;
     SketchLayers& layers_;
-    Use use_;
+    CurveUses& uses_;
     ToolStart start_;  ///< until the session is there
     bool hadTracking_;
     QPointer<ToolPanel> panel_;     ///< the host's window may delete it
@@ -129,8 +131,8 @@ private:
     std::atomic<bool> isEnding_ = false;
     std::future<Prepared> preparing_;
     std::future<SnapOptions> preparingCrests_;
-    DesignerCache::Found found_;
-    MeshChecksum checksum_;  ///< of the surface
+    std::shared_ptr<const Workpiece> workpiece_;
+    bool hasResults_ = false;
     std::unique_ptr<OptionBook> options_;
     std::unique_ptr<DrawingSession> session_;
     bool hasCrests_ = false;                                 ///< or they are being prepared

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of the curves that are drawn with the tool: layers and files.
-#include "design/designer_surface.h"
+#include "bspline_curve/designer.h"
 #include "edit_bspline_curve/common/curve_tool.h"
 #include "edit_bspline_curve/common/curve_words.h"
 #include "edit_bspline_curve/common/kept_settings.h"
@@ -33,14 +33,14 @@ CurveMaker CurveTool::maker() {
         .drawn = [this](const SketchCurve& curve) { return toDrawn(curve); },
         .result =
             [this](const SketchCurve& curve, const CurveRequest& request) {
-                const std::vector<double> none;
-                const std::vector<double>& field =
-                    curve.options.guides ? curve.options.guides->values().field : none;
-                const Curve& drawn = *curve.settled;
-                CurveResult result =
-                    curveResult({}, drawn, field, secondsOf(drawn.report), found_, request);
-                found_.isKept = true;  // by the next curve
-                return result;
+                const auto& guides = curve.options.guides;
+                DesignedCurve drawn = workpiece_->finished(
+                    *curve.settled, guides ? guides->values().field : ScalarField()
+                );
+                drawn.seconds = secondsOf(drawn.curve.report);
+                // The surface is kept for all curves but the first.
+                const bool isKept = std::exchange(hasResults_, true);
+                return curveResult(std::move(drawn), {workpiece_, isKept}, request);
             }
     };
 }
@@ -65,9 +65,18 @@ void CurveTool::makeWhatWaits() {
         return;
     }
     try {
-        use_(*filter);
+        uses_.start(*filter);
+        timer_.start(kLookEvery);
+        takeUse();  // so that its button is there for the next click
     } catch (const std::exception& error) {
         notice_ = error.what();
+    }
+}
+
+void CurveTool::cancelUse() {
+    if (uses_.cancel()) {
+        notice_ = tr("Given up.");
+        refresh();
     }
 }
 
@@ -107,10 +116,12 @@ void CurveTool::finish() {
         return;
     }
     session_->cancel();
+    uses_.finish();
     static_cast<void>(session_->settleWithin(kPatience));
     if (!bringLayers()) {
         layers_.say(notice_.toStdString());
     }
+    layers_.show(session_->sketch(), true);
     const int left = layers_.keepUnfinished(session_->sketch(), maker());
     if (left > 0) {
         layers_.say(
@@ -125,10 +136,9 @@ void CurveTool::finish() {
 
 CurveFileSurface CurveTool::fileSurface() const {
     return {
-        .mesh = found_.designer->mesh(),
-        .checksum = checksum_,
-        .repair = found_.repair(),
-        .tree = &treeOf(*found_.designer)
+        .mesh = workpiece_->mesh(),
+        .checksum = workpiece_->checksum(),
+        .designer = &workpiece_->designer()
     };
 }
 

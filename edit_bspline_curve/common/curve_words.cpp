@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/curve_words.h"
 
-#include "design/strict_polyline.h"
 #include "filters/labels.h"
+#include "surface/error_messages.h"
+#include "surface/strict_line.h"
+
+#include <string>
 
 namespace bspline_curve {
 namespace {
@@ -20,7 +23,12 @@ QString countText(int count, const QString& noun) {
 QString wordsFor(const SketchCurve& curve, double edge, const QString& unit) {
     const QString picks = countText(static_cast<int>(curve.picks.size()), "pick");
     if (!curve.problem.message.empty()) {
-        return QString::fromStdString(withLabels(curve.problem.message, curveFilter()));
+        // The panel has no such option.
+        const std::string weld = "the filter \"" + curveFilter().name +
+                                 "\" joins these components by the option weld (%)";
+        const std::string words =
+            withRemedy(curve.problem.message, curve.problem.remedy, {.mend = "", .weld = weld});
+        return QString::fromStdString(withLabels(words, curveFilter()));
     }
     if (!curve.isDrawable()) {
         return QObject::tr("%1: click the next one").arg(picks);

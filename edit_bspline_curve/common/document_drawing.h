@@ -2,13 +2,10 @@
 #pragma once
 
 #include "edit_bspline_curve/common/curve_tool.h"
+#include "edit_bspline_curve/common/curve_uses.h"
 #include "edit_bspline_curve/common/sketch_layers.h"
-#include "host_filters.h"
 
 #include <memory>
-#include <vector>
-
-class QAction;
 
 namespace bspline_curve {
 
@@ -33,13 +30,8 @@ public:
     [[nodiscard]] CurveTool& tool() { return *tool_; }
 
 private:
-    void useCurves(const FilterDescription& filter);
-    void run(QAction& filter, const RichParameterList& parameters);
-
-    MeshDocument& document_;
-    QGLWidget& view_;
-    int surface_ = -1;  ///< id of its layer
     std::unique_ptr<SketchLayers> layers_;
+    std::unique_ptr<CurveUses> uses_;
     std::unique_ptr<CurveTool> tool_;
 };
 

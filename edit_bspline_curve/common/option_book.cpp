@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/option_book.h"
 
-#include "design/designer_surface.h"
-#include "filters/curve_guides.h"
+#include "workpiece/curve_guides.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,22 +21,22 @@ DrawnOptions choiceOf(const DrawnOptions& options) {
 
 }  // namespace
 
-OptionBook::OptionBook(std::shared_ptr<const CurveDesigner> designer, LayerInput layer)
-    : designer_(std::move(designer)),
+OptionBook::OptionBook(std::shared_ptr<const Workpiece> workpiece, LayerInput layer)
+    : workpiece_(std::move(workpiece)),
       layer_(std::make_shared<const LayerInput>(std::move(layer))) {}
 
 SketchCurveOptions OptionBook::toSketch(const DrawnOptions& options) {
     const CurveRequest request = curveRequest(valuesOf(options));
     SketchCurveOptions sketch;
     sketch.solver = request.solver;
-    if (!request.field && request.avoid == Avoid::Nothing) {
+    if (!request.field && request.avoid.by == FaceChoice::By::Nothing) {
         return sketch;
     }
     const DrawnOptions choice = choiceOf(options);
     auto entry = std::ranges::find(entries_, choice, &Entry::choice);
     if (entry == entries_.end()) {
-        auto make = [designer = designer_, layer = layer_, request](const Progress& progress) {
-            CurveGuides guides = curveGuides(*layer, surfaceOf(*designer), request, progress);
+        auto make = [workpiece = workpiece_, layer = layer_, request](const Progress& progress) {
+            CurveGuides guides = curveGuides(*layer, workpiece->surface(), request, progress);
             return SketchGuides::Values{std::move(guides.field), std::move(guides.avoid)};
         };
         entries_.push_back({choice, std::make_shared<const SketchGuides>(std::move(make))});

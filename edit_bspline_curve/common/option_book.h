@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/designer.h"
 #include "filters/drawn_options.h"
-#include "filters/layer_input.h"
 #include "sketch/sketch.h"
+#include "workpiece/workpiece.h"
 
 #include <memory>
 #include <vector>
@@ -15,8 +14,8 @@ namespace bspline_curve {
 /// avoid are made once for each choice.
 class OptionBook {
 public:
-    /// `layer`: quality and selections that go with the designer's mesh.
-    OptionBook(std::shared_ptr<const CurveDesigner> designer, LayerInput layer);
+    /// `layer`: quality and selections that go with the workpiece's mesh.
+    OptionBook(std::shared_ptr<const Workpiece> workpiece, LayerInput layer);
 
     /// Throws InputError where a number is out of its range.
     [[nodiscard]] SketchCurveOptions toSketch(const DrawnOptions& options);
@@ -29,7 +28,7 @@ private:
         std::shared_ptr<const SketchGuides> guides;
     };
 
-    std::shared_ptr<const CurveDesigner> designer_;
+    std::shared_ptr<const Workpiece> workpiece_;
     std::shared_ptr<const LayerInput> layer_;
     std::vector<Entry> entries_;
 };

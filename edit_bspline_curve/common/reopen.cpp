@@ -19,7 +19,9 @@ constexpr double kSamePlace = 1e-6;
 double diagonalOf(const TriangleMesh& mesh) {
     Eigen::AlignedBox3d box;
     for (const Vec3& vertex : mesh.vertices) {
-        box.extend(vertex);
+        if (vertex.allFinite()) {
+            box.extend(vertex);
+        }
     }
     return box.diagonal().norm();
 }

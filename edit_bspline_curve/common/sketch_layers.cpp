@@ -54,12 +54,7 @@ SketchLayers::SketchLayers(
       shared_(shared),
       view_(view),
       surface_(surface.id()),
-      ids_{
-          .input = {},
-          .vertexIds = arrays.vertexIds,
-          .faceIds = arrays.faceIds,
-          .checksum = checksumOf(surface)
-      },
+      ids_{.input = {}, .vertexIds = arrays.vertexIds, .faceIds = arrays.faceIds, .own = {}},
       matrix_(surface.cm.Tr) {}
 
 // ---- What the document has ----
@@ -85,7 +80,10 @@ std::vector<TakenUp> SketchLayers::takeUp(const LayerArrays& arrays, int& other)
     return taken;
 }
 
-void SketchLayers::begin(const std::vector<TakenUp>& taken, const Sketch& sketch) {
+void SketchLayers::begin(
+    const std::vector<TakenUp>& taken, const Sketch& sketch, const MeshChecksum& surface
+) {
+    ids_.checksum = surface;
     for (std::size_t i = 0; i < taken.size(); ++i) {
         if (taken[i].layer >= 0) {
             const std::shared_ptr<SketchCurve>& curve = sketch.curves[i];
@@ -105,14 +103,14 @@ bool SketchLayers::isSurfaceSame() const {
 
 // ---- Layers and curves ----
 
-void SketchLayers::show(const Sketch& sketch) {
+void SketchLayers::show(const Sketch& sketch, bool isOver) {
     for (auto& [id, made] : made_) {
         const auto found = std::ranges::find(sketch.curves, id, &SketchCurve::id);
         const bool isThere = found != sketch.curves.end();
         setVisible(
             made,
             isThere && !(*found)->look.isHidden &&
-                (*found == made.curve || (*found)->asksForTheSame(*made.curve))
+                (isOver || *found == made.curve || (*found)->asksForTheSame(*made.curve))
         );
     }
 }
@@ -235,18 +233,23 @@ int SketchLayers::makeOnSurface(const SketchCurve& curve, const CurveMaker& make
     request.solver = curve.options.solver;  // lists of parameters round some numbers
     const CurveResult result = maker.result(curve, request);
     addResultLayers(document_, *document_.getMesh(surface_), ids_, request, result);
+    tellOfFilter(filter, parameters, windowLog(result.log, filter));
+    return document_.mm()->id();
+}
+
+void SketchLayers::tellOfFilter(
+    const FilterDescription& filter, const RichParameterList& parameters, const LogLines& said
+) {
     FilterNameParameterValuesPair entry;
     entry.first = QString::fromStdString(filter.name);
     entry.second = parameters;
     host::historyOf(document_).append(entry);
-    const LogLines said = windowLog(result.log, filter);
     for (const std::string& line : said.lines) {
         host::log(document_, GLLogStream::FILTER, line);
     }
     for (const std::string& warning : said.warnings) {
         host::log(document_, GLLogStream::WARNING, warning);
     }
-    return document_.mm()->id();
 }
 
 // The surface is gone or was changed: what is seen is kept as a polyline.

@@ -47,11 +47,15 @@ public:
     /// what was not yet a curve when the tool ended. `other`: how many it cannot go on with.
     [[nodiscard]] std::vector<TakenUp> takeUp(const LayerArrays& arrays, int& other);
 
-    /// Tells which curves of the sketch those are, in their order.
-    void begin(const std::vector<TakenUp>& taken, const Sketch& sketch);
+    /// Tells which curves of the sketch those are, in their order, and the checksum of the
+    /// surface's layer. To be called before layers are made.
+    void begin(
+        const std::vector<TakenUp>& taken, const Sketch& sketch, const MeshChecksum& surface
+    );
 
-    /// Shows the layers of curves that are as they were, and hides the others.
-    void show(const Sketch& sketch);
+    /// Shows the layers of curves that are as they were, and hides the others; when the drawing is
+    /// over, also those of curves that were changed into some that cannot be drawn.
+    void show(const Sketch& sketch, bool isOver = false);
 
     /// Makes layers of all settled curves that are new or changed, and removes those of curves that
     /// are no more. How many were made. Throws what making one throws; the others are in line.
@@ -73,6 +77,11 @@ public:
 
     /// Draws a new layer in the view, as the host does its own.
     void showNew(int layer);
+
+    /// Lets log and history of the document show a filter, as if it were applied in its dialog.
+    void tellOfFilter(
+        const FilterDescription& filter, const RichParameterList& parameters, const LogLines& said
+    );
 
     /// A line in the document's log.
     void say(const std::string& text) { host::log(document_, GLLogStream::WARNING, text); }

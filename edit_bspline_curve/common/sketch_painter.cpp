@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/sketch_painter.h"
 
-#include "design/designer_surface.h"
+#include "bspline_curve/designer.h"
 #include "edit_bspline_curve/common/handle_glyph.h"
 #include "edit_bspline_curve/common/line_style.h"
 #include "edit_bspline_curve/common/snap_glyph.h"
+#include "surface/surface_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ public:
     Painter(const DrawingSession& session, const View& view)
         : session_(session),
           view_(view),
-          surface_(surfaceOf(session.designer())),
+          surface_(session.designer().surface()),
           projection_(view, kLift) {}
 
     // What lies on the surface.
@@ -79,7 +80,8 @@ public:
         }
         const Snap& snapped = session_.snapped();
         if (snapped.kind != SnapKind::None) {
-            if (const auto place = nodeOf({snapped.point, surface_.position(snapped.point)})) {
+            if (const auto place =
+                    nodeOf({snapped.point, positionOf(surface_.input(), snapped.point)})) {
                 addSnapGlyph(shown, *place, snapped.kind, view_.ratio());
             }
         }
@@ -95,10 +97,10 @@ private:
                (c == session_.sketch().active || c == session_.hovered().curve);
     }
 
-    // Not so where a curve was solved on a mesh that was mended further.
+    // As the surface looks, on which faces may have been turned; 0 where it has none.
     [[nodiscard]] Vec3 normalAt(const SurfacePoint& point) const {
-        const bool isKnown = point.face >= 0 && point.face < surface_.faceCount();
-        return isKnown ? surface_.faceNormal(point.face) : Vec3(Vec3::Zero());
+        const auto own = point.face < 0 ? std::nullopt : surface_.provenance().fromInput(point);
+        return own ? surface_.faceNormal(own->face) : Vec3(Vec3::Zero());
     }
 
     [[nodiscard]] std::optional<ScreenNode> nodeOf(const SketchPick& pick) const {
@@ -162,7 +164,7 @@ private:
     [[nodiscard]] bool isHidden(const SketchPick& pick) const {
         const Pointer pointer = view_.pointerAt(view_.positionOf(pick.position));
         const TriangleTree::Hit seen =
-            treeOf(session_.designer()).firstHit(pointer.origin, pointer.direction);
+            session_.designer().tree().firstHit(pointer.origin, pointer.direction);
         const double along = (pick.position - pointer.origin).dot(pointer.direction);
         const bool isFromBehind = normalAt(pick.point).dot(pointer.direction) > 0.0;
         return !isInSight(pointer, seen, pick.position) ||

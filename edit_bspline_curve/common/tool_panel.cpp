@@ -3,101 +3,25 @@
 
 #include "edit_bspline_curve/common/curve_words.h"
 #include "edit_bspline_curve/common/kept_settings.h"
+#include "edit_bspline_curve/common/panel_widgets.h"
 
-#include <QCheckBox>
 #include <QCloseEvent>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QFormLayout>
-#include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
+#include <QProgressBar>
 #include <QScrollArea>
-#include <QSlider>
-#include <QSpinBox>
-#include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace bspline_curve {
 namespace {
 
-constexpr int kMargin = 6, kSpacing = 4, kTextLines = 5, kWidth = 236;
-constexpr int kMostDegree = 4;
-constexpr int kTensionSteps = 100;  // of the slider, over [0, 1]
-constexpr double kLargest = 1e9;
-constexpr double kWeightStep = 500.0, kThresholdStep = 0.05;
+constexpr int kMargin = 6, kTextLines = 5, kWidth = 236, kAllDone = 100;
 
 // Names in the host's settings.
 constexpr const char* kFloating = "panel_floating";
 constexpr const char* kArea = "panel_area";
 constexpr const char* kGeometry = "panel_geometry";
-constexpr const char* kMore = "panel_more";
-
-// ---- Widgets for parameters of the filter ----
-
-const ParameterDescription& parameter(const char* id) {
-    return curveFilter().parameter(id);
-}
-
-QString helpOf(const ParameterDescription& described) {
-    return QString("<p>%1</p>")
-        .arg(QString::fromStdString(described.fullHelp()).toHtmlEscaped().replace('\n', "<br>"));
-}
-
-QComboBox* choiceOf(const char* id) {
-    const ParameterDescription& described = parameter(id);
-    auto* const box = new QComboBox;
-    for (const EnumOption& option : described.options) {
-        box->addItem(QString::fromStdString(option.label), QString::fromStdString(option.id));
-    }
-    box->setToolTip(helpOf(described));
-    box->setFocusPolicy(Qt::TabFocus);  // else letters would choose an option after a click
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    return box;
-}
-
-QDoubleSpinBox* numberOf(const char* id, double least, double most, int decimals) {
-    const ParameterDescription& described = parameter(id);
-    auto* const box = new QDoubleSpinBox;
-    box->setRange(described.min.value_or(least), described.max.value_or(most));
-    box->setDecimals(decimals);
-    box->setToolTip(helpOf(described));
-    box->setKeyboardTracking(false);  // what is half typed is no number yet
-    return box;
-}
-
-std::string chosen(const QComboBox& box) {
-    return box.currentData().toString().toStdString();
-}
-
-void choose(QComboBox& box, const std::string& id) {
-    box.setCurrentIndex(box.findData(QString::fromStdString(id)));
-}
-
-QToolButton* buttonOf(const QString& text, const QString& help) {
-    auto* const button = new QToolButton;
-    button->setText(text);
-    button->setToolTip(help);
-    button->setFocusPolicy(Qt::NoFocus);  // keys go on to the view
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    return button;
-}
-
-QHBoxLayout* rowOf(std::initializer_list<QWidget*> widgets) {
-    auto* const row = new QHBoxLayout;
-    row->setSpacing(kSpacing);
-    for (QWidget* const widget : widgets) {
-        row->addWidget(widget);
-    }
-    return row;
-}
 
 // What people can do with curves, and how buttons name it.
 struct Use {
@@ -129,31 +53,24 @@ ToolPanel::ToolPanel(QWidget& view)
              "vertex; Ctrl does the opposite for a moment.")
       )),
       list_(new CurveList),
-      isClosed_(new QCheckBox(tr("closed"))),
-      degree_(new QSpinBox),
-      tension_(new QSlider(Qt::Horizontal)),
-      tensionText_(new QLabel),
-      field_(choiceOf("field")),
-      fieldWeight_(numberOf("field_weight", 0.0, kLargest, 1)),
-      avoid_(choiceOf("avoid")),
-      avoidThreshold_(numberOf("avoid_threshold", -kLargest, kLargest, 4)),
+      options_(new OptionsForm),
       commit_(buttonOf(
           tr("Make layers (Enter)"),
           tr("Makes a layer of each curve that is new or was changed. So does the end of the tool.")
       )),
       uses_(new QWidget),
-      unit_(new QComboBox),
+      running_(new QWidget),
+      done_(new QProgressBar),
       text_(new QLabel) {
     setObjectName("bspline_curve_panel");
     setAttribute(Qt::WA_ShowWithoutActivating);
     auto* const inside = new QWidget;
     auto* const all = new QVBoxLayout(inside);
     all->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-    all->setSpacing(kSpacing);
+    all->setSpacing(kPanelSpacing);
     addModes(*all);
     all->addWidget(list_);
-    addOptions(*all);
-    addMoreOptions(*all);
+    all->addWidget(options_);
     all->addWidget(commit_);
     addUses(*all);
     addFiles(*all);
@@ -171,7 +88,9 @@ ToolPanel::ToolPanel(QWidget& view)
     scroll->setWidget(inside);
     setWidget(scroll);
     connect(commit_, &QToolButton::clicked, this, &ToolPanel::commitAsked);
-    setOptions(DrawnOptions());
+    connect(options_, &OptionsForm::changed, this, &ToolPanel::optionsChanged);
+    connect(options_, &OptionsForm::unitChanged, this, &ToolPanel::unitChanged);
+    show(PanelState());
     place(view);
 }
 
@@ -212,81 +131,10 @@ void ToolPanel::addModes(QVBoxLayout& all) {
     connect(list_, &CurveList::lookChanged, this, &ToolPanel::lookAsked);
 }
 
-void ToolPanel::addOptions(QVBoxLayout& all) {
-    degree_->setRange(
-        static_cast<int>(parameter("degree").min.value_or(1)),
-        static_cast<int>(parameter("degree").max.value_or(kMostDegree))
-    );
-    degree_->setToolTip(helpOf(parameter("degree")));
-    isClosed_->setToolTip(helpOf(parameter("closed")));
-    tension_->setRange(0, kTensionSteps);
-    tension_->setFocusPolicy(Qt::NoFocus);
-    tension_->setToolTip(helpOf(parameter("tension")));
-    tensionText_->setMinimumWidth(fontMetrics().horizontalAdvance("0.00 "));
-    connect(isClosed_, &QCheckBox::toggled, this, &ToolPanel::changed);
-    connect(degree_, qOverload<int>(&QSpinBox::valueChanged), this, &ToolPanel::changed);
-    connect(tension_, &QSlider::valueChanged, this, &ToolPanel::tensionChanged);
-    connect(tension_, &QSlider::sliderReleased, this, &ToolPanel::changed);
-    isClosed_->setFocusPolicy(Qt::NoFocus);
-    auto* const first = rowOf({isClosed_, new QLabel(tr("degree")), degree_});
-    first->setStretch(0, 1);
-    all.addLayout(first);
-    auto* const form = new QFormLayout;
-    form->setSpacing(kSpacing);
-    form->addRow(tr("tension"), rowOf({tension_, tensionText_}));
-    form->addRow(tr("field"), field_);
-    all.addLayout(form);
-}
-
-void ToolPanel::addMoreOptions(QVBoxLayout& all) {
-    fieldWeight_->setSingleStep(kWeightStep);
-    avoidThreshold_->setSingleStep(kThresholdStep);
-    unit_->setEditable(true);
-    unit_->addItems({"", "mm", "cm", "m", "in"});
-    unit_->setEditText(kept::unit());
-    unit_->setToolTip(
-        tr("The unit of the mesh, which its file does not tell: shown after lengths.")
-    );
-    auto* const folded = new QWidget;
-    auto* const form = new QFormLayout(folded);
-    form->setContentsMargins(0, 0, 0, 0);
-    form->setSpacing(kSpacing);
-    form->addRow(tr("weight"), fieldWeight_);
-    form->addRow(tr("avoid"), avoid_);
-    form->addRow(tr("threshold"), avoidThreshold_);
-    form->addRow(tr("unit"), unit_);
-    auto* const more =
-        buttonOf(tr("More options"), tr("Weight of the field, faces to avoid, unit"));
-    more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    more->setAutoRaise(true);
-    more->setCheckable(true);
-    const auto fold = [more, folded](bool isOpen) {
-        more->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
-        folded->setVisible(isOpen);
-        kept::setValue(kMore, isOpen);
-    };
-    connect(more, &QToolButton::toggled, folded, fold);
-    const bool wasOpen = kept::value(kMore, false).toBool();
-    more->setChecked(wasOpen);
-    all.addWidget(more);
-    all.addWidget(folded);
-    fold(wasOpen);
-    for (const QDoubleSpinBox* const box : {fieldWeight_, avoidThreshold_}) {
-        connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ToolPanel::changed);
-    }
-    for (const QComboBox* const box : {field_, avoid_}) {
-        connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ToolPanel::changed);
-    }
-    connect(unit_, &QComboBox::editTextChanged, this, [this](const QString& unit) {
-        kept::setUnit(unit.trimmed());
-        emit unitChanged();
-    });
-}
-
 void ToolPanel::addUses(QVBoxLayout& all) {
     auto* const row = new QHBoxLayout(uses_);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(kSpacing);
+    row->setSpacing(kPanelSpacing);
     for (const Use& use : uses()) {
         auto* const button = buttonOf(
             use.text,
@@ -301,6 +149,16 @@ void ToolPanel::addUses(QVBoxLayout& all) {
         connect(button, &QToolButton::clicked, this, [this, filter] { emit useAsked(filter); });
     }
     all.addWidget(uses_);
+    // In the place of these while one runs.
+    auto* const cancel = buttonOf(tr("Cancel"), tr("Gives it up: the curves stay as they are."));
+    cancel->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+    done_->setRange(0, kAllDone);
+    auto* const run = rowOf({done_, cancel});
+    run->setContentsMargins(0, 0, 0, 0);
+    running_->setLayout(run);
+    running_->hide();
+    connect(cancel, &QToolButton::clicked, this, &ToolPanel::cancelAsked);
+    all.addWidget(running_);
 }
 
 void ToolPanel::addFiles(QVBoxLayout& all) {
@@ -364,60 +222,8 @@ void ToolPanel::closeEvent(QCloseEvent* event) {
     emit closed();
 }
 
-// ---- Options ----
-
 bool ToolPanel::isMagnetOn() const {
     return magnet_->isChecked();
-}
-
-void ToolPanel::changed() {
-    if (!isShowing_) {
-        enableOptions();
-        emit optionsChanged(options(), false);
-    }
-}
-
-void ToolPanel::tensionChanged(int steps) {
-    if (!isShowing_) {
-        tensionValue_ = static_cast<double>(steps) / kTensionSteps;
-        tensionText_->setText(QString::number(tensionValue_, 'f', 2));
-        emit optionsChanged(options(), tension_->isSliderDown());
-    }
-}
-
-void ToolPanel::setOptions(const DrawnOptions& options) {
-    const bool wasShowing = std::exchange(isShowing_, true);
-    isClosed_->setChecked(options.closed);
-    degree_->setValue(options.degree);
-    if (!tension_->isSliderDown()) {
-        tension_->setValue(static_cast<int>(std::lround(options.tension * kTensionSteps)));
-    }
-    tensionValue_ = options.tension;
-    tensionText_->setText(QString::number(tensionValue_, 'f', 2));
-    choose(*field_, options.field);
-    fieldWeight_->setValue(options.fieldWeight);
-    choose(*avoid_, options.avoid);
-    avoidThreshold_->setValue(options.avoidThreshold);
-    enableOptions();
-    isShowing_ = wasShowing;
-}
-
-void ToolPanel::enableOptions() {
-    fieldWeight_->setEnabled(chosen(*field_) != DrawnOptions().field);
-    const auto& rule = parameter("avoid_threshold").enabledWhen;
-    avoidThreshold_->setEnabled(!rule || std::ranges::count(rule->values, chosen(*avoid_)) > 0);
-}
-
-DrawnOptions ToolPanel::options() const {
-    return {
-        .closed = isClosed_->isChecked(),
-        .degree = degree_->value(),
-        .tension = tensionValue_,
-        .field = chosen(*field_),
-        .fieldWeight = fieldWeight_->value(),
-        .avoid = chosen(*avoid_),
-        .avoidThreshold = avoidThreshold_->value()
-    };
 }
 
 // ---- What is to be seen ----
@@ -427,11 +233,11 @@ void ToolPanel::show(const PanelState& state) {
         state.session == nullptr ? nullptr : state.session->sketch().activeCurve();
     isShowing_ = true;
     turn_->setChecked(state.isTurning);
-    isClosed_->setEnabled(curve != nullptr && curve->picks.size() >= 3);
+    options_->setClosable(curve != nullptr && curve->picks.size() >= 3);
     if (state.active) {
-        setOptions(*state.active);
+        options_->show(*state.active);
     } else {
-        isClosed_->setChecked(false);
+        options_->showOpen();
     }
     const bool hasCurves = state.session != nullptr && !state.session->sketch().curves.empty();
     commit_->setEnabled(hasCurves);
@@ -443,6 +249,15 @@ void ToolPanel::show(const PanelState& state) {
         say(textOf(state));
     }
     isShowing_ = false;
+}
+
+void ToolPanel::showUse(const FilterBeside* running) {
+    uses_->setVisible(running == nullptr);
+    running_->setVisible(running != nullptr);
+    if (running != nullptr) {
+        done_->setFormat(QString::fromStdString(running->filter().name) + ": %p%");
+        done_->setValue(static_cast<int>(running->done() * kAllDone));
+    }
 }
 
 QString ToolPanel::textOf(const PanelState& state) const {

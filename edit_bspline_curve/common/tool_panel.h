@@ -2,20 +2,16 @@
 #pragma once
 
 #include "edit_bspline_curve/common/curve_list.h"
+#include "edit_bspline_curve/common/filter_beside.h"
+#include "edit_bspline_curve/common/options_form.h"
 #include "filters/drawn_options.h"
 #include "sketch/drawing_session.h"
 
 #include <QDockWidget>
 #include <optional>
 
-class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
 class QLabel;
-class QLineEdit;
-class QSlider;
-class QSpinBox;
+class QProgressBar;
 class QToolButton;
 class QVBoxLayout;
 
@@ -44,6 +40,8 @@ public:
     ToolPanel& operator=(const ToolPanel&) = delete;
 
     void show(const PanelState& state);
+    /// A filter that runs, null for none: how far it is, and a button to give it up.
+    void showUse(const FilterBeside* running);
     void say(const QString& text);
 
     [[nodiscard]] bool isMagnetOn() const;
@@ -54,6 +52,7 @@ signals:
     void keyAsked(bspline_curve::SketchKey key);
     void commitAsked();
     void useAsked(const bspline_curve::FilterDescription* filter);
+    void cancelAsked();  ///< of the filter that runs
     void turnAsked(bool turns);
     void magnetChanged();
     void unitChanged();
@@ -70,35 +69,21 @@ private:
     void place(QWidget& view);
     void keepPlace() const;
     void addModes(QVBoxLayout& all);
-    void addOptions(QVBoxLayout& all);
-    void addMoreOptions(QVBoxLayout& all);
     void addUses(QVBoxLayout& all);
     void addFiles(QVBoxLayout& all);
-    void changed();
-    void tensionChanged(int steps);
-    void setOptions(const DrawnOptions& options);
-    void enableOptions();
-    [[nodiscard]] DrawnOptions options() const;
     [[nodiscard]] QString textOf(const PanelState& state) const;
 
     QToolButton* turn_;
     QToolButton* magnet_;
     CurveList* list_;
-    QCheckBox* isClosed_;
-    QSpinBox* degree_;
-    QSlider* tension_;
-    QLabel* tensionText_;
-    QComboBox* field_;
-    QDoubleSpinBox* fieldWeight_;
-    QComboBox* avoid_;
-    QDoubleSpinBox* avoidThreshold_;
+    OptionsForm* options_;
     QToolButton* commit_;
     QWidget* uses_;
+    QWidget* running_;
+    QProgressBar* done_;
     QToolButton* save_ = nullptr;
     QToolButton* open_ = nullptr;
-    QComboBox* unit_;
     QLabel* text_;
-    double tensionValue_ = 0.0;  ///< finer than the slider
     bool isShowing_ = false;
 };
 

@@ -95,13 +95,13 @@ std::vector<const MeshModel*> usualLayers(const MeshDocument& document, const Me
 
 }  // namespace
 
-CurvesOnLayer curvesOnLayer(
+std::vector<PolylineLayer> curvesFor(
     const MeshDocument& document,
     const MeshModel& surface,
     const LayerArrays& arrays,
     const CurveUse& use
 ) {
-    CurvesOnLayer input{.surface = arrays.input, .checksum = checksumOf(surface), .curves = {}};
+    std::vector<PolylineLayer> curves;
     const MeshModel* const chosen = chosenLayer(document, use);
     const std::vector<const MeshModel*> layers =
         chosen != nullptr ? std::vector{chosen} : usualLayers(document, surface);
@@ -114,9 +114,9 @@ CurvesOnLayer curvesOnLayer(
         } else {
             polyline.isOptional = chosen == nullptr;
         }
-        input.curves.push_back(std::move(polyline));
+        curves.push_back(std::move(polyline));
     }
-    return input;
+    return curves;
 }
 
 }  // namespace bspline_curve

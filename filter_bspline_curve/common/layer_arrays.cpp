@@ -40,6 +40,9 @@ void addVertices(LayerArrays& arrays, const MeshModel& layer, std::vector<int>& 
         newIds[v] = static_cast<int>(arrays.vertexIds.size());
         arrays.vertexIds.push_back(static_cast<int>(v));
         arrays.input.mesh.vertices.push_back(toWorld(toVec3(vertex.cP())));
+        if (!toWorld.isIdentity()) {
+            arrays.own.push_back(toVec3(vertex.cP()));
+        }
         arrays.input.selectedVertices.push_back(vertex.IsS() ? 1 : 0);
         if (hasQuality) {
             arrays.input.quality.push_back(double(vertex.cQ()));
@@ -104,6 +107,17 @@ MeshChecksum checksumOf(const MeshModel& layer) {
             };
             builder.addFace({corner(0), corner(1), corner(2)});
         }
+    }
+    return builder.checksum();
+}
+
+MeshChecksum checksumOf(const LayerArrays& arrays) {
+    MeshChecksumBuilder builder;
+    for (const Vec3& vertex : arrays.own.empty() ? arrays.input.mesh.vertices : arrays.own) {
+        builder.addVertex(vertex);
+    }
+    for (const Triangle& face : arrays.input.mesh.faces) {
+        builder.addFace(face);
     }
     return builder.checksum();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/layer_input.h"
 #include "host_document.h"
 #include "surface/mesh_checksum.h"
+#include "workpiece/layer_input.h"
 
 #include <Eigen/Geometry>
 
@@ -17,6 +17,7 @@ struct LayerArrays {
     LayerInput input;
     std::vector<int> vertexIds;  ///< index in the layer of each vertex
     std::vector<int> faceIds;    ///< index in the layer of each face
+    std::vector<Vec3> own;       ///< vertices in the layer's coordinates; empty: those of the world
     /// See checksumOf(); none: it was not needed yet.
     std::optional<MeshChecksum> checksum{};
 };
@@ -32,6 +33,8 @@ public:
 
     [[nodiscard]] bool isInvertible() const;
 
+    [[nodiscard]] bool isIdentity() const { return isIdentity_; }
+
 private:
     Eigen::Matrix4d matrix_;
     bool isIdentity_;
@@ -46,6 +49,9 @@ private:
 
 /// Of a layer in its own coordinates, so that its matrix does not matter.
 [[nodiscard]] MeshChecksum checksumOf(const MeshModel& layer);
+
+/// The same, of its arrays.
+[[nodiscard]] MeshChecksum checksumOf(const LayerArrays& arrays);
 
 [[nodiscard]] inline Vec3 toVec3(const Point3m& p) {
     return {double(p[0]), double(p[1]), double(p[2])};

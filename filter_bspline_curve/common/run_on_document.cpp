@@ -16,12 +16,15 @@
 #include "filter_bspline_curve/common/show_curve.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 #include "filter_bspline_curve/common/window.h"
-#include "filters/curve_notes.h"
 #include "filters/labels.h"
 #include "filters/run_curve_uses.h"
 #include "filters/run_pattern.h"
+#include "utility/report_progress.h"
+#include "workpiece/curve_notes.h"
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -31,12 +34,11 @@ namespace bspline_curve {
 
 namespace {
 
-/// What a filter runs with.
+/// What a filter starts with.
 struct Run {
     MeshDocument& document;
     ParameterValues values;
-    DesignerCache& designers;
-    const Progress& progress;
+    WorkpieceCache& workpieces;
 };
 
 /// What a filter answered, in words and for scripts.
@@ -45,64 +47,126 @@ struct Answered {
     FilterLog log;
 };
 
-using Runner = Answered (*)(const Run& run);
+// The steps of a filter, see startOnDocument().
+using Bringing = std::function<Answered()>;
+using Computing = std::function<Bringing(const Progress&)>;
+using Starter = Computing (*)(const Run& run);
 
-Answered drawCurve(const Run& run) {
+/// A layer as it was when its filter started.
+struct TakenLayer {
+    MeshDocument& document;
+    int id;
+    LayerArrays arrays;
+
+    TakenLayer(MeshDocument& from, const MeshModel& layer)
+        : document(from), id(layer.id()), arrays(arraysOf(layer)) {}
+
+    /// Throws InputError where it is gone, or has other elements by now.
+    [[nodiscard]] MeshModel& layer() const {
+        const MeshModel* const found = host::layerWithId(document, id);
+        if (found == nullptr || found->cm.VN() != static_cast<int>(arrays.vertexIds.size()) ||
+            found->cm.FN() != static_cast<int>(arrays.faceIds.size()) ||
+            static_cast<int>(found->cm.vert.size()) <= arrays.vertexIds.back() ||
+            static_cast<int>(found->cm.face.size()) <= arrays.faceIds.back()) {
+            throw InputError(
+                InputErrorCode::BadOption,
+                "the layer of the surface was removed or changed before the filter ended"
+            );
+        }
+        return *document.getMesh(id);
+    }
+};
+
+Computing drawCurve(const Run& run) {
     const CurveRequest request = curveRequest(run.values);
     const MeshModel& surface = surfaceOf(run.document, request);
-    const LayerArrays arrays = arraysOf(surface);
-    const CurveResult result = runCurveFilter(
-        arrays.input,
-        pickCandidates(run.document, surface, request),
-        request,
-        run.designers,
-        run.progress
-    );
-    showCurve(run.document, surface, arrays, request, result);
-    return {.figures = result.figures, .log = result.log};
+    const auto taken = std::make_shared<const TakenLayer>(run.document, surface);
+    return [taken,
+            request,
+            candidates = pickCandidates(run.document, surface, request),
+            &workpieces = run.workpieces](const Progress& progress) -> Bringing {
+        return
+            [taken,
+             request,
+             result =
+                 runCurveFilter(taken->arrays.input, candidates, request, workpieces, progress)] {
+                showCurve(taken->document, taken->layer(), taken->arrays, request, result);
+                return Answered{.figures = result.figures, .log = result.log};
+            };
+    };
 }
 
-Answered computeField(const Run& run) {
-    MeshModel* const layer = run.document.mm();
+Computing computeField(const Run& run) {
+    const MeshModel* const layer = run.document.mm();
     if (layer == nullptr) {
         throw InputError(
             InputErrorCode::EmptyMesh, "there is no layer: load a triangle mesh first"
         );
     }
-    const FieldRequest request = fieldRequest(run.values);
-    const LayerArrays arrays = arraysOf(*layer);
-    const FieldResult result = runFieldFilter(arrays.input, request, run.progress);
-    setQuality(*layer, arrays, result);
-    return {.figures = result.figures, .log = result.log};
-}
-
-/// The layer of a use of curves, and what it is in arrays.
-struct Used {
-    MeshModel& surface;
-    LayerArrays arrays;
-    CurvesOnLayer input;
-};
-
-Used usedLayers(const Run& run, const CurveUse& use) {
-    const MeshModel& surface = layerNamed(run.document, use.surface, "surface_layer");
-    LayerArrays arrays = arraysOf(surface);
-    CurvesOnLayer input = curvesOnLayer(run.document, surface, arrays, use);
-    return {
-        .surface = *run.document.getMesh(surface.id()),
-        .arrays = std::move(arrays),
-        .input = std::move(input)
+    const FieldLayerRequest request = fieldRequest(run.values);
+    const auto taken = std::make_shared<const TakenLayer>(run.document, *layer);
+    return [taken, request](const Progress& progress) -> Bringing {
+        return [taken, result = runFieldFilter(taken->arrays.input, request, progress)] {
+            setQuality(taken->layer(), taken->arrays, result);
+            return Answered{.figures = result.figures, .log = result.log};
+        };
     };
 }
 
-Answered shown(const Run& run, const Used& used, const MeshesResult& result) {
-    const std::vector<std::string> names =
-        addMadeLayers(run.document, {used.surface, used.arrays}, result);
-    Answered answer{.figures = result.figures, .log = result.log};
-    if (names.size() > 1) {
-        std::vector<std::string>& words = answer.log.tableInWords;
-        words.insert(words.begin(), describeLayers(names));
+/// The surface of a use of curves, and these.
+struct TakenCurves : TakenLayer {
+    std::vector<PolylineLayer> curves;
+
+    TakenCurves(MeshDocument& from, const CurveUse& use, bool usesCurves = true)
+        : TakenLayer(from, layerNamed(from, use.surface, "surface_layer")) {
+        if (usesCurves) {
+            curves = curvesFor(from, layer(), arrays, use);
+        }
     }
-    return answer;
+
+    /// What a filter takes; the arrays keep ids alone.
+    [[nodiscard]] CurvesOnLayer takeInput() {
+        const MeshChecksum checksum = checksumOf(arrays);
+        return {
+            .surface = std::move(arrays.input), .checksum = checksum, .curves = std::move(curves)
+        };
+    }
+};
+
+constexpr double kMadeShare = 0.7;  // of the work, for progress only
+
+/// What makes meshes of a surface and its curves.
+using MeshMaker = std::function<MeshesResult(const CurvesOnLayer&, const Progress&)>;
+
+Computing makeMeshes(const Run& run, const CurveUse& use, const MeshMaker& make) {
+    auto taken = std::make_shared<TakenCurves>(run.document, use);
+    LayerData data = dataOf(taken->layer(), taken->arrays);
+    return [taken, data = std::move(data), make, coloursParts = hasWindow()](
+               const Progress& progress
+           ) mutable -> Bringing {
+        const CurvesOnLayer input = taken->takeInput();
+        MeshesResult result = make(input, partOf(progress, 0.0, kMadeShare));
+        std::vector<HostMesh> meshes = hostMeshes(
+            result.layers,
+            input.surface,
+            taken->arrays,
+            data,
+            coloursParts,
+            partOf(progress, kMadeShare, 1.0)
+        );
+        data = {};  // here, since giving memory back takes time as well
+        return [taken,
+                meshes = std::move(meshes),
+                answer = Answered{std::move(result.figures), std::move(result.log)}]() mutable {
+            const std::vector<std::string> names =
+                addMadeLayers(taken->document, taken->layer(), meshes);
+            if (names.size() > 1) {
+                std::vector<std::string>& words = answer.log.tableInWords;
+                words.insert(words.begin(), describeLayers(names));
+            }
+            return answer;
+        };
+    };
 }
 
 /// In a window the current layer stays: lines that were made are not what the next filter is for.
@@ -115,10 +179,13 @@ void addLines(MeshDocument& document, const AddLayers& addLayers) {
     }
 }
 
-Answered imprintCurves(const Run& run) {
+Computing imprintCurves(const Run& run) {
     const ImprintRequest request = imprintRequest(run.values);
-    const Used used = usedLayers(run, request.use);
-    return shown(run, used, runImprintFilter(used.input, request, run.progress));
+    return makeMeshes(
+        run, request.use, [request](const CurvesOnLayer& input, const Progress& progress) {
+            return runImprintFilter(input, request, progress);
+        }
+    );
 }
 
 /// Points of MeshLab's own tool, in world coordinates.
@@ -130,70 +197,87 @@ std::vector<Vec3> toolPointsOf(const MeshModel& surface) {
     return points;
 }
 
-Answered cutAlong(const Run& run) {
+Computing cutAlong(const Run& run) {
     const CutRequest request = cutRequest(run.values);
-    const Used used = usedLayers(run, request.imprint.use);
-    return shown(
-        run, used, runCutFilter(used.input, toolPointsOf(used.surface), request, run.progress)
+    const CurveUse& use = request.imprint.use;
+    return makeMeshes(
+        run,
+        use,
+        [request, points = toolPointsOf(layerNamed(run.document, use.surface, "surface_layer"))](
+            const CurvesOnLayer& input, const Progress& progress
+        ) { return runCutFilter(input, points, request, progress); }
     );
 }
 
-Answered segmentBy(const Run& run) {
+Computing segmentBy(const Run& run) {
     const SegmentRequest request = segmentRequest(run.values);
-    const Used used = usedLayers(run, request.imprint.use);
-    return shown(run, used, runSegmentFilter(used.input, request, run.progress));
+    return makeMeshes(
+        run, request.imprint.use, [request](const CurvesOnLayer& input, const Progress& progress) {
+            return runSegmentFilter(input, request, progress);
+        }
+    );
 }
 
-Answered offsetCurves(const Run& run) {
+Computing offsetCurves(const Run& run) {
     const OffsetRequest request = offsetRequest(run.values);
-    const Used used = usedLayers(run, request.use);
-    const OffsetResult result = runOffsetFilter(used.input, request, run.progress);
-    addLines(run.document, [&] {
-        addOffsetLayers(run.document, used.surface, used.arrays, result);
-    });
-    return {.figures = result.figures, .log = result.log};
+    auto taken = std::make_shared<TakenCurves>(run.document, request.use);
+    return [taken, request](const Progress& progress) -> Bringing {
+        return [taken, result = runOffsetFilter(taken->takeInput(), request, progress)] {
+            addLines(taken->document, [&] {
+                addOffsetLayers(taken->document, taken->layer(), taken->arrays, result);
+            });
+            return Answered{.figures = result.figures, .log = result.log};
+        };
+    };
 }
 
-Answered drawPattern(const Run& run) {
+Computing drawPattern(const Run& run) {
     const PatternRequest request = patternRequest(run.values);
-    const MeshModel& surface = layerNamed(run.document, request.use.surface, "surface_layer");
-    const LayerArrays arrays = arraysOf(surface);
-    const CurvesOnLayer input =
-        request.place == PatternPlace::Curve
-            ? curvesOnLayer(run.document, surface, arrays, request.use)
-            : CurvesOnLayer{.surface = arrays.input, .checksum = {}, .curves = {}};
-    const PatternResult result =
-        runPatternFilter(input, toolPointsOf(surface), request, run.designers, run.progress);
-    std::vector<const SurfacePolyline*> lines;
-    for (const PatternCurve& each : result.curves) {
-        lines.push_back(&each.curve.polyline);
-    }
-    addLines(run.document, [&] {
-        const QString name = nameOf(surface) + " pattern";
-        markAsResult(addPolylinesLayer(run.document, {surface, arrays}, lines, name));
-    });
-    if (!request.text.empty()) {
-        keepFont(request.fontFile);
-    }
-    return {.figures = result.figures, .log = result.log};
+    auto taken = std::make_shared<TakenCurves>(
+        run.document, request.use, request.place == PatternPlace::Curve
+    );
+    return [taken, request, points = toolPointsOf(taken->layer()), &workpieces = run.workpieces](
+               const Progress& progress
+           ) -> Bringing {
+        return
+            [taken,
+             request,
+             result = runPatternFilter(taken->takeInput(), points, request, workpieces, progress)] {
+                std::vector<const SurfacePolyline*> lines;
+                for (const PatternCurve& each : result.curves) {
+                    lines.push_back(&each.curve.polyline);
+                }
+                const MeshModel& surface = taken->layer();
+                addLines(taken->document, [&] {
+                    const QString name = nameOf(surface) + " pattern";
+                    markAsResult(
+                        addPolylinesLayer(taken->document, {surface, taken->arrays}, lines, name)
+                    );
+                });
+                if (!request.text.empty()) {
+                    keepFont(request.fontFile);
+                }
+                return Answered{.figures = result.figures, .log = result.log};
+            };
+    };
 }
 
-/// A filter, what runs it, and what it makes, for messages.
+/// A filter, what starts it, and what it makes, for messages.
 struct Entry {
     const FilterDescription* filter;
-    Runner run;
+    Starter start;
     const char* product;
 };
 
 const std::vector<Entry>& entries() {
     static const std::vector<Entry> all = {
-        {.filter = &curveFilter(), .run = drawCurve, .product = "curve"},
-        {.filter = &fieldFilter(), .run = computeField, .product = "field"},
-        {.filter = &imprintFilter(), .run = imprintCurves, .product = "imprint"},
-        {.filter = &cutFilter(), .run = cutAlong, .product = "cut"},
-        {.filter = &segmentFilter(), .run = segmentBy, .product = "segmentation"},
-        {.filter = &offsetFilter(), .run = offsetCurves, .product = "offset"},
-        {.filter = &patternFilter(), .run = drawPattern, .product = "pattern"},
+        {.filter = &curveFilter(), .start = drawCurve, .product = "curve"},
+        {.filter = &fieldFilter(), .start = computeField, .product = "field"},
+        {.filter = &imprintFilter(), .start = imprintCurves, .product = "imprint"},
+        {.filter = &cutFilter(), .start = cutAlong, .product = "cut"},
+        {.filter = &segmentFilter(), .start = segmentBy, .product = "segmentation"},
+        {.filter = &offsetFilter(), .start = offsetCurves, .product = "offset"},
+        {.filter = &patternFilter(), .start = drawPattern, .product = "pattern"},
     };
     return all;
 }
@@ -250,24 +334,37 @@ int changesOf(const FilterDescription& filter) {
     return &filter == &offsetFilter() ? MeshModel::MM_FACEFLAGSELECT : MeshModel::MM_NONE;
 }
 
+FilterComputing startOnDocument(
+    const FilterDescription& filter,
+    MeshDocument& document,
+    const RichParameterList& parameters,
+    WorkpieceCache& workpieces
+) {
+    takeUpCurves(document, filter);
+    return [&filter,
+            compute = entryOf(filter).start(
+                {.document = document,
+                 .values = valuesOf(parameters, filter),
+                 .workpieces = workpieces}
+            )](const Progress& progress) -> FilterBringing {
+        return [&filter, bring = compute(progress)] {
+            const Answered answered = bring();
+            return FilterAnswer{
+                .figures = answered.figures,
+                .log = hasWindow() ? windowLog(answered.log, filter) : scriptLog(answered.log)
+            };
+        };
+    };
+}
+
 FilterAnswer runOnDocument(
     const FilterDescription& filter,
     MeshDocument& document,
     const RichParameterList& parameters,
-    DesignerCache& designers,
+    WorkpieceCache& workpieces,
     const Progress& progress
 ) {
-    takeUpCurves(document, filter);
-    const Answered answered = entryOf(filter).run({
-        .document = document,
-        .values = valuesOf(parameters, filter),
-        .designers = designers,
-        .progress = progress,
-    });
-    return {
-        .figures = answered.figures,
-        .log = hasWindow() ? windowLog(answered.log, filter) : scriptLog(answered.log)
-    };
+    return startOnDocument(filter, document, parameters, workpieces)(progress)();
 }
 
 std::string failureOf(const FilterDescription& filter, const std::exception& error) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/designer_cache.h"
 #include "filters/run_filters.h"
 #include "host_document.h"
 #include "host_parameters.h"
+#include "workpiece/workpiece_cache.h"
 
 #include <exception>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,12 +33,28 @@ struct FilterAnswer {
     LogLines log;  ///< in words where there is a window
 };
 
+/// The last step of a filter: brings its results into the document, in the document's thread. Once.
+using FilterBringing = std::function<FilterAnswer()>;
+
+/// The step before: computes them. Touches no document, so any thread may do it. Once.
+using FilterComputing = std::function<FilterBringing(const Progress&)>;
+
+/// The first step of a filter: takes what it needs from the document, in the document's thread.
+/// Document and `workpieces` must outlive the other steps, which look again whether the layer is
+/// there. All three throw InputError, Cancelled, std::bad_alloc.
+[[nodiscard]] FilterComputing startOnDocument(
+    const FilterDescription& filter,
+    MeshDocument& document,
+    const RichParameterList& parameters,
+    WorkpieceCache& workpieces
+);
+
 /// Runs a filter on a document and shows its results. Throws InputError, Cancelled, std::bad_alloc.
 [[nodiscard]] FilterAnswer runOnDocument(
     const FilterDescription& filter,
     MeshDocument& document,
     const RichParameterList& parameters,
-    DesignerCache& designers,
+    WorkpieceCache& workpieces,
     const Progress& progress
 );
 

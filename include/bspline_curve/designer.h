@@ -5,6 +5,7 @@
 #include "bspline_curve/mesh.h"
 #include "bspline_curve/options.h"
 #include "bspline_curve/progress.h"
+#include "bspline_curve/scalar_field.h"
 #include "bspline_curve/shell.h"
 
 #include <memory>
@@ -19,8 +20,8 @@ class TriangleTree;
 
 /// What a curve is drawn by, besides its picks. All may be empty.
 struct CurveInputs {
-    std::span<const double> field{};  ///< one finite value per vertex
-    std::span<const int> avoid{};     ///< faces that the curve must not enter
+    ScalarField field{};
+    std::span<const int> avoid{};  ///< faces that the curve must not enter
     /// A curve of the same designer through as many picks, each near the one of now, as while a
     /// user drags a pick. The solver then starts from that curve, displaced with its picks, which
     /// takes six tenths of the time on average; the result bends as much as one from scratch. Has
@@ -33,20 +34,30 @@ struct StageSeconds {
     double validate = 0.0, tree = 0.0, shell = 0.0;  ///< once per surface
 };
 
-/// Draws curves on one surface; keeps what can be used again for the next curve (tree, shell).
-/// Several threads may draw at once.
+/// Draws curves on one mesh; keeps what can be used again for the next curve (tree, shell). All ids
+/// are those of the mesh as it was given, whether or not it had to be mended. Several threads may
+/// draw at once.
 class CurveDesigner {
 public:
-    /// Validates the mesh (finite, oriented, two-manifold, every face with area) and builds the
-    /// shell, or takes it from `store` where one is given (null: none); a simplified shell that it
-    /// has built is stored there. A local shell is built near each curve, and the whole of it with
-    /// the first curve that needs it. Throws InputError, Cancelled. A local shell: O(n log n),
-    /// about 0.6 us per face with two threads.
+    /// Validates the mesh (finite, oriented, two-manifold, every face with area), mended as
+    /// `mending` says where it is not, and builds the shell, or takes it from `store` where one is
+    /// given (null: none); a simplified shell that it has built is stored there. A local shell is
+    /// built near each curve, and the whole of it with the first curve that needs it. Throws
+    /// InputError, Cancelled. A local shell: O(n log n), about 0.6 us per face with two threads.
     explicit CurveDesigner(
         TriangleMesh mesh,
         const ShellOptions& options = {},
+        const MendingOptions& mending = {},
         const Progress& progress = {},
         const ShellStore* store = nullptr
+    );
+    /// The same on a surface that is there already, which took so many seconds.
+    explicit CurveDesigner(
+        std::shared_ptr<const Surface> surface,
+        const ShellOptions& options = {},
+        const Progress& progress = {},
+        const ShellStore* store = nullptr,
+        double seconds = 0.0
     );
     ~CurveDesigner();
     CurveDesigner(CurveDesigner&&) noexcept;
@@ -64,6 +75,10 @@ public:
 
     /// The mesh as it was given.
     [[nodiscard]] const TriangleMesh& mesh() const;
+    /// What curves are drawn on, for the library's other parts; as long as the designer.
+    [[nodiscard]] const Surface& surface() const;
+    /// Over the faces of surface(), likewise.
+    [[nodiscard]] const TriangleTree& tree() const;
     [[nodiscard]] StageSeconds seconds() const;
     [[nodiscard]] ShellSummary shell() const;
 
@@ -71,10 +86,6 @@ public:
     [[nodiscard]] ShellLayers shellLayers() const;
 
 private:
-    friend const Surface& surfaceOf(const CurveDesigner& designer);
-    friend const TriangleTree& treeOf(const CurveDesigner& designer);
-    friend void letRejoin(CurveDesigner& designer, std::vector<int> vertexOrigins);
-
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -4,10 +4,10 @@
 #include "bspline_curve/mesh.h"
 #include "bspline_curve/options.h"
 #include "bspline_curve/progress.h"
+#include "bspline_curve/scalar_field.h"
 
 #include <array>
 #include <span>
-#include <vector>
 
 namespace bspline_curve {
 
@@ -78,8 +78,9 @@ struct FieldInputs {
 /// does not depend on the number of threads.
 /// Throws InputError: what is wrong with the mesh (see CurveDesigner); BadOption; BadField (no
 /// crease or no boundary to measure from; a quality of another size, or that is not finite, naming
-/// the vertices; a region that obstacleField refuses). Throws Cancelled.
-[[nodiscard]] std::vector<double> makeField(
+/// the vertices; a region that obstacleField refuses); IndexOutOfRange (a region with ids of no
+/// face). Throws Cancelled.
+[[nodiscard]] ScalarField makeField(
     const TriangleMesh& mesh,
     const FieldOptions& options,
     const FieldInputs& inputs = {},

@@ -3,6 +3,18 @@
 
 namespace bspline_curve {
 
+/// What is done to a mesh that is no oriented two-manifold before it is used.
+struct MendingOptions {
+    bool strict = false;  ///< nothing: it is refused
+    double weld = 0.0;    ///< vertices within so many diagonals are joined first, >= 0
+    bool slits = false;   ///< boundary edges that lie on each other stay parted
+
+    /// Throws InputError (BadOption) where a mesh is to be taken as it is and to be welded.
+    void validate() const;
+
+    friend bool operator==(const MendingOptions&, const MendingOptions&) = default;
+};
+
 /// What to bend (4): the whole second derivative, as in the paper, or only the part that the
 /// surface does not force.
 enum class Bending { Geodesic, Ambient };

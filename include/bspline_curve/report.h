@@ -59,6 +59,21 @@ struct FarPart {
     std::vector<int> faces;       ///< under it, ascending
 };
 
+/// A part of a curve from one pick to the next that is longer than it had to be.
+struct Detour {
+    /// What it goes round: edges that lie on each other and stay parted; edges that mending has
+    /// cut, and that it could not pass; or what a field, faces to avoid or faces that its shell
+    /// leaves out lead it round, where that is more than 1.5 times as long.
+    enum class Round { Slit, Cut, Guides };
+
+    int from = 0, to = 0;  ///< picks
+    double ratio = 1.0;    ///< of its length and that of the shortest path
+    Round round = Round::Guides;
+};
+
+/// "slit", "cut", "guides".
+[[nodiscard]] const char* name(Detour::Round round);
+
 /// How a curve came about: what every stage did and why it stopped.
 struct SolveReport {
     SolveStatus status = SolveStatus::RoundLimit;
@@ -87,6 +102,7 @@ struct SolveReport {
     /// Picks at the same point as the one before (on a closed curve also as the first), ascending:
     /// the curve passes that point once.
     std::vector<int> repeatedPicks;
+    std::vector<Detour> detours;  ///< by pick; set by CurveDesigner
     int avoidedFaces = 0;
     /// Least distance of a vertex of the polyline to the avoided faces, user's unit; infinite where
     /// there are none.

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -19,6 +20,11 @@ Floats: TypeAlias = npt.NDArray[np.float64]
 Int32s: TypeAlias = npt.NDArray[np.int32]
 SurfacePoints: TypeAlias = Sequence[tuple[int, Sequence[float]]]
 Picks: TypeAlias = "npt.ArrayLike | SurfacePoints"
+
+
+def of_core(name: str) -> Any:
+    """An attribute that is that of `_core`, and cannot be set."""
+    return property(attrgetter(f"_core.{name}"))
 
 
 def shape_text(array: npt.NDArray[Any]) -> str:

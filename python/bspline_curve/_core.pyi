@@ -13,8 +13,7 @@ __version__: str
 
 class Curve:
     points: Floats
-    faces: Int32s
-    barycentrics: Floats
+    places: tuple[Int32s, Floats]
     t: Floats
     pick_vertices: Int32s
     control_points: Floats
@@ -26,26 +25,29 @@ class Curve:
     length: float
 
     @staticmethod
-    def restored(
-        parts: dict[str, Any], points: Floats, faces: Int32s, barycentrics: Floats, t: Floats, control_points: Floats, /
-    ) -> Curve: ...
+    def restored(parts: dict[str, Any], /) -> Curve: ...
     def report(self) -> dict[str, Any]: ...
-    def why_unusable(self) -> str: ...
 
-class Designer:
+class Field:
+    values: Floats
+
+    def __init__(self, values: Floats, /) -> None: ...
+
+class Mesh:
     vertices: Floats
     faces: Int32s
-    seconds: dict[str, float]
+    mending: str
+    notes: list[str]
+    seconds: float
     diagonal: float
     components: int
-    mending: str
 
     def __init__(self, vertices: Floats, faces: Faces, options: Mapping[str, Any], progress: Any, /) -> None: ...
-    def design(
+    def draw(
         self,
         picks: Floats,
         options: Mapping[str, Any],
-        field: Floats | None,
+        field: Field | None,
         avoid: Int32s | None,
         start: Curve | None,
         progress: Any,
@@ -53,8 +55,8 @@ class Designer:
     ) -> Curve: ...
     def field(
         self, options: Mapping[str, Any], quality: Floats | None, region: Int32s | None, progress: Any, /
-    ) -> Floats: ...
-    def project(self, points: Floats, /) -> tuple[Int32s, Floats, Floats, Floats]: ...
+    ) -> Field: ...
+    def project(self, points: Floats, /) -> tuple[tuple[Int32s, Floats], Floats, Floats]: ...
     def shell_layers(self) -> tuple[tuple[Floats, Int32s], tuple[Floats, Int32s]]: ...
 
 class DrawingSession:
@@ -67,7 +69,7 @@ class DrawingSession:
     is_settled: bool
 
     def __init__(
-        self, designer: Designer, options: Mapping[str, Any], field: Floats | None, avoid: Int32s | None, /
+        self, mesh: Mesh, options: Mapping[str, Any], field: Field | None, avoid: Int32s | None, /
     ) -> None: ...
     def press(self, ray: Floats, pixel: float, is_orthographic: bool, snaps: bool, removes: bool, /) -> bool: ...
     def move(self, ray: Floats, pixel: float, is_orthographic: bool, snaps: bool, removes: bool, /) -> bool: ...
@@ -82,26 +84,21 @@ class Imprint:
     faces: Int32s
     parents: Int32s
     crossings: Int32s
+    labels: Int32s
     curves: list[Int32s]
-    origins: tuple[Int32s, Floats]
+    places: tuple[Int32s, Floats]
     largest_move: float
+    figures: list[tuple[float, float, tuple[float, float, float], int]]
+    segment_notes: list[str]
 
-    def parts(self) -> tuple[Int32s, list[tuple[int, float, float, tuple[float, float, float], int]]]: ...
-    def slit_note(self, is_cut: bool, /) -> str: ...
-    def cut(self) -> tuple[Floats, Int32s, Int32s]: ...
-    def take(
-        self, which: str, seed: Sequence[float], fill: str, progress: Any
-    ) -> tuple[Floats, Int32s, Int32s, Int32s, int]: ...
-    def relief(
-        self, which: str, seed: Sequence[float], height: float, /
-    ) -> tuple[Floats, Int32s, Int32s, Int32s, int]: ...
+    def cut(
+        self, which: str | None, seed: Sequence[float], fill: str = ..., relief: float = ..., progress: Any = ...
+    ) -> tuple[tuple[Floats, Int32s, Int32s, Int32s], list[str]]: ...
 
-def imprint(designer: Designer, curves: Sequence[Curve], snap: float, /) -> Imprint: ...
-def offset(
-    designer: Designer, curve: Curve, distance: float, side: str, progress: Any
-) -> list[tuple[Curve, float]]: ...
+def imprint(mesh: Mesh, curves: Sequence[Curve], snap: float, /) -> Imprint: ...
+def offset(mesh: Mesh, curve: Curve, distance: float, side: str, progress: Any, /) -> list[tuple[Curve, float]]: ...
 def faces_within(
-    designer: Designer, curve: Curve, distance: float, side: str, progress: Any
+    mesh: Mesh, curve: Curve, distance: float, side: str, progress: Any, /
 ) -> npt.NDArray[np.uint8]: ...
 class Drawing:
     path_count: int
@@ -111,7 +108,7 @@ def dxf_drawing(file: str, data: bytes, /) -> tuple[Drawing, list[str]]: ...
 def path_drawing(data: str, /) -> Drawing: ...
 def polyline_drawing(lines: Sequence[Floats], /) -> Drawing: ...
 def pattern(
-    designer: Designer, drawing: Drawing, options: Mapping[str, Any], progress: Any, /
+    mesh: Mesh, drawing: Drawing, options: Mapping[str, Any], progress: Any, /
 ) -> tuple[
     list[Curve],
     Int32s,
@@ -121,5 +118,7 @@ def pattern(
     tuple[float, int, int, tuple[float, float, float]],
     tuple[float, int, int, tuple[float, float, float]],
 ]: ...
-def repaired(vertices: Floats, faces: Faces, weld: float, /) -> tuple[Floats, Int32s, dict[str, Any], str]: ...
-def natural_cost(kind: str, /) -> str: ...
+def repaired(
+    vertices: Floats, faces: Faces, options: Mapping[str, Any], /
+) -> tuple[Floats, Int32s, dict[str, Any], str]: ...
+def natural_cost(options: Mapping[str, Any], /) -> str: ...

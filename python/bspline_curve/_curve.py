@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _spline
-from ._arrays import Floats, Int32s, face_ids, numbers, one_pick
+from ._arrays import Floats, Int32s, face_ids, numbers, of_core, one_pick
 from ._errors import InputError, PickError
 from ._options import Option, Progress, Value, changed, checked_number, checked_value, part_of
 
@@ -35,26 +35,26 @@ class Drawing(NamedTuple):
     mesh: Mesh
     picks: Floats
     options: dict[str, Value]  # those that are not their defaults
-    field: str | Floats | None
+    field: str | _core.Field | None
     avoid: Int32s | None
 
-    def values(self, progress: Progress | None = None) -> Floats | None:
+    def made_field(self, progress: Progress | None = None) -> _core.Field | None:
         if isinstance(self.field, str):
             return self.mesh._kept_field(self.field, progress)
         return self.field
 
-    def resolved(self, progress: Progress | None = None) -> tuple[dict[str, Value], Floats | None, Int32s | None]:
-        """Options, values of the field, and faces to avoid, as the core takes them."""
-        values = self.values(progress)  # which checks the kind
+    def resolved(self, progress: Progress | None = None) -> tuple[dict[str, Value], _core.Field | None, Int32s | None]:
+        """Options, field, and faces to avoid, as the core takes them."""
+        made = self.made_field(progress)  # which checks the kind
         options = self.options
         if isinstance(self.field, str) and "field_cost" not in options:
-            options = {**options, "field_cost": _core.natural_cost(self.field)}
-        return options, values, self.avoid
+            options = {**options, "field_cost": _core.natural_cost({"kind": self.field})}
+        return options, made, self.avoid
 
     def draw(self, start: _core.Curve | None, progress: Progress | None) -> Curve:
         share = 0.5 if isinstance(self.field, str) and self.field not in self.mesh._fields else 0.0  # of the field
         resolved = self.resolved(part_of(progress, 0.0, share))
-        drawn = self.mesh._designer.design(self.picks, *resolved, start, part_of(progress, share, 1.0))
+        drawn = self.mesh._core.draw(self.picks, *resolved, start, part_of(progress, share, 1.0))
         return Curve(drawn, self)
 
 
@@ -91,19 +91,30 @@ class Curve:
     length : float
         Of the polyline, in the unit of the mesh.
     report : dict
-        How the curve came about: status, max_distance (spline to surface, in mean edge lengths), seconds, rounds …
+        How the curve came about: status, notes (what people must know, in words), max_distance (spline to surface, in mean
+        edge lengths), seconds, rounds …
 
     All arrays are read-only, and those but `faces`, `barycentrics` and `values` share the memory of the curve.
     """
 
-    __slots__ = ("_barycentrics", "_core", "_drawing", "_faces", "_report", "_values")
+    __slots__ = ("_core", "_drawing", "_places", "_report", "_values")
+
+    points: Floats = of_core("points")
+    t: Floats = of_core("t")
+    control_points: Floats = of_core("control_points")
+    knots: Floats = of_core("knots")
+    degree: int = of_core("degree")
+    closed: bool = of_core("closed")
+    pick_parameters: Floats = of_core("pick_parameters")
+    pick_vertices: Int32s = of_core("pick_vertices")
+    usable: bool = of_core("usable")
+    length: float = of_core("length")
 
     def __init__(self, core: _core.Curve, drawing: Drawing, report: dict[str, Any] | None = None) -> None:
         self._core = core
         self._drawing = drawing
         self._report = report
-        self._faces: Int32s | None = None
-        self._barycentrics: Floats | None = None
+        self._places: tuple[Int32s, Floats] | None = None
         self._values: Floats | None = None
 
     @property
@@ -122,72 +133,26 @@ class Curve:
         return dict(self._drawing.options)
 
     @property
-    def points(self) -> Floats:
-        return self._core.points
-
-    @property
     def faces(self) -> Int32s:
-        if self._faces is None:
-            self._faces = _read_only(self._core.faces)
-        return self._faces
+        return self._placed()[0]
 
     @property
     def barycentrics(self) -> Floats:
-        if self._barycentrics is None:
-            self._barycentrics = _read_only(self._core.barycentrics)
-        return self._barycentrics
-
-    @property
-    def t(self) -> Floats:
-        return self._core.t
+        return self._placed()[1]
 
     @property
     def values(self) -> Floats:
         if self._values is None:
-            field = self._drawing.values()
+            field = self._drawing.made_field()
             corners = self.mesh.faces[self.faces]
-            along: Floats = self.t if field is None else (field[corners] * self.barycentrics).sum(1)
+            along: Floats = self.t if field is None else (field.values[corners] * self.barycentrics).sum(1)
             self._values = _read_only(along)
         return self._values
-
-    @property
-    def control_points(self) -> Floats:
-        return self._core.control_points
-
-    @property
-    def knots(self) -> Floats:
-        return self._core.knots
-
-    @property
-    def degree(self) -> int:
-        return self._core.degree
-
-    @property
-    def closed(self) -> bool:
-        return self._core.closed
-
-    @property
-    def pick_parameters(self) -> Floats:
-        return self._core.pick_parameters
-
-    @property
-    def pick_vertices(self) -> Int32s:
-        return self._core.pick_vertices
-
-    @property
-    def usable(self) -> bool:
-        return self._core.usable
-
-    @property
-    def length(self) -> float:
-        return self._core.length
 
     @property
     def report(self) -> dict[str, Any]:
         if self._report is None:
             self._report = self._core.report()
-            if not self.usable:
-                self._report["why"] = self._core.why_unusable()
         return self._report
 
     def spline(self, t: npt.ArrayLike, derivative: int = 0) -> Floats:
@@ -253,8 +218,7 @@ class Curve:
         given: dict[str, Any] = dict(options)
         drawing = self._drawing
         if "field" in given:
-            field = given.pop("field")
-            drawing = drawing._replace(field=field if isinstance(field, (str, type(None))) else self.mesh._values(field))
+            drawing = drawing._replace(field=self.mesh._field_of(given.pop("field")))
         if "avoid" in given:
             avoid = given.pop("avoid")
             drawing = drawing._replace(avoid=None if avoid is None else face_ids(avoid, "avoid", len(self.mesh.faces)))
@@ -305,9 +269,9 @@ class Curve:
         """Find the faces near this curve: (m,), whether the middle of each is within a distance. As offset()."""
         return _core.faces_within(*self._near(distance, side), progress).astype(np.bool_)
 
-    def _near(self, distance: float, side: str) -> tuple[_core.Designer, _core.Curve, float, str]:
+    def _near(self, distance: float, side: str) -> tuple[_core.Mesh, _core.Curve, float, str]:
         length = checked_number("distance", DISTANCE, distance)
-        return self.mesh._designer, self._core, length, str(checked_value("side", SIDE, side))
+        return self.mesh._core, self._core, length, str(checked_value("side", SIDE, side))
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the curve to a .json file, from which load() makes it again; the file appears wholly, or not at all."""
@@ -346,6 +310,12 @@ class Curve:
         from ._picture import html
 
         return html(self)
+
+    def _placed(self) -> tuple[Int32s, Floats]:
+        if self._places is None:
+            faces, barycentrics = self._core.places
+            self._places = _read_only(faces), _read_only(barycentrics)
+        return self._places
 
     def _index(self, pick: int, end: int) -> int:
         if isinstance(pick, bool) or not isinstance(pick, (int, np.integer)):
@@ -392,8 +362,7 @@ class Curve:
 
 def restored(drawing: Drawing, state: dict[str, Any], report: dict[str, Any]) -> Curve:
     """The curve that `state` was taken of."""
-    names = ("points", "faces", "barycentrics", "t", "control_points")
-    return Curve(_core.Curve.restored(state, *(state[name] for name in names)), drawing, report)
+    return Curve(_core.Curve.restored(state), drawing, report)
 
 
 def _read_only(array: _Array) -> _Array:

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterable, Sequence
 
 
 class InputError(ValueError):
@@ -85,3 +86,9 @@ def input_error(code: str, message: str, elements: Sequence[int]) -> InputError:
     """The exception for an error of the core."""
     kind, noun = _CODES[code]
     return kind(message, code, noun, elements)
+
+
+def warn(notes: Iterable[str], level: int) -> None:
+    """What people must know, as warnings at a line of the caller: 1 is that of the function that calls this."""
+    for note in notes:
+        warnings.warn(note, MeshWarning, level + 1)

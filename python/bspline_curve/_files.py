@@ -51,7 +51,7 @@ def document_of(curve: Curve) -> dict[str, Any]:
         "drawn_by": {
             "picks": curve.picks.tolist(),
             "options": drawing.options,
-            "field": drawing.field if isinstance(drawing.field, (str, type(None))) else drawing.field.tolist(),
+            "field": drawing.field if isinstance(drawing.field, (str, type(None))) else drawing.field.values.tolist(),
             "avoid": None if drawing.avoid is None else drawing.avoid.tolist(),
         },
         "report": finite(curve.report),
@@ -151,7 +151,7 @@ def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
             mesh,
             picks,
             changed(CURVE, options),
-            mesh._values(field) if isinstance(field, list) else field,
+            mesh._field_of(field),
             None if drawn.get("avoid") is None else np.array(drawn["avoid"], dtype=np.int32),
         )
     except OSError as error:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from typing import Literal, NamedTuple, TypeAlias, cast
 
@@ -11,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Int32s, numbers
-from ._errors import FieldError, InputError, MeshWarning, OptionError
+from ._arrays import Floats, Int32s, numbers, of_core
+from ._errors import FieldError, InputError, OptionError, warn
 from ._options import Option, Progress, checked_number, checked_value
 
 Keep: TypeAlias = "Literal['largest', 'smallest', 'inside'] | Sequence[float] | Floats"
@@ -24,10 +23,10 @@ HEIGHT = Option("double", 0.0, None, None, False, ())
 FILL = Option("enum", "none", None, None, False, ("none", "flat", "smooth"))
 
 
-def parts_meant(name: str, keep: Keep) -> tuple[str, list[float]]:
-    """A word and a seed, as the core takes them."""
-    if isinstance(keep, str):
-        return cast(str, checked_value(name, KEEP, keep)), [0.0, 0.0, 0.0]
+def parts_meant(name: str, keep: Keep | None) -> tuple[str | None, list[float]]:
+    """A word and a seed, as the core takes them; None: all parts."""
+    if keep is None or isinstance(keep, str):
+        return None if keep is None else cast(str, checked_value(name, KEEP, keep)), []
     seed = numbers(keep, name).tolist()
     if np.shape(seed) != (3,):
         raise InputError(f"{name} has shape {np.shape(seed)}, but must be a word or have (3,)", "bad-array")
@@ -78,46 +77,32 @@ class Imprint:
 
     __slots__ = ("_core", "_parts")
 
+    vertices: Floats = of_core("vertices")
+    faces: Int32s = of_core("faces")
+    parents: Int32s = of_core("parents")
+    curves: list[Int32s] = of_core("curves")
+    crossings: Int32s = of_core("crossings")
+    largest_move: float = of_core("largest_move")
+    labels: Int32s = of_core("labels")
+
     def __init__(self, core: _core.Imprint) -> None:
         self._core = core
-        self._parts: tuple[Int32s, list[Part]] | None = None
-
-    @property
-    def vertices(self) -> Floats:
-        return self._core.vertices
-
-    @property
-    def faces(self) -> Int32s:
-        return self._core.faces
-
-    @property
-    def parents(self) -> Int32s:
-        return self._core.parents
-
-    @property
-    def curves(self) -> list[Int32s]:
-        return self._core.curves
-
-    @property
-    def crossings(self) -> Int32s:
-        return self._core.crossings
-
-    @property
-    def largest_move(self) -> float:
-        return self._core.largest_move
-
-    @property
-    def labels(self) -> Int32s:
-        return self._measured()[0]
+        self._parts: list[Part] | None = None
 
     @property
     def parts(self) -> list[Part]:
-        return self._measured()[1]
+        if self._parts is None:
+            figures, labels = self._core.figures, self.labels
+            self._parts = [
+                Part(np.flatnonzero(labels == i).astype(np.int32), area, perimeter, np.array(centroid), euler)
+                for i, (area, perimeter, centroid, euler) in enumerate(figures)
+            ]
+        return self._parts
 
     def cut(self, keep: Keep | None = None, fill: Fill = "none", progress: Progress | None = None) -> Cut:
         """Open the mesh along the curves; an open curve becomes a slit with joined ends. O(m log m).
 
-        A MeshWarning says which curves part nothing, so that nothing comes apart there.
+        A MeshWarning says which curves part nothing, so that nothing comes apart there, and how many rims cannot be filled.
 
         Parameters
         ----------
@@ -136,29 +121,21 @@ class Imprint:
         Raises
         ------
         InputError
-            The curves open nothing; with `keep`, they part nothing (a PickError), or no part or two are at the point.
+            The curves open nothing or, with `keep`, part nothing (a PickError), or no part or two are at the point.
         OptionError
             `keep` or `fill` is none of these, or `fill` is there without `keep`.
         Cancelled
             `progress` returned False.
         """
-        cut = self._cut(keep, fill, progress)
-        self._warn_of_slits(is_cut=keep is None, stacklevel=3)
-        return cut
+        return self._cut(keep, fill, progress)
 
     def _cut(self, keep: Keep | None, fill: Fill, progress: Progress | None) -> Cut:
         shape = cast(str, checked_value("fill", FILL, fill))
-        if keep is None:
-            if shape != "none":
-                raise OptionError(f"fill is {shape!r}, which needs keep", "bad-option")
-            vertices, faces, origins = self._core.cut()
-            if len(vertices) == len(self.vertices):
-                raise InputError(
-                    "there is nothing to cut: the curves run along the boundary, or are one edge long and end inside the mesh",
-                    "no-path",
-                )
-            return Cut(vertices, faces, origins, self.labels)
-        return Cut(*self._core.take(*parts_meant("keep", keep), shape, progress)[:4])
+        if keep is None and shape != "none":
+            raise OptionError(f"fill is {shape!r}, which needs keep", "bad-option")
+        cut, notes = self._core.cut(*parts_meant("keep", keep), fill=shape, progress=progress)
+        warn(notes, 3)
+        return Cut(*cut)
 
     def relief(self, height: float, part: Keep = "inside") -> Cut:
         """Move parts along their normals, with walls between them and the rest: a relief, or an engraving. O(m log m).
@@ -183,11 +160,12 @@ class Imprint:
             `part` is none of these, or `height` is not finite.
         """
         meant = parts_meant("part", part)
-        relief = self._core.relief(*meant, checked_number("height", HEIGHT, height))
-        turned = relief[4]
-        if turned:
-            warnings.warn(f"the relief turns {turned} faces over; take a smaller height", MeshWarning, stacklevel=2)
-        return Cut(*relief[:4])
+        raised = checked_number("height", HEIGHT, height)
+        if raised == 0:
+            return Cut(self.vertices, self.faces, np.arange(len(self.vertices), dtype=np.int32), self.labels)
+        relief, notes = self._core.cut(*meant, relief=raised)
+        warn(notes, 2)
+        return Cut(*relief)
 
     def values(self, given: npt.ArrayLike, faces: npt.ArrayLike) -> Floats:
         """Values at the vertices of the mesh, at those of the imprint: linear in each face of the mesh.
@@ -204,28 +182,12 @@ class Imprint:
         (n,) or (n, d) array of float
         """
         rows = numbers(given, "given", FieldError)
-        inside, weights = self._core.origins
+        inside, weights = self._core.places
         count = len(self.vertices) - len(inside)
         if len(rows) != count:
             raise FieldError(f"given has {len(rows)} rows, but must have {count}, one for each vertex of the mesh", "bad-array")
         corners = rows[np.asarray(faces)[inside]]
         return np.concatenate([rows, np.einsum("ij,ij...->i...", weights, corners)])
-
-    def _warn_of_slits(self, is_cut: bool, stacklevel: int) -> None:
-        note = self._core.slit_note(is_cut)
-        if note:
-            warnings.warn(note, MeshWarning, stacklevel=stacklevel)
-
-    def _measured(self) -> tuple[Int32s, list[Part]]:
-        if self._parts is None:
-            labels, figures = self._core.parts()
-            labels.flags.writeable = False
-            parts = [
-                Part(np.flatnonzero(labels == i).astype(np.int32), area, perimeter, np.array(centroid), euler)
-                for i, (_, area, perimeter, centroid, euler) in enumerate(figures)
-            ]
-            self._parts = labels, parts
-        return self._parts
 
     def __repr__(self) -> str:
         count = len(self.curves)

@@ -44,6 +44,7 @@ SHELL: dict[str, Option] = {
     "shell_smoothing_passes": Option("int", 3, 0, None, False, ()),
     "strict": Option("bool", False, None, None, False, ()),
     "weld": Option("double", 0.0, 0.0, 0.01, False, ()),
+    "slits": Option("bool", False, None, None, False, ()),
 }
 CURVE: dict[str, Option] = {
     "closed": Option("bool", False, None, None, False, ()),
@@ -150,6 +151,7 @@ class MeshKeywords(ABC):
         shell_smoothing_passes: int = 3,
         strict: bool = False,
         weld: float = 0.0,
+        slits: bool = False,
         progress: Progress | None = None,
     ) -> None:
         """Prepare a triangle mesh for curves.
@@ -185,6 +187,9 @@ class MeshKeywords(ABC):
         weld : float in [0, 0.01], default 0.0
             Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
             none. For parts that only look joined.
+        slits : bool, default False
+            Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+            sides are joined on a copy; the mesh is not changed.
         progress : callable, optional
             Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.
 
@@ -206,6 +211,7 @@ class MeshKeywords(ABC):
                 "shell_smoothing_passes": shell_smoothing_passes,
                 "strict": strict,
                 "weld": weld,
+                "slits": slits,
             },
             progress,
         )

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-import warnings
+from collections import deque
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple, get_args
 
@@ -11,9 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Int32s, Picks, face_ids, finite_points, per_vertex, pick_points
+from ._arrays import Floats, Int32s, Picks, face_ids, finite_points, of_core, per_vertex, pick_points
 from ._curve import Curve, Drawing
-from ._errors import FieldError, InputError, MeshWarning
+from ._errors import FieldError, InputError, warn
 from ._imprint import SNAP, Cut, Fill, Imprint, Keep
 from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Kind, MeshKeywords
@@ -67,53 +67,34 @@ class Mesh(MeshKeywords):
         What was mended so that the mesh can be drawn on; empty where nothing was.
     """
 
-    __slots__ = ("_designer", "_fields", "_options")
+    __slots__ = ("_core", "_fields", "_made", "_options")
 
-    _designer: _core.Designer
+    vertices: Floats = of_core("vertices")
+    faces: Int32s = of_core("faces")
+    diagonal: float = of_core("diagonal")
+    components: int = of_core("components")
+    mending: str = of_core("mending")
+
     _options: dict[str, Value]
-    _fields: dict[str, Floats]
+    _fields: dict[str, _core.Field]  # with default options, by their kinds
+    _made: deque[_core.Field]  # the last ones; not kept where each vertex has one value only
 
     def _prepare(
         self, vertices: Any, faces: npt.ArrayLike | None, options: Mapping[str, object], progress: Progress | None
     ) -> None:
         self._options = changed(SHELL, options)
-        self._fields = {}
-        self._designer = _core.Designer(*mesh_arrays(vertices, faces), self._options, progress)
-        if self._designer.mending:
-            of_the_caller = 3
-            refused = "" if self._options.get("weld") else "; strict=True refuses it"
-            warnings.warn(f"{self._designer.mending}{refused}", MeshWarning, of_the_caller)
-
-    @property
-    def vertices(self) -> Floats:
-        return self._designer.vertices
-
-    @property
-    def faces(self) -> Int32s:
-        return self._designer.faces
-
-    @property
-    def diagonal(self) -> float:
-        return self._designer.diagonal
-
-    @property
-    def components(self) -> int:
-        return self._designer.components
-
-    @property
-    def mending(self) -> str:
-        return self._designer.mending
+        self._fields, self._made = {}, deque(maxlen=8)
+        self._core = _core.Mesh(*mesh_arrays(vertices, faces), self._options, progress)
+        warn(self._core.notes, 3)
 
     def project(self, points: npt.ArrayLike) -> Projection:
         """Find the closest point of the mesh for each point, (n, 3) and finite. O(log m) each."""
-        faces, barycentrics, positions, distances = self._designer.project(
-            finite_points(points, "points", InputError, "")
-        )
-        return Projection(positions, faces, barycentrics, distances)
+        places, positions, distances = self._core.project(finite_points(points, "points", InputError, ""))
+        return Projection(positions, *places, distances)
 
     def shell(self) -> Shell:
         """Build the shell that curves are sought in, where it is not there yet, and return its top and bottom."""
-        top, bottom = self._designer.shell_layers()
+        top, bottom = self._core.shell_layers()
         return Shell(Layer(*top), Layer(*bottom))
 
     def imprint(self, curves: Iterable[Curve], snap: float = 1e-9) -> Imprint:
@@ -141,7 +122,7 @@ class Mesh(MeshKeywords):
         for i, curve in enumerate(given):
             if curve.mesh is not self:
                 raise InputError(f"curves[{i}] is of another mesh")
-        return Imprint(_core.imprint(self._designer, [curve._core for curve in given], checked_number("snap", SNAP, snap)))
+        return Imprint(_core.imprint(self._core, [curve._core for curve in given], checked_number("snap", SNAP, snap)))
 
     def cut(
         self,
@@ -152,10 +133,7 @@ class Mesh(MeshKeywords):
         progress: Progress | None = None,
     ) -> Cut:
         """Open a copy of the mesh along curves: imprint(curves, snap).cut(keep, fill, progress)."""
-        imprint = self.imprint(curves, snap)
-        cut = imprint._cut(keep, fill, progress)
-        imprint._warn_of_slits(is_cut=keep is None, stacklevel=3)
-        return cut
+        return self.imprint(curves, snap)._cut(keep, fill, progress)
 
     def segment(self, curves: Iterable[Curve], snap: float = 1e-9) -> Imprint:
         """Label the parts that curves leave: an imprint whose `labels` and `parts` are more than those of the mesh.
@@ -175,12 +153,10 @@ class Mesh(MeshKeywords):
         Raises
         ------
         InputError
-            The curves part nothing, or as imprint() does.
+            The curves part nothing (a PickError), or as imprint() does.
         """
         imprint = self.imprint(curves, snap)
-        if len(imprint.parts) <= self.components:
-            raise InputError("the curves part nothing: close them, or let them reach the boundary or each other", "no-path")
-        imprint._warn_of_slits(is_cut=False, stacklevel=3)
+        warn(imprint._core.segment_notes, 2)
         return imprint
 
     def pattern(
@@ -250,17 +226,8 @@ class Mesh(MeshKeywords):
         FileError
             The file cannot be read.
         """
-        options = {
-            "size": size,
-            "scale": scale,
-            "repeat": repeat,
-            "spacing": spacing,
-            "start": start,
-            "shift": shift,
-            "corner_angle": corner_angle,
-            "tolerance": tolerance,
-            "smoothing": smoothing,
-        }
+        options = {"size": size, "scale": scale, "repeat": repeat, "spacing": spacing, "start": start, "shift": shift}
+        options |= {"corner_angle": corner_angle, "tolerance": tolerance, "smoothing": smoothing}
         return drawn(self, drawing, centre, along, up, options, progress)
 
     def _make_field(
@@ -277,9 +244,12 @@ class Mesh(MeshKeywords):
                 raise FieldError(f"kind is {kind!r}, which needs {name}")
         values = None if quality is None else per_vertex(quality, "quality", len(self.vertices))
         faces = None if region is None else face_ids(region, "region", len(self.faces))
-        return self._designer.field(chosen, values, faces, progress)
+        made = self._core.field(chosen, values, faces, progress)
+        if self.mending:
+            self._made.append(made)
+        return made.values.copy()
 
-    def _kept_field(self, kind: str, progress: Progress | None) -> Floats:
+    def _kept_field(self, kind: str, progress: Progress | None) -> _core.Field:
         """A field with default options, computed once."""
         if kind not in self._fields:
             allowed = get_args(Kind)
@@ -287,7 +257,7 @@ class Mesh(MeshKeywords):
                 raise FieldError(
                     f"field is {kind!r}, but must be one of {', '.join(map(repr, allowed))}, or a value for each vertex"
                 )
-            self._fields[kind] = self._designer.field({"kind": kind}, None, None, progress)
+            self._fields[kind] = self._core.field({"kind": kind}, None, None, progress)
         return self._fields[kind]
 
     def _draw(
@@ -307,12 +277,16 @@ class Mesh(MeshKeywords):
             mesh=self,
             picks=picks,
             options=changed(CURVE, options),
-            field=field if isinstance(field, str) or field is None else self._values(field),
+            field=self._field_of(field),
             avoid=None if avoid is None else face_ids(avoid, "avoid", len(self.faces)),
         )
 
-    def _values(self, field: npt.ArrayLike) -> Floats:
-        return per_vertex(field, "field", len(self.vertices))
+    def _field_of(self, given: str | npt.ArrayLike | None) -> str | _core.Field | None:
+        """A kind as it is; values as a field: what field() returned as it was made, also where mending doubled vertices."""
+        if isinstance(given, str) or given is None:
+            return given
+        values = per_vertex(given, "field", len(self.vertices))
+        return next((made for made in tuple(self._made) if np.array_equal(made.values, values)), None) or _core.Field(values)
 
     def __repr__(self) -> str:
         parts = f", {self.components} components" if self.components > 1 else ""
@@ -330,7 +304,7 @@ def repair(vertices: Any, faces: npt.ArrayLike | None = None, **options: Any) ->
     """Make a mesh that can be drawn on of one that cannot, with no more than rounding of its coordinates.
 
     Removes faces without area and duplicates, parts faces where more than two meet, turns faces alike; joins vertices within
-    `weld` diagonals of each other first, if that is given.
+    `weld` diagonals of each other first, if that is given, and both sides of slits unless `slits` leaves them open.
 
     Parameters
     ----------
@@ -347,8 +321,8 @@ def repair(vertices: Any, faces: npt.ArrayLike | None = None, **options: Any) ->
     Raises
     ------
     MeshError
-        A coordinate is not finite, or a face names a vertex that is not there.
+        Every face has a coordinate that is not finite, or one names a vertex that is not there.
     """
-    weld = checked_number("weld", SHELL["weld"], options.pop("weld", 0.0))
-    mended, corners, changes, summary = _core.repaired(*mesh_arrays(vertices, faces), weld)
+    mending = changed(SHELL, {"weld": options.pop("weld", 0.0), "slits": options.get("slits", False)})
+    mended, corners, changes, summary = _core.repaired(*mesh_arrays(vertices, faces), mending)
     return Repair(Mesh(mended, corners, **options), changes, summary)

@@ -75,7 +75,7 @@ def drawn(
     place["along"] = None if along is None else along._core
     try:
         curves, paths, copies, tolerance, deviation, *extremes = _core.pattern(
-            mesh._designer, planar_drawing(drawing), place, progress
+            mesh._core, planar_drawing(drawing), place, progress
         )
     except InputError as error:
         # Ids are those of paths, which the message names.

@@ -72,7 +72,7 @@ class Picker:
 
         self.mesh = mesh if isinstance(mesh, Mesh) else Mesh(mesh)
         self._drawing = _drawing(self.mesh, dict(options))
-        self._session = _core.DrawingSession(self.mesh._designer, *self._drawing.resolved())
+        self._session = _core.DrawingSession(self.mesh._core, *self._drawing.resolved())
         self.plotter: Any = pyvista.Plotter() if plotter is None else plotter
         self._iren: Any = self.plotter.iren
         self._parts = _Parts(self.plotter, self.mesh)

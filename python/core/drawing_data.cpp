@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/core/drawing_data.h"
-
 #include "python/core/arrays.h"
-#include "python/core/mesh_designer.h"
+#include "python/core/bindings.h"
 #include "python/core/option_values.h"
 #include "sketch/drawing_session.h"
 
@@ -71,36 +69,19 @@ bool forward(
 
 void makeSession(
     DrawingSession* place,
-    const MeshDesigner& designer,
+    const Mesh& mesh,
     const nb::dict& options,
-    const std::optional<Values>& field,
+    const ScalarField* field,
     const std::optional<Ids>& avoid
 ) {
     SessionSettings settings;
     settings.options.solver = curveOptions(options).solver;
-    CarriedInputs carried = designer.carried(
-        {.field = field ? std::span(field->data(), field->shape(0)) : std::span<const double>(),
-         .avoid = avoid ? std::span(avoid->data(), avoid->shape(0)) : std::span<const int>()}
-    );
-    if (field || avoid) {
-        settings.options.guides = std::make_shared<const SketchGuides>(
-            SketchGuides::Values{std::move(carried.field), std::move(carried.avoid)}
-        );
+    if (field != nullptr || avoid) {
+        settings.options.guides = std::make_shared<const SketchGuides>(SketchGuides::Values{
+            .field = field != nullptr ? *field : ScalarField(), .avoid = toVector(avoid)
+        });
     }
-    // Not owned: nanobind keeps the designer for as long as the session.
-    const std::shared_ptr<const CurveDesigner> shared(
-        std::shared_ptr<void>(), &designer.designer()
-    );
-    new (place) DrawingSession(shared, std::move(settings));
-}
-
-Array pointsOf(const std::vector<Vec3>& points) {
-    std::vector<double> numbers;
-    numbers.reserve(3 * points.size());
-    for (const Vec3& point : points) {
-        numbers.insert(numbers.end(), point.begin(), point.end());
-    }
-    return arrayOf(std::move(numbers), 3);
+    new (place) DrawingSession(mesh->sharedDesigner(), std::move(settings));
 }
 
 // (picks, points to be shown, whether it is closed, why it is not what its picks ask for).
@@ -109,10 +90,10 @@ nb::list sketchedCurves(const DrawingSession& session) {
     for (const std::shared_ptr<SketchCurve>& curve : session.sketch().curves) {
         curves.append(
             nb::make_tuple(
-                pointsOf(curve->positions()),
-                pointsOf(curve->shownPoints()),
+                arrayOf(curve->positions()),
+                arrayOf(curve->shownPoints()),
                 curve->options.solver.closed,
-                curve->problem.message
+                withRemedy(curve->problem.message, curve->problem.remedy, kRemedyWords)
             )
         );
     }
@@ -120,7 +101,7 @@ nb::list sketchedCurves(const DrawingSession& session) {
 }
 
 std::optional<Array> previewOf(const DrawingSession& session) {
-    return session.preview() ? std::optional(pointsOf(session.preview()->polyline.points))
+    return session.preview() ? std::optional(arrayOf(session.preview()->polyline.points))
                              : std::nullopt;
 }
 
@@ -128,15 +109,7 @@ std::optional<Array> previewOf(const DrawingSession& session) {
 
 void bindDrawing(nb::module_& module) {
     nb::class_<DrawingSession>(module, "DrawingSession")
-        .def(
-            "__init__",
-            makeSession,
-            nb::arg(),
-            nb::arg(),
-            nb::arg().none(),
-            nb::arg().none(),
-            nb::keep_alive<1, 2>()
-        )
+        .def("__init__", makeSession, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none())
         .def("press", forward<&DrawingSession::press>)
         .def("move", forward<&DrawingSession::move>)
         .def("release", forward<&DrawingSession::release>)

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/core/errors.h"
-
 #include "bspline_curve/error.h"
 #include "bspline_curve/progress.h"
+#include "python/core/bindings.h"
 
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <array>
 #include <exception>
 #include <stdexcept>
+#include <utility>
 
 namespace bspline_curve::python {
 
@@ -17,46 +18,33 @@ namespace {
 
 namespace nb = nanobind;
 
+constexpr std::array kNames{
+    std::pair(InputErrorCode::EmptyMesh, "empty-mesh"),
+    std::pair(InputErrorCode::NonFiniteCoordinate, "non-finite-coordinate"),
+    std::pair(InputErrorCode::IndexOutOfRange, "index-out-of-range"),
+    std::pair(InputErrorCode::DegenerateFace, "degenerate-face"),
+    std::pair(InputErrorCode::NonManifoldEdge, "non-manifold-edge"),
+    std::pair(InputErrorCode::NonManifoldVertex, "non-manifold-vertex"),
+    std::pair(InputErrorCode::InconsistentOrientation, "inconsistent-orientation"),
+    std::pair(InputErrorCode::SelfIntersection, "self-intersection"),
+    std::pair(InputErrorCode::TooFewPicks, "too-few-picks"),
+    std::pair(InputErrorCode::PickTooFar, "pick-too-far"),
+    std::pair(InputErrorCode::CoincidentPicks, "coincident-picks"),
+    std::pair(InputErrorCode::PicksOnDifferentComponents, "picks-on-different-components"),
+    std::pair(InputErrorCode::PickAvoided, "pick-avoided"),
+    std::pair(InputErrorCode::NoPath, "no-path"),
+    std::pair(InputErrorCode::BadField, "bad-field"),
+    std::pair(InputErrorCode::BadOption, "bad-option"),
+    std::pair(InputErrorCode::UnreadableFile, "unreadable-file"),
+    std::pair(InputErrorCode::UnwritableFile, "unwritable-file"),
+    std::pair(InputErrorCode::NoShell, "no-shell"),
+};
+
 const char* nameOf(InputErrorCode code) {
-    switch (code) {
-        case InputErrorCode::EmptyMesh:
-            return "empty-mesh";
-        case InputErrorCode::NonFiniteCoordinate:
-            return "non-finite-coordinate";
-        case InputErrorCode::IndexOutOfRange:
-            return "index-out-of-range";
-        case InputErrorCode::DegenerateFace:
-            return "degenerate-face";
-        case InputErrorCode::NonManifoldEdge:
-            return "non-manifold-edge";
-        case InputErrorCode::NonManifoldVertex:
-            return "non-manifold-vertex";
-        case InputErrorCode::InconsistentOrientation:
-            return "inconsistent-orientation";
-        case InputErrorCode::SelfIntersection:
-            return "self-intersection";
-        case InputErrorCode::TooFewPicks:
-            return "too-few-picks";
-        case InputErrorCode::PickTooFar:
-            return "pick-too-far";
-        case InputErrorCode::CoincidentPicks:
-            return "coincident-picks";
-        case InputErrorCode::PicksOnDifferentComponents:
-            return "picks-on-different-components";
-        case InputErrorCode::PickAvoided:
-            return "pick-avoided";
-        case InputErrorCode::NoPath:
-            return "no-path";
-        case InputErrorCode::BadField:
-            return "bad-field";
-        case InputErrorCode::BadOption:
-            return "bad-option";
-        case InputErrorCode::UnreadableFile:
-            return "unreadable-file";
-        case InputErrorCode::UnwritableFile:
-            return "unwritable-file";
-        case InputErrorCode::NoShell:
-            return "no-shell";
+    for (const auto& [known, name] : kNames) {
+        if (code == known) {
+            return name;
+        }
     }
     throw std::logic_error("an error code without a name");
 }
@@ -70,7 +58,9 @@ void translate(const std::exception_ptr& thrown, void* /*unused*/) {
         std::rethrow_exception(thrown);
     } catch (const InputError& error) {
         const nb::object made = packageErrors().attr("input_error")(
-            nameOf(error.code()), error.what(), error.elements()
+            nameOf(error.code()),
+            withRemedy(error.what(), error.remedy(), kRemedyWords),
+            error.elements()
         );
         PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
     } catch (const Cancelled& cancelled) {

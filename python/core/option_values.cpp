@@ -6,6 +6,7 @@
 #include <nanobind/stl/string.h>
 
 #include <string>
+#include <type_traits>
 
 namespace bspline_curve::python {
 
@@ -13,21 +14,21 @@ namespace {
 
 namespace nb = nanobind;
 
-ParameterValue valueOf(nb::handle given) {
-    if (nb::isinstance<nb::bool_>(given)) {
-        return nb::cast<bool>(given);
+ParameterValue valueOf(nb::handle value) {
+    if (nb::isinstance<nb::bool_>(value)) {
+        return nb::cast<bool>(value);
     }
-    if (nb::isinstance<nb::int_>(given)) {
-        return nb::cast<int>(given);
+    if (nb::isinstance<nb::int_>(value)) {
+        return nb::cast<int>(value);
     }
-    if (nb::isinstance<nb::float_>(given)) {
-        return nb::cast<double>(given);
+    if (nb::isinstance<nb::float_>(value)) {
+        return nb::cast<double>(value);
     }
-    return nb::cast<std::string>(given);
+    return nb::cast<std::string>(value);
 }
 
 template <class Options>
-void readGiven(const nb::dict& values, const Bindings<Options>& bindings, Options& options) {
+void readChosen(const nb::dict& values, const Bindings<Options>& bindings, Options& options) {
     if (values.empty()) {
         return;
     }
@@ -49,22 +50,30 @@ CurveOptions curveOptions(const nb::dict& values) {
     if (values.contains("preset") && nb::cast<std::string>(values["preset"]) == "paper") {
         options.solver = paperPreset();
     }
-    readGiven(values, ofSolver, options.solver);
-    readGiven(values, ofSampling, options.sampling);
+    readChosen(values, ofSolver, options.solver);
+    readChosen(values, ofSampling, options.sampling);
     return options;
 }
 
-ShellOptions shellOptions(const nb::dict& values) {
-    static const Bindings<ShellOptions> bindings = shellBindings();
-    ShellOptions options;
-    readGiven(values, bindings, options);
+PreparingOptions preparingOptions(const nb::dict& values) {
+    static const Bindings<ShellOptions> ofShell = shellBindings();
+    PreparingOptions options;
+    readChosen(values, ofShell, options.shell);
+    const auto read = [&](const char* id, auto& member) {
+        if (values.contains(id)) {
+            member = nb::cast<std::decay_t<decltype(member)>>(values[id]);
+        }
+    };
+    read("strict", options.mending.strict);
+    read("weld", options.mending.weld);
+    read("slits", options.mending.slits);
     return options;
 }
 
 FieldOptions fieldOptions(const nb::dict& values) {
     static const Bindings<FieldOptions> bindings = fieldBindings("kind", "");
     FieldOptions options;
-    readGiven(values, bindings, options);
+    readChosen(values, bindings, options);
     return options;
 }
 

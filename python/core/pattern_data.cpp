@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/core/pattern_data.h"
-
-#include "bspline_curve/curve.h"
 #include "bspline_curve/error.h"
-#include "design/curve_on_given_mesh.h"
 #include "io/drawing_formats.h"
 #include "pattern/draw_pattern.h"
 #include "pattern/drawing_builder.h"
 #include "python/core/arrays.h"
-#include "python/core/mesh_designer.h"
+#include "python/core/bindings.h"
 #include "python/core/python_progress.h"
 
 #include <nanobind/stl/array.h>
@@ -99,7 +95,7 @@ Vec3 vectorOf(const Triple& values) {
 struct Place {
     Triple centre{};  // where there is no curve to go along
     std::optional<Triple> up;
-    const Curve* along = nullptr;
+    const DesignedCurve* along = nullptr;
     RowLayout row;
     PatternOptions pattern;
 };
@@ -109,7 +105,8 @@ Place placeOf(const nb::dict& options) {
     return {
         .centre = nb::cast<std::optional<Triple>>(options["centre"]).value_or(Triple{}),
         .up = nb::cast<std::optional<Triple>>(options["up"]),
-        .along = options["along"].is_none() ? nullptr : nb::cast<const Curve*>(options["along"]),
+        .along =
+            options["along"].is_none() ? nullptr : nb::cast<const DesignedCurve*>(options["along"]),
         .row =
             {.scale = {.size = number("size"), .scale = number("scale")},
              .repeat = nb::cast<int>(options["repeat"]),
@@ -125,16 +122,16 @@ Place placeOf(const nb::dict& options) {
 }
 
 Pattern drawn(
-    const MeshDesigner& designer, const Drawing& drawing, const Place& place, const Progress& goesOn
+    const Mesh& mesh, const Drawing& drawing, const Place& place, const Progress& goesOn
 ) {
     if (place.along != nullptr) {
-        const SurfacePolyline along = designer.carried({place.along}).front();
+        const SurfacePolyline& along = place.along->curve.polyline;
         return patternAlongCurve(
-            designer.designer(), drawing, along, place.row, place.pattern, goesOn
+            mesh->designer(), drawing, along, place.row, place.pattern, goesOn
         );
     }
     return patternRoundPoint(
-        designer.designer(),
+        mesh->designer(),
         drawing,
         vectorOf(place.centre),
         place.up ? std::optional(vectorOf(*place.up)) : std::nullopt,
@@ -154,21 +151,17 @@ nb::tuple tupleOf(const Distortion& distortion) {
 
 // (curves, paths, copies, tolerance, largest deviation, shortest, longest)
 nb::tuple pattern(
-    const MeshDesigner& designer,
-    const Drawing& drawing,
-    const nb::dict& options,
-    nb::object progress
+    const Mesh& mesh, const Drawing& drawing, const nb::dict& options, nb::object progress
 ) {
     const Place place = placeOf(options);
     Pattern made = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
-        return drawn(designer, drawing, place, goesOn);
+        return drawn(mesh, drawing, place, goesOn);
     });
-    std::vector<Curve> curves;
+    std::vector<DesignedCurve> curves;
     std::vector<std::int32_t> paths;
     std::vector<std::int32_t> copies;
     for (PatternCurve& each : made.curves) {
-        bringBack(each.curve, designer.repair());
-        curves.push_back(std::move(each.curve));
+        curves.push_back(mesh->finished(std::move(each.curve), {}));
         paths.push_back(each.path);
         copies.push_back(each.copy);
     }

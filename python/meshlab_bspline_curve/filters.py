@@ -97,6 +97,7 @@ def draw_curve(
     minimum_span: float = 0.0001,
     strict: bool = False,
     weld: float = 0.0,
+    slits: bool = False,
 ) -> Curve:
     """Draw a smooth curve through points on a triangle mesh.
 
@@ -267,6 +268,9 @@ def draw_curve(
     weld : float in [0, 0.01], default 0.0
         Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
         none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
 
     Returns
     -------
@@ -337,6 +341,7 @@ def draw_curve(
             "minimum_span": minimum_span,
             "strict": strict,
             "weld": weld,
+            "slits": slits,
         },
     )
 
@@ -358,6 +363,7 @@ def compute_field(
     inverted: bool = False,
     strict: bool = False,
     weld: float = 0.0,
+    slits: bool = False,
 ) -> Floats:
     """Compute a scalar per vertex that curves can follow or avoid.
 
@@ -406,6 +412,9 @@ def compute_field(
     weld : float in [0, 0.01], default 0.0
         Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
         none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
 
     Returns
     -------
@@ -435,5 +444,6 @@ def compute_field(
             "inverted": inverted,
             "strict": strict,
             "weld": weld,
+            "slits": slits,
         },
     )

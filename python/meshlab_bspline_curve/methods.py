@@ -103,6 +103,7 @@ def generate_bspline_curve_on_surface(
     minimum_span: float = 0.0001,
     strict: bool = False,
     weld: float = 0.0,
+    slits: bool = False,
 ) -> dict[str, Any]:
     """Draws a smooth curve through picked points on a triangle mesh.
 
@@ -288,6 +289,9 @@ def generate_bspline_curve_on_surface(
     weld : float in [0, 0.01], default 0.0
         Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
         none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
 
     Returns
     -------
@@ -364,6 +368,7 @@ def generate_bspline_curve_on_surface(
             "minimum_span": minimum_span,
             "strict": strict,
             "weld": weld,
+            "slits": slits,
         },
     )
 
@@ -383,6 +388,7 @@ def compute_scalar_field_for_curves_per_vertex(
     inverted: bool = False,
     strict: bool = False,
     weld: float = 0.0,
+    slits: bool = False,
 ) -> dict[str, Any]:
     """Computes a scalar per vertex that curves can follow or avoid.
 
@@ -429,6 +435,9 @@ def compute_scalar_field_for_curves_per_vertex(
     weld : float in [0, 0.01], default 0.0
         Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
         none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
 
     Returns
     -------
@@ -456,6 +465,7 @@ def compute_scalar_field_for_curves_per_vertex(
             "inverted": inverted,
             "strict": strict,
             "weld": weld,
+            "slits": slits,
         },
     )
 
@@ -470,6 +480,7 @@ def imprint_curves(
     snap: float = 1e-09,
     strict: bool = False,
     weld: float = 0.0,
+    slits: bool = False,
 ) -> dict[str, Any]:
     """Makes curves edges of a copy of the mesh.
 
@@ -504,6 +515,9 @@ def imprint_curves(
     weld : float in [0, 0.01], default 0.0
         Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
         none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
 
     Returns
     -------
@@ -526,6 +540,7 @@ def imprint_curves(
             "snap": snap,
             "strict": strict,
             "weld": weld,
+            "slits": slits,
         },
     )
 
@@ -545,6 +560,7 @@ def cut_along_curves(
     snap: float = 1e-09,
     strict: bool = False,
     weld: float = 0.0,
+    slits: bool = False,
 ) -> dict[str, Any]:
     """Opens a copy of the mesh along curves, whole or in parts.
 
@@ -595,6 +611,9 @@ def cut_along_curves(
     weld : float in [0, 0.01], default 0.0
         Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
         none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
 
     Returns
     -------
@@ -622,6 +641,7 @@ def cut_along_curves(
             "snap": snap,
             "strict": strict,
             "weld": weld,
+            "slits": slits,
         },
     )
 
@@ -637,6 +657,7 @@ def segment_by_curves(
     snap: float = 1e-09,
     strict: bool = False,
     weld: float = 0.0,
+    slits: bool = False,
 ) -> dict[str, Any]:
     """Labels, colours and measures the parts that curves leave.
 
@@ -672,6 +693,9 @@ def segment_by_curves(
     weld : float in [0, 0.01], default 0.0
         Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
         none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
 
     Returns
     -------
@@ -695,6 +719,7 @@ def segment_by_curves(
             "snap": snap,
             "strict": strict,
             "weld": weld,
+            "slits": slits,
         },
     )
 
@@ -711,6 +736,7 @@ def offset_curve_on_surface(
     project_curves: bool = False,
     strict: bool = False,
     weld: float = 0.0,
+    slits: bool = False,
 ) -> dict[str, Any]:
     """Draws the lines at a distance from curves, measured along the surface.
 
@@ -746,6 +772,9 @@ def offset_curve_on_surface(
     weld : float in [0, 0.01], default 0.0
         Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
         none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
 
     Returns
     -------
@@ -770,6 +799,7 @@ def offset_curve_on_surface(
             "project_curves": project_curves,
             "strict": strict,
             "weld": weld,
+            "slits": slits,
         },
     )
 
@@ -798,6 +828,7 @@ def pattern_on_surface(
     project_curves: bool = False,
     strict: bool = False,
     weld: float = 0.0,
+    slits: bool = False,
 ) -> dict[str, Any]:
     """Carries a planar drawing or a text to the surface, as curves.
 
@@ -867,6 +898,9 @@ def pattern_on_surface(
     weld : float in [0, 0.01], default 0.0
         Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
         none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
 
     Returns
     -------
@@ -903,6 +937,7 @@ def pattern_on_surface(
             "project_curves": project_curves,
             "strict": strict,
             "weld": weld,
+            "slits": slits,
         },
     )
 

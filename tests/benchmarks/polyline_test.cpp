@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <random>
 #include <string>
@@ -27,7 +28,9 @@ constexpr double kAlpha = 300.0;
 // A problem and a initial path, made as for a spline.
 struct Setting {
     Setting(const TriangleMesh& mesh, const std::vector<Vec3>& picks, const SolverOptions& options)
-        : prepared(mesh, {}), path(pathOf(picks, options)), problem(problemOf(options)) {}
+        : prepared(std::make_shared<const Surface>(mesh), {}),
+          path(pathOf(picks, options)),
+          problem(problemOf(options)) {}
 
     PreparedSurface prepared;
     PickPath path;

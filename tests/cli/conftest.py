@@ -1,33 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The program under test: $BSPLINE_CURVE_PROGRAM, or what `cmake --build --preset release` leaves."""
+"""Runs the program in folders of their own."""
 
-import os
 import subprocess
-import sys
-from pathlib import Path
 
+import made_meshes as meshes
 import pytest
-
-sys.path.insert(0, str(Path(__file__).resolve().parent))  # the modules beside this one
-import made_meshes as meshes  # noqa: E402
-
-
-@pytest.fixture(scope="session")
-def program():
-    built = Path(__file__).resolve().parents[2] / "build" / "release" / "bin" / "bspline_curve"
-    path = Path(os.environ.get("BSPLINE_CURVE_PROGRAM", built))
-    assert path.is_file(), f"no program at {path}; build it, or set BSPLINE_CURVE_PROGRAM"
-    return path
 
 
 @pytest.fixture
 def run(program, tmp_path):
-    """Runs the program in a directory of its own; returns the completed process."""
+    """Runs the program in a directory of its own; returns the completed process. run.ok: it must do its work."""
 
     def call(*arguments, timeout=120):
         words = [str(program), *map(str, arguments)]
         return subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, timeout=timeout)
 
+    def ok(*arguments):
+        process = call(*arguments)
+        assert process.returncode == 0, process.stderr
+        return process
+
+    call.ok = ok
     return call
 
 

@@ -108,8 +108,7 @@ def test_paths_are_relative_to_the_jobs_file(run, hill):
         (hill / name).rename(folder / name)
     rows = ["hill.ply,picks.json,out/Kurve 1.ply,out/r.json", f"hill.ply,picks.json,{hill}/absolute.ply,"]
     write_jobs(folder, *rows, columns="mesh,picks,output,report")
-    process = run("batch", folder / "jobs.csv")
-    assert process.returncode == 0, process.stderr
+    run.ok("batch", folder / "jobs.csv")
     assert (folder / "out" / "Kurve 1.ply").is_file() and (hill / "absolute.ply").is_file()
     assert json.loads((folder / "out" / "r.json").read_text())["usable"]
     assert status(folder) == {1: "done", 2: "done"}
@@ -118,7 +117,7 @@ def test_paths_are_relative_to_the_jobs_file(run, hill):
 
 def test_the_command_of_a_line_draws_the_same_curve(program, run, hill):
     write_jobs(hill, """hill.ply,picks.json,"it's a, b.ply",3""", columns="mesh,picks,output,degree")
-    assert run("batch", "jobs.csv").returncode == 0
+    run.ok("batch", "jobs.csv")
     curve = hill / "it's a, b.ply"
     first = curve.read_bytes()
     curve.unlink()
@@ -129,7 +128,7 @@ def test_the_command_of_a_line_draws_the_same_curve(program, run, hill):
 
 def test_a_report_of_an_earlier_run_is_not_taken(run, hill):
     write_jobs(hill, "hill.ply,picks.json,a.ply,r.json", columns="mesh,picks,output,report")
-    assert run("batch", "jobs.csv").returncode == 0
+    run.ok("batch", "jobs.csv")
     (hill / "hill.ply").write_text("broken meanwhile")
     assert run("batch", "jobs.csv", "--results", "later.csv").returncode == 1
     row = results(hill, "later.csv")[1]
@@ -138,7 +137,7 @@ def test_a_report_of_an_earlier_run_is_not_taken(run, hill):
 
 def test_separators_comments_and_quotes(run, hill):
     (hill / "jobs.csv").write_text('\ufeff# made by hand\nmesh;picks;output;closed\n\nhill.ply; picks.json ;"a;1.ply";\n')
-    assert run("batch", "jobs.csv").returncode == 0
+    run.ok("batch", "jobs.csv")
     assert (hill / "a;1.ply").is_file()
 
 
@@ -147,7 +146,7 @@ def test_jobs_on_one_mesh_share_one_preparation(run, hill, cache):
     rows = [f"{mesh}.ply,picks.json,{mesh}{n}.ply,{mesh}{n}.json,simplified" for n in "abc" for mesh in ("hill", "flat")]
     rows.append("hill.ply,picks.json,fibres.ply,fibres.json,local")
     write_jobs(hill, *rows, columns="mesh,picks,output,report,shell")
-    assert run("batch", "jobs.csv", "--jobs", 2).returncode == 0
+    run.ok("batch", "jobs.csv", "--jobs", 2)
     reports = {path.stem: json.loads(path.read_text()) for path in hill.glob("*.json") if path.stem != "picks"}
 
     def preparations(names):
@@ -180,9 +179,9 @@ def test_a_dry_run_prints_the_commands_and_runs_nothing(run, hill):
 
 def test_only_some_jobs(run, hill):
     write_jobs(hill, *plain("a.ply", "b.ply", "c.ply", "d.ply"))
-    assert run("batch", "jobs.csv", "--only", "2,4").returncode == 0
+    run.ok("batch", "jobs.csv", "--only", "2,4")
     assert status(hill) == {2: "done", 4: "done"}
-    assert run("batch", "jobs.csv", "--only", "1-2", "--resume").returncode == 0
+    run.ok("batch", "jobs.csv", "--only", "1-2", "--resume")
     assert status(hill) == {1: "done", 2: "done", 4: "done"}, "lines of other jobs stay"
 
 
@@ -198,8 +197,7 @@ def test_resume_runs_what_is_not_done(run, hill):
     (hill / "c.ply").unlink()
     (hill / "bad.ply").write_bytes((hill / "hill.ply").read_bytes())
     before = {name: (hill / name).stat().st_mtime_ns for name in ("a.ply", "d.ply")}
-    process = run("batch", "jobs.csv", "--resume")
-    assert process.returncode == 0, process.stderr
+    run.ok("batch", "jobs.csv", "--resume")
     assert status(hill) == dict.fromkeys((1, 2, 3, 4), "done")
     assert {name: (hill / name).stat().st_mtime_ns for name in before} == before
     assert results(hill)[1] == first[1] and results(hill)[4] == first[4]
@@ -208,12 +206,12 @@ def test_resume_runs_what_is_not_done(run, hill):
 
 def test_resume_runs_jobs_whose_line_changed_and_follows_new_numbers(run, hill):
     write_jobs(hill, "hill.ply,picks.json,a.ply,3", "hill.ply,picks.json,b.ply,3", columns="mesh,picks,output,degree")
-    assert run("batch", "jobs.csv").returncode == 0
+    run.ok("batch", "jobs.csv")
     old = (hill / "b.ply").read_bytes()
     time_of_a = (hill / "a.ply").stat().st_mtime_ns
     rows = ["hill.ply,picks.json,n.ply,", "hill.ply,picks.json,b.ply,2", "hill.ply,picks.json,a.ply,3"]
     write_jobs(hill, *rows, columns="mesh,picks,output,degree")
-    assert run("batch", "jobs.csv", "--resume").returncode == 0
+    run.ok("batch", "jobs.csv", "--resume")
     assert {job: row["output"] for job, row in results(hill).items()} == {1: "n.ply", 2: "b.ply", 3: "a.ply"}
     assert (hill / "b.ply").read_bytes() != old and (hill / "a.ply").stat().st_mtime_ns == time_of_a
 
@@ -221,16 +219,16 @@ def test_resume_runs_jobs_whose_line_changed_and_follows_new_numbers(run, hill):
 @pytest.mark.parametrize("cut", [1, 10, 150])
 def test_resume_after_the_results_were_cut_off(run, hill, cut):
     write_jobs(hill, *plain("a.ply", "b.ply"))
-    assert run("batch", "jobs.csv", "--jobs", 1).returncode == 0
+    run.ok("batch", "jobs.csv", "--jobs", 1)
     whole = (hill / "jobs.results.csv").read_bytes()
     (hill / "jobs.results.csv").write_bytes(whole[:-cut])
-    assert run("batch", "jobs.csv", "--resume").returncode == 0
+    run.ok("batch", "jobs.csv", "--resume")
     assert status(hill) == {1: "done", 2: "done"}
 
 
 def test_resume_without_results_begins(run, hill):
     write_jobs(hill, *plain("a.ply"))
-    assert run("batch", "jobs.csv", "--resume").returncode == 0
+    run.ok("batch", "jobs.csv", "--resume")
     assert status(hill) == {1: "done"}
 
 
@@ -385,7 +383,7 @@ def test_ctrl_c_leaves_results_to_go_on_with(long_batch, hill, run):
     assert sorted(p.name for p in hill.glob(".*")) == [], "no temporary files"
     lines = (hill / "jobs.csv").read_text().replace(f",{LONG}", ",")
     (hill / "jobs.csv").write_text(lines)
-    assert run("batch", "jobs.csv", "--resume").returncode == 0
+    run.ok("batch", "jobs.csv", "--resume")
     assert status(hill) == dict.fromkeys((1, 2, 3, 4), "done")
 
 
@@ -436,7 +434,7 @@ def test_nothing_is_left_in_the_temporary_folder(run, hill, monkeypatch):
 def test_hundreds_of_jobs(run, hill):
     names = [f"c{i:03}.csv" for i in range(300)]
     write_jobs(hill, *plain(*names))
-    assert run("batch", "jobs.csv", "--jobs", 8).returncode == 0
+    run.ok("batch", "jobs.csv", "--jobs", 8)
     assert status(hill) == dict.fromkeys(range(1, 301), "done")
     assert len({(hill / name).read_bytes() for name in names}) == 1
     lengths = np.array([float(row["length"]) for row in results(hill).values()])

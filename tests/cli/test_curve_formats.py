@@ -192,8 +192,7 @@ def test_csv(case):
 
 def test_on_a_plane_the_spline_is_the_polyline(run, plate):
     for name in ("curve.csv", "curve.bspline.dxf", "curve.json"):
-        process = run("plate.ply", "--picks", "picks.json", "--output", name, "--closed")
-        assert process.returncode == 0, process.stderr
+        run.ok("plate.ply", "--picks", "picks.json", "--output", name, "--closed")
     polyline = json.loads((plate / "curve.json").read_text())["polyline"]
     (entity,) = ezdxf.readfile(plate / "curve.bspline.dxf").modelspace()
     on_spline = np.array([tuple(p) for p in entity.construction_tool().points(polyline["t"])])
@@ -207,8 +206,7 @@ def test_numbers_far_from_one_are_exact(run, tmp_path):
     picks = V[[0, 12, 19]] + [1e3 * scale, 0, 0]
     (tmp_path / "picks.json").write_text(json.dumps({"picks": picks.tolist()}))
     for name in ("curve.ply", "curve.dxf", "curve.csv"):
-        process = run("small.ply", "--picks", "picks.json", "--output", name)
-        assert process.returncode == 0, process.stderr
+        run.ok("small.ply", "--picks", "picks.json", "--output", name)
     vertex = read_ply(tmp_path / "curve.ply")["vertex"]
     points = np.stack([vertex[name] for name in "xyz"], 1)
     _, (line,) = audited(tmp_path / "curve.dxf")

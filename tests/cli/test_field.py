@@ -178,8 +178,7 @@ def test_merged_vertices_have_the_value_of_what_they_became(run, tmp_path, fold)
     V[a] = V[b]
     meshes.write_ply(tmp_path / "bad.ply", V, F)
     words = ("--kind", "boundary-distance", "--output", "made.npy", "--report", "r.json", "--reach", "1")
-    process = run("field", "bad.ply", *words)
-    assert process.returncode == 0, process.stderr
+    run.ok("field", "bad.ply", *words)
     merged = json.loads((tmp_path / "r.json").read_text())["repair"]["merged_vertices"]
     assert sorted(merged[0]) == sorted([a, b])
     values = np.load(tmp_path / "made.npy")
@@ -192,9 +191,11 @@ CURVE = ("fold.ply", "--picks", "picks.json", "--output", "curve.ply", "--report
 
 
 def drawn(run, folder, *words):
-    succeed(run(*CURVE, *words))
+    process = run.ok(*CURVE, *words)
     vertex = read_ply(folder / "curve.ply")["vertex"]
-    return vertex, json.loads((folder / "r.json").read_text())
+    report = json.loads((folder / "r.json").read_text())
+    assert process.stderr.splitlines() == [f"bspline_curve: note: {note}" for note in report["notes"]]
+    return vertex, report
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -248,3 +249,50 @@ def test_the_cost_that_is_given_goes_before_the_natural_one(run, tmp_path, fold)
     words = ("--field", "valley", "--field-region-over", "1")
     process = run(*CURVE, *words)
     assert process.returncode == 2 and "--field-region-over are for the field obstacle only" in process.stderr
+
+
+# ---- the path that a curve starts from ----
+
+
+@pytest.fixture
+def road(tmp_path):
+    """A plate where a road along y = 0.7 costs nothing, and all else as much everywhere; two picks beside the road."""
+    V, F = meshes.plate(cells=40)
+    meshes.write_ply(tmp_path / "plate.ply", V, F, quality=np.clip(np.abs(V[:, 1] - 0.7) / 0.1, 0, 1))
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": [[0.05, 0.5, 0], [0.95, 0.5, 0]]}))
+    return tmp_path
+
+
+def along(run, folder, *words):
+    """Largest distance of the curve from the straight line between the picks, and its mean cost."""
+    run.ok("plate.ply", "--picks", "picks.json", "--field", "quality", "--output", "curve.ply",
+                  "--report", "r.json", *words)
+    report = json.loads((folder / "r.json").read_text())
+    return np.abs(read_ply(folder / "curve.ply")["vertex"]["y"] - 0.5).max(), report["field"]["mean_cost"]
+
+
+def test_the_first_path_takes_the_road(run, road):
+    away, cost = along(run, road)
+    assert away > 0.15 and cost < 0.5
+    assert along(run, road, "--field-guides-path", "on") == (away, cost)
+    # Between the picks the field is flat, so nothing pulls a curve that starts there.
+    away, cost = along(run, road, "--field-guides-path", "off")
+    assert away < 1e-6 and abs(cost - 1) < 1e-6
+
+
+def test_quality_is_followed_only_where_it_is_asked_for(run, road):
+    draw = ["plate.ply", "--picks", "picks.json", "--output"]
+    automatic = run(*draw, "auto.ply", "--field", "auto", "--report", "r.json")
+    follows = "bspline_curve: note: the curve follows the quality of "
+    assert automatic.stderr.startswith(follows + "plate.ply\n")
+    assert json.loads((road / "r.json").read_text())["field"]["kind"] == "quality"
+    assert follows not in run(*draw, "asked.ply", "--field", "quality").stderr
+    y = [read_ply(road / name)["vertex"]["y"] for name in ("auto.ply", "asked.ply")]
+    assert np.allclose(*y, rtol=0, atol=1e-9)
+    assert "note" not in run(*draw, "none.ply").stderr
+    assert np.abs(read_ply(road / "none.ply")["vertex"]["y"] - 0.5).max() < 1e-9
+
+
+def test_the_option_is_on_or_off(run, road):
+    process = run("plate.ply", "--picks", "picks.json", "--output", "curve.ply", "--field-guides-path", "yes")
+    assert process.returncode == 2 and "yes is none of preset|off|on" in process.stderr

@@ -20,7 +20,7 @@ def drawn(run, tmp_path):
     at = lambda u, v: lift(*(low + (high - low) * [u, v, 0])[:2])  # noqa: E731
     for k, ends in enumerate(([at(0.2, 0.45), at(0.8, 0.55)], [at(0.45, 0.2), at(0.55, 0.8)])):
         (tmp_path / "picks.json").write_text(json.dumps({"picks": ends}))
-        assert run("hill.ply", "--picks", "picks.json", "--field", "none", "--output", f"curve-{k}.json").returncode == 0
+        run.ok("hill.ply", "--picks", "picks.json", "--field", "none", "--output", f"curve-{k}.json")
     return vertices, faces, quality
 
 
@@ -29,8 +29,7 @@ CURVES = ("--curve", "curve-0.json", "--curve", "curve-1.json")
 
 def test_curves_are_edges_and_children_fill_their_parents(run, tmp_path, drawn):
     vertices, faces, quality = drawn
-    result = run("imprint", "hill.ply", *CURVES, "--output", "out.ply", "--map", "map.json", "--report", "report.json")
-    assert result.returncode == 0, result.stderr
+    run.ok("imprint", "hill.ply", *CURVES, "--output", "out.ply", "--map", "map.json", "--report", "report.json")
     mesh = trimesh.load(tmp_path / "out.ply", process=False)
     map_ = json.loads((tmp_path / "map.json").read_text())
     report = json.loads((tmp_path / "report.json").read_text())
@@ -51,7 +50,7 @@ def test_curves_are_edges_and_children_fill_their_parents(run, tmp_path, drawn):
 @pytest.mark.parametrize("extension", ["obj", "off", "stl"])
 def test_other_formats_hold_the_same_faces(run, tmp_path, drawn, extension):
     for name in ("out.ply", f"out.{extension}"):
-        assert run("imprint", "hill.ply", *CURVES, "--output", name).returncode == 0
+        run.ok("imprint", "hill.ply", *CURVES, "--output", name)
     one, other = (trimesh.load(tmp_path / name, process=False) for name in ("out.ply", f"out.{extension}"))
     assert np.allclose(one.triangles, other.triangles, atol=1e-7 if extension == "stl" else 0)
 
@@ -71,7 +70,7 @@ def test_refuses_another_mesh_and_what_it_cannot_write(run, refused, tmp_path, d
     del document["mesh"]  # as older versions wrote it
     (tmp_path / "old.json").write_text(json.dumps(document))
     refused(1, "imprint", "other.ply", "--curve", "old.json", "--output", "out.ply", says=["does not lie on this mesh"])
-    assert run("imprint", "hill.ply", "--curve", "old.json", "--output", "new.ply").returncode == 0
+    run.ok("imprint", "hill.ply", "--curve", "old.json", "--output", "new.ply")
     refused(1, "imprint", "hill.ply", *CURVES, "--output", "out.xyz", says=["meshes are written as .ply, .obj, .off or .stl"])
     refused(2, "imprint", "hill.ply", *CURVES, "--output", "out.ply", "--snap", 0.5, says=["must be in [0, 0.01]"])
     refused(2, "imprint", "hill.ply", "--output", "out.ply", says=["--curve or --picks is required"])
@@ -81,11 +80,11 @@ def test_refuses_another_mesh_and_what_it_cannot_write(run, refused, tmp_path, d
 @pytest.mark.parametrize("extension", ["ply", "obj", "dxf"])
 def test_polylines_of_other_formats_are_projected(run, refused, tmp_path, drawn, extension):
     """What was written and read again is where it was drawn, up to rounding."""
-    assert run("imprint", "hill.ply", "--curve", "curve-0.json", "--output", "exact.ply", "--map", "exact.json").returncode == 0
+    run.ok("imprint", "hill.ply", "--curve", "curve-0.json", "--output", "exact.ply", "--map", "exact.json")
     line = json.loads((tmp_path / "curve-0.json").read_text())["polyline"]["points"]
     write_polyline(tmp_path / f"line.{extension}", line)
     words = ("--curve", f"line.{extension}", "--output", "out.ply", "--map", "map.json", "--report", "report.json")
-    assert run("imprint", "hill.ply", *words).returncode == 0
+    run.ok("imprint", "hill.ply", *words)
     exact, other = (trimesh.load(tmp_path / name, process=False) for name in ("exact.ply", "out.ply"))
     ids = json.loads((tmp_path / "map.json").read_text())["curves"][0]["vertices"]
     first = json.loads((tmp_path / "exact.json").read_text())["curves"][0]["vertices"]
@@ -95,7 +94,7 @@ def test_polylines_of_other_formats_are_projected(run, refused, tmp_path, drawn,
     write_polyline(tmp_path / f"far.{extension}", np.array(line) + [0, 0, 0.05])
     far = ("imprint", "hill.ply", "--curve", f"far.{extension}", "--output", "far.ply")
     refused(1, *far, says=[f"far.{extension}: is not near the mesh: vertex 0", "larger --max-distance"])
-    assert run(*far, "--max-distance", 0.06).returncode == 0
+    run.ok(*far, "--max-distance", 0.06)
 
 
 def write_polyline(path, points):
@@ -125,17 +124,15 @@ def test_every_verb_draws_curves_through_picks_first(run, refused, tmp_path, dra
     ring = [near(-0.2, -0.2), near(0.2, -0.2), near(0.2, 0.2), near(-0.2, 0.2)]
     (tmp_path / "ring.json").write_text(json.dumps({"picks": ring, "closed": True}))
     options = ("--field", "none", "--tension", 0.3)
-    assert run("hill.ply", "--picks", "ring.json", *options, "--output", "ring-curve.json").returncode == 0
+    run.ok("hill.ply", "--picks", "ring.json", *options, "--output", "ring-curve.json")
     for verb, *more in (["imprint"], ["cut"], ["segment"], ["offset", "--distance", 0.05]):
         outputs = []
         for name, words in (("drawn", ("--picks", "ring.json", *options)), ("read", ("--curve", "ring-curve.json"))):
             extension = "json" if verb == "offset" else "ply"
-            result = run(verb, "hill.ply", *words, *more, "--output", f"{verb}-{name}.{extension}")
-            assert result.returncode == 0, result.stderr
+            run.ok(verb, "hill.ply", *words, *more, "--output", f"{verb}-{name}.{extension}")
             outputs.append((tmp_path / f"{verb}-{name}.{extension}").read_bytes())
         assert outputs[0] == outputs[1], verb
-    both = run("imprint", "hill.ply", "--picks", "ring.json", *options, *CURVES, "--output", "both.ply", "--map", "both.json")
-    assert both.returncode == 0, both.stderr
+    both = run.ok("imprint", "hill.ply", "--picks", "ring.json", *options, *CURVES, "--output", "both.ply", "--map", "both.json")
     assert [c["closed"] for c in json.loads((tmp_path / "both.json").read_text())["curves"]] == [False, False, True]
     refused(2, "imprint", "hill.ply", *CURVES, *options, "--output", "out.ply", says=["options of curves are for --picks"])
     (tmp_path / "off.json").write_text(json.dumps({"picks": [ring[0], [9, 9, 9]]}))

@@ -17,7 +17,7 @@ def curve(run, tmp_path):
     (low, high) = vertices.min(axis=0), vertices.max(axis=0)
     at = lambda u, v: (low + (high - low) * [u, v, 0]).tolist()  # noqa: E731
     (tmp_path / "picks.json").write_text(json.dumps({"picks": [at(0.3, 0.5), at(0.7, 0.5)]}))
-    assert run("plate.ply", "--picks", "picks.json", "--output", "curve.json").returncode == 0
+    run.ok("plate.ply", "--picks", "picks.json", "--output", "curve.json")
     return np.array(json.loads((tmp_path / "curve.json").read_text())["polyline"]["points"])
 
 
@@ -30,9 +30,8 @@ def distances(points, curve):
 
 def test_points_are_at_the_distance(run, tmp_path, curve):
     distance = 0.2 * np.ptp(curve[:, 0])
-    result = run("offset", "plate.ply", "--curve", "curve.json", "--distance", distance, "--output", "offset.json",
+    run.ok("offset", "plate.ply", "--curve", "curve.json", "--distance", distance, "--output", "offset.json",
                  "--report", "report.json")
-    assert result.returncode == 0, result.stderr
     offset = json.loads((tmp_path / "offset.json").read_text())
     points = np.array(offset["polyline"]["points"])
     assert offset["closed"]
@@ -49,9 +48,8 @@ def test_points_are_at_the_distance(run, tmp_path, curve):
 
 def test_one_side_is_open_and_its_band_is_beside_the_curve(run, tmp_path, curve):
     distance = 0.3 * np.ptp(curve[:, 0])
-    result = run("offset", "plate.ply", "--curve", "curve.json", "--distance", distance, "--side", "left",
+    run.ok("offset", "plate.ply", "--curve", "curve.json", "--distance", distance, "--side", "left",
                  "--output", "left.json", "--band", "band.ply")
-    assert result.returncode == 0, result.stderr
     offset = json.loads((tmp_path / "left.json").read_text())
     assert not offset["closed"]
     assert np.array(offset["polyline"]["points"])[:, 1].min() > curve[:, 1].max()
@@ -68,6 +66,9 @@ def test_refuses_another_mesh_and_distances_that_no_point_has(run, refused, tmp_
     meshes.write_ply(tmp_path / "hill.ply", vertices, faces)
     words = ("--curve", "curve.json", "--output", "offset.json")
     refused(1, "offset", "hill.ply", *words, "--distance", 0.1, says=["the mesh changed since the curve was drawn", "give the mesh"])
-    refused(1, "offset", "plate.ply", *words, "--distance", 1e6, says=["smaller --distance"])
+    refused(1, "offset", "plate.ply", *words, "--distance", 1e6, says=["curve.json: no point", "smaller offset"])
     refused(2, "offset", "plate.ply", *words, "--distance", -1, says=["must be > 0"])
     assert not (tmp_path / "offset.json").exists()
+    (tmp_path / "rim.obj").write_text("v 0 0 0\nv 1 0 0\nl 1 2\n")
+    process = run.ok("offset", "plate.ply", *words, "--curve", "rim.obj", "--side", "right", "--distance", 0.1)
+    assert process.stderr.startswith("bspline_curve: note: rim.obj: no point of the surface") and process.stderr.count("\n") == 1

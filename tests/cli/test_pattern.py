@@ -45,9 +45,8 @@ def test_a_drawing_comes_out_as_drawn(run, scene):
 
 
 def test_what_it_writes_is_what_imprint_takes(run, scene):
-    assert run("pattern", "plate.ply", "--drawing", "star.svg", "--centre", "0.5,0.5,0", "--output", "p.json").returncode == 0
-    result = run("imprint", "plate.ply", "--curve", "p.json", "--output", "i.ply", "--report", "r.json")
-    assert result.returncode == 0, result.stderr
+    run.ok("pattern", "plate.ply", "--drawing", "star.svg", "--centre", "0.5,0.5,0", "--output", "p.json")
+    run.ok("imprint", "plate.ply", "--curve", "p.json", "--output", "i.ply", "--report", "r.json")
     report = json.loads((scene / "r.json").read_text())
     assert report["curves"] == 9
     # Outside, the star, the circle, and what of each is not in the other: four tips, four notches.
@@ -57,8 +56,7 @@ def test_what_it_writes_is_what_imprint_takes(run, scene):
 
 @pytest.mark.parametrize("name", ["p.ply", "p.obj", "p.dxf"])
 def test_all_curves_are_in_one_file(run, scene, name):
-    result = run("pattern", "plate.ply", "--drawing", "star.svg", "--centre", "0.5,0.5,0", "--output", name)
-    assert result.returncode == 0, result.stderr
+    run.ok("pattern", "plate.ply", "--drawing", "star.svg", "--centre", "0.5,0.5,0", "--output", name)
     words = (scene / name).read_bytes()
     if name.endswith(".dxf"):
         assert words.count(b"\nPOLYLINE\n8\n") == 9
@@ -73,10 +71,9 @@ def test_all_curves_are_in_one_file(run, scene, name):
 
 def test_along_a_curve(run, scene):
     (scene / "picks.json").write_text(json.dumps({"picks": [[0.1, 0.5, 0], [0.9, 0.5, 0]]}))
-    assert run("plate.ply", "--picks", "picks.json", "--output", "line.json").returncode == 0
-    result = run("pattern", "plate.ply", "--drawing", "star.svg", "--along", "line.json", "--repeat", 4, "--size", 0.1,
+    run.ok("plate.ply", "--picks", "picks.json", "--output", "line.json")
+    run.ok("pattern", "plate.ply", "--drawing", "star.svg", "--along", "line.json", "--repeat", 4, "--size", 0.1,
                  "--shift", 0.2, "--output", "row.json", "--report", "report.json")
-    assert result.returncode == 0, result.stderr
     curves = curves_of(scene / "row.json")
     assert len(curves) == 36
     middles = np.array([points_of(curves[i]).mean(0) for i in range(8, 36, 9)])

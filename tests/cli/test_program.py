@@ -38,54 +38,6 @@ def test_every_mesh_format_gives_the_same_curve(run, plate, name):
         assert np.abs(points - reference).max() < (1e-5 if name.endswith(".stl") else 1e-12)
 
 
-@pytest.mark.parametrize(
-    "name, text",
-    [
-        ("a.json", json.dumps({"name": "a case", "picks": PICKS, "closed": False})),
-        (
-            "a.mrk.json",
-            json.dumps({
-                "markups": [{
-                    "type": "Curve",
-                    "coordinateSystem": "RAS",
-                    "controlPoints": [{"position": [-x, -y, z], "positionStatus": "defined"} for x, y, z in PICKS]
-                    + [{"position": "", "positionStatus": "undefined"}],
-                }]
-            }),
-        ),
-        ("a.xyz", "# picked by hand\n" + "".join("%r %r %r\n" % tuple(p) for p in PICKS)),
-        ("a.csv", "id,x,y,z\n" + "".join("%d,%r,%r,%r\n" % (i, *p) for i, p in enumerate(PICKS))),
-        ("b.csv", "".join("%s;%s;%s\n" % tuple(str(x).replace(".", ",") for x in p) for p in PICKS)),
-        (
-            "a.pp",
-            "<!DOCTYPE PickedPoints>\n<PickedPoints>\n"
-            + "".join(
-                '<point name="%d" active="1" z="%r" x="%r" y="%r"/>\n' % (i, p[2], p[0], p[1])
-                for i, p in enumerate(PICKS)
-            )
-            + '<point name="9" active="0" x="9" y="9" z="9"/>\n</PickedPoints>\n',
-        ),
-    ],
-)
-def test_every_format_of_picks_gives_the_same_curve(run, plate, name, text):
-    succeed(run(*DEFAULT))
-    (plate / name).write_text(text)
-    succeed(run("plate.ply", "--picks", name, "--output", "other.ply"))
-    assert (plate / "other.ply").read_bytes() == (plate / "curve.ply").read_bytes()
-
-
-@pytest.mark.parametrize("closed", [False, True])
-@pytest.mark.parametrize("extension", ["ply", "obj", "json", "PLY"])
-def test_every_output_format_holds_one_chain_through_the_picks(run, plate, extension, closed):
-    output = plate / f"curve.{extension}"
-    succeed(run("plate.ply", "--picks", "picks.json", "--output", output, *(["--closed"] if closed else [])))
-    points, edges, is_closed = read_curve(output.rename(plate / f"curve.{extension.lower()}"))
-    assert is_closed == closed
-    assert len(edges) == len(points) - (not closed)
-    assert np.linalg.norm(points[[b for _, b in edges]] - points[[a for a, _ in edges]], axis=1).min() > 0
-    passes(points, PICKS)
-
-
 def test_points_of_the_curve_lie_where_face_and_barycentrics_say(run, plate):
     V, F = meshes.plate(height=0.1)
     meshes.write_ply(plate / "hill.ply", V, F)
@@ -107,17 +59,6 @@ def test_points_of_the_curve_lie_where_face_and_barycentrics_say(run, plate):
     assert np.array_equal(polyline["t"], vertex["t"])
 
 
-@pytest.mark.parametrize("degree", [2, 3, 4])
-def test_the_spline_in_json_is_complete(run, plate, degree):
-    succeed(run("plate.ply", "--picks", "picks.json", "--output", "curve.json", "--degree", degree))
-    spline = json.loads((plate / "curve.json").read_text())["spline"]
-    assert spline["degree"] == degree
-    assert len(spline["knots"]) == len(spline["control_points"]) + degree + 1
-    assert (np.diff(spline["knots"]) >= 0).all()
-    assert len(spline["pick_parameters"]) == len(PICKS)
-    assert spline["pick_parameters"][0] == 0 and spline["pick_parameters"][-1] == 1
-
-
 def test_the_picks_file_may_ask_for_a_closed_curve(run, plate):
     (plate / "picks.json").write_text(json.dumps({"picks": PICKS, "closed": True}))
     succeed(run(*DEFAULT))
@@ -125,7 +66,7 @@ def test_the_picks_file_may_ask_for_a_closed_curve(run, plate):
 
 
 def test_a_pick_given_twice_is_passed_once_with_a_note(run, plate):
-    assert run(*DEFAULT[:-1], "once.json").returncode == 0
+    run.ok(*DEFAULT[:-1], "once.json")
     picks = json.loads((plate / "picks.json").read_text())["picks"]
     (plate / "picks.json").write_text(json.dumps({"picks": [picks[0], picks[1], picks[1], *picks[2:]]}))
     result = run(*DEFAULT[:-1], "twice.json", "--report", "report.json")
@@ -174,12 +115,6 @@ def test_a_field_pulls_the_curve_and_is_written_along_it(run, plate, source):
         assert np.abs((corners * weights).sum(1) - vertex["quality"]).max() < 1e-12
         means.append(vertex["quality"].mean())
     assert means[1] < means[0]
-
-
-def test_without_a_field_quality_is_t(run, plate):
-    succeed(run(*DEFAULT))
-    vertex = read_ply(plate / "curve.ply")["vertex"]
-    assert np.array_equal(vertex["quality"], vertex["t"])
 
 
 def test_the_report_holds_times_figures_rounds_and_iterations(run, plate):

@@ -25,7 +25,7 @@ OF_PROGRAM = {
     ("field",): {"output", "report", "region", "region-under", "region-over"},
     ("shell",): {"output", "report", "check", "conforming-to-surface", "no-cache"},
 }
-OF_SHELLS = {"shell", "target_thickness", "target_edge_length", "shell_thickness", "shell_smoothing_passes", "strict", "weld"}
+OF_SHELLS = {"shell", "target_thickness", "target_edge_length", "shell_thickness", "shell_smoothing_passes", "strict", "weld", "slits"}
 
 
 def helped(run, *verb):

@@ -19,8 +19,7 @@ def draw(run, tmp_path):
     (tmp_path / "picks.json").write_text(json.dumps({"picks": V[[25, 215, 415]].tolist()}))
 
     def call(*words):
-        process = run(*(words or SIMPLIFIED))
-        assert process.returncode == 0, process.stderr
+        process = run.ok(*(words or SIMPLIFIED))
         assert process.stdout == ""
         return (tmp_path / "c.json").read_bytes(), json.loads((tmp_path / "r.json").read_text()), process.stderr
 

@@ -220,8 +220,7 @@ CASES = {
 
 def check_shell(run, folder, name, *words):
     """Runs a command that must work; returns its report."""
-    process = run("shell", name, "--check", "--report", "report.json", *words)
-    assert process.returncode == 0, process.stderr
+    run.ok("shell", name, "--check", "--report", "report.json", *words)
     report = json.loads((folder / "report.json").read_text())
     assert [key for key, entry in report["check"].items() if not entry["holds"]] == []
     return report

@@ -16,12 +16,12 @@ using namespace test_support;
 
 /// The vertices nearest to some points, as picks.
 std::vector<Vec3> picksNear(const CurveDesigner& designer, std::vector<Vec3> points) {
-    return verticesNear(surfaceOf(designer).vertices(), std::move(points));
+    return verticesNear(designer.surface().vertices(), std::move(points));
 }
 
 /// Expects that no vertex and no segment of a polyline needs a face of the region.
 void expectOutside(const Surface& surface, const Region& region, const SurfacePolyline& line) {
-    const std::vector<char> isIn = faceFlags(surface, region);
+    const std::vector<char> isIn = faceFlags(surface.mesh(), region);
     const std::size_t count = line.surfacePoints.size();
     for (std::size_t i = 0; i < count; ++i) {
         EXPECT_EQ(isIn[line.surfacePoints[i].face], 0) << "vertex " << i;
@@ -64,7 +64,7 @@ Curve curveRound(
     const SolverOptions& options = {}
 ) {
     Curve curve = goodCurve(designer, picks, options, {.avoid = avoid});
-    expectOutside(surfaceOf(designer), avoid, curve.polyline);
+    expectOutside(designer.surface(), avoid, curve.polyline);
     for (const RoundReport& round : curve.report.rounds) {
         EXPECT_EQ(round.status, MinimiseStatus::Converged) << name(round.status);
     }
@@ -81,7 +81,7 @@ class Avoidance : public EitherShell {};
 class AvoidedDisc : public EitherShell {
 protected:
     CurveDesigner designer_ = designerOn(jitteredPlate(40, 40, 0.2, 3));
-    Region disc_ = facesWhere(surfaceOf(designer_), ball({0.5, 0.5, 0}, 0.2));
+    Region disc_ = facesWhere(designer_.surface(), ball({0.5, 0.5, 0}, 0.2));
     std::vector<Vec3> picks_ = {{0.1, 0.48, 0}, {0.9, 0.48, 0}};
 };
 
@@ -99,7 +99,9 @@ TEST_P(AvoidedDisc, IsPassedSmoothly) {
              Case{{.tension = 0.9}, 1.0},
          }) {
         SCOPED_TRACE("degree " + std::to_string(options.degree));
-        EXPECT_LT(length(curveRound(designer_, picks_, disc_, options).polyline), longest);
+        const Curve curve = curveRound(designer_, picks_, disc_, options);
+        EXPECT_LT(length(curve.polyline), longest);
+        EXPECT_TRUE(curve.report.detours.empty());
     }
 }
 
@@ -107,7 +109,7 @@ TEST_P(Avoidance, ClosedCurvesGoRoundSeveralDiscs) {
     const CurveDesigner designer = designerOn(withNoise(icosphere(4), 0.004, 9));
     const std::vector<Vec3> picks =
         picksNear(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}});
-    const Region discs = facesWhere(surfaceOf(designer), [](const Vec3& p) {
+    const Region discs = facesWhere(designer.surface(), [](const Vec3& p) {
         return ball({0.7, 0.7, 0.05}, 0.3)(p) || ball({-0.7, 0.7, -0.1}, 0.35)(p) ||
                ball({0.7, -0.7, 0}, 0.2)(p);
     });
@@ -117,17 +119,20 @@ TEST_P(Avoidance, ClosedCurvesGoRoundSeveralDiscs) {
 TEST_P(Avoidance, CurvesFindTheGapInAWall) {
     // A wall over the whole plate, with a gap of two cells between its halves.
     const CurveDesigner designer = designerOn(plate(30, 30));
-    const Region wall = facesWhere(surfaceOf(designer), [](const Vec3& p) {
+    const Region wall = facesWhere(designer.surface(), [](const Vec3& p) {
         return std::abs(p.x() - 0.5) < 0.1 && !(p.y() > 0.7 && p.y() < 0.7667);
     });
     const Curve curve = curveRound(designer, {{0.1, 0.3, 0}, {0.9, 0.2, 0}}, wall);
     EXPECT_TRUE(hasPoint(curve, [](const Vec3& p) { return p.y() > 0.7; }));
+    ASSERT_EQ(curve.report.detours.size(), 1U);
+    const double ratio = length(curve.polyline) / std::hypot(0.8, 0.1);
+    EXPECT_NEAR(curve.report.detours[0].ratio, ratio, 2e-3 * ratio);
 }
 
 TEST_P(Avoidance, CurvesPassWhereTheWayIsOneFaceWide) {
     // All faces but those of a bent strip: every edge that the curve crosses has both ends on them.
     const CurveDesigner designer = designerOn(plate(12, 12));
-    const Surface& surface = surfaceOf(designer);
+    const Surface& surface = designer.surface();
     const auto isInRow = [](const Vec3& p) {
         return (p.y() > 6.0 / 12.0 && p.y() < 7.0 / 12.0 && p.x() < 7.0 / 12.0) ||
                (p.x() > 6.0 / 12.0 && p.x() < 7.0 / 12.0 && p.y() < 7.0 / 12.0);
@@ -144,7 +149,7 @@ TEST_P(Avoidance, CurvesPassWhereTheWayIsOneFaceWide) {
 TEST_P(Avoidance, CurvesTakeTheOtherWayRoundATorus) {
     const CurveDesigner designer = designerOn(torus(60, 24));
     // A band all round the tube, over the short way between the picks.
-    const Region band = facesWhere(surfaceOf(designer), [](const Vec3& p) {
+    const Region band = facesWhere(designer.surface(), [](const Vec3& p) {
         return p.x() > 0.0 && std::abs(p.y()) < 0.1;
     });
     const std::vector<Vec3> picks = picksNear(designer, {{0.9, 0.6, 0.2}, {0.9, -0.6, 0.2}});
@@ -152,14 +157,14 @@ TEST_P(Avoidance, CurvesTakeTheOtherWayRoundATorus) {
     EXPECT_TRUE(hasPoint(curve, [](const Vec3& p) { return p.x() < -0.5; }));
     // A second band leaves no way.
     const Region both =
-        facesWhere(surfaceOf(designer), [](const Vec3& p) { return std::abs(p.y()) < 0.1; });
+        facesWhere(designer.surface(), [](const Vec3& p) { return std::abs(p.y()) < 0.1; });
     expectNoCurve(designer, picks, both, InputErrorCode::NoPath);
 }
 
 TEST_P(AvoidedDisc, IsAsFarAsTheCurveSaysAtEverySampling) {
     const Curve curve = curveRound(designer_, picks_, disc_);
     EXPECT_EQ(curve.report.avoidedFaces, static_cast<int>(disc_.size()));
-    const Surface& surface = surfaceOf(designer_);
+    const Surface& surface = designer_.surface();
     double nearest = 1.0;
     for (const Vec3& p : curve.polyline.points) {
         for (const int f : disc_) {
@@ -180,12 +185,12 @@ TEST_P(AvoidedDisc, IsAsFarAsTheCurveSaysAtEverySampling) {
 
 TEST_P(Avoidance, PicksMayLieNextToWhatIsAvoided) {
     const CurveDesigner designer = designerOn(plate(40, 40));
-    const Region half = facesWhere(surfaceOf(designer), [](const Vec3& p) { return p.y() < 0.5; });
+    const Region half = facesWhere(designer.surface(), [](const Vec3& p) { return p.y() < 0.5; });
     for (const double gap : {0.02, 1e-3, 1e-5}) {
         SCOPED_TRACE("gap " + std::to_string(gap));
         const std::vector<Vec3> picks = {{0.2, 0.5 + gap, 0}, {0.51, 0.5 + gap, 0}, {0.8, 0.6, 0}};
         const Curve curve = goodCurve(designer, picks, {}, {.avoid = half});
-        expectOutside(surfaceOf(designer), half, curve.polyline);
+        expectOutside(designer.surface(), half, curve.polyline);
         EXPECT_LT(length(curve.polyline), 0.75);
     }
 }
@@ -194,22 +199,22 @@ TEST_P(Avoidance, ReversedPicksGiveTheCurveReversed) {
     const CurveDesigner designer = designerOn(withNoise(icosphere(4), 0.004, 9));
     const std::vector<Vec3> picks = picksNear(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
     const std::vector<Vec3> reversed(picks.rbegin(), picks.rend());
-    const Region discs = facesWhere(surfaceOf(designer), [](const Vec3& p) {
+    const Region discs = facesWhere(designer.surface(), [](const Vec3& p) {
         return ball({0.7, 0.7, 0.05}, 0.3)(p) || ball({-0.7, 0.7, -0.1}, 0.35)(p);
     });
     const Curve there = curveRound(designer, picks, discs);
     const Curve back = curveRound(designer, reversed, discs);
     EXPECT_LT(
-        largestGap(there.spline, back.spline, true), 0.1 * surfaceOf(designer).averageEdgeLength()
+        largestGap(there.spline, back.spline, true), 0.1 * designer.surface().averageEdgeLength()
     );
 }
 
 TEST_P(Avoidance, PicksThatLieInsideAreRefusedByName) {
     const CurveDesigner designer = designerOn(plate(20, 20));
-    const Region disc = facesWhere(surfaceOf(designer), ball({0.5, 0.5, 0}, 0.2));
+    const Region disc = facesWhere(designer.surface(), ball({0.5, 0.5, 0}, 0.2));
     for (const Vec3& inside :
          {Vec3(0.51, 0.52, 0),
-          surfaceOf(designer).vertices()[surfaceOf(designer).faces()[disc.front()][0]]}) {
+          designer.surface().vertices()[designer.surface().faces()[disc.front()][0]]}) {
         expectNoCurve(
             designer,
             {{0.1, 0.1, 0}, {0.9, 0.1, 0}, inside},
@@ -223,7 +228,7 @@ TEST_P(Avoidance, PicksThatLieInsideAreRefusedByName) {
 
 TEST_P(Avoidance, PicksBehindARingAreRefusedByName) {
     const CurveDesigner designer = designerOn(plate(40, 40));
-    const Region ring = facesWhere(surfaceOf(designer), [](const Vec3& p) {
+    const Region ring = facesWhere(designer.surface(), [](const Vec3& p) {
         const double radius = (p - Vec3(0.5, 0.5, 0)).norm();
         return radius > 0.2 && radius < 0.3;
     });
@@ -249,7 +254,7 @@ TEST_P(Avoidance, PicksBehindARingAreRefusedByName) {
 TEST_P(Avoidance, FacesThatTouchInAVertexLeaveNoWay) {
     // The free faces on both sides of the wall share one vertex only.
     const CurveDesigner designer = designerOn(plate(2, 2));
-    const Region others = facesWhere(surfaceOf(designer), [](const Vec3& p) {
+    const Region others = facesWhere(designer.surface(), [](const Vec3& p) {
         return (p.x() < 0.5) != (p.y() < 0.5);
     });
     expectNoCurve(designer, {{0.2, 0.25, 0}, {0.8, 0.7, 0}}, others, InputErrorCode::NoPath);
@@ -280,7 +285,7 @@ struct Layout {
 
 /// Components of the faces outside of a region: -1 inside.
 std::vector<int> componentsOutside(const Surface& surface, const Region& region) {
-    const std::vector<char> isIn = faceFlags(surface, region);
+    const std::vector<char> isIn = faceFlags(surface.mesh(), region);
     std::vector<int> component(surface.faceCount(), -1);
     for (int seed = 0, next = 0; seed < surface.faceCount(); ++seed) {
         if (isIn[seed] != 0 || component[seed] >= 0) {
@@ -353,7 +358,7 @@ TEST_P(Avoidance, RandomLayoutsAreDrawnOutsideOrRefused) {
             SCOPED_TRACE(
                 std::to_string(mesh.faces.size()) + " faces, seed " + std::to_string(seed)
             );
-            const Layout layout = randomLayout(surfaceOf(designer), seed);
+            const Layout layout = randomLayout(designer.surface(), seed);
             const SolverOptions options{
                 .degree = 2 + static_cast<int>(seed % 3), .closed = seed % 3 == 0
             };
@@ -361,8 +366,8 @@ TEST_P(Avoidance, RandomLayoutsAreDrawnOutsideOrRefused) {
                 const Curve curve =
                     designer.design(layout.picks, options, {}, {.avoid = layout.avoid});
                 EXPECT_TRUE(layout.isPossible);
-                expectStrict(surfaceOf(designer), curve.polyline);
-                expectOutside(surfaceOf(designer), layout.avoid, curve.polyline);
+                expectStrict(designer.surface(), curve.polyline);
+                expectOutside(designer.surface(), layout.avoid, curve.polyline);
                 ++drawn;
             } catch (const InputError& error) {
                 EXPECT_FALSE(layout.isPossible) << error.what();
@@ -384,7 +389,7 @@ INSTANTIATE_TEST_SUITE_P(Shells, AvoidedDisc, kEitherShell, nameOfShell);
 TEST(AvoidanceFarAway, ChangesNothing) {
     const CurveDesigner designer(withNoise(icosphere(4), 0.004, 9));
     const std::vector<Vec3> picks = picksNear(designer, {{1, 0, 0}, {0, 1, 0}, {-1, 0.1, 0.3}});
-    const Region far = facesWhere(surfaceOf(designer), ball({0, 0, -1}, 0.3));
+    const Region far = facesWhere(designer.surface(), ball({0, 0, -1}, 0.3));
     const Curve with = designer.design(picks, {}, {}, {.avoid = far});
     const Curve without = designer.design(picks);
     EXPECT_EQ(largestGap(with.spline, without.spline), 0.0);

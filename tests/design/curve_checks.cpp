@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curve_checks.h"
 
-#include "design/designer_surface.h"
+#include "bspline_curve/designer.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>
@@ -184,11 +184,11 @@ void expectGoodCurve(
 ) {
     EXPECT_TRUE(curve.report.usable)
         << name(curve.report.status) << ", max distance " << curve.report.maxDistance << " edges";
-    expectStrict(surfaceOf(designer), curve.polyline);
+    expectStrict(designer.surface(), curve.polyline);
     EXPECT_LE(curve.report.maxPickGap, 1e-9);
     ASSERT_EQ(curve.polyline.picks.size(), picks.size());
     ASSERT_EQ(curve.spline.pickParameters.size(), picks.size());
-    const double near = 1e-9 * surfaceOf(designer).diagonal();
+    const double near = 1e-9 * designer.surface().diagonal();
     int before = -1;
     for (std::size_t i = 0; i < picks.size(); ++i) {
         const int index = curve.polyline.picks[i];

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bspline_curve/designer.h"
-#include "design/designer_surface.h"
 #include "support/meshes.h"
 #include "support/places.h"
 #include "support/random.h"

@@ -22,7 +22,7 @@ Curve curveAlong(
     const FieldOptions& field,
     SolverOptions options = {}
 ) {
-    const std::vector<double> values = makeField(surfaceOf(designer), field);
+    const ScalarField values = makeField(designer.surface(), field);
     options.fieldCost = naturalCost(field.kind);
     return goodCurve(designer, picks, options, {.field = values});
 }
@@ -234,9 +234,9 @@ protected:
 
 TEST_P(HillsBetweenPicks, TurnTheCurveAside) {
     const Region faces =
-        facesWhere(surfaceOf(designer_), [](const Vec3& p) { return isInside(p, 0.0); });
-    const std::vector<double> field =
-        makeField(surfaceOf(designer_), {.kind = FieldKind::Obstacle}, {.region = faces});
+        facesWhere(designer_.surface(), [](const Vec3& p) { return isInside(p, 0.0); });
+    const ScalarField field =
+        makeField(designer_.surface(), {.kind = FieldKind::Obstacle}, {.region = faces});
     const double straight = shareInside(designer_.design(picks_));
     const Curve aside = goodCurve(designer_, picks_, {}, {.field = field});
     const Curve avoiding = goodCurve(designer_, picks_, {}, {.avoid = faces});

@@ -21,7 +21,7 @@ protected:
     [[nodiscard]] std::shared_ptr<const ValidatedField> find(
         const std::vector<double>& field, FieldCost cost = FieldCost::ExpMinus
     ) {
-        return known_.find(surface_, extended_, field, cost);
+        return known_.find(surface_, extended_, ScalarField(field).shared(), cost);
     }
 
     Surface surface_{plate(6, 6)};

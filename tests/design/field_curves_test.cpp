@@ -24,7 +24,7 @@ protected:
     TriangleMesh mesh_ = withNoise(icosphere(3), 0.01, 23);
     CurveDesigner designer_ = designerOn(mesh_);
     std::vector<Vec3> picks_ = verticesOf(mesh_, {5, 100, 400});
-    double epsilon_ = 0.1 * surfaceOf(designer_).averageEdgeLength();
+    double epsilon_ = 0.1 * designer_.surface().averageEdgeLength();
 };
 
 double heightOf(const Vec3& v) {
@@ -113,7 +113,7 @@ TEST_P(FieldOnASphere, TheReportedCostIsTheMeanAlongTheCurve) {
         SCOPED_TRACE(name(kind));
         const SolverOptions options{.fieldWeight = 10.0, .fieldCost = kind};
         const Curve curve = designer_.design(picks_, options, {.samples = 4000}, {.field = field});
-        const double expected = meanCostOver(surfaceOf(designer_), curve.polyline, field, cost);
+        const double expected = meanCostOver(designer_.surface(), curve.polyline, field, cost);
         // The shell of the curve's last round, and the thinner one of its polyline, project
         // differently: by 1e-4 in a simplified shell.
         EXPECT_NEAR(curve.report.fieldCost, expected, 1e-3 * std::abs(expected));

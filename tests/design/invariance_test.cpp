@@ -79,15 +79,15 @@ protected:
         }
         SplineData expected = reference_.spline;
         expected.controlPoints = moved(expected.controlPoints, motion, scale);
-        EXPECT_LT(largestGap(curve.spline, expected) / surfaceOf(designer).diagonal(), 1e-6);
+        EXPECT_LT(largestGap(curve.spline, expected) / designer.surface().diagonal(), 1e-6);
         SurfacePolyline line = reference_.polyline;
         line.points = moved(line.points, motion, scale);
-        EXPECT_LT(largestDistance(curve.polyline, line) / surfaceOf(designer).diagonal(), 1e-6);
+        EXPECT_LT(largestDistance(curve.polyline, line) / designer.surface().diagonal(), 1e-6);
     }
 
     // Distance of the two curves in epsilon, the distance tolerance on the mesh of the scene.
     [[nodiscard]] double inEpsilon(double distance) const {
-        const double edge = surfaceOf(designer_).averageEdgeLength();
+        const double edge = designer_.surface().averageEdgeLength();
         return distance / (scene_.options.distanceTolerance * edge);
     }
 
@@ -117,7 +117,7 @@ TEST_P(Invariance, ScalingScalesTheCurve) {
 
 TEST_P(InvarianceFarAway, CurvesFarFromTheOriginAreTheSame) {
     Eigen::Isometry3d far = Eigen::Isometry3d::Identity();
-    far.translation() = 1e5 * surfaceOf(designer_).diagonal() * Vec3(0.6, -0.3, 0.7).normalized();
+    far.translation() = 1e5 * designer_.surface().diagonal() * Vec3(0.6, -0.3, 0.7).normalized();
     expectSimilar(far, 1.0);
 }
 

@@ -123,7 +123,7 @@ TEST_P(Spheres, CurvesWithFullTensionAreGreatCircles) {
         const CurveDesigner sphere = designerOn(icosphere(subdivisions));
         const Curve curve = sphere.design(picks, {.tension = 1.0});
         EXPECT_TRUE(curve.report.usable);
-        expectStrict(surfaceOf(sphere), curve.polyline);
+        expectStrict(sphere.surface(), curve.polyline);
         for (std::size_t i = 0; i + 1 < picks.size(); ++i) {
             const double distance = std::acos(picks[i].dot(picks[i + 1]));
             for (int j = curve.polyline.picks[i]; j < curve.polyline.picks[i + 1]; ++j) {
@@ -146,9 +146,9 @@ TEST_P(Spheres, ClosedCurvesThroughAGreatCircleAreThatCircle) {
     }
     const Curve curve = sphere.design(picks, {.closed = true});
     EXPECT_TRUE(curve.report.usable);
-    expectStrict(surfaceOf(sphere), curve.polyline);
+    expectStrict(sphere.surface(), curve.polyline);
     const Vec3 axis = turn * Vec3::UnitZ();
-    const double tolerance = 0.1 * surfaceOf(sphere).averageEdgeLength();
+    const double tolerance = 0.1 * sphere.surface().averageEdgeLength();
     for (const Vec3& p : curve.polyline.points) {
         EXPECT_LT(std::abs(p.dot(axis)), tolerance);
     }

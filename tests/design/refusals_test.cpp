@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bad input is refused by name; progress only rises and cancels at once.
+#include "bspline_curve/designer.h"
+#include "bspline_curve/options.h"
 #include "curve_checks.h"
-#include "design/designer_surface.h"
 #include "support/places.h"
 #include "support/refusal.h"
-#include "surface/mending.h"
 
 #include <cmath>
 #include <limits>
@@ -137,12 +137,12 @@ TEST(ProgressReports, CancelThePreparationAtEveryCall) {
     // Of many faces, so that they are grouped, too; other threads work beside this one.
     const TriangleMesh mesh = icosphere(5);
     Calls whole;
-    static_cast<void>(CurveDesigner(mesh, {}, whole.callback()));
+    static_cast<void>(CurveDesigner(mesh, {}, {}, whole.callback()));
     EXPECT_GE(whole.fractions.size(), 10);
     expectRising(whole.fractions);
     for (std::size_t call = 1; call <= whole.fractions.size(); ++call) {
         Calls cancelled{.fractions = {}, .allowed = static_cast<int>(call)};
-        EXPECT_THROW(CurveDesigner(mesh, {}, cancelled.callback()), Cancelled) << call;
+        EXPECT_THROW(CurveDesigner(mesh, {}, {}, cancelled.callback()), Cancelled) << call;
         EXPECT_EQ(cancelled.fractions.size(), call);
     }
 }
@@ -151,10 +151,8 @@ TEST(ProgressReports, RiseWhereAMeshIsMendedAndPreparedAgain) {
     TriangleMesh mesh = icosphere(3);
     mesh.faces.push_back(mesh.faces.front());
     Calls calls;
-    const auto mended = makeMended(mesh, {}, [&](TriangleMesh given) {
-        return CurveDesigner(std::move(given), {}, calls.callback());
-    });
-    EXPECT_TRUE(mended.mending.has_value());
+    const CurveDesigner designer(mesh, {}, {}, calls.callback());
+    EXPECT_FALSE(designer.surface().provenance().isIdentity());
     expectRising(calls.fractions);
 }
 
@@ -193,7 +191,7 @@ TEST(RefusalsAtSamples, AreThoseOfCells) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         SCOPED_TRACE("case " + std::to_string(i));
         const CurveDesigner designer(cases[i].mesh);
-        const Region avoid = facesWhere(surfaceOf(designer), [&](const Vec3& p) {
+        const Region avoid = facesWhere(designer.surface(), [&](const Vec3& p) {
             return std::abs(p.x() - 0.5) < cases[i].wall;
         });
         const std::vector<Vec3>& picks = cases[i].picks;

@@ -52,7 +52,7 @@ TEST_P(Sampling, IsStrictAtEverySampling) {
                 std::to_string(samples) + " samples, segments up to " + std::to_string(longest)
             );
             const SurfacePolyline line = drawn({samples, longest});
-            expectStrict(surfaceOf(designer_), line);
+            expectStrict(designer_.surface(), line);
             if (longest > 0.0) {
                 EXPECT_LE(longestSegment(line), longest);
             }
@@ -97,7 +97,7 @@ TEST_P(Sampling, FinerPolylinesContainCoarserOnes) {
 // The polyline is the shadow of the spline: nearer than the largest distance that was measured.
 TEST_P(Sampling, PolylinesFollowTheSpline) {
     const SurfacePolyline& line = curve_.polyline;
-    const double edge = surfaceOf(designer_).averageEdgeLength();
+    const double edge = designer_.surface().averageEdgeLength();
     double largest = 0.0;
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         const Vec3 p = pointOfSpline(curve_.spline, line.parameters[i]);

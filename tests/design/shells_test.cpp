@@ -30,9 +30,9 @@ TEST_F(LocalShell, GivesTheCurveOfTheWholeShell) {
     const Curve whole = goodCurve(full_, picks_);
     EXPECT_EQ(near.spline.controlPoints, whole.spline.controlPoints);
     const double tolerance =
-        SolverOptions().distanceTolerance * surfaceOf(full_).averageEdgeLength();
+        SolverOptions().distanceTolerance * full_.surface().averageEdgeLength();
     EXPECT_LT(largestDistance(near.polyline, whole.polyline), tolerance);
-    EXPECT_EQ(whole.prisms, surfaceOf(full_).faceCount());
+    EXPECT_EQ(whole.prisms, full_.surface().faceCount());
     EXPECT_EQ(whole.shell, ShellKind::FullResolution);
     EXPECT_EQ(near.shell, std::nullopt);
     EXPECT_EQ(near.prisms, 0);
@@ -119,10 +119,10 @@ const ShellOptions kSimplified{.kind = ShellKind::Simplified};
 
 TEST(ShellStores, ServeTheSecondDesignerWithTheSameCurve) {
     const MemoryStore store;
-    const CurveDesigner first(kMesh, kSimplified, {}, &store);
+    const CurveDesigner first(kMesh, kSimplified, {}, {}, &store);
     EXPECT_FALSE(first.shell().isFromStore);
     ASSERT_EQ(store.shells.size(), 1U);
-    const CurveDesigner second(kMesh, kSimplified, {}, &store);
+    const CurveDesigner second(kMesh, kSimplified, {}, {}, &store);
     EXPECT_TRUE(second.shell().isFromStore);
     EXPECT_TRUE(second.shell().notes.empty());
     EXPECT_EQ(second.shell().kind, ShellKind::Simplified);
@@ -136,7 +136,7 @@ TEST(ShellStores, ServeTheSecondDesignerWithTheSameCurve) {
 
 TEST(ShellStores, AreNotAskedForShellsOfFullResolution) {
     const MemoryStore store;
-    const CurveDesigner designer(kMesh, {.kind = ShellKind::FullResolution}, {}, &store);
+    const CurveDesigner designer(kMesh, {.kind = ShellKind::FullResolution}, {}, {}, &store);
     EXPECT_FALSE(designer.shell().isFromStore);
     EXPECT_EQ(store.finds, 0);
     EXPECT_TRUE(store.shells.empty());
@@ -147,7 +147,7 @@ TEST(ShellStores, KeepOneShellForEachSetOfOptionsThatASimplifiedShellFollows) {
     ShellOptions options = kSimplified;
     options.thickness = 0.5;  // of full resolution only
     for (const ShellOptions& o : {kSimplified, options}) {
-        const CurveDesigner designer(kMesh, o, {}, &store);
+        const CurveDesigner designer(kMesh, o, {}, {}, &store);
     }
     EXPECT_EQ(store.shells.size(), 1U);
     std::vector<ShellOptions> others(3, kSimplified);
@@ -155,7 +155,7 @@ TEST(ShellStores, KeepOneShellForEachSetOfOptionsThatASimplifiedShellFollows) {
     others[1].targetEdgeLength = 0.5;
     others[2].smoothingPasses = 2;
     for (const ShellOptions& o : others) {
-        const CurveDesigner designer(kMesh, o, {}, &store);
+        const CurveDesigner designer(kMesh, o, {}, {}, &store);
         EXPECT_FALSE(designer.shell().isFromStore);
     }
     EXPECT_EQ(store.shells.size(), 4U);
@@ -164,7 +164,7 @@ TEST(ShellStores, KeepOneShellForEachSetOfOptionsThatASimplifiedShellFollows) {
 TEST(ShellStores, TellTheirTroubleInNotesAndStopNoCurve) {
     MemoryStore store;
     store.note = "out of order";
-    const CurveDesigner designer(kMesh, kSimplified, {}, &store);
+    const CurveDesigner designer(kMesh, kSimplified, {}, {}, &store);
     EXPECT_EQ(designer.shell().notes, (std::vector<std::string>{"out of order", "out of order"}));
     goodCurve(designer, kPicks);
 }

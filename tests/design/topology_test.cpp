@@ -174,7 +174,7 @@ TEST(PaperPreset, GivesUsableCurvesOnASphere) {
         const Curve curve = designer.design(verticesOf(mesh, {5, 100, 400}), options);
         EXPECT_TRUE(curve.report.usable)
             << name(curve.report.status) << ", " << curve.report.maxDistance;
-        expectStrict(surfaceOf(designer), curve.polyline);
+        expectStrict(designer.surface(), curve.polyline);
     }
 }
 

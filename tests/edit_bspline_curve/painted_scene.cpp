@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "painted_scene.h"
 
-#include "design/designer_surface.h"
+#include "bspline_curve/designer.h"
 #include "edit_bspline_curve/common/line_style.h"
 
 #include <QImage>
@@ -153,11 +153,11 @@ void PaintedScene::addPicks(const std::vector<Vec3>& points) {
 }
 
 SurfacePoint PaintedScene::nearest(const Vec3& point) const {
-    return treeOf(*designer_).closestPoint(point).point;
+    return designer_->tree().closestPoint(point).point;
 }
 
 Vec3 PaintedScene::positionOf(const SurfacePoint& point) const {
-    return surfaceOf(*designer_).position(point);
+    return designer_->surface().position(point);
 }
 
 void PaintedScene::preview(const Pointer& pointer) {

@@ -29,7 +29,7 @@ using namespace test_support;
 const double kScale = FieldOptions().curvatureScale;
 
 std::vector<double> fieldOn(const Surface& surface, FieldKind kind) {
-    return makeField(surface, {.kind = kind});
+    return makeField(surface, {.kind = kind}).values();
 }
 
 /// Largest difference between two values at a vertex; there must be some.
@@ -270,7 +270,7 @@ TEST(CurvatureField, SeesThroughNoise) {
         const double exact = kCurvatureLength * noisy.diagonal();
         const auto field = fieldOn(noisy, FieldKind::MaximalCurvature);
         EXPECT_LT(meanGap(field, exact), 0.12) << subdivisions;
-        const auto wide = makeField(noisy, {.curvatureScale = 4.0 * kScale});
+        const auto wide = makeField(noisy, {.curvatureScale = 4.0 * kScale}).values();
         EXPECT_LT(meanGap(wide, exact), 0.4 * meanGap(field, exact));
     }
 }

@@ -89,7 +89,7 @@ TEST(FeatureDistance, AsAFieldIsRelativeToTheReach) {
     for (const double unit : {1e-3, 1.0, 1e3}) {
         const TriangleMesh mesh = box(40);
         const Surface surface(transformed(mesh, Eigen::Isometry3d::Identity(), unit));
-        const auto field = makeField(surface, {.kind = FieldKind::CreaseDistance});
+        const auto field = makeField(surface, {.kind = FieldKind::CreaseDistance}).values();
         for (std::size_t i = 0; i < field.size(); ++i) {
             // On a side of the cube one coordinate is 0 or 1; the other two say how far its edges
             // are.
@@ -107,7 +107,7 @@ TEST(FeatureDistance, AsAFieldIsRelativeToTheReach) {
 TEST(FeatureDistance, LeavesComponentsWithoutFeaturesAtOne) {
     TriangleMesh mesh = joined(plate(4, 4), icosphere(3));
     mesh.vertices.emplace_back(3, 3, 3);
-    const auto field = makeField(Surface(mesh), {.kind = FieldKind::BoundaryDistance});
+    const auto field = makeField(Surface(mesh), {.kind = FieldKind::BoundaryDistance}).values();
     EXPECT_EQ(field[0], 0.0);
     for (std::size_t i = 25; i < field.size(); ++i) {
         EXPECT_EQ(field[i], 1.0);

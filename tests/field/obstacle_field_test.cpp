@@ -89,7 +89,8 @@ TEST(ObstacleField, IsOneOrALittleMoreInsideByDefault) {
     const Surface surface(disc(60, 1.0));
     const double radius = 0.05 * surface.diagonal();
     const auto region = facesWhere(surface, ball(Vec3::Zero(), radius));
-    const auto field = makeField(surface, {.kind = FieldKind::Obstacle}, {.region = region});
+    const auto field =
+        makeField(surface, {.kind = FieldKind::Obstacle}, {.region = region}).values();
     EXPECT_NEAR(*std::ranges::max_element(field), 1.0, 0.1);
     for (const int face : region) {
         for (const int vertex : surface.faces()[face]) {
@@ -204,19 +205,21 @@ TEST(ObstacleField, IsTheBoundaryValueWhereNoVertexIsInside) {
 
 TEST(ObstacleField, RefusesRegionsThatMakeNone) {
     const Surface surface(joined(plate(2, 2), plate(6, 6)));
-    const auto expectNone = [&](const std::vector<int>& region, const std::string& said) {
+    const auto expectNone = [&](const std::vector<int>& region,
+                                const std::string& said,
+                                InputErrorCode code = InputErrorCode::BadField) {
         expectRefused(
             [&] {
                 const FieldOptions options{.kind = FieldKind::Obstacle, .obstacleValue = 0.0};
                 return makeField(surface, options, {.region = region});
             },
-            InputErrorCode::BadField,
+            code,
             said
         );
     };
     expectNone({}, "the region has no faces");
-    expectNone({80}, "the mesh has no face 80");
-    expectNone({-1}, "the mesh has no face -1");
+    expectNone({80}, "no face of the mesh", InputErrorCode::IndexOutOfRange);
+    expectNone({-1}, "no face of the mesh", InputErrorCode::IndexOutOfRange);
     expectNone({20}, "no vertex lies inside");
     expectNone({0, 1, 2, 3, 4, 5, 6, 7}, "covers all of 1 component of the mesh (with faces 0)");
 }

@@ -62,7 +62,7 @@ TEST(ValueRange, InvertsWithinTheRange) {
 class QualityField : public ::testing::Test {
 protected:
     [[nodiscard]] std::vector<double> made(const std::vector<double>& quality) const {
-        return makeField(surface_, options_, {.quality = quality});
+        return makeField(surface_, options_, {.quality = quality}).values();
     }
 
     void expectNone(const std::vector<double>& quality, const std::string& said) const {

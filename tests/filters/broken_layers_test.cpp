@@ -43,7 +43,7 @@ TEST(RunCurveFilter, DrawsOnBrokenMeshesAndNamesTheFacesOfTheLayer) {
 TEST(RunCurveFilter, RefusesBrokenMeshesWhereItIsStrictEvenAfterOneWasDrawn) {
     for (const BrokenPlate& broken : brokenPlates()) {
         SCOPED_TRACE(broken.name);
-        DesignerCache designers;
+        WorkpieceCache designers;
         CurveRequest strict;
         strict.mending.strict = true;
         const auto refused = [&] { return draw(broken.layer, strict, designers); };
@@ -67,8 +67,8 @@ TEST(RunCurveFilter, AvoidsTheFacesThatAreSelectedOnABrokenLayer) {
             selected.push_back(std::ranges::all_of(face, isInWall) ? 1 : 0);
         }
         CurveRequest request;
-        request.avoid = Avoid::SelectedFaces;
-        DesignerCache designers;
+        request.avoid.by = FaceChoice::By::SelectedFaces;
+        WorkpieceCache designers;
         const std::vector<Vec3> picks = {{0.1, 0.9, 0.0}, {0.9, 0.9, 0.0}};
         const CurveResult result =
             runCurveFilter(broken.layer, {.tool = picks, .layer = {}}, request, designers);
@@ -84,7 +84,8 @@ TEST(RunCurveFilter, AvoidsTheFacesThatAreSelectedOnABrokenLayer) {
 TEST(RunFieldFilter, HasAValueForEachVertexOfABrokenLayer) {
     for (const BrokenPlate& broken : brokenPlates()) {
         SCOPED_TRACE(broken.name);
-        FieldRequest request{.options = {.kind = FieldKind::Quality}};
+        FieldLayerRequest request;
+        request.options.kind = FieldKind::Quality;
         const FieldResult result = runFieldFilter(broken.layer, request);
         EXPECT_EQ(result.values, broken.layer.quality);
         ASSERT_EQ(result.log.warnings.size(), 1u);

@@ -74,8 +74,8 @@ TEST(CurveUsesOnBrokenLayers, MakeMeshesOfWhatIsTheLayers) {
         expectPart(imprinted.log.warnings[0], broken.said);
         expectMadeFrom(input.surface, imprinted.layers.at(0).made);
         CutRequest request;
-        request.choice.keep = KeptParts::Inside;
-        request.choice.fill = FillKind::Flat;
+        request.words.keep = KeptParts::Inside;
+        request.words.fill = FillKind::Flat;
         const MeshesResult cut = runCutFilter(input, {}, request);
         expectMadeFrom(input.surface, cut.layers.at(0).made);
         SegmentRequest split;
@@ -144,7 +144,7 @@ TEST(CurveUsesOnBrokenLayers, RefuseACurveFromSheetToSheetByItsLayer) {
             layer.mesh.faces.push_back({ids[face[0]], ids[face[1]], ids[face[2]]});
         }
     }
-    DesignerCache designers;
+    WorkpieceCache designers;
     const std::vector<Vec3> picks = {{0.2, 0.5, 0.0}, {0.5, 0.4, 0.3}};
     const CurveResult drawn = runCurveFilter(layer, {.tool = picks, .layer = {}}, {}, designers);
     PolylineLayer curve;

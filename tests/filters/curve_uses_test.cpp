@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filters/curve_notes.h"
 #include "filters/run_curve_uses.h"
 #include "filters/runs_on_plates.h"
+#include "workpiece/curve_notes.h"
 
 #include <gtest/gtest.h>
 
@@ -138,25 +138,25 @@ TEST(CutFilter, MakesALayerForAllForEachOrForOnePart) {
     ASSERT_EQ(result.layers.size(), 1U);
     EXPECT_EQ(result.layers[0].suffix, " cut");
     EXPECT_GT(figure<int>(result.figures, "doubled_vertices"), 4);
-    request.choice.split = true;
+    request.words.split = true;
     result = runCutFilter(input, {}, request);
     ASSERT_EQ(result.layers.size(), 2U);
     EXPECT_EQ(result.layers[1].suffix, " part 1");
     const double inside = areaOf(result.layers[1].made.mesh());
     EXPECT_NEAR(areaOf(result.layers[0].made.mesh()) + inside, 1.0, 1e-12);
-    request.choice = {.keep = KeptParts::Seed, .seed = "0.5 0.5 0"};
+    request.words = {.keep = KeptParts::Seed, .seed = "0.5 0.5 0"};
     result = runCutFilter(input, {}, request);
     ASSERT_EQ(result.layers.size(), 1U);
     EXPECT_EQ(result.layers[0].suffix, " part");
     EXPECT_NEAR(areaOf(result.layers[0].made.mesh()), inside, 1e-12);
-    request.choice.seed.clear();
+    request.words.seed.clear();
     result = runCutFilter(input, {Vec3(0.1, 0.1, 0.0)}, request);
     EXPECT_NEAR(areaOf(result.layers[0].made.mesh()), 1.0 - inside, 1e-12);
 }
 
 TEST(CutFilter, FillsWhatIsTakenAway) {
     CutRequest request;
-    request.choice = {.keep = KeptParts::Largest, .seed = "", .fill = FillKind::Smooth};
+    request.words = {.keep = KeptParts::Largest, .seed = "", .fill = FillKind::Smooth};
     const CurvesOnLayer input = onPlate({square()});
     const MeshesResult result = runCutFilter(input, {}, request);
     const MadeMesh& made = result.layers[0].made;
@@ -172,7 +172,7 @@ TEST(CutFilter, FillsWhatIsTakenAway) {
 
 TEST(CutFilter, MovesAPartAlongItsNormals) {
     CutRequest request;
-    request.choice = {.keep = KeptParts::Inside, .seed = "", .relief = 0.125};
+    request.words = {.keep = KeptParts::Inside, .seed = "", .relief = 0.125};
     const CurvesOnLayer input = onPlate({square()});
     MeshesResult result = runCutFilter(input, {}, request);
     ASSERT_EQ(result.layers.size(), 1U);
@@ -194,9 +194,9 @@ TEST(CutFilter, RefusesWhatCannotBeByName) {
     };
     const CurvesOnLayer rim = onPlate({polyline("rim", {{0, 0, 0}, {1, 0, 0}}, false)});
     expectPart(refused(rim), "there is nothing to cut");
-    request.choice = {.keep = KeptParts::Seed, .seed = "0.3 0.3 0"};
+    request.words = {.keep = KeptParts::Seed, .seed = "0.3 0.3 0"};
     expectPart(refused(onPlate({square()})), "lies on a curve");
-    request.choice.seed.clear();
+    request.words.seed.clear();
     expectPart(refused(onPlate({square()})), "there are 0 points");
     ParameterValues values(cutFilter());
     values.set("fill", std::string("flat"));
@@ -214,7 +214,7 @@ TEST(CutFilter, RefusesWhatCannotBeByName) {
 TEST(CutFilter, ALayerForEachPartIsWhereAllAreKept) {
     const CurvesOnLayer input = onPlate({square()});
     CutRequest request;
-    request.choice = {.keep = KeptParts::Inside, .seed = "", .split = true};
+    request.words = {.keep = KeptParts::Inside, .seed = "", .split = true};
     const MeshesResult result = runCutFilter(input, {}, request);
     ASSERT_EQ(result.layers.size(), 1U);
     EXPECT_EQ(result.layers[0].suffix, " part");
@@ -233,7 +233,7 @@ TEST(CutFilter, KeepsTogetherWhatNoCurveParts) {
         }
     }
     CutRequest request;
-    request.choice.split = true;
+    request.words.split = true;
     const MeshesResult result = runCutFilter(input, {}, request);
     ASSERT_EQ(result.layers.size(), 3U);
     EXPECT_EQ(result.layers[1].suffix, " part 1");
@@ -245,7 +245,7 @@ TEST(CutFilter, SaysWhichCurvesPartNothing) {
     const PolylineLayer slit = polyline("slit", {{0.1, 0.1, 0}, {0.9, 0.15, 0}}, false);
     const PolylineLayer across = polyline("across", {{0, 0.1, 0}, {1, 0.15, 0}}, false);
     CutRequest request;
-    request.choice.split = true;
+    request.words.split = true;
     MeshesResult result = runCutFilter(onPlate({slit}), {}, request);
     ASSERT_EQ(result.layers.size(), 1U);
     EXPECT_EQ(result.layers[0].suffix, " cut");
@@ -255,7 +255,7 @@ TEST(CutFilter, SaysWhichCurvesPartNothing) {
     result = runCutFilter(onPlate({across, square()}), {}, request);
     EXPECT_EQ(result.layers.size(), 3U);
     EXPECT_TRUE(result.log.warnings.empty());
-    request.choice.keep = KeptParts::Inside;
+    request.words.keep = KeptParts::Inside;
     result = runCutFilter(onPlate({slit, square()}), {}, request);
     ASSERT_EQ(result.log.warnings.size(), 1U);
     expectPart(result.log.warnings[0], "1 of 2 curves parts nothing; draw a closed curve");

@@ -234,26 +234,28 @@ TEST_F(DrawnCurveFile, ThatIsDamagedIsRefusedOrOpened) {
     }
 }
 
-TEST_F(DrawnCurveFile, OnAMendedMeshHasTheFacesOfTheGivenOne) {
-    TriangleMesh given = designer_.mesh();
-    given.faces.insert(given.faces.begin() + 10, given.faces[10]);  // twice
-    std::swap(given.faces[5][0], given.faces[5][1]);                // turned over
-    const MeshRepair repair = repairMesh(given);
-    const CurveFileSurface mended{
-        .mesh = repair.mesh, .checksum = checksumOf(given), .repair = &repair
+TEST_F(DrawnCurveFile, OnABrokenMeshHasItsFaces) {
+    TriangleMesh mesh = designer_.mesh();
+    mesh.faces.insert(mesh.faces.begin() + 10, mesh.faces[10]);  // twice
+    std::swap(mesh.faces[5][0], mesh.faces[5][1]);               // turned over
+    const CurveDesigner designer(mesh);
+    const CurveFileSurface broken{
+        .mesh = mesh, .checksum = checksumOf(mesh), .designer = &designer
     };
     CurveToSave curve{.drawn = curves_[0].drawn, .curve = nullptr};
-    curve.drawn.picks = {
-        pickAt(repair.mesh, 5, {0.1, 0.2, 0.7}), pickAt(repair.mesh, 100, {0.1, 0.2, 0.7})
-    };
-    saveDrawnCurves(path("a.json"), std::span(&curve, 1), mended);
+    curve.drawn.picks = {pickAt(mesh, 5, {0.1, 0.2, 0.7}), pickAt(mesh, 101, {0.1, 0.2, 0.7})};
+    saveDrawnCurves(path("a.json"), std::span(&curve, 1), broken);
     expectContains(read(path("a.json")), "\"faces\":[5,101]");
-    const OpenedCurves opened = openDrawnCurves(path("a.json"), mended);
+    const OpenedCurves opened = openDrawnCurves(path("a.json"), broken);
     EXPECT_TRUE(opened.notes.empty());
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(opened.curves[0].picks[i].point.face, curve.drawn.picks[i].point.face);
         EXPECT_EQ(opened.curves[0].picks[i].position, curve.drawn.picks[i].position);
     }
+    // Elsewhere they are projected to the surface, whose faces are others.
+    const CurveFileSurface moved{.mesh = mesh, .checksum = {}, .designer = &designer};
+    const OpenedCurves projected = openDrawnCurves(path("a.json"), moved);
+    EXPECT_EQ(projected.curves[0].picks[1].point.face, 101);
 }
 
 TEST(FittingPicks, DescribeALineByItsCornersAndARingByThreeAtLeast) {

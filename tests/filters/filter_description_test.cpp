@@ -129,8 +129,7 @@ TEST(FilterDescription, BothFiltersSayTheSameOfTheSameParameters) {
         if (parameter.id == "kind") {
             continue;
         }
-        const std::string prefix =
-            parameter.id == "strict" || parameter.id == "weld" ? "" : "field_";
+        const std::string prefix = parameter.group == "advanced.limits" ? "" : "field_";
         const ParameterDescription& other = curveFilter().parameter(prefix + parameter.id);
         EXPECT_EQ(parameter.label, other.label);
         EXPECT_EQ(parameter.fullHelp(), other.fullHelp());

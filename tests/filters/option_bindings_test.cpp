@@ -112,21 +112,22 @@ std::multiset<std::string> idsOf(const FilterDescription& filter) {
 }
 
 TEST(OptionBindings, EveryParameterIsBoundOnce) {
-    std::multiset<std::string> curve{"preset", "strict", "weld"};  // read apart
+    std::multiset<std::string> curve{"preset", "strict", "weld", "slits"};  // read apart
     addIds(curve, solverBindings());
     addIds(curve, samplingBindings());
     addIds(curve, shellBindings());
     addIds(curve, fieldBindings("field", "field_"));
     addIds(curve, regionBindings("field_"));
     addIds(curve, curveBindings());
+    addIds(curve, avoidBindings());
     EXPECT_EQ(curve, idsOf(curveFilter()));
 
-    std::multiset<std::string> field{"strict", "weld"};
+    std::multiset<std::string> field{"strict", "weld", "slits"};
     addIds(field, fieldBindings("kind", ""));
     addIds(field, regionBindings(""));
     EXPECT_EQ(field, idsOf(fieldFilter()));
 
-    std::multiset<std::string> use{"strict", "weld"};
+    std::multiset<std::string> use{"strict", "weld", "slits"};
     addIds(use, useBindings());
     addIds(use, placingBindings());
     std::multiset<std::string> offset = use;
@@ -149,8 +150,11 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
 }
 
 template <class Options>
-void expectDefaults(const FilterDescription& filter, const Bindings<Options>& bindings) {
-    const Options standard;
+void expectDefaults(
+    const FilterDescription& filter,
+    const Bindings<Options>& bindings,
+    const Options& standard = Options()
+) {
     for (const Binding<Options>& binding : bindings) {
         const ParameterDescription& parameter = filter.parameter(binding.id);
         const ParameterValue& value = parameter.defaultValue;
@@ -173,10 +177,12 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(curveFilter(), samplingBindings());
     expectDefaults(curveFilter(), shellBindings());
     expectDefaults(curveFilter(), fieldBindings("field", "field_"));
-    expectDefaults(curveFilter(), regionBindings("field_"));
+    const FaceChoice region = FieldRequest().region;
+    expectDefaults(curveFilter(), regionBindings("field_"), region);
+    expectDefaults(curveFilter(), avoidBindings());
     expectDefaults(curveFilter(), curveBindings());
     expectDefaults(fieldFilter(), fieldBindings("kind", ""));
-    expectDefaults(fieldFilter(), regionBindings(""));
+    expectDefaults(fieldFilter(), regionBindings(""), region);
     expectDefaults(cutFilter(), useBindings());
     expectDefaults(cutFilter(), placingBindings());
     expectDefaults(cutFilter(), imprintBindings());
@@ -187,8 +193,8 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(patternFilter(), scaleBindings());
     expectDefaults(patternFilter(), rowBindings());
     expectDefaults(patternFilter(), carryingBindings());
-    const CutChoice choice;
-    for (const Binding<CutChoice>& binding : cutBindings()) {
+    const CutWords choice;
+    for (const Binding<CutWords>& binding : cutBindings()) {
         EXPECT_EQ(cutFilter().parameter(binding.id).defaultValue, binding.write(choice));
     }
 }
@@ -246,26 +252,27 @@ TEST(OptionBindings, EnumOptionsAreTheEnumerators) {
     check(solverBindings(), "knot_rule", &S::knotRule);
     check(solverBindings(), "field_cost", &S::fieldCost);
     check(shellBindings(), "shell", &ShellOptions::kind);
-    check(regionBindings("field_"), "field_region", &FieldRequest::region);
     check(fieldBindings("field", "field_"), "field", &FieldOptions::kind);
     expectEnumerators(fieldFilter(), named(fieldBindings("kind", ""), "kind"), &FieldOptions::kind);
-    expectEnumerators(cutFilter(), named(cutBindings(), "keep"), &CutChoice::keep);
+    expectEnumerators(cutFilter(), named(cutBindings(), "keep"), &CutWords::keep);
     expectEnumerators(offsetFilter(), named(offsetBindings(), "side"), &OffsetOptions::sides);
     expectEnumerators(patternFilter(), named(patternBindings(), "place"), &PatternRequest::place);
 }
 
 TEST(OptionBindings, EnumOptionsAreWhatCanBeAvoided) {
-    const Binding<CurveRequest> binding = named(curveBindings(), "avoid");
-    std::set<Avoid> reached;
-    for (const EnumOption& option : curveFilter().parameter("avoid").options) {
-        CurveRequest request;
-        request.avoid = Avoid::OverThreshold;
-        binding.read(option.id, request);
-        EXPECT_TRUE(reached.insert(request.avoid).second) << option.id;
-    }
-    constexpr std::make_integer_sequence<int, 64> kCandidates;
-    EXPECT_EQ(reached.size(), enumeratorCount<Avoid>(kCandidates));
-    EXPECT_EQ(reached.size(), 5u);
+    using By = FaceChoice::By;
+    const auto reached = [](const Binding<FaceChoice>& binding, const std::string& id) {
+        std::set<By> all;
+        for (const EnumOption& option : curveFilter().parameter(id).options) {
+            FaceChoice choice{.by = By::Ids};
+            binding.read(option.id, choice);
+            EXPECT_TRUE(all.insert(choice.by).second) << option.id;
+        }
+        EXPECT_FALSE(all.contains(By::Ids));
+        return all.size();
+    };
+    EXPECT_EQ(reached(named(avoidBindings(), "avoid"), "avoid"), 5U);
+    EXPECT_EQ(reached(named(regionBindings("field_"), "field_region"), "field_region"), 2U);
 }
 
 // ---- ranges ----

@@ -22,7 +22,7 @@ TEST(CurveRequest, IsTheOptionsDefaultsWhereNothingWasGiven) {
     const CurveRequest request = curveRequest(ParameterValues(curveFilter()));
     expectEqual(request.solver, SolverOptions());
     EXPECT_FALSE(request.field);
-    EXPECT_EQ(request.avoid, Avoid::Nothing);
+    EXPECT_EQ(request.avoid.by, FaceChoice::By::Nothing);
     EXPECT_EQ(request.surface, LayerId());
     EXPECT_TRUE(request.picksText.empty());
 }
@@ -72,12 +72,12 @@ TEST(CurveRequest, HoldsWhatWasGiven) {
     EXPECT_EQ(request.surface, LayerId{4});
     EXPECT_EQ(request.picksText, "0 0 0; 1 0 0");
     EXPECT_TRUE(request.solver.closed);
-    EXPECT_EQ(request.avoid, Avoid::UnderThreshold);
-    EXPECT_EQ(request.avoidThreshold, -2.5);
+    EXPECT_EQ(request.avoid.by, FaceChoice::By::UnderThreshold);
+    EXPECT_EQ(request.avoid.threshold, -2.5);
     EXPECT_EQ(request.shell.kind, ShellKind::Simplified);
     EXPECT_EQ(request.shell.targetThickness, 0.25);
     EXPECT_EQ(request.sampling.maxSegmentLength, 0.5);
-    EXPECT_EQ(request.field->region, RegionSource::SelectedVertices);
+    EXPECT_EQ(request.field->region.by, FaceChoice::By::SelectedVertices);
     EXPECT_TRUE(request.field->options.inverted);
 }
 

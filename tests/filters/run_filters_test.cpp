@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "filters/filter_description.h"
+#include "filters/labels.h"
 #include "filters/parameter_values.h"
 #include "filters/requests.h"
 #include "filters/runs_on_plates.h"
@@ -58,7 +59,7 @@ TEST(RunCurveFilter, NamesEachFigureOnceAndLogsThoseThatAreNoLists) {
 }
 
 TEST(RunCurveFilter, KeepsTheDesignerForTheNextCurve) {
-    DesignerCache designers;
+    WorkpieceCache designers;
     const CurveResult first = draw(plateLayer(), {}, designers);
     const CurveResult second = draw(plateLayer(), {}, designers);
     EXPECT_FALSE(figure<bool>(first.figures, "surface_kept"));
@@ -69,7 +70,7 @@ TEST(RunCurveFilter, KeepsTheDesignerForTheNextCurve) {
 }
 
 TEST(RunCurveFilter, FollowsAMeshThatChanged) {
-    DesignerCache designers;
+    WorkpieceCache designers;
     LayerInput layer = plateLayer();
     static_cast<void>(draw(layer, {}, designers));
     for (Vec3& vertex : layer.mesh.vertices) {
@@ -166,10 +167,10 @@ TEST(RunCurveFilter, TakesSelectionsAsFacesToAvoid) {
         layer.selectedVertices.push_back(isInWall(v) ? 1 : 0);
     }
     ASSERT_GT(wall, 0u);
-    DesignerCache designers;
-    for (const Avoid avoid : {Avoid::SelectedFaces, Avoid::SelectedVertices}) {
+    WorkpieceCache designers;
+    for (const auto by : {FaceChoice::By::SelectedFaces, FaceChoice::By::SelectedVertices}) {
         CurveRequest request;
-        request.avoid = avoid;
+        request.avoid.by = by;
         const std::vector<Vec3> picks = {{0.1, 0.1, 0.0}, {0.9, 0.1, 0.0}};
         const CurveResult result =
             runCurveFilter(layer, {.tool = picks, .layer = {}}, request, designers);
@@ -188,7 +189,7 @@ TEST(RunCurveFilter, SaysWhatIsMissing) {
         "layer \"plate\" has no per-vertex quality"
     );
     request.field.reset();
-    request.avoid = Avoid::OverThreshold;
+    request.avoid.by = FaceChoice::By::OverThreshold;
     expectPart(refusal([&] { return draw(plateLayer(), request); }), "no per-vertex quality");
     request.field = FieldRequest{.options = {.kind = FieldKind::Obstacle}};
     expectPart(refusal([&] { return draw(plateLayer(), request); }), "region has no faces");
@@ -213,7 +214,7 @@ CurveResult drawUnusable(CurveRequest request) {
     request.solver.distanceTolerance = 1e-9;
     request.solver.maxRounds = 1;
     request.solver.maxIterations = 1;
-    DesignerCache designers;
+    WorkpieceCache designers;
     return runCurveFilter(
         layer,
         {.tool = {layer.mesh.vertices[0], layer.mesh.vertices[40]}, .layer = {}},
@@ -230,7 +231,7 @@ TEST(RunCurveFilter, WarnsOfACurveThatIsNotUsable) {
 }
 
 TEST(RunCurveFilter, ReportsProgressThatNeverFallsAndCanBeCancelled) {
-    DesignerCache designers;
+    WorkpieceCache designers;
     const PickCandidates picks{.tool = kPicks, .layer = {}};
     std::vector<double> fractions;
     static_cast<void>(
@@ -324,7 +325,7 @@ TEST_F(SavedCurve, IsOfTheFormatOfItsExtension) {
 TEST(RunCurveFilter, RefusesFilesThatItCannotWriteBeforeItDraws) {
     CurveRequest request;
     request.saveFile = "/no/such/folder/curve.ply";
-    DesignerCache designers;
+    WorkpieceCache designers;
     const auto refused = [&] {
         return refusal([&] { return draw(plateLayer(), request, designers); });
     };
@@ -344,7 +345,7 @@ TEST_F(SavedCurve, IsWrittenWithAWarningWhereItIsNotUsable) {
 // ---- picks ----
 
 TEST(RunCurveFilter, TakesPicksFromTextAndLayerAlike) {
-    DesignerCache designers;
+    WorkpieceCache designers;
     const CurveResult tool = draw(plateLayer(), {}, designers);
     CurveRequest request;
     request.picksText = "0.1 0.15 0; 0.5 0.8 0; 0.9 0.2 0";
@@ -360,7 +361,7 @@ TEST(RunCurveFilter, TakesPicksFromTextAndLayerAlike) {
 }
 
 TEST(RunCurveFilter, PassesOverALayerWithFacesThatNobodyChose) {
-    DesignerCache designers;
+    WorkpieceCache designers;
     PickCandidates picks{
         .tool = kPicks,
         .layer = PicksLayer{.label = "mesh", .points = {}, .hasFaces = true, .isOffered = true}
@@ -378,7 +379,7 @@ TEST(RunCurveFilter, PassesOverALayerWithFacesThatNobodyChose) {
 }
 
 TEST(RunCurveFilter, RefusesPicksThatAreMissingOrGivenTwice) {
-    DesignerCache designers;
+    WorkpieceCache designers;
     CurveRequest request;
     expectPart(
         refusal([&] { return runCurveFilter(plateLayer(), {}, request, designers); }),
@@ -402,8 +403,9 @@ TEST(RunCurveFilter, RefusesPicksThatAreMissingOrGivenTwice) {
 
 TEST(RunFieldFilter, AnswersWithOneValuePerVertexAndTheirRange) {
     const LayerInput layer = plateLayer();
-    const FieldResult result =
-        runFieldFilter(layer, {.options = {.kind = FieldKind::BoundaryDistance}});
+    FieldLayerRequest request;
+    request.options.kind = FieldKind::BoundaryDistance;
+    const FieldResult result = runFieldFilter(layer, request);
     EXPECT_EQ(result.values.size(), layer.mesh.vertices.size());
     EXPECT_EQ(figure<double>(result.figures, "minimum"), 0.0);
     EXPECT_EQ(figure<double>(result.figures, "maximum"), 1.0);
@@ -413,6 +415,23 @@ TEST(RunFieldFilter, AnswersWithOneValuePerVertexAndTheirRange) {
 TEST(DescribeFailure, SaysWhatHappened) {
     const InputError input(InputErrorCode::EmptyMesh, "no faces");
     EXPECT_EQ(describeFailure("curve", input), "no faces");
+    const InputError refused(
+        InputErrorCode::DegenerateFace, "flat", {}, {.kind = Remedy::Kind::Mend}
+    );
+    EXPECT_EQ(
+        withLabels(describeFailure("curve", refused), curveFilter()),
+        "flat; without the option \"Refuse broken meshes\" the mesh is mended"
+    );
+    const InputError parted(
+        InputErrorCode::PicksOnDifferentComponents,
+        "parted",
+        {},
+        {.kind = Remedy::Kind::Weld, .distance = 0.005}
+    );
+    EXPECT_EQ(
+        withLabels(describeFailure("curve", parted), curveFilter()),
+        "parted; the option \"Weld vertices within\" (0.005) joins these components"
+    );
     EXPECT_EQ(describeFailure("field", Cancelled()), "The field was cancelled.");
     EXPECT_EQ(
         describeFailure("curve", std::bad_alloc()),

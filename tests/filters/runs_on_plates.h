@@ -35,13 +35,13 @@ Value figure(const Figures& figures, const std::string& name) {
 }
 
 inline CurveResult draw(
-    const LayerInput& layer, const CurveRequest& request, DesignerCache& designers
+    const LayerInput& layer, const CurveRequest& request, WorkpieceCache& designers
 ) {
     return runCurveFilter(layer, {.tool = kPicks, .layer = {}}, request, designers);
 }
 
 inline CurveResult draw(const LayerInput& layer, const CurveRequest& request) {
-    DesignerCache designers;
+    WorkpieceCache designers;
     return draw(layer, request, designers);
 }
 

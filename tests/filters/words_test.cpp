@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filters/curve_notes.h"
 #include "filters/imprint_requests.h"
 #include "filters/labels.h"
 #include "filters/pattern_requests.h"
@@ -7,6 +6,7 @@
 #include "filters/run_pattern.h"
 #include "filters/runs_on_plates.h"
 #include "filters/summaries.h"
+#include "workpiece/curve_notes.h"
 
 #include <gtest/gtest.h>
 
@@ -220,12 +220,23 @@ TEST(Summary, OfACurveGivesLengthsInTheUnitOfTheMesh) {
     );
 }
 
+TEST(Summary, OfADetourNamesItsPicks) {
+    SolveReport report;
+    EXPECT_EQ(describeDetours(report), "");
+    report.detours = {{.from = 1, .to = 2, .ratio = 2.0}, {.from = 4, .to = 0, .ratio = 3.5}};
+    EXPECT_EQ(
+        describeDetours(report),
+        "behind picks 2, 5 the curve is up to 3.5 times as long as the shortest path on the "
+        "mesh: what it follows or avoids leads it round"
+    );
+}
+
 TEST(Summary, OfAFieldSaysItsValues) {
     LayerInput layer = plateLayer();
     for (const Vec3& vertex : layer.mesh.vertices) {
         layer.quality.push_back(vertex.x());
     }
-    FieldRequest request;
+    FieldLayerRequest request;
     request.options.kind = FieldKind::Quality;
     EXPECT_EQ(
         runFieldFilter(layer, request).log.summary,
@@ -250,14 +261,14 @@ TEST(Summary, OfUsesOfCurvesSaysWhatCameOfThem) {
         R"(2 parts, with areas of 0\.75 and 0\.25 square mesh units\.)";
     expectMatch(runImprintFilter(input, {}).log.summary, "1 curve imprinted" + imprinted + kTime);
     CutRequest cut;
-    cut.choice.split = true;
+    cut.words.split = true;
     expectMatch(
         runCutFilter(input, {}, cut).log.summary,
         "1 curve cut" + imprinted + R"( 2 new layers\.)" + kTime
     );
-    cut.choice.split = false;
-    cut.choice.keep = KeptParts::Largest;
-    cut.choice.fill = FillKind::Flat;
+    cut.words.split = false;
+    cut.words.keep = KeptParts::Largest;
+    cut.words.fill = FillKind::Flat;
     expectMatch(
         runCutFilter(input, {}, cut).log.summary,
         "1 curve cut" + imprinted + R"( 1 new layer, 1 hole filled\.)" + kTime

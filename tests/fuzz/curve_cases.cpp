@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
-#include "design/curve_on_given_mesh.h"
-#include "design/designer_surface.h"
-#include "design/mended_designer.h"
-#include "design/strict_polyline.h"
 #include "fuzz/byte_source.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/mesh_of_bytes.h"
 #include "imprint/imprint.h"
 #include "surface/passages.h"
-#include "surface/points_on_mended.h"
+#include "surface/strict_line.h"
 
 #include <Eigen/Geometry>
 
@@ -77,16 +73,18 @@ std::vector<Vec3> picksOn(const TriangleMesh& mesh, ByteSource& bytes) {
     return picks;
 }
 
-/// Whether every segment lies in a face, where sheets that mending has parted are joined again:
-/// curves may pass between them.
-bool isStrictAcrossSheets(
-    const TriangleMesh& mended, const std::vector<int>& vertexOrigins, const SurfacePolyline& line
-) {
-    const std::vector<Triangle> faces = facesBeforeParting(mended, vertexOrigins);
+/// Whether every segment lies in a face of the mesh as it was given: curves may pass between
+/// sheets that mending has parted.
+bool isStrictOnInput(const Surface& surface, const SurfacePolyline& line) {
+    const auto& [vertices, faces] = surface.input();
+    // By places, since seams are joined.
+    const auto hasCorner = [&](const Triangle& corners, const Vec3& place) {
+        return std::ranges::any_of(corners, [&](int v) { return vertices[v] == place; });
+    };
     const auto holds = [&](const Triangle& corners, const SurfacePoint& point) {
         return std::ranges::all_of(std::array{0, 1, 2}, [&](int k) {
             return point.barycentric[k] == 0.0 ||
-                   std::ranges::count(corners, faces[point.face][k]) > 0;
+                   hasCorner(corners, vertices[faces[point.face][k]]);
         });
     };
     const std::vector<SurfacePoint>& points = line.surfacePoints;
@@ -99,6 +97,16 @@ bool isStrictAcrossSheets(
         }
     }
     return true;
+}
+
+/// Whether the surface has the line from face to face, without passing from sheet to sheet.
+bool liesOn(const Surface& surface, const SurfacePolyline& line) {
+    try {
+        static_cast<void>(strictLine(surface, line, "it"));
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 void checkCurve(const Curve& curve) {
@@ -128,20 +136,6 @@ void checkImprint(const Surface& surface, const SurfacePolyline& line) {
     require(before.faces == surface.faces(), "faces come back as they were");
 }
 
-/// The polyline as it comes back from the given mesh.
-SurfacePolyline fromGivenMesh(SurfacePolyline line, const Mended<CurveDesigner>& mended) {
-    const MeshRepair* const repair = mended.repair();
-    if (repair == nullptr) {
-        return line;
-    }
-    bringBack(line, repair);
-    line = PointsOnMended(*repair).lineAt(line);
-    require(
-        isStrict(surfaceOf(mended.made), line), "a curve of the given mesh is on the mended one"
-    );
-    return line;
-}
-
 void drawAndCheck(ByteSource& bytes) {
     const ShellOptions shell = shellOf(bytes);
     const SolverOptions options = solverOf(bytes);
@@ -151,8 +145,8 @@ void drawAndCheck(ByteSource& bytes) {
     const bool hasField = bytes.oneIn(3);
     const bool avoids = bytes.oneIn(5);
     const TriangleMesh mesh = meshOf(bytes);
-    const Mended<CurveDesigner> mended = makeMendedDesigner(mesh, mending, shell);
-    const CurveDesigner& designer = mended.made;
+    const CurveDesigner designer(mesh, shell, mending);
+    const Surface& surface = designer.surface();
     const std::vector<Vec3> picks = picksOn(designer.mesh(), bytes);
     std::vector<double> field;
     for (std::size_t i = 0; hasField && i < designer.mesh().vertices.size(); ++i) {
@@ -164,13 +158,12 @@ void drawAndCheck(ByteSource& bytes) {
     }
     const Curve curve = designer.design(picks, options, {}, {.field = field, .avoid = avoid});
     checkCurve(curve);
-    if (isStrict(surfaceOf(designer), curve.polyline)) {
-        checkImprint(surfaceOf(designer), fromGivenMesh(curve.polyline, mended));
+    if (liesOn(surface, curve.polyline)) {
+        checkImprint(surface, curve.polyline);
         return;
     }
     require(
-        mended.repair() != nullptr &&
-            isStrictAcrossSheets(designer.mesh(), mended.repair()->vertexOrigins, curve.polyline),
+        !surface.provenance().isIdentity() && isStrictOnInput(surface, curve.polyline),
         "every segment of the polyline lies in a face"
     );
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
-#include "design/strict_polyline.h"
 #include "filters/drawn_curve_file.h"
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
@@ -10,7 +10,7 @@
 #include "io/shell_file.h"
 #include "shell/extended_surface.h"
 #include "support/meshes.h"
-#include "surface/mending.h"
+#include "surface/strict_line.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>
@@ -59,12 +59,9 @@ namespace {
 /// A mesh that curves are read on.
 struct CurveMesh {
     MeshChecksum checksum;
-    Mended<Surface> mended;
+    CurveDesigner designer;
 
-    explicit CurveMesh(const TriangleMesh& mesh)
-        : checksum(checksumOf(mesh)),
-          mended(makeMended(mesh, {}, [](TriangleMesh made) { return Surface(std::move(made)); })) {
-    }
+    explicit CurveMesh(const TriangleMesh& mesh) : checksum(checksumOf(mesh)), designer(mesh) {}
 };
 
 /// The sphere with a face turned over and another one twice.
@@ -85,11 +82,13 @@ const std::array<CurveMesh, 2>& curveMeshes() {
 
 void readCurveBytes(std::string_view bytes) {
     const FuzzFile file("curve.json", bytes);
-    for (const auto& [checksum, mended] : curveMeshes()) {
+    for (const auto& [checksum, designer] : curveMeshes()) {
         try {
-            const SurfacePolyline line =
-                readCurve(file.path(), mended.made, checksum, mended.repair());
-            require(isStrict(mended.made, line), "every segment lies in a face");
+            const Surface& surface = designer.surface();
+            const SurfacePolyline line = readCurve(file.path(), surface, checksum);
+            require(
+                isStrict(surface, strictLine(surface, line, "it")), "every segment lies in a face"
+            );
         } catch (const InputError&) {
             continue;
         }
@@ -104,11 +103,9 @@ void openDrawnBytes(std::string_view bytes) {
     const FuzzFile file(
         kNames[static_cast<unsigned char>(bytes[0]) % kNames.size()], bytes.substr(1)
     );
-    for (const auto& [checksum, mended] : curveMeshes()) {
-        const TriangleMesh& mesh = mended.made.mesh();
-        const CurveFileSurface surface{
-            .mesh = mesh, .checksum = checksum, .repair = mended.repair()
-        };
+    for (const auto& [checksum, designer] : curveMeshes()) {
+        const TriangleMesh& mesh = designer.mesh();
+        const CurveFileSurface surface{.mesh = mesh, .checksum = checksum, .designer = &designer};
         try {
             for (const DrawnCurve& curve : openDrawnCurves(file.path(), surface).curves) {
                 for (const SketchPick& pick : curve.picks) {

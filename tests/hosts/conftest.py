@@ -9,9 +9,8 @@ from pathlib import Path
 
 import pymeshlab
 import pytest
-from float_ply import write_ply
+from float_ply import bunny_ply, write_ply
 from meshlab_window import MeshLabWindow
-from sample_bunny import bunny_ply
 from virtual_display import VirtualDisplay
 
 ROOT = Path(__file__).resolve().parents[2]

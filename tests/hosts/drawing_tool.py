@@ -20,7 +20,7 @@ BUTTONS = {
     "Close": (260, 60), "Turn view": (68, 89), "Magnet": (198, 89),
     "Undo": (34, 117), "Redo": (97, 117), "New": (160, 117), "Remove": (227, 117),
     "closed": (13, 263), "degree": (236, 264), "tension": (145, 289), "field": (160, 314), "More options": (68, 343),
-    "Make layers": (130, 371), "Imprint": (46, 399), "Cut": (133, 399), "Segment": (220, 399),
+    "Make layers": (130, 371), "Imprint": (46, 399), "Cut": (133, 399), "Segment": (220, 399), "Cancel": (233, 399),
     "Save": (68, 427), "Open": (198, 427),
 }
 FIRST_CURVE, CURVE_HEIGHT = (96, 163), 19  # rows of its list; and the columns of eye and colour there
@@ -59,6 +59,12 @@ class Tool:
     def wait_for_end(self):
         """Until the panel is gone."""
         wait_until(lambda: self.meshlab.view().x == self.meshlab.main.x, "the end of the tool")
+
+    def wait_until_ready(self):
+        """Until the surface is prepared, and the button Open can be pressed: its letters are black then."""
+        x, y = self.meshlab.main.x + BUTTONS["Open"][0], self.meshlab.main.y + BUTTONS["Open"][1]
+        box = (x - 30, y - 8, x + 30, y + 8)
+        wait_until(lambda: max(low for low, _ in self.display.picture().crop(box).getextrema()) < 60, "the prepared surface")
 
     def end(self):
         """Presses the tool's icon again."""

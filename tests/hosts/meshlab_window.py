@@ -5,6 +5,7 @@ import tempfile
 import time
 from dataclasses import dataclass
 
+import numpy as np
 from virtual_display import wait_until
 
 # No statistics, no look for updates, no question about either at the first start.
@@ -170,11 +171,12 @@ class MeshLabWindow:
         self.key("Return")
 
     def pick(self, points):
-        """Right-clicks points (x, y) of the display with the tool PickPoints, and stays in it."""
+        """Right-clicks points (x, y), from the middle of the view, with the tool PickPoints, and stays in it."""
+        view = self.view()
         self.start_action("PickPoints")
         self.wait_for_log("Started Mode PickPoints")
         self.wait_for_window("^Form$")
-        for x, y in points:
+        for x, y in np.asarray(points) + [view.x + view.width / 2, view.y + view.height / 2]:
             self.wait_for_still_picture()
             before = self.display.picture()
             self.click(x, y, button=3)
@@ -195,6 +197,13 @@ class MeshLabWindow:
     def apply(self, dialog):
         """Clicks Apply of a filter's dialog; see applied() and wait_for_window("^Filter Failure$")."""
         self.click(dialog.x + dialog.width * 0.74, dialog.y + dialog.height - BUTTON_HEIGHT)
+
+    def use(self, name, count=1):
+        """Applies a filter with what its dialog offers, and waits until it was applied so many times, in all."""
+        dialog = self.open_filter(name)
+        self.apply(dialog)
+        self.applied(name, count)
+        self.close(dialog)
 
     def toggle_help(self, dialog):
         """Clicks Help of a filter's dialog; the dialog as it is then."""

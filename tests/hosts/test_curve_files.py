@@ -34,12 +34,8 @@ def session(request, display, program_of, sphere, tmp_path_factory):
     folder = tmp_path_factory.mktemp("exported")
     (folder / "taken.ply.bspline.json").write_text("somebody's own")
     with MeshLabWindow(display, program_of(request.param), sphere) as meshlab:
-        view = meshlab.view()
-        meshlab.pick(CLICKS + [view.x + view.width / 2, view.y + view.height / 2])
-        dialog = meshlab.open_filter(CURVE)
-        meshlab.apply(dialog)
-        meshlab.applied(CURVE)
-        meshlab.close(dialog)
+        meshlab.pick(CLICKS)
+        meshlab.use(CURVE)
         meshlab.select_layer(CURVE_ROW)
         for name in ("curve.ply", "curve.obj", "taken.ply"):
             meshlab.export_layer(folder / name)

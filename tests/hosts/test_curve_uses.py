@@ -11,36 +11,28 @@ SURFACE_ROW, CURVE_ROW, TUBE_ROW, OFFSET_ROW = range(4)  # in the list of layers
 
 
 def draw(meshlab):
-    view = meshlab.view()
-    meshlab.pick(CLICKS + [view.x + view.width / 2, view.y + view.height / 2])
-    use(meshlab, CURVE)
-
-
-def use(meshlab, name, count=1):
-    dialog = meshlab.open_filter(name)
-    meshlab.apply(dialog)
-    meshlab.applied(name, count)
-    meshlab.close(dialog)
+    meshlab.pick(CLICKS)
+    meshlab.use(CURVE)
 
 
 def test_offsets_are_of_curves_unless_a_line_is_chosen(meshlab):
     draw(meshlab)
     for count in (1, 2):
-        use(meshlab, OFFSET, count)
+        meshlab.use(OFFSET, count)
         assert meshlab.current_layer() == SURFACE_ROW
     meshlab.select_layer(TUBE_ROW)
-    use(meshlab, OFFSET, 3)
+    meshlab.use(OFFSET, 3)
     meshlab.select_layer(CURVE_ROW)
-    use(meshlab, OFFSET, 4)
+    meshlab.use(OFFSET, 4)
     assert meshlab.current_layer() == CURVE_ROW
     assert offsets_told(meshlab.log()) == 4 * [(1, 1)]
     meshlab.select_layer(OFFSET_ROW)
-    use(meshlab, OFFSET, 5)
+    meshlab.use(OFFSET, 5)
     assert offsets_told(meshlab.log())[4:] == [(1, 2)]  # of a closed line, on both sides
 
 
 def test_a_cut_along_an_open_curve_says_that_it_parts_nothing(meshlab):
     draw(meshlab)
-    use(meshlab, CUT)
+    meshlab.use(CUT)
     assert re.search(r"The curve parts nothing: the mesh is cut open along it \(\d+ edges\)", "\n".join(meshlab.log()))
     assert meshlab.layers() == 4  # surface, curve, tube, result

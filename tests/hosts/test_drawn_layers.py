@@ -18,9 +18,7 @@ BESIDE, COVERED = 3, 12
 
 def draw(tool):
     """Five picks, one dragged, one inserted, both undone, closed."""
-    for offset in CLICKS:
-        tool.click(offset)
-        tool.expect(offset, SELECTED)
+    tool.draw()
     tool.drag(CLICKS[2], DRAG)
     tool.expect(CLICKS[2] + DRAG, SELECTED)
     tool.meshlab.wait_for_still_picture()
@@ -91,9 +89,7 @@ def test_the_layer_is_the_curve_of_the_filter_where_it_was_clicked(meshlab, disp
 
 def test_a_curve_follows_the_field_that_is_chosen(meshlab):
     tool = Tool(meshlab)
-    for offset in CLICKS:
-        tool.click(offset)
-        tool.expect(offset, SELECTED)
+    tool.draw()
     tool.choose_field("Distance")  # to creases, which a sphere has none of
     for offset in CLICKS:
         tool.expect(offset, BAD)
@@ -117,9 +113,7 @@ def eye(meshlab, row):
 @pytest.mark.parametrize("button", ["Imprint", "Cut", "Segment"])
 def test_a_button_uses_the_curves_just_drawn(meshlab, button):
     tool = Tool(meshlab)
-    for offset in CLICKS:
-        tool.click(offset)
-        tool.expect(offset, SELECTED)
+    tool.draw()
     tool.click(CLICKS[0])
     meshlab.wait_for_still_picture()
     tool.press(button)

@@ -35,10 +35,7 @@ class Session:
 def session(request, display, program_of, sphere, tmp_path_factory):
     exported = tmp_path_factory.mktemp("exported") / "curve.obj"
     with MeshLabWindow(display, program_of(request.param), sphere) as meshlab:
-        dialog = meshlab.open_filter(FIELD)
-        meshlab.apply(dialog)
-        meshlab.applied(FIELD)
-        meshlab.close(dialog)
+        meshlab.use(FIELD)
 
         dialog = meshlab.open_filter(CURVE)
         meshlab.apply(dialog)
@@ -47,8 +44,7 @@ def session(request, display, program_of, sphere, tmp_path_factory):
         meshlab.wait_for_no_window("^Filter Failure$")
         meshlab.close(dialog)
 
-        view = meshlab.view()
-        meshlab.pick(CLICKS + [view.x + view.width / 2, view.y + view.height / 2])
+        meshlab.pick(CLICKS)
         dialog = meshlab.open_filter(CURVE)
         for count in (1, 2):  # the second curve takes the place of the first
             meshlab.apply(dialog)
@@ -56,7 +52,7 @@ def session(request, display, program_of, sphere, tmp_path_factory):
         meshlab.close(dialog)
         meshlab.select_layer(CURVE_ROW)
         meshlab.export_layer(exported)
-        return Session(error_shown, meshlab.log(), view.height, polylines.read_obj(exported))
+        return Session(error_shown, meshlab.log(), meshlab.view().height, polylines.read_obj(exported))
 
 
 def curves_of(session):
@@ -118,8 +114,7 @@ def test_the_steps_of_readme_draw_a_curve_on_the_bunny(prefix, readme_commands, 
     program, mesh = (checkout / word.strip() for word in start.split("#")[0].split())
     exported = checkout / "curve.obj"
     with MeshLabWindow(display, program, mesh) as meshlab:
-        view = meshlab.view()
-        meshlab.pick(BUNNY_CLICKS + [view.x + view.width / 2, view.y + view.height / 2])
+        meshlab.pick(BUNNY_CLICKS)
         meshlab.apply(meshlab.open_filter(CURVE))
         meshlab.applied(CURVE)
         meshlab.select_layer(CURVE_ROW)

@@ -10,7 +10,7 @@
 #include "support/refusal.h"
 #include "support/seeds.h"
 #include "surface/half_edges.h"
-#include "surface/mending.h"
+#include "surface/surface_point.h"
 
 #include <Eigen/Geometry>
 
@@ -326,41 +326,33 @@ TEST(Imprint, DividesNoSmallTriangleInACircle) {
 }
 
 // Three faces at an edge, the first of them turned over: vertices are doubled where it is parted.
-TEST(ImprintOrigins, AreOnTheMeshAsItWasGiven) {
-    const TriangleMesh given = withFaceReversed(threeFacesAtAnEdge(), 0);
-    const Mended<Surface> mended =
-        makeMended(given, {}, [](TriangleMesh mesh) { return Surface(std::move(mesh)); });
-    ASSERT_NE(mended.repair(), nullptr);
-    ASSERT_GT(mended.made.vertexCount(), static_cast<int>(given.vertices.size()));
+TEST(Imprint, IsOnTheMeshAsItWasGiven) {
+    const TriangleMesh mesh = withFaceReversed(threeFacesAtAnEdge(), 0);
+    const Surface surface(mesh, MendingOptions());
+    ASSERT_GT(surface.vertexCount(), static_cast<int>(mesh.vertices.size()));
     std::vector<SurfacePolyline> lines;
     for (int face = 0; face < 3; ++face) {
-        lines.push_back(
-            polylineThrough(mended.made, {at(face, 0.2, 0.3, 0.5), at(face, 0.0, 0.9, 0.1)}, false)
-        );
+        SurfacePolyline line =
+            polylineThrough(surface, {at(face, 0.2, 0.3, 0.5), at(face, 0.0, 0.9, 0.1)}, false);
+        surface.provenance().bringToInput(line);
+        lines.push_back(std::move(line));
     }
-    const ImprintedMesh result = imprint(mended.made, lines, {});
-    const ImprintOrigins origins = originsOf(result, mended.made, mended.repair());
-    const std::size_t old = given.vertices.size();
-    ASSERT_EQ(origins.newVertices.size() + old, result.mesh.vertices.size());
-    for (std::size_t i = 0; i < origins.newVertices.size(); ++i) {
-        const auto& [face, weights] = origins.newVertices[i];
-        Vec3 position = Vec3::Zero();
-        for (int k = 0; k < 3; ++k) {
-            position += weights[k] * given.vertices[given.faces[face][k]];
-        }
+    const ImprintedMesh result = imprint(surface, lines, {});
+    const std::size_t old = mesh.vertices.size();
+    ASSERT_EQ(result.newVertices.size() + old, result.mesh.vertices.size());
+    for (std::size_t i = 0; i < result.newVertices.size(); ++i) {
+        const Vec3 position = positionOf(mesh, result.newVertices[i]);
         EXPECT_LT((position - result.mesh.vertices[old + i]).norm(), 1e-14) << i;
     }
-    ASSERT_EQ(origins.parents.size(), result.mesh.faces.size());
+    ASSERT_EQ(result.parents.size(), result.mesh.faces.size());
     for (std::size_t f = 0; f < result.mesh.faces.size(); ++f) {
         for (const int vertex : result.mesh.faces[f]) {
             const Vec3 place =
-                barycentricIn(given, given.faces[origins.parents[f]], result.mesh.vertices[vertex]);
+                barycentricIn(mesh, mesh.faces[result.parents[f]], result.mesh.vertices[vertex]);
             EXPECT_GE(place.minCoeff(), -1e-14) << "face " << f;
         }
     }
-    const ImprintOrigins own = originsOf(result, mended.made, nullptr);
-    EXPECT_EQ(own.parents, result.parents);
-    EXPECT_EQ(own.newVertices.size(), result.newVertices.size());
+    EXPECT_EQ(withoutImprint(result).faces, surface.faces());
 }
 
 TEST(Imprint, RefusesWhatIsNotOnTheSurface) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "imprint/projected_polyline.h"
 
-#include "design/strict_polyline.h"
 #include "support/many_cases.h"
 #include "support/meshes.h"
 #include "support/refusal.h"
 #include "support/seeds.h"
+#include "surface/strict_line.h"
 
 #include <gtest/gtest.h>
 

@@ -190,14 +190,4 @@ TEST_F(CurveWriter, RefusesOtherExtensionsAndPlaces) {
     EXPECT_EQ(fileCount(), 0U);
 }
 
-TEST_F(CurveWriter, InterpolatesAFieldInTheFace) {
-    const std::vector<Triangle> faces{{0, 1, 2}, {1, 3, 2}};
-    const std::vector<double> field{1, 10, 100, 1000};
-    const auto values = fieldAlong(smallCurve(false).polyline, faces, field);
-    ASSERT_EQ(values.size(), 3U);
-    EXPECT_DOUBLE_EQ(values[0], 0.1 * 1 + 0.2 * 10 + 0.7 * 100);
-    EXPECT_DOUBLE_EQ(values[1], 0.5 * 1 + 0.5 * 100);
-    EXPECT_DOUBLE_EQ(values[2], (10.0 + 1000 + 100) / 3);
-}
-
 }  // namespace bspline_curve::io_tests

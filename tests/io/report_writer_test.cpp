@@ -38,7 +38,8 @@ TEST(ReportWriter, WritesEveryFigureUnderItsName) {
     figures.peakMemoryBytes = 3000000;
     curve.prisms = 142;
     curve.shell = ShellKind::Simplified;
-    figures.shell = {.kind = ShellKind::Simplified, .isFromStore = true, .notes = {"a note"}};
+    figures.shell = {.kind = ShellKind::Simplified, .isFromStore = true, .notes = {}};
+    figures.notes = {"a note"};
     const auto report = reportOf(curve, figures);
     expectValues(
         report,

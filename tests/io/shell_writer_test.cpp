@@ -298,7 +298,8 @@ TEST(ShellReport, SaysHowEachInvariantFared) {
 TEST(ShellReport, ListsWhatARepairChanged) {
     const Built built(test_support::plate(4, 3));
     ShellRunFigures figures;
-    figures.repair = repairMesh(test_support::bowTie()).report;
+    const RepairReport mended = repairMesh(test_support::bowTie()).report;
+    figures.repair = &mended;
     const auto repaired = nlohmann::json::parse(shellReportText(
         {.surface = built.surface, .extended = built.extended, .build = built.build}, figures
     ))["repair"];
@@ -308,6 +309,7 @@ TEST(ShellReport, ListsWhatARepairChanged) {
         {{"/changes", 1},
          {"/duplicated_vertices/0/vertex", 0},
          {"/duplicated_vertices/0/copies", nlohmann::json::array({5})},
+         {"/left_out_faces", nothing},
          {"/merged_vertices", nothing},
          {"/removed_degenerate_faces", nothing},
          {"/split_faces", nothing},

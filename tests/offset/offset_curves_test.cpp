@@ -4,11 +4,11 @@
 
 #include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
-#include "design/strict_polyline.h"
 #include "imprint/imprint.h"
 #include "offset/distance_beams.h"
 #include "shell/extended_surface.h"
 #include "support/meshes.h"
+#include "surface/strict_line.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", ROOT / "build" / "release"))
 
 
 def page_commands(page, section):
@@ -68,18 +67,6 @@ def plain_home(tmp_path_factory):
     home = Home(tmp_path_factory.mktemp("plain_home"))
     home.install("README.md", "Python")
     return home
-
-
-@pytest.fixture(scope="session")
-def program():
-    return BUILD / "bin" / "bspline_curve"
-
-
-@pytest.fixture(scope="session")
-def bunny_path():
-    import pymeshlab
-
-    return Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj"
 
 
 @pytest.fixture(scope="session")

@@ -2,8 +2,7 @@
 // Drawings on surfaces: on a plane they come out as drawn.
 #include "pattern/carried_drawing.h"
 
-#include "design/designer_surface.h"
-#include "design/strict_polyline.h"
+#include "bspline_curve/designer.h"
 #include "pattern/curve_chart.h"
 #include "pattern/draw_pattern.h"
 #include "pattern/drawing_builder.h"
@@ -13,7 +12,9 @@
 #include "support/meshes.h"
 #include "support/refusal.h"
 #include "surface/segment_distance.h"
+#include "surface/strict_line.h"
 #include "surface/surface_point.h"
+#include "surface/triangle_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -75,8 +76,8 @@ double farthest(const Drawing& drawing, const Pattern& pattern, const Vec3& cent
 
 PointChart chartAt(const CurveDesigner& designer, const Vec3& centre) {
     return {
-        surfaceOf(designer),
-        snapped(treeOf(designer).closestPoint(centre).point, kOnEdgeBarycentric),
+        designer.surface(),
+        snapped(designer.tree().closestPoint(centre).point, kOnEdgeBarycentric),
         Vec3::UnitY()
     };
 }
@@ -116,10 +117,10 @@ TEST(CarriedDrawing, PartsPathsAtCornersWhereCurvesMeetExactly) {
     }
     for (const PatternCurve& each : pattern.curves) {
         EXPECT_TRUE(each.curve.report.usable);
-        EXPECT_TRUE(isStrict(surfaceOf(designer), each.curve.polyline));
+        EXPECT_TRUE(isStrict(designer.surface(), each.curve.polyline));
     }
     // Vertices of the sphere bend what passes them.
-    EXPECT_LE(pattern.largestDeviation, 0.05 * surfaceOf(designer).averageEdgeLength());
+    EXPECT_LE(pattern.largestDeviation, 0.05 * designer.surface().averageEdgeLength());
     // On a sphere circles round the centre become shorter.
     EXPECT_LT(pattern.shortest.ratio, 0.99);
     EXPECT_GT(pattern.shortest.ratio, 0.9);
@@ -149,7 +150,7 @@ TEST(CarriedDrawing, RepeatsAMotifRoundAClosedCurve) {
     closed.closed = true;
     const SurfacePolyline ring =
         designer.design({{1.3, 0, 0}, {0, 1.3, 0}, {-1.3, 0, 0}, {0, -1.3, 0}}, closed).polyline;
-    const CurveChart chart(surfaceOf(designer), ring, 0.05);
+    const CurveChart chart(designer.surface(), ring, 0.05);
     DrawingBuilder pen;  // a battlement: its ends meet those of the next copy
     pen.moveTo({0, 0});
     pen.lineTo({0, 0.1});

@@ -2,9 +2,9 @@
 // Straightest geodesics against unfoldings: plate, prism and box.
 #include "pattern/straightest_path.h"
 
-#include "design/strict_polyline.h"
 #include "support/meshes.h"
 #include "support/random.h"
+#include "surface/strict_line.h"
 #include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
 

@@ -1,32 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Loads the built plugin into the real pymeshlab, once; meshes and picks for the tests."""
-import os
-from pathlib import Path
-
 import numpy as np
 import pymeshlab
 import pytest
 from meshes import wavy_plate
 
-ROOT = Path(__file__).resolve().parents[2]
-BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", ROOT / "build" / "release"))
-
 
 @pytest.fixture(scope="session", autouse=True)
-def plugins(loaded_plugin):
-    path = BUILD / "tests" / "plugin" / "libprepare_layers.so"
+def plugins(loaded_plugin, build_folder):
+    path = build_folder / "tests" / "plugin" / "libprepare_layers.so"
     assert path.is_file(), f"{path} is not there: build it, or set BSPLINE_CURVE_BUILD"
     pymeshlab.load_plugin(str(path))
-
-
-@pytest.fixture(scope="session")
-def program():
-    return BUILD / "bin" / "bspline_curve"
-
-
-@pytest.fixture(scope="session")
-def bunny_path():
-    return Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / "bunny.obj"
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 """Faces to avoid, named by selection or quality of the layer."""
 import pymeshlab
 import pytest
-from curves import CurveLayer, as_text, assert_refuses, draw
+from curves import CurveLayer, draw
 from meshes import wavy_plate
 
 WALL = "(x > 0.4) && (x < 0.6) && (y < 0.7)"
@@ -56,26 +56,3 @@ def test_deleted_elements_do_not_shift_the_selection(walled):
     points = CurveLayer(mesh).points
     inside = (abs(points[:, 0] - 0.5) < 0.09) & (points[:, 1] < 0.69)
     assert figures["avoided_faces"] > 0 and not inside.any()
-
-
-def test_nothing_is_avoided_by_default(walled):
-    document, vertices, _ = walled
-    mesh, figures = draw(document, picks_on(vertices))
-    assert figures["avoided_faces"] == 0
-    assert CurveLayer(mesh).points[:, 1].max() < 0.6
-
-
-@pytest.mark.parametrize("parameters, message", [
-    ({"avoid": "over-threshold", "avoid_threshold": 0.5}, "pick 2 lies in face .* avoid"),
-    ({"avoid": "selected-faces", "avoid_margin": 0.0}, "avoid margin"),
-    ({"avoid": "selected-faces", "preset": "paper"}, 'use "cells"'),
-])
-def test_what_cannot_be_is_refused(walled, parameters, message):
-    document, vertices, _ = walled
-    assert_refuses(document, message, picks=as_text(picks_on(vertices)), **parameters)
-
-
-def test_a_wall_without_a_gap_is_refused_by_its_picks(walled):
-    document, vertices, _ = walled
-    document.compute_selection_by_condition_per_vertex(condselect="(x > 0.4) && (x < 0.6)")
-    assert_refuses(document, "from pick 1 to pick 2", picks=as_text(picks_on(vertices)), avoid="selected-vertices")

@@ -6,11 +6,7 @@ import numpy as np
 import pymeshlab
 import pytest
 from meshes import wavy_plate
-from curves import CurveLayer, FILTER, assert_edges_in_order, assert_passes, assert_strictly_on, draw, write_pp
-
-
-def test_the_filter_is_listed():
-    assert FILTER in pymeshlab.filter_list()
+from curves import CurveLayer, assert_edges_in_order, assert_passes, assert_strictly_on, draw, write_pp
 
 
 @pytest.mark.parametrize("closed", [False, True])
@@ -84,25 +80,6 @@ def test_quality_is_the_field_where_there_is_one(plate, plate_picks):
     np.testing.assert_allclose(curve.quality, (field[faces[curve.faces]] * curve.barycentric).sum(1), atol=1e-12)
 
 
-def test_a_field_draws_the_curve_to_where_it_is_low(plate, plate_picks):
-    plate.compute_scalar_by_function_per_vertex(q="(y - 0.2)^2")
-    costs = []
-    for weight in (0.0, 1e5):
-        curve = CurveLayer(draw(plate, plate_picks[[0, 1]], field="quality", field_weight=weight)[0])
-        costs.append(curve.quality.mean())
-    assert costs[1] < 0.8 * costs[0]
-
-
-def test_more_samples_give_more_vertices_of_the_same_curve(plate, plate_picks):
-    coarse, figures = draw(plate, plate_picks)
-    coarse = CurveLayer(coarse)
-    fine, fine_figures = draw(plate, plate_picks, samples=2000)
-    fine = CurveLayer(fine)
-    assert len(fine.points) > 2000 > len(coarse.points)
-    np.testing.assert_array_equal(figures["control_points"], fine_figures["control_points"])
-    assert_strictly_on(fine, *wavy_plate())
-
-
 @pytest.mark.parametrize("limit", [pymeshlab.PureValue(0.005), pymeshlab.PercentageValue(0.3)])
 def test_no_segment_is_longer_than_asked(plate, plate_picks, limit):
     curve = CurveLayer(draw(plate, plate_picks, max_segment_length=limit)[0])
@@ -138,14 +115,6 @@ def test_a_curve_in_a_simplified_shell_is_one_chain_on_the_surface_too(plate, pl
     assert prisms["full"] > len(wavy_plate()[1]) > 10 * prisms["simplified"] > 0
     more = draw(plate, plate_picks, shell="simplified", target_edge_length=0.1)[1]["prisms"]
     assert more > prisms["simplified"]
-
-
-def test_the_papers_preset_can_be_chosen_and_its_settings_overridden(plate, plate_picks):
-    default = CurveLayer(draw(plate, plate_picks)[0])
-    paper = CurveLayer(draw(plate, plate_picks, preset="paper")[0])
-    same = CurveLayer(draw(plate, plate_picks, preset="default", bending="geodesic", interpolation="constraint")[0])
-    np.testing.assert_array_equal(same.points, default.points)
-    assert paper.points.shape != default.points.shape or not np.array_equal(paper.points, default.points)
 
 
 def test_the_layers_matrix_is_honoured(plate, plate_picks):

@@ -1,18 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The filter that computes fields, and fields by kind in the filter for curves, in the real pymeshlab."""
-import json
-import re
 import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pymeshlab
 import pytest
-from curves import FILTER, KEPT, CurveLayer, as_text, assert_refuses, draw
+from curves import KEPT, CurveLayer, assert_refuses, draw
 from meshes import wavy_plate
 
-DESCRIBED = json.loads((Path(__file__).parents[2] / "filters" / "filters.json").read_text())["filters"]
 FIELD = "compute_scalar_field_for_curves_per_vertex"
 KINDS = ["normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance", "quality",
          "obstacle"]
@@ -32,10 +27,6 @@ def roof(cells=40, waves=0.0):
     document = pymeshlab.MeshSet()
     document.add_mesh(pymeshlab.Mesh(vertices, faces, v_scalar_array=y), "roof")
     return document, vertices, faces, x
-
-
-def test_the_filter_is_listed_with_the_other():
-    assert {FIELD, FILTER} <= set(pymeshlab.filter_list())
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -145,16 +136,6 @@ def test_a_document_or_layer_that_is_empty():
     assert_refuses(points, '"points" has no faces', FIELD)
 
 
-@pytest.mark.parametrize(
-    "name, value",
-    [("curvature_scale", -0.1), ("crease_angle", 200.0), ("reach", 0.0), ("obstacle_value", -1.0),
-     ("obstacle_slope", 0.0), ("smoothing", 2.0)],
-)
-def test_a_value_out_of_its_range_is_refused_with_the_value(plate, plate_picks, name, value):
-    assert_refuses(plate, f"{value:g}", FIELD, **{name: value})
-    assert_refuses(plate, f"{value:g}", FILTER, picks=as_text(plate_picks), field="ridge", **{"field_" + name: value})
-
-
 # ---- fields of curves ----
 
 
@@ -181,13 +162,3 @@ def test_the_natural_cost_draws_the_curve_onto_the_ridge():
         heights[name] = curve.points[:, 0].max(), curve.points[:, 0].min()
     assert heights["natural"][0] > 0.48, "exp-minus follows the ridge"
     assert heights["none"][0] < 0.41 and heights["other"][1] < 0.35, "identity avoids it"
-
-
-def test_parameters_of_the_filter_are_options_of_the_verb(plugin_path, program):
-    code = f"import pymeshlab; pymeshlab.load_plugin({str(plugin_path)!r}); pymeshlab.print_filter_parameter_list({FIELD!r})"
-    printed = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
-    names = re.findall(r"^\t(\w+) : ", printed, re.M)
-    described = next(f for f in DESCRIBED if f["pythonName"] == FIELD)["parameters"]
-    assert sorted(names) == sorted(parameter["id"] for parameter in described)
-    help_text = subprocess.run([program, "field", "--help"], check=True, capture_output=True, text=True).stdout
-    assert [name for name in names if "--" + name.replace("_", "-") not in help_text] == []

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Layers that are no manifold are drawn on as they would be mended, and stay as they are."""
+"""Layers that are no manifold are drawn on as they would be mended, and stay as they are. Fields, imprints and cuts on such layers
+are tested in tests/filters."""
 import numpy as np
 import pymeshlab
 import pytest
 from curves import CurveLayer, assert_refuses, draw
-
-FIELD = "compute_scalar_field_for_curves_per_vertex"
 
 
 def broken(plate, kind):
@@ -43,40 +42,6 @@ def test_a_curve_knows_the_faces_of_the_layer_as_it_is(plate, plate_picks, kind)
     assert np.abs((quality * curve.barycentric).sum(1) - curve.quality).max() < 1e-9
     assert np.array_equal(document.mesh(0).vertex_matrix(), vertices)
     assert np.array_equal(document.mesh(0).face_matrix(), faces)
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_a_field_has_a_value_for_each_vertex_of_the_layer(plate, kind):
-    document, vertices, faces = broken(plate, kind)
-    document.apply_filter(FIELD, kind="quality")
-    assert np.array_equal(document.current_mesh().vertex_scalar_array(), vertices[:, 1] ** 2)
-    assert np.array_equal(document.current_mesh().face_matrix(), faces)
-    assert_refuses(broken(plate, kind)[0], "edge|vert", name=FIELD, kind="boundary-distance", strict=True)
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_imprints_know_the_faces_of_the_layer_as_it_is(plate, kind):
-    document, vertices, faces = broken(plate, kind)
-    draw(document, vertices[[410, 430, 1230]], closed=True)
-    document.set_current_mesh(0)
-    strict = broken(plate, kind)[0]
-    strict.add_mesh(pymeshlab.Mesh(document.mesh(1).vertex_matrix(), edge_matrix=document.mesh(1).edge_matrix()))
-    strict.set_current_mesh(0)
-    assert_refuses(strict, "edge|vert|face", name="imprint_curves", strict=True)
-    figures = document.apply_filter("imprint_curves")
-    assert figures["projected_curves"] == 0 and figures["parts"] >= 2
-    mesh = document.current_mesh()
-    at = mesh.vertex_matrix()
-    assert np.array_equal(at[: len(vertices)], vertices)
-    assert np.array_equal(document.mesh(0).face_matrix(), faces)
-    parents = mesh.face_custom_scalar_attribute_array("parent").astype(int)
-    corners = vertices[faces[parents]]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    off = np.einsum("fki,fi->fk", at[mesh.face_matrix()] - corners[:, :1], across / np.linalg.norm(across, axis=1)[:, None])
-    assert np.abs(off).max() < 1e-12
-    middles = at[mesh.face_matrix()].mean(1)
-    assert (corners.min(1) - 1e-12 <= middles).all() and (middles <= corners.max(1) + 1e-12).all()
-    assert np.abs(mesh.vertex_scalar_array()[: len(vertices)] - vertices[:, 1] ** 2).max() == 0
 
 
 @pytest.mark.parametrize("kind", KINDS)

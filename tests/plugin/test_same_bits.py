@@ -3,7 +3,6 @@
 program, the plugin and the Python package. The meshes have a quality, which curves follow only where they are asked to."""
 import json
 import os
-import struct
 import subprocess
 import sys
 import warnings
@@ -12,6 +11,7 @@ import numpy as np
 import pymeshlab
 import pytest
 from curves import CurveLayer, draw
+from made_meshes import write_ply
 from meshes import wavy_plate
 
 MESHES = {}
@@ -77,11 +77,7 @@ def bytes_of(points, faces, barycentrics):
 def by_program(program, folder, name, kind, cores=None, environment=None):
     mesh, picks, curve = folder / f"{name}.ply", folder / f"{name}.{kind}.json", folder / "curve.json"
     if not mesh.exists():
-        vertices, faces = mesh_of(name)
-        header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\nproperty double x\nproperty double y\n"
-                  f"property double z\nproperty double quality\nelement face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
-        rows = b"".join(struct.pack("<B3i", 3, *face) for face in faces.tolist())
-        mesh.write_bytes(header.encode() + np.column_stack([vertices, quality_of(name)]).astype("<f8").tobytes() + rows)
+        write_ply(mesh, *mesh_of(name), quality_of(name))
     picks.write_text(json.dumps({"picks": picks_of(name, kind).tolist()}))
     words = [program, mesh, "--picks", picks, "--output", curve]
     for key, value in OPTIONS[kind].items():

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every host has the defaults of filters/filters.json: the program, the plugin and the Python packages. The drawing tool's are
-compared in tests/filters/drawn_options_test.cpp, the libraries' in option_bindings_test.cpp."""
-import ast
+"""Every host has the parameters and defaults of filters/filters.json: here the plugin and the Python package. The others are
+compared in tests/cli/test_readme_options.py, tests/package/test_types.py, and tests/filters: filter_description_test.cpp and
+option_bindings_test.cpp."""
 import inspect
 import json
 import re
@@ -21,16 +21,19 @@ def test_a_curve_follows_no_field_by_default():
     assert CURVE["field"]["default"] == "none"
 
 
-def test_the_program_has_the_defaults_of_the_filter(program):
-    text = subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout
-    told = dict(re.findall(r"^  --([\w-]+)[\w,-]* [^\s=]+=(\S+)", text, re.M))
-    expected = {name.replace("_", "-"): p["default"] for name, p in CURVE.items()}
-    shared = told.keys() & expected.keys()
-    assert {"degree", "tension", "field", "field-weight", "field-cost", "avoid", "avoid-margin", "samples", "shell", "preset",
-            "weld"} <= shared
-    for name in shared:
-        default = expected[name]
-        assert told[name] == (default if isinstance(default, str) else f"{default:g}"), name
+@pytest.mark.parametrize("name", FILTERS)
+def test_the_host_lists_the_described_parameters_in_their_order(plugin_path, name):
+    code = f"import pymeshlab; pymeshlab.load_plugin({str(plugin_path)!r}); pymeshlab.print_filter_parameter_list({name!r})"
+    printed = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+    assert re.findall(r"^\t(\w+) : ", printed, re.M) == [p["id"] for p in FILTERS[name]["parameters"] if p["group"] != "window"]
+
+
+def test_the_example_of_the_page_runs(capsys):
+    """With a document of pymeshlab; README's own example is run in tests/package."""
+    code = re.search(r"```python\n(import pymeshlab\n.*?)```", (ROOT / "docs" / "PYTHON.md").read_text(), re.S)[1]
+    code = re.sub(r'^pymeshlab\.load_plugin\(.*\n', "", code, flags=re.M)  # the plugin of this build is loaded
+    exec(compile(code, "PYTHON.md", "exec"), {})
+    assert capsys.readouterr().out.startswith("True ")
 
 
 @pytest.mark.parametrize("name", FILTERS)
@@ -60,18 +63,3 @@ def test_the_python_package_has_the_defaults_of_the_filter(build_folder):
                 assert default == CURVE[name]["default"], name
                 seen.add(name)
     assert len(seen) > 35 and {"field", "avoid", "degree", "samples", "shell", "weld"} <= seen
-
-
-@pytest.mark.parametrize("name", ["filters", "methods"])
-def test_the_package_for_pymeshlab_has_the_defaults_of_the_filters(name):
-    # Read, not imported: it loads a plugin, and pymeshlab takes none twice.
-    module = ast.parse((ROOT / "python" / "meshlab_bspline_curve" / f"{name}.py").read_text())
-    names = {"draw_curve": "generate_bspline_curve_on_surface", "compute_field": "compute_scalar_field_for_curves_per_vertex"}
-    compared = 0
-    for function in (node for node in module.body if isinstance(node, ast.FunctionDef)):
-        described = {p["id"]: p for p in FILTERS.get(names.get(function.name, function.name), {"parameters": []})["parameters"]}
-        for argument, value in zip(function.args.kwonlyargs, function.args.kw_defaults, strict=True):
-            if argument.arg in described and isinstance(value, ast.Constant) and value.value is not None:
-                assert value.value == described[argument.arg]["default"], (function.name, argument.arg)
-                compared += 1
-    assert compared > 40

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pymeshlab
 from curves import FILTER, CurveLayer, as_text, draw, write_pp
+from made_meshes import write_obj
 from meshes import wavy_plate
 
 
@@ -61,10 +62,8 @@ def test_a_damaged_entry_is_rebuilt_and_the_log_says_so(cache, plate_picks, plug
 
 
 def test_the_program_has_stored_it_for_the_filter(cache, plate, plate_picks, program, tmp_path):
-    vertices, faces = wavy_plate()
     plate.set_current_mesh(0)
-    lines = ["v %.17g %.17g %.17g" % tuple(p) for p in vertices] + ["f %d %d %d" % tuple(f + 1) for f in faces]
-    (tmp_path / "plate.obj").write_text("\n".join(lines) + "\n")
+    write_obj(tmp_path / "plate.obj", *wavy_plate())
     subprocess.run([program, tmp_path / "plate.obj", "--picks", write_pp(tmp_path / "picks.pp", plate_picks),
                     "--output", tmp_path / "curve.ply", "--shell", "simplified", "--target-thickness", "0.1"], check=True)
     assert draw(plate, plate_picks, shell="simplified", target_thickness=0.1)[1]["shell_cached"]

@@ -11,10 +11,10 @@ BUILD = Path(os.environ.get("BSPLINE_CURVE_BUILD", Path(__file__).resolve().pare
 sys.path.insert(0, str(BUILD / "python"))
 
 
-def wavy_square(n):
-    """An open, wavy square of 2 by 2."""
-    x, y = np.meshgrid(np.linspace(-1, 1, n), np.linspace(-1, 1, n), indexing="ij")
-    vertices = np.stack([x, y, 0.2 * np.sin(3 * x) * np.cos(2 * y)], axis=-1).reshape(-1, 3)
+def wavy_square(n, height=0.2, low=-1):
+    """An open, wavy square from low to 1."""
+    x, y = np.meshgrid(np.linspace(low, 1, n), np.linspace(low, 1, n), indexing="ij")
+    vertices = np.stack([x, y, height * np.sin(3 * x) * np.cos(2 * y)], axis=-1).reshape(-1, 3)
     corner = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).reshape(-1, 1)
     return vertices, np.concatenate([corner + [0, n, n + 1], corner + [0, n + 1, 1]]).astype(np.int32)
 

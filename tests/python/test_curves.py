@@ -8,6 +8,7 @@ import subprocess
 import bspline_curve
 import numpy as np
 import pytest
+from made_meshes import write_obj
 from scipy.interpolate import BSpline
 
 
@@ -20,6 +21,9 @@ def test_the_polyline_lies_on_the_faces_that_it_names(mesh, picks):
     assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() == pytest.approx(curve.length)
     assert curve.usable and curve.report["status"] == "converged" and (np.diff(curve.t) > 0).all()
     np.testing.assert_array_equal(curve.picks, picks)
+    assert curve.report["notes"] == []
+    (note,) = mesh.curve(picks[[0, 0, *range(1, len(picks))]]).report["notes"]
+    assert note.startswith("pick 2 is at the same point")
 
 
 @pytest.mark.parametrize(("options", "words"), [
@@ -30,9 +34,7 @@ def test_the_polyline_lies_on_the_faces_that_it_names(mesh, picks):
     ({"avoid": [1600, 1601, 1602]}, ["--avoid", "avoid.npy"]),
 ])
 def test_a_curve_is_the_programs(options, words, mesh, picks, build_folder, tmp_path):
-    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist()]
-    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in mesh.faces.tolist()]
-    (tmp_path / "mesh.obj").write_text("\n".join([*lines, ""]))
+    write_obj(tmp_path / "mesh.obj", mesh.vertices, mesh.faces)
     np.savetxt(tmp_path / "picks.xyz", picks, fmt="%.17g")
     np.save(tmp_path / "avoid.npy", options.get("avoid", []))
     command = [build_folder / "bin" / "bspline_curve", "mesh.obj", "--picks", "picks.xyz", "--output", "curve.json", *words]

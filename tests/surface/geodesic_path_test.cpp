@@ -11,8 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -186,6 +189,114 @@ TEST(GeodesicPaths, AreHelicesOnACylinder) {
             locate(surface, onCylinder(s + round + kSegments, z1))
         );
         EXPECT_NEAR(path.length, std::hypot(side * round, z1 - z0), 1e-12);
+    }
+}
+
+// A box with sides of needles from bottom to top: its corners lie on the sides of a square of
+// length 2, moved by a factor for each. The lids are fans round their middles.
+TriangleMesh needleBox(int corners, double height, const std::function<double()>& factor) {
+    TriangleMesh mesh;
+    for (const double z : {0.0, height}) {
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / corners;
+            const Vec3 direction(std::cos(angle), std::sin(angle), 0.0);
+            const double radius = factor() / direction.cwiseAbs().maxCoeff();
+            mesh.vertices.emplace_back(radius * direction + Vec3(0.0, 0.0, z));
+        }
+    }
+    mesh.vertices.emplace_back(0.0, 0.0, 0.0);
+    mesh.vertices.emplace_back(0.0, 0.0, height);
+    for (int i = 0; i < corners; ++i) {
+        const int next = (i + 1) % corners;
+        mesh.faces.push_back({i, next, corners + i});
+        mesh.faces.push_back({next, corners + next, corners + i});
+        mesh.faces.push_back({2 * corners, next, i});
+        mesh.faces.push_back({2 * corners + 1, corners + i, corners + next});
+    }
+    return mesh;
+}
+
+// From one side of the box to the next. Straight ways over the lid are shortest in their strips,
+// and over midpoints of edges much shorter than all over the sides.
+TEST(GeodesicPaths, AcrossNeedlesAreStraight) {
+    const Surface surface(needleBox(64, 20.0, [] { return 1.0; }));
+    Random random(30);
+    for (int i = 0; i < 20; ++i) {
+        const double u = random.uniform(0.3, 0.9);
+        const double v = random.uniform(0.3, 0.9);
+        const GeodesicPath path = goodPath(
+            surface, locate(surface, {1.0, 1.0 - u, 19.4}), locate(surface, {1.0 - v, 1.0, 19.4})
+        );
+        EXPECT_NEAR(path.length, u + v, 1e-12) << "pair " << i;
+    }
+}
+
+// The length of the shortest way over points at even steps on edges, within faces: longer than the
+// shortest path. A vertex stands there once for each of its edges.
+double lengthOverSteps(
+    const Surface& surface, const SurfacePoint& start, const SurfacePoint& goal, int steps
+) {
+    std::map<std::pair<int, int>, std::vector<int>> onEdge;
+    std::vector<Vec3> nodes;
+    std::vector<std::vector<int>> ofFace(surface.faceCount());
+    for (int f = 0; f < surface.faceCount(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const auto [a, b] = std::minmax(surface.faces()[f][k], surface.faces()[f][(k + 1) % 3]);
+            std::vector<int>& on = onEdge[{a, b}];
+            for (int i = 0; on.size() <= static_cast<std::size_t>(steps); ++i) {
+                const double share = static_cast<double>(i) / steps;
+                on.push_back(static_cast<int>(nodes.size()));
+                nodes.emplace_back(
+                    (1.0 - share) * surface.vertices()[a] + share * surface.vertices()[b]
+                );
+            }
+            ofFace[f].insert(ofFace[f].end(), on.begin(), on.end());
+        }
+    }
+    for (const SurfacePoint& end : {start, goal}) {
+        for (const int f : facesHolding(surface, end)) {
+            ofFace[f].push_back(static_cast<int>(nodes.size()));
+        }
+        nodes.push_back(surface.position(end));
+    }
+    std::vector<std::vector<int>> facesOf(nodes.size());
+    for (int f = 0; f < surface.faceCount(); ++f) {
+        for (const int node : ofFace[f]) {
+            facesOf[node].push_back(f);
+        }
+    }
+    std::vector<double> lengths(nodes.size(), std::numeric_limits<double>::infinity());
+    std::set<std::pair<double, int>> open{{0.0, static_cast<int>(nodes.size()) - 2}};
+    lengths[nodes.size() - 2] = 0.0;
+    while (!open.empty()) {
+        const auto [length, node] = *open.begin();
+        open.erase(open.begin());
+        for (const int f : facesOf[node]) {
+            for (const int next : ofFace[f]) {
+                const double there = length + (nodes[next] - nodes[node]).norm();
+                if (there < lengths[next]) {
+                    open.erase({lengths[next], next});
+                    lengths[next] = there;
+                    open.insert({there, next});
+                }
+            }
+        }
+    }
+    return lengths.back();
+}
+
+TEST(GeodesicPaths, OverRandomNeedlesAreNoDetours) {
+    for (const std::uint64_t seed : {30U, 31U, 32U}) {
+        Random random(seed);
+        const Surface surface(
+            renumbered(needleBox(40, 5.0, [&] { return random.uniform(0.9, 1.1); }), seed)
+        );
+        for (int i = 0; i < 8; ++i) {
+            const SurfacePoint a = randomPointOfAnyKind(surface, random);
+            const SurfacePoint b = randomPointOfAnyKind(surface, random);
+            EXPECT_LE(goodPath(surface, a, b).length, kDetour * lengthOverSteps(surface, a, b, 32))
+                << "seed " << seed << ", pair " << i;
+        }
     }
 }
 

@@ -3,11 +3,12 @@
 
 #include "support/meshes.h"
 #include "support/random.h"
-#include "surface/mending.h"
 #include "surface/surface.h"
+#include "surface/ways_over_faces.h"
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,20 +20,33 @@ using namespace test_support;
 
 /// A mended mesh, joined anew for a way over some of its faces.
 struct RejoinedWay {
-    Mended<Surface> mended;
-    std::vector<Passage> passages;
+    Surface mended;
+    bool isFound;
+    Passages passages;
     Surface surface;
     MeshRepair repair;
 };
 
 RejoinedWay rejoinedFor(const TriangleMesh& mesh, const std::vector<int>& faces) {
-    Mended<Surface> mended =
-        makeMended(mesh, {}, [](TriangleMesh given) { return Surface(std::move(given)); });
-    const std::vector<int>& origins = mended.repair()->vertexOrigins;
-    std::vector<Passage> passages = passagesBetween(mended.made, origins, faces);
-    MeshRepair repair = rejoined(mended.made.mesh(), origins, passages);
+    Surface mended(mesh, MendingOptions());
+    const std::vector<int> roots = mended.provenance().vertexRoots();
+    const PartedEdges parted(mended, roots);
+    WaysOverFaces ways(mended, parted, {});
+    std::vector<Step> steps;
+    bool isFound = true;
+    for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
+        const Vec3 middle = Vec3::Constant(1.0 / 3.0);
+        const std::optional<FaceWay> way =
+            ways.find({faces[i], middle}, {faces[i + 1], middle}, Crossing::Parted);
+        isFound = isFound && way;
+        if (way) {
+            steps.insert(steps.end(), way->steps.begin(), way->steps.end());
+        }
+    }
+    Passages passages = passagesOf(steps);
+    MeshRepair repair = rejoined(mended.mesh(), roots, parted, passages);
     Surface surface(repair.mesh);
-    return {std::move(mended), std::move(passages), std::move(surface), std::move(repair)};
+    return {std::move(mended), isFound, std::move(passages), std::move(surface), std::move(repair)};
 }
 
 /// The component of the rejoined surface that a mended face lies in; its parts must agree.
@@ -49,11 +63,11 @@ int componentOf(const RejoinedWay& way, int face) {
 
 /// Expects the points of the rejoined surface where the mended one has them, all of it.
 void expectSamePoints(const RejoinedWay& way) {
-    EXPECT_NEAR(way.surface.area(), way.mended.made.area(), 1e-12 * way.surface.area());
+    EXPECT_NEAR(way.surface.area(), way.mended.area(), 1e-12 * way.surface.area());
     for (int f = 0; f < way.surface.faceCount(); ++f) {
         for (const Vec3& weights : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0.2, 0.3, 0.5)}) {
             const Vec3 here = way.surface.position({f, weights});
-            const Vec3 there = way.mended.made.position(way.repair.toOrigin({f, weights}));
+            const Vec3 there = way.mended.position(way.repair.toOrigin({f, weights}));
             EXPECT_LT((here - there).norm(), 1e-12 * way.surface.diagonal());
         }
     }
@@ -70,14 +84,14 @@ TEST(Rejoining, LetsEachOfThreeFacesGoOnIntoEachOther) {
     }
 }
 
-TEST(Rejoining, NeedsNoPassageOnOneComponent) {
+TEST(Rejoining, JoinsAFinToAPlateForItsWayAlone) {
     TriangleMesh mesh = plate(4, 4);
     const Triangle face = mesh.faces[10];
     mesh.vertices.emplace_back(0.5, 0.5, 0.4);
     mesh.faces.push_back({face[0], face[1], static_cast<int>(mesh.vertices.size()) - 1});
-    EXPECT_TRUE(rejoinedFor(mesh, {3, 30, 7}).passages.empty());
+    EXPECT_EQ(rejoinedFor(mesh, {3, 30, 7}).surface.componentCount(), 2);
     const RejoinedWay way = rejoinedFor(mesh, {3, 32});
-    EXPECT_EQ(way.passages.size(), 1U);
+    EXPECT_EQ(way.passages.stretches.size(), 1U);
     EXPECT_EQ(way.surface.componentCount(), 1);
     expectSamePoints(way);
     EXPECT_EQ(rejoinedFor(mesh, {3, 32, 30}).surface.componentCount(), 1);
@@ -85,8 +99,8 @@ TEST(Rejoining, NeedsNoPassageOnOneComponent) {
 
 TEST(Rejoining, FindsNoWayBetweenWhatIsApart) {
     const TriangleMesh mesh = joined(threeFacesAtAnEdge(), plate(2, 2));
-    EXPECT_TRUE(rejoinedFor(mesh, {0, 5}).passages.empty());
-    EXPECT_TRUE(rejoinedFor(mesh, {0, 2, 5}).passages.empty());
+    EXPECT_FALSE(rejoinedFor(mesh, {0, 5}).isFound);
+    EXPECT_FALSE(rejoinedFor(mesh, {0, 2, 5}).isFound);
 }
 
 TEST(Rejoining, LeavesNoFaceCutOutOfItsNeighbours) {
@@ -100,7 +114,7 @@ TEST(Rejoining, LeavesNoFaceCutOutOfItsNeighbours) {
     }
     const int last = static_cast<int>(mesh.faces.size()) - 1;
     const RejoinedWay way = rejoinedFor(mesh, {5, last});
-    EXPECT_EQ(way.passages.size(), 1U);
+    EXPECT_EQ(way.passages.stretches.size(), 1U);
     EXPECT_EQ(componentOf(way, 5), componentOf(way, last));
     expectSamePoints(way);
 }
@@ -129,7 +143,7 @@ TEST(Rejoining, JoinsFacesAmongFewVertices) {
         const std::vector<int> faces = {0, last / 2, last};
         const RejoinedWay way = rejoinedFor(mesh, faces);
         expectSamePoints(way);
-        if (way.passages.empty()) {
+        if (!way.isFound) {
             continue;
         }
         ++ways;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/loaded_mesh.h"
+
+#include "cli/interrupt.h"
+#include "cli/process_figures.h"
+#include "io/mesh_reader.h"
+#include "utility/report_progress.h"
+#include "utility/stopwatch.h"
+
+#include <utility>
+
+namespace bspline_curve::cli {
+
+void LoadedMesh::prepare(const PreparingOptions& options, const Progress& progress) {
+    workpiece = std::make_shared<const Workpiece>(std::move(layer.mesh), options, progress);
+}
+
+void LoadedMesh::prepareForCurves(
+    const PreparingOptions& options, bool noCache, const Progress& progress
+) {
+    constexpr double kSurfaceShare = 0.3;
+    prepare(options, partOf(progress, 0.0, kSurfaceShare));
+    const std::optional<ShellCache> cache = cacheUnless(noCache);
+    static_cast<void>(
+        workpiece->designer(partOf(progress, kSurfaceShare, 1.0), cache ? &*cache : nullptr)
+    );
+}
+
+LoadedMesh loadMesh(const std::filesystem::path& file, bool strict) {
+    Stopwatch watch;
+    MeshFile read = readMeshFile(file, strict ? RepeatedVertices::Refuse : RepeatedVertices::Keep);
+    LoadedMesh loaded{
+        .layer =
+            {.label = file.string(),
+             .mesh = std::move(read.mesh),
+             .quality = std::move(read.quality),
+             .selectedVertices = {},
+             .selectedFaces = {},
+             .isFile = true},
+        .workpiece = nullptr,
+        .readSeconds = watch.lap(),
+        .readMemoryBytes = peakMemoryBytes()
+    };
+    throwIfInterrupted();
+    return loaded;
+}
+
+std::optional<ShellCache> cacheUnless(bool noCache) {
+    return noCache ? std::nullopt : ShellCache::ofUser();
+}
+
+}  // namespace bspline_curve::cli

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/use_input.h"
+
+#include "bspline_curve/error.h"
+#include "cli/interrupt.h"
+#include "cli/verb_parser.h"
+#include "imprint/part_colours.h"
+#include "imprint/projected_polyline.h"
+#include "io/curve_reader.h"
+#include "io/mesh_writer.h"
+#include "io/polyline_reader.h"
+#include "io/text_parsing.h"
+#include "surface/picks.h"
+#include "surface/strict_line.h"
+#include "surface/triangle_tree.h"
+#include "utility/stopwatch.h"
+#include "workpiece/curve_notes.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+/// Projects the polylines of a file onto a surface.
+std::vector<SurfacePolyline> projectedLines(
+    const std::filesystem::path& file,
+    const Surface& surface,
+    const TriangleTree& tree,
+    double distance
+) {
+    std::vector<SurfacePolyline> projected;
+    const std::vector<SpacePolyline> lines = readPolylines(file);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        try {
+            projected.push_back(projectedPolyline(surface, tree, lines[i], distance));
+        } catch (const InputError& error) {
+            const std::string which =
+                lines.size() == 1 ? "" : "polyline " + std::to_string(i) + " of it ";
+            throw InputError(
+                error.code(),
+                file.string() + ": " + which + "is not near the mesh: " + error.what() +
+                    "; give the mesh that it belongs to, or a larger --max-distance",
+                error.elements()
+            );
+        }
+    }
+    return projected;
+}
+
+void take(CurvesOnMesh& taken, const std::filesystem::path& file, SurfacePolyline line) {
+    taken.lines.push_back(std::move(line));
+    taken.files.push_back(file);
+}
+
+void readLines(CurvesOnMesh& taken, const UseArguments& arguments, double maxDistance) {
+    Stopwatch watch;
+    const Workpiece& workpiece = taken.workpiece();
+    const Surface& surface = workpiece.surface();
+    const double distance =
+        maxDistance > 0.0 ? maxDistance : kPickReachRelative * surface.diagonal();
+    std::optional<TriangleTree> tree;
+    for (const std::filesystem::path& file : arguments.curves) {
+        const bool isExact = lowerCaseExtension(file) == ".json";
+        if (!isExact && !tree) {
+            tree.emplace(surface.vertices(), surface.faces());
+        }
+        for (SurfacePolyline& line : isExact ? readCurves(file, surface, workpiece.checksum())
+                                             : projectedLines(file, surface, *tree, distance)) {
+            take(taken, file, std::move(line));
+        }
+        (isExact ? taken.readSeconds : taken.drawSeconds) += watch.lap();
+    }
+}
+
+void drawLines(
+    CurvesOnMesh& taken, DrawingArguments arguments, const UseArguments& all, ProgressBar& bar
+) {
+    Stopwatch watch;
+    const bool isClosed = arguments.solver.closed;
+    for (const std::filesystem::path& file : all.picks) {
+        arguments.solver.closed = isClosed;
+        const std::vector<Vec3> picks = picksFrom(file, arguments);
+        DesignedCurve drawn =
+            drawThrough(picks, arguments, taken.loaded, progressPart(bar, 0.0, 1.0));
+        bar.clear();
+        if (!drawn.curve.report.usable) {
+            throw InputError(
+                InputErrorCode::NoPath,
+                file.string() + ": " + drawn.notes.back() +
+                    "; a curve that is not usable is not used"
+            );
+        }
+        printNotes(drawn.notes);
+        // A curve may pass where the mesh is parted, an imprint may not.
+        static_cast<void>(
+            strictLine(taken.workpiece().surface(), drawn.curve.polyline, file.string())
+        );
+        take(taken, file, std::move(drawn.curve.polyline));
+    }
+    taken.drawSeconds += watch.lap();
+}
+
+}  // namespace
+
+UseOptions::UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescription& filter)
+    : described(app, filter), arguments_(arguments), drawing_(app, arguments.drawing) {
+    addMesh(app, arguments.drawing.mesh);
+    for (const auto& [flag, files, help] :
+         {std::tuple(
+              "--curve",
+              &arguments.curves,
+              "Curve on this mesh: .json, as this program writes it, exactly; .ply, .obj or .dxf, "
+              "whose polylines are projected onto the mesh. May be given again"
+          ),
+          std::tuple(
+              "--picks",
+              &arguments.picks,
+              "Draw a curve through these points first: .pp, .json, .mrk.json, .xyz or .csv; the "
+              "options of curves say how. May be given again"
+          )}) {
+        app.add_option(flag, *files, help)->allow_extra_args(false)->type_name("FILE");
+    }
+    described.add(
+        "max_distance",
+        {.help = "Refuse polylines that are farther than this from the mesh anywhere, in its "
+                 "unit; 0: 1 % of its diagonal"}
+    );
+    addCacheOption(app, arguments.drawing.noCache);
+    drawing_.add("Options of curves, for --picks");
+}
+
+void UseOptions::finish() {
+    if (arguments_.curves.empty() && arguments_.picks.empty()) {
+        throw CLI::ValidationError("--curve or --picks is required: there is no curve");
+    }
+    if (arguments_.picks.empty() && drawing_.isAnyGivenForDrawing()) {
+        throw CLI::ValidationError("options of curves are for --picks, which is not given");
+    }
+    drawing_.finish();
+}
+
+CurvesOnMesh curvesOnMesh(
+    const UseArguments& arguments, double maxDistance, ProgressBar& bar, double share
+) {
+    bar.show(0.0, "reading");
+    DrawingArguments drawing = arguments.drawing;
+    CurvesOnMesh taken{.loaded = {}, .lines = {}, .files = {}};
+    LoadedMesh& loaded = taken.loaded;
+    if (!arguments.picks.empty()) {
+        checkDrawingFiles(drawing);
+    }
+    loaded = loadMesh(drawing.mesh, drawing.mending.strict);
+    taken.readSeconds = loaded.readSeconds;
+    Stopwatch watch;
+    if (arguments.picks.empty()) {
+        loaded.prepare(drawing, progressPart(bar, 0.0, share));
+    } else {
+        readDrawingFiles(drawing, loaded.layer.mesh);
+        loaded.prepareForCurves(drawing, drawing.noCache, progressPart(bar, 0.0, share));
+    }
+    taken.surfaceSeconds = watch.lap();
+    bar.clear();
+    printNotes(loaded.notes());
+    readLines(taken, arguments, maxDistance);
+    throwIfInterrupted();
+    drawLines(taken, std::move(drawing), arguments, bar);
+    return taken;
+}
+
+void checkHoldsLabels(const std::filesystem::path& file) {
+    if (lowerCaseExtension(file) != ".ply") {
+        throw InputError(
+            InputErrorCode::UnwritableFile,
+            file.string() + ": labels of faces are written as .ply; change the name's end"
+        );
+    }
+}
+
+std::vector<double> ImprintedFile::qualityOf(const MadeMesh& made) const {
+    return quality.empty() ? std::vector<double>() : made.carried(quality);
+}
+
+std::string ImprintedFile::bytesOf(
+    const std::filesystem::path& file, const MadeMesh& made, bool coloured
+) const {
+    std::vector<std::array<std::uint8_t, 3>> colours;
+    if (coloured) {
+        for (const int label : made.labels()) {
+            colours.push_back(partColour(label));
+        }
+    }
+    const std::vector<double> carried = qualityOf(made);
+    return meshBytes(
+        file,
+        made.mesh(),
+        {.vertexQuality = carried, .faceLabels = made.labels(), .faceColours = colours}
+    );
+}
+
+ImprintedFile imprintedFile(
+    const UseArguments& arguments, const ImprintRequest& request, ProgressBar& bar
+) {
+    constexpr double kReadShare = 0.4;
+    CurvesOnMesh read = curvesOnMesh(arguments, request.use.placing.distance, bar, kReadShare);
+    ImprintedFile result{
+        .imprint = imprintOn(
+            read.loaded.workpiece,
+            read.lines,
+            request.imprint,
+            progressPart(bar, kReadShare, kImprintedShare)
+        ),
+        .quality = std::move(read.loaded.layer.quality),
+        .figures = {}
+    };
+    result.figures = {
+        .readSeconds = read.readSeconds,
+        .surfaceSeconds = read.surfaceSeconds,
+        .drawSeconds = read.drawSeconds,
+        .imprintSeconds = result.imprint.seconds,
+        .snap = request.imprint.snap,
+        .repair = read.workpiece().repair()
+    };
+    return result;
+}
+
+}  // namespace bspline_curve::cli

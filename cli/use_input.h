@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/curve_drawing.h"
+#include "cli/loaded_mesh.h"
+#include "cli/progress_bar.h"
+#include "filters/imprint_requests.h"
+#include "io/imprint_writer.h"
+#include "workpiece/curve_uses.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// What the verbs that use curves share: a mesh, curves on it that are read or drawn, their imprint.
+namespace bspline_curve::cli {
+
+struct UseArguments {
+    std::filesystem::path output, report;  ///< report: empty: none asked for
+    std::vector<std::filesystem::path> curves, picks;
+    DrawingArguments drawing;  ///< the mesh, and how curves are drawn
+};
+
+/// MESH, --curve, --picks, the options of curves, and those of the filter that do the same.
+class UseOptions {
+public:
+    /// All must outlive this.
+    UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescription& filter);
+
+    /// Of the filter; --max-distance is there.
+    DescribedOptions described;
+
+    /// After parsing. Throws CLI::ParseError where neither curves nor picks are given, or options
+    /// of curves without picks; InputError (BadOption).
+    void finish();
+
+private:
+    UseArguments& arguments_;
+    DrawingOptions drawing_;
+};
+
+/// A mesh and the curves on it, those of --curve first, then those of --picks, each in order.
+struct CurvesOnMesh {
+    LoadedMesh loaded;
+    std::vector<SurfacePolyline> lines;
+    std::vector<std::filesystem::path> files;  ///< for each line, the one that it is from
+    /// Of files; of preparing the mesh; of projecting and drawing.
+    double readSeconds = 0.0, surfaceSeconds = 0.0, drawSeconds = 0.0;
+
+    [[nodiscard]] const Workpiece& workpiece() const { return *loaded.workpiece; }
+};
+
+/// Reads, projects and draws. Shows the bar up to `share`. Prints notes. `maxDistance`: of
+/// polylines; 0: kPickReachRelative. Throws InputError, Cancelled.
+[[nodiscard]] CurvesOnMesh curvesOnMesh(
+    const UseArguments& arguments, double maxDistance, ProgressBar& bar, double share
+);
+
+/// Refuses all but .ply. Throws InputError (UnwritableFile).
+void checkHoldsLabels(const std::filesystem::path& file);
+
+/// Curves as edges, and what reports tell of that.
+struct ImprintedFile {
+    Imprint imprint;
+    std::vector<double> quality;  ///< of the input's vertices; empty: the file has none
+    ImprintFigures figures;
+
+    /// The bytes of a mesh that was made of it, with the parts of faces and the quality.
+    [[nodiscard]] std::string bytesOf(
+        const std::filesystem::path& file, const MadeMesh& made, bool coloured = false
+    ) const;
+    /// The quality at a mesh's vertices; empty: none.
+    [[nodiscard]] std::vector<double> qualityOf(const MadeMesh& made) const;
+};
+
+/// The share of the progress that imprintedFile() takes.
+inline constexpr double kImprintedShare = 0.7;
+
+/// Reads, draws and imprints. Throws InputError, Cancelled.
+[[nodiscard]] ImprintedFile imprintedFile(
+    const UseArguments& arguments, const ImprintRequest& request, ProgressBar& bar
+);
+
+}  // namespace bspline_curve::cli

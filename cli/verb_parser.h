@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/error.h"
+#include "cli/verb.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+// Command lines of verbs. A parser has the members `app`, a CLI::App that its constructor fills,
+// and `finish()`, which returns what was said, after parsing; it may throw as that.
+namespace bspline_curve::cli {
+
+/// Throws CLI::ParseError, InputError (BadOption).
+template <class Parser>
+auto parsedBy(Parser& parser, Arguments words) {
+    // CLI11 takes them in reverse order.
+    parser.app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    return parser.finish();
+}
+
+/// A verb: reads its command line and does the work that it asks for; where it is wrong, or asks
+/// for help, that is printed.
+template <class Parser, class Parsed>
+[[nodiscard]] ExitCode runParsed(
+    Arguments words,
+    ExitCode (*work)(Parsed& arguments, ProgressBar& bar),
+    AfterInterrupt after = AfterInterrupt::EndSoon
+) {
+    Parser parser;
+    try {
+        auto arguments = parsedBy(parser, words);
+        return runVerb([&](ProgressBar& bar) { return work(arguments, bar); }, after);
+    } catch (const CLI::ParseError& error) {
+        return explainParseError(parser.app, error);
+    } catch (const InputError& error) {
+        printError(error.what());
+        return ExitCode::Usage;
+    }
+}
+
+/// An option that names a file.
+inline CLI::Option* addFile(
+    CLI::App& app,
+    const std::string& flag,
+    std::filesystem::path& file,
+    const std::string& help,
+    const char* type = "FILE"
+) {
+    return app.add_option(flag, file, help)->type_name(type);
+}
+
+/// --output, which has to be given.
+inline void addOutput(
+    CLI::App& app, std::filesystem::path& file, const std::string& help, const char* type = "FILE"
+) {
+    addFile(app, "--output", file, help, type)->required();
+}
+
+/// --report.
+inline void addReport(CLI::App& app, std::filesystem::path& file, const std::string& help) {
+    addFile(app, "--report", file, help, "FILE.json");
+}
+
+/// MESH, and --repair, which asked for what is done by default now: accepted, not listed.
+inline void addMesh(CLI::App& app, std::filesystem::path& mesh) {
+    addFile(app, "MESH", mesh, "Triangle mesh: .ply, .obj, .off or .stl", "")->required();
+    constexpr const char* kHidden = "";
+    app.add_flag("--repair")->group(kHidden);
+}
+
+/// --no-cache.
+inline void addCacheOption(CLI::App& app, bool& noCache) {
+    app.add_flag(
+        "--no-cache",
+        noCache,
+        "Neither take a simplified shell from the cache folder nor keep it there"
+    );
+}
+
+}  // namespace bspline_curve::cli

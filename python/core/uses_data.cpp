@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/core/arrays.h"
+#include "python/core/bindings.h"
+#include "python/core/python_progress.h"
+#include "workpiece/curve_uses.h"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve::python {
+
+namespace {
+
+Imprint imprinted(const Mesh& mesh, const std::vector<const DesignedCurve*>& curves, double snap) {
+    const nb::gil_scoped_release unlocked;  // curves do not change
+    std::vector<SurfacePolyline> lines;
+    for (const DesignedCurve* drawn : curves) {
+        lines.push_back(drawn->curve.polyline);
+    }
+    return imprintOn(mesh.workpiece, lines, {.snap = snap});
+}
+
+nb::list curvesOf(const Imprint& imprint) {
+    nb::list result;
+    for (const ImprintedCurve& curve : imprint.mesh->curves) {
+        result.append(arrayOf(curve.vertices));
+    }
+    return result;
+}
+
+// [(area, perimeter, centroid, euler) of each part].
+nb::list figuresOf(const Imprint& imprint) {
+    nb::list figures;
+    for (const MeshPart& part : imprint.parts.parts) {
+        const Vec3& centre = part.centroid;
+        figures.append(
+            nb::make_tuple(
+                part.area,
+                part.perimeter,
+                nb::make_tuple(centre.x(), centre.y(), centre.z()),
+                part.euler
+            )
+        );
+    }
+    return figures;
+}
+
+std::optional<PartChoice> choiceOf(
+    const std::optional<std::string>& which, const std::vector<double>& seed
+) {
+    using Which = PartChoice::Which;
+    if (!which) {
+        return std::nullopt;
+    }
+    if (*which == "seed") {
+        return PartChoice{.which = Which::Seed, .seed = Vec3(seed.at(0), seed.at(1), seed.at(2))};
+    }
+    return PartChoice{
+        .which = *which == "largest"    ? Which::Largest
+                 : *which == "smallest" ? Which::Smallest
+                                        : Which::Inside
+    };
+}
+
+// ((vertices, faces, imprinted vertex of each vertex, part of each face), notes); -1: new.
+nb::tuple cutTuple(
+    const Imprint& imprint,
+    const std::optional<std::string>& which,
+    const std::vector<double>& seed,
+    const std::string& fill,
+    double relief,
+    nb::object progress
+) {
+    CutChoice choice;
+    choice.keep = choiceOf(which, seed);
+    choice.relief = relief;
+    if (fill != "none") {
+        choice.fill = fill == "flat" ? FillShape::Flat : FillShape::Smooth;
+    }
+    const CutMeshes cut = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        return cutOn(imprint, choice, goesOn);
+    });
+    const FilledParts& made = cut.pieces.front().mesh.parts();
+    const nb::tuple arrays = nb::make_tuple(
+        arrayOf(made.mesh.vertices),
+        arrayOf(made.mesh.faces),
+        arrayOf(made.origin),
+        arrayOf(made.labels)
+    );
+    return nb::make_tuple(arrays, cut.notes);
+}
+
+std::vector<std::string> segmentNotes(const Imprint& imprint) {
+    const nb::gil_scoped_release unlocked;
+    return segmentsOf(imprint, false).notes;
+}
+
+OffsetOptions optionsOf(double distance, const std::string& side) {
+    return {
+        .distance = distance,
+        .sides = side == "left"    ? OffsetSides::Left
+                 : side == "right" ? OffsetSides::Right
+                                   : OffsetSides::Both
+    };
+}
+
+/// With the largest deviation of each, in distances.
+std::vector<std::pair<DesignedCurve, double>> curvesBeside(
+    const Mesh& mesh,
+    const DesignedCurve& drawn,
+    double distance,
+    const std::string& side,
+    nb::object progress
+) {
+    OffsetLines lines = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        return linesBeside(
+            *mesh.workpiece, {&drawn.curve.polyline, 1}, optionsOf(distance, side), false, goesOn
+        );
+    });
+    std::vector<std::pair<DesignedCurve, double>> result;
+    for (auto& [fitted, of] : lines.pieces) {
+        Curve curve;
+        curve.polyline = std::move(fitted.line);
+        curve.spline = std::move(fitted.spline);
+        curve.report.usable = true;
+        result.emplace_back(DesignedCurve{.curve = std::move(curve)}, fitted.deviation);
+    }
+    return result;
+}
+
+Array facesNear(
+    const Mesh& mesh,
+    const DesignedCurve& drawn,
+    double distance,
+    const std::string& side,
+    nb::object progress
+) {
+    const auto within = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        return facesWithin(
+            mesh->surface(), drawn.curve.polyline, optionsOf(distance, side), goesOn
+        );
+    });
+    return arrayOf(std::vector<std::uint8_t>(within.begin(), within.end()));
+}
+
+}  // namespace
+
+void bindUses(nb::module_& module) {
+    const auto view = [](auto part) {
+        return viewOf<Imprint>([part](const Imprint& i) -> auto& { return (*i.mesh).*part; });
+    };
+    const auto mesh = [](auto part) {
+        return viewOf<Imprint>([part](const Imprint& i) -> auto& { return i.mesh->mesh.*part; });
+    };
+    nb::class_<Imprint>(module, "Imprint")
+        .def_prop_ro("vertices", mesh(&TriangleMesh::vertices))
+        .def_prop_ro("faces", mesh(&TriangleMesh::faces))
+        .def_prop_ro("parents", view(&ImprintedMesh::parents))
+        .def_prop_ro("crossings", view(&ImprintedMesh::crossings))
+        .def_prop_ro("labels", viewOf<Imprint>([](const Imprint& i) -> auto& {
+                         return i.parts.labels;
+                     }))
+        .def_prop_ro("curves", curvesOf)
+        .def_prop_ro("places", [](const Imprint& i) { return placesOf(i.mesh->newVertices); })
+        .def_prop_ro("largest_move", [](const Imprint& i) { return i.mesh->largestMove; })
+        .def_prop_ro("figures", figuresOf)
+        .def_prop_ro("segment_notes", segmentNotes)
+        .def(
+            "cut",
+            cutTuple,
+            nb::arg("which").none(),
+            nb::arg("seed"),
+            nb::arg("fill") = "none",
+            nb::arg("relief") = 0.0,
+            nb::arg("progress") = nb::none()
+        );
+    module.def("imprint", imprinted);
+    const auto define = [&](const char* name, auto* function) {
+        module.def(name, function, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
+    };
+    define("offset", curvesBeside);
+    define("faces_within", facesNear);
+}
+
+}  // namespace bspline_curve::python

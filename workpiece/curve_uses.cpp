@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workpiece/curve_uses.h"
+
+#include "bspline_curve/error.h"
+#include "fill/raised_parts.h"
+#include "imprint/slits.h"
+#include "shell/extended_surface.h"
+#include "utility/report_progress.h"
+#include "utility/stopwatch.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+// Shares of the work, for progress only.
+constexpr double kImprintedShare = 0.6;
+constexpr double kLinesShare = 0.8;  // of an offset, without its band
+
+/// The parts that one mesh gets; adds what to say of them.
+FilledParts partsMeant(
+    const Imprint& imprint,
+    const CutMesh& cut,
+    const CutChoice& choice,
+    const std::vector<int>& chosen,
+    std::vector<std::string>& notes,
+    const Progress& progress
+) {
+    if (choice.relief == 0.0) {
+        FilledParts taken =
+            takenParts(*imprint.mesh, cut, imprint.parts, chosen, choice.fill, progress);
+        if (taken.openRims > 0) {
+            notes.push_back(
+                std::to_string(taken.openRims) +
+                " rims stay open, since the boundary of the mesh is part of them"
+            );
+        }
+        return taken;
+    }
+    RaisedParts raised = raisedParts(*imprint.mesh, imprint.parts, chosen, choice.relief);
+    if (raised.turnedFaces > 0) {
+        notes.push_back(
+            "the relief turns " + std::to_string(raised.turnedFaces) +
+            " faces over; take a smaller height"
+        );
+    }
+    return std::move(raised.whole);
+}
+
+CutMeshes::Piece pieceOf(const Imprint& imprint, std::vector<int> parts, FilledParts taken) {
+    return {std::move(parts), MadeMesh(imprint.workpiece, imprint.mesh, std::move(taken))};
+}
+
+}  // namespace
+
+Imprint imprintOn(
+    std::shared_ptr<const Workpiece> workpiece,
+    std::span<const SurfacePolyline> lines,
+    const ImprintOptions& options,
+    const Progress& progress
+) {
+    report(progress, 0.0, "imprinting");
+    Imprint result{.workpiece = std::move(workpiece), .mesh = {}, .parts = {}};
+    Stopwatch watch;
+    result.mesh =
+        std::make_shared<const ImprintedMesh>(imprint(result.workpiece->surface(), lines, options));
+    result.seconds = watch.lap();
+    report(progress, kImprintedShare, "finding parts");
+    result.parts = partsOf(*result.mesh);
+    report(progress, 1.0, "finding parts");
+    return result;
+}
+
+MadeMesh wholeMesh(const Imprint& imprint) {
+    return {imprint.workpiece, imprint.mesh, wholeImprint(*imprint.mesh, imprint.parts)};
+}
+
+CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress& progress) {
+    const CutMesh cut = openedAlongCurves(*imprint.mesh);
+    CutMeshes result;
+    result.doubledVertices =
+        static_cast<int>(cut.mesh.vertices.size() - imprint.mesh->mesh.vertices.size());
+    const std::vector<std::vector<int>> perMesh =
+        partsPerMesh(*imprint.mesh, imprint.parts, choice.keep, choice.split);
+    for (std::size_t i = 0; i < perMesh.size(); ++i) {
+        const Progress step = stepOf(progress, i, perMesh.size());
+        FilledParts taken = partsMeant(imprint, cut, choice, perMesh[i], result.notes, step);
+        result.filledHoles += static_cast<int>(taken.rims.size());
+        result.pieces.push_back(pieceOf(imprint, perMesh[i], std::move(taken)));
+    }
+    for (std::string& note : slitNotes(imprint, !choice.keep)) {
+        result.notes.push_back(std::move(note));
+    }
+    return result;
+}
+
+CutMeshes segmentsOf(const Imprint& imprint, bool split) {
+    if (partedParts(*imprint.mesh, imprint.parts).empty()) {
+        refuseNothingParted();
+    }
+    CutMeshes result;
+    result.notes = slitNotes(imprint, false);
+    if (!split) {
+        result.pieces.push_back(pieceOf(imprint, {}, wholeImprint(*imprint.mesh, imprint.parts)));
+        return result;
+    }
+    const CutMesh cut = cutAlongCurves(*imprint.mesh);
+    for (std::vector<int>& chosen :
+         partsPerMesh(*imprint.mesh, imprint.parts, std::nullopt, true)) {
+        FilledParts taken = openParts(cut, imprint.parts, chosen);
+        result.pieces.push_back(pieceOf(imprint, std::move(chosen), std::move(taken)));
+    }
+    return result;
+}
+
+std::vector<std::string> slitNotes(const Imprint& imprint, bool isCut) {
+    std::string note = describeSlits(slitsOf(*imprint.mesh, imprint.parts), isCut);
+    return note.empty() ? std::vector<std::string>() : std::vector{std::move(note)};
+}
+
+OffsetLines linesBeside(
+    const Workpiece& workpiece,
+    std::span<const SurfacePolyline> lines,
+    const OffsetOptions& options,
+    bool withBand,
+    const Progress& progress
+) {
+    const Surface& surface = workpiece.surface();
+    const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
+    OffsetLines result;
+    result.band.resize(withBand ? workpiece.mesh().faces.size() : 0, 0);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const Progress step = stepOf(progress, i, lines.size());
+        std::vector<FittedLine> fitted =
+            offsetCurves(surface, extended, lines[i], options, partOf(step, 0.0, kLinesShare));
+        for (FittedLine& line : fitted) {
+            result.pieces.push_back({std::move(line), static_cast<int>(i)});
+        }
+        if (withBand) {
+            const std::vector<char> within =
+                facesWithin(surface, lines[i], options, partOf(step, kLinesShare, 1.0));
+            for (std::size_t f = 0; f < within.size(); ++f) {
+                result.band[f] = static_cast<char>(result.band[f] | within[f]);
+            }
+        }
+    }
+    return result;
+}
+
+OffsetLines offsetOn(
+    const Workpiece& workpiece,
+    std::span<const SurfacePolyline> lines,
+    const OffsetOptions& options,
+    bool withBand,
+    const Progress& progress
+) {
+    OffsetLines result = linesBeside(workpiece, lines, options, withBand, progress);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (std::ranges::count(result.pieces, static_cast<int>(i), &OffsetLines::Piece::curve) ==
+            0) {
+            throw InputError(
+                InputErrorCode::NoPath, kNothingBeside, {static_cast<std::int64_t>(i)}
+            );
+        }
+    }
+    return result;
+}
+
+}  // namespace bspline_curve
