@@ -210,7 +210,7 @@ def test_fields_are_a_component_of_a_build_that_has_them(tmp_path, build_folder)
     (consumer / "main.cpp").write_text("#include <bspline_curve/field.h>\n" + program.replace("    std::printf", """
     bspline_curve::FieldOptions kind;
     kind.kind = bspline_curve::FieldKind::BoundaryDistance;
-    if (bspline_curve::makeField(designer.mesh(), kind).size() != vertices.size()) return 6;
+    if (bspline_curve::makeField(designer.mesh(), kind).values().size() != vertices.size()) return 6;
     std::printf"""))
     with (consumer / "CMakeLists.txt").open("a") as lists:
         lists.write("target_link_libraries(consumer PRIVATE bspline_curve::field)\n")
