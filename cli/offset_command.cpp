@@ -82,10 +82,7 @@ struct OffsetParser {
 /// Says beside which curves there is nothing; refuses where that is so of all.
 void checkLines(const OffsetLines& lines, const std::vector<std::filesystem::path>& files) {
     for (std::size_t i = 0; i < files.size(); ++i) {
-        const auto isBeside = [&](const OffsetLines::Piece& piece) {
-            return static_cast<std::size_t>(piece.curve) == i;
-        };
-        if (std::ranges::none_of(lines.pieces, isBeside)) {
+        if (!lines.hasBeside(i)) {
             const std::string message = files[i].string() + ": " + kNothingBeside;
             if (lines.pieces.empty()) {
                 throw InputError(InputErrorCode::NoPath, message);

@@ -234,8 +234,7 @@ OffsetResult runOffsetFilter(
         partOf(progress, kPlacedShare, 1.0)
     );
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        if (std::ranges::find(lines.pieces, countOf(i), &OffsetLines::Piece::curve) ==
-            lines.pieces.end()) {
+        if (!lines.hasBeside(i)) {
             throw InputError(
                 InputErrorCode::NoPath, "layer \"" + curves[i].label + "\": " + kNothingBeside
             );

@@ -46,10 +46,6 @@ struct ImprintedMesh {
     int surfaceVertexCount = 0;
     std::vector<int> ownParents;
     std::vector<SurfacePoint> ownPlaces;
-
-    [[nodiscard]] int inputVertexCount() const {
-        return static_cast<int>(mesh.vertices.size() - newVertices.size());
-    }
 };
 
 /// Makes the curves edges of the mesh. Divides only faces that a curve passes, each into a

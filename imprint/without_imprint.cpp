@@ -63,11 +63,7 @@ std::vector<double> interpolated(
 ) {
     std::vector<double> result(values.begin(), values.end());
     for (const SurfacePoint& point : imprinted.newVertices) {
-        double value = 0.0;
-        for (int k = 0; k < 3; ++k) {
-            value += point.barycentric[k] * values[inputFaces[point.face][k]];
-        }
-        result.push_back(value);
+        result.push_back(valueAt(inputFaces, values, point));
     }
     return result;
 }

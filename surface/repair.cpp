@@ -46,14 +46,6 @@ std::string RepairReport::summary() const {
     return text;
 }
 
-int MeshRepair::givenVertexCount() const {
-    std::size_t count = vertexOrigins.size();
-    for (const RepairReport::DuplicatedVertex& duplicated : report.duplicatedVertices) {
-        count -= duplicated.copies.size();
-    }
-    return static_cast<int>(count);
-}
-
 std::vector<int> MeshRepair::vertexRoots() const {
     std::vector<int> roots = vertexOrigins;
     if (!seamRoots.empty()) {

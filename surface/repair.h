@@ -68,22 +68,8 @@ struct MeshRepair {
     /// #V: where vertices of the same place along edges were parted or joined, one for all of them.
     [[nodiscard]] std::vector<int> vertexRoots() const;
 
-    /// Vertices of the given mesh; those of the repaired one after them are copies.
-    [[nodiscard]] int givenVertexCount() const;
-
     /// The same point as face and barycentric coordinates of the given mesh.
     [[nodiscard]] SurfacePoint toOrigin(const SurfacePoint& point) const;
-
-    /// A value per vertex of the given mesh, carried over to the copies.
-    template <class Value>
-    [[nodiscard]] std::vector<Value> carriedOver(const std::vector<Value>& values) const {
-        std::vector<Value> result;
-        result.reserve(vertexOrigins.size());
-        for (const int origin : vertexOrigins) {
-            result.push_back(values[origin]);
-        }
-        return result;
-    }
 };
 
 /// Makes a mesh one that Surface accepts, with no more than rounding of its coordinates:

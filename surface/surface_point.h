@@ -3,6 +3,7 @@
 
 #include "surface/surface.h"
 
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -20,6 +21,17 @@ inline constexpr double kSnapBarycentric = 1e-9;
     return point.barycentric[0] * mesh.vertices[face[0]] +
            point.barycentric[1] * mesh.vertices[face[1]] +
            point.barycentric[2] * mesh.vertices[face[2]];
+}
+
+/// A value at a point of a mesh with these faces, linear in each, from those at its vertices.
+[[nodiscard]] inline double valueAt(
+    const std::vector<Triangle>& faces, std::span<const double> values, const SurfacePoint& point
+) {
+    double value = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        value += point.barycentric[k] * values[faces[point.face][k]];
+    }
+    return value;
 }
 
 /// All faces that hold a point: its own, the neighbour where it lies on an edge, the whole star

@@ -3,6 +3,8 @@
 
 #include "bspline_curve/error.h"
 #include "field/make_field.h"
+#include "surface/surface_point.h"
+#include "utility/index_sets.h"
 #include "workpiece/automatic_field.h"
 #include "workpiece/layer_ids.h"
 
@@ -40,15 +42,10 @@ Region facesOf(
     switch (choice.by) {
         case By::Ids:
             return choice.ids;
-        case By::SelectedFaces: {
-            Region region;
-            for (std::size_t f = 0; f < layer.selectedFaces.size(); ++f) {
-                if (layer.selectedFaces[f] != 0) {
-                    region.push_back(static_cast<int>(f));
-                }
-            }
-            return region;
-        }
+        case By::SelectedFaces:
+            return indicesWhere<int>(layer.selectedFaces.size(), [&](std::size_t f) {
+                return layer.selectedFaces[f] != 0;
+            });
         case By::SelectedVertices:
             return layer.selectedVertices.empty() ? Region()
                                                   : facesOfVertices(mesh, layer.selectedVertices);
@@ -106,12 +103,7 @@ std::vector<double> fieldAlong(
     std::vector<double> values;
     values.reserve(polyline.surfacePoints.size());
     for (const SurfacePoint& point : polyline.surfacePoints) {
-        const Triangle& face = faces[point.face];
-        double value = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            value += point.barycentric[static_cast<Eigen::Index>(k)] * field[face[k]];
-        }
-        values.push_back(value);
+        values.push_back(valueAt(faces, field, point));
     }
     return values;
 }

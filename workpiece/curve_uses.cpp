@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workpiece/curve_uses.h"
 
-#include "bspline_curve/error.h"
 #include "fill/raised_parts.h"
 #include "imprint/slits.h"
 #include "shell/extended_surface.h"
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 namespace bspline_curve {
@@ -49,6 +47,12 @@ FilledParts partsMeant(
         );
     }
     return std::move(raised.whole);
+}
+
+/// What to say of curves that part nothing, where `isCut` what a cut did there; or nothing.
+std::vector<std::string> slitNotes(const Imprint& imprint, bool isCut) {
+    std::string note = describeSlits(slitsOf(*imprint.mesh, imprint.parts), isCut);
+    return note.empty() ? std::vector<std::string>() : std::vector{std::move(note)};
 }
 
 CutMeshes::Piece pieceOf(const Imprint& imprint, std::vector<int> parts, FilledParts taken) {
@@ -117,9 +121,10 @@ CutMeshes segmentsOf(const Imprint& imprint, bool split) {
     return result;
 }
 
-std::vector<std::string> slitNotes(const Imprint& imprint, bool isCut) {
-    std::string note = describeSlits(slitsOf(*imprint.mesh, imprint.parts), isCut);
-    return note.empty() ? std::vector<std::string>() : std::vector{std::move(note)};
+bool OffsetLines::hasBeside(std::size_t line) const {
+    return std::ranges::any_of(pieces, [&](const Piece& piece) {
+        return static_cast<std::size_t>(piece.curve) == line;
+    });
 }
 
 OffsetLines linesBeside(
@@ -146,25 +151,6 @@ OffsetLines linesBeside(
             for (std::size_t f = 0; f < within.size(); ++f) {
                 result.band[f] = static_cast<char>(result.band[f] | within[f]);
             }
-        }
-    }
-    return result;
-}
-
-OffsetLines offsetOn(
-    const Workpiece& workpiece,
-    std::span<const SurfacePolyline> lines,
-    const OffsetOptions& options,
-    bool withBand,
-    const Progress& progress
-) {
-    OffsetLines result = linesBeside(workpiece, lines, options, withBand, progress);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (std::ranges::count(result.pieces, static_cast<int>(i), &OffsetLines::Piece::curve) ==
-            0) {
-            throw InputError(
-                InputErrorCode::NoPath, kNothingBeside, {static_cast<std::int64_t>(i)}
-            );
         }
     }
     return result;

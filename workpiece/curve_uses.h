@@ -10,6 +10,7 @@
 #include "workpiece/made_mesh.h"
 #include "workpiece/workpiece.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -66,9 +67,6 @@ struct CutMeshes {
 /// (NoPath) where curves part nothing.
 [[nodiscard]] CutMeshes segmentsOf(const Imprint& imprint, bool split);
 
-/// What to say of curves that part nothing, where `isCut` what a cut did there; or nothing.
-[[nodiscard]] std::vector<std::string> slitNotes(const Imprint& imprint, bool isCut);
-
 struct OffsetLines {
     struct Piece {
         FittedLine line;
@@ -77,6 +75,9 @@ struct OffsetLines {
 
     std::vector<Piece> pieces;  ///< of each curve the longest first
     std::vector<char> band;     ///< per face, within the distance; only where it is asked for
+
+    /// Whether a piece is beside a line.
+    [[nodiscard]] bool hasBeside(std::size_t line) const;
 };
 
 /// What to say where none is.
@@ -86,16 +87,6 @@ inline constexpr const char* kNothingBeside =
 
 /// Lines beside each of some lines; none where no point of the surface has that distance.
 [[nodiscard]] OffsetLines linesBeside(
-    const Workpiece& workpiece,
-    std::span<const SurfacePolyline> lines,
-    const OffsetOptions& options,
-    bool withBand,
-    const Progress& progress = {}
-);
-
-/// The same. Throws InputError (NoPath), whose element is the line, where there is none beside one
-/// of them.
-[[nodiscard]] OffsetLines offsetOn(
     const Workpiece& workpiece,
     std::span<const SurfacePolyline> lines,
     const OffsetOptions& options,

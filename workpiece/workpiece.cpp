@@ -18,11 +18,19 @@ constexpr double kFieldShare = 0.3;  // of drawing, for progress only
 }  // namespace
 
 Workpiece::Workpiece(TriangleMesh mesh, const PreparingOptions& options, const Progress& progress)
-    : options_(options), checksum_(checksumOf(mesh)) {
+    : options_(options) {
     options.shell.validate();
     Stopwatch watch;
     surface_ = std::make_shared<const Surface>(std::move(mesh), options.mending, progress);
     seconds_ = watch.lap();
+}
+
+MeshChecksum Workpiece::checksum() const {
+    const std::scoped_lock lock(mutex_);
+    if (!checksum_) {
+        checksum_ = checksumOf(mesh());
+    }
+    return *checksum_;
 }
 
 std::shared_ptr<const CurveDesigner> Workpiece::sharedDesigner(

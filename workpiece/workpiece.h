@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,8 @@ public:
 
     [[nodiscard]] const PreparingOptions& options() const { return options_; }
 
-    /// By which files know the mesh again.
-    [[nodiscard]] const MeshChecksum& checksum() const { return checksum_; }
+    /// By which files know the mesh again; computed when it is first asked for.
+    [[nodiscard]] MeshChecksum checksum() const;
 
     /// Of making the surface.
     [[nodiscard]] double seconds() const { return seconds_; }
@@ -85,9 +86,9 @@ public:
 private:
     PreparingOptions options_;
     double seconds_ = 0.0;
-    MeshChecksum checksum_;
     std::shared_ptr<const Surface> surface_;
-    mutable std::mutex mutex_;
+    mutable std::mutex mutex_;  // of all below
+    mutable std::optional<MeshChecksum> checksum_;
     mutable std::shared_ptr<const CurveDesigner> designer_;
 };
 

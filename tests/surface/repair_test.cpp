@@ -100,7 +100,7 @@ TEST(Repair, GivesTheLobesOfABowTieAVertexEach) {
     EXPECT_EQ(repair.report.summary(), "1 vertex duplicated");
     EXPECT_EQ(repair.mesh.faces[0], bowTie().faces[0]);
     EXPECT_EQ(
-        repair.carriedOver(std::vector<double>{7, 1, 2, 3, 4}),
+        Provenance(bowTie(), repair, {}).valuesFromInput(std::vector<double>{7, 1, 2, 3, 4}),
         (std::vector<double>{7, 1, 2, 3, 4, 7})
     );
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "design/rejoined_designers.h"
+#include "design/rejoined_surfaces.h"
 
 #include "bspline_curve/error.h"
 #include "surface/field_on_surface.h"
 #include "surface/rejoining.h"
+#include "surface/surface_point.h"
+#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <limits>
@@ -18,6 +20,8 @@ namespace {
 /// Ways that are not shorter by more than this are left alone.
 constexpr double kWorthwhile = 1.05;
 
+constexpr double kSurfaceShare = 0.1;  // of the progress, the rest is for a whole shell
+
 /// See PartedEdges.
 std::vector<int> rootsOf(const Surface& surface) {
     std::vector<int> roots = surface.provenance().vertexRoots();
@@ -30,13 +34,13 @@ std::vector<int> rootsOf(const Surface& surface) {
 
 }  // namespace
 
-RejoinedDesigners::RejoinedDesigners(const Surface& surface)
+RejoinedSurfaces::RejoinedSurfaces(const Surface& surface)
     : surface_(surface),
       roots_(rootsOf(surface)),
       parted_(surface, roots_, surface.leavesSlits() || surface.provenance().isOneSided()) {}
 
 /// Whether a way of the length that is worthwhile can reach a parted edge.
-bool RejoinedDesigners::mayBeShorter(const CurveLeg& leg) const {
+bool RejoinedSurfaces::mayBeShorter(const CurveLeg& leg) const {
     const double longest = leg.length / kWorthwhile;
     const Vec3 from = surface_.position(leg.from);
     const Vec3 to = surface_.position(leg.to);
@@ -51,16 +55,16 @@ bool RejoinedDesigners::mayBeShorter(const CurveLeg& leg) const {
 }
 
 /// Whether the mended surface does not go on at a step.
-bool RejoinedDesigners::isCrossed(const Step& step, bool isSlit) const {
+bool RejoinedSurfaces::isCrossed(const Step& step, bool isSlit) const {
     return step.edge >= 0 && parted_.edges()[step.edge].isSlit == isSlit &&
            surface_.faceNeighbours()[step.from / 3][step.from % 3] != step.to / 3;
 }
 
-bool RejoinedDesigners::crosses(const FaceWay& way, bool isSlit) const {
+bool RejoinedSurfaces::crosses(const FaceWay& way, bool isSlit) const {
     return std::ranges::any_of(way.steps, [&](const Step& s) { return isCrossed(s, isSlit); });
 }
 
-RejoinedDesigners::Ways RejoinedDesigners::waysFor(
+RejoinedSurfaces::Ways RejoinedSurfaces::waysFor(
     const std::vector<CurveLeg>& legs, std::span<const int> avoid, const Progress& progress
 ) const {
     WaysOverFaces finder(surface_, parted_, avoid);
@@ -110,7 +114,7 @@ RejoinedDesigners::Ways RejoinedDesigners::waysFor(
     return ways;
 }
 
-std::shared_ptr<const CurveDesigner> RejoinedDesigners::designerFor(
+std::shared_ptr<const SurfaceCurves> RejoinedSurfaces::curvesFor(
     const std::vector<Step>& steps, const ShellOptions& options, const Progress& progress
 ) {
     Passages passages = passagesOf(steps);
@@ -127,11 +131,14 @@ std::shared_ptr<const CurveDesigner> RejoinedDesigners::designerFor(
     TriangleMesh mesh = std::move(again.mesh);
     Provenance provenance(surface_.provenance(), surface_.mesh(), again);
     try {
-        auto made = std::make_shared<const CurveDesigner>(
+        auto made = std::make_shared<const SurfaceCurves>(
             std::make_shared<const Surface>(std::move(mesh), std::move(provenance)),
             options,
-            progress
+            partOf(progress, 0.0, kSurfaceShare)
         );
+        if (options.kind != ShellKind::Local) {
+            static_cast<void>(made->wholeShell(partOf(progress, kSurfaceShare, 1.0)));
+        }
         const std::scoped_lock lock(mutex_);
         passages_ = std::move(passages);
         isOneSided_ = isOneSided;
@@ -157,11 +164,7 @@ ScalarField rejoinedField(
             if (!at) {
                 throw std::logic_error("a face that was joined anew comes from nowhere");
             }
-            double value = 0.0;
-            for (int i = 0; i < 3; ++i) {
-                value += at->barycentric[i] * (*values)[surface.faces()[at->face][i]];
-            }
-            there[rejoined.faces()[f][k]] = value;
+            there[rejoined.faces()[f][k]] = valueAt(surface.faces(), *values, *at);
         }
     }
     auto own = std::make_shared<const ScalarField::OnSurface>(

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/designer.h"
 #include "design/detours.h"
+#include "design/surface_curves.h"
 #include "surface/passages.h"
 #include "surface/surface.h"
 #include "surface/ways_over_faces.h"
@@ -15,12 +15,12 @@
 
 namespace bspline_curve {
 
-/// Designers for curves whose ways mending has lengthened or cut off, each on the mesh joined anew
-/// for its curve; the last one is kept. Several threads may use it at once.
-class RejoinedDesigners {
+/// A surface joined anew for curves whose ways mending has lengthened or cut off; the last one is
+/// kept. Several threads may use it at once.
+class RejoinedSurfaces {
 public:
     /// Refers to the surface.
-    explicit RejoinedDesigners(const Surface& surface);
+    explicit RejoinedSurfaces(const Surface& surface);
 
     /// Whether there is nothing that a curve could pass.
     [[nodiscard]] bool empty() const { return parted_.empty(); }
@@ -46,9 +46,9 @@ public:
         const std::vector<CurveLeg>& legs, std::span<const int> avoid, const Progress& progress
     ) const;
 
-    /// For curves that take some ways, a designer on the surface joined anew, which has the same
-    /// input; null where a mesh with their passages is none. Throws Cancelled.
-    [[nodiscard]] std::shared_ptr<const CurveDesigner> designerFor(
+    /// Those on the surface joined anew for some ways, which has the same input; null where a mesh
+    /// with their passages is none. Throws Cancelled.
+    [[nodiscard]] std::shared_ptr<const SurfaceCurves> curvesFor(
         const std::vector<Step>& steps, const ShellOptions& options, const Progress& progress
     );
 
@@ -63,7 +63,7 @@ private:
     std::mutex mutex_;
     Passages passages_;  // of the last one
     bool isOneSided_ = false;
-    std::shared_ptr<const CurveDesigner> last_;
+    std::shared_ptr<const SurfaceCurves> last_;
 };
 
 /// A field of curves on a surface, for those on one that was joined anew: linear along divided

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/curve.h"
+#include "bspline_curve/options.h"
+#include "bspline_curve/scalar_field.h"
+#include "design/field_cache.h"
+#include "design/prepared_surface.h"
+#include "surface/region.h"
+
+#include <vector>
+
+namespace bspline_curve {
+
+/// What one curve is drawn by, with the ids of the surface that it is drawn on.
+struct CurveTask {
+    const std::vector<Vec3>& picks;
+    const SolverOptions& options;
+    const SamplingOptions& sampling;
+    ScalarField field;
+    Region avoid;
+    const Curve* start;  ///< see CurveInputs; null: none
+};
+
+/// Draws curves on one surface as it is. Several threads may draw at once.
+class SurfaceCurves : public PreparedSurface {
+public:
+    using PreparedSurface::PreparedSurface;
+
+    /// As CurveDesigner::design(), on the components that there are. The curve has the surface's
+    /// own ids; its report does not say how many faces of the input it avoids.
+    [[nodiscard]] Curve design(const CurveTask& task, const Progress& progress) const;
+
+private:
+    mutable FieldCache fieldCache_;
+};
+
+}  // namespace bspline_curve
