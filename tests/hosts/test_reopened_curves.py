@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from drawing_tool import CLICKS, HANDLE, MADE, Tool
 from meshlab_window import MeshLabWindow
+from virtual_display import wait_until
 
 SAME = 1e-12  # of the sphere's radius
 CURVE_ROW = 1  # in the list of layers
@@ -15,6 +16,7 @@ def save(meshlab, tool, path):
     """The curves of the tool, as its panel saves them."""
     tool.press("Save")
     meshlab.name_file("^Save curves$", path)
+    wait_until(path.is_file, f"the file {path}")  # it is written after its dialog has gone
     return json.loads(path.read_text())
 
 
@@ -72,12 +74,14 @@ def test_the_panel_opens_what_it_saved(version, ending, display, program_of, sph
         meshlab.wait_for_still_picture()
         drawn = save(meshlab, tool, tmp_path / "drawn.json")
         tool.press("Save")
-        meshlab.name_file("^Save curves$", tmp_path / f"again.{ending}")
+        again = tmp_path / f"again.{ending}"
+        meshlab.name_file("^Save curves$", again)
+        wait_until(again.is_file, f"the file {again}")
         tool.press("Remove")
         for _ in CLICKS:
             tool.press("Remove")
         tool.press("Open")
-        meshlab.name_file("^Open curves$", tmp_path / f"again.{ending}")
+        meshlab.name_file("^Open curves$", again)
         tool.press_row(0)
         for offset in CLICKS:
             tool.expect(offset, HANDLE)
