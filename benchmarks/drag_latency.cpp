@@ -50,7 +50,7 @@ Pointer pointerAt(const Surface& surface, const SurfacePoint& point) {
     Pointer pointer;
     const double height = 1e-3 * surface.diagonal();
     pointer.direction = -surface.faceNormal(point.face);
-    pointer.origin = surface.position(point) - height * pointer.direction;
+    pointer.start = surface.position(point) - height * pointer.direction;
     pointer.pixel = 1e-3 * surface.diagonal();
     pointer.isOrthographic = true;
     return pointer;
@@ -79,7 +79,7 @@ nlohmann::ordered_json measure(
     const std::string& meshFile, const std::string& picksFile, int count
 ) {
     TriangleMesh mesh = readMesh(meshFile);
-    const PicksFile given = readPicks(picksFile);
+    const PicksFile input = readPicks(picksFile);
     Stopwatch watch;
     const auto designer = std::make_shared<const CurveDesigner>(std::move(mesh));
     Bell bell;
@@ -88,14 +88,14 @@ nlohmann::ordered_json measure(
     DrawingSession session(designer, settings);
     const Surface& surface = designer->surface();
     for (const SurfacePoint& pick :
-         locatePicks(surface, designer->tree(), given.picks, given.closed.value_or(false)).points) {
+         locatePicks(surface, designer->tree(), input.picks, input.closed.value_or(false)).points) {
         session.addPick(pick);
     }
-    session.setClosed(given.closed.value_or(false));
+    session.setClosed(input.closed.value_or(false));
     session.settle();
     const double first = watch.lap();
 
-    const auto middle = static_cast<int>(given.picks.size()) / 2;
+    const auto middle = static_cast<int>(input.picks.size()) / 2;
     const SketchPick start = session.sketch().activeCurve()->picks[middle];
     const Curve curve = *session.sketch().activeCurve()->settled;
     session.press(pointerAt(surface, start.point));

@@ -52,18 +52,18 @@ int runPath(const std::string& name) {
 }  // namespace
 
 int main(int count, char** words) {
-    const std::vector<std::string> given(words + 1, words + count);
-    if (given.size() != 1) {
+    const std::vector<std::string> arguments(words + 1, words + count);
+    if (arguments.size() != 1) {
         std::cerr << "usage: hot_paths NAME | --list | --about\n";
         return 2;
     }
-    if (given.front() == "--about") {
+    if (arguments.front() == "--about") {
         std::cout << "compiler\t" BENCHMARKED_COMPILER "\nflags\t" BENCHMARKED_FLAGS
                      "\nprocessor\t" BENCHMARKED_PROCESSOR "\n";
         return 0;
     }
     try {
-        return runPath(given.front());
+        return runPath(arguments.front());
     } catch (const std::exception& error) {
         std::cerr << "hot_paths: " << error.what() << '\n';
         return 1;

@@ -127,9 +127,9 @@ int run(int count, const char* const* words) {
     app.add_option("--repeat", repeat, "Runs of each, of which the quickest counts");
     CLI11_PARSE(app, count, words);
     const TriangleMesh mesh = readMesh(meshFile);
-    const PicksFile given = readPicks(picksFile);
+    const PicksFile input = readPicks(picksFile);
     SolverOptions options;
-    options.closed = given.closed.value_or(false);
+    options.closed = input.closed.value_or(false);
     options.tension = tension;
     options.validate();
     const CurveDesigner designer(mesh);
@@ -138,8 +138,8 @@ int run(int count, const char* const* words) {
     for (const int number : samples) {
         rows.push_back(
             {{"samples", number},
-             {"spline", asSpline(designer, given.picks, options, number, repeat)},
-             {"polyline", asPolyline(prepared, given.picks, options, number, repeat)}}
+             {"spline", asSpline(designer, input.picks, options, number, repeat)},
+             {"polyline", asPolyline(prepared, input.picks, options, number, repeat)}}
         );
     }
     std::cout << Json{{"faces", mesh.faces.size()}, {"rows", rows}}.dump(1) << '\n';

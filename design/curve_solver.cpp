@@ -231,7 +231,7 @@ PickPath CurveSolver::pathRound(
          kind,
          kStrategy.chordTolerances * distanceToleranceOf(prepared_, options_),
          side_,
-         context_.givenPicks}
+         context_.pickNumbers}
     );
 }
 

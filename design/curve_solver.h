@@ -21,7 +21,7 @@ struct DesignContext {
     const ValidatedField& field;
     const Obstacles* obstacles = nullptr;  ///< null: nothing to avoid
     const Curve* start = nullptr;          ///< a curve through picks nearby; null: none
-    std::span<const int> givenPicks{};     ///< see PathConstraints
+    std::span<const int> pickNumbers{};    ///< see PathConstraints
 };
 
 /// A curve and the problem that it solves, with the shell of the whole surface or none.

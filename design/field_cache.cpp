@@ -66,8 +66,8 @@ ValidatedField validateField(
     checked.vertexCosts = vertexCostsOf(field, cost);
     requireFinite(surface, field, checked.vertexCosts);
     checked.values.assign(field.begin(), field.end());
-    for (const int origin : extended.ghostOrigin) {
-        checked.values.push_back(field[origin]);
+    for (const int source : extended.ghostSource) {
+        checked.values.push_back(field[source]);
     }
     checked.costs = summaryOf(checked.vertexCosts);
     checked.leastOfFaces = leastOfFaces(surface, checked.vertexCosts);

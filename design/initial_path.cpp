@@ -22,12 +22,12 @@ namespace {
     std::size_t legFrom, std::size_t legTo, const PathConstraints& constraints
 ) {
     const std::span<const int> blocked = constraints.blockedFaces;
-    const auto givenPick = [&](std::size_t pick) {
-        const std::span<const int> given = constraints.givenPicks;
-        return given.empty() ? static_cast<std::int64_t>(pick) : std::int64_t{given[pick]};
+    const auto numberOf = [&](std::size_t pick) {
+        const std::span<const int> numbers = constraints.pickNumbers;
+        return numbers.empty() ? static_cast<std::int64_t>(pick) : std::int64_t{numbers[pick]};
     };
-    const std::int64_t from = givenPick(legFrom);
-    const std::int64_t to = givenPick(legTo);
+    const std::int64_t from = numberOf(legFrom);
+    const std::int64_t to = numberOf(legTo);
     const std::string what =
         "no way along the surface from " + describePicks({from}) + " to " + describePicks({to});
     const std::vector<std::int64_t> faces(blocked.begin(), blocked.end());

@@ -39,7 +39,7 @@ struct PathConstraints {
     double chordDistance = 0.0;    ///< of close ones, in the shell's frame
     WorkerThread* side = nullptr;  ///< to share the search with; null: none
     /// Of each pick its index among those that users gave, for messages; empty: the same.
-    std::span<const int> givenPicks{};
+    std::span<const int> pickNumbers{};
 };
 
 /// Paths from pick to pick, parametrised by length: geodesics where all faces cost the same.

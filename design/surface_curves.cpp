@@ -246,7 +246,7 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         );
         refuseAvoidedPicks(surface(), *obstacles, located);
     }
-    const std::vector<int> numbers = located.given();
+    const std::vector<int> numbers = located.firstPicks();
     const DesignContext context{
         *validated,
         obstacles ? &*obstacles : nullptr,

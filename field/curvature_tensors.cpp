@@ -122,10 +122,10 @@ Quadric fittedQuadric(
     const auto isFacing = [&](int point) { return normals[point].dot(normal) > 0.0; };
     const bool onlyFacing = std::ranges::count_if(points, isFacing) >= kFewestPoints;
 
-    const Vec3 origin = surface.vertices()[centre];
+    const Vec3 place = surface.vertices()[centre];
     double size = 0.0;
     for (const int point : points) {
-        size = std::max(size, (surface.vertices()[point] - origin).squaredNorm());
+        size = std::max(size, (surface.vertices()[point] - place).squaredNorm());
     }
     size = std::sqrt(size);
     Quadric quadric;
@@ -138,7 +138,7 @@ Quadric fittedQuadric(
         if (onlyFacing && !isFacing(point)) {
             continue;
         }
-        const Vec3 p = quadric.frame.transpose() * (surface.vertices()[point] - origin) / size;
+        const Vec3 p = quadric.frame.transpose() * (surface.vertices()[point] - place) / size;
         const Vec5 row(p.x() * p.x(), p.x() * p.y(), p.y() * p.y(), p.x(), p.y());
         matrix += row * row.transpose();
         right += p.z() * row;

@@ -20,7 +20,7 @@ enum class FillShape : std::uint8_t {
 [[nodiscard]] std::vector<std::vector<int>> rimsOf(const std::vector<Triangle>& faces);
 
 struct FilledMesh {
-    TriangleMesh mesh;          ///< the given vertices and faces first, as they were
+    TriangleMesh mesh;          ///< vertices and faces of the input first, as they were
     std::vector<int> firstNew;  ///< for each rim its first new vertex
 };
 

@@ -13,7 +13,7 @@ namespace bspline_curve {
 
 std::vector<double> FilledParts::carried(std::span<const double> imprintedValues) const {
     std::vector<double> values;
-    for (const int vertex : origin) {
+    for (const int vertex : source) {
         values.push_back(vertex < 0 ? 0.0 : imprintedValues[vertex]);
     }
     for (std::size_t hole = 0; hole < rims.size(); ++hole) {
@@ -50,8 +50,8 @@ std::vector<std::vector<int>> simpleLoops(const std::vector<int>& walk) {
 /// The kept vertices of which a cut made copies, ascending.
 std::vector<int> doubledIn(const CutMesh& cut, std::size_t uncutCount, const SubMesh& kept) {
     std::vector<int> doubled;
-    for (std::size_t v = uncutCount; v < cut.origin.size(); ++v) {
-        const int vertex = indexIn(kept.vertices, cut.origin[v]);
+    for (std::size_t v = uncutCount; v < cut.source.size(); ++v) {
+        const int vertex = indexIn(kept.vertices, cut.source[v]);
         if (vertex >= 0) {
             doubled.push_back(vertex);
         }
@@ -75,14 +75,14 @@ FilledParts fillAround(
     const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
     const SubMesh opened = facesWithLabels(cut.mesh, parts.labels, chosen);
     const SubMesh kept = facesWithLabels(imprinted.mesh, parts.labels, chosen);
-    const auto originOf = [&](int vertex) { return cut.origin[opened.vertices[vertex]]; };
+    const auto sourceOf = [&](int vertex) { return cut.source[opened.vertices[vertex]]; };
     FilledParts result;
     for (const std::vector<int>& rim : rimsOf(opened.mesh.faces)) {
         std::size_t around = 0;
         std::vector<int> walk;
         for (std::size_t i = 0; i < rim.size(); ++i) {
-            const int from = originOf(rim[i]);
-            const int to = originOf(rim[(i + 1) % rim.size()]);
+            const int from = sourceOf(rim[i]);
+            const int to = sourceOf(rim[(i + 1) % rim.size()]);
             const auto [low, high] = std::minmax(from, to);
             around += std::ranges::binary_search(edges, std::array{low, high}) ? 1 : 0;
             walk.push_back(indexIn(kept.vertices, from));
@@ -107,9 +107,9 @@ FilledParts fillAround(
     result.endOfNew = static_cast<int>(filled.mesh.vertices.size());
     CutMesh parted = partFans(filled.mesh, doubledIn(cut, imprinted.mesh.vertices.size(), kept));
     result.mesh = std::move(parted.mesh);
-    for (const int vertex : parted.origin) {
+    for (const int vertex : parted.source) {
         const bool isNew = vertex >= static_cast<int>(kept.vertices.size());
-        result.origin.push_back(isNew ? -1 : kept.vertices[vertex]);
+        result.source.push_back(isNew ? -1 : kept.vertices[vertex]);
     }
     for (const int face : kept.faces) {
         result.labels.push_back(parts.labels[face]);
@@ -123,8 +123,8 @@ FilledParts fillAround(
 FilledParts wholeImprint(const ImprintedMesh& imprinted, const MeshParts& parts) {
     FilledParts whole;
     whole.mesh = imprinted.mesh;
-    whole.origin.resize(whole.mesh.vertices.size());
-    std::iota(whole.origin.begin(), whole.origin.end(), 0);
+    whole.source.resize(whole.mesh.vertices.size());
+    std::iota(whole.source.begin(), whole.source.end(), 0);
     whole.faces.resize(whole.mesh.faces.size());
     std::iota(whole.faces.begin(), whole.faces.end(), 0);
     whole.labels = parts.labels;
@@ -136,7 +136,7 @@ FilledParts openParts(const CutMesh& cut, const MeshParts& parts, const std::vec
     FilledParts taken;
     taken.mesh = std::move(part.mesh);
     for (const int vertex : part.vertices) {
-        taken.origin.push_back(cut.origin[vertex]);
+        taken.source.push_back(cut.source[vertex]);
     }
     for (const int face : part.faces) {
         taken.labels.push_back(parts.labels[face]);

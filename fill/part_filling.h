@@ -14,7 +14,7 @@ namespace bspline_curve {
 /// others leave.
 struct FilledParts {
     TriangleMesh mesh;
-    std::vector<int> origin;             ///< for each vertex that of the imprinted mesh; -1: new
+    std::vector<int> source;             ///< for each vertex that of the imprinted mesh; -1: new
     std::vector<int> faces;              ///< for each face that of the imprinted mesh; -1: new
     std::vector<int> labels;             ///< for each face its part; -1: new
     std::vector<std::vector<int>> rims;  ///< of the filled holes, vertices of `mesh`

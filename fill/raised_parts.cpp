@@ -89,7 +89,7 @@ private:
                 if (isBase_[vertex]) {
                     raised = static_cast<int>(mesh.vertices.size());
                     mesh.vertices.push_back(mesh.vertices[vertex]);
-                    result_.whole.origin.push_back(vertex);
+                    result_.whole.source.push_back(vertex);
                 }
                 mesh.vertices[raised] += height_ * normals[vertex];
             }

@@ -35,7 +35,7 @@ bool isLeftOver(const CurveRequest& request, const PickCandidates& candidates) {
 }
 
 /// The names of the parameters that give picks.
-std::vector<std::string> givenSources(
+std::vector<std::string> sourcesNamed(
     const CurveRequest& request, const PickCandidates& candidates
 ) {
     std::vector<std::string> sources;
@@ -57,7 +57,7 @@ PicksFile choosePicks(const CurveRequest& request, PickCandidates candidates) {
     if (isLeftOver(request, candidates)) {
         candidates.layer.reset();
     }
-    const std::vector<std::string> sources = givenSources(request, candidates);
+    const std::vector<std::string> sources = sourcesNamed(request, candidates);
     if (sources.size() > 1) {
         std::string names = sources.front();
         for (std::size_t i = 1; i < sources.size(); ++i) {

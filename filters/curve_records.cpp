@@ -211,11 +211,11 @@ private:
             }
             *number = value.get<double>();
         } else if (auto* const whole = std::get_if<int>(&read)) {
-            const auto given = value.is_number_integer() ? value.get<std::int64_t>() : kNoInt;
-            if (given != static_cast<int>(given)) {
+            const auto written = value.is_number_integer() ? value.get<std::int64_t>() : kNoInt;
+            if (written != static_cast<int>(written)) {
                 refuse("a whole number");
             }
-            *whole = static_cast<int>(given);
+            *whole = static_cast<int>(written);
         } else if (auto* const text = std::get_if<std::string>(&read)) {
             if (!value.is_string()) {
                 refuse("a text");

@@ -18,7 +18,7 @@ namespace bspline_curve {
 
 /// What the curves of a file are on.
 struct CurveFileSurface {
-    const TriangleMesh& mesh;  ///< as it was given
+    const TriangleMesh& mesh;  ///< the input, unrepaired
     MeshChecksum checksum;     ///< of it
     /// Where picks are projected to it: what lies on it; null: a tree is built where it is needed.
     const CurveDesigner* designer = nullptr;

@@ -34,7 +34,7 @@ struct ImprintedMesh {
     TriangleMesh mesh;
     std::vector<int> parents;               ///< for each face, the input face that it is part of
     std::vector<SurfacePoint> newVertices;  ///< for each new vertex, its place on the input
-    std::vector<ImprintedCurve> curves;     ///< as they were given
+    std::vector<ImprintedCurve> curves;     ///< in the order of the input
     /// Vertices where curves cross, touch, part or end on each other, ascending: where more than
     /// two edges of curves meet.
     std::vector<int> crossings;

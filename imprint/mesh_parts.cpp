@@ -68,8 +68,8 @@ public:
 
     /// Gives each fan but the first of a vertex a copy of it.
     [[nodiscard]] CutMesh open() {
-        CutMesh cut{.mesh = mesh_, .origin = std::vector<int>(isOnEdge_.size())};
-        std::iota(cut.origin.begin(), cut.origin.end(), 0);
+        CutMesh cut{.mesh = mesh_, .source = std::vector<int>(isOnEdge_.size())};
+        std::iota(cut.source.begin(), cut.source.end(), 0);
         std::vector<int> vertexOfFan(3 * near_.size(), -1);
         int before = -1;
         for (const auto& [vertex, fan] : fans()) {
@@ -77,7 +77,7 @@ public:
             if (vertex == before) {
                 vertexOfFan[fan] = static_cast<int>(cut.mesh.vertices.size());
                 cut.mesh.vertices.push_back(mesh_.vertices[vertex]);
-                cut.origin.push_back(vertex);
+                cut.source.push_back(vertex);
             }
             before = vertex;
         }

@@ -37,11 +37,11 @@ struct MeshParts {
 
 /// The mesh opened along its curves: vertices on them are doubled, once for each fan of faces that
 /// curves leave around them, so that an open curve becomes a slit with joined ends. The first fan
-/// keeps the vertex; copies come last. `origin` (#V of the result) names the imprinted vertex of
+/// keeps the vertex; copies come last. `source` (#V of the result) names the imprinted vertex of
 /// each. O(n log n).
 struct CutMesh {
     TriangleMesh mesh;
-    std::vector<int> origin;
+    std::vector<int> source;
 };
 
 [[nodiscard]] CutMesh cutAlongCurves(const ImprintedMesh& imprinted);

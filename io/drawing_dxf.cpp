@@ -277,14 +277,14 @@ private:
     }
 
     static void drawOld(
-        DrawingBuilder& pen, const DxfEntity& entity, std::span<const DxfEntity> given
+        DrawingBuilder& pen, const DxfEntity& entity, std::span<const DxfEntity> vertexEntities
     ) {
         const int flags = entity.flags();
         if ((flags & DxfFlag::kMesh) != 0) {
             return;  // a mesh is no curve
         }
         std::vector<BulgeVertex> vertices;
-        for (const DxfEntity& vertex : given) {
+        for (const DxfEntity& vertex : vertexEntities) {
             if ((flags & DxfFlag::kSplineFit) != 0 &&
                 (vertex.flags() & DxfFlag::kSplineFrame) != 0) {
                 continue;

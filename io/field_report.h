@@ -19,7 +19,7 @@ struct FieldRunFigures {
         double read = 0.0, validate = 0.0, field = 0.0, write = 0.0;
     } seconds;
 
-    const RepairReport* repair = nullptr;  ///< null: nothing was mended
+    const RepairReport* repair = nullptr;  ///< null: nothing was repaired
 };
 
 /// The report as JSON: kind, minimum, mean and maximum over the vertices, times, mesh.

@@ -105,9 +105,9 @@ std::vector<fs::path> fontFolders() {
     std::vector<fs::path> folders;
     // The XDG Base Directory Specification: the default, and that relative paths do not count.
     std::string_view roots = "/usr/local/share:/usr/share";
-    const auto given = environmentPath("XDG_DATA_DIRS");
-    if (given) {
-        roots = given->native();
+    const auto fromEnvironment = environmentPath("XDG_DATA_DIRS");
+    if (fromEnvironment) {
+        roots = fromEnvironment->native();
     }
     while (!roots.empty()) {
         const std::size_t end = std::min(roots.find(':'), roots.size());
@@ -133,9 +133,9 @@ std::optional<fs::path> findFont(std::span<const fs::path> folders) {
     return best == found.end() ? std::nullopt : std::optional(best->file);
 }
 
-fs::path fontOrDefault(const fs::path& given) {
-    if (!given.empty()) {
-        return given;
+fs::path fontOrDefault(const fs::path& file) {
+    if (!file.empty()) {
+        return file;
     }
     const auto found = findFont(fontFolders());
     if (!found) {

@@ -22,8 +22,8 @@ namespace bspline_curve {
     std::span<const std::filesystem::path> folders
 );
 
-/// `given`, or where that is empty the font that findFont() finds in fontFolders(): the same again
+/// `file`, or where that is empty the font that findFont() finds in fontFolders(): the same again
 /// until fonts are installed or removed. Throws InputError (BadOption) where there is none.
-[[nodiscard]] std::filesystem::path fontOrDefault(const std::filesystem::path& given);
+[[nodiscard]] std::filesystem::path fontOrDefault(const std::filesystem::path& file);
 
 }  // namespace bspline_curve

@@ -18,7 +18,7 @@ struct ImprintFigures {
     double drawSeconds = 0.0;              ///< polylines projected, curves drawn through picks
     double imprintSeconds = 0.0;           ///< surface and curves in memory to arrays
     double snap = 0.0;                     ///< as asked for
-    const RepairReport* repair = nullptr;  ///< null: nothing was mended
+    const RepairReport* repair = nullptr;  ///< null: nothing was repaired
 };
 
 /// How a cut came about, for its report.

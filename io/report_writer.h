@@ -28,7 +28,7 @@ struct RunFigures {
     std::int64_t readMemoryBytes = 0;  ///< likewise until the mesh was read
     ShellSummary shell;
     std::vector<std::string> notes;        ///< what people must know
-    const RepairReport* repair = nullptr;  ///< null: nothing was mended
+    const RepairReport* repair = nullptr;  ///< null: nothing was repaired
 };
 
 /// The shell that a curve was drawn in, as reports say it: "fibres", "full" or "simplified".

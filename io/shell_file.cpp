@@ -57,7 +57,7 @@ std::uint64_t baseChecksum(const ExtendedSurface& extended) {
         }
     }
     writer.addAll(extended.directions);
-    writer.addAll(extended.ghostOrigin);
+    writer.addAll(extended.ghostSource);
     writer.addAll(extended.movedVertices);
     return checksumOf(writer.bytes());
 }

@@ -15,7 +15,7 @@ namespace bspline_curve {
 struct ShellRunFigures {
     std::string meshFile;
 
-    int faces = 0;  ///< of the mesh as it was given
+    int faces = 0;  ///< of the input
 
     /// cpu: of this process, all threads, from arrays in memory to the shell (validate,
     /// base and shell), as wall; the others: wall clock of each stage.
@@ -27,7 +27,7 @@ struct ShellRunFigures {
 
     /// Largest resident memory of the program, until the shell was there.
     std::int64_t peakMemoryBytes = 0;
-    const RepairReport* repair = nullptr;  ///< null: nothing was mended
+    const RepairReport* repair = nullptr;  ///< null: nothing was repaired
     std::vector<std::string> notes;        ///< about the cache; empty where all is well
 };
 

@@ -38,16 +38,16 @@ SurfacePoint centreOn(const CurveDesigner& designer, const Vec3& centre) {
 /// The surface that the ways of a drawing are found on: one of the same faces.
 class WaySurface {
 public:
-    WaySurface(const Surface& given, int passes) : given_(given) {
+    WaySurface(const Surface& detailed, int passes) : detailed_(detailed) {
         if (passes > 0) {
-            smoothed_.emplace(smoothedRelief(given, passes));
+            smoothed_.emplace(smoothedRelief(detailed, passes));
         }
     }
 
-    [[nodiscard]] const Surface& surface() const { return smoothed_ ? *smoothed_ : given_; }
+    [[nodiscard]] const Surface& surface() const { return smoothed_ ? *smoothed_ : detailed_; }
 
 private:
-    const Surface& given_;
+    const Surface& detailed_;
     std::optional<Surface> smoothed_;
 };
 
@@ -65,8 +65,8 @@ Pattern patternRoundPoint(
     options.validate();
     const WaySurface ways(designer.surface(), options.smoothing);
     const Surface& surface = ways.surface();
-    const SurfacePoint origin = centreOn(designer, centre);
-    const PointChart chart(surface, origin, up ? *up : PointChart::defaultUp(surface, origin));
+    const SurfacePoint place = centreOn(designer, centre);
+    const PointChart chart(surface, place, up ? *up : PointChart::defaultUp(surface, place));
     return carriedDrawing(
         designer,
         chart,

@@ -349,7 +349,7 @@ private:
         const double length = sum.norm();
         const Vec3 direction = length > 0.0 ? Vec3(sum / length) : outward(edge);
         ghostOf_[v] = static_cast<int>(extended_.vertices.size());
-        extended_.ghostOrigin.push_back(v);
+        extended_.ghostSource.push_back(v);
         extended_.vertices.emplace_back(
             extended_.vertices[v] + kExtension.ghostWidth * extended_.edgeLengths[v] * direction
         );

@@ -33,7 +33,7 @@ struct ExtendedSurface {
     std::vector<double> edgeLengths;
     int surfaceVertexCount = 0, surfaceFaceCount = 0;
     std::vector<int>
-        ghostOrigin;  ///< boundary vertex that ghost vertex surfaceVertexCount + i grew from
+        ghostSource;  ///< boundary vertex that ghost vertex surfaceVertexCount + i grew from
     std::vector<int>
         movedVertices;  ///< vertices of the surface that had to move (singular vertices)
     std::vector<int> unseenVertices;  ///< vertices that got no direction all the same
@@ -47,7 +47,7 @@ struct ExtendedSurface {
     /// The vertex of the surface behind a vertex: itself, or the boundary vertex that a ghost grew
     /// from.
     [[nodiscard]] int surfaceVertex(int vertex) const {
-        return vertex < surfaceVertexCount ? vertex : ghostOrigin[vertex - surfaceVertexCount];
+        return vertex < surfaceVertexCount ? vertex : ghostSource[vertex - surfaceVertexCount];
     }
 };
 

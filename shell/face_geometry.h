@@ -19,8 +19,8 @@ namespace bspline_curve {
 /// The normal of a face, as long as twice its area.
 [[nodiscard]] inline Vec3 areaNormal(const ExtendedSurface& extended, int face) {
     const auto& [a, b, c] = extended.faces[face];
-    const Vec3& origin = extended.vertices[a];
-    return (extended.vertices[b] - origin).cross(extended.vertices[c] - origin);
+    const Vec3& first = extended.vertices[a];
+    return (extended.vertices[b] - first).cross(extended.vertices[c] - first);
 }
 
 /// Where the line p + t d passes a triangle: t, or nothing where it misses the triangle or is

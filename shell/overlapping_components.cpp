@@ -52,13 +52,13 @@ std::vector<Volumes> layerVolumes(
             continue;
         }
         // Relative to a point near by, for little rounding.
-        const Vec3& origin =
+        const Vec3& nearby =
             points.at(prisms[components.first[component]].pillars[0], Level::Middle);
         for (const Level level : {Level::Bottom, Level::Middle, Level::Top}) {
             const auto& [i0, i1, i2] = layerTriangle(prisms[i].pillars, level);
-            const Vec3 a = points.points[i0] - origin;
-            const Vec3 b = points.points[i1] - origin;
-            const Vec3 c = points.points[i2] - origin;
+            const Vec3 a = points.points[i0] - nearby;
+            const Vec3 b = points.points[i1] - nearby;
+            const Vec3 c = points.points[i2] - nearby;
             volumes[component][static_cast<std::size_t>(level)] +=
                 prisms[i].orientation * a.dot(b.cross(c));
         }

@@ -78,11 +78,11 @@ struct Gram {
 ) {
     const Vec3 Pillar::* const tip = slab == 0 ? &Pillar::top : &Pillar::bottom;
     const auto& [a, b, c] = pillars;
-    const Vec3& origin = a.middle;
+    const Vec3& shared = a.middle;
     return {
-        gramOf(b.*tip - origin, c.*tip - origin, fibres[0]),
-        gramOf(b.middle - origin, c.*tip - origin, fibres[1]),
-        gramOf(b.middle - origin, c.middle - origin, fibres[2])
+        gramOf(b.*tip - shared, c.*tip - shared, fibres[0]),
+        gramOf(b.middle - shared, c.*tip - shared, fibres[1]),
+        gramOf(b.middle - shared, c.middle - shared, fibres[2])
     };
 }
 

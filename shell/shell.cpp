@@ -243,10 +243,10 @@ void Shell::barycentrics(int tet, AffineForm* forms) const {
         const Pillar& pillar = pillars_[prism.pillars[split[k].slot]];
         return split[k].outer ? pillar.*tip : pillar.middle;
     };
-    const Vec3& origin = corner(0);
-    const Vec3 e1 = corner(1) - origin;
-    const Vec3 e2 = corner(2) - origin;
-    const Vec3 e3 = corner(3) - origin;
+    const Vec3& first = corner(0);
+    const Vec3 e1 = corner(1) - first;
+    const Vec3 e2 = corner(2) - first;
+    const Vec3 e3 = corner(3) - first;
     const Vec3 n1 = e2.cross(e3);
     const Vec3 n2 = e3.cross(e1);
     const Vec3 n3 = e1.cross(e2);
@@ -256,7 +256,7 @@ void Shell::barycentrics(int tet, AffineForm* forms) const {
     forms[3].gradient = inverseVolume * n3;
     forms[0].gradient = -(forms[1].gradient + forms[2].gradient + forms[3].gradient);
     for (int k = 1; k < 4; ++k) {
-        forms[k].offset = -forms[k].gradient.dot(origin);
+        forms[k].offset = -forms[k].gradient.dot(first);
     }
     forms[0].offset = 1.0 - forms[1].offset - forms[2].offset - forms[3].offset;
 }

@@ -242,9 +242,9 @@ bool ShellCell::setFace(const Shell& shell, int newFace) {
     face = newFace;
     const ExtendedSurface& extended = shell.extended();
     const Triangle& corners = extended.faces[face];
-    const Vec3& origin = extended.vertices[corners[0]];
-    const Vec3 edge1 = extended.vertices[corners[1]] - origin;
-    const Vec3 edge2 = extended.vertices[corners[2]] - origin;
+    const Vec3& first = extended.vertices[corners[0]];
+    const Vec3 edge1 = extended.vertices[corners[1]] - first;
+    const Vec3 edge2 = extended.vertices[corners[2]] - first;
     const std::array<double, 2> d1 = {
         footBeta_[0].gradient.dot(edge1), footBeta_[1].gradient.dot(edge1)
     };
@@ -256,8 +256,8 @@ bool ShellCell::setFace(const Shell& shell, int newFace) {
         return false;
     }
     const double inverse = 1.0 / area;
-    chart_.origin = {footBeta_[0].at(origin), footBeta_[1].at(origin)};
-    chart_.originHeight = footHeight_.at(origin);
+    chart_.first = {footBeta_[0].at(first), footBeta_[1].at(first)};
+    chart_.firstHeight = footHeight_.at(first);
     chart_.barycentric[0] = {inverse * d2[1], -inverse * d2[0]};
     chart_.barycentric[1] = {-inverse * d1[1], inverse * d1[0]};
     const double rise1 = footHeight_.gradient.dot(edge1);
@@ -270,8 +270,8 @@ bool ShellCell::setFace(const Shell& shell, int newFace) {
 
 // The least barycentric coordinate in the face of a point of the prism.
 double ShellCell::insideFace(const std::array<double, 2>& beta) const {
-    const double x = beta[0] - chart_.origin[0];
-    const double y = beta[1] - chart_.origin[1];
+    const double x = beta[0] - chart_.first[0];
+    const double y = beta[1] - chart_.first[1];
     const double b1 = chart_.barycentric[0][0] * x + chart_.barycentric[0][1] * y;
     const double b2 = chart_.barycentric[1][0] * x + chart_.barycentric[1][1] * y;
     return std::min({b1, b2, 1.0 - b1 - b2});
@@ -281,15 +281,15 @@ double ShellCell::insideFace(const std::array<double, 2>& beta) const {
 void ShellCell::compose() {
     AffineForm beta1 = beta_[0];
     AffineForm beta2 = beta_[1];
-    beta1.offset -= chart_.origin[0];
-    beta2.offset -= chart_.origin[1];
+    beta1.offset -= chart_.first[0];
+    beta2.offset -= chart_.first[1];
     AffineForm* const shadow = walls.data() + kFirstFaceWall;
     for (std::size_t i = 0; i < 2; ++i) {
         shadow[i + 1] = chart_.barycentric[i][0] * beta1 + chart_.barycentric[i][1] * beta2;
     }
     shadow[0] = one() - shadow[1] - shadow[2];
     surfaceHeight = chart_.height[0] * beta1 + chart_.height[1] * beta2;
-    surfaceHeight.offset += chart_.originHeight;
+    surfaceHeight.offset += chart_.firstHeight;
 
     // Where the foot ends, going along the fibre: see kSlabSplit.
     const AffineForm outward = sideOf(foot) * surfaceHeight;

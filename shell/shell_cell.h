@@ -131,10 +131,10 @@ private:
     // The face in the coordinates (beta_1, beta_2): those of its first vertex, and how the
     // barycentrics of the other two and the height of the surface grow with them.
     struct Chart {
-        std::array<double, 2> origin{};
+        std::array<double, 2> first{};
         std::array<std::array<double, 2>, 2> barycentric{};
         std::array<double, 2> height{};
-        double originHeight = 0.0;
+        double firstHeight = 0.0;
     };
 
     Chart chart_;

@@ -91,7 +91,7 @@ Shell exportShell(
         );
         const int start = tracks.offsets.back();
         for (const int face : complex.facesOf(id)) {
-            tracks.faces.push_back(editor.surface().originalFaces[face]);
+            tracks.faces.push_back(editor.surface().inputFaces[face]);
         }
         std::sort(tracks.faces.begin() + start, tracks.faces.end());
         tracks.offsets.push_back(static_cast<int>(tracks.faces.size()));
@@ -130,11 +130,11 @@ ShellBuild buildSimplifiedShell(
     simplify(editor, surface.creases, longestSideOf(surface.extended), options, restPart);
     build.shell = exportShell(editor, extended);
     for (int& face : build.report.blockedFaces) {
-        face = surface.originalFaces[face];
+        face = surface.inputFaces[face];
     }
     std::ranges::sort(build.report.blockedFaces);
     for (auto& [f, g] : build.report.selfIntersections) {
-        const auto [low, high] = std::minmax({surface.originalFaces[f], surface.originalFaces[g]});
+        const auto [low, high] = std::minmax({surface.inputFaces[f], surface.inputFaces[g]});
         f = low;
         g = high;
     }

@@ -75,7 +75,7 @@ private:
     std::optional<std::uint64_t> running_;  // id
     bool isRunningLive_ = false;
     bool isGivenUp_ = false;    // the one that runs
-    bool isPostponed_ = false;  // given up for a live one, to be begun again
+    bool isPostponed_ = false;  // interrupted for a live one, to be begun again
     bool isEnding_ = false;
     std::vector<SolveAnswer> answers_;
     std::thread thread_;  // last: it uses the others

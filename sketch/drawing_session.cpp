@@ -25,7 +25,7 @@ SketchPick DrawingSession::pickAt(const SurfacePoint& point) const {
 }
 
 TriangleTree::Hit DrawingSession::seenBy(const Pointer& pointer) const {
-    return designer_->tree().firstHit(pointer.origin, pointer.direction);
+    return designer_->tree().firstHit(pointer.start, pointer.direction);
 }
 
 bool DrawingSession::hides(const Pointer& pointer, const Vec3& point) const {
@@ -44,7 +44,7 @@ SurfacePoint DrawingSession::pointUnder(const Pointer& pointer, const TriangleTr
 }
 
 bool DrawingSession::hasMoved(const Pointer& pointer) const {
-    const Vec3 way = pressedAt_ - pointer.origin;
+    const Vec3 way = pressedAt_ - pointer.start;
     const double along = way.dot(pointer.direction);
     return (way - along * pointer.direction).norm() >
            settings_.dragPixels * pointer.pixelAt(std::max(along, 0.0));

@@ -21,7 +21,7 @@ public:
         if (!isInSight(pointer_, seen_, point)) {
             return std::numeric_limits<double>::infinity();
         }
-        const Vec3 way = point - pointer_.origin;
+        const Vec3 way = point - pointer_.start;
         const double along = way.dot(pointer_.direction);
         return (way - along * pointer_.direction).norm() / pointer_.pixelAt(along);
     }
@@ -31,7 +31,7 @@ public:
         const auto flat = [this](const Vec3& v) -> Vec3 {
             return v - v.dot(pointer_.direction) * pointer_.direction;
         };
-        const Vec3 from = flat(a - pointer_.origin);
+        const Vec3 from = flat(a - pointer_.start);
         const Vec3 way = flat(b - a);
         const double squared = way.squaredNorm();
         const double s = squared > 0.0 ? std::clamp(-from.dot(way) / squared, 0.0, 1.0) : 0.0;
@@ -53,7 +53,7 @@ int pickBefore(const SurfacePolyline& line, int segment) {
 }  // namespace
 
 bool isInSight(const Pointer& pointer, const TriangleTree::Hit& seen, const Vec3& point) {
-    const double along = (point - pointer.origin).dot(pointer.direction);
+    const double along = (point - pointer.start).dot(pointer.direction);
     return along > 0.0 &&
            (seen.point.face < 0 || along <= seen.distance + kDepthSlack * pointer.pixelAt(along));
 }

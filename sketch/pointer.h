@@ -9,9 +9,9 @@ namespace bspline_curve {
 
 /// Where the mouse is: the ray into the scene through its pixel, in the mesh's unit.
 struct Pointer {
-    Vec3 origin = Vec3::Zero();
+    Vec3 start = Vec3::Zero();
     Vec3 direction = -Vec3::UnitZ();  ///< unit length, away from the viewer
-    /// The width of a pixel: at distance 1 from the origin, or anywhere if the view is
+    /// The width of a pixel: at distance 1 from the start, or anywhere if the view is
     /// orthographic.
     double pixel = 1e-3;
     bool isOrthographic = false;

@@ -27,7 +27,7 @@ enum class SnapKind { None, Pick, Boundary, Crease, Ridge, Valley, Vertex };
 
 struct Snap {
     SnapKind kind = SnapKind::None;
-    SurfacePoint point;  ///< as given where nothing is near
+    SurfacePoint point;  ///< unchanged where nothing is near
 };
 
 /// The feature to which a point of a surface snaps: of those within `reach` (user's unit) along

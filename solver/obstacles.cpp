@@ -26,8 +26,8 @@ Obstacles::Obstacles(
     for (const double distance : distancesToRegion(surface, region, margin)) {
         values_.push_back(1.0 - distance / margin);
     }
-    for (const int origin : extended.ghostOrigin) {
-        values_.push_back(values_[origin]);
+    for (const int source : extended.ghostSource) {
+        values_.push_back(values_[source]);
     }
     for (const int f : region) {
         kinds_[f] = Kind::Avoided;

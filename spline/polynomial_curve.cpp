@@ -3,11 +3,11 @@
 
 namespace bspline_curve {
 
-PolynomialCurve PolynomialCurve::shifted(double origin) const {
+PolynomialCurve PolynomialCurve::shifted(double start) const {
     PolynomialCurve result = *this;
     for (int i = 0; i < degree; ++i) {
         for (int j = degree; j-- > i;) {
-            result.coefficients[j] += origin * result.coefficients[j + 1];
+            result.coefficients[j] += start * result.coefficients[j + 1];
         }
     }
     return result;

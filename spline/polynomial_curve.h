@@ -52,8 +52,8 @@ struct PolynomialCurve {
         return value;
     }
 
-    /// The same curve with s measured from `origin`.
-    [[nodiscard]] PolynomialCurve shifted(double origin) const;
+    /// The same curve with s measured from `start`.
+    [[nodiscard]] PolynomialCurve shifted(double start) const;
 };
 
 }  // namespace bspline_curve

@@ -221,7 +221,7 @@ std::vector<int> LocatedPicks::repeated() const {
     });
 }
 
-std::vector<int> LocatedPicks::given() const {
+std::vector<int> LocatedPicks::firstPicks() const {
     std::vector<int> first;
     for (int pick = 0; pick < static_cast<int>(pointOf.size()); ++pick) {
         if (pointOf[pick] == static_cast<int>(first.size())) {

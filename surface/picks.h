@@ -24,7 +24,7 @@ struct LocatedPicks {
     [[nodiscard]] std::vector<int> repeated() const;
 
     /// Of each point, the first pick there.
-    [[nodiscard]] std::vector<int> given() const;
+    [[nodiscard]] std::vector<int> firstPicks() const;
 };
 
 /// Projects picked points to the surface (closest point), in order. Where connected components lie

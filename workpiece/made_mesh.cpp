@@ -16,7 +16,7 @@ MadeMesh::MadeMesh(
     : workpiece_(std::move(workpiece)), imprint_(std::move(imprint)), taken_(std::move(taken)) {}
 
 int MadeMesh::vertexOf(int vertex) const {
-    const int imprinted = taken_.origin[vertex];
+    const int imprinted = taken_.source[vertex];
     if (imprinted < 0 || imprinted >= imprint_->surfaceVertexCount) {
         return -1;
     }
@@ -30,7 +30,7 @@ int MadeMesh::faceOf(int face) const {
 
 Vec3 MadeMesh::placeOf(int face, int corner) const {
     const Surface& surface = workpiece_->surface();
-    const int vertex = taken_.origin[taken_.mesh.faces[face][corner]];
+    const int vertex = taken_.source[taken_.mesh.faces[face][corner]];
     const int own = imprint_->ownParents[taken_.faces[face]];
     SurfacePoint place{.face = own};
     if (vertex < imprint_->surfaceVertexCount) {
@@ -53,7 +53,7 @@ std::vector<double> MadeMesh::curveFlags() const {
         }
     }
     std::vector<double> flags;
-    for (const int vertex : taken_.origin) {
+    for (const int vertex : taken_.source) {
         flags.push_back(vertex < 0 ? 0.0 : isOnCurve[vertex]);
     }
     return flags;

@@ -164,8 +164,8 @@ private:
     [[nodiscard]] bool isHidden(const SketchPick& pick) const {
         const Pointer pointer = view_.pointerAt(view_.positionOf(pick.position));
         const TriangleTree::Hit seen =
-            session_.designer().tree().firstHit(pointer.origin, pointer.direction);
-        const double along = (pick.position - pointer.origin).dot(pointer.direction);
+            session_.designer().tree().firstHit(pointer.start, pointer.direction);
+        const double along = (pick.position - pointer.start).dot(pointer.direction);
         const bool isFromBehind = normalAt(pick.point).dot(pointer.direction) > 0.0;
         return !isInSight(pointer, seen, pick.position) ||
                (isFromBehind && seen.point.face >= 0 &&

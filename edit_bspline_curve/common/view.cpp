@@ -27,8 +27,8 @@ Pointer View::pointerAt(const QPointF& position) const {
         return p.head<3>() / p[3];
     };
     Pointer pointer;
-    pointer.origin = at(-1.0);
-    pointer.direction = (at(1.0) - pointer.origin).normalized();
+    pointer.start = at(-1.0);
+    pointer.direction = (at(1.0) - pointer.start).normalized();
     pointer.isOrthographic = projection_(3, 3) == 1.0;
     const double scale = modelView_.col(0).head<3>().norm();
     const double pixel = 2.0 * ratio_ / (projection_(1, 1) * viewport_[3]);
@@ -37,7 +37,7 @@ Pointer View::pointerAt(const QPointF& position) const {
     } else {
         pointer.pixel = pixel;
         const Eigen::Vector4d eye = modelView_.inverse() * Eigen::Vector4d(0.0, 0.0, 0.0, 1.0);
-        pointer.origin = eye.head<3>() / eye[3];
+        pointer.start = eye.head<3>() / eye[3];
     }
     return pointer;
 }

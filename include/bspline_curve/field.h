@@ -19,8 +19,8 @@ enum class FieldKind {
     Valley,            ///< how much it is a valley: concave across
     CreaseDistance,    ///< geodesic distance to the nearest edge with a large angle
     BoundaryDistance,  ///< geodesic distance to the nearest edge with one face
-    Quality,           ///< values that are given
-    Obstacle,          ///< a hill on every region of faces that is given (26)
+    Quality,           ///< the user's own values
+    Obstacle,          ///< a hill on every chosen region of faces (26)
 };
 
 inline constexpr std::array kFieldKinds = {

@@ -46,7 +46,7 @@ SketchKey keyOf(const std::string& name) {
 
 Pointer pointerOf(const Ray& ray, double pixel, bool isOrthographic, bool snaps, bool removes) {
     return {
-        .origin = Vec3(ray(0, 0), ray(0, 1), ray(0, 2)),
+        .start = Vec3(ray(0, 0), ray(0, 1), ray(0, 2)),
         .direction = Vec3(ray(1, 0), ray(1, 1), ray(1, 2)),
         .pixel = pixel,
         .isOrthographic = isOrthographic,

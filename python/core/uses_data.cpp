@@ -92,7 +92,7 @@ nb::tuple cutTuple(
     const nb::tuple arrays = nb::make_tuple(
         arrayOf(made.mesh.vertices),
         arrayOf(made.mesh.faces),
-        arrayOf(made.origin),
+        arrayOf(made.source),
         arrayOf(made.labels)
     );
     return nb::make_tuple(arrays, cut.notes);

@@ -108,10 +108,10 @@ std::map<int, BoundaryPart> boundaryParts(
     std::map<int, BoundaryPart> parts;
     for (const TetFace& face : boundary) {
         const int first = sets.find(face.points[0]);
-        const Vec3& origin = shell.point(first);
-        const Vec3 a = shell.point(face.points[0]) - origin;
-        const Vec3 b = shell.point(face.points[1]) - origin;
-        const Vec3 c = shell.point(face.points[2]) - origin;
+        const Vec3& nearby = shell.point(first);
+        const Vec3 a = shell.point(face.points[0]) - nearby;
+        const Vec3 b = shell.point(face.points[1]) - nearby;
+        const Vec3 c = shell.point(face.points[2]) - nearby;
         const int inside = shell.tetPoints(face.tet)[face.k];
         const int side = shell.volumeSign({face.points[0], face.points[1], face.points[2], inside});
         BoundaryPart& part = parts[first];

@@ -71,7 +71,7 @@ void ComponentTest::findRepresentatives(
 void ComponentTest::enter(const PrismComplex& complex, int prism, int face) {
     componentOf_[prism] = componentOf_[face];  // ids are at most faces
     Component& component = components_[componentOf_[prism]];
-    const Volumes own = volumesOf(complex, complex.pillarsOf(prism), component.origin);
+    const Volumes own = volumesOf(complex, complex.pillarsOf(prism), component.nearby);
     component.volumes.bottom += own.bottom;
     component.volumes.top += own.top;
     volumes_[prism] = own;
@@ -125,7 +125,7 @@ bool ComponentTest::keepsOrientation(
         after.top -= volumes_[prism].top;
     }
     for (std::size_t i = 0; i < fresh.size(); ++i) {
-        freshVolumes_[i] = volumesOf(complex, fresh[i], component.origin);
+        freshVolumes_[i] = volumesOf(complex, fresh[i], component.nearby);
         after.bottom += freshVolumes_[i].bottom;
         after.top += freshVolumes_[i].top;
     }
@@ -147,12 +147,12 @@ void ComponentTest::setId(int prism, std::size_t indexInFresh) {
 }
 
 ComponentTest::Volumes ComponentTest::volumesOf(
-    const PrismComplex& complex, const Triangle& pillars, const Vec3& origin
+    const PrismComplex& complex, const Triangle& pillars, const Vec3& nearby
 ) {
     const auto volume = [&](Level level) {
-        const Vec3 a = complex.point(pillars[0], level) - origin;
-        const Vec3 b = complex.point(pillars[1], level) - origin;
-        const Vec3 c = complex.point(pillars[2], level) - origin;
+        const Vec3 a = complex.point(pillars[0], level) - nearby;
+        const Vec3 b = complex.point(pillars[1], level) - nearby;
+        const Vec3 c = complex.point(pillars[2], level) - nearby;
         return a.dot(b.cross(c));
     };
     return {volume(Level::Bottom), volume(Level::Top)};

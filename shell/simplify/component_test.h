@@ -45,14 +45,14 @@ private:
     };
 
     struct Component {
-        Vec3 origin;  // near by, for little rounding
+        Vec3 nearby;  // a point of it, for little rounding
         bool isClosed = true;
         Volumes volumes;
     };
 
     void findRepresentatives(const TrackedSurface& surface, const std::vector<int>& firstPrisms);
     [[nodiscard]] static Volumes volumesOf(
-        const PrismComplex& complex, const Triangle& pillars, const Vec3& origin
+        const PrismComplex& complex, const Triangle& pillars, const Vec3& nearby
     );
     [[nodiscard]] bool holdsOther(const PrismComplex& complex, const Triangle& pillars) const;
     [[nodiscard]] bool keepsOrientation(

@@ -44,14 +44,14 @@ double gapAlong(const Vec3& axis, const TetCorners& tet, const FaceCorners& face
     double highA = -lowA;
     double lowB = lowA;
     double highB = -lowA;
-    const Vec3& origin = *tet[0];
+    const Vec3& first = *tet[0];
     for (const Vec3* p : tet) {
-        const double x = axis.dot(*p - origin);
+        const double x = axis.dot(*p - first);
         lowA = std::min(lowA, x);
         highA = std::max(highA, x);
     }
     for (const Vec3* p : face) {
-        const double x = axis.dot(*p - origin);
+        const double x = axis.dot(*p - first);
         lowB = std::min(lowB, x);
         highB = std::max(highB, x);
     }
@@ -71,8 +71,8 @@ double largestGap(const TetCorners& tet, const FaceCorners& face, double enough)
     };
     double gap = gapAlong(edges[0].cross(edges[1]), tet, face);
     for (std::size_t i = 0; i < 4 && gap <= enough; ++i) {
-        const Vec3& origin = *tet[kFaces[i][0]];
-        const Vec3 normal = (*tet[kFaces[i][1]] - origin).cross(*tet[kFaces[i][2]] - origin);
+        const Vec3& first = *tet[kFaces[i][0]];
+        const Vec3 normal = (*tet[kFaces[i][1]] - first).cross(*tet[kFaces[i][2]] - first);
         gap = std::max(gap, gapAlong(normal, tet, face));
     }
     for (std::size_t i = 0; i < 18 && gap <= enough; ++i) {

@@ -57,41 +57,41 @@ std::vector<int> inverseOf(const std::vector<int>& order) {
 
 }  // namespace
 
-TrackedSurface::TrackedSurface(const ExtendedSurface& original) {
-    creases = findCreases(original);
-    std::vector<char> onCrease(original.vertices.size(), 0);
+TrackedSurface::TrackedSurface(const ExtendedSurface& input) {
+    creases = findCreases(input);
+    std::vector<char> onCrease(input.vertices.size(), 0);
     for (const auto& [a, b] : creases) {
         onCrease[a] = onCrease[b] = 1;
     }
     const std::vector<int> vertices = orderOf(
-        original.vertices.size(),
-        [&](std::size_t v) -> const Vec3& { return original.vertices[v]; },
+        input.vertices.size(),
+        [&](std::size_t v) -> const Vec3& { return input.vertices[v]; },
         [&](int v) { return onCrease[v] != 0; }
     );
-    originalFaces = orderOf(
-        original.faces.size(),
-        [&](std::size_t f) -> const Vec3& { return original.vertices[original.faces[f][0]]; },
-        [&](int f) { return f >= original.surfaceFaceCount; }
+    inputFaces = orderOf(
+        input.faces.size(),
+        [&](std::size_t f) -> const Vec3& { return input.vertices[input.faces[f][0]]; },
+        [&](int f) { return f >= input.surfaceFaceCount; }
     );
     const std::vector<int> vertexNumbers = inverseOf(vertices);
-    const std::vector<int> faceNumbers = inverseOf(originalFaces);
+    const std::vector<int> faceNumbers = inverseOf(inputFaces);
 
-    extended.frame = original.frame;
-    extended.surfaceVertexCount = original.surfaceVertexCount;
-    extended.surfaceFaceCount = original.surfaceFaceCount;
+    extended.frame = input.frame;
+    extended.surfaceVertexCount = input.surfaceVertexCount;
+    extended.surfaceFaceCount = input.surfaceFaceCount;
     extended.vertices.reserve(vertices.size());
     extended.directions.reserve(vertices.size());
     extended.edgeLengths.reserve(vertices.size());
     for (const int v : vertices) {
-        extended.vertices.push_back(original.vertices[v]);
-        extended.directions.push_back(original.directions[v]);
-        extended.edgeLengths.push_back(original.edgeLengths[v]);
+        extended.vertices.push_back(input.vertices[v]);
+        extended.directions.push_back(input.directions[v]);
+        extended.edgeLengths.push_back(input.edgeLengths[v]);
     }
-    extended.faces.reserve(originalFaces.size());
-    extended.faceNeighbours.reserve(originalFaces.size());
-    for (const int f : originalFaces) {
-        const Triangle& face = original.faces[f];
-        const Triangle& near = original.faceNeighbours[f];
+    extended.faces.reserve(inputFaces.size());
+    extended.faceNeighbours.reserve(inputFaces.size());
+    for (const int f : inputFaces) {
+        const Triangle& face = input.faces[f];
+        const Triangle& near = input.faceNeighbours[f];
         const auto neighbour = [&](std::size_t k) {
             return near[k] < 0 ? -1 : faceNumbers[near[k]];
         };
@@ -100,7 +100,7 @@ TrackedSurface::TrackedSurface(const ExtendedSurface& original) {
         );
         extended.faceNeighbours.push_back({neighbour(0), neighbour(1), neighbour(2)});
     }
-    for (const int v : original.unseenVertices) {
+    for (const int v : input.unseenVertices) {
         extended.unseenVertices.push_back(vertexNumbers[v]);
     }
     for (auto& [a, b] : creases) {

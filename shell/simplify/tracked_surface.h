@@ -27,7 +27,7 @@ inline constexpr float kFloatMargin = 1e-6F;
 class TrackedSurface {
 public:
     /// Without bounds.
-    explicit TrackedSurface(const ExtendedSurface& original);
+    explicit TrackedSurface(const ExtendedSurface& input);
 
     /// Once the start shell is there: drops what only this takes (neighbours, directions, lengths),
     /// and computes the bounds.
@@ -37,10 +37,10 @@ public:
         return extended.vertices[extended.faces[face][k]];
     }
 
-    /// Renumbered; ghost faces last. Without what only surface points need (ghost origins, moved
+    /// Renumbered; ghost faces last. Without what only surface points need (ghost sources, moved
     /// vertices).
     ExtendedSurface extended;
-    std::vector<int> originalFaces;  ///< the face of the original surface for each
+    std::vector<int> inputFaces;  ///< the face of the input for each
     Edges creases;
     std::vector<FaceBound> bounds;  ///< of each face
 };

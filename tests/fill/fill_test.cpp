@@ -188,7 +188,7 @@ TEST(Fill, NewVerticesCarryTheMeanOfTheirRim) {
     const std::vector<double> values = result.carried(heights);
     ASSERT_EQ(values.size(), result.mesh.vertices.size());
     for (std::size_t v = 0; v < values.size(); ++v) {
-        if (result.origin[v] >= 0) {
+        if (result.source[v] >= 0) {
             EXPECT_EQ(values[v], result.mesh.vertices[v].z());
         } else {
             EXPECT_LE(std::abs(values[v]), 1.0);

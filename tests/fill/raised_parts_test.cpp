@@ -85,7 +85,7 @@ TEST(RaisedParts, OfASphereAreShellsOfTheirHeight) {
         }
         EXPECT_EQ(raised.whole.labels.back(), -1);
         EXPECT_EQ(raised.whole.faces.size(), raised.whole.mesh.faces.size());
-        EXPECT_EQ(raised.whole.origin.size(), raised.whole.mesh.vertices.size());
+        EXPECT_EQ(raised.whole.source.size(), raised.whole.mesh.vertices.size());
     }
 }
 

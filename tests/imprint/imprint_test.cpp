@@ -168,8 +168,8 @@ void expectParts(const Surface& surface, const std::vector<SurfacePolyline>& cur
     TriangleMesh welded = cut.mesh;
     for (Triangle& face : welded.faces) {
         for (int& vertex : face) {
-            ASSERT_EQ(cut.mesh.vertices[vertex], result.mesh.vertices[cut.origin[vertex]]);
-            vertex = cut.origin[vertex];
+            ASSERT_EQ(cut.mesh.vertices[vertex], result.mesh.vertices[cut.source[vertex]]);
+            vertex = cut.source[vertex];
         }
     }
     ASSERT_EQ(welded.faces, result.mesh.faces);

@@ -167,7 +167,7 @@ protected:
     /// Beyond the rim of a surface there are points without projection, and nowhere else.
     void expectMost(const Agreement& agreement) const {
         EXPECT_GT(agreement.compared, agreement.tried / 2);
-        if (extended_.ghostOrigin.empty()) {
+        if (extended_.ghostSource.empty()) {
             EXPECT_EQ(agreement.compared, agreement.tried);
         }
     }

@@ -283,7 +283,7 @@ TEST(ExtendedSurface, GrowsGhostsBeyondEveryBoundaryEdge) {
         const ExtendedSurface& extended = built.extended;
         EXPECT_EQ(extended.surfaceVertexCount, built.surface.vertexCount());
         EXPECT_EQ(extended.surfaceFaceCount, built.surface.faceCount());
-        EXPECT_EQ(static_cast<int>(extended.ghostOrigin.size()), boundaryEdges);
+        EXPECT_EQ(static_cast<int>(extended.ghostSource.size()), boundaryEdges);
         EXPECT_EQ(
             static_cast<int>(extended.faces.size()), built.surface.faceCount() + 2 * boundaryEdges
         );

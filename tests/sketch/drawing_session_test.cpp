@@ -52,7 +52,7 @@ TEST_P(ASession, DrawsTheCurveOfAFilterThroughClicksWhereTheyWere) {
     ASSERT_EQ(curve().picks.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
         const Pointer pointer = s_.camera.over(points_[i]);
-        const Vec3 way = curve().picks[i].position - pointer.origin;
+        const Vec3 way = curve().picks[i].position - pointer.start;
         EXPECT_LT(way.cross(pointer.direction).norm(), 1e-12 * way.norm());
     }
     ASSERT_TRUE(curve().settled);

@@ -148,7 +148,7 @@ bool seesPicks(const SessionFixture& s, const Sketch& sketch) {
         for (const Vec3& position : curve->positions()) {
             const Pointer pointer = s.camera.over(position);
             const TriangleTree::Hit seen =
-                s.designer->tree().firstHit(pointer.origin, pointer.direction);
+                s.designer->tree().firstHit(pointer.start, pointer.direction);
             if (seen.point.face < 0 || (seen.position - position).norm() > kSeenTwice) {
                 return false;
             }

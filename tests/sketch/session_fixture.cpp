@@ -28,11 +28,11 @@ Pointer Camera::over(const Vec3& point) const {
     pointer.isOrthographic = isOrthographic_;
     if (isOrthographic_) {
         pointer.direction = (centre_ - eye_).normalized();
-        pointer.origin = point - (point - eye_).dot(pointer.direction) * pointer.direction;
+        pointer.start = point - (point - eye_).dot(pointer.direction) * pointer.direction;
         pointer.pixel = 1e-3 * diagonal_;
     } else {
         pointer.direction = (point - eye_).normalized();
-        pointer.origin = eye_;
+        pointer.start = eye_;
         pointer.pixel = 1e-3 / 3.0;
     }
     return pointer;

@@ -65,8 +65,8 @@ void ProblemFixture::avoid(const Region& region, double margin) {
 void ProblemFixture::setField(const std::vector<double>& field) {
     field_ = field;
     problem_.fieldCosts = summaryOf(vertexCostsOf(field, problem_.options.fieldCost));
-    for (const int origin : shell_->extended->ghostOrigin) {
-        field_.push_back(field[origin]);
+    for (const int source : shell_->extended->ghostSource) {
+        field_.push_back(field[source]);
     }
     problem_.field = field_;
 }

@@ -280,7 +280,7 @@ TEST(CoarseShellBoundary, HasACellForEveryPoint) {
             const ShellBoundary::Nearest nearest = boundary.nearest(random.point(-0.6, 0.6));
             const std::optional<ShellCell> cell =
                 ShellCell::find(coarse.shell, nearest.tet, nearest.position);
-            if (!coarse.extended->ghostOrigin.empty()) {
+            if (!coarse.extended->ghostSource.empty()) {
                 continue;  // beyond the rim no fibre needs to meet the surface
             }
             ASSERT_TRUE(cell.has_value());

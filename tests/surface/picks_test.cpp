@@ -90,7 +90,7 @@ TEST_F(PicksTest, ThatFollowEachOtherAtOnePointAreOne) {
     EXPECT_EQ(located.points.size(), 3U);
     EXPECT_EQ(located.pointOf, (std::vector{0, 1, 1, 1, 2}));
     EXPECT_EQ(located.repeated(), (std::vector{2, 3}));
-    EXPECT_EQ(located.given(), (std::vector{0, 1, 4}));
+    EXPECT_EQ(located.firstPicks(), (std::vector{0, 1, 4}));
 }
 
 TEST_F(PicksTest, AtTheEndOfAClosedCurveAreOneWithTheFirst) {
@@ -99,7 +99,7 @@ TEST_F(PicksTest, AtTheEndOfAClosedCurveAreOneWithTheFirst) {
     EXPECT_EQ(located.points.size(), 3U);
     EXPECT_EQ(located.pointOf, (std::vector{0, 1, 2, 0, 0}));
     EXPECT_EQ(located.repeated(), (std::vector{3, 4}));
-    EXPECT_EQ(located.given(), (std::vector{0, 1, 2}));
+    EXPECT_EQ(located.firstPicks(), (std::vector{0, 1, 2}));
     // An open curve comes back.
     EXPECT_EQ(locatePicks(surface, tree, picks, false).pointOf, (std::vector{0, 1, 2, 3, 3}));
 }
