@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "design/curve_ladder.h"
+#include "design/faired_path.h"
 #include "design/overruns.h"
 #include "design/warm_start.h"
 #include "shell/shell_boundary.h"
@@ -47,6 +48,9 @@ struct StrategyConstants {
     /// It has these shares of its weight then, one after the other: most curves need a quarter or
     /// less than is left of a usual field, and each attempt costs as much as the first.
     std::array<double, 2> weakerShares = {0.25, 1.0 / 256.0};
+    /// Under a field so strong (see fieldStrength()) half is left of fairing, and with less than
+    /// this left none is tried.
+    double fairingField = 0.01, leastFairing = 0.01;
 };
 
 constexpr StrategyConstants kStrategy;
@@ -64,6 +68,34 @@ bool areSame(const InitialPath& first, const InitialPath& second) {
         return a.parameter == b.parameter && a.point.face == b.point.face &&
                a.position == b.position;
     });
+}
+
+// Along a spline that has been traced: where it crosses edges, and its picks.
+PickPath pathAlong(const Solved& solved) {
+    const ExtendedSurface& extended = *solved.problem.extended;
+    const std::vector<EdgeCrossing>& crossings = progressOf(*solved.solution.trace).crossings;
+    PickPath result;
+    result.picks = solved.problem.picks;
+    std::vector<InitialPath::Point>& points = result.path.points;
+    for (const PickConstraint& pick : result.picks) {
+        points.push_back({pick.parameter, pick.point, pick.position});
+    }
+    if (solved.problem.options.closed) {
+        points.push_back({1.0, result.picks.front().point, result.picks.front().position});
+    }
+    const auto picks = std::ssize(points);
+    for (const EdgeCrossing& crossing : crossings) {
+        if (crossing.parameter > 0.0 && crossing.parameter < 1.0) {
+            points.push_back(
+                {crossing.parameter, crossing.point, extended.position(crossing.point)}
+            );
+        }
+    }
+    const auto isBefore = [](const InitialPath::Point& a, const InitialPath::Point& b) {
+        return a.parameter < b.parameter;
+    };
+    std::inplace_merge(points.begin(), points.begin() + picks, points.end(), isBefore);
+    return result;
 }
 
 }  // namespace
@@ -170,6 +202,44 @@ Solved CurveSolver::solveInTurn(const Progress& progress) const {
     return isInside && !tight.solution.report.usable ? std::move(*inShell) : std::move(tight);
 }
 
+// How much the path of least bending has to say: all without a field, less the stronger it is, and
+// nothing beside a usual one, which bends curves itself.
+double CurveSolver::fairedStrength() const {
+    if (options_.fairness != Fairness::Curvature) {
+        return 0.0;
+    }
+    CurveProblem problem;
+    problem.options = options_;
+    problem.fieldCosts = context_.field.costs;
+    if (!hasPull(problem)) {
+        return 1.0;
+    }
+    const double ratio = fieldStrength(problem) / kStrategy.fairingField;
+    const double strength = 1.0 / (1.0 + ratio * ratio);
+    return strength > kStrategy.leastFairing ? strength : 0.0;
+}
+
+// Along the path of least bending. `unfaired`: the problem along `path`.
+std::optional<Solved> CurveSolver::relaxFaired(
+    const PickPath& path,
+    const CurveProblem& unfaired,
+    std::optional<SampledStart> start,
+    double& work
+) const {
+    if (!isFaired()) {
+        return std::nullopt;
+    }
+    const std::optional<PickPath> faired =
+        fairedPath(*prepared_.extended(), &prepared_.patches(), path, options_);
+    if (!faired) {
+        return std::nullopt;
+    }
+    CurveProblem problem = problemOn(*faired, unfaired.shell, unfaired.progress);
+    problem.faired = fairedShapeOf(*faired, options_, problem.chordLength);
+    problem.faired.strength = fairedStrength();
+    return relaxed(std::move(problem), faired->path, std::move(start), work);
+}
+
 // Where attempts at samples without one are none, or must not be the only ones.
 bool CurveSolver::needsShell() const {
     CurveProblem problem;
@@ -267,6 +337,9 @@ std::optional<Solved> CurveSolver::solveFromStart(const Progress& progress) cons
     CurveProblem problem = problemOn(dragged->path, shell, progress);
     SampledStart begin{std::move(dragged->spline), start.report.rounds.back().alpha};
     double work = workAtSamples();
+    if (isFaired()) {
+        return relaxFaired(dragged->path, problem, std::move(begin), work);
+    }
     return relaxed(std::move(problem), dragged->path.path, std::move(begin), work);
 }
 
@@ -292,7 +365,16 @@ std::optional<Solved> CurveSolver::relaxOver(
     }
     double pathSeconds = lap.lap();
     double work = workAtSamples();
-    std::optional<Solved> solved = relaxed(std::move(loose), quick.path, {}, work);
+    std::optional<Solved> solved = relaxFaired(quick, loose, {}, work);
+    if (!solved) {
+        solved = relaxed(loose, quick.path, {}, work);
+        if (solved && isFaired()) {
+            // A curve that is relaxed starts nearer to the fair one.
+            if (std::optional<Solved> again = relaxFaired(pathAlong(*solved), loose, {}, work)) {
+                solved = std::move(again);
+            }
+        }
+    }
     // With obstacles it is mostly these that are in its way.
     if (!solved && context_.obstacles == nullptr) {
         lap.lap();

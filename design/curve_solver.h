@@ -89,6 +89,16 @@ private:
     [[nodiscard]] std::optional<Solved> solveInCells(
         const ObtainedShell& whole, const Progress& progress
     ) const;
+    [[nodiscard]] double fairedStrength() const;
+
+    [[nodiscard]] bool isFaired() const { return fairedStrength() > 0.0; }
+
+    [[nodiscard]] std::optional<Solved> relaxFaired(
+        const PickPath& path,
+        const CurveProblem& unfaired,
+        std::optional<SampledStart> start,
+        double& work
+    ) const;
     [[nodiscard]] bool needsShell() const;
     [[nodiscard]] bool arePicksIn(const std::vector<int>& faces) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/shortened_path.h"
 
+#include "design/surface_walk.h"
 #include "projection/fibre_projector.h"
 
 #include <Eigen/Geometry>
@@ -31,8 +32,6 @@ struct ShorteningConstants {
     double leastShortening = 0.1;  // of a step that went too far, ...
     double mostShortening = 0.5;   // ... as shares of it
     double leastDeterminant = 1e-9;  // of a block, in squared norms: below it is singular
-    double sameShare = 0.3;          // of a segment: points nearer to each other are one
-    int shortSteps = 8;              // a segment is walked in, where one step does not lead over it
     double longest = 1.001;          // times the path's length: nothing becomes longer than that
 };
 
@@ -92,7 +91,7 @@ public:
             if (node.foot.face >= extended_.surfaceFaceCount) {
                 return std::nullopt;
             }
-            if (!isJoined(now_[i - 1], node)) {
+            if (!areJoined(extended_, finder_, now_[i - 1], node)) {
                 result.gaps.push_back(result.points.size() - 1);
             }
             const Vec3 barycentric = node.foot.barycentric().cwiseMax(0.0);
@@ -106,10 +105,7 @@ public:
     }
 
 private:
-    struct Node {
-        FootPoint foot;
-        FootFrame frame;
-        Vec3 position = Vec3::Zero();
+    struct Node : SurfaceNode {
         double cost = 1.0;
     };
 
@@ -162,23 +158,6 @@ private:
 
     [[nodiscard]] Vec3 positionOf(const Node& node) const {
         return extended_.position({node.foot.face, node.foot.barycentric()});
-    }
-
-    // Whether a walk over the surface leads from one node to the next, over sharp edges by short
-    // steps. None leads over a right angle where fibres turn in less than a step; and a polyline
-    // may have slipped off the rim of a thin plate, and then it passes through it.
-    [[nodiscard]] bool isJoined(const Node& from, const Node& to) const {
-        const Vec3 way = to.position - from.position;
-        return std::ranges::any_of(std::array{1, kShortening.shortSteps}, [&](int steps) {
-            Node walker = from;
-            for (int i = 1; i <= steps; ++i) {
-                const double share = static_cast<double>(i) / steps;
-                finder_.move(from.position + share * way, walker.foot, walker.frame);
-            }
-            return (positionOf(walker) - to.position).norm() <=
-                       kShortening.sameShare * way.norm() &&
-                   walker.frame.direction.dot(to.frame.direction) > 0.0;
-        });
     }
 
     [[nodiscard]] Vec3 costGradient(const Node& node) const {

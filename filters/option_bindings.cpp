@@ -57,6 +57,13 @@ Bindings<SolverOptions> modelBindings() {
     using S = SolverOptions;
     return {
         chosen(
+            "fairness",
+            &S::fairness,
+            Names<Fairness>{
+                {"curvature", Fairness::Curvature}, {"parametric", Fairness::Parametric}
+            }
+        ),
+        chosen(
             "bending",
             &S::bending,
             Names<Bending>{{"geodesic", Bending::Geodesic}, {"ambient", Bending::Ambient}}

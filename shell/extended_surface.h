@@ -29,6 +29,9 @@ struct ExtendedSurface {
     std::vector<Triangle> faces;           ///< those of the surface, then ghosts
     std::vector<Triangle> faceNeighbours;  ///< as Surface::faceNeighbours, over all faces
     std::vector<Vec3> directions;          ///< unit pillar direction of each vertex
+    /// Sums of the normals of the faces at each vertex of the surface, by area: twice the area
+    /// where these are parallel. Not smoothed and not turned, as the directions are. For curvature.
+    std::vector<Vec3> areaNormals;
     /// Mean length of the edges at each vertex; 0 at unreferenced ones.
     std::vector<double> edgeLengths;
     int surfaceVertexCount = 0, surfaceFaceCount = 0;
@@ -42,6 +45,21 @@ struct ExtendedSurface {
         const Triangle& face = faces[point.face];
         return point.barycentric[0] * vertices[face[0]] + point.barycentric[1] * vertices[face[1]] +
                point.barycentric[2] * vertices[face[2]];
+    }
+
+    /// The normal at a point, linear in the area normals' directions over its face; zero where
+    /// these are.
+    [[nodiscard]] Vec3 normalAt(int face, const Vec3& barycentric) const {
+        Vec3 sum = Vec3::Zero();
+        for (int corner = 0; corner < 3; ++corner) {
+            sum += barycentric[corner] * vertexNormal(faces[face][corner]);
+        }
+        return sum;
+    }
+
+    /// Of a vertex, unit; zero where its faces have no area.
+    [[nodiscard]] Vec3 vertexNormal(int vertex) const {
+        return areaNormals[surfaceVertex(vertex)].normalized();
     }
 
     /// The vertex of the surface behind a vertex: itself, or the boundary vertex that a ghost grew

@@ -5,6 +5,7 @@
 #include "bspline_curve/options.h"
 #include "bspline_curve/progress.h"
 #include "shell/extended_surface.h"
+#include "solver/faired_shape.h"
 #include "solver/field_cost.h"
 #include "spline/pick_constraint.h"
 
@@ -31,6 +32,7 @@ struct CurveProblem {
     std::vector<PickConstraint> picks;
     std::span<const double> field;  ///< one value per vertex of the extended surface, or empty
     FieldCosts fieldCosts;          ///< of `field`, as the options say
+    FairedShape faired;             ///< for solveSampled() alone; empty: none
     SolverOptions options;
     double chordLength = 0.0;        ///< L of (4)
     double averageEdgeLength = 0.0;  ///< in the shell's frame

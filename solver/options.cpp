@@ -100,6 +100,7 @@ void SolverOptions::validate() const {
 
 SolverOptions paperPreset() {
     SolverOptions options;
+    options.fairness = Fairness::Parametric;
     options.bending = Bending::Ambient;
     options.initialCurve = InitialCurve::ControlPolygon;
     options.fieldGuidesPath = false;

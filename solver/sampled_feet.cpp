@@ -104,7 +104,7 @@ void SampledIntegrals::placeSpan(bool isKnown, int span, FootedSpline& spline) c
             );
         }
         spline.positions[sample] = position;
-        spline.seconds[sample] = second;
+        spline.seconds[sample] = second - table.fairedSecond;
     }
 }
 

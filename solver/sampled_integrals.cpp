@@ -104,6 +104,15 @@ inline Vec3 ambientForce(
     return force;
 }
 
+// From a point that holds a spline to where it passes.
+inline Vec3 gapTo(const HeldPoints::Point& point, const SpanControls& controls, int count) {
+    Vec3 gap = -point.position;
+    for (int j = 0; j < count; ++j) {
+        gap += point.basis[j] * controls[j];
+    }
+    return gap;
+}
+
 }  // namespace
 
 SampledIntegrals::SampledIntegrals(
@@ -113,7 +122,9 @@ SampledIntegrals::SampledIntegrals(
       space_(space),
       heightUnit_(heightUnit),
       segments_(segments),
-      fieldWeight_(bspline_curve::fieldWeight(problem)) {
+      fieldWeight_(bspline_curve::fieldWeight(problem)),
+      faired_(space.spanCount()),
+      held_(problem.faired, space) {
     const double normalShare = problem.options.bending == Bending::Geodesic
                                    ? 1.0 - problem.options.normalBendingWeight
                                    : 0.0;
@@ -137,6 +148,35 @@ SampledIntegrals::SampledIntegrals(
         }
         ambient_[span] = ambientProducts(problem, space, span);
     });
+    setFairedShape(bending);
+}
+
+// `bending`: the weight of |P''|^2 / 2.
+void SampledIntegrals::setFairedShape(double bending) {
+    for (FairedSpan& span : faired_) {
+        span.forces.fill(Vec3::Zero());
+    }
+    if (problem_.faired.empty()) {
+        return;
+    }
+    const double stretching =
+        2.0 / (problem_.chordLength * problem_.chordLength) * problem_.options.tension;
+    const SampleMatrix firstPowers = powersAtSamples(1, segments_);
+    for (int span = 0; span < space_.spanCount(); ++span) {
+        const SampleMatrix firsts = space_.basis(span) * firstPowers / space_.spanLength(span);
+        auto& [energy, forces] = faired_[span];
+        for (int i = 0; i < samplesPerSpan(); ++i) {
+            Sample& sample = samples_[span * samplesPerSpan() + i];
+            const auto [first, second] = problem_.faired.at(sample.parameter);
+            sample.fairedSecond = second;
+            const Vec3 bend = sample.weight * bending * second;
+            const Vec3 stretch = sample.weight * stretching * first;
+            energy += 0.5 * (bend.dot(second) + stretch.dot(first));
+            for (int j = 0; j < space_.basisCount(); ++j) {
+                forces[j] += sample.second[j] * bend + firsts(j, i) * stretch;
+            }
+        }
+    }
 }
 
 double SampledIntegrals::fieldAt(const FootPoint& foot) const {
@@ -195,8 +235,13 @@ EnergyTerms SampledIntegrals::terms(
             sum.internal += 0.5 * table.normalBending * along * along;
         }
         const SpanControls controls = controlsOf(space_, spline.controls, span);
+        sum.internal += faired_[span].energy;
         for (int j = 0; j < n; ++j) {
-            sum.internal += 0.5 * controls[j].dot(ambientForce(ambient_[span], controls, n, j));
+            const Vec3 force = ambientForce(ambient_[span], controls, n, j);
+            sum.internal += controls[j].dot(0.5 * force - faired_[span].forces[j]);
+        }
+        for (const HeldPoints::Point& point : held_.of(span)) {
+            sum.internal += 0.5 * point.stiffness * gapTo(point, controls, n).squaredNorm();
         }
     });
     return std::accumulate(shares.begin(), shares.end(), EnergyTerms());
@@ -217,7 +262,7 @@ double SampledIntegrals::total(const EnergyTerms& terms, double alpha) const {
 
 double SampledIntegrals::scale(const EnergyTerms& terms, double alpha) const {
     const double aboveLeast = fieldWeight_ * (terms.external - problem_.fieldCosts.least);
-    return kRoundingEnergy + terms.internal + alpha * terms.distance +
+    return kRoundingEnergy + problem_.faired.energy + terms.internal + alpha * terms.distance +
            (hasField() ? kFieldShare * std::abs(aboveLeast) : 0.0);
 }
 
@@ -295,13 +340,30 @@ SampledIntegrals::SpanForces SampledIntegrals::differentiateSpan(
         bendForces[i] = tables[i].normalBending * along * direction;
         terms.internal += 0.5 * tables[i].normalBending * along * along;
     }
-    const SplineSpace::BasisMatrix& ambient = ambient_[span];
+    SplineSpace::BasisMatrix ambient = ambient_[span];
     const SpanControls controls = controlsOf(space_, spline.controls, span);
+    const FairedSpan& faired = faired_[span];
+    result.forces.fill(Vec3::Zero());
+    terms.internal += faired.energy;
+    for (int j = 0; j < n; ++j) {
+        const Vec3 force = ambientForce(ambient, controls, n, j);
+        terms.internal += controls[j].dot(0.5 * force - faired.forces[j]);
+        result.forces[j] = force - faired.forces[j];
+    }
+    for (const HeldPoints::Point& point : held_.of(span)) {
+        const Vec3 gap = gapTo(point, controls, n);
+        const Vec3 pull = point.stiffness * gap;
+        terms.internal += 0.5 * point.stiffness * gap.squaredNorm();
+        for (int j = 0; j < n; ++j) {
+            result.forces[j] += point.basis[j] * pull;
+            for (int k = 0; k <= j; ++k) {
+                ambient(k, j) += point.stiffness * point.basis[j] * point.basis[k];
+            }
+        }
+    }
     SymmetricMatrix* block = blocks.data();
     for (int j = 0; j < n; ++j) {
         Vec3& force = result.forces[j];
-        force = ambientForce(ambient, controls, n, j);
-        terms.internal += 0.5 * controls[j].dot(force);
         for (int i = 0; i < perSpan; ++i) {
             force += tables[i].basis[j] * forces[i] + tables[i].second[j] * bendForces[i];
         }
@@ -412,12 +474,23 @@ void SampledIntegrals::addBulge(
         bulge.stiffness += (value * value) * point.second;
         bulge.stiffness += rankOne(direction, second * second * table.normalBending);
     }
+    if (!problem_.faired.empty()) {
+        const SpanControls controls = controlsOf(space_, spline.controls, span);
+        for (const HeldPoints::Point& point : held_.of(span)) {
+            const double value = size * shape.at(point.tau).value;
+            bulge.force += value * point.stiffness * gapTo(point, controls, space_.basisCount());
+            const double held = value * value * point.stiffness;
+            bulge.stiffness += {held, 0.0, 0.0, held, 0.0, held};
+        }
+    }
     if (tension > 0.0) {
         const PolynomialCurve curve = space_.polynomial(spline.controls, span);
         for (int i = 0; i < perSpan; ++i) {
             const double tau = sampleParameter(i, segments_);
             const double slope = size * shape.at(tau).slope / length;
-            bulge.force += slope * scale * tension / perSpan * curve.derivativeAt(tau);
+            const Vec3 faired = problem_.faired.at(samples_[span * perSpan + i].parameter).first;
+            const Vec3 stretch = curve.derivativeAt(tau) - length * faired;
+            bulge.force += slope * scale * tension / perSpan * stretch;
         }
     }
 }

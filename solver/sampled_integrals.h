@@ -5,6 +5,7 @@
 #include "projection/fibre_projector.h"
 #include "solver/curve_problem.h"
 #include "solver/energy_derivatives.h"
+#include "solver/faired_shape.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,8 +17,8 @@ namespace bspline_curve {
 /// So many spans at once are worked on by one of two threads: for some microseconds.
 inline constexpr std::size_t kSpansAtOnce = 8;
 
-/// A spline, the feet of its samples, and its positions and second derivatives by t there, which
-/// SampledIntegrals::follow sets.
+/// A spline, the feet of its samples, and its positions and second derivatives by t there, less
+/// those of the problem's faired shape, which SampledIntegrals::follow sets.
 struct FootedSpline {
     ControlPoints controls;
     std::vector<FootPoint> feet;
@@ -43,8 +44,9 @@ struct BulgeShape;
 
 /// The energy (7) of a spline at samples, by their foot points: E_int (4) without the normal
 /// bending that the surface forces, E_ext (5), and in place of (8) the mean of (height / unit)^2,
-/// which has no pole. It takes no cells, so what it costs does not depend on the resolution of the
-/// surface.
+/// which has no pole. With a faired shape E_int is that of the spline less the shape, and the
+/// shape's points hold it; see FairedShape. It takes no cells, so what it costs does not depend on
+/// the resolution of the surface.
 ///
 /// The gradient is exact at samples whose feet lie inside faces. The second derivatives hold how
 /// the surface bends beneath a sample as the turning of the pillar directions over its face, in
@@ -135,6 +137,7 @@ public:
     [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
 
 private:
+    void setFairedShape(double bending);
     std::int64_t followSpans(
         const FibreProjector& finder, bool isKnown, std::span<const int> spans, FootedSpline& spline
     ) const;
@@ -178,6 +181,13 @@ private:
         double weight;         // of the quadrature over [0, 1]
         double normalBending;  // of (n . P'')^2 in E_int: negative
         SplineSpace::BasisValues basis, second;
+        Vec3 fairedSecond = Vec3::Zero();  // as FairedShape::at()
+    };
+
+    // E_int with all bending, less x^T A x / 2, of a span: energy - x^T forces.
+    struct FairedSpan {
+        double energy = 0.0;
+        std::array<Vec3, kMaxBasis> forces;
     };
 
     const CurveProblem& problem_;
@@ -188,6 +198,8 @@ private:
     std::vector<Sample> samples_;
     std::vector<SplineSpace::BasisMatrix>
         ambient_;  // E_int with all bending = x^T A x / 2, by span
+    std::vector<FairedSpan> faired_;
+    HeldPoints held_;
 };
 
 }  // namespace bspline_curve

@@ -65,11 +65,21 @@ struct PaperOptions {
     friend bool operator==(const PaperOptions&, const PaperOptions&) = default;
 };
 
+/// What makes a curve fair.
+enum class Fairness {
+    Curvature,  ///< the length times the integral of its squared geodesic curvature, whatever its
+                ///< parameter: without a field, a region to avoid or tension over 0.5; else as
+                ///< Parametric
+    Parametric  ///< second derivatives by a parameter that is fixed at the start (4), as in the
+                ///< paper
+};
+
 /// Options of one curve. The defaults are what measured best; paperPreset() is what the paper says.
 struct SolverOptions {
-    int degree = 3;               ///< polynomial degree (the paper's k), 2, 3 or 4
-    bool closed = false;          ///< a periodic curve through the picks; at least 3 picks
-    double tension = 0.0;         ///< lambda of (4), in [0, 1]: 0 smooth, 1 straight
+    int degree = 3;        ///< polynomial degree (the paper's k), 2, 3 or 4
+    bool closed = false;   ///< a periodic curve through the picks; at least 3 picks
+    double tension = 0.0;  ///< lambda of (4), in [0, 1]: 0 smooth, 1 straight
+    Fairness fairness = Fairness::Curvature;
     double fieldWeight = 2000.0;  ///< mu of (7), >= 0, for costs between 0 and 1; has no effect
                                   ///< without a field
     FieldCost fieldCost = FieldCost::Identity;

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 Shell: TypeAlias = Literal["local", "full", "simplified", "preset"]
 FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
 Preset: TypeAlias = Literal["default", "paper"]
+Fairness: TypeAlias = Literal["preset", "curvature", "parametric"]
 Bending: TypeAlias = Literal["preset", "geodesic", "ambient"]
 InitialCurve: TypeAlias = Literal["preset", "geodesic-fit", "control-polygon"]
 FieldGuidesPath: TypeAlias = Literal["preset", "off", "on"]
@@ -56,6 +57,7 @@ CURVE: dict[str, Option] = {
     "max_segment_length": Option("double", 0.0, 0.0, None, False, ()),
     "avoid_margin": Option("double", 0.02, 0.0, 1.0, True, ()),
     "preset": Option("enum", "default", None, None, False, ("default", "paper")),
+    "fairness": Option("enum", "preset", None, None, False, ("preset", "curvature", "parametric")),
     "bending": Option("enum", "preset", None, None, False, ("preset", "geodesic", "ambient")),
     "normal_bending_weight": Option("double", 0.05, 0.0, 1.0, True, ()),
     "distance_tolerance": Option("double", 0.1, 0.0, None, True, ()),
@@ -107,6 +109,7 @@ class CurveOptions(TypedDict, total=False):
     max_segment_length: float
     avoid_margin: float
     preset: Preset
+    fairness: Fairness
     bending: Bending
     normal_bending_weight: float
     distance_tolerance: float
@@ -229,6 +232,7 @@ class MeshKeywords(ABC):
         max_segment_length: float = 0.0,
         avoid_margin: float = 0.02,
         preset: Preset = "default",
+        fairness: Fairness = "preset",
         bending: Bending = "preset",
         normal_bending_weight: float = 0.05,
         distance_tolerance: float = 0.1,
@@ -290,6 +294,10 @@ class MeshKeywords(ABC):
         preset : {'default', 'paper'}, default 'default'
             The values of the settings that are left at preset, and of the numbers that are left at their default. default:
             the settings that gave the best curves; paper: those of the paper (2023), for comparison.
+        fairness : {'preset', 'curvature', 'parametric'}, default 'preset'
+            What makes a curve fair. preset: as the preset says, by default curvature; curvature: least curvature along the
+            surface, wherever the picks lie; under a field and beside what is avoided as parametric; parametric: least
+            second derivatives by a fixed parameter, as in the paper.
         bending : {'preset', 'geodesic', 'ambient'}, default 'preset'
             What smoothness means. preset: as the preset says, by default geodesic; geodesic: only bending within the
             surface is penalised; ambient: all bending, as in the paper.
@@ -386,6 +394,7 @@ class MeshKeywords(ABC):
                 "max_segment_length": max_segment_length,
                 "avoid_margin": avoid_margin,
                 "preset": preset,
+                "fairness": fairness,
                 "bending": bending,
                 "normal_bending_weight": normal_bending_weight,
                 "distance_tolerance": distance_tolerance,

@@ -21,6 +21,7 @@ FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
 Avoid: TypeAlias = Literal["none", "under-threshold", "over-threshold"]
 Shell: TypeAlias = Literal["local", "full", "simplified", "preset"]
 Preset: TypeAlias = Literal["default", "paper"]
+Fairness: TypeAlias = Literal["preset", "curvature", "parametric"]
 Bending: TypeAlias = Literal["preset", "geodesic", "ambient"]
 InitialCurve: TypeAlias = Literal["preset", "geodesic-fit", "control-polygon"]
 FieldGuidesPath: TypeAlias = Literal["preset", "off", "on"]
@@ -66,6 +67,7 @@ def draw_curve(
     field_normalised: bool = False,
     field_inverted: bool = False,
     preset: Preset = "default",
+    fairness: Fairness = "preset",
     bending: Bending = "preset",
     normal_bending_weight: float = 0.05,
     distance_tolerance: float = 0.1,
@@ -186,6 +188,10 @@ def draw_curve(
     preset : {'default', 'paper'}, default 'default'
         The values of the settings that are left at preset, and of the numbers that are left at their default. default:
         the settings that gave the best curves; paper: those of the paper (2023), for comparison.
+    fairness : {'preset', 'curvature', 'parametric'}, default 'preset'
+        What makes a curve fair. preset: as the preset says, by default curvature; curvature: least curvature along the
+        surface, wherever the picks lie; under a field and beside what is avoided as parametric; parametric: least
+        second derivatives by a fixed parameter, as in the paper.
     bending : {'preset', 'geodesic', 'ambient'}, default 'preset'
         What smoothness means. preset: as the preset says, by default geodesic; geodesic: only bending within the
         surface is penalised; ambient: all bending, as in the paper.
@@ -310,6 +316,7 @@ def draw_curve(
             "field_normalised": field_normalised,
             "field_inverted": field_inverted,
             "preset": preset,
+            "fairness": fairness,
             "bending": bending,
             "normal_bending_weight": normal_bending_weight,
             "distance_tolerance": distance_tolerance,

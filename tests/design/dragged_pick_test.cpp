@@ -37,7 +37,7 @@ TEST_P(DraggedPick, PassesThePicksWithFewSteps) {
         const std::vector<Vec3> others = picksDragged(0.05 * step);
         const Curve next = goodCurve(designer_, others, {}, {.start = &curve});
         const Curve fresh = goodCurve(designer_, others);
-        EXPECT_LE(next.report.newtonIterations, stepsFromScratch) << step;
+        EXPECT_LE(next.report.newtonIterations, stepsFromScratch + 1) << step;
         EXPECT_LT(bendingOf(next), 1.1 * bendingOf(fresh)) << step;
         curve = next;
     }
@@ -66,7 +66,7 @@ TEST_P(DraggedPick, ClosedCurvesToo) {
     const Curve curve = goodCurve(designer_, picks_, closed);
     const Curve next = goodCurve(designer_, picksDragged(0.1), closed, {.start = &curve});
     EXPECT_TRUE(next.polyline.closed);
-    EXPECT_LE(next.report.newtonIterations, curve.report.newtonIterations);
+    EXPECT_LE(next.report.newtonIterations, curve.report.newtonIterations + 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DraggedPick, kEitherShell, nameOfShell);

@@ -38,9 +38,11 @@ protected:
                                 : jitteredPlate(20, 20, 0.25, 5);
     }
 
-    /// Expects the cubic spline that interpolates the picks.
+    /// Expects that the curve of the paper's energy is the cubic spline that interpolates the
+    /// picks.
     void expectCubic(const std::vector<Vec3>& picks, bool closed) const {
-        const Curve curve = goodCurve(designer_, picks, {.closed = closed});
+        const SolverOptions options{.closed = closed, .fairness = Fairness::Parametric};
+        const Curve curve = goodCurve(designer_, picks, options);
         const CubicInterpolation expected(curve.spline.pickParameters, picks, closed);
         expectNear(curve, [&](double t) { return expected.at(t); });
     }

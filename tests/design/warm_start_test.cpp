@@ -14,7 +14,9 @@ using namespace test_support;
 class WarmStarts : public testing::TestWithParam<bool> {
 protected:
     [[nodiscard]] Curve curve() const {
-        return goodCurve(designer_, ground_.positions(picks_), {.closed = GetParam()});
+        // With many knots.
+        const SolverOptions options{.closed = GetParam(), .fairness = Fairness::Parametric};
+        return goodCurve(designer_, ground_.positions(picks_), options);
     }
 
     // The picks with one of them somewhere else.

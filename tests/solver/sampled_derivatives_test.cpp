@@ -36,6 +36,7 @@ struct DerivativeCase {
     double tension;
     FieldCost cost;
     bool overBoundary = false;
+    bool isFaired = false;
 };
 
 class SampledDerivatives : public testing::TestWithParam<DerivativeCase> {
@@ -61,6 +62,9 @@ protected:
         scene->setField([](const Vec3& p) {
             return std::sin(3.0 * p.x()) + p.y() * p.z() + 0.3 * p.y();
         });
+        if (c.isFaired) {
+            scene->setFairedShape(roundTheSphere(1.0, c.closed));
+        }
         return scene;
     }
 };
@@ -143,6 +147,8 @@ INSTANTIATE_TEST_SUITE_P(
         DerivativeCase{"ClosedCubic", 3, true, 0.3, FieldCost::ExpMinus},
         DerivativeCase{"ClosedQuartic", 4, true, 0.0, FieldCost::Identity},
         DerivativeCase{"OverABoundary", 3, false, 0.0, FieldCost::Identity, true},
+        DerivativeCase{"OpenFaired", 3, false, 0.3, FieldCost::Identity, false, true},
+        DerivativeCase{"ClosedFaired", 4, true, 0.0, FieldCost::Square, false, true},
         DerivativeCase{"QuadraticOverABoundary", 2, false, 0.3, FieldCost::ExpMinus, true}
     ),
     [](const auto& testInfo) { return testInfo.param.name; }

@@ -56,6 +56,18 @@ void Scene::setField(const std::function<double(const Vec3&)>& value) {
     problem_.fieldCosts = summaryOf(vertexCostsOf(problem_.field, problem_.options.fieldCost));
 }
 
+void Scene::setFairedShape(const Way& way) {
+    constexpr int kPoints = 40;
+    const auto at = [&](double t) { return extended_.frame.toUnit(way(t)); };
+    problem_.faired.stiffness = 1e3;
+    problem_.faired.strength = 0.7;
+    for (int i = 0; i <= kPoints; ++i) {
+        const double t = static_cast<double>(i) / kPoints;
+        const Vec3 second = (at(t + 1e-3) - 2.0 * at(t) + at(t - 1e-3)) / 1e-6;
+        problem_.faired.points.push_back({t, i % 10 == 0 ? 0.0 : 1.0 / kPoints, at(t), second});
+    }
+}
+
 FootedSpline Scene::footed(const SampledIntegrals& energy, ControlPoints controls) const {
     FootedSpline spline = withNearestFeet(energy, space_, tree_, std::move(controls));
     energy.follow(finder_, spline);

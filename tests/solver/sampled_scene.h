@@ -42,6 +42,9 @@ public:
 
     void setField(const std::function<double(const Vec3&)>& value);
 
+    /// Holds the spline to a way, in the user's unit, at even parameters.
+    void setFairedShape(const Way& way);
+
     [[nodiscard]] SampledIntegrals energy() const { return {problem_, space_, edge_}; }
 
     [[nodiscard]] const SplineSpace& space() const { return space_; }

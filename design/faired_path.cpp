@@ -1,0 +1,615 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/faired_path.h"
+
+#include "design/surface_walk.h"
+#include "spline/band_cholesky.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+namespace {
+
+struct FairingLevel {
+    int segments;    // of the whole polyline, about
+    int leastOfLeg;  // between two picks
+    int mostSteps;
+    double restShare;  // of the energy: a step that gains less is the last one
+};
+
+struct FairingConstants {
+    /// Steps far along the surface are made on few points. With half as many the path leaves the
+    /// surface at thin limbs; with 180 at last curves bend as much.
+    std::array<FairingLevel, 2> levels = {{{90, 3, 20, 1e-2}, {128, 6, 12, 1e-5}}};
+    /// Where the surface turns by more than this from point to point (radians), each further
+    /// `turnOfSegment` counts as a segment: points are denser at sharp edges.
+    double freeTurn = 0.17, turnOfSegment = 0.26;
+    /// Of the Hessian's diagonal. Few paths need more than the first.
+    double firstDamping = 1e-4, leastDamping = 1e-8, dampingGrowth = 6.0, dampingDecay = 0.25;
+    int mostTrials = 6;  // of a step, each damped more
+    /// Of a point, in mean segments: farther away the derivatives say nothing of the surface.
+    double longestStep = 1.0;
+    /// A step is halved, so many times at most, where a point comes to lie farther from where it
+    /// was sent, in mean segments, or a segment grows by more than this factor and share of a mean
+    /// one: it has come to another part of the surface.
+    int mostHalvings = 6;
+    double farthest = 0.5, longestGrowth = 1.5, growthShare = 0.5;
+    /// Cosine of the turn at a point beyond which a path is stuck in a cusp: from there no small
+    /// step unfolds it.
+    double cuspCosine = 0.0;
+    /// Times the length of the path before: what is longer goes round a part of the surface that
+    /// bends more.
+    double longest = 1.5;
+};
+
+constexpr FairingConstants kFairing;
+
+struct ShapeConstants {
+    /// Of the points that hold a spline, per squared length of the polygon of picks. More takes
+    /// more knots for the same bending; with a hundredth curves bend more between knots.
+    double stiffness = 1e6;
+    /// Share of E_int of the path, with all its bending, that changes are measured against: less
+    /// makes more knots.
+    double measuredShare = 0.3;
+};
+
+constexpr ShapeConstants kShape;
+
+class FairingPolyline {
+public:
+    FairingPolyline(
+        const ExtendedSurface& extended,
+        const PatchLevels* patches,
+        const PickPath& path,
+        const SolverOptions& options
+    )
+        : extended_(extended),
+          finder_(extended, patches),
+          options_(options),
+          picks_(path.picks),
+          lengthBefore_(path.path.length()) {
+        const std::vector<InitialPath::Point>& points = path.path.points;
+        for (const InitialPath::Point& point : points) {
+            Node node;
+            node.foot = {
+                point.point.face, point.point.barycentric[1], point.point.barycentric[2], 0.0
+            };
+            node.position = point.position;
+            node.normal = normalAt(node.foot, Vec3::Zero());
+            now_.push_back(node);
+        }
+        if (options.closed) {
+            now_.pop_back();
+        }
+        std::size_t i = 0;
+        for (const PickConstraint& pick : picks_) {
+            while (points[i].parameter < pick.parameter) {
+                ++i;
+            }
+            pickNodes_.push_back(i);
+        }
+        for (std::size_t k = 1; k < picks_.size(); ++k) {
+            chord_ += (picks_[k].position - picks_[k - 1].position).norm();
+        }
+        if (options.closed) {
+            chord_ += (picks_.front().position - picks_.back().position).norm();
+        }
+    }
+
+    /// False where it has no length.
+    [[nodiscard]] bool comesToRest() {
+        if (!(chord_ > 0.0)) {
+            return false;
+        }
+        for (const FairingLevel& level : kFairing.levels) {
+            placeEvenly(level);
+            double damping = kFairing.firstDamping;
+            for (int step = 0; step < level.mostSteps; ++step) {
+                if (descend(damping) <= level.restShare) {
+                    break;
+                }
+            }
+        }
+        return true;
+    }
+
+    /// Nothing where points lie beyond a boundary, on parts of the surface that no short way joins,
+    /// or in a cusp, or where it has become much longer.
+    [[nodiscard]] std::optional<PickPath> result() const {
+        PickPath faired;
+        double length = 0.0;
+        std::size_t nextPick = 0;
+        for (std::size_t k = 0; k <= segmentCount(); ++k) {
+            const Node& node = now_[k % size()];
+            if (node.foot.face >= extended_.surfaceFaceCount || isCusp(k % size())) {
+                return std::nullopt;
+            }
+            if (k > 0) {
+                const Node& last = now_[k - 1];
+                if (!areJoined(extended_, finder_, last, node)) {
+                    return std::nullopt;
+                }
+                length += (node.position - last.position).norm();
+            }
+            const Vec3 barycentric = node.foot.barycentric().cwiseMax(0.0);
+            InitialPath::Point point{
+                length, {node.foot.face, barycentric / barycentric.sum()}, node.position
+            };
+            if (isFixed_[k % size()]) {
+                const PickConstraint& pick = picks_[nextPick % picks_.size()];
+                point.point = pick.point;
+                if (nextPick < picks_.size()) {
+                    faired.picks.push_back({pick.point, pick.position, length});
+                }
+                ++nextPick;
+            }
+            faired.path.points.push_back(point);
+        }
+        if (length > kFairing.longest * lengthBefore_) {
+            return std::nullopt;
+        }
+        for (InitialPath::Point& point : faired.path.points) {
+            point.parameter /= length;
+        }
+        for (PickConstraint& pick : faired.picks) {
+            pick.parameter /= length;
+        }
+        faired.path.points.back().parameter = 1.0;
+        if (!options_.closed) {
+            faired.picks.back().parameter = 1.0;
+        }
+        return faired;
+    }
+
+private:
+    struct Node : SurfaceNode {
+        Vec3 normal = Vec3::Zero();  // of the faces around, unit
+    };
+
+    // How a node and its normal move by the unknown, its way across the path. Zero at picks.
+    struct Way {
+        Vec3 across = Vec3::Zero(), turn = Vec3::Zero();
+    };
+
+    struct Energy {
+        double bending = 0.0;  // the integral of kappa_g^2
+        double length = 0.0;
+        double total = 0.0;
+    };
+
+    // The turn at a node and the length that is its own, and their derivatives by the unknowns
+    // before, at and after it.
+    struct Turn {
+        double angle = 0.0, length = 0.0;
+        std::array<double, 3> angleBy{}, lengthBy{};
+    };
+
+    // Gradient, and of the Hessian's rows the diagonal and the two entries after it.
+    struct Derivatives {
+        Eigen::VectorXd gradient;
+        std::vector<std::array<double, 3>> rows;
+    };
+
+    [[nodiscard]] std::size_t size() const { return now_.size(); }
+
+    [[nodiscard]] std::size_t segmentCount() const { return size() - (options_.closed ? 0 : 1); }
+
+    [[nodiscard]] std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : size() - 1; }
+
+    [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
+
+    [[nodiscard]] bool hasTurn(std::size_t i) const {
+        return options_.closed || (i > 0 && i + 1 < size());
+    }
+
+    [[nodiscard]] bool isCusp(std::size_t i) const {
+        const Vec3 in = hasTurn(i) ? segment(now_, before(i)) : Vec3(Vec3::Zero());
+        const Vec3 out = hasTurn(i) ? segment(now_, i) : Vec3(Vec3::Zero());
+        return in.dot(out) < kFairing.cuspCosine * in.norm() * out.norm();
+    }
+
+    [[nodiscard]] Vec3 segment(const std::vector<Node>& nodes, std::size_t i) const {
+        return nodes[after(i)].position - nodes[i].position;
+    }
+
+    [[nodiscard]] Vec3 normalAt(const FootPoint& foot, const Vec3& otherwise) const {
+        const Vec3 normal = extended_.normalAt(foot.face, foot.barycentric());
+        const double length = normal.norm();
+        return length > 0.0 ? Vec3(normal / length) : otherwise;
+    }
+
+    // Puts a node that has been moved onto the surface.
+    void settle(Node& node) const {
+        node.foot.height = 0.0;
+        node.position = extended_.position({node.foot.face, node.foot.barycentric()});
+        node.normal = normalAt(node.foot, node.frame.direction);
+    }
+
+    // By segment: its length, and more of it where the surface turns.
+    [[nodiscard]] std::vector<double> measures(int segments) const {
+        std::vector<double> result(segmentCount());
+        double length = 0.0;
+        for (std::size_t i = 0; i < segmentCount(); ++i) {
+            result[i] = segment(now_, i).norm();
+            length += result[i];
+        }
+        for (std::size_t i = 0; i < segmentCount(); ++i) {
+            const Vec3& a = now_[i].normal;
+            const Vec3& b = now_[after(i)].normal;
+            const double turn = std::atan2(a.cross(b).norm(), a.dot(b)) - kFairing.freeTurn;
+            result[i] += std::max(0.0, turn) / kFairing.turnOfSegment * length / segments;
+        }
+        return result;
+    }
+
+    // Spreads points from pick to pick, at even steps by measure, each near the point before it.
+    void placeEvenly(const FairingLevel& level) {
+        const std::vector<double> measure = measures(level.segments);
+        double whole = 0.0;
+        for (const double part : measure) {
+            whole += part;
+        }
+        std::vector<Node> nodes;
+        std::vector<Vec3> targets;
+        std::vector<std::size_t> pickNodes;
+        for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
+            pickNodes.push_back(nodes.size());
+            const std::size_t first = pickNodes_[pick];
+            const std::size_t end =
+                pick + 1 < picks_.size() ? pickNodes_[pick + 1] : segmentCount();
+            double leg = 0.0;
+            for (std::size_t i = first; i < end; ++i) {
+                leg += measure[i];
+            }
+            const int count = first == end
+                                  ? 1  // the last pick of an open path
+                                  : std::max(
+                                        level.leastOfLeg,
+                                        static_cast<int>(std::lround(level.segments * leg / whole))
+                                    );
+            std::size_t i = first;
+            double passed = 0.0;
+            for (int k = 0; k < count; ++k) {
+                const double goal = leg * k / count;
+                while (i + 1 < end && passed + measure[i] < goal) {
+                    passed += measure[i++];
+                }
+                const double share =
+                    k > 0 && measure[i] > 0.0 ? std::min(1.0, (goal - passed) / measure[i]) : 0.0;
+                nodes.push_back(now_[i]);
+                targets.push_back(
+                    k > 0 ? Vec3(now_[i].position + share * segment(now_, i)) : now_[i].position
+                );
+            }
+        }
+        now_ = std::move(nodes);
+        pickNodes_ = std::move(pickNodes);
+        isFixed_.assign(size(), 0);
+        for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
+            const std::size_t node = pickNodes_[pick];
+            const SurfacePoint& point = picks_[pick].point;
+            isFixed_[node] = 1;
+            now_[node].foot = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
+            targets[node] = picks_[pick].position;
+        }
+        std::vector<FibreProjector::Move> moves;
+        for (std::size_t i = 0; i < size(); ++i) {
+            moves.push_back({targets[i], &now_[i].foot, &now_[i].frame});
+        }
+        static_cast<void>(finder_.moveAll(moves));
+        for (Node& node : now_) {
+            settle(node);
+        }
+        for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
+            now_[pickNodes_[pick]].position = picks_[pick].position;
+        }
+        trial_ = now_;
+        energy_ = energyOf(now_);
+    }
+
+    [[nodiscard]] Energy energyOf(const std::vector<Node>& nodes) const {
+        Energy energy;
+        std::vector<double> lengths(segmentCount());
+        for (std::size_t i = 0; i < segmentCount(); ++i) {
+            lengths[i] = segment(nodes, i).norm();
+            energy.length += lengths[i];
+        }
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (hasTurn(i)) {
+                const Vec3 in = segment(nodes, before(i));
+                const Vec3 out = segment(nodes, i);
+                const double angle = std::atan2(nodes[i].normal.dot(in.cross(out)), in.dot(out));
+                energy.bending += angle * angle / (0.5 * (lengths[before(i)] + lengths[i]));
+            }
+        }
+        const double stretch = energy.length / chord_;
+        energy.total = (1.0 - options_.tension) * energy.length * energy.bending +
+                       options_.tension * stretch * stretch;
+        return energy;
+    }
+
+    [[nodiscard]] Way wayOf(std::size_t i) const {
+        const Node& node = now_[i];
+        const Vec3 along = segment(now_, before(i)).normalized() + segment(now_, i).normalized();
+        const Vec3 across = node.normal.cross(along).normalized();
+        const Triangle& face = extended_.faces[node.foot.face];
+        const Vec3& corner = extended_.vertices[face[0]];
+        const double u = node.frame.u.dot(across);
+        const double v = node.frame.v.dot(across);
+        const Vec3 normal = extended_.vertexNormal(face[0]);
+        const double length = extended_.normalAt(node.foot.face, node.foot.barycentric()).norm();
+        Way way;
+        way.across =
+            u * (extended_.vertices[face[1]] - corner) + v * (extended_.vertices[face[2]] - corner);
+        if (length > 0.0) {
+            const Vec3 turn = (u * (extended_.vertexNormal(face[1]) - normal) +
+                               v * (extended_.vertexNormal(face[2]) - normal)) /
+                              length;
+            way.turn = turn - turn.dot(node.normal) * node.normal;
+        }
+        return way;
+    }
+
+    [[nodiscard]] Turn turnAt(std::size_t i) const {
+        const Vec3 in = segment(now_, before(i));
+        const Vec3 out = segment(now_, i);
+        const Vec3& n = now_[i].normal;
+        const double sine = n.dot(in.cross(out));
+        const double cosine = in.dot(out);
+        const double squares = sine * sine + cosine * cosine;
+        const double inLength = in.norm();
+        const double outLength = out.norm();
+        const std::array<const Way*, 3> ways = {&ways_[before(i)], &ways_[i], &ways_[after(i)]};
+        Turn turn;
+        turn.angle = std::atan2(sine, cosine);
+        turn.length = 0.5 * (inLength + outLength);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& across = ways[k]->across;
+            // Of `in` and `out` by the node before, the node and the node after.
+            const double inSign = k == 0 ? -1.0 : (k == 1 ? 1.0 : 0.0);
+            const double outSign = k == 2 ? 1.0 : (k == 1 ? -1.0 : 0.0);
+            double sineBy = inSign * n.dot(across.cross(out)) + outSign * n.dot(in.cross(across));
+            if (k == 1) {
+                sineBy += ways[k]->turn.dot(in.cross(out));
+            }
+            const double cosineBy = inSign * across.dot(out) + outSign * across.dot(in);
+            turn.angleBy[k] = squares > 0.0 ? (cosine * sineBy - sine * cosineBy) / squares : 0.0;
+            turn.lengthBy[k] =
+                0.5 * (inSign * in.dot(across) / inLength + outSign * out.dot(across) / outLength);
+        }
+        return turn;
+    }
+
+    // Of Gauss and Newton: bending as a sum of the squares (angle / sqrt(length))^2, whose own
+    // second derivatives are left out, times the length; and the bending times the second
+    // derivatives of the length.
+    void differentiate() {
+        ways_.assign(size(), {});
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (!isFixed_[i]) {
+                ways_[i] = wayOf(i);
+            }
+        }
+        derivatives_.gradient = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size()));
+        derivatives_.rows.assign(size(), {0.0, 0.0, 0.0});
+        const double bendingWeight = 2.0 * (1.0 - options_.tension) * energy_.length;
+        const double lengthWeight = (1.0 - options_.tension) * energy_.bending +
+                                    2.0 * options_.tension * energy_.length / (chord_ * chord_);
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (hasTurn(i)) {
+                addTurn(i, bendingWeight);
+            }
+        }
+        for (std::size_t i = 0; i < segmentCount(); ++i) {
+            addSegment(i, lengthWeight);
+        }
+    }
+
+    [[nodiscard]] double& gradientAt(std::size_t i) {
+        return derivatives_.gradient[static_cast<Eigen::Index>(i)];
+    }
+
+    void addTurn(std::size_t i, double weight) {
+        const Turn turn = turnAt(i);
+        const std::array<std::size_t, 3> nodes = {before(i), i, after(i)};
+        const double root = std::sqrt(turn.length);
+        std::array<double, 3> slope{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            slope[k] =
+                turn.angleBy[k] / root - 0.5 * turn.angle * turn.lengthBy[k] / (root * turn.length);
+            gradientAt(nodes[k]) += weight * slope[k] * turn.angle / root;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t j = k; j < 3; ++j) {
+                derivatives_.rows[nodes[k]][j - k] += weight * slope[k] * slope[j];
+            }
+        }
+    }
+
+    void addSegment(std::size_t i, double weight) {
+        const std::size_t next = after(i);
+        const Vec3 way = segment(now_, i);
+        const double length = way.norm();
+        const Vec3 tangent = way / length;
+        const Vec3& a = ways_[i].across;
+        const Vec3& b = ways_[next].across;
+        gradientAt(i) -= weight * tangent.dot(a);
+        gradientAt(next) += weight * tangent.dot(b);
+        const Vec3 aAside = a - tangent.dot(a) * tangent;
+        const Vec3 bAside = b - tangent.dot(b) * tangent;
+        derivatives_.rows[i][0] += weight / length * aAside.squaredNorm();
+        derivatives_.rows[next][0] += weight / length * bAside.squaredNorm();
+        derivatives_.rows[i][1] -= weight / length * aAside.dot(bAside);
+    }
+
+    // Newton's step with the diagonal damped; nothing where the Hessian is not positive.
+    [[nodiscard]] std::optional<Eigen::VectorXd> stepWith(double damping) const {
+        BandCholesky<1> factor(static_cast<int>(size()), 2, options_.closed ? 2 : 0);
+        factor.clear();
+        const auto add = [&](std::size_t i, std::size_t j, double value) {
+            const auto [low, high] = std::minmax(i, j);
+            if (!isFixed_[i] && !isFixed_[j]) {
+                factor.add(static_cast<int>(high), static_cast<int>(low), &value, 1);
+            }
+        };
+        Eigen::VectorXd right = -derivatives_.gradient;
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (isFixed_[i]) {
+                const double one = 1.0;
+                factor.add(static_cast<int>(i), static_cast<int>(i), &one, 1);
+                right[static_cast<Eigen::Index>(i)] = 0.0;
+                continue;
+            }
+            const auto& [diagonal, first, second] = derivatives_.rows[i];
+            add(i, i, (1.0 + damping) * diagonal);
+            add(i, after(i), first);
+            add(i, after(after(i)), second);
+        }
+        return factor.factorise() ? std::optional(factor.solve(std::move(right))) : std::nullopt;
+    }
+
+    // One step; returns the share of the energy that it gains.
+    double descend(double& damping) {
+        differentiate();
+        const double mean = energy_.length / static_cast<double>(segmentCount());
+        for (int trial = 0; trial < kFairing.mostTrials; ++trial) {
+            if (std::optional<Eigen::VectorXd> step = stepWith(damping)) {
+                const double longest = step->lpNorm<Eigen::Infinity>();
+                *step *= std::min(1.0, kFairing.longestStep * mean / longest);
+                for (int i = 0; !tryStep(*step, mean) && i < kFairing.mostHalvings; ++i) {
+                    *step *= 0.5;
+                }
+                const Energy after = energyOf(trial_);
+                if (isTrialNear_ && after.total < energy_.total) {
+                    const double gain = (energy_.total - after.total) / energy_.total;
+                    std::swap(now_, trial_);
+                    energy_ = after;
+                    damping = std::max(kFairing.leastDamping, damping * kFairing.dampingDecay);
+                    return gain;
+                }
+            }
+            damping *= kFairing.dampingGrowth;
+        }
+        return 0.0;
+    }
+
+    // Whether all points of the trial came to lie where they were sent.
+    bool tryStep(const Eigen::VectorXd& step, double mean) {
+        trial_ = now_;
+        std::vector<FibreProjector::Move> moves;
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (!isFixed_[i]) {
+                const Vec3 way = step[static_cast<Eigen::Index>(i)] * ways_[i].across;
+                FibreProjector::predict(way, now_[i].frame, trial_[i].foot);
+                moves.push_back({now_[i].position + way, &trial_[i].foot, &trial_[i].frame});
+            }
+        }
+        static_cast<void>(finder_.moveAll(moves));
+        isTrialNear_ = true;
+        auto move = moves.begin();
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (!isFixed_[i]) {
+                settle(trial_[i]);
+                const double missed = (trial_[i].position - (move++)->p).norm();
+                isTrialNear_ = isTrialNear_ && missed <= kFairing.farthest * mean;
+            }
+        }
+        for (std::size_t i = 0; i < segmentCount(); ++i) {
+            const double longest =
+                kFairing.longestGrowth * segment(now_, i).norm() + kFairing.growthShare * mean;
+            isTrialNear_ = isTrialNear_ && segment(trial_, i).norm() <= longest;
+        }
+        return isTrialNear_;
+    }
+
+    const ExtendedSurface& extended_;
+    FibreProjector finder_;
+    const SolverOptions& options_;
+    const std::vector<PickConstraint>& picks_;
+    double lengthBefore_;  // of the path
+    double chord_ = 0.0;   // length of the polygon of picks
+    std::vector<Node> now_, trial_;
+    bool isTrialNear_ = false;
+    std::vector<std::size_t> pickNodes_;  // of each pick
+    std::vector<char> isFixed_;           // by node: it is a pick
+    std::vector<Way> ways_;               // by node
+    Derivatives derivatives_;
+    Energy energy_;
+};
+
+// The second derivative by differences at a point of a path that has others on both sides; `share`:
+// of the parameters that is nearest to it.
+Vec3 secondAt(
+    const InitialPath& path, std::size_t before, std::size_t i, std::size_t after, double& share
+) {
+    const auto gap = [&](std::size_t from, std::size_t to) {
+        const double difference = path.points[to].parameter - path.points[from].parameter;
+        return difference < 0.0 ? difference + 1.0 : difference;  // of a closed one
+    };
+    const Vec3& here = path.points[i].position;
+    const double in = gap(before, i);
+    const double out = gap(i, after);
+    share = 0.5 * (in + out);
+    return ((path.points[after].position - here) / out -
+            (here - path.points[before].position) / in) /
+           share;
+}
+
+}  // namespace
+
+std::optional<PickPath> fairedPath(
+    const ExtendedSurface& extended,
+    const PatchLevels* patches,
+    const PickPath& path,
+    const SolverOptions& options
+) {
+    FairingPolyline polyline(extended, patches, path, options);
+    return polyline.comesToRest() ? polyline.result() : std::nullopt;
+}
+
+FairedShape fairedShapeOf(
+    const PickPath& faired, const SolverOptions& options, double chordLength
+) {
+    const InitialPath& path = faired.path;
+    const std::size_t last = path.points.size() - 1;
+    const double scale = 1.0 / (chordLength * chordLength);
+    FairedShape shape;
+    shape.stiffness = kShape.stiffness * scale;
+    double bending = 0.0;
+    std::size_t nextPick = 0;
+    for (std::size_t i = 0; i <= last; ++i) {
+        const InitialPath::Point& here = path.points[i];
+        FairedShape::Point point{here.parameter, 0.0, here.position, Vec3::Zero()};
+        double share = 0.0;
+        if (i > 0 && i < last) {
+            point.second = secondAt(path, i - 1, i, i + 1, share);
+        } else if (options.closed) {
+            point.second = secondAt(path, last - 1, i == 0 ? last : i, 1, share);
+        }
+        bending += share * point.second.squaredNorm();
+        const bool isPick = i == last || (nextPick < faired.picks.size() &&
+                                          faired.picks[nextPick].parameter == here.parameter);
+        if (isPick) {
+            ++nextPick;
+        } else {
+            point.share = share;
+        }
+        shape.points.push_back(point);
+    }
+    if (!options.closed) {
+        shape.points.front().second = shape.points[1].second;
+        shape.points.back().second = shape.points[last - 1].second;
+    }
+    const double length = path.length();
+    shape.energy = kShape.measuredShare * scale *
+                   ((1.0 - options.tension) * bending + options.tension * length * length);
+    return shape;
+}
+
+}  // namespace bspline_curve

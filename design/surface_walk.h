@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "projection/fibre_projector.h"
+#include "shell/extended_surface.h"
+
+namespace bspline_curve {
+
+/// A point on the surface, by its foot.
+struct SurfaceNode {
+    FootPoint foot;
+    FootFrame frame;
+    Vec3 position = Vec3::Zero();
+};
+
+/// Whether a walk over the surface leads from one node to the next, over sharp edges by short
+/// steps. None leads over a right angle where fibres turn in less than a step; and the straight way
+/// between two nodes may pass through the rim of a thin plate. About a microsecond.
+[[nodiscard]] bool areJoined(
+    const ExtendedSurface& extended,
+    const FibreProjector& finder,
+    const SurfaceNode& from,
+    const SurfaceNode& to
+);
+
+}  // namespace bspline_curve
