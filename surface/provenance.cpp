@@ -106,6 +106,11 @@ int Provenance::inputVertex(int vertex) const {
     return data_ ? data_->repair.vertexOrigins[vertex] : vertex;
 }
 
+std::span<const Triangle> Provenance::unjoinedFaces() const {
+    return data_ ? std::span<const Triangle>(data_->repair.unjoinedFaces)
+                 : std::span<const Triangle>();
+}
+
 std::vector<int> Provenance::vertexRoots() const {
     return data_ ? data_->repair.vertexRoots() : std::vector<int>();
 }

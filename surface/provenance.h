@@ -45,6 +45,13 @@ public:
 
     /// The input's vertex that a vertex is, at the same place. Mending may have doubled it.
     [[nodiscard]] int inputVertex(int vertex) const;
+
+    /// Whether seams were joined that were open in the input.
+    [[nodiscard]] bool hasSeams() const { return !unjoinedFaces().empty(); }
+
+    /// For each face its vertices of the input, as they were before such seams were joined: those
+    /// of its own side. Empty where there are none.
+    [[nodiscard]] std::span<const Triangle> unjoinedFaces() const;
     /// One number for all vertices that are one in the input or along seams, see PartedEdges; empty
     /// where nothing was mended.
     [[nodiscard]] std::vector<int> vertexRoots() const;
