@@ -366,6 +366,7 @@ void bringToInput(const Surface& surface, ImprintedMesh& imprinted) {
     imprinted.parents = imprinted.ownParents;
     if (provenance.isIdentity()) {
         imprinted.newVertices = imprinted.ownPlaces;
+        imprinted.doubledVertices.resize(imprinted.newVertices.size(), -1);
         return;
     }
     for (int& parent : imprinted.parents) {
@@ -376,10 +377,12 @@ void bringToInput(const Surface& surface, ImprintedMesh& imprinted) {
         const int face = *surface.facesAround(copy).begin();
         const Vec3 corner = Vec3::Unit(cornerOf(surface.faces()[face], copy));
         imprinted.newVertices.push_back(provenance.toInput({.face = face, .barycentric = corner}));
+        imprinted.doubledVertices.push_back(provenance.inputVertex(copy));
     }
     for (const SurfacePoint& point : imprinted.ownPlaces) {
         imprinted.newVertices.push_back(provenance.toInput(point));
     }
+    imprinted.doubledVertices.resize(imprinted.newVertices.size(), -1);
 }
 
 }  // namespace

@@ -24,6 +24,10 @@ namespace bspline_curve {
 /// Curves as edges of the workpiece's mesh, and the parts between them.
 struct Imprint {
     std::shared_ptr<const Workpiece> workpiece;
+    /// On the workpiece's surface, whose seams are joined: parts are found and cut out here.
+    std::shared_ptr<const ImprintedMesh> joined;
+    /// With the seams of the workpiece's mesh, see unjoined(); the same one where no seams were
+    /// joined.
     std::shared_ptr<const ImprintedMesh> mesh;
     MeshParts parts;
     double seconds = 0.0;  ///< of imprinting, without finding parts

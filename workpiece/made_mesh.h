@@ -15,8 +15,10 @@ namespace bspline_curve {
 /// that hosts can carry over what goes with that. Shares the imprint with other parts of it.
 class MadeMesh {
 public:
+    /// `joined` and `imprint`: see Imprint; `taken`: of the latter.
     MadeMesh(
         std::shared_ptr<const Workpiece> workpiece,
+        std::shared_ptr<const ImprintedMesh> joined,
         std::shared_ptr<const ImprintedMesh> imprint,
         FilledParts taken
     );
@@ -44,6 +46,7 @@ public:
 
 private:
     std::shared_ptr<const Workpiece> workpiece_;
+    std::shared_ptr<const ImprintedMesh> joined_;
     std::shared_ptr<const ImprintedMesh> imprint_;
     FilledParts taken_;
 };
