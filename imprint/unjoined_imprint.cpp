@@ -7,8 +7,10 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -19,17 +21,15 @@ public:
     Unjoiner(const Surface& surface, const ImprintedMesh& joined)
         : surface_(surface),
           provenance_(surface.provenance()),
-          unjoinedFaces_(provenance_.unjoinedFaces()),
+          corners_(provenance_.inputCorners()),
           result_(joined),
-          inputCount_(joined.mesh.vertices.size() - joined.newVertices.size()),
-          joinedInto_(inputCount_, -1),
-          copies_(joined.ownPlaces.size(), Copy{}) {
-        for (const auto& [vertex, into] : provenance_.report()->joinedVertices) {
-            joinedInto_[vertex] = into;
-        }
-    }
+          inputCount_(static_cast<int>(surface.input().vertices.size())),
+          home_(joined.surfaceVertexCount, kNone),
+          takenFor_(inputCount_, -1),
+          copies_(joined.ownPlaces.size(), Copy{}) {}
 
-    ImprintedMesh run() {
+    [[nodiscard]] ImprintedMesh run() {
+        findHomes();
         for (std::size_t i = 0; i < copies_.size(); ++i) {
             doubleOnSeam(i);
         }
@@ -38,23 +38,46 @@ public:
                 vertex = ofItsSide(vertex, result_.ownParents[f]);
             }
         }
+        for (ImprintedCurve& curve : result_.curves) {
+            for (int& vertex : curve.vertices) {
+                vertex = atHome(vertex);
+            }
+        }
+        for (int& vertex : result_.crossings) {
+            vertex = atHome(vertex);
+        }
+        leaveOutUnused();
+        std::ranges::sort(result_.crossings);
         return std::move(result_);
     }
 
 private:
+    static constexpr int kNone = -2;  // of vertices without faces; -1: the input has no such vertex
+
     /// Of a new vertex on a seam.
     struct Copy {
         int face = -1;  ///< of the surface, on the side that the copy is for; -1: there is none
         int vertex = -1;
     };
 
-    /// An edge of a face of the surface by its vertices before seams were joined, ascending.
-    [[nodiscard]] std::array<int, 2> unjoinedEdge(int face, int a, int b) const {
-        const Triangle& corners = surface_.faces()[face];
-        const auto [low, high] = std::minmax(
-            {unjoinedFaces_[face].at(cornerOf(corners, a)),
-             unjoinedFaces_[face].at(cornerOf(corners, b))}
-        );
+    /// What each vertex of the surface is in the input: itself, if any of its corners is that, else
+    /// what its first corner is.
+    void findHomes() {
+        for (int f = 0; f < surface_.faceCount(); ++f) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int vertex = surface_.faces()[f][k];
+                if (home_[vertex] == kNone || corners_[f][k] == vertex) {
+                    home_[vertex] = corners_[f][k];
+                }
+            }
+        }
+    }
+
+    /// An edge of a face of the surface by its vertices in the input, ascending.
+    [[nodiscard]] std::array<int, 2> inputEdge(int face, int a, int b) const {
+        const Triangle& own = surface_.faces()[face];
+        const auto [low, high] =
+            std::minmax({corners_[face].at(cornerOf(own, a)), corners_[face].at(cornerOf(own, b))});
         return {low, high};
     }
 
@@ -69,30 +92,26 @@ private:
         if (across < 0) {
             return;
         }
-        const Triangle& corners = surface_.faces()[face];
-        const int a = corners[(k + 1) % 3];
-        const int b = corners[(k + 2) % 3];
-        const std::array<int, 2> here = unjoinedEdge(face, a, b);
-        const std::array<int, 2> there = unjoinedEdge(across, a, b);
+        const Triangle& own = surface_.faces()[face];
+        const int a = own[(k + 1) % 3];
+        const int b = own[(k + 2) % 3];
+        const std::array<int, 2> here = inputEdge(face, a, b);
+        const std::array<int, 2> there = inputEdge(across, a, b);
         if (here == there) {
             return;
         }
         const auto [keeping, copying] =
             here < there ? std::pair(face, across) : std::pair(across, face);
         const int vertex = result_.surfaceVertexCount + static_cast<int>(i);
-        setPlace(vertex, placeIn(i, keeping));
-        copies_[i] = {copying, append(vertex, placeIn(i, copying), -1)};
+        const SurfacePoint kept = placeIn(i, keeping);
+        const SurfacePoint copied = placeIn(i, copying);
+        result_.ownPlaces[i] = kept;
+        result_.newVertices[vertex - inputCount_] = provenance_.toInput(kept);
+        copies_[i] = {copying, append(vertex, copied, -1)};
     }
 
     [[nodiscard]] SurfacePoint placeIn(std::size_t i, int face) const {
         return inFace(surface_, result_.ownPlaces[i], face);
-    }
-
-    void setPlace(int vertex, const SurfacePoint& own) {
-        result_.newVertices[vertex - inputCount_] = provenance_.toInput(own);
-        if (vertex >= result_.surfaceVertexCount) {
-            result_.ownPlaces[vertex - result_.surfaceVertexCount] = own;
-        }
     }
 
     int append(int vertex, const SurfacePoint& own, int doubled) {
@@ -111,15 +130,23 @@ private:
             return copying == face ? copy : vertex;
         }
         const int k = cornerOf(surface_.faces()[face], vertex);
-        const int input = unjoinedFaces_[face].at(k);
         const SurfacePoint corner{.face = face, .barycentric = Vec3::Unit(k)};
-        if (input == provenance_.inputVertex(vertex)) {
-            if (vertex >= static_cast<int>(inputCount_)) {
-                setPlace(vertex, corner);
-            }
+        return ofInput(vertex, corners_[face].at(k), corner);
+    }
+
+    /// A vertex of the surface as one of the input, at a corner where it is that.
+    int ofInput(int vertex, int input, const SurfacePoint& corner) {
+        if (input == vertex) {
             return vertex;
         }
-        if (joinedInto_[input] == vertex) {
+        if (vertex >= inputCount_ && input == home_[vertex]) {
+            result_.newVertices[vertex - inputCount_] = provenance_.toInput(corner);
+            result_.doubledVertices[vertex - inputCount_] = input;
+            return vertex;
+        }
+        const bool isFree = surface_.facesAround(input).empty();
+        if (isFree && (takenFor_[input] < 0 || takenFor_[input] == vertex)) {
+            takenFor_[input] = vertex;
             return input;
         }
         // Mending has parted faces here as well, and others of them have the vertex.
@@ -130,12 +157,66 @@ private:
         return copy->second;
     }
 
+    /// Of the vertices that stand for one of the joined imprint the one that curves name.
+    [[nodiscard]] int atHome(int vertex) {
+        if (vertex >= result_.surfaceVertexCount || home_[vertex] == vertex) {
+            return vertex;
+        }
+        for (const int face : surface_.facesAround(vertex)) {
+            const int k = cornerOf(surface_.faces()[face], vertex);
+            if (corners_[face].at(k) == home_[vertex]) {
+                return ofItsSide(vertex, face);
+            }
+        }
+        return vertex;
+    }
+
+    /// Where faces were joined anew, they have left copies behind.
+    void leaveOutUnused() {
+        const auto count = static_cast<int>(result_.mesh.vertices.size());
+        std::vector<char> isKept(count, 0);
+        std::fill_n(isKept.begin(), inputCount_, 1);
+        for (const Triangle& face : result_.mesh.faces) {
+            for (const int vertex : face) {
+                isKept[vertex] = 1;
+            }
+        }
+        std::vector<int> ids(count);
+        std::exclusive_scan(isKept.begin(), isKept.end(), ids.begin(), 0);
+        const auto keep = [&](auto& list, int first) {
+            std::size_t kept = 0;
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                if (isKept[first + i] != 0) {
+                    list[kept++] = list[i];
+                }
+            }
+            list.resize(kept);
+        };
+        keep(result_.mesh.vertices, 0);
+        keep(result_.newVertices, inputCount_);
+        keep(result_.doubledVertices, inputCount_);
+        keep(result_.ownPlaces, result_.surfaceVertexCount);
+        const auto ofSurface = std::span(isKept).first(result_.surfaceVertexCount);
+        result_.surfaceVertexCount = static_cast<int>(std::ranges::count(ofSurface, 1));
+        const auto renumber = [&](auto& list) {
+            for (int& vertex : list) {
+                vertex = ids[vertex];
+            }
+        };
+        std::ranges::for_each(result_.mesh.faces, renumber);
+        for (ImprintedCurve& curve : result_.curves) {
+            renumber(curve.vertices);
+        }
+        renumber(result_.crossings);
+    }
+
     const Surface& surface_;
     const Provenance& provenance_;
-    std::span<const Triangle> unjoinedFaces_;
+    std::span<const Triangle> corners_;
     ImprintedMesh result_;
-    std::size_t inputCount_;
-    std::vector<int> joinedInto_;                 // by vertex of the input; -1: none
+    int inputCount_;
+    std::vector<int> home_;                       // of the surface's vertices
+    std::vector<int> takenFor_;                   // the input's vertices, by whom; -1: nobody
     std::vector<Copy> copies_;                    // of the joined imprint's new vertices
     std::map<std::pair<int, int>, int> doubled_;  // by vertices of the surface and the input
 };
@@ -143,7 +224,7 @@ private:
 }  // namespace
 
 ImprintedMesh unjoined(const Surface& surface, const ImprintedMesh& joined) {
-    return surface.provenance().hasSeams() ? Unjoiner(surface, joined).run() : joined;
+    return surface.provenance().hasInputCorners() ? Unjoiner(surface, joined).run() : joined;
 }
 
 }  // namespace bspline_curve

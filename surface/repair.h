@@ -63,9 +63,10 @@ struct MeshRepair {
     /// Likewise along those seams alone that only faces without area had closed before; empty where
     /// there are none.
     std::vector<int> closedSeamRoots;
-    /// For each face its vertices of the given mesh, as they were before seams were joined that
-    /// were open there; empty where none were.
-    std::vector<Triangle> unjoinedFaces;
+    /// For each face the given mesh's vertices at its corners, where these are not all the origins
+    /// of its vertices, since seams were joined that were open there; else empty. -1: the given
+    /// mesh has no vertex there.
+    std::vector<Triangle> cornerOrigins;
     /// Edges of faces without area that were removed, by their vertices, ascending.
     std::vector<std::array<int, 2>> removedEdges;
     /// Whether edges of two faces were cut, or seams left open, since the sides of faces disagree

@@ -510,7 +510,7 @@ private:
             }
         }
         if (isAnyOpen) {
-            repair_.unjoinedFaces = std::move(given_);
+            repair_.cornerOrigins = std::move(given_);
         }
     }
 

@@ -6,6 +6,7 @@
 #include "imprint/slits.h"
 #include "imprint/unjoined_imprint.h"
 #include "shell/extended_surface.h"
+#include "surface/lines_over_parted_edges.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
@@ -62,25 +63,29 @@ CutMeshes::Piece pieceOf(const Imprint& imprint, std::vector<int> parts, FilledP
         taken = unjoined(taken, *imprint.joined, *imprint.mesh);
     }
     return {
-        std::move(parts),
-        MadeMesh(imprint.workpiece, imprint.joined, imprint.mesh, std::move(taken))
+        std::move(parts), MadeMesh(imprint.surface, imprint.joined, imprint.mesh, std::move(taken))
     };
 }
 
 }  // namespace
 
 Imprint imprintOn(
-    std::shared_ptr<const Workpiece> workpiece,
+    const Workpiece& workpiece,
     std::span<const SurfacePolyline> lines,
     const ImprintOptions& options,
     const Progress& progress
 ) {
     report(progress, 0.0, "imprinting");
-    Imprint result{.workpiece = std::move(workpiece), .joined = {}, .mesh = {}, .parts = {}};
-    const Surface& surface = result.workpiece->surface();
     Stopwatch watch;
-    result.joined = std::make_shared<const ImprintedMesh>(imprint(surface, lines, options));
-    result.mesh = surface.provenance().hasSeams()
+    JoinedLines joined = joinedFor(workpiece.sharedSurface(), lines);
+    const Surface& surface = *joined.surface;
+    Imprint result{
+        .surface = std::move(joined.surface),
+        .joined = std::make_shared<const ImprintedMesh>(imprint(surface, joined.lines, options)),
+        .mesh = {},
+        .parts = {}
+    };
+    result.mesh = surface.provenance().hasInputCorners()
                       ? std::make_shared<const ImprintedMesh>(unjoined(surface, *result.joined))
                       : result.joined;
     result.seconds = watch.lap();
@@ -92,7 +97,7 @@ Imprint imprintOn(
 
 MadeMesh wholeMesh(const Imprint& imprint) {
     return {
-        imprint.workpiece, imprint.joined, imprint.mesh, wholeImprint(*imprint.mesh, imprint.parts)
+        imprint.surface, imprint.joined, imprint.mesh, wholeImprint(*imprint.mesh, imprint.parts)
     };
 }
 

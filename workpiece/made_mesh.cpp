@@ -9,19 +9,19 @@
 namespace bspline_curve {
 
 MadeMesh::MadeMesh(
-    std::shared_ptr<const Workpiece> workpiece,
+    std::shared_ptr<const Surface> surface,
     std::shared_ptr<const ImprintedMesh> joined,
     std::shared_ptr<const ImprintedMesh> imprint,
     FilledParts taken
 )
-    : workpiece_(std::move(workpiece)),
+    : surface_(std::move(surface)),
       joined_(std::move(joined)),
       imprint_(std::move(imprint)),
       taken_(std::move(taken)) {}
 
 int MadeMesh::vertexOf(int vertex) const {
     const int imprinted = taken_.source[vertex];
-    const auto inputCount = static_cast<int>(workpiece_->mesh().vertices.size());
+    const auto inputCount = static_cast<int>(surface_->input().vertices.size());
     return imprinted < inputCount ? imprinted : imprint_->doubledVertices[imprinted - inputCount];
 }
 
@@ -31,20 +31,19 @@ int MadeMesh::faceOf(int face) const {
 }
 
 Vec3 MadeMesh::placeOf(int face, int corner) const {
-    const Surface& surface = workpiece_->surface();
     const int vertex = joined_->mesh.faces[taken_.faces[face]][corner];
     const int own = joined_->ownParents[taken_.faces[face]];
     SurfacePoint place{.face = own};
     if (vertex < joined_->surfaceVertexCount) {
-        place.barycentric = Vec3::Unit(cornerOf(surface.faces()[own], vertex));
+        place.barycentric = Vec3::Unit(cornerOf(surface_->faces()[own], vertex));
     } else {
-        place = inFace(surface, joined_->ownPlaces[vertex - joined_->surfaceVertexCount], own);
+        place = inFace(*surface_, joined_->ownPlaces[vertex - joined_->surfaceVertexCount], own);
     }
-    return surface.provenance().toInput(place).barycentric;
+    return surface_->provenance().toInput(place).barycentric;
 }
 
 std::vector<double> MadeMesh::carried(std::span<const double> values) const {
-    return taken_.carried(interpolated(*imprint_, workpiece_->mesh().faces, values));
+    return taken_.carried(interpolated(*imprint_, surface_->input().faces, values));
 }
 
 std::vector<double> MadeMesh::curveFlags() const {

@@ -100,7 +100,7 @@ def test_all_verbs_take_a_scan_with_many_bad_spots(run, tmp_path):
     succeed(run("imprint", "bad.ply", "--curve", "squares.json", "--output", "out.ply"))
 
 
-def test_a_curve_from_sheet_to_sheet_is_drawn_but_not_imprinted(run, tmp_path):
+def test_a_curve_from_sheet_to_sheet_is_imprinted_but_has_no_offset(run, tmp_path):
     """Three plates that meet in an edge; mending leaves the two that bend least joined."""
     V, F = meshes.plate(cells=6)
     half = V[:, 0] >= 0.5 - 1e-9
@@ -114,10 +114,21 @@ def test_a_curve_from_sheet_to_sheet_is_drawn_but_not_imprinted(run, tmp_path):
     (tmp_path / "picks.json").write_text(json.dumps({"picks": [[0.2, 0.5, 0], [0.5, 0.4, 0.3]]}))
     succeed(run("bad.ply", "--picks", "picks.json", "--output", "curve.json"))
     for words in (("--curve", "curve.json"), ("--picks", "picks.json")):
-        process = run("imprint", "bad.ply", *words, "--output", "out.ply")
-        assert process.returncode == 1 and not (tmp_path / "out.ply").exists()
-        line = process.stderr.splitlines()[-1]
-        assert words[1] in line and "from sheet to sheet" in line and "move its picks" in line
+        succeed(run("imprint", "bad.ply", *words, "--output", "out.ply", "--map", "map.json"))
+        mesh = trimesh.load(tmp_path / "out.ply", process=False)
+        map_ = json.loads((tmp_path / "map.json").read_text())
+        check_origins(V, F, mesh, map_, set())
+        edges = set(map(tuple, np.sort(mesh.edges, axis=1).tolist()))
+        along = map_["curves"][0]["vertices"]
+        assert all(tuple(sorted(pair)) in edges for pair in zip(along, along[1:]))
+        points = json.loads((tmp_path / "curve.json").read_text())["polyline"]["points"]
+        gaps = np.linalg.norm(mesh.vertices[along][None] - np.array(points)[:, None], axis=2)
+        assert gaps.min(1).max() < 1e-12
+        (tmp_path / "out.ply").unlink()
+    process = run("offset", "bad.ply", "--curve", "curve.json", "--distance", 0.05, "--output", "beside.json")
+    assert process.returncode == 1 and not (tmp_path / "beside.json").exists()
+    line = process.stderr.splitlines()[-1]
+    assert "from sheet to sheet" in line and "move its picks" in line
 
 
 def test_welded_parts_are_imprinted_as_one(run, tmp_path):

@@ -40,7 +40,7 @@ SurfacePolyline roundCurve(const Surface& surface) {
 /// A sphere with seams, and a round curve over them.
 struct SeamedBall {
     explicit SeamedBall(const TriangleMesh& mesh) : surface(mesh, MendingOptions()) {
-        EXPECT_TRUE(surface.provenance().hasSeams());
+        EXPECT_TRUE(surface.provenance().hasInputCorners());
         SurfacePolyline curve = roundCurve(surface);
         surface.provenance().bringToInput(curve);
         joined = imprint(surface, std::vector{curve}, {});

@@ -167,7 +167,7 @@ TEST(UnjoinedImprint, HasTheSeamsOfItsInputForRandomCurves) {
           renumbered(slitAlongZ(openCylinder(7, 3)), 3),
           halvedPlate()}) {
         const Surface surface(mesh, MendingOptions());
-        ASSERT_TRUE(surface.provenance().hasSeams());
+        ASSERT_TRUE(surface.provenance().hasInputCorners());
         forEachSeed(caseCount(150, 10), [&](Random& random) {
             expectUnjoined(surface, randomCurves(surface, random));
         });

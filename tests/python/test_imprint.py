@@ -278,15 +278,20 @@ def test_what_is_made_of_a_mended_mesh_has_the_ids_of_the_given_one(arrays, brok
     assert near.shape == (len(faces),) and near.sum() > 50 and gaps.max() < 0.06
 
 
-def test_a_curve_from_sheet_to_sheet_is_not_imprinted(arrays, broken):
+def test_a_curve_from_sheet_to_sheet_is_imprinted_but_has_no_offset(arrays, broken):
     vertices, faces = broken
     with pytest.warns(bspline_curve.MeshWarning):
         mended = bspline_curve.Mesh(vertices, faces)
     flap = vertices[faces[0]].mean(axis=0)
     curve = mended.curve([flap, vertices[faces[720][0]]])
     assert curve.usable
-    with pytest.raises(bspline_curve.InputError, match="curve 0: .* from sheet to sheet"):
-        mended.imprint([curve])
+    imprint = mended.imprint([curve])
+    np.testing.assert_array_equal(imprint.vertices[: len(vertices)], vertices)
+    gaps = np.linalg.norm(imprint.vertices[imprint.curves[0]][None] - curve.points[:, None], axis=2)
+    assert gaps.min(axis=1).max() < 1e-12
+    np.testing.assert_allclose(imprint.values(vertices, faces), imprint.vertices, atol=1e-14)
+    with pytest.raises(bspline_curve.InputError, match="the curve to offset: .* from sheet to sheet"):
+        curve.offset(0.05)
 
 
 # ---- drawings carried to a mesh ----

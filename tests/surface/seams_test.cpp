@@ -144,7 +144,7 @@ TEST(Seams, LeaveASurfaceWhateverIsAround) {
 TEST(Seams, ThatFacesWithoutAreaHadClosedAreNone) {
     TriangleMesh mesh = slitAlongZ(openCylinder(12, 2));
     ASSERT_EQ(findSeams(mesh).size(), 2U);
-    EXPECT_TRUE(mendedSurface(mesh).provenance().hasSeams());
+    EXPECT_TRUE(mendedSurface(mesh).provenance().hasInputCorners());
     const auto at = [&](const Vec3& place, int which) {
         for (int v = 0;; ++v) {
             if ((mesh.vertices.at(v) - place).norm() < 1e-9 && which-- == 0) {
@@ -169,7 +169,7 @@ TEST(Seams, ThatFacesWithoutAreaHadClosedAreNone) {
     const Surface mended = mendedSurface(mesh);
     EXPECT_EQ(mended.provenance().report()->joinedEdges.size(), 2U);
     EXPECT_EQ(boundaryEdges(mended), 24);
-    EXPECT_FALSE(mended.provenance().hasSeams());
+    EXPECT_FALSE(mended.provenance().hasInputCorners());
 }
 
 }  // namespace
