@@ -55,17 +55,18 @@ ExitCode imprintCurves(const ImprintArguments& arguments, ProgressBar& bar) {
     checkOutput(arguments.map);
     checkOutput(arguments.report);
     const ImprintedFile file = imprintedFile(arguments, arguments.request, bar);
-    const auto& [workpiece, imprinted, parts, seconds] = file.imprint;
+    const ImprintedMesh& imprinted = *file.imprint.mesh;
+    const MeshParts& parts = file.imprint.parts;
     bar.show(kImprintedShare, "writing");
     const MadeMesh whole = wholeMesh(file.imprint);
     ResultFiles files;
     files.add(arguments.output, file.bytesOf(arguments.output, whole));
     if (!arguments.map.empty()) {
         const std::vector<double> carried = file.qualityOf(whole);
-        files.add(arguments.map, imprintMapBytes(*imprinted, parts, file.quality, carried));
+        files.add(arguments.map, imprintMapBytes(imprinted, parts, file.quality, carried));
     }
     if (!arguments.report.empty()) {
-        files.add(arguments.report, imprintReportBytes(*imprinted, parts, file.figures));
+        files.add(arguments.report, imprintReportBytes(imprinted, parts, file.figures));
     }
     bar.clear();
     files.commit();

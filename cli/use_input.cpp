@@ -11,7 +11,6 @@
 #include "io/polyline_reader.h"
 #include "io/text_parsing.h"
 #include "surface/picks.h"
-#include "surface/strict_line.h"
 #include "surface/triangle_tree.h"
 #include "utility/stopwatch.h"
 #include "workpiece/curve_notes.h"
@@ -97,10 +96,6 @@ void drawLines(
             );
         }
         printNotes(drawn.notes);
-        // A curve may pass where the mesh is parted, an imprint may not.
-        static_cast<void>(
-            strictLine(taken.workpiece().surface(), drawn.curve.polyline, file.string())
-        );
         take(taken, file, std::move(drawn.curve.polyline));
     }
     taken.drawSeconds += watch.lap();
@@ -210,7 +205,7 @@ ImprintedFile imprintedFile(
     CurvesOnMesh read = curvesOnMesh(arguments, request.use.placing.distance, bar, kReadShare);
     ImprintedFile result{
         .imprint = imprintOn(
-            read.loaded.workpiece,
+            *read.loaded.workpiece,
             read.lines,
             request.imprint,
             progressPart(bar, kReadShare, kImprintedShare)

@@ -14,9 +14,12 @@ namespace bspline_curve {
 /// others leave.
 struct FilledParts {
     TriangleMesh mesh;
-    std::vector<int> source;             ///< for each vertex that of the imprinted mesh; -1: new
-    std::vector<int> faces;              ///< for each face that of the imprinted mesh; -1: new
-    std::vector<int> labels;             ///< for each face its part; -1: new
+    std::vector<int> source;  ///< for each vertex that of the imprinted mesh; -1: new
+    std::vector<int> faces;   ///< for each face that of the imprinted mesh; -1: new
+    std::vector<int> labels;  ///< for each face its part; -1: new
+    /// For the last faces, walls of a relief: the face of the imprinted mesh, at the wall's foot or
+    /// top, that each corner is on.
+    std::vector<Triangle> walls;
     std::vector<std::vector<int>> rims;  ///< of the filled holes, vertices of `mesh`
     std::vector<int> firstNew;           ///< for each of these its first new vertex
     int endOfNew = 0;  ///< behind the last; copies follow, of vertices where holes meet

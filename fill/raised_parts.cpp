@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 
 namespace bspline_curve {
 
@@ -67,13 +68,18 @@ private:
         return std::ranges::binary_search(chosen_, parts_.labels[face]);
     }
 
-    /// Vertices of faces that stay where they are.
+    /// Vertices of faces that stay where they are, and those of these that walls stand on.
     void findBase() {
         isBase_.resize(imprinted_.mesh.vertices.size(), false);
         for (std::size_t f = 0; f < parts_.labels.size(); ++f) {
             if (!isChosen(f)) {
-                for (const int vertex : imprinted_.mesh.faces[f]) {
-                    isBase_[vertex] = true;
+                const Triangle& face = imprinted_.mesh.faces[f];
+                for (std::size_t k = 0; k < 3; ++k) {
+                    isBase_[face[k]] = true;
+                    const auto [low, high] = std::minmax(face[k], face[(k + 1) % 3]);
+                    if (std::ranges::binary_search(edges_, std::array{low, high})) {
+                        below_[{low, high}] = static_cast<int>(f);
+                    }
                 }
             }
         }
@@ -128,6 +134,10 @@ private:
                 if (std::ranges::binary_search(edges_, std::array{low, high})) {
                     whole.mesh.faces.push_back({foot[k], foot[next], top[next]});
                     whole.mesh.faces.push_back({foot[k], top[next], top[k]});
+                    const int above = static_cast<int>(f);
+                    const int below = below_.at({low, high});
+                    whole.walls.push_back({below, below, above});
+                    whole.walls.push_back({below, above, above});
                 }
             }
         }
@@ -139,10 +149,11 @@ private:
     const MeshParts& parts_;
     const std::vector<int>& chosen_;
     double height_;
-    std::vector<std::array<int, 2>> edges_;  // of curves around the parts
-    CutMesh cut_;                            // parts it into fans of raised faces and of others
-    std::vector<bool> isBase_;               // for each imprinted vertex
-    std::vector<int> raised_;                // for each vertex of the cut; -1: not raised
+    std::vector<std::array<int, 2>> edges_;    // of curves around the parts
+    CutMesh cut_;                              // parts it into fans of raised faces and of others
+    std::vector<bool> isBase_;                 // for each imprinted vertex
+    std::map<std::array<int, 2>, int> below_;  // by edges around the parts: faces that stay
+    std::vector<int> raised_;                  // for each vertex of the cut; -1: not raised
     RaisedParts result_;
 };
 

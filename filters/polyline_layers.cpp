@@ -5,6 +5,7 @@
 #include "imprint/polyline_chains.h"
 #include "imprint/projected_polyline.h"
 #include "surface/error_messages.h"
+#include "surface/lines_over_parted_edges.h"
 #include "surface/picks.h"
 #include "surface/strict_line.h"
 #include "surface/surface_point.h"
@@ -129,7 +130,7 @@ private:
         if (surface_.provenance().isIdentity()) {
             return isStrict(surface_, line) ? line : SurfacePolyline();
         }
-        static_cast<void>(strictLine(surface_, line, "layer \"" + layer.label + "\""));
+        checkLine(surface_, line, "layer \"" + layer.label + "\"");
         return line;
     }
 

@@ -54,8 +54,9 @@ struct PlacedCurves {
 /// The curves of all layers on the surface's input: the chains of edges of each, in order, cut
 /// where more than two edges meet. By their places where they know them and lie there still,
 /// exactly; else projected, see projectedPolyline(). Throws InputError (NoPath: no layer has a
-/// curve, the mesh changed since a curve was drawn, or a curve passes from sheet to sheet where
-/// mending parts them; PickTooFar, NoPath: a layer is not near the surface), naming the layer.
+/// curve, the mesh changed since a curve was drawn, or a curve is in no faces of it; PickTooFar,
+/// NoPath: a layer is not near the surface), naming the layer. A curve may pass from sheet to sheet
+/// where mending parts them.
 [[nodiscard]] PlacedCurves placedCurves(
     const Surface& surface, const CurvesOnLayer& input, const Placing& placing
 );

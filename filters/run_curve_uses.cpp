@@ -76,7 +76,7 @@ Imprinted imprinted(
     const std::vector<SurfacePolyline> lines = placed.lines();
     Imprinted result{
         .imprint = imprintOn(
-            placed.workpiece, lines, request.imprint, partOf(progress, kPlacedShare, kPartsShare)
+            *placed.workpiece, lines, request.imprint, partOf(progress, kPlacedShare, kPartsShare)
         ),
         .figures = {},
         .warnings = std::move(placed.warnings)

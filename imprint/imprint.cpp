@@ -366,6 +366,7 @@ void bringToInput(const Surface& surface, ImprintedMesh& imprinted) {
     imprinted.parents = imprinted.ownParents;
     if (provenance.isIdentity()) {
         imprinted.newVertices = imprinted.ownPlaces;
+        imprinted.doubledVertices.resize(imprinted.newVertices.size(), -1);
         return;
     }
     for (int& parent : imprinted.parents) {
@@ -373,13 +374,25 @@ void bringToInput(const Surface& surface, ImprintedMesh& imprinted) {
     }
     const auto first = static_cast<int>(surface.input().vertices.size());
     for (int copy = first; copy < surface.vertexCount(); ++copy) {
+        if (surface.facesAround(copy).empty()) {  // faces were joined anew, which had it
+            imprinted.newVertices.push_back({.face = -1, .barycentric = Vec3::Zero()});
+            imprinted.doubledVertices.push_back(-1);
+            continue;
+        }
         const int face = *surface.facesAround(copy).begin();
-        const Vec3 corner = Vec3::Unit(cornerOf(surface.faces()[face], copy));
-        imprinted.newVertices.push_back(provenance.toInput({.face = face, .barycentric = corner}));
+        const int k = cornerOf(surface.faces()[face], copy);
+        imprinted.newVertices.push_back(
+            provenance.toInput({.face = face, .barycentric = Vec3::Unit(k)})
+        );
+        imprinted.doubledVertices.push_back(
+            provenance.hasInputCorners() ? provenance.inputCorners()[face].at(k)
+                                         : provenance.inputVertex(copy)
+        );
     }
     for (const SurfacePoint& point : imprinted.ownPlaces) {
         imprinted.newVertices.push_back(provenance.toInput(point));
     }
+    imprinted.doubledVertices.resize(imprinted.newVertices.size(), -1);
 }
 
 }  // namespace

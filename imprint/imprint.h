@@ -34,7 +34,8 @@ struct ImprintedMesh {
     TriangleMesh mesh;
     std::vector<int> parents;               ///< for each face, the input face that it is part of
     std::vector<SurfacePoint> newVertices;  ///< for each new vertex, its place on the input
-    std::vector<ImprintedCurve> curves;     ///< in the order of the input
+    std::vector<int> doubledVertices;    ///< likewise, the input's vertex that it doubles; -1: none
+    std::vector<ImprintedCurve> curves;  ///< in the order of the input
     /// Vertices where curves cross, touch, part or end on each other, ascending: where more than
     /// two edges of curves meet.
     std::vector<int> crossings;

@@ -5,7 +5,7 @@
 #include "io/curve_json.h"
 #include "io/json_reader.h"
 #include "io/text_parsing.h"
-#include "surface/strict_line.h"
+#include "surface/lines_over_parted_edges.h"
 #include "surface/surface_point.h"
 
 #include <nlohmann/json.hpp>
@@ -69,7 +69,7 @@ SurfacePolyline curveOf(
             refuseMesh(file, i, "has moved by " + std::to_string(gap));
         }
     }
-    static_cast<void>(strictLine(surface, line, file.string()));
+    checkLine(surface, line, file.string());
     return line;
 }
 

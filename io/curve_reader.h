@@ -15,8 +15,8 @@ namespace bspline_curve {
 /// the curves are on. Throws InputError (UnreadableFile: another format, missing keys, values that
 /// are no surface points; NoPath: not on this mesh, since the file names the checksum of another, a
 /// face does not exist, a position differs by more than 1e-6 diagonals or a segment leaves its
-/// face; or it passes from sheet to sheet where mending parts them), naming file, vertex and what
-/// to do. Files without a checksum are read as well. O(n), for a mended mesh O(n log n).
+/// face, which may lie on a sheet that mending parts from that before), naming file, vertex and
+/// what to do. Files without a checksum are read as well. O(n), for a mended mesh O(n log n).
 [[nodiscard]] std::vector<SurfacePolyline> readCurves(
     const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
 );

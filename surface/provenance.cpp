@@ -59,6 +59,27 @@ MeshRepair composed(const MeshRepair& first, const MeshRepair& second) {
     return both;
 }
 
+/// The input's vertices at the corners of faces that `repair` has made of `between`.
+std::vector<Triangle> cornersThrough(
+    const Provenance& before, const TriangleMesh& between, const MeshRepair& repair
+) {
+    const std::span<const Triangle> earlier = before.inputCorners();
+    std::vector<Triangle> corners(repair.faceOrigins.size(), {-1, -1, -1});
+    for (std::size_t f = 0; f < corners.size(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const auto [origin, place] =
+                repair.toOrigin({.face = static_cast<int>(f), .barycentric = Vec3::Unit(k)});
+            for (int j = 0; j < 3; ++j) {
+                if (place[j] == 1.0) {
+                    corners[f][k] = earlier.empty() ? before.inputVertex(between.faces[origin][j])
+                                                    : earlier[origin][j];
+                }
+            }
+        }
+    }
+    return corners;
+}
+
 }  // namespace
 
 Provenance::Provenance(TriangleMesh input, MeshRepair repair, std::optional<InputError> refusal)
@@ -67,15 +88,13 @@ Provenance::Provenance(TriangleMesh input, MeshRepair repair, std::optional<Inpu
 
 Provenance::Provenance(
     const Provenance& before, const TriangleMesh& between, const MeshRepair& repair
-)
-    : data_(
-          before.isIdentity() ? std::make_shared<const Data>(between, repair, std::nullopt)
-                              : std::make_shared<const Data>(
-                                    before.data_->input,
-                                    composed(before.data_->repair, repair),
-                                    before.data_->refusal
-                                )
-      ) {}
+) {
+    MeshRepair all = before.isIdentity() ? repair : composed(before.data_->repair, repair);
+    all.cornerOrigins = cornersThrough(before, between, repair);
+    data_ = std::make_shared<const Data>(
+        before.isIdentity() ? between : before.data_->input, std::move(all), before.refusal()
+    );
+}
 
 const TriangleMesh* Provenance::input() const {
     return data_ ? &data_->input : nullptr;
@@ -104,6 +123,11 @@ std::string Provenance::note() const {
 
 int Provenance::inputVertex(int vertex) const {
     return data_ ? data_->repair.vertexOrigins[vertex] : vertex;
+}
+
+std::span<const Triangle> Provenance::inputCorners() const {
+    return data_ ? std::span<const Triangle>(data_->repair.cornerOrigins)
+                 : std::span<const Triangle>();
 }
 
 std::vector<int> Provenance::vertexRoots() const {

@@ -26,7 +26,7 @@ public:
     Provenance(TriangleMesh input, MeshRepair repair, std::optional<InputError> refusal);
 
     /// For a mesh that was made of a surface's own, `between`, by a further repair: from there to
-    /// the surface's input. Only points and faces have a place there.
+    /// the surface's input. Only points, faces and corners have a place there.
     Provenance(const Provenance& before, const TriangleMesh& between, const MeshRepair& repair);
 
     [[nodiscard]] bool isIdentity() const { return data_ == nullptr; }
@@ -45,6 +45,15 @@ public:
 
     /// The input's vertex that a vertex is, at the same place. Mending may have doubled it.
     [[nodiscard]] int inputVertex(int vertex) const;
+
+    /// For each face the input's vertices at its corners, where these are not all those of
+    /// inputVertex(): along seams that were open in the input the faces on either side have their
+    /// own, and after a further repair inputVertex() knows none. -1: the input has no vertex at the
+    /// corner. Else empty.
+    [[nodiscard]] std::span<const Triangle> inputCorners() const;
+
+    [[nodiscard]] bool hasInputCorners() const { return !inputCorners().empty(); }
+
     /// One number for all vertices that are one in the input or along seams, see PartedEdges; empty
     /// where nothing was mended.
     [[nodiscard]] std::vector<int> vertexRoots() const;

@@ -60,6 +60,15 @@ struct MeshRepair {
     /// For each vertex of the given mesh the lowest of those that it is joined to along seams;
     /// empty where none is.
     std::vector<int> seamRoots;
+    /// Likewise along those seams alone that only faces without area had closed before; empty where
+    /// there are none.
+    std::vector<int> closedSeamRoots;
+    /// For each face the given mesh's vertices at its corners, where these are not all the origins
+    /// of its vertices, since seams were joined that were open there; else empty. -1: the given
+    /// mesh has no vertex there.
+    std::vector<Triangle> cornerOrigins;
+    /// Edges of faces without area that were removed, by their vertices, ascending.
+    std::vector<std::array<int, 2>> removedEdges;
     /// Whether edges of two faces were cut, or seams left open, since the sides of faces disagree
     /// however they are turned.
     bool isOneSided = false;

@@ -243,6 +243,10 @@ private:
         const EdgeSides::Sides sides = sides_->at(edge);
         const bool isSplit = sides.count == 2 && split(f, top, sides.sum - 3 * f - top);
         if (!isSplit && (sides.count == 1 || isLast)) {
+            for (int k = 0; k < 3; ++k) {
+                const auto [low, high] = sideOf(mesh_.faces[f], k);
+                repair_.removedEdges.push_back({low, high});
+            }
             change(f, {});
             erase(f);
         } else if (!isSplit) {
@@ -397,6 +401,7 @@ void removeDegenerateFaces(MeshRepair& repair) {
     std::ranges::sort(repair.report.removedDegenerateFaces);
     std::ranges::sort(repair.report.mergedVertices);
     sortUnique(repair.report.splitFaces);
+    sortUnique(repair.removedEdges);
 }
 
 int divideFace(MeshRepair& repair, int face, int k, int vertex, double share) {

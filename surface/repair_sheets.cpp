@@ -155,7 +155,10 @@ private:
     }
 
     void joinSeams(const std::vector<Seam>& seams) {
-        DisjointSets roots(seams.empty() ? 0 : repair_.mesh.vertices.size());
+        const std::size_t count = seams.empty() ? 0 : repair_.mesh.vertices.size();
+        DisjointSets roots(count);
+        DisjointSets closed(repair_.removedEdges.empty() ? 0 : count);
+        bool isAnyClosed = false;
         for (const auto& [a, b, isParallel] : seams) {
             if (!patches_.join(a.face, b.face, isParallel)) {
                 repair_.isOneSided = true;
@@ -165,13 +168,28 @@ private:
             const auto end = [&](const HalfEdge& h, int i) {
                 return faces_[h.face][(h.k + i) % 3];
             };
-            roots.unite(end(a, 1), end(b, isParallel ? 1 : 2));
-            roots.unite(end(a, 2), end(b, isParallel ? 2 : 1));
+            const auto unite = [&](DisjointSets& sets) {
+                sets.unite(end(a, 1), end(b, isParallel ? 1 : 2));
+                sets.unite(end(a, 2), end(b, isParallel ? 2 : 1));
+            };
+            unite(roots);
+            if (wasClosed(a) && wasClosed(b)) {
+                isAnyClosed = true;
+                unite(closed);
+            }
             repair_.report.joinedEdges.push_back({{{a.low, a.high}, {b.low, b.high}}});
         }
         if (!repair_.report.joinedEdges.empty()) {
             repair_.seamRoots = std::move(roots).lowest();
         }
+        if (isAnyClosed) {
+            repair_.closedSeamRoots = std::move(closed).lowest();
+        }
+    }
+
+    /// Whether a face without area was at a boundary edge.
+    [[nodiscard]] bool wasClosed(const HalfEdge& h) const {
+        return std::ranges::binary_search(repair_.removedEdges, std::array{h.low, h.high});
     }
 
     void joinIfFree(const HalfEdge& a, const HalfEdge& b, bool areOpposed) {
@@ -474,6 +492,26 @@ private:
             }
         }
         repair_.mesh.faces = split;
+        keepUnjoined();
+    }
+
+    /// Seams that were closed in the given mesh stay joined.
+    void keepUnjoined() {
+        const std::vector<int>& closed = repair_.closedSeamRoots;
+        bool isAnyOpen = false;
+        for (std::size_t f = 0; f < given_.size(); ++f) {
+            for (int k = 0; k < 3; ++k) {
+                int& own = given_[f][k];
+                const int joined = repair_.vertexOrigins[repair_.mesh.faces[f][k]];
+                if (!closed.empty()) {
+                    own = closed[own] == closed[joined] ? joined : closed[own];
+                }
+                isAnyOpen = isAnyOpen || own != joined;
+            }
+        }
+        if (isAnyOpen) {
+            repair_.cornerOrigins = std::move(given_);
+        }
     }
 
     MeshRepair& repair_;

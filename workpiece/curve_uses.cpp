@@ -2,8 +2,11 @@
 #include "workpiece/curve_uses.h"
 
 #include "fill/raised_parts.h"
+#include "fill/unjoined_parts.h"
 #include "imprint/slits.h"
+#include "imprint/unjoined_imprint.h"
 #include "shell/extended_surface.h"
+#include "surface/lines_over_parted_edges.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
@@ -30,7 +33,7 @@ FilledParts partsMeant(
 ) {
     if (choice.relief == 0.0) {
         FilledParts taken =
-            takenParts(*imprint.mesh, cut, imprint.parts, chosen, choice.fill, progress);
+            takenParts(*imprint.joined, cut, imprint.parts, chosen, choice.fill, progress);
         if (taken.openRims > 0) {
             notes.push_back(
                 std::to_string(taken.openRims) +
@@ -39,7 +42,7 @@ FilledParts partsMeant(
         }
         return taken;
     }
-    RaisedParts raised = raisedParts(*imprint.mesh, imprint.parts, chosen, choice.relief);
+    RaisedParts raised = raisedParts(*imprint.joined, imprint.parts, chosen, choice.relief);
     if (raised.turnedFaces > 0) {
         notes.push_back(
             "the relief turns " + std::to_string(raised.turnedFaces) +
@@ -51,45 +54,60 @@ FilledParts partsMeant(
 
 /// What to say of curves that part nothing, where `isCut` what a cut did there; or nothing.
 std::vector<std::string> slitNotes(const Imprint& imprint, bool isCut) {
-    std::string note = describeSlits(slitsOf(*imprint.mesh, imprint.parts), isCut);
+    std::string note = describeSlits(slitsOf(*imprint.joined, imprint.parts), isCut);
     return note.empty() ? std::vector<std::string>() : std::vector{std::move(note)};
 }
 
 CutMeshes::Piece pieceOf(const Imprint& imprint, std::vector<int> parts, FilledParts taken) {
-    return {std::move(parts), MadeMesh(imprint.workpiece, imprint.mesh, std::move(taken))};
+    if (imprint.mesh != imprint.joined) {
+        taken = unjoined(taken, *imprint.joined, *imprint.mesh);
+    }
+    return {
+        std::move(parts), MadeMesh(imprint.surface, imprint.joined, imprint.mesh, std::move(taken))
+    };
 }
 
 }  // namespace
 
 Imprint imprintOn(
-    std::shared_ptr<const Workpiece> workpiece,
+    const Workpiece& workpiece,
     std::span<const SurfacePolyline> lines,
     const ImprintOptions& options,
     const Progress& progress
 ) {
     report(progress, 0.0, "imprinting");
-    Imprint result{.workpiece = std::move(workpiece), .mesh = {}, .parts = {}};
     Stopwatch watch;
-    result.mesh =
-        std::make_shared<const ImprintedMesh>(imprint(result.workpiece->surface(), lines, options));
+    JoinedLines joined = joinedFor(workpiece.sharedSurface(), lines);
+    const Surface& surface = *joined.surface;
+    Imprint result{
+        .surface = std::move(joined.surface),
+        .joined = std::make_shared<const ImprintedMesh>(imprint(surface, joined.lines, options)),
+        .mesh = {},
+        .parts = {}
+    };
+    result.mesh = surface.provenance().hasInputCorners()
+                      ? std::make_shared<const ImprintedMesh>(unjoined(surface, *result.joined))
+                      : result.joined;
     result.seconds = watch.lap();
     report(progress, kImprintedShare, "finding parts");
-    result.parts = partsOf(*result.mesh);
+    result.parts = partsOf(*result.joined);
     report(progress, 1.0, "finding parts");
     return result;
 }
 
 MadeMesh wholeMesh(const Imprint& imprint) {
-    return {imprint.workpiece, imprint.mesh, wholeImprint(*imprint.mesh, imprint.parts)};
+    return {
+        imprint.surface, imprint.joined, imprint.mesh, wholeImprint(*imprint.mesh, imprint.parts)
+    };
 }
 
 CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress& progress) {
-    const CutMesh cut = openedAlongCurves(*imprint.mesh);
+    const CutMesh cut = openedAlongCurves(*imprint.joined);
     CutMeshes result;
     result.doubledVertices =
-        static_cast<int>(cut.mesh.vertices.size() - imprint.mesh->mesh.vertices.size());
+        static_cast<int>(cut.mesh.vertices.size() - imprint.joined->mesh.vertices.size());
     const std::vector<std::vector<int>> perMesh =
-        partsPerMesh(*imprint.mesh, imprint.parts, choice.keep, choice.split);
+        partsPerMesh(*imprint.joined, imprint.parts, choice.keep, choice.split);
     for (std::size_t i = 0; i < perMesh.size(); ++i) {
         const Progress step = stepOf(progress, i, perMesh.size());
         FilledParts taken = partsMeant(imprint, cut, choice, perMesh[i], result.notes, step);
@@ -103,18 +121,18 @@ CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress&
 }
 
 CutMeshes segmentsOf(const Imprint& imprint, bool split) {
-    if (partedParts(*imprint.mesh, imprint.parts).empty()) {
+    if (partedParts(*imprint.joined, imprint.parts).empty()) {
         refuseNothingParted();
     }
     CutMeshes result;
     result.notes = slitNotes(imprint, false);
     if (!split) {
-        result.pieces.push_back(pieceOf(imprint, {}, wholeImprint(*imprint.mesh, imprint.parts)));
+        result.pieces.push_back({.parts = {}, .mesh = wholeMesh(imprint)});
         return result;
     }
-    const CutMesh cut = cutAlongCurves(*imprint.mesh);
+    const CutMesh cut = cutAlongCurves(*imprint.joined);
     for (std::vector<int>& chosen :
-         partsPerMesh(*imprint.mesh, imprint.parts, std::nullopt, true)) {
+         partsPerMesh(*imprint.joined, imprint.parts, std::nullopt, true)) {
         FilledParts taken = openParts(cut, imprint.parts, chosen);
         result.pieces.push_back(pieceOf(imprint, std::move(chosen), std::move(taken)));
     }

@@ -23,14 +23,19 @@ namespace bspline_curve {
 
 /// Curves as edges of the workpiece's mesh, and the parts between them.
 struct Imprint {
-    std::shared_ptr<const Workpiece> workpiece;
+    /// The workpiece's, or one that was joined anew for curves that pass from sheet to sheet.
+    std::shared_ptr<const Surface> surface;
+    /// On that surface, whose seams are joined: parts are found and cut out here.
+    std::shared_ptr<const ImprintedMesh> joined;
+    /// With the vertices of the workpiece's mesh, see unjoined(); the same one where these are the
+    /// surface's.
     std::shared_ptr<const ImprintedMesh> mesh;
     MeshParts parts;
     double seconds = 0.0;  ///< of imprinting, without finding parts
 };
 
 [[nodiscard]] Imprint imprintOn(
-    std::shared_ptr<const Workpiece> workpiece,
+    const Workpiece& workpiece,
     std::span<const SurfacePolyline> lines,
     const ImprintOptions& options = {},
     const Progress& progress = {}

@@ -9,18 +9,20 @@
 namespace bspline_curve {
 
 MadeMesh::MadeMesh(
-    std::shared_ptr<const Workpiece> workpiece,
+    std::shared_ptr<const Surface> surface,
+    std::shared_ptr<const ImprintedMesh> joined,
     std::shared_ptr<const ImprintedMesh> imprint,
     FilledParts taken
 )
-    : workpiece_(std::move(workpiece)), imprint_(std::move(imprint)), taken_(std::move(taken)) {}
+    : surface_(std::move(surface)),
+      joined_(std::move(joined)),
+      imprint_(std::move(imprint)),
+      taken_(std::move(taken)) {}
 
 int MadeMesh::vertexOf(int vertex) const {
     const int imprinted = taken_.source[vertex];
-    if (imprinted < 0 || imprinted >= imprint_->surfaceVertexCount) {
-        return -1;
-    }
-    return workpiece_->surface().provenance().inputVertex(imprinted);
+    const auto inputCount = static_cast<int>(surface_->input().vertices.size());
+    return imprinted < inputCount ? imprinted : imprint_->doubledVertices[imprinted - inputCount];
 }
 
 int MadeMesh::faceOf(int face) const {
@@ -29,32 +31,35 @@ int MadeMesh::faceOf(int face) const {
 }
 
 Vec3 MadeMesh::placeOf(int face, int corner) const {
-    const Surface& surface = workpiece_->surface();
-    const int vertex = taken_.source[taken_.mesh.faces[face][corner]];
-    const int own = imprint_->ownParents[taken_.faces[face]];
+    const int vertex = joined_->mesh.faces[taken_.faces[face]][corner];
+    const int own = joined_->ownParents[taken_.faces[face]];
     SurfacePoint place{.face = own};
-    if (vertex < imprint_->surfaceVertexCount) {
-        place.barycentric = Vec3::Unit(cornerOf(surface.faces()[own], vertex));
+    if (vertex < joined_->surfaceVertexCount) {
+        place.barycentric = Vec3::Unit(cornerOf(surface_->faces()[own], vertex));
     } else {
-        place = inFace(surface, imprint_->ownPlaces[vertex - imprint_->surfaceVertexCount], own);
+        place = inFace(*surface_, joined_->ownPlaces[vertex - joined_->surfaceVertexCount], own);
     }
-    return surface.provenance().toInput(place).barycentric;
+    return surface_->provenance().toInput(place).barycentric;
 }
 
 std::vector<double> MadeMesh::carried(std::span<const double> values) const {
-    return taken_.carried(interpolated(*imprint_, workpiece_->mesh().faces, values));
+    return taken_.carried(interpolated(*imprint_, surface_->input().faces, values));
 }
 
 std::vector<double> MadeMesh::curveFlags() const {
-    std::vector<double> isOnCurve(imprint_->mesh.vertices.size(), 0.0);
-    for (const ImprintedCurve& curve : imprint_->curves) {
+    std::vector<char> isOnCurve(joined_->mesh.vertices.size(), 0);
+    for (const ImprintedCurve& curve : joined_->curves) {
         for (const int vertex : curve.vertices) {
-            isOnCurve[vertex] = 1.0;
+            isOnCurve[vertex] = 1;
         }
     }
-    std::vector<double> flags;
-    for (const int vertex : taken_.source) {
-        flags.push_back(vertex < 0 ? 0.0 : isOnCurve[vertex]);
+    std::vector<double> flags(taken_.mesh.vertices.size(), 0.0);
+    for (std::size_t f = 0; f < taken_.faces.size(); ++f) {
+        for (int k = 0; taken_.faces[f] >= 0 && k < 3; ++k) {
+            if (isOnCurve[joined_->mesh.faces[taken_.faces[f]][k]] != 0) {
+                flags[taken_.mesh.faces[f][k]] = 1.0;
+            }
+        }
     }
     return flags;
 }

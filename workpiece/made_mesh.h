@@ -3,7 +3,7 @@
 
 #include "fill/part_filling.h"
 #include "imprint/imprint.h"
-#include "workpiece/workpiece.h"
+#include "surface/surface.h"
 
 #include <memory>
 #include <span>
@@ -15,8 +15,10 @@ namespace bspline_curve {
 /// that hosts can carry over what goes with that. Shares the imprint with other parts of it.
 class MadeMesh {
 public:
+    /// `surface`, `joined` and `imprint`: see Imprint; `taken`: of the latter.
     MadeMesh(
-        std::shared_ptr<const Workpiece> workpiece,
+        std::shared_ptr<const Surface> surface,
+        std::shared_ptr<const ImprintedMesh> joined,
         std::shared_ptr<const ImprintedMesh> imprint,
         FilledParts taken
     );
@@ -43,7 +45,8 @@ public:
     [[nodiscard]] std::vector<double> curveFlags() const;
 
 private:
-    std::shared_ptr<const Workpiece> workpiece_;
+    std::shared_ptr<const Surface> surface_;
+    std::shared_ptr<const ImprintedMesh> joined_;
     std::shared_ptr<const ImprintedMesh> imprint_;
     FilledParts taken_;
 };

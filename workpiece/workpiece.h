@@ -40,6 +40,9 @@ public:
 
     [[nodiscard]] const Surface& surface() const { return *surface_; }
 
+    /// The same, to be kept longer than the workpiece.
+    [[nodiscard]] std::shared_ptr<const Surface> sharedSurface() const { return surface_; }
+
     [[nodiscard]] const PreparingOptions& options() const { return options_; }
 
     /// By which files know the mesh again; computed when it is first asked for.

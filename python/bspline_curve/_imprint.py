@@ -64,7 +64,9 @@ class Imprint:
     parents : (m,) array of int
         The face of the mesh that each face is part of.
     curves : list of (k,) array of int
-        Vertices of each curve in order, joined by edges; a closed one does not repeat the first.
+        Vertices of each curve in order, joined by edges; a closed one does not repeat the first. Where edges of the mesh lie
+        on each other, as along seams of texture coordinates, a vertex is there once on each side, and one of them is named:
+        where the curve passes to the other side, its next edge starts at the other one.
     crossings : (k,) array of int
         Vertices where more than two edges of curves meet.
     labels : (m,) array of int

@@ -114,7 +114,7 @@ class Mesh(MeshKeywords):
         Raises
         ------
         InputError
-            A curve is of another mesh, or passes from sheet to sheet at an edge where mending parts them.
+            A curve is of another mesh, or passes from sheet to sheet in more ways than can be joined at once.
         OptionError
             `snap` is not in its range.
         """

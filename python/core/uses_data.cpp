@@ -25,7 +25,7 @@ Imprint imprinted(const Mesh& mesh, const std::vector<const DesignedCurve*>& cur
     for (const DesignedCurve* drawn : curves) {
         lines.push_back(drawn->curve.polyline);
     }
-    return imprintOn(mesh.workpiece, lines, {.snap = snap});
+    return imprintOn(*mesh.workpiece, lines, {.snap = snap});
 }
 
 nb::list curvesOf(const Imprint& imprint) {

@@ -100,7 +100,7 @@ def test_all_verbs_take_a_scan_with_many_bad_spots(run, tmp_path):
     succeed(run("imprint", "bad.ply", "--curve", "squares.json", "--output", "out.ply"))
 
 
-def test_a_curve_from_sheet_to_sheet_is_drawn_but_not_imprinted(run, tmp_path):
+def test_a_curve_from_sheet_to_sheet_is_imprinted_but_has_no_offset(run, tmp_path):
     """Three plates that meet in an edge; mending leaves the two that bend least joined."""
     V, F = meshes.plate(cells=6)
     half = V[:, 0] >= 0.5 - 1e-9
@@ -114,10 +114,21 @@ def test_a_curve_from_sheet_to_sheet_is_drawn_but_not_imprinted(run, tmp_path):
     (tmp_path / "picks.json").write_text(json.dumps({"picks": [[0.2, 0.5, 0], [0.5, 0.4, 0.3]]}))
     succeed(run("bad.ply", "--picks", "picks.json", "--output", "curve.json"))
     for words in (("--curve", "curve.json"), ("--picks", "picks.json")):
-        process = run("imprint", "bad.ply", *words, "--output", "out.ply")
-        assert process.returncode == 1 and not (tmp_path / "out.ply").exists()
-        line = process.stderr.splitlines()[-1]
-        assert words[1] in line and "from sheet to sheet" in line and "move its picks" in line
+        succeed(run("imprint", "bad.ply", *words, "--output", "out.ply", "--map", "map.json"))
+        mesh = trimesh.load(tmp_path / "out.ply", process=False)
+        map_ = json.loads((tmp_path / "map.json").read_text())
+        check_origins(V, F, mesh, map_, set())
+        edges = set(map(tuple, np.sort(mesh.edges, axis=1).tolist()))
+        along = map_["curves"][0]["vertices"]
+        assert all(tuple(sorted(pair)) in edges for pair in zip(along, along[1:]))
+        points = json.loads((tmp_path / "curve.json").read_text())["polyline"]["points"]
+        gaps = np.linalg.norm(mesh.vertices[along][None] - np.array(points)[:, None], axis=2)
+        assert gaps.min(1).max() < 1e-12
+        (tmp_path / "out.ply").unlink()
+    process = run("offset", "bad.ply", "--curve", "curve.json", "--distance", 0.05, "--output", "beside.json")
+    assert process.returncode == 1 and not (tmp_path / "beside.json").exists()
+    line = process.stderr.splitlines()[-1]
+    assert "from sheet to sheet" in line and "move its picks" in line
 
 
 def test_welded_parts_are_imprinted_as_one(run, tmp_path):
@@ -131,3 +142,50 @@ def test_welded_parts_are_imprinted_as_one(run, tmp_path):
     mesh = trimesh.load(tmp_path / "out.ply", process=False)
     map_ = json.loads((tmp_path / "map.json").read_text())
     assert len(mesh.split(only_watertight=False)) == 1 and {0, 1} == {int(f >= len(F) / 2) for f in map_["parents"]}
+
+
+def vertex_values(mesh):
+    return mesh.metadata["_ply_raw"]["vertex"]["data"]["quality"].ravel()
+
+
+def test_seams_are_left_as_they_are(run, tmp_path):
+    """A closed curve over the seam of two halves: ids stay, and the values of either half."""
+    V, F, values = meshes.halved_plate()
+    meshes.write_ply(tmp_path / "halves.ply", V, F, quality=values)
+    picks = [[0.3, 0.3, 0], [0.7, 0.35, 0], [0.7, 0.7, 0], [0.3, 0.65, 0]]
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": picks, "closed": True}))
+    curve = ("halves.ply", "--curve", "curve.json")
+    succeed(run("halves.ply", "--picks", "picks.json", "--field", "none", "--output", "curve.json"))
+    succeed(run("imprint", *curve, "--output", "out.ply", "--map", "map.json", "--report", "report.json"))
+    mesh = trimesh.load(tmp_path / "out.ply", process=False)
+    map_, report = (json.loads((tmp_path / name).read_text()) for name in ("map.json", "report.json"))
+    check_origins(V, F, mesh, map_, set())
+    assert len(report["parts"]) == 2 and report["vertices"] == len(mesh.vertices)
+    assert report["new_vertices"] == len(mesh.vertices) - len(V)
+    # Faces that no curve passes are those of the input.
+    children = np.bincount(map_["parents"])
+    whole = children[map_["parents"]] == 1
+    assert np.array_equal(mesh.faces[whole], F[np.array(map_["parents"])[whole]])
+    # Each face has the values of its half, in new vertices too.
+    is_right = V[F].mean(1)[:, 0] > 0.5
+    expected = mesh.vertices[mesh.faces] @ [1.0, 2.0, 0.0] + 10.0 * is_right[map_["parents"]][:, None]
+    assert np.allclose(vertex_values(mesh)[mesh.faces], expected, atol=1e-9)
+    doubled = mesh.vertices[len(V) :][mesh.vertices[len(V) :, 0] == 0.5]
+    assert len(doubled) == 4 and len(np.unique(doubled, axis=0)) == 2
+    # Neighbours on a curve are at the ends of an edge on one side or the other.
+    place = {tuple(p): i for i, p in enumerate(mesh.vertices)}
+    ids = np.array([place[tuple(p)] for p in mesh.vertices])
+    edges = {tuple(sorted(pair)) for pair in ids[mesh.edges].tolist()}
+    (chain,) = map_["curves"]
+    along = ids[chain["vertices"]].tolist()
+    assert all(tuple(sorted(pair)) in edges for pair in zip(along, along[1:] + along[:1]))
+    for words in (["--keep", "smallest"], ["--keep", "largest", "--fill", "smooth"], ["--keep", "inside", "--relief", 0.05]):
+        succeed(run("cut", *curve, "--output", "cut.ply", *words))
+        cut = trimesh.load(tmp_path / "cut.ply", process=False)
+        labels = cut.metadata["_ply_raw"]["face"]["data"]["label"].ravel()
+        kept = cut.vertices[cut.faces[labels >= 0]]
+        expected = kept @ [1.0, 2.0, 0.0] + 10.0 * (kept.mean(1)[:, :1] > 0.5)
+        assert np.allclose(vertex_values(cut)[cut.faces[labels >= 0]], expected, atol=1e-9)
+    succeed(run("segment", *curve, "--output", "parts.ply"))
+    parts = trimesh.load(tmp_path / "parts.ply", process=False)
+    assert np.array_equal(parts.vertices, mesh.vertices) and np.array_equal(parts.faces, mesh.faces)

@@ -126,7 +126,7 @@ TEST(CurveUsesOnBrokenLayers, AreRefusedWhereTheyAreStrict) {
 }
 
 // On a plate with a second one that stands on its middle, from the first to the second.
-TEST(CurveUsesOnBrokenLayers, RefuseACurveFromSheetToSheetByItsLayer) {
+TEST(CurveUsesOnBrokenLayers, ImprintACurveFromSheetToSheet) {
     LayerInput layer = plateLayer();
     const TriangleMesh flat = layer.mesh;
     std::vector<int> ids(flat.vertices.size());
@@ -144,6 +144,9 @@ TEST(CurveUsesOnBrokenLayers, RefuseACurveFromSheetToSheetByItsLayer) {
             layer.mesh.faces.push_back({ids[face[0]], ids[face[1]], ids[face[2]]});
         }
     }
+    for (const Vec3& vertex : layer.mesh.vertices) {
+        layer.quality.push_back(2.0 * vertex.x() + vertex.y());
+    }
     WorkpieceCache designers;
     const std::vector<Vec3> picks = {{0.2, 0.5, 0.0}, {0.5, 0.4, 0.3}};
     const CurveResult drawn = runCurveFilter(layer, {.tool = picks, .layer = {}}, {}, designers);
@@ -158,9 +161,23 @@ TEST(CurveUsesOnBrokenLayers, RefuseACurveFromSheetToSheetByItsLayer) {
     const CurvesOnLayer input{
         .surface = layer, .checksum = checksumOf(layer.mesh), .curves = {curve}
     };
-    const std::string refused = refusal([&] { return runImprintFilter(input, {}); });
-    expectPart(refused, "layer \"curve\": a segment");
-    expectPart(refused, "from sheet to sheet");
+    const MeshesResult imprinted = runImprintFilter(input, {});
+    EXPECT_EQ(figure<int>(imprinted.figures, "projected_curves"), 0);
+    const MadeMesh& made = imprinted.layers.at(0).made;
+    expectMadeFrom(layer, made);
+    const std::vector<double> flags = made.curveFlags();
+    const auto isMarked = [&](const Vec3& place) {
+        for (std::size_t v = 0; v < flags.size(); ++v) {
+            if (flags[v] == 1.0 && (made.mesh().vertices[v] - place).norm() < 1e-12) {
+                return true;
+            }
+        }
+        return false;
+    };
+    EXPECT_TRUE(std::ranges::all_of(curve.points, isMarked));
+    OffsetRequest offset;
+    offset.offset.distance = 0.05;
+    expectPart(refusal([&] { return runOffsetFilter(input, offset); }), "from sheet to sheet");
 }
 
 }  // namespace

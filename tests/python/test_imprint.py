@@ -2,11 +2,12 @@
 """Curves as edges of a mesh, and drawings as curves, in arrays."""
 import warnings
 
+import made_meshes as meshes
 import numpy as np
 import pytest
 
 import bspline_curve
-from bspline_curve import FileError, InputError, Mesh, OptionError
+from bspline_curve import FileError, InputError, Mesh, MeshWarning, OptionError
 
 
 @pytest.fixture(scope="module")
@@ -46,6 +47,26 @@ def test_values_are_linear_in_each_face(mesh, imprint):
     np.testing.assert_allclose(imprint.values(heights, mesh.faces), imprint.vertices[:, 2], atol=1e-14)
     with pytest.raises(bspline_curve.FieldError, match="one for each vertex"):
         imprint.values(heights[:5], mesh.faces)
+
+
+def test_values_of_either_side_of_a_seam_stay_there():
+    vertices, faces, heights = meshes.halved_plate()
+    with pytest.warns(MeshWarning, match="joined"):
+        halves = Mesh(vertices, faces)
+    ring = halves.curve([[0.3, 0.3, 0], [0.7, 0.35, 0], [0.7, 0.7, 0], [0.3, 0.65, 0]], closed=True)
+    imprint = halves.imprint([ring])
+    assert len(imprint.parts) == 2
+    np.testing.assert_array_equal(imprint.vertices[: len(vertices)], vertices)
+    values = imprint.values(np.column_stack([vertices, heights]), faces)
+    np.testing.assert_allclose(values[:, :3], imprint.vertices, atol=1e-14)
+    is_right = vertices[faces].mean(1)[imprint.parents, 0] > 0.5
+    expected = imprint.vertices[imprint.faces] @ [1.0, 2.0, 0.0] + 10.0 * is_right[:, None]
+    np.testing.assert_allclose(values[imprint.faces, 3], expected, atol=1e-12)
+    cut = imprint.cut()
+    np.testing.assert_array_equal(cut.origins[cut.faces], imprint.faces)
+    np.testing.assert_array_equal(cut.vertices, imprint.vertices[cut.origins])
+    relief = imprint.relief(0.1)
+    np.testing.assert_array_equal(relief.origins[relief.faces[: len(imprint.faces)]], imprint.faces)
 
 
 def test_a_closed_curve_parts_a_disc(mesh, arrays):
@@ -257,15 +278,20 @@ def test_what_is_made_of_a_mended_mesh_has_the_ids_of_the_given_one(arrays, brok
     assert near.shape == (len(faces),) and near.sum() > 50 and gaps.max() < 0.06
 
 
-def test_a_curve_from_sheet_to_sheet_is_not_imprinted(arrays, broken):
+def test_a_curve_from_sheet_to_sheet_is_imprinted_but_has_no_offset(arrays, broken):
     vertices, faces = broken
     with pytest.warns(bspline_curve.MeshWarning):
         mended = bspline_curve.Mesh(vertices, faces)
     flap = vertices[faces[0]].mean(axis=0)
     curve = mended.curve([flap, vertices[faces[720][0]]])
     assert curve.usable
-    with pytest.raises(bspline_curve.InputError, match="curve 0: .* from sheet to sheet"):
-        mended.imprint([curve])
+    imprint = mended.imprint([curve])
+    np.testing.assert_array_equal(imprint.vertices[: len(vertices)], vertices)
+    gaps = np.linalg.norm(imprint.vertices[imprint.curves[0]][None] - curve.points[:, None], axis=2)
+    assert gaps.min(axis=1).max() < 1e-12
+    np.testing.assert_allclose(imprint.values(vertices, faces), imprint.vertices, atol=1e-14)
+    with pytest.raises(bspline_curve.InputError, match="the curve to offset: .* from sheet to sheet"):
+        curve.offset(0.05)
 
 
 # ---- drawings carried to a mesh ----

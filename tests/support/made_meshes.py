@@ -23,6 +23,18 @@ def plate(cells=12, size=1.0, height=0.0):
     return V, np.array(faces)
 
 
+def halved_plate(cells=12, height=0.0):
+    """A plate of two halves, each with vertices of its own where they meet, and a value at the vertices that jumps there."""
+    V, F = plate(cells, height=height)
+    middle = np.flatnonzero(V[:, 0] == 0.5)
+    copies = np.arange(len(V))
+    copies[middle] = len(V) + np.arange(len(middle))
+    is_right = V[F].mean(1)[:, 0] > 0.5
+    values = V @ [1.0, 2.0, 0.0] + 10.0 * (V[:, 0] > 0.5)
+    values = np.concatenate([values, V[middle] @ [1.0, 2.0, 0.0] + 10.0])
+    return np.vstack([V, V[middle]]), np.where(is_right[:, None], copies[F], F), values
+
+
 def write_ply(path, V, F, quality=None):
     """Binary, little-endian, double precision."""
     header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(V)}"]

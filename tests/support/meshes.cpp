@@ -270,6 +270,50 @@ TriangleMesh joined(const TriangleMesh& first, const TriangleMesh& second) {
     return mesh;
 }
 
+TriangleMesh partedByLabels(TriangleMesh mesh, const std::vector<int>& labels) {
+    std::vector<int> labelOf(mesh.vertices.size(), -1);
+    std::map<std::pair<int, int>, int> copies;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        for (int& v : mesh.faces[f]) {
+            const int label = labels[f];
+            if (labelOf[v] < 0) {
+                labelOf[v] = label;
+            }
+            if (labelOf[v] != label) {
+                const auto [copy, isNew] =
+                    copies.try_emplace({v, label}, static_cast<int>(mesh.vertices.size()));
+                if (isNew) {
+                    const Vec3 at = mesh.vertices[v];
+                    mesh.vertices.push_back(at);
+                }
+                v = copy->second;
+            }
+        }
+    }
+    return mesh;
+}
+
+TriangleMesh slitAlongZ(TriangleMesh mesh) {
+    std::vector<int> copies(mesh.vertices.size(), -1);
+    for (Triangle& face : mesh.faces) {
+        Vec3 middle = Vec3::Zero();
+        for (const int v : face) {
+            middle += mesh.vertices[v] / 3.0;
+        }
+        for (int& v : face) {
+            const Vec3 at = mesh.vertices[v];
+            if (std::abs(at.y()) < 1e-9 && at.x() > -1e-9 && middle.y() < 0.0 && middle.x() > 0.0) {
+                if (copies[v] < 0) {
+                    copies[v] = static_cast<int>(mesh.vertices.size());
+                    mesh.vertices.push_back(at);
+                }
+                v = copies[v];
+            }
+        }
+    }
+    return mesh;
+}
+
 TriangleMesh withFaceReversed(TriangleMesh mesh, int face) {
     Triangle& corners = mesh.faces.at(face);
     std::swap(corners[1], corners[2]);

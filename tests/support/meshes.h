@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <vector>
 
 /// Meshes for tests, chosen by property. All are oriented outwards (plates: towards +z) and
 /// two-manifold, except for the defects at the end.
@@ -65,6 +66,14 @@ TriangleMesh renumbered(const TriangleMesh& mesh, std::uint64_t seed);
 
 /// One mesh after the other; the indices of the second are moved up.
 TriangleMesh joined(const TriangleMesh& first, const TriangleMesh& second);
+
+/// Each face has its vertices for itself and those of its label: seams between labels. The faces of
+/// the first label at a vertex keep it.
+TriangleMesh partedByLabels(TriangleMesh mesh, const std::vector<int>& labels);
+
+/// The faces over a half-plane through the z axis get vertices of their own along it: a seam from
+/// pole to pole where the mesh is a sphere of rings.
+TriangleMesh slitAlongZ(TriangleMesh mesh);
 
 /// One face turned over.
 TriangleMesh withFaceReversed(TriangleMesh mesh, int face);

@@ -29,29 +29,6 @@ int boundaryEdges(const Surface& surface) {
     return count;
 }
 
-/// The faces over a half-plane through the z axis get vertices of their own along it: a seam from
-/// pole to pole where the mesh is a sphere of rings.
-TriangleMesh slitAlongZ(TriangleMesh mesh) {
-    std::vector<int> copies(mesh.vertices.size(), -1);
-    for (Triangle& face : mesh.faces) {
-        Vec3 middle = Vec3::Zero();
-        for (const int v : face) {
-            middle += mesh.vertices[v] / 3.0;
-        }
-        for (int& v : face) {
-            const Vec3 at = mesh.vertices[v];
-            if (std::abs(at.y()) < 1e-9 && at.x() > -1e-9 && middle.y() < 0.0 && middle.x() > 0.0) {
-                if (copies[v] < 0) {
-                    copies[v] = static_cast<int>(mesh.vertices.size());
-                    mesh.vertices.push_back(at);
-                }
-                v = copies[v];
-            }
-        }
-    }
-    return mesh;
-}
-
 /// Longitudes and latitudes, as texture coordinates have them: a vertex at a pole for each of its
 /// faces, and two columns at one place.
 TriangleMesh texturedSphere(int columns, int rows) {
@@ -161,6 +138,38 @@ TEST(Seams, LeaveASurfaceWhateverIsAround) {
             EXPECT_EQ(mended.position(at), there);
         }
     }
+}
+
+// Two faces without area lie in a slit and close it.
+TEST(Seams, ThatFacesWithoutAreaHadClosedAreNone) {
+    TriangleMesh mesh = slitAlongZ(openCylinder(12, 2));
+    ASSERT_EQ(findSeams(mesh).size(), 2U);
+    EXPECT_TRUE(mendedSurface(mesh).provenance().hasInputCorners());
+    const auto at = [&](const Vec3& place, int which) {
+        for (int v = 0;; ++v) {
+            if ((mesh.vertices.at(v) - place).norm() < 1e-9 && which-- == 0) {
+                return v;
+            }
+        }
+    };
+    // Both ends become one vertex each, the middle stays doubled.
+    for (const double z : {0.0, 2.0}) {
+        const int one = at({1, 0, z}, 0);
+        const int other = at({1, 0, z}, 1);
+        for (Triangle& face : mesh.faces) {
+            std::ranges::replace(face, other, one);
+        }
+    }
+    const int low = at({1, 0, 0}, 0);
+    const int high = at({1, 0, 2}, 0);
+    const int middle = at({1, 0, 1}, 0);
+    const int copy = at({1, 0, 1}, 1);
+    mesh.faces.push_back({low, high, middle});
+    mesh.faces.push_back({high, low, copy});
+    const Surface mended = mendedSurface(mesh);
+    EXPECT_EQ(mended.provenance().report()->joinedEdges.size(), 2U);
+    EXPECT_EQ(boundaryEdges(mended), 24);
+    EXPECT_FALSE(mended.provenance().hasInputCorners());
 }
 
 }  // namespace
