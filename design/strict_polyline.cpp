@@ -23,8 +23,8 @@ struct Vertex {
 
 class PolylineMaker {
 public:
-    PolylineMaker(const Surface& surface, const CurveProblem& problem, const ProjectedCurve& shadow)
-        : surface_(surface), problem_(problem), shadow_(shadow) {}
+    PolylineMaker(const Surface& surface, const CurveProblem& problem, const FairedShadow& curve)
+        : surface_(surface), problem_(problem), curve_(curve) {}
 
     SurfacePolyline make(const SamplingOptions& sampling) {
         collect(sampling.samples);
@@ -62,7 +62,7 @@ private:
 
     void collect(int samples) {
         vertices_.reserve(
-            problem_.picks.size() + 1 + shadow_.crossings().size() + (std::max(samples, 0))
+            problem_.picks.size() + 1 + curve_.crossings().size() + (std::max(samples, 0))
         );
         for (std::size_t i = 0; i < problem_.picks.size(); ++i) {
             vertices_.push_back(makeVertex(
@@ -73,14 +73,14 @@ private:
             vertices_.push_back(makeVertex(1.0, problem_.picks[0].point, 0));
         }
         const auto picks = static_cast<std::ptrdiff_t>(vertices_.size());
-        for (const EdgeCrossing& crossing : shadow_.crossings()) {
+        for (const EdgeCrossing& crossing : curve_.crossings()) {
             vertices_.push_back(makeVertex(crossing.parameter, crossing.point));
         }
         mergeFrom(picks);
         const auto all = static_cast<std::ptrdiff_t>(vertices_.size());
         for (int i = 1; i < samples; ++i) {
             const double t = static_cast<double>(i) / samples;
-            vertices_.push_back(makeVertex(t, shadow_.at(t)));
+            vertices_.push_back(makeVertex(t, curve_.at(t)));
         }
         mergeFrom(all);
     }
@@ -135,7 +135,7 @@ private:
         const Vertex from = finer.back();
         if ((to.position - from.position).norm() > longest && depth < kMaxHalvings) {
             const double t = 0.5 * (from.parameter + to.parameter);
-            const Vertex middle = makeVertex(t, shadow_.at(t));
+            const Vertex middle = makeVertex(t, curve_.at(t));
             if (commonFace(surface_, from.point, middle.point) >= 0 &&
                 commonFace(surface_, middle.point, to.point) >= 0) {
                 halve(finer, middle, longest, depth + 1);
@@ -148,7 +148,7 @@ private:
 
     const Surface& surface_;
     const CurveProblem& problem_;
-    const ProjectedCurve& shadow_;
+    const FairedShadow& curve_;
     std::vector<Vertex> vertices_;
 };
 
@@ -157,10 +157,10 @@ private:
 SurfacePolyline makeStrictPolyline(
     const Surface& surface,
     const CurveProblem& problem,
-    const ProjectedCurve& shadow,
+    const FairedShadow& curve,
     const SamplingOptions& sampling
 ) {
-    return PolylineMaker(surface, problem, shadow).make(sampling);
+    return PolylineMaker(surface, problem, curve).make(sampling);
 }
 
 }  // namespace bspline_curve

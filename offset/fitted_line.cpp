@@ -159,20 +159,21 @@ private:
             return std::nullopt;
         }
         const ProjectedCurve shadow(extended_, nullptr, space, controls, std::move(distance.trace));
+        const FairedShadow faired(surface_, problem_, shadow);
         SamplingOptions sampling;
         sampling.maxSegmentLength = kVertexStep * distance_;
         sampling.samples = 0;
-        const SurfacePolyline projected = makeStrictPolyline(surface_, problem_, shadow, sampling);
+        const SurfacePolyline projected = makeStrictPolyline(surface_, problem_, faired, sampling);
         if (!isStrict(surface_, projected)) {
             isFar_.assign(space.spanCount(), 1);
             return std::nullopt;
         }
-        return withFineChords(shadow, projected, tolerance);
+        return withFineChords(faired, projected, tolerance);
     }
 
     /// With vertices of the spline's between those of segments whose chords alone are off.
     [[nodiscard]] SurfacePolyline withFineChords(
-        const ProjectedCurve& shadow, const SurfacePolyline& line, double tolerance
+        const FairedShadow& shadow, const SurfacePolyline& line, double tolerance
     ) const {
         SurfacePolyline finer;
         finer.closed = line.closed;

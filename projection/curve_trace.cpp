@@ -3,6 +3,9 @@
 
 #include "surface/surface_point.h"
 
+#include <algorithm>
+#include <type_traits>
+
 namespace bspline_curve {
 namespace {
 
@@ -45,6 +48,17 @@ SurfacePoint onSurface(const ExtendedSurface& extended, int face, const Vec3& ba
 
 const TraceProgress& progressOf(const CurveTrace& trace) {
     return std::visit([](const auto& kind) -> const TraceProgress& { return kind; }, trace);
+}
+
+int faceAt(const CurveTrace& trace, double t) {
+    return std::visit(
+        [&](const auto& kind) {
+            using Piece = std::decay_t<decltype(kind.pieces)>::value_type;
+            const auto found = std::ranges::lower_bound(kind.pieces, t, {}, &Piece::end);
+            return faceOf(found == kind.pieces.end() ? kind.pieces.back() : *found);
+        },
+        trace
+    );
 }
 
 std::vector<int> facesPassed(const CurveTrace& trace) {

@@ -69,6 +69,9 @@ using CurveTrace = std::variant<CellTrace, FibreTrace, SheetTrace>;
 /// What both have.
 [[nodiscard]] const TraceProgress& progressOf(const CurveTrace& trace);
 
+/// The face of the extended surface at a parameter in [0, 1]. O(log n).
+[[nodiscard]] int faceAt(const CurveTrace& trace, double t);
+
 /// The faces passed, ghosts included; one may come several times.
 [[nodiscard]] std::vector<int> facesPassed(const CurveTrace& trace);
 

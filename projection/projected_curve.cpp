@@ -46,7 +46,27 @@ ProjectedCurve::ProjectedCurve(
       shell_(shell),
       space_(space),
       controls_(controls),
-      trace_(std::move(trace)) {}
+      trace_(std::move(trace)) {
+    polynomials_.reserve(space.spanCount());
+    for (int span = 0; span < space.spanCount(); ++span) {
+        polynomials_.push_back(space.polynomial(controls, span));
+    }
+}
+
+SplinePoint ProjectedCurve::splineAt(double t) const {
+    const int span = space_.spanAt(t);
+    const double length = space_.spanLength(span);
+    const auto [position, byTau] =
+        polynomials_[span].withDerivativeAt((t - space_.breaks()[span]) / length);
+    return {position, byTau / length};
+}
+
+Vec3 ProjectedCurve::secondDerivativeAt(double t) const {
+    const int span = space_.spanAt(t);
+    const double length = space_.spanLength(span);
+    const double tau = (t - space_.breaks()[span]) / length;
+    return polynomials_[span].secondDerivativeAt(tau) / (length * length);
+}
 
 SurfacePoint ProjectedCurve::at(double t) const {
     return std::visit([&](const auto& trace) { return on(trace, t); }, trace_);

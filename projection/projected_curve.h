@@ -5,6 +5,7 @@
 #include "projection/curve_trace.h"
 #include "spline/spline_space.h"
 
+#include <variant>
 #include <vector>
 
 namespace bspline_curve {
@@ -62,6 +63,11 @@ template <class OnPiece>
     const TraceStart& traced, const SplineSpace& space, const ControlPoints& controls
 );
 
+/// A point of a spline in the shell's frame, and the derivative by its parameter.
+struct SplinePoint {
+    Vec3 position = Vec3::Zero(), derivative = Vec3::Zero();
+};
+
 /// The shadow Q = M_S(P) of a spline on the surface: the spline cut where its shadow crosses edges,
 /// each piece carried to its face, through the cells of a shell or along the fibres.
 class ProjectedCurve {
@@ -84,6 +90,18 @@ public:
     /// The shadow at t in [0, 1].
     [[nodiscard]] SurfacePoint at(double t) const;
 
+    /// The face of the extended surface that the shadow has there.
+    [[nodiscard]] int faceAt(double t) const { return bspline_curve::faceAt(trace_, t); }
+
+    /// The spline itself there.
+    [[nodiscard]] SplinePoint splineAt(double t) const;
+
+    /// Its second derivative by t there.
+    [[nodiscard]] Vec3 secondDerivativeAt(double t) const;
+
+    /// Whether the shadow is carried along directions that change continuously, by fibres or cells.
+    [[nodiscard]] bool isCarried() const { return !std::holds_alternative<SheetTrace>(trace_); }
+
 private:
     [[nodiscard]] SurfacePoint on(const CellTrace& trace, double t) const;
     [[nodiscard]] SurfacePoint on(const FibreTrace& trace, double t) const;
@@ -94,6 +112,7 @@ private:
     const SplineSpace& space_;
     const ControlPoints& controls_;
     CurveTrace trace_;
+    std::vector<PolynomialCurve> polynomials_;  // of the spline, by span
 };
 
 }  // namespace bspline_curve

@@ -167,8 +167,12 @@ Drawn draw(const ProblemFixture& fixture, const std::vector<Vec3>& picks) {
         controls,
         traceCells(traceStartOf(fixture.problem()), space, controls)
     );
-    SurfacePolyline line =
-        makeStrictPolyline(fixture.surface(), fixture.problem(), shadow, SamplingOptions());
+    SurfacePolyline line = makeStrictPolyline(
+        fixture.surface(),
+        fixture.problem(),
+        FairedShadow(fixture.surface(), fixture.problem(), shadow),
+        SamplingOptions()
+    );
     EXPECT_TRUE(solution.report.usable);
     expectStrict(fixture.surface(), line);
     EXPECT_EQ(line.picks.size(), picks.size());
