@@ -131,6 +131,7 @@ int run(int count, const char* const* words) {
     SolverOptions options;
     options.closed = input.closed.value_or(false);
     options.tension = tension;
+    options.fairness = Fairness::Parametric;  // the energy of the polyline
     options.validate();
     const CurveDesigner designer(mesh);
     const PreparedSurface prepared(std::make_shared<const Surface>(mesh), {});

@@ -50,7 +50,7 @@ struct StrategyConstants {
     std::array<double, 2> weakerShares = {0.25, 1.0 / 256.0};
     /// Under a field so strong (see fieldStrength()) half is left of fairing, and with less than
     /// this left none is tried.
-    double fairingField = 0.01, leastFairing = 0.01;
+    double fairingField = 1e-4, leastFairing = 0.01;
 };
 
 constexpr StrategyConstants kStrategy;
@@ -237,6 +237,9 @@ std::optional<Solved> CurveSolver::relaxFaired(
     CurveProblem problem = problemOn(*faired, unfaired.shell, unfaired.progress);
     problem.faired = fairedShapeOf(*faired, options_, problem.chordLength);
     problem.faired.strength = fairedStrength();
+    if (hasPull(problem)) {
+        problem.faired.stiffness = 0.0;  // it would hold the curve against the field
+    }
     return relaxed(std::move(problem), faired->path, std::move(start), work);
 }
 

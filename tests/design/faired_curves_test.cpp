@@ -185,7 +185,7 @@ TEST(FairedCurves, GiveWayToAFieldLittleByLittle) {
     for (const double weight : {1e-6, 1e-2, 1.0}) {
         const Curve with = goodCurve(designer, picks, {.fieldWeight = weight}, {.field = field});
         const double moved = largestDistance(without.polyline, with.polyline);
-        EXPECT_LT(moved, before + 0.02) << weight;
+        EXPECT_LT(moved, before + 0.03) << weight;
         before = moved;
     }
 }
