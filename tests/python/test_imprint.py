@@ -174,7 +174,7 @@ def test_an_open_curve_parts_nothing(mesh, arrays, ring):
         with pytest.warns(bspline_curve.MeshWarning, match=rf"^the curve parts nothing: .*\({edges} edges\)") as noted:
             assert len(cut().vertices) > len(imprint.vertices)
         assert [note.filename for note in noted] == [__file__]
-    beside = mesh.curve(arrays[0][[45, 70]])
+    beside = mesh.curve(arrays[0][[1603, 1628]])
     for use in (mesh.segment, lambda curves: mesh.cut(curves, keep="inside")):
         with pytest.warns(bspline_curve.MeshWarning, match="^1 of 2 curves parts nothing; draw a closed curve"):
             use([beside, ring])
