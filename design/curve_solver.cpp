@@ -71,20 +71,19 @@ bool areSame(const InitialPath& first, const InitialPath& second) {
 }
 
 // Along a spline that has been traced: where it crosses edges, and its picks.
-PickPath pathAlong(const Solved& solved) {
-    const ExtendedSurface& extended = *solved.problem.extended;
-    const std::vector<EdgeCrossing>& crossings = progressOf(*solved.solution.trace).crossings;
+PickPath pathAlong(const CurveProblem& problem, const CurveTrace& trace) {
+    const ExtendedSurface& extended = *problem.extended;
     PickPath result;
-    result.picks = solved.problem.picks;
+    result.picks = problem.picks;
     std::vector<InitialPath::Point>& points = result.path.points;
     for (const PickConstraint& pick : result.picks) {
         points.push_back({pick.parameter, pick.point, pick.position});
     }
-    if (solved.problem.options.closed) {
+    if (problem.options.closed) {
         points.push_back({1.0, result.picks.front().point, result.picks.front().position});
     }
     const auto picks = std::ssize(points);
-    for (const EdgeCrossing& crossing : crossings) {
+    for (const EdgeCrossing& crossing : progressOf(trace).crossings) {
         if (crossing.parameter > 0.0 && crossing.parameter < 1.0) {
             points.push_back(
                 {crossing.parameter, crossing.point, extended.position(crossing.point)}
@@ -362,7 +361,7 @@ std::optional<Solved> CurveSolver::relaxOver(
         shell = &whole->build.shell;
     }
     const PickPath quick = pathRound(blocked, travel, PathKind::Quick);
-    CurveProblem loose = problemOn(quick, shell, partOf(progress, 0.0, kStrategy.looseShare));
+    const CurveProblem loose = problemOn(quick, shell, partOf(progress, 0.0, kStrategy.looseShare));
     if (!isForSamples(loose)) {
         return std::nullopt;
     }
@@ -371,9 +370,10 @@ std::optional<Solved> CurveSolver::relaxOver(
     std::optional<Solved> solved = relaxFaired(quick, loose, {}, work);
     if (!solved) {
         solved = relaxed(loose, quick.path, {}, work);
-        if (solved && isFaired()) {
+        if (solved && solved->solution.trace && isFaired()) {
             // A curve that is relaxed starts nearer to the fair one.
-            if (std::optional<Solved> again = relaxFaired(pathAlong(*solved), loose, {}, work)) {
+            const PickPath along = pathAlong(solved->problem, *solved->solution.trace);
+            if (std::optional<Solved> again = relaxFaired(along, loose, {}, work)) {
                 solved = std::move(again);
             }
         }

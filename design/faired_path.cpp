@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -141,7 +142,7 @@ public:
             InitialPath::Point point{
                 length, {node.foot.face, barycentric / barycentric.sum()}, node.position
             };
-            if (isFixed_[k % size()]) {
+            if (isFixed(k % size())) {
                 const PickConstraint& pick = picks_[nextPick % picks_.size()];
                 point.point = pick.point;
                 if (nextPick < picks_.size()) {
@@ -200,6 +201,8 @@ private:
 
     [[nodiscard]] std::size_t segmentCount() const { return size() - (options_.closed ? 0 : 1); }
 
+    [[nodiscard]] bool isFixed(std::size_t i) const { return isFixed_[i] != 0; }
+
     [[nodiscard]] std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : size() - 1; }
 
     [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
@@ -249,59 +252,76 @@ private:
         return result;
     }
 
-    // Spreads points from pick to pick, at even steps by measure, each near the point before it.
-    void placeEvenly(const FairingLevel& level) {
-        const std::vector<double> measure = measures(level.segments);
-        double whole = 0.0;
-        for (const double part : measure) {
-            whole += part;
-        }
+    // Nodes that are to go somewhere, each near the node before it on the polyline.
+    struct Placement {
         std::vector<Node> nodes;
         std::vector<Vec3> targets;
         std::vector<std::size_t> pickNodes;
+    };
+
+    // Spreads points from pick to pick, at even steps by measure.
+    [[nodiscard]] Placement spread(const FairingLevel& level) const {
+        const std::vector<double> measure = measures(level.segments);
+        const double whole = std::accumulate(measure.begin(), measure.end(), 0.0);
+        Placement placement;
         for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
-            pickNodes.push_back(nodes.size());
             const std::size_t first = pickNodes_[pick];
             const std::size_t end =
                 pick + 1 < picks_.size() ? pickNodes_[pick + 1] : segmentCount();
-            double leg = 0.0;
-            for (std::size_t i = first; i < end; ++i) {
-                leg += measure[i];
-            }
-            const int count = first == end
-                                  ? 1  // the last pick of an open path
-                                  : std::max(
-                                        level.leastOfLeg,
-                                        static_cast<int>(std::lround(level.segments * leg / whole))
-                                    );
-            std::size_t i = first;
-            double passed = 0.0;
-            for (int k = 0; k < count; ++k) {
-                const double goal = leg * k / count;
-                while (i + 1 < end && passed + measure[i] < goal) {
-                    passed += measure[i++];
-                }
-                const double share =
-                    k > 0 && measure[i] > 0.0 ? std::min(1.0, (goal - passed) / measure[i]) : 0.0;
-                nodes.push_back(now_[i]);
-                targets.push_back(
-                    k > 0 ? Vec3(now_[i].position + share * segment(now_, i)) : now_[i].position
-                );
+            placement.pickNodes.push_back(placement.nodes.size());
+            placement.nodes.push_back(now_[first]);
+            placement.targets.push_back(picks_[pick].position);
+            if (first < end) {  // not the last pick of an open path
+                const auto leg = [&](std::size_t i) {
+                    return measure.begin() + static_cast<std::ptrdiff_t>(i);
+                };
+                const double length = std::accumulate(leg(first), leg(end), 0.0);
+                const auto share = std::lround(level.segments * length / whole);
+                const int count = std::max(level.leastOfLeg, static_cast<int>(share));
+                spreadLeg(measure, first, end, length / count, count, placement);
             }
         }
-        now_ = std::move(nodes);
-        pickNodes_ = std::move(pickNodes);
+        return placement;
+    }
+
+    // The points inside of a leg, from the node `first` to the end.
+    void spreadLeg(
+        const std::vector<double>& measure,
+        std::size_t first,
+        std::size_t end,
+        double step,
+        int count,
+        Placement& placement
+    ) const {
+        std::size_t i = first;
+        double passed = 0.0;
+        for (int k = 1; k < count; ++k) {
+            const double goal = step * k;
+            while (i + 1 < end && passed + measure[i] < goal) {
+                passed += measure[i++];
+            }
+            const double share =
+                measure[i] > 0.0 ? std::min(1.0, (goal - passed) / measure[i]) : 0.0;
+            placement.nodes.push_back(now_[i]);
+            placement.targets.emplace_back(now_[i].position + share * segment(now_, i));
+        }
+    }
+
+    void placeEvenly(const FairingLevel& level) {
+        Placement placement = spread(level);
+        now_ = std::move(placement.nodes);
+        pickNodes_ = std::move(placement.pickNodes);
         isFixed_.assign(size(), 0);
         for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
-            const std::size_t node = pickNodes_[pick];
             const SurfacePoint& point = picks_[pick].point;
-            isFixed_[node] = 1;
-            now_[node].foot = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
-            targets[node] = picks_[pick].position;
+            isFixed_[pickNodes_[pick]] = 1;
+            now_[pickNodes_[pick]].foot = {
+                point.face, point.barycentric[1], point.barycentric[2], 0.0
+            };
         }
         std::vector<FibreProjector::Move> moves;
         for (std::size_t i = 0; i < size(); ++i) {
-            moves.push_back({targets[i], &now_[i].foot, &now_[i].frame});
+            moves.push_back({placement.targets[i], &now_[i].foot, &now_[i].frame});
         }
         static_cast<void>(finder_.moveAll(moves));
         for (Node& node : now_) {
@@ -419,7 +439,7 @@ private:
     void differentiate() {
         ways_.assign(size(), {});
         for (std::size_t i = 0; i < size(); ++i) {
-            if (!isFixed_[i]) {
+            if (!isFixed(i)) {
                 ways_[i] = wayOf(i);
             }
         }
@@ -481,13 +501,13 @@ private:
         factor.clear();
         const auto add = [&](std::size_t i, std::size_t j, double value) {
             const auto [low, high] = std::minmax(i, j);
-            if (!isFixed_[i] && !isFixed_[j]) {
+            if (!isFixed(i) && !isFixed(j)) {
                 factor.add(static_cast<int>(high), static_cast<int>(low), &value, 1);
             }
         };
         Eigen::VectorXd right = -derivatives_.gradient;
         for (std::size_t i = 0; i < size(); ++i) {
-            if (isFixed_[i]) {
+            if (isFixed(i)) {
                 const double one = 1.0;
                 factor.add(static_cast<int>(i), static_cast<int>(i), &one, 1);
                 right[static_cast<Eigen::Index>(i)] = 0.0;
@@ -531,7 +551,7 @@ private:
         trial_ = now_;
         std::vector<FibreProjector::Move> moves;
         for (std::size_t i = 0; i < size(); ++i) {
-            if (!isFixed_[i]) {
+            if (!isFixed(i)) {
                 const Vec3 way = step[static_cast<Eigen::Index>(i)] * ways_[i].across;
                 FibreProjector::predict(way, now_[i].frame, trial_[i].foot);
                 moves.push_back({now_[i].position + way, &trial_[i].foot, &trial_[i].frame});
@@ -541,7 +561,7 @@ private:
         isTrialNear_ = true;
         auto move = moves.begin();
         for (std::size_t i = 0; i < size(); ++i) {
-            if (!isFixed_[i]) {
+            if (!isFixed(i)) {
                 settle(trial_[i]);
                 const double missed = (trial_[i].position - (move++)->p).norm();
                 isTrialNear_ = isTrialNear_ && missed <= kFairing.farthest * mean;

@@ -15,7 +15,7 @@ CASES = sorted((SHARED / "cases").glob("*.json"))
 
 # Relative to the diagonal. A mesh that is rounded when it is loaded is another mesh, where a decision may fall otherwise;
 # docs/MESHLAB.md tells how much that was.
-LARGEST = {"rounded first": 1e-5, "as it is": 1e-5}
+LARGEST = {"rounded first": 1e-5, "as it is": 5e-3}
 CURVE = "generate_bspline_curve_on_surface"
 
 pytestmark = pytest.mark.skipif(not CASES, reason="there are no ../shared/cases")
@@ -39,10 +39,10 @@ def loaded(path, documents):
 def test_both_draw_the_same_curve(path, kind, documents, display, prefix, loaded_plugin, write_script, tmp_path):
     case = json.loads(path.read_text())
     mesh = SHARED / case["mesh"]
+    options = {"picks": "; ".join(" ".join(map(repr, pick)) for pick in case["picks"]), "closed": case["closed"]}
     if kind == "rounded first":
         surface = loaded(mesh, documents).current_mesh()
         mesh = write_ply(tmp_path / "mesh.ply", surface.vertex_matrix(), surface.face_matrix())
-    options = {"picks": "; ".join(" ".join(map(repr, pick)) for pick in case["picks"]), "closed": case["closed"]}
     output = tmp_path / "curve.ply"  # MeshLab writes its floats bit by bit, but no edges
     run = run_server(display, prefix, "-i", mesh, "-s", write_script((CURVE, options)), "-o", output)
     assert run.status == 0, run.output
