@@ -14,7 +14,7 @@ IMPORT = "import meshlab_bspline_curve"
 
 
 def test_the_commands_of_the_page_draw_a_picture(home):
-    assert re.search(r"demo\.png: a curve of \d{3} points, 1\.06\d long", home.printed)
+    assert re.search(r"demo\.png: a curve of \d{3} points, 1\.07\d long", home.printed)
     picture = np.asarray(Image.open(home.folder / "demo.png")).astype(int)
     assert picture.shape == (800, 900, 3)
     red, green, blue = np.moveaxis(picture, 2, 0)
