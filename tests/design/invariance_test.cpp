@@ -65,27 +65,29 @@ std::vector<Vec3> moved(
     return points;
 }
 
-// Fairing ends before it has converged to rounding.
+// Fairing ends before it has converged to rounding, and coordinates far from the origin have less
+// digits.
 constexpr double kSame = 1e-5;
+constexpr double kSameFarAway = 1e-4;
 
 class Invariance : public testing::TestWithParam<CurveCase> {
 protected:
     // Expects that moved and scaled input gives the moved and scaled curve.
-    void expectSimilar(const Eigen::Isometry3d& motion, double scale) const {
+    void expectSimilar(const Eigen::Isometry3d& motion, double scale, double same = kSame) const {
         const CurveDesigner designer(transformed(scene_.mesh, motion, scale));
         const Curve curve = designer.design(moved(scene_.picks, motion, scale), scene_.options);
         EXPECT_TRUE(curve.report.usable);
         EXPECT_EQ(curve.report.status, reference_.report.status);
         ASSERT_EQ(curve.spline.knots.size(), reference_.spline.knots.size());
         for (std::size_t i = 0; i < curve.spline.knots.size(); ++i) {
-            EXPECT_NEAR(curve.spline.knots[i], reference_.spline.knots[i], kSame) << "knot " << i;
+            EXPECT_NEAR(curve.spline.knots[i], reference_.spline.knots[i], same) << "knot " << i;
         }
         SplineData expected = reference_.spline;
         expected.controlPoints = moved(expected.controlPoints, motion, scale);
-        EXPECT_LT(largestGap(curve.spline, expected) / designer.surface().diagonal(), kSame);
+        EXPECT_LT(largestGap(curve.spline, expected) / designer.surface().diagonal(), same);
         SurfacePolyline line = reference_.polyline;
         line.points = moved(line.points, motion, scale);
-        EXPECT_LT(largestDistance(curve.polyline, line) / designer.surface().diagonal(), kSame);
+        EXPECT_LT(largestDistance(curve.polyline, line) / designer.surface().diagonal(), same);
     }
 
     // Distance of the two curves in epsilon, the distance tolerance on the mesh of the scene.
@@ -121,7 +123,7 @@ TEST_P(Invariance, ScalingScalesTheCurve) {
 TEST_P(InvarianceFarAway, CurvesFarFromTheOriginAreTheSame) {
     Eigen::Isometry3d far = Eigen::Isometry3d::Identity();
     far.translation() = 1e5 * designer_.surface().diagonal() * Vec3(0.6, -0.3, 0.7).normalized();
-    expectSimilar(far, 1.0);
+    expectSimilar(far, 1.0, kSameFarAway);
 }
 
 TEST_P(Invariance, ReversedPicksReverseTheCurve) {
