@@ -111,13 +111,7 @@ CurveProblem makeProblem(
     problem.options = options;
     problem.averageEdgeLength = surface.averageEdgeLength() / scale;
     problem.distanceTolerance = distanceToleranceOf(prepared, options);
-    for (std::size_t i = 0; i + 1 < problem.picks.size(); ++i) {
-        problem.chordLength += (problem.picks[i + 1].position - problem.picks[i].position).norm();
-    }
-    if (options.closed) {
-        problem.chordLength +=
-            (problem.picks.front().position - problem.picks.back().position).norm();
-    }
+    problem.chordLength = polygonLength(problem.picks, options.closed);
     return problem;
 }
 

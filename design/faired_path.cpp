@@ -74,7 +74,8 @@ public:
           finder_(extended, patches),
           options_(options),
           picks_(path.picks),
-          lengthBefore_(path.path.length()) {
+          lengthBefore_(path.path.length()),
+          chord_(polygonLength(path.picks, options.closed)) {
         const std::vector<InitialPath::Point>& points = path.path.points;
         for (const InitialPath::Point& point : points) {
             Node node;
@@ -94,12 +95,6 @@ public:
                 ++i;
             }
             pickNodes_.push_back(i);
-        }
-        for (std::size_t k = 1; k < picks_.size(); ++k) {
-            chord_ += (picks_[k].position - picks_[k - 1].position).norm();
-        }
-        if (options.closed) {
-            chord_ += (picks_.front().position - picks_.back().position).norm();
         }
     }
 
@@ -155,16 +150,7 @@ public:
         if (length > kFairing.longest * lengthBefore_) {
             return std::nullopt;
         }
-        for (InitialPath::Point& point : faired.path.points) {
-            point.parameter /= length;
-        }
-        for (PickConstraint& pick : faired.picks) {
-            pick.parameter /= length;
-        }
-        faired.path.points.back().parameter = 1.0;
-        if (!options_.closed) {
-            faired.picks.back().parameter = 1.0;
-        }
+        faired.divideParameters(length, options_.closed);
         return faired;
     }
 
@@ -580,7 +566,7 @@ private:
     const SolverOptions& options_;
     const std::vector<PickConstraint>& picks_;
     double lengthBefore_;  // of the path
-    double chord_ = 0.0;   // length of the polygon of picks
+    double chord_;         // length of the polygon of picks
     std::vector<Node> now_, trial_;
     bool isTrialNear_ = false;
     std::vector<std::size_t> pickNodes_;  // of each pick

@@ -9,14 +9,12 @@
 
 namespace bspline_curve {
 
-FairedShadow::FairedShadow(
-    const Surface& surface, const CurveProblem& problem, const ProjectedCurve& shadow
-)
+FairedShadow::FairedShadow(const CurveProblem& problem, const ProjectedCurve& shadow)
     : extended_(*problem.extended), shadow_(shadow) {
     std::optional<FairedParts> parts;
     // Nearest points on a sheet are no projection that a spline would be smooth under.
     if (shadow.isCarried()) {
-        parts = fairedParts(surface, problem, shadow);
+        parts = fairedParts(problem, shadow);
     }
     if (parts) {
         crossings_ = std::move(parts->crossings);

@@ -3,7 +3,6 @@
 
 #include "projection/projected_curve.h"
 #include "solver/curve_problem.h"
-#include "surface/surface.h"
 
 #include <Eigen/Core>
 
@@ -52,7 +51,7 @@ class FairedShadow {
 public:
     /// `shadow`: of a spline that solves `problem`; it must outlive this. O(n) for n crossings,
     /// about 4,000 instructions each.
-    FairedShadow(const Surface& surface, const CurveProblem& problem, const ProjectedCurve& shadow);
+    FairedShadow(const CurveProblem& problem, const ProjectedCurve& shadow);
 
     /// Where the curve passes from one face into the next, in order.
     [[nodiscard]] const std::vector<EdgeCrossing>& crossings() const { return crossings_; }

@@ -234,6 +234,19 @@ std::vector<Leg> findLegs(
 
 }  // namespace
 
+void PickPath::divideParameters(double length, bool closed) {
+    for (InitialPath::Point& point : path.points) {
+        point.parameter /= length;
+    }
+    for (PickConstraint& pick : picks) {
+        pick.parameter /= length;
+    }
+    path.points.back().parameter = 1.0;
+    if (!closed) {
+        picks.back().parameter = 1.0;
+    }
+}
+
 PickPath makePickPath(
     const Surface& surface,
     const ExtendedSurface& extended,
@@ -269,16 +282,7 @@ PickPath makePickPath(
             }
         }
     }
-    for (InitialPath::Point& point : result.path.points) {
-        point.parameter /= length;
-    }
-    for (PickConstraint& pick : result.picks) {
-        pick.parameter /= length;
-    }
-    result.path.points.back().parameter = 1.0;
-    if (!closed) {
-        result.picks.back().parameter = 1.0;
-    }
+    result.divideParameters(length, closed);
     return result;
 }
 

@@ -18,6 +18,9 @@ class WorkerThread;
 struct PickPath {
     InitialPath path;
     std::vector<PickConstraint> picks;  ///< with parameters by length along the initial path
+
+    /// Makes parameters that are lengths shares of the whole one.
+    void divideParameters(double length, bool closed);
 };
 
 /// How a path lies on the surface.

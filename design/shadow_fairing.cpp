@@ -90,9 +90,8 @@ struct Group {
 
 class CurveFairing {
 public:
-    CurveFairing(const Surface& surface, const CurveProblem& problem, const ProjectedCurve& shadow)
-        : surface_(surface),
-          problem_(problem),
+    CurveFairing(const CurveProblem& problem, const ProjectedCurve& shadow)
+        : problem_(problem),
           shadow_(shadow),
           extended_(*problem.extended),
           closed_(problem.options.closed),
@@ -169,7 +168,7 @@ private:
                 node.start = (k + 1) % 3;
                 node.end = (k + 2) % 3;
             } else {
-                node.normals[k] = normalOf(face[k]);
+                node.normals[k] = extended_.vertexNormal(face[k]);
             }
         }
         place(node);
@@ -182,26 +181,6 @@ private:
             node.perMove = node.isFree ? 1.0 / across : 0.0;
         }
         nodes_.push_back(node);
-    }
-
-    // The mean normal of the faces around a vertex, by their areas: unit.
-    [[nodiscard]] Vec3 normalOf(int vertex) const {
-        // Neighbouring crossings have a vertex in common.
-        if (!nodes_.empty()) {
-            const Node& last = nodes_.back();
-            const int corner = cornerOf(extended_.faces[last.point.face], vertex);
-            if (corner >= 0 && !last.normals[corner].isZero(0.0)) {
-                return last.normals[corner];
-            }
-        }
-        Vec3 sum = Vec3::Zero();
-        for (const int f : surface_.facesAround(vertex)) {
-            const Triangle& corners = extended_.faces[f];
-            const Vec3& origin = extended_.vertices[corners[0]];
-            sum += (extended_.vertices[corners[1]] - origin)
-                       .cross(extended_.vertices[corners[2]] - origin);
-        }
-        return sum.normalized();
     }
 
     void place(Node& node) const {
@@ -621,7 +600,6 @@ private:
         return true;
     }
 
-    const Surface& surface_;
     const CurveProblem& problem_;
     const ProjectedCurve& shadow_;
     const ExtendedSurface& extended_;
@@ -637,10 +615,8 @@ private:
 
 }  // namespace
 
-std::optional<FairedParts> fairedParts(
-    const Surface& surface, const CurveProblem& problem, const ProjectedCurve& shadow
-) {
-    return CurveFairing(surface, problem, shadow).run();
+std::optional<FairedParts> fairedParts(const CurveProblem& problem, const ProjectedCurve& shadow) {
+    return CurveFairing(problem, shadow).run();
 }
 
 }  // namespace bspline_curve

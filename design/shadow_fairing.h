@@ -21,7 +21,7 @@ struct FairedParts {
 /// pieces beside it. Crossings at vertices and on boundaries stay, and those farther from the
 /// spline than the tolerance. O(n).
 [[nodiscard]] std::optional<FairedParts> fairedParts(
-    const Surface& surface, const CurveProblem& problem, const ProjectedCurve& shadow
+    const CurveProblem& problem, const ProjectedCurve& shadow
 );
 
 }  // namespace bspline_curve

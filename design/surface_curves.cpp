@@ -148,7 +148,7 @@ SurfacePolyline polylineOf(
     const ProjectedCurve shadow(
         *problem.extended, problem.shell, space, controls, std::move(*trace)
     );
-    return makeStrictPolyline(surface, problem, FairedShadow(surface, problem, shadow), sampling);
+    return makeStrictPolyline(surface, problem, FairedShadow(problem, shadow), sampling);
 }
 
 // Least distance of a vertex of the polyline to the faces of a region.

@@ -159,7 +159,7 @@ private:
             return std::nullopt;
         }
         const ProjectedCurve shadow(extended_, nullptr, space, controls, std::move(distance.trace));
-        const FairedShadow faired(surface_, problem_, shadow);
+        const FairedShadow faired(problem_, shadow);
         SamplingOptions sampling;
         sampling.maxSegmentLength = kVertexStep * distance_;
         sampling.samples = 0;

@@ -170,7 +170,7 @@ Drawn draw(const ProblemFixture& fixture, const std::vector<Vec3>& picks) {
     SurfacePolyline line = makeStrictPolyline(
         fixture.surface(),
         fixture.problem(),
-        FairedShadow(fixture.surface(), fixture.problem(), shadow),
+        FairedShadow(fixture.problem(), shadow),
         SamplingOptions()
     );
     EXPECT_TRUE(solution.report.usable);
