@@ -115,6 +115,18 @@ CLI::Option* DescribedOptions::add(
         case ParameterType::Enum:
             option = addChoice(parameter, flags, extras);
             break;
+        case ParameterType::Length:
+            option = app_.add_option_function<std::string>(
+                             flags,
+                             [this, key = parameter.id](const std::string& text) {
+                                 static_cast<void>(parseLength(text, flagOf(key)));
+                                 keep(key, text);
+                             },
+                             extras.help.empty() ? parameter.help : extras.help
+            )
+                         ->type_name("LENGTH")
+                         ->default_str(values_.get<std::string>(parameter.id));
+            break;
         default:
             throw std::invalid_argument(parameter.id + " is no option of the program");
     }

@@ -145,7 +145,13 @@ Curve CurveDesigner::design(
         start = ownStart ? &*ownStart : nullptr;
     }
     const CurveTask task{
-        picks, options, sampling, inputs.field, provenance.facesFromInput(avoid), start
+        picks,
+        options,
+        sampling,
+        inputs.field,
+        provenance.facesFromInput(avoid),
+        inputs.pickTolerances,
+        start
     };
     try {
         Curve curve;

@@ -228,12 +228,59 @@ std::optional<Solved> CurveSolver::relaxFaired(
         return std::nullopt;
     }
     CurveProblem problem = problemOn(*faired, unfaired.shell, unfaired.progress);
-    problem.faired = fairedShapeOf(*faired, options_, problem.chordLength);
+    hold(*faired, problem);
+    return relaxed(std::move(problem), faired->path, std::move(start), work);
+}
+
+std::optional<PickPath> CurveSolver::pathNear(std::span<const PickLeeway> leeways) const {
+    const PickPath quick = pathRound({}, context_.field.travel(options_, 1.0), PathKind::Quick);
+    const CurveProblem problem = problemOn(quick, nullptr, {});
+    PathField field;
+    if (hasPull(problem)) {
+        field = {problem.field, options_.fieldCost, fieldWeight(problem)};
+    }
+    return fairedPathNear(
+        *prepared_.extended(), &prepared_.patches(), quick, leeways, field, options_
+    );
+}
+
+std::optional<Solved> CurveSolver::solveAlong(
+    const PickPath& path, std::span<const int> passed, const Progress& progress
+) const {
+    if (!isLocal()) {
+        return std::nullopt;
+    }
+    Stopwatch watch;
+    PickPath own{path.path, {}};
+    for (const int pick : passed) {
+        own.picks.push_back(path.picks[pick]);
+    }
+    CurveProblem problem = problemOn(own, nullptr, progress);
+    problem.chordLength = polygonLength(path.picks, options_.closed);
+    for (const PickConstraint& pick : path.picks) {
+        problem.nearParameters.push_back(pick.parameter);
+    }
+    if (isFaired()) {
+        hold(own, problem);
+    }
+    double work = workAtSamples();
+    std::optional<Solved> solved = relaxed(std::move(problem), own.path, {}, work);
+    if (solved) {
+        auto& seconds = solved->solution.report.seconds;
+        seconds.failedAttempts = std::max(
+            0.0, watch.lap() - seconds.initial - seconds.minimise - seconds.knots
+        );
+    }
+    return solved;
+}
+
+// Makes a problem's curve that of least bending.
+void CurveSolver::hold(const PickPath& faired, CurveProblem& problem) const {
+    problem.faired = fairedShapeOf(faired, options_, problem.chordLength);
     problem.faired.strength = fairedStrength();
     if (hasPull(problem)) {
         problem.faired.stiffness = 0.0;  // it would hold the curve against the field
     }
-    return relaxed(std::move(problem), faired->path, std::move(start), work);
 }
 
 // Where attempts at samples without one are none, or must not be the only ones.

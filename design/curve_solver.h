@@ -4,6 +4,7 @@
 #include "bspline_curve/curve.h"
 #include "design/field_cache.h"
 #include "design/initial_path.h"
+#include "design/near_picks.h"
 #include "design/prepared_surface.h"
 #include "solver/curve_problem.h"
 #include "solver/obstacles.h"
@@ -55,6 +56,17 @@ public:
     /// InputError (NoPath), Cancelled.
     [[nodiscard]] Solved solve(const Progress& progress) const;
 
+    /// The fair path that keeps to the picks as the leeways say, each of them, and follows the
+    /// field; see fairedPathNear(). Throws InputError (NoPath).
+    [[nodiscard]] std::optional<PickPath> pathNear(std::span<const PickLeeway> leeways) const;
+
+    /// A curve along such a path, through the points of it that are nearest to some picks:
+    /// `passed`, ascending, the first among them and, of an open curve, the last. Nothing where it
+    /// is not usable, or not to be drawn at samples.
+    [[nodiscard]] std::optional<Solved> solveAlong(
+        const PickPath& path, std::span<const int> passed, const Progress& progress
+    ) const;
+
     /// The last of these, whatever else there is.
     [[nodiscard]] Solved solveTightly(const Progress& progress) const;
 
@@ -99,6 +111,7 @@ private:
         std::optional<SampledStart> start,
         double& work
     ) const;
+    void hold(const PickPath& faired, CurveProblem& problem) const;
     [[nodiscard]] bool needsShell() const;
     [[nodiscard]] bool arePicksIn(const std::vector<int>& faces) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/faired_path.h"
 
+#include "design/near_picks.h"
 #include "design/surface_walk.h"
 #include "spline/band_cholesky.h"
 
@@ -47,6 +48,9 @@ struct FairingConstants {
     /// Times the length of the path before: what is longer goes round a part of the surface that
     /// bends more.
     double longest = 1.5;
+    /// Of the energy, by which the bounds of picks hold a path back: on each level one after the
+    /// other. The last leaves a path a hundredth of the bound inside.
+    std::array<std::array<double, 2>, 2> barrierShares = {{{0.1, 0.01}, {1e-3, 1e-4}}};
 };
 
 constexpr FairingConstants kFairing;
@@ -68,11 +72,14 @@ public:
         const ExtendedSurface& extended,
         const PatchLevels* patches,
         const PickPath& path,
+        std::span<const PickLeeway> leeways,
+        const PathField& field,
         const SolverOptions& options
     )
         : extended_(extended),
           finder_(extended, patches),
           options_(options),
+          field_(field),
           picks_(path.picks),
           lengthBefore_(path.path.length()),
           chord_(polygonLength(path.picks, options.closed)) {
@@ -89,12 +96,29 @@ public:
         if (options.closed) {
             now_.pop_back();
         }
-        std::size_t i = 0;
-        for (const PickConstraint& pick : picks_) {
-            while (points[i].parameter < pick.parameter) {
-                ++i;
+        const std::size_t lastSegment = segmentCount() - 1;
+        std::size_t node = 0;
+        for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
+            while (points[node].parameter < picks_[pick].parameter) {
+                ++node;
             }
-            pickNodes_.push_back(i);
+            const bool isExact = leeways.empty() || leeways[pick].bound == 0.0;
+            isExact_.push_back(isExact ? 1 : 0);
+            const bool isAtNode = pick == 0 || (!options.closed && pick + 1 == picks_.size());
+            if (isExact || isAtNode) {
+                stops_.push_back({node, isExact ? static_cast<int>(pick) : -1});
+            }
+            if (!isExact) {
+                const bool isPastEnd = node > lastSegment;
+                near_.add(
+                    {picks_[pick].position,
+                     leeways[pick],
+                     isPastEnd ? lastSegment : node,
+                     isPastEnd ? 1.0 : 0.0,
+                     isAtNode}
+                );
+                nearNumbers_.push_back(pick);
+            }
         }
     }
 
@@ -103,13 +127,17 @@ public:
         if (!(chord_ > 0.0)) {
             return false;
         }
-        for (const FairingLevel& level : kFairing.levels) {
+        for (std::size_t i = 0; i < kFairing.levels.size(); ++i) {
+            const FairingLevel& level = kFairing.levels[i];
             placeEvenly(level);
-            double damping = kFairing.firstDamping;
-            for (int step = 0; step < level.mostSteps; ++step) {
-                if (descend(damping) <= level.restShare) {
-                    break;
-                }
+            if (near_.empty()) {
+                relax(level);
+                continue;
+            }
+            for (const double share : kFairing.barrierShares[i]) {
+                barrier_ = share * energy_.own;
+                energy_ = energyOf(now_, near_);
+                relax(level);
             }
         }
         return true;
@@ -119,8 +147,9 @@ public:
     /// or in a cusp, or where it has become much longer.
     [[nodiscard]] std::optional<PickPath> result() const {
         PickPath faired;
+        faired.picks.resize(picks_.size());
         double length = 0.0;
-        std::size_t nextPick = 0;
+        auto stop = stops_.begin();
         for (std::size_t k = 0; k <= segmentCount(); ++k) {
             const Node& node = now_[k % size()];
             if (node.foot.face >= extended_.surfaceFaceCount || isCusp(k % size())) {
@@ -137,16 +166,20 @@ public:
             InitialPath::Point point{
                 length, {node.foot.face, barycentric / barycentric.sum()}, node.position
             };
-            if (isFixed(k % size())) {
-                const PickConstraint& pick = picks_[nextPick % picks_.size()];
-                point.point = pick.point;
-                if (nextPick < picks_.size()) {
-                    faired.picks.push_back({pick.point, pick.position, length});
+            if (k < size() && isFixed(k)) {
+                while (stop->node != k) {
+                    ++stop;
                 }
-                ++nextPick;
+                const PickConstraint& pick = picks_[stop->pick];
+                point.point = pick.point;
+                faired.picks[stop->pick] = {pick.point, pick.position, length};
             }
             faired.path.points.push_back(point);
         }
+        if (options_.closed && isFixed(0)) {
+            faired.path.points.back().point = faired.path.points.front().point;
+        }
+        passNearPicks(faired);
         if (length > kFairing.longest * lengthBefore_) {
             return std::nullopt;
         }
@@ -155,19 +188,69 @@ public:
     }
 
 private:
-    struct Node : SurfaceNode {
-        Vec3 normal = Vec3::Zero();  // of the faces around, unit
-    };
+    using Node = FairingNode;
+
+    // The points of a path that are nearest to the picks beside it, in the order of the picks.
+    void passNearPicks(PickPath& faired) const {
+        const auto nearPicks = near_.picks();
+        for (std::size_t i = 0; i < nearPicks.size(); ++i) {
+            const auto& [position, leeway, segmentOf, share, isAtNode] = nearPicks[i];
+            const InitialPath::Point& from = faired.path.points[segmentOf];
+            const InitialPath::Point& to = faired.path.points[segmentOf + 1];
+            const Node& node = now_[segmentOf];
+            FootPoint foot = node.foot;
+            FootFrame frame = node.frame;
+            finder_.move(from.position + share * (to.position - from.position), foot, frame);
+            PickConstraint& pick = faired.picks[nearNumbers_[i]];
+            pick.parameter = std::lerp(from.parameter, to.parameter, share);
+            if (foot.face >= extended_.surfaceFaceCount) {
+                const InitialPath::Point& end = share > 0.5 ? to : from;
+                pick = {end.point, end.position, end.parameter};
+                continue;
+            }
+            const Vec3 barycentric = foot.barycentric().cwiseMax(0.0);
+            pick.point = {foot.face, barycentric / barycentric.sum()};
+            pick.position = extended_.position(pick.point);
+        }
+        // In order, where two lie the other way round along the path; exact ones stay.
+        bool isLimit = false;
+        for (std::size_t i = faired.picks.size() - 1; i > 0; --i) {
+            isLimit = isLimit || isExact_[i] != 0;
+            if (isLimit && faired.picks[i - 1].parameter > faired.picks[i].parameter) {
+                faired.picks[i - 1] = faired.picks[i];
+            } else {
+                isLimit = false;
+            }
+        }
+        for (std::size_t i = 1; i < faired.picks.size(); ++i) {
+            if (faired.picks[i].parameter < faired.picks[i - 1].parameter) {
+                faired.picks[i] = faired.picks[i - 1];
+            }
+        }
+    }
 
     // How a node and its normal move by the unknown, its way across the path. Zero at picks.
     struct Way {
         Vec3 across = Vec3::Zero(), turn = Vec3::Zero();
+        double fieldBy = 0.0;  // derivative of I
     };
 
     struct Energy {
         double bending = 0.0;  // the integral of kappa_g^2
         double length = 0.0;
+        double fieldCost = 0.0;  // mean of c along the path
+        double own = 0.0;        // without what picks draw
         double total = 0.0;
+    };
+
+    // A node from which the path goes on in even steps.
+    struct Stop {
+        std::size_t node;
+        int pick;  // that it stays at; -1: none
+    };
+
+    struct FieldHere {
+        double cost = 0.0, slope = 0.0, curvature = 0.0;  // by I
     };
 
     // The turn at a node and the length that is its own, and their derivatives by the unknowns
@@ -242,7 +325,8 @@ private:
     struct Placement {
         std::vector<Node> nodes;
         std::vector<Vec3> targets;
-        std::vector<std::size_t> pickNodes;
+        std::vector<double> places;  // by segments of the polyline before
+        std::vector<Stop> stops;
     };
 
     // Spreads points from pick to pick, at even steps by measure.
@@ -250,16 +334,18 @@ private:
         const std::vector<double> measure = measures(level.segments);
         const double whole = std::accumulate(measure.begin(), measure.end(), 0.0);
         Placement placement;
-        for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
-            const std::size_t first = pickNodes_[pick];
-            const std::size_t end =
-                pick + 1 < picks_.size() ? pickNodes_[pick + 1] : segmentCount();
-            placement.pickNodes.push_back(placement.nodes.size());
+        for (std::size_t i = 0; i < stops_.size(); ++i) {
+            const auto [first, pick] = stops_[i];
+            const std::size_t end = i + 1 < stops_.size() ? stops_[i + 1].node : segmentCount();
+            placement.stops.push_back({placement.nodes.size(), pick});
             placement.nodes.push_back(now_[first]);
-            placement.targets.push_back(picks_[pick].position);
-            if (first < end) {  // not the last pick of an open path
-                const auto leg = [&](std::size_t i) {
-                    return measure.begin() + static_cast<std::ptrdiff_t>(i);
+            placement.targets.push_back(
+                pick >= 0 ? picks_[pick].position : now_[first].position
+            );
+            placement.places.push_back(static_cast<double>(first));
+            if (first < end) {  // not the last stop of an open path
+                const auto leg = [&](std::size_t node) {
+                    return measure.begin() + static_cast<std::ptrdiff_t>(node);
                 };
                 const double length = std::accumulate(leg(first), leg(end), 0.0);
                 const auto share = std::lround(level.segments * length / whole);
@@ -290,20 +376,36 @@ private:
                 measure[i] > 0.0 ? std::min(1.0, (goal - passed) / measure[i]) : 0.0;
             placement.nodes.push_back(now_[i]);
             placement.targets.emplace_back(now_[i].position + share * segment(now_, i));
+            placement.places.push_back(static_cast<double>(i) + share);
         }
+    }
+
+    // Gives near picks the segments of the new polyline at the same places.
+    void placeNearPicks(const std::vector<double>& places) {
+        for (NearPicks::Pick& pick : near_.picks()) {
+            const double place = static_cast<double>(pick.segment) + pick.share;
+            const auto above = std::ranges::upper_bound(places, place);
+            const auto segment = static_cast<std::size_t>(
+                std::max<std::ptrdiff_t>(0, above - places.begin() - 1)
+            );
+            const bool isPastEnd = segment >= segmentCount();
+            pick.segment = isPastEnd ? segmentCount() - 1 : segment;
+            pick.share = isPastEnd ? 1.0 : 0.0;
+        }
+        near_.follow(now_, options_.closed);
     }
 
     void placeEvenly(const FairingLevel& level) {
         Placement placement = spread(level);
         now_ = std::move(placement.nodes);
-        pickNodes_ = std::move(placement.pickNodes);
+        stops_ = std::move(placement.stops);
         isFixed_.assign(size(), 0);
-        for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
-            const SurfacePoint& point = picks_[pick].point;
-            isFixed_[pickNodes_[pick]] = 1;
-            now_[pickNodes_[pick]].foot = {
-                point.face, point.barycentric[1], point.barycentric[2], 0.0
-            };
+        for (const auto& [node, pick] : stops_) {
+            if (pick >= 0) {
+                const SurfacePoint& point = picks_[pick].point;
+                isFixed_[node] = 1;
+                now_[node].foot = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
+            }
         }
         std::vector<FibreProjector::Move> moves;
         for (std::size_t i = 0; i < size(); ++i) {
@@ -313,11 +415,14 @@ private:
         for (Node& node : now_) {
             settle(node);
         }
-        for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
-            now_[pickNodes_[pick]].position = picks_[pick].position;
+        for (const auto& [node, pick] : stops_) {
+            if (pick >= 0) {
+                now_[node].position = picks_[pick].position;
+            }
         }
+        placeNearPicks(placement.places);
         trial_ = now_;
-        energy_ = energyOf(now_);
+        energy_ = energyOf(now_, near_);
     }
 
     struct TurnValue {
@@ -343,7 +448,30 @@ private:
         };
     }
 
-    [[nodiscard]] Energy energyOf(const std::vector<Node>& nodes) const {
+    [[nodiscard]] FieldHere fieldAt(const Node& node) const {
+        const Triangle& face = extended_.faces[node.foot.face];
+        const Vec3 barycentric = node.foot.barycentric();
+        double value = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            value += barycentric[k] * field_.values[face[k]];
+        }
+        const FieldCostValue cost = fieldCost(field_.cost, value);
+        return {cost.value, cost.slope, cost.curvature};
+    }
+
+    // Mean of c along the path, by the trapezoidal rule.
+    [[nodiscard]] double fieldCostOf(
+        const std::vector<Node>& nodes, const std::vector<double>& lengths, double length
+    ) const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < lengths.size(); ++i) {
+            sum +=
+                0.5 * lengths[i] * (fieldAt(nodes[i]).cost + fieldAt(nodes[after(i)]).cost);
+        }
+        return sum / length;
+    }
+
+    [[nodiscard]] Energy energyOf(const std::vector<Node>& nodes, const NearPicks& near) const {
         Energy energy;
         std::vector<double> lengths(segmentCount());
         for (std::size_t i = 0; i < segmentCount(); ++i) {
@@ -359,14 +487,23 @@ private:
             }
         }
         const double stretch = energy.length / chord_;
-        energy.total = (1.0 - options_.tension) * energy.length * energy.bending +
-                       options_.tension * stretch * stretch;
+        energy.own = (1.0 - options_.tension) * energy.length * energy.bending +
+                     options_.tension * stretch * stretch;
+        if (!field_.empty()) {
+            energy.fieldCost = fieldCostOf(nodes, lengths, energy.length);
+            energy.own += field_.weight * energy.fieldCost;
+        }
+        energy.total = energy.own + near.energy(nodes, barrier_);
         return energy;
     }
 
     [[nodiscard]] Way wayOf(std::size_t i) const {
         const Node& node = now_[i];
-        const Vec3 along = segment(now_, before(i)).normalized() + segment(now_, i).normalized();
+        const bool isFirst = !hasTurn(i) && i == 0;
+        const bool isLast = !hasTurn(i) && i > 0;
+        const Vec3 along =
+            (isFirst ? Vec3(Vec3::Zero()) : Vec3(segment(now_, before(i)).normalized())) +
+            (isLast ? Vec3(Vec3::Zero()) : Vec3(segment(now_, i).normalized()));
         const Vec3 across = node.normal.cross(along).normalized();
         const Triangle& face = extended_.faces[node.foot.face];
         const Vec3& corner = extended_.vertices[face[0]];
@@ -382,6 +519,11 @@ private:
                                v * (extended_.vertexNormal(face[2]) - normal)) /
                               length;
             way.turn = turn - turn.dot(node.normal) * node.normal;
+        }
+        if (!field_.empty()) {
+            const auto& values = field_.values;
+            way.fieldBy = u * (values[face[1]] - values[face[0]]) +
+                          v * (values[face[2]] - values[face[0]]);
         }
         return way;
     }
@@ -440,8 +582,54 @@ private:
             }
         }
         for (std::size_t i = 0; i < segmentCount(); ++i) {
-            addSegment(i, lengthWeight);
+            addSegment(i, lengthWeight + fieldWeightOf(i));
         }
+        for (std::size_t i = 0; !field_.empty() && i < size(); ++i) {
+            addField(i);
+        }
+        for (const NearPicks::Pick& pick : near_.picks()) {
+            addPull(near_.pullOf(pick, now_, barrier_));
+        }
+    }
+
+    // The derivative of the field's term by the length of a segment.
+    [[nodiscard]] double fieldWeightOf(std::size_t i) const {
+        if (field_.empty()) {
+            return 0.0;
+        }
+        const double mean = 0.5 * (fieldAt(now_[i]).cost + fieldAt(now_[after(i)]).cost);
+        return field_.weight * (mean - energy_.fieldCost) / energy_.length;
+    }
+
+    void addField(std::size_t i) {
+        const FieldHere here = fieldAt(now_[i]);
+        double length = 0.0;
+        if (options_.closed || i > 0) {
+            length += 0.5 * segment(now_, before(i)).norm();
+        }
+        if (options_.closed || i + 1 < size()) {
+            length += 0.5 * segment(now_, i).norm();
+        }
+        const double weight = field_.weight * length / energy_.length;
+        const double by = ways_[i].fieldBy;
+        gradientAt(i) += weight * here.slope * by;
+        derivatives_.rows[i][0] += weight * std::max(0.0, here.curvature) * by * by;
+    }
+
+    void addPull(const NearPicks::Pull& pull) {
+        const std::size_t i = pull.segment;
+        const std::size_t j = after(i);
+        const Vec3 a = (1.0 - pull.share) * ways_[i].across;
+        const Vec3 b = pull.share * ways_[j].across;
+        const double byA = 2.0 * pull.way.dot(a);  // of the squared distance
+        const double byB = 2.0 * pull.way.dot(b);
+        gradientAt(i) += pull.slope * byA;
+        gradientAt(j) += pull.slope * byB;
+        derivatives_.rows[i][0] +=
+            pull.curvature * byA * byA + 2.0 * pull.slope * a.squaredNorm();
+        derivatives_.rows[j][0] +=
+            pull.curvature * byB * byB + 2.0 * pull.slope * b.squaredNorm();
+        derivatives_.rows[i][1] += pull.curvature * byA * byB + 2.0 * pull.slope * a.dot(b);
     }
 
     [[nodiscard]] double& gradientAt(std::size_t i) {
@@ -476,9 +664,10 @@ private:
         gradientAt(next) += weight * tangent.dot(b);
         const Vec3 aAside = a - tangent.dot(a) * tangent;
         const Vec3 bAside = b - tangent.dot(b) * tangent;
-        derivatives_.rows[i][0] += weight / length * aAside.squaredNorm();
-        derivatives_.rows[next][0] += weight / length * bAside.squaredNorm();
-        derivatives_.rows[i][1] -= weight / length * aAside.dot(bAside);
+        const double bent = std::max(0.0, weight) / length;
+        derivatives_.rows[i][0] += bent * aAside.squaredNorm();
+        derivatives_.rows[next][0] += bent * bAside.squaredNorm();
+        derivatives_.rows[i][1] -= bent * aAside.dot(bAside);
     }
 
     // Newton's step with the diagonal damped; nothing where the Hessian is not positive.
@@ -507,6 +696,15 @@ private:
         return factor.factorise() ? std::optional(factor.solve(std::move(right))) : std::nullopt;
     }
 
+    void relax(const FairingLevel& level) {
+        double damping = kFairing.firstDamping;
+        for (int step = 0; step < level.mostSteps; ++step) {
+            if (descend(damping) <= level.restShare) {
+                break;
+            }
+        }
+    }
+
     // One step; returns the share of the energy that it gains.
     double descend(double& damping) {
         differentiate();
@@ -518,10 +716,13 @@ private:
                 for (int i = 0; !tryStep(*step, mean) && i < kFairing.mostHalvings; ++i) {
                     *step *= 0.5;
                 }
-                const Energy after = energyOf(trial_);
+                NearPicks near = near_;
+                near.follow(trial_, options_.closed);
+                const Energy after = energyOf(trial_, near);
                 if (isTrialNear_ && after.total < energy_.total) {
                     const double gain = (energy_.total - after.total) / energy_.total;
                     std::swap(now_, trial_);
+                    near_ = std::move(near);
                     energy_ = after;
                     damping = std::max(kFairing.leastDamping, damping * kFairing.dampingDecay);
                     return gain;
@@ -564,14 +765,19 @@ private:
     const ExtendedSurface& extended_;
     FibreProjector finder_;
     const SolverOptions& options_;
+    const PathField& field_;
     const std::vector<PickConstraint>& picks_;
     double lengthBefore_;  // of the path
     double chord_;         // length of the polygon of picks
     std::vector<Node> now_, trial_;
     bool isTrialNear_ = false;
-    std::vector<std::size_t> pickNodes_;  // of each pick
-    std::vector<char> isFixed_;           // by node: it is a pick
-    std::vector<Way> ways_;               // by node
+    std::vector<Stop> stops_;
+    NearPicks near_;
+    std::vector<char> isExact_;             // by pick
+    std::vector<std::size_t> nearNumbers_;  // of each of these, its index among the picks
+    double barrier_ = 0.0;                  // strength, see NearPicks
+    std::vector<char> isFixed_;             // by node: it is a pick
+    std::vector<Way> ways_;                 // by node
     Derivatives derivatives_;
     Energy energy_;
 };
@@ -602,7 +808,18 @@ std::optional<PickPath> fairedPath(
     const PickPath& path,
     const SolverOptions& options
 ) {
-    FairingPolyline polyline(extended, patches, path, options);
+    return fairedPathNear(extended, patches, path, {}, {}, options);
+}
+
+std::optional<PickPath> fairedPathNear(
+    const ExtendedSurface& extended,
+    const PatchLevels* patches,
+    const PickPath& path,
+    std::span<const PickLeeway> leeways,
+    const PathField& field,
+    const SolverOptions& options
+) {
+    FairingPolyline polyline(extended, patches, path, leeways, field, options);
     return polyline.comesToRest() ? polyline.result() : std::nullopt;
 }
 

@@ -3,10 +3,13 @@
 
 #include "bspline_curve/options.h"
 #include "design/initial_path.h"
+#include "design/near_picks.h"
 #include "shell/extended_surface.h"
+#include "solver/field_cost.h"
 #include "surface/patch_levels.h"
 
 #include <optional>
+#include <span>
 
 namespace bspline_curve {
 
@@ -26,6 +29,29 @@ namespace bspline_curve {
     const ExtendedSurface& extended,
     const PatchLevels* patches,
     const PickPath& path,
+    const SolverOptions& options
+);
+
+/// A field that draws a path: the mean of c(I) along it, times the weight, is added to what it
+/// minimises. Empty: none.
+struct PathField {
+    std::span<const double> values;  ///< I at each vertex of the extended surface
+    FieldCost cost = FieldCost::Identity;
+    double weight = 0.0;
+
+    [[nodiscard]] bool empty() const { return values.empty(); }
+};
+
+/// The same with picks that it keeps near to, each as its leeway says (empty: all exactly), and
+/// under a field. The picks of the result are the points of the path nearest to them, with ascending
+/// parameters; those of near ones may be the same. Bounds hold but for roundings, or where the path
+/// did not come to rest: to be checked.
+[[nodiscard]] std::optional<PickPath> fairedPathNear(
+    const ExtendedSurface& extended,
+    const PatchLevels* patches,
+    const PickPath& path,
+    std::span<const PickLeeway> leeways,
+    const PathField& field,
     const SolverOptions& options
 );
 

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/spline_data.h"
 
+#include <utility>
+
 namespace bspline_curve {
 
 SplineData splineDataOf(
-    const SplineCurve& curve, const ShellFrame& frame, std::span<const PickConstraint> picks
+    const SplineCurve& curve, const ShellFrame& frame, std::vector<double> pickParameters
 ) {
     const auto& [space, controls] = curve;
-    SplineData data{space.degree(), space.closed(), space.knotVector(), {}, {}};
+    SplineData data{space.degree(), space.closed(), space.knotVector(), {}, std::move(pickParameters)};
     const int repeated = data.closed ? data.degree : 0;
     for (int i = 0; i < space.controlCount() + repeated; ++i) {
         const int c = i % space.controlCount();
         data.controlPoints.push_back(frame.toUser(controls.row(c).transpose()));
-    }
-    for (const PickConstraint& pick : picks) {
-        data.pickParameters.push_back(pick.parameter);
     }
     return data;
 }

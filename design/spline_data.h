@@ -4,15 +4,14 @@
 #include "bspline_curve/curve.h"
 #include "shell/extended_surface.h"
 #include "solver/initial_curve.h"
-#include "spline/pick_constraint.h"
 
-#include <span>
+#include <vector>
 
 namespace bspline_curve {
 
 /// A spline of the shell's frame as people keep it, with the parameters of its picks.
 [[nodiscard]] SplineData splineDataOf(
-    const SplineCurve& curve, const ShellFrame& frame, std::span<const PickConstraint> picks
+    const SplineCurve& curve, const ShellFrame& frame, std::vector<double> pickParameters
 );
 
 }  // namespace bspline_curve

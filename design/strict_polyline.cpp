@@ -24,7 +24,10 @@ struct Vertex {
 class PolylineMaker {
 public:
     PolylineMaker(const Surface& surface, const CurveProblem& problem, const FairedShadow& curve)
-        : surface_(surface), problem_(problem), curve_(curve) {}
+        : surface_(surface),
+          problem_(problem),
+          curve_(curve),
+          pickParameters_(pickParametersOf(problem)) {}
 
     SurfacePolyline make(const SamplingOptions& sampling) {
         collect(sampling.samples);
@@ -40,10 +43,14 @@ public:
         line.surfacePoints.reserve(vertices_.size());
         line.points.reserve(vertices_.size());
         line.parameters.reserve(vertices_.size());
-        line.picks.resize(problem_.picks.size());
+        line.picks.resize(pickParameters_.size());
         for (const Vertex& vertex : vertices_) {
-            if (vertex.pick >= 0) {
-                line.picks[vertex.pick] = static_cast<int>(line.points.size());
+            // Picks at one place have one vertex.
+            for (auto pick = static_cast<std::size_t>(vertex.pick);
+                 vertex.pick >= 0 && pick < pickParameters_.size() &&
+                 pickParameters_[pick] == pickParameters_[vertex.pick];
+                 ++pick) {
+                line.picks[pick] = static_cast<int>(line.points.size());
             }
             line.surfacePoints.push_back(vertex.point);
             line.points.push_back(vertex.position);
@@ -62,11 +69,22 @@ private:
 
     void collect(int samples) {
         vertices_.reserve(
-            problem_.picks.size() + 1 + curve_.crossings().size() + (std::max(samples, 0))
+            pickParameters_.size() + 1 + curve_.crossings().size() + (std::max(samples, 0))
         );
-        for (std::size_t i = 0; i < problem_.picks.size(); ++i) {
+        auto passed = problem_.picks.begin();
+        for (std::size_t i = 0; i < pickParameters_.size(); ++i) {
+            const double t = pickParameters_[i];
+            if (i > 0 && t == pickParameters_[i - 1]) {
+                continue;
+            }
+            while (passed != problem_.picks.end() && passed->parameter < t) {
+                ++passed;
+            }
+            const bool isPassed = passed != problem_.picks.end() && passed->parameter == t;
             vertices_.push_back(makeVertex(
-                problem_.picks[i].parameter, problem_.picks[i].point, static_cast<int>(i)
+                t,
+                isPassed ? passed->point : snapped(curve_.at(t), kSnapBarycentric),
+                static_cast<int>(i)
             ));
         }
         if (problem_.options.closed) {
@@ -149,6 +167,7 @@ private:
     const Surface& surface_;
     const CurveProblem& problem_;
     const FairedShadow& curve_;
+    std::vector<double> pickParameters_;
     std::vector<Vertex> vertices_;
 };
 

@@ -4,12 +4,9 @@
 #include "bspline_curve/error.h"
 #include "design/curve_solver.h"
 #include "design/detours.h"
-#include "design/spline_data.h"
-#include "design/strict_polyline.h"
-#include "projection/fibre_tracer.h"
-#include "projection/projected_curve.h"
+#include "design/near_curve.h"
+#include "design/solved_curve.h"
 #include "solver/obstacles.h"
-#include "solver/problem_traces.h"
 #include "surface/error_messages.h"
 #include "surface/field_on_surface.h"
 #include "surface/picks.h"
@@ -17,7 +14,6 @@
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
 #include "utility/report_progress.h"
-#include "utility/sparse_map.h"
 #include "utility/stopwatch.h"
 #include "utility/worker_task.h"
 #include "utility/worker_thread.h"
@@ -103,54 +99,6 @@ void refuseAvoidedPicks(
     }
 }
 
-// Says in which shell the curve was drawn, or how many faces its fibres met.
-void describeShell(const CurveProblem& problem, const Solution& solution, Curve& curve) {
-    if (problem.shell != nullptr) {
-        curve.shell =
-            problem.shell->isFullResolution() ? ShellKind::FullResolution : ShellKind::Simplified;
-        curve.prisms = problem.shell->prismCount();
-        return;
-    }
-    SparseMap<char> faces;
-    for (const int face : facesPassed(solution)) {
-        faces.at(face, 1);
-    }
-    curve.facesPassed = static_cast<int>(faces.size());
-}
-
-// `trace`: of this spline, in the problem's shell or along the fibres; none: of the cells.
-SurfacePolyline polylineOf(
-    const Surface& surface,
-    const CurveProblem& problem,
-    const SplineCurve& spline,
-    std::optional<CurveTrace> trace,
-    const SamplingOptions& sampling
-) {
-    const auto& [space, controls] = spline;
-    if (problem.shell != nullptr && !problem.shell->isFullResolution()) {
-        // The fibres of a simplified shell are oblique to the surface, so a spline that is smooth
-        // and within its tolerance has a shadow along them that is less smooth.
-        CurveDistance fine = measureAlongFibres(fibreStartOf(problem), space, controls);
-        // Other fibres may lead into what the curve avoids.
-        const auto isAvoided = [&](int f) { return problem.obstacles->isAvoided(f); };
-        if (std::isfinite(fine.largest) &&
-            (problem.obstacles == nullptr ||
-             std::ranges::none_of(facesPassed(fine.trace), isAvoided))) {
-            trace = std::move(fine.trace);
-        }
-    }
-    if (!trace) {
-        trace = traceCells(traceStartOf(problem), space, controls);
-    }
-    if (!progressOf(*trace).isWhole) {
-        throw std::logic_error("the polyline was asked of a spline that leaves its shell");
-    }
-    const ProjectedCurve shadow(
-        *problem.extended, problem.shell, space, controls, std::move(*trace)
-    );
-    return makeStrictPolyline(surface, problem, FairedShadow(problem, shadow), sampling);
-}
-
 // Least distance of a vertex of the polyline to the faces of a region.
 double clearanceOf(const SurfacePolyline& line, const Surface& surface, const Region& region) {
     std::vector<Triangle> avoided;
@@ -163,45 +111,6 @@ double clearanceOf(const SurfacePolyline& line, const Surface& surface, const Re
         least = std::min(least, std::sqrt(tree.closestPoint(point).squaredDistance));
     }
     return least;
-}
-
-// The part of a curve whose polyline is farther from its spline than the tolerance.
-std::optional<FarPart> farPartOf(
-    const CurveProblem& problem, const SplineCurve& spline, const SurfacePolyline& line
-) {
-    const ShellFrame& frame = problem.extended->frame;
-    std::optional<FarPart> part;
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-        const double t = line.parameters[i];
-        const Vec3 position = spline.space.evaluate(spline.controls, t);
-        if ((position - frame.toUnit(line.points[i])).norm() < problem.distanceTolerance) {
-            continue;
-        }
-        if (!part) {
-            part.emplace();
-            part->from = t;
-        }
-        part->to = t;
-        part->faces.push_back(line.surfacePoints[i].face);
-    }
-    if (part) {
-        sortUnique(part->faces);
-    }
-    return part;
-}
-
-Curve curveOf(const Surface& surface, Solved& solved, const SamplingOptions& sampling) {
-    auto& [problem, solution] = solved;
-    Curve curve;
-    describeShell(problem, solution, curve);
-    curve.polyline =
-        polylineOf(surface, problem, solution.curve, std::move(solution.trace), sampling);
-    curve.spline = splineDataOf(solution.curve, problem.extended->frame, problem.picks);
-    curve.report = solution.report;
-    if (!curve.report.usable) {
-        curve.report.farPart = farPartOf(problem, solution.curve, curve.polyline);
-    }
-    return curve;
 }
 
 /// `numbers`: of the picks, as they were asked for.
@@ -228,10 +137,78 @@ void giveRepeatedPicks(const LocatedPicks& located, Curve& curve) {
     }
 }
 
+/// Of the progress, for a curve near the picks, before one through them.
+constexpr double kNearPicksShare = 0.6;
+
+/// Of each point, in the user's unit: the least of its picks.
+std::vector<double> pickTolerancesOf(
+    const Surface& surface, const CurveTask& task, const LocatedPicks& located
+) {
+    if (!task.pickTolerances.empty() && task.pickTolerances.size() != task.picks.size()) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "there are " + std::to_string(task.pickTolerances.size()) + " pick tolerances for " +
+                describeCount(task.picks.size(), "pick", "picks") + ": give one for each"
+        );
+    }
+    std::vector<double> tolerances(
+        located.points.size(), std::numeric_limits<double>::infinity()
+    );
+    for (std::size_t i = 0; i < located.pointOf.size(); ++i) {
+        const MeshLength& length =
+            task.pickTolerances.empty() ? task.options.pickTolerance : task.pickTolerances[i];
+        if (!(length.value >= 0.0) || !std::isfinite(length.value)) {
+            throw InputError(
+                InputErrorCode::BadOption,
+                "the tolerance of " + describePicks({static_cast<std::int64_t>(i)}) +
+                    " must be finite and not negative"
+            );
+        }
+        double& tolerance = tolerances[located.pointOf[i]];
+        tolerance = std::min(tolerance, length.in(surface.averageEdgeLength()));
+    }
+    return tolerances;
+}
+
+std::vector<double> pickDistancesOf(
+    const Surface& surface, const LocatedPicks& located, const Curve& curve
+) {
+    std::vector<Vec3> positions;
+    for (const int point : located.pointOf) {
+        positions.push_back(surface.position(located.points[point]));
+    }
+    return distancesTo(curve.polyline, positions);
+}
+
+/// Through the picks; `watch` starts where it is solved.
+NearCurve drawThrough(
+    const PreparedSurface& prepared,
+    const std::vector<SurfacePoint>& picks,
+    const SolverOptions& options,
+    const SamplingOptions& sampling,
+    const DesignContext& context,
+    WorkerThread* side,
+    const Progress& progress,
+    Stopwatch& watch
+) {
+    const Surface& surface = prepared.surface();
+    const CurveSolver solver(prepared, picks, options, context, side);
+    NearCurve drawn{{}, solver.solve(progress)};
+    watch.lap();
+    auto& [curve, solved] = drawn;
+    curve = curveOf(surface, solved, sampling);
+    if (!isStrict(surface, curve.polyline)) {
+        solved = solver.solveTightly(progress);
+        curve = curveOf(surface, solved, sampling);
+        curve.report.usable = curve.report.usable && isStrict(surface, curve.polyline);
+    }
+    return drawn;
+}
+
 }  // namespace
 
 Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) const {
-    const auto& [picks, options, sampling, field, avoid, askedStart] = task;
+    const auto& [picks, options, sampling, field, avoid, asked, askedStart] = task;
     options.validate();
     sampling.validate();
     const std::shared_ptr<const ValidatedField> validated =
@@ -246,27 +223,42 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         );
         refuseAvoidedPicks(surface(), *obstacles, located);
     }
+    const std::vector<double> tolerances = pickTolerancesOf(surface(), task, located);
+    const bool isNear = std::ranges::any_of(tolerances, [](double t) { return t > 0.0; });
     const std::vector<int> numbers = located.firstPicks();
     const DesignContext context{
         *validated,
         obstacles ? &*obstacles : nullptr,
-        repeated.empty() ? askedStart : nullptr,  // which has as many picks as were asked for
+        repeated.empty() && !isNear ? askedStart : nullptr,  // which has as many picks as were asked for
         numbers
     };
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {
         side.emplace();
     }
-    const CurveSolver solver(*this, located.points, options, context, side ? &*side : nullptr);
-    Solved solved = solver.solve(progress);
-    Stopwatch watch;
-    Curve curve = curveOf(surface(), solved, sampling);
-    if (!isStrict(surface(), curve.polyline)) {
-        solved = solver.solveTightly(progress);
-        curve = curveOf(surface(), solved, sampling);
-        curve.report.usable = curve.report.usable && isStrict(surface(), curve.polyline);
+    WorkerThread* const other = side ? &*side : nullptr;
+    std::optional<NearCurve> drawn;
+    if (isNear) {
+        drawn = drawNear(
+            *this, located.points, tolerances, options, sampling, context, other,
+            partOf(progress, 0.0, kNearPicksShare)
+        );
+        if (drawn && !isStrict(surface(), drawn->curve.polyline)) {
+            drawn.reset();
+        }
     }
+    Stopwatch watch;
+    if (!drawn) {
+        drawn = drawThrough(
+            *this, located.points, options, sampling, context, other,
+            partOf(progress, isNear ? kNearPicksShare : 0.0, 1.0), watch
+        );
+    }
+    auto& [curve, solved] = *drawn;
     const CurveProblem& problem = solved.problem;
+    if (isNear) {
+        curve.report.pickDistances = pickDistancesOf(surface(), located, curve);
+    }
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
     curve.report.meanEdgeLength = surface().averageEdgeLength();
     curve.report.diagonal = surface().diagonal();

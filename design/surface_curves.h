@@ -8,6 +8,7 @@
 #include "design/prepared_surface.h"
 #include "surface/region.h"
 
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -19,6 +20,7 @@ struct CurveTask {
     const SamplingOptions& sampling;
     ScalarField field;
     Region avoid;
+    std::span<const MeshLength> pickTolerances;  ///< see CurveInputs
     const Curve* start;  ///< see CurveInputs; null: none
 };
 

@@ -25,6 +25,20 @@ Binding<Options> bound(const std::string& id, Value Options::* member) {
     };
 }
 
+/// Binds a length that is given as text.
+template <class Options>
+Binding<Options> boundLength(const std::string& id, MeshLength Options::* member) {
+    return {
+        .id = id,
+        .read = [id, member](
+                    const ParameterValue& value, Options& options
+                ) { options.*member = parseLength(std::get<std::string>(value), id); },
+        .write = [member](const Options& options) -> ParameterValue {
+            return describe(options.*member);
+        }
+    };
+}
+
 template <class Enum>
 using Names = std::vector<std::pair<std::string, Enum>>;
 

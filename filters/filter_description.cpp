@@ -17,12 +17,13 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::pair<const char*, ParameterType>, 9> kTypes = {{
+constexpr std::array<std::pair<const char*, ParameterType>, 10> kTypes = {{
     {"mesh", ParameterType::Layer},
     {"bool", ParameterType::Bool},
     {"int", ParameterType::Int},
     {"double", ParameterType::Double},
     {"absperc", ParameterType::Percentage},
+    {"length", ParameterType::Length},
     {"enum", ParameterType::Enum},
     {"string", ParameterType::Text},
     {"openFile", ParameterType::OpenFile},

@@ -19,6 +19,7 @@ enum class ParameterType {
     Int,         ///< "int"
     Double,      ///< "double"
     Percentage,  ///< a length, in world units or as a share of the surface's diagonal; "absperc"
+    Length,      ///< text: a length in world units or mean edges, see MeshLength; "length"
     Enum,        ///< "enum"
     Text,        ///< "string"
     OpenFile,    ///< a file to read; "openFile"

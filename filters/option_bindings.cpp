@@ -46,6 +46,7 @@ Bindings<SolverOptions> shapeBindings() {
         bound("closed", &S::closed),
         bound("degree", &S::degree),
         bound("tension", &S::tension),
+        boundLength("pick_tolerance", &S::pickTolerance),
         chosen("field_cost", &S::fieldCost, fieldCosts()),
         bound("field_weight", &S::fieldWeight),
         bound("avoid_margin", &S::avoidMargin),

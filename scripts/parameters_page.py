@@ -75,6 +75,8 @@ def values_of(parameter):
         return "a layer"
     if kind in ("openFile", "saveFile"):
         return ", ".join(f"`{extension}`" for extension in parameter["extensions"])
+    if kind == "length":
+        return "a length, or so many `edges`"
     if kind == "string":
         return "text"
     low, high = parameter.get("min"), parameter.get("max")

@@ -53,7 +53,7 @@ RAISES = [
 def documented(parameter, with_selections):
     """Name, type and meaning, as a docstring has them."""
     kind, default = parameter["type"], parameter["default"]
-    words = {"saveFile": "str or path", "bool": "bool", "int": "int", "double": "float", "absperc": "float", "mesh": "int"}.get(kind, "str")
+    words = {"saveFile": "str or path", "bool": "bool", "int": "int", "double": "float", "absperc": "float", "length": "float or str", "mesh": "int"}.get(kind, "str")
     text = parameter["help"]
     if kind == "enum":
         words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, with_selections)) + "}"

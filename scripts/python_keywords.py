@@ -45,7 +45,7 @@ def parameters_of(flt, keep):
 
 def documented(parameter):
     kind, text = parameter["type"], parameter["help"]
-    words = {"bool": "bool", "int": "int"}.get(kind, "float")
+    words = {"bool": "bool", "int": "int", "length": "float or str"}.get(kind, "float")
     if kind == "enum":
         words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, False)) + "}"
         told = [f"{o['id']}: {o['help']}" for o in options_of(parameter, False) if "help" in o]

@@ -26,6 +26,8 @@ def type_of(parameter, with_selections):
         return camel(parameter["id"])
     if kind == "absperc":
         return "float | pymeshlab.PercentageValue | pymeshlab.PureValue" if with_selections else "float"
+    if kind == "length":
+        return "float | str"
     return {"bool": "bool", "int": "int", "double": "float", "mesh": "int | None"}.get(kind, "str")
 
 

@@ -29,7 +29,10 @@ struct CurveProblem {
     const PatchLevels* patches = nullptr;     ///< of the surface; null: feet are found without
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     const Obstacles* obstacles = nullptr;     ///< what the curve avoids; null: nothing
-    std::vector<PickConstraint> picks;
+    std::vector<PickConstraint> picks;  ///< that the curve passes
+    /// Of all picks as they were asked for, where the curve need not pass them: the parameters at
+    /// which it is near to them, ascending. Empty: those of `picks`.
+    std::vector<double> nearParameters;
     std::span<const double> field;  ///< one value per vertex of the extended surface, or empty
     FieldCosts fieldCosts;          ///< of `field`, as the options say
     FairedShape faired;             ///< for solveSampled() alone; empty: none
@@ -40,6 +43,17 @@ struct CurveProblem {
     WorkerThread* side = nullptr;    ///< to share work with; null: none
     Progress progress;
 };
+
+/// Where the curve passes picks, or is near to them.
+[[nodiscard]] inline std::vector<double> pickParametersOf(const CurveProblem& problem) {
+    std::vector<double> parameters = problem.nearParameters;
+    if (parameters.empty()) {
+        for (const PickConstraint& pick : problem.picks) {
+            parameters.push_back(pick.parameter);
+        }
+    }
+    return parameters;
+}
 
 /// The weight of the field: mu of (7), or 0 without a field or where it costs the same everywhere.
 [[nodiscard]] inline double fieldWeight(const CurveProblem& problem) {

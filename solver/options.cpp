@@ -4,8 +4,12 @@
 #include "bspline_curve/error.h"
 #include "spline/gauss_rule.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <sstream>
+#include <string_view>
 
 namespace bspline_curve {
 namespace {
@@ -65,6 +69,46 @@ void validatePaper(const PaperOptions& paper) {
 
 }  // namespace
 
+MeshLength parseLength(const std::string& text, const std::string& name) {
+    std::string_view rest = text;
+    const auto skipBlanks = [&] {
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    };
+    skipBlanks();
+    MeshLength length;
+    const auto [end, error] =
+        std::from_chars(rest.data(), rest.data() + rest.size(), length.value);
+    bool isLength = error == std::errc() && std::isfinite(length.value) && length.value >= 0.0;
+    if (isLength) {
+        rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+        skipBlanks();
+        for (const std::string_view unit : {"edges", "edge"}) {
+            if (!length.isInEdges && rest.starts_with(unit)) {
+                length.isInEdges = true;
+                rest.remove_prefix(unit.size());
+            }
+        }
+        skipBlanks();
+        isLength = rest.empty();
+    }
+    if (!isLength) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            name + " is \"" + text +
+                "\", but must be a length that is not negative, as 0.4, or in mean edges, as "
+                "\"1.5 edges\""
+        );
+    }
+    return length;
+}
+
+std::string describe(const MeshLength& length) {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << length.value << (length.isInEdges ? " edges" : "");
+    return text.str();
+}
+
 void SolverOptions::validate() const {
     require(degree >= 2 && degree <= 4, "degree", degree, "2, 3 or 4");
     require(tension >= 0.0 && tension <= 1.0, "tension", tension, "in [0, 1]");
@@ -72,6 +116,12 @@ void SolverOptions::validate() const {
         fieldWeight >= 0.0 && std::isfinite(fieldWeight),
         "field weight",
         fieldWeight,
+        "finite and not negative"
+    );
+    require(
+        pickTolerance.value >= 0.0 && std::isfinite(pickTolerance.value),
+        "pick tolerance",
+        pickTolerance.value,
         "finite and not negative"
     );
     require(

@@ -79,6 +79,7 @@ public:
             case ParameterType::Enum:
                 addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
                 break;
+            case ParameterType::Length:
             case ParameterType::Text:
                 addAs<RichString>(p, defaultText(p));
                 break;
@@ -210,6 +211,7 @@ void read(const RichParameterList& list, const ParameterDescription& p, Paramete
         case ParameterType::Enum:
             values.setOption(p.id, list.getEnum(name));
             break;
+        case ParameterType::Length:
         case ParameterType::Text:
             values.set(p.id, trimmedText(list.getString(name)));
             break;

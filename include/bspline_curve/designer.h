@@ -22,6 +22,9 @@ class TriangleTree;
 struct CurveInputs {
     ScalarField field{};
     std::span<const int> avoid{};  ///< faces that the curve must not enter
+    /// Of each pick, how far from it the curve may pass, instead of SolverOptions::pickTolerance;
+    /// empty: that of all. `start` has no effect with any above 0.
+    std::span<const MeshLength> pickTolerances{};
     /// A curve of the same designer through as many picks, each near the one of now, as while a
     /// user drags a pick. The solver then starts from that curve, displaced with its picks, which
     /// takes six tenths of the time on average; the result bends as much as one from scratch. Has

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 namespace bspline_curve {
 
 /// What is done to a mesh that is no oriented two-manifold before it is used.
@@ -65,6 +67,22 @@ struct PaperOptions {
     friend bool operator==(const PaperOptions&, const PaperOptions&) = default;
 };
 
+/// A length: in the unit of the mesh, or in mean lengths of its edges.
+struct MeshLength {
+    double value = 0.0;
+    bool isInEdges = false;
+
+    [[nodiscard]] double in(double meanEdge) const { return isInEdges ? value * meanEdge : value; }
+
+    friend bool operator==(const MeshLength&, const MeshLength&) = default;
+};
+
+/// "0.4"; "1edge", "0.5 edges". Throws InputError (BadOption) where it is neither, negative or not
+/// finite; `name`: of the option, for the message.
+[[nodiscard]] MeshLength parseLength(const std::string& text, const std::string& name);
+/// The same back again.
+[[nodiscard]] std::string describe(const MeshLength& length);
+
 /// What makes a curve fair.
 enum class Fairness {
     Curvature,  ///< the length times the integral of its squared geodesic curvature, whatever its
@@ -80,6 +98,9 @@ struct SolverOptions {
     bool closed = false;   ///< a periodic curve through the picks; at least 3 picks
     double tension = 0.0;  ///< lambda of (4), in [0, 1]: 0 smooth, 1 straight
     Fairness fairness = Fairness::Curvature;
+    /// How far from a pick the curve may pass: it is as fair as it can be within that distance of
+    /// all picks, as points of the surface. 0: it passes them. >= 0
+    MeshLength pickTolerance{};
     double fieldWeight = 2000.0;  ///< mu of (7), >= 0, for costs between 0 and 1; has no effect
                                   ///< without a field
     FieldCost fieldCost = FieldCost::Identity;

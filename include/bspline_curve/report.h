@@ -102,6 +102,9 @@ struct SolveReport {
     /// Picks at the same point as the one before (on a closed curve also as the first), ascending:
     /// the curve passes that point once.
     std::vector<int> repeatedPicks;
+    /// Of each pick, as a point of the surface, its distance from the polyline, in the user's unit,
+    /// where the curve need not pass the picks; else empty. Set by CurveDesigner.
+    std::vector<double> pickDistances;
     std::vector<Detour> detours;  ///< by pick; set by CurveDesigner
     int avoidedFaces = 0;
     /// Least distance of a vertex of the polyline to the avoided faces, user's unit; infinite where

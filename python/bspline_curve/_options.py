@@ -26,7 +26,7 @@ def part_of(progress: Progress | None, start: float, end: float) -> Progress | N
 class Option(NamedTuple):
     """What an option may be."""
 
-    kind: str  # bool, int, double or enum
+    kind: str  # bool, int, double, length or enum
     default: Any
     low: float | None
     high: float | None
@@ -54,6 +54,8 @@ def checked_value(name: str, option: Option, value: object) -> Value:
         if not isinstance(value, (bool, np.bool_)):
             raise TypeError(f"{name} is {value!r}, but must be True or False")
         return bool(value)
+    if option.kind == "length":
+        return checked_length(name, value)
     if not isinstance(value, str):
         raise TypeError(f"{name} is {value!r}, but must be one of {', '.join(map(repr, option.words))}")
     if value not in option.words:
@@ -72,6 +74,15 @@ def checked_number(name: str, option: Option, value: object) -> int | float:
     if not (is_above and number <= high and math.isfinite(number)) or (is_integer and number > 2**31 - 1):
         raise OptionError(f"{name} is {number!r}, but must be {allowed_range(option)}", "bad-option")
     return number
+
+
+def checked_length(name: str, value: object) -> str:
+    """A length in the unit of the mesh, or text like "1.5 edges", as text."""
+    if isinstance(value, str):
+        return str(value)
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, Real):
+        raise TypeError(f"{name} is {value!r}, but must be a number, or text like '1.5 edges'")
+    return repr(float(value))
 
 
 def allowed_range(option: Option) -> str:

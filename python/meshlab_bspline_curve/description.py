@@ -43,6 +43,8 @@ def checked_option(parameter: Mapping[str, Any], value: object) -> bool | int | 
         if not isinstance(value, (bool, np.bool_)):
             raise TypeError(f"{name} is {value!r}, but must be True or False")
         return bool(value)
+    if kind == "length" and isinstance(value, Real) and not isinstance(value, bool):
+        return repr(float(value))
     if not isinstance(value, str):
         raise TypeError(f"{name} is {value!r}, but must be text")
     if kind == "enum":

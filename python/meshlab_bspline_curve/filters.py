@@ -45,6 +45,7 @@ def draw_curve(
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
+    pick_tolerance: float | str = "0",
     field: Field | npt.ArrayLike = "none",
     quality: npt.ArrayLike | None = None,
     field_weight: float = 2000.0,
@@ -120,6 +121,9 @@ def draw_curve(
         Polynomial degree of the spline.
     tension : float in [0, 1], default 0.0
         From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
+    pick_tolerance : float or str, default '0'
+        How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
+        of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
     field : {'none', 'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
         'quality', 'obstacle', 'auto'} or (n,) array of float, its values, default 'none'
         A scalar that draws the curve to where its cost is low. none: no field; normal-variation: least product of the
@@ -299,6 +303,7 @@ def draw_curve(
             "closed": closed,
             "degree": degree,
             "tension": tension,
+            "pick_tolerance": pick_tolerance,
             "field_weight": field_weight,
             "tube_radius": tube_radius,
             "field_cost": field_cost,

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/near_curve.h"
+
+#include "design/solved_curve.h"
+#include "solver/obstacles.h"
+#include "surface/surface_point.h"
+#include "utility/index_sets.h"
+#include "utility/report_progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+struct NearConstants {
+    /// Of a tolerance, for the path: the rest is for the spline beside it and the projection.
+    double pathShare = 0.93;
+    /// A path keeps its bounds along the surface. Where it is farther from a pick in space than this
+    /// share of the tolerance, since faces are large and the surface curved, the bound shrinks, so
+    /// many times, at last to nothing; and where there is no path within the bounds they are halved.
+    double mostPathShare = 0.97;
+    int mostPaths = 5;
+    /// Of the progress, for the path, and for each curve along it.
+    double fairedShare = 0.2, drawnShare = 0.5;
+    /// Curves along the path, each through more of its points.
+    int mostDrawn = 8;
+};
+
+constexpr NearConstants kNear;
+
+class NearCurveMaker {
+public:
+    NearCurveMaker(
+        const PreparedSurface& prepared,
+        const std::vector<SurfacePoint>& picks,
+        std::span<const double> tolerances,
+        const SolverOptions& options,
+        const SamplingOptions& sampling,
+        const DesignContext& context,
+        WorkerThread* side
+    )
+        : prepared_(prepared),
+          picks_(picks),
+          tolerances_(tolerances),
+          options_(options),
+          sampling_(sampling),
+          context_(context),
+          side_(side) {
+        for (const SurfacePoint& pick : picks) {
+            positions_.push_back(prepared.surface().position(pick));
+        }
+    }
+
+    [[nodiscard]] std::optional<NearCurve> make(const Progress& progress) const {
+        const CurveSolver solver(prepared_, picks_, options_, context_, side_);
+        const std::optional<PickPath> path = pathWithin(solver);
+        if (!path) {
+            return std::nullopt;
+        }
+        std::vector<int> passed = {0};
+        if (!options_.closed) {
+            passed.push_back(static_cast<int>(picks_.size()) - 1);
+        }
+        const Progress rest = partOf(progress, kNear.fairedShare, kNear.drawnShare);
+        for (int i = 0; i < kNear.mostDrawn; ++i) {
+            std::optional<Solved> solved =
+                solver.solveAlong(*path, passed, stepOf(rest, i, kNear.mostDrawn));
+            if (!solved) {
+                break;
+            }
+            NearCurve drawn = finished(*std::move(solved));
+            const std::vector<int> missed = missedBy(drawn.curve);
+            if (missed.empty()) {
+                return drawn;
+            }
+            const std::size_t before = passed.size();
+            for (const int pick : missed) {
+                if (isApart(*path, passed, pick)) {
+                    passed.insert(std::ranges::upper_bound(passed, pick), pick);
+                }
+            }
+            if (passed.size() == before) {
+                break;
+            }
+        }
+        return throughAll(*path, partOf(progress, kNear.drawnShare, 1.0));
+    }
+
+private:
+    // A path near all picks; nothing where there is none.
+    [[nodiscard]] std::optional<PickPath> pathWithin(const CurveSolver& solver) const {
+        std::vector<PickLeeway> leeways;
+        for (const double tolerance : tolerances_) {
+            leeways.push_back(
+                {kNear.pathShare * tolerance / prepared_.extended()->frame.scale, 0.0}
+            );
+        }
+        for (int i = 0; i < kNear.mostPaths; ++i) {
+            std::optional<PickPath> path = solver.pathNear(leeways);
+            if (!path) {
+                for (PickLeeway& leeway : leeways) {
+                    leeway.bound *= 0.5;
+                }
+                // Over a boundary it is mostly the ends that leave the surface.
+                leeways.front().bound = leeways.back().bound = 0.0;
+                continue;
+            }
+            bool isWithin = true;
+            for (std::size_t k = 0; k < picks_.size(); ++k) {
+                const Vec3 point = prepared_.surface().position(path->picks[k].point);
+                const double distance = (point - positions_[k]).norm();
+                if (leeways[k].bound > 0.0 && distance > kNear.mostPathShare * tolerances_[k]) {
+                    isWithin = false;
+                    const bool isLast = i + 2 >= kNear.mostPaths;
+                    leeways[k].bound *=
+                        isLast ? 0.0 : kNear.pathShare * tolerances_[k] / distance;
+                }
+            }
+            if (isWithin) {
+                return path;
+            }
+        }
+        return std::nullopt;
+    }
+
+    // Whether a pick's point of the path is none that the curve passes.
+    [[nodiscard]] static bool isApart(
+        const PickPath& path, const std::vector<int>& passed, int pick
+    ) {
+        return std::ranges::none_of(passed, [&](int other) {
+            return path.picks[other].parameter == path.picks[pick].parameter;
+        });
+    }
+
+    [[nodiscard]] NearCurve finished(Solved solved) const {
+        NearCurve drawn{{}, std::move(solved)};
+        drawn.curve = curveOf(prepared_.surface(), drawn.solved, sampling_);
+        return drawn;
+    }
+
+    [[nodiscard]] std::vector<int> missedBy(const Curve& curve) const {
+        const std::vector<double> distances = distancesTo(curve.polyline, positions_);
+        return indicesWhere<int>(distances.size(), [&](std::size_t i) {
+            return distances[i] > tolerances_[i];
+        });
+    }
+
+    // Through the path's points at all picks; where they are to be avoided, the pick itself.
+    [[nodiscard]] std::optional<NearCurve> throughAll(
+        const PickPath& path, const Progress& progress
+    ) const {
+        std::vector<SurfacePoint> points;
+        std::vector<std::size_t> pointOf;
+        for (std::size_t i = 0; i < picks_.size(); ++i) {
+            if (i == 0 || path.picks[i].parameter != path.picks[i - 1].parameter) {
+                const SurfacePoint& point = path.picks[i].point;
+                const bool isClear = context_.obstacles == nullptr ||
+                                     context_.obstacles->closeness(point) < 1.0;
+                points.push_back(isClear ? point : picks_[i]);
+            }
+            pointOf.push_back(points.size() - 1);
+        }
+        if (points.size() < (options_.closed ? 3U : 2U)) {
+            return std::nullopt;
+        }
+        const CurveSolver solver(prepared_, points, options_, context_, side_);
+        Solved solved = solver.solve(progress);
+        if (!solved.solution.report.usable) {
+            return std::nullopt;
+        }
+        for (const std::size_t point : pointOf) {
+            solved.problem.nearParameters.push_back(solved.problem.picks[point].parameter);
+        }
+        NearCurve drawn = finished(std::move(solved));
+        return missedBy(drawn.curve).empty() ? std::optional(std::move(drawn)) : std::nullopt;
+    }
+
+    const PreparedSurface& prepared_;
+    const std::vector<SurfacePoint>& picks_;
+    std::span<const double> tolerances_;
+    const SolverOptions& options_;
+    const SamplingOptions& sampling_;
+    const DesignContext& context_;
+    WorkerThread* side_;
+    std::vector<Vec3> positions_;  // of the picks, user's unit
+};
+
+}  // namespace
+
+std::optional<NearCurve> drawNear(
+    const PreparedSurface& prepared,
+    const std::vector<SurfacePoint>& picks,
+    std::span<const double> tolerances,
+    const SolverOptions& options,
+    const SamplingOptions& sampling,
+    const DesignContext& context,
+    WorkerThread* side,
+    const Progress& progress
+) {
+    return NearCurveMaker(prepared, picks, tolerances, options, sampling, context, side)
+        .make(progress);
+}
+
+std::vector<double> distancesTo(const SurfacePolyline& line, std::span<const Vec3> points) {
+    std::vector<double> distances;
+    const std::size_t count = line.points.size();
+    const std::size_t segments = count - (line.closed ? 0 : 1);
+    for (const Vec3& point : points) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < segments; ++i) {
+            const Vec3& from = line.points[i];
+            const Vec3 way = line.points[(i + 1) % count] - from;
+            const double squared = way.squaredNorm();
+            const double share =
+                squared > 0.0 ? std::clamp((point - from).dot(way) / squared, 0.0, 1.0) : 0.0;
+            least = std::min(least, (from + share * way - point).squaredNorm());
+        }
+        distances.push_back(std::sqrt(least));
+    }
+    return distances;
+}
+
+}  // namespace bspline_curve
