@@ -170,16 +170,6 @@ std::vector<double> pickTolerancesOf(
     return tolerances;
 }
 
-std::vector<double> pickDistancesOf(
-    const Surface& surface, const LocatedPicks& located, const Curve& curve
-) {
-    std::vector<Vec3> positions;
-    for (const int point : located.pointOf) {
-        positions.push_back(surface.position(located.points[point]));
-    }
-    return distancesTo(curve.polyline, positions);
-}
-
 /// Through the picks; `watch` starts where it is solved.
 NearCurve drawThrough(
     const PreparedSurface& prepared,
@@ -257,7 +247,11 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     auto& [curve, solved] = *drawn;
     const CurveProblem& problem = solved.problem;
     if (isNear) {
-        curve.report.pickDistances = pickDistancesOf(surface(), located, curve);
+        for (const int point : located.pointOf) {
+            curve.nearPicks.push_back(located.points[point]);
+            curve.nearPickPositions.push_back(surface().position(located.points[point]));
+        }
+        curve.report.pickDistances = distancesTo(curve.polyline, curve.nearPickPositions);
     }
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
     curve.report.meanEdgeLength = surface().averageEdgeLength();

@@ -39,7 +39,14 @@ std::string fieldOf(const CurveRequest& request) {
 
 const std::vector<std::string>& drawnParameters() {
     static const std::vector<std::string> ids = {
-        "closed", "degree", "tension", "field", "field_weight", "avoid", "avoid_threshold"
+        "closed",
+        "degree",
+        "tension",
+        "pick_tolerance",
+        "field",
+        "field_weight",
+        "avoid",
+        "avoid_threshold"
     };
     return ids;
 }
@@ -49,6 +56,7 @@ ParameterValues valuesOf(const DrawnOptions& options) {
     values.set("closed", options.closed);
     values.set("degree", options.degree);
     values.set("tension", options.tension);
+    values.set("pick_tolerance", options.pickTolerance);
     values.set("field", options.field);
     values.set("field_weight", options.fieldWeight);
     values.set("avoid", options.avoid);
@@ -61,6 +69,7 @@ DrawnOptions drawnOptionsOf(const ParameterValues& values) {
         .closed = values.get<bool>("closed"),
         .degree = values.get<int>("degree"),
         .tension = values.get<double>("tension"),
+        .pickTolerance = values.get<std::string>("pick_tolerance"),
         .field = values.get<std::string>("field"),
         .fieldWeight = values.get<double>("field_weight"),
         .avoid = values.get<std::string>("avoid"),
@@ -73,6 +82,7 @@ std::optional<DrawnOptions> drawnOptions(const CurveRequest& request) {
         .closed = request.solver.closed,
         .degree = request.solver.degree,
         .tension = request.solver.tension,
+        .pickTolerance = describe(request.solver.pickTolerance),
         .field = fieldOf(request),
         .fieldWeight = request.solver.fieldWeight,
         .avoid = avoidedOf(request),

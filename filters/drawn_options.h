@@ -25,6 +25,7 @@ struct DrawnOptions {
     bool closed = curveDefault<bool>("closed");
     int degree = curveDefault<int>("degree");
     double tension = curveDefault<double>("tension");
+    std::string pickTolerance = curveDefault<std::string>("pick_tolerance");
     std::string field = curveDefault<std::string>("field");
     double fieldWeight = curveDefault<double>("field_weight");
     std::string avoid = curveDefault<std::string>("avoid");

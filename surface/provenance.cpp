@@ -155,6 +155,9 @@ void Provenance::bringToInput(Curve& curve) const {
         return;
     }
     bringToInput(curve.polyline);
+    for (SurfacePoint& pick : curve.nearPicks) {
+        pick = toInput(pick);
+    }
     if (std::optional<FarPart>& part = curve.report.farPart) {
         for (int& face : part->faces) {
             face = inputFace(face);

@@ -52,6 +52,7 @@ DrawnOptions OptionBook::fromSketch(const SketchCurveOptions& options) const {
     drawn.closed = options.solver.closed;
     drawn.degree = options.solver.degree;
     drawn.tension = options.solver.tension;
+    drawn.pickTolerance = describe(options.solver.pickTolerance);
     drawn.fieldWeight = options.solver.fieldWeight;
     return drawn;
 }

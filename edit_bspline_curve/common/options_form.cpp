@@ -23,6 +23,9 @@ namespace {
 
 constexpr int kMostDegree = 4;
 constexpr int kTensionSteps = 100;  // of the slider, over [0, 1]
+// Of the slider for the tolerance of picks, over so many mean edges.
+constexpr int kToleranceSteps = 60;
+constexpr double kMostTolerance = 3.0;
 constexpr double kLargest = 1e9;
 constexpr double kWeightStep = 500.0, kThresholdStep = 0.05;
 
@@ -77,6 +80,8 @@ OptionsForm::OptionsForm()
       degree_(new QSpinBox),
       tension_(new QSlider(Qt::Horizontal)),
       tensionText_(new QLabel),
+      tolerance_(new QSlider(Qt::Horizontal)),
+      toleranceText_(new QLabel),
       field_(choiceOf("field")),
       fieldWeight_(numberOf("field_weight", 0.0, kLargest, 1)),
       avoid_(choiceOf("avoid")),
@@ -103,6 +108,12 @@ void OptionsForm::addUsual(QVBoxLayout& all) {
     tension_->setFocusPolicy(Qt::NoFocus);
     tension_->setToolTip(helpOf(parameter("tension")));
     tensionText_->setMinimumWidth(fontMetrics().horizontalAdvance("0.00 "));
+    tolerance_->setRange(0, kToleranceSteps);
+    tolerance_->setFocusPolicy(Qt::NoFocus);
+    tolerance_->setToolTip(helpOf(parameter("pick_tolerance")));
+    toleranceText_->setMinimumWidth(fontMetrics().horizontalAdvance("0.00 edges "));
+    connect(tolerance_, &QSlider::valueChanged, this, &OptionsForm::changeTolerance);
+    connect(tolerance_, &QSlider::sliderReleased, this, &OptionsForm::change);
     connect(isClosed_, &QCheckBox::toggled, this, &OptionsForm::change);
     connect(degree_, qOverload<int>(&QSpinBox::valueChanged), this, &OptionsForm::change);
     connect(tension_, &QSlider::valueChanged, this, &OptionsForm::changeTension);
@@ -114,6 +125,7 @@ void OptionsForm::addUsual(QVBoxLayout& all) {
     auto* const form = new QFormLayout;
     form->setSpacing(kPanelSpacing);
     form->addRow(tr("tension"), rowOf({tension_, tensionText_}));
+    form->addRow(tr("tolerance"), rowOf({tolerance_, toleranceText_}));
     form->addRow(tr("field"), field_);
     all.addLayout(form);
 }
@@ -180,6 +192,31 @@ void OptionsForm::changeTension(int steps) {
     }
 }
 
+void OptionsForm::changeTolerance(int steps) {
+    if (!isShowing_) {
+        toleranceValue_ = describe(
+            MeshLength{.value = kMostTolerance * steps / kToleranceSteps, .isInEdges = steps > 0}
+        );
+        showTolerance();
+        emit changed(options(), tolerance_->isSliderDown());
+    }
+}
+
+// What is no number of edges stands in the text alone.
+void OptionsForm::showTolerance() {
+    const MeshLength length = parseLength(toleranceValue_, "pick_tolerance");
+    toleranceText_->setText(
+        QString::number(length.value, 'g', 3) + (length.isInEdges ? tr(" edges") : "")
+    );
+    if (!tolerance_->isSliderDown()) {
+        const double steps =
+            length.isInEdges ? length.value / kMostTolerance * kToleranceSteps : 0.0;
+        const bool wasShowing = std::exchange(isShowing_, true);
+        tolerance_->setValue(static_cast<int>(std::lround(steps)));
+        isShowing_ = wasShowing;
+    }
+}
+
 void OptionsForm::show(const DrawnOptions& options) {
     const bool wasShowing = std::exchange(isShowing_, true);
     isClosed_->setChecked(options.closed);
@@ -189,6 +226,8 @@ void OptionsForm::show(const DrawnOptions& options) {
     }
     tensionValue_ = options.tension;
     tensionText_->setText(QString::number(tensionValue_, 'f', 2));
+    toleranceValue_ = options.pickTolerance;
+    showTolerance();
     choose(*field_, options.field);
     fieldWeight_->setValue(options.fieldWeight);
     choose(*avoid_, options.avoid);
@@ -218,6 +257,7 @@ DrawnOptions OptionsForm::options() const {
         .closed = isClosed_->isChecked(),
         .degree = degree_->value(),
         .tension = tensionValue_,
+        .pickTolerance = toleranceValue_,
         .field = chosen(*field_),
         .fieldWeight = fieldWeight_->value(),
         .avoid = chosen(*avoid_),

@@ -37,6 +37,8 @@ private:
     void addFolded(QVBoxLayout& all);
     void change();
     void changeTension(int steps);
+    void changeTolerance(int steps);
+    void showTolerance();
     void enable();
     [[nodiscard]] DrawnOptions options() const;
 
@@ -44,12 +46,15 @@ private:
     QSpinBox* degree_;
     QSlider* tension_;
     QLabel* tensionText_;
+    QSlider* tolerance_;
+    QLabel* toleranceText_;
     QComboBox* field_;
     QDoubleSpinBox* fieldWeight_;
     QComboBox* avoid_;
     QDoubleSpinBox* avoidThreshold_;
     QComboBox* unit_;
-    double tensionValue_ = 0.0;  ///< finer than the slider
+    double tensionValue_ = 0.0;    ///< finer than the slider
+    std::string toleranceValue_;  ///< may be a length in the mesh's unit
     bool isShowing_ = false;
 };
 

@@ -28,12 +28,11 @@ void keepSource(
     const SurfacePolyline& polyline = result.curve.polyline;
     CurveSource source;
     source.surface = surface.id();
-    for (const int index : polyline.picks) {
-        SurfacePoint pick = polyline.surfacePoints[index];
+    source.picks = pickPointsOf(result.curve);
+    for (SurfacePoint& pick : source.picks) {
         pick.face = arrays.faceIds[pick.face];
-        source.picks.push_back(pick);
     }
-    source.positions = pickPositions(polyline);
+    source.positions = pickPositions(result.curve);
     source.closed = polyline.closed;
     source.options = drawnOptions(request);
     source.curve = std::make_shared<const Curve>(result.curve);
@@ -45,10 +44,22 @@ void keepSource(MeshModel& curve, CurveSource source) {
     Allocator::GetPerMeshAttribute<CurveSource>(curve.cm, kSource)() = std::move(source);
 }
 
-std::vector<Vec3> pickPositions(const SurfacePolyline& polyline) {
-    std::vector<Vec3> positions;
-    for (const int index : polyline.picks) {
-        positions.push_back(polyline.points[index]);
+std::vector<SurfacePoint> pickPointsOf(const Curve& curve) {
+    std::vector<SurfacePoint> picks = curve.nearPicks;
+    if (picks.empty()) {
+        for (const int index : curve.polyline.picks) {
+            picks.push_back(curve.polyline.surfacePoints[index]);
+        }
+    }
+    return picks;
+}
+
+std::vector<Vec3> pickPositions(const Curve& curve) {
+    std::vector<Vec3> positions = curve.nearPickPositions;
+    if (positions.empty()) {
+        for (const int index : curve.polyline.picks) {
+            positions.push_back(curve.polyline.points[index]);
+        }
     }
     return positions;
 }

@@ -41,8 +41,10 @@ void keepSource(
     const CurveResult& result
 );
 
-/// The positions of a polyline's picks.
-[[nodiscard]] std::vector<Vec3> pickPositions(const SurfacePolyline& polyline);
+/// The picks of a curve, as points of its surface.
+[[nodiscard]] std::vector<SurfacePoint> pickPointsOf(const Curve& curve);
+/// The positions of these.
+[[nodiscard]] std::vector<Vec3> pickPositions(const Curve& curve);
 
 /// Null where the layer is no curve of ours, or was read from a file and restoreCurves() was not
 /// called since.

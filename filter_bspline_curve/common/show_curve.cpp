@@ -16,7 +16,7 @@ void showCurve(
 ) {
     const int surfaceId = surface.id();
     if (request.replace) {
-        const int old = curveOfPicks(document, surfaceId, pickPositions(result.curve.polyline));
+        const int old = curveOfPicks(document, surfaceId, pickPositions(result.curve));
         if (old >= 0) {
             removeCurve(document, old);
         }

@@ -34,6 +34,10 @@ struct SurfacePolyline {
 
 struct Curve {
     SurfacePolyline polyline;
+    /// The picks, as points of the surface, where the curve need not pass them; else empty: they are
+    /// vertices of the polyline.
+    std::vector<SurfacePoint> nearPicks{};
+    std::vector<Vec3> nearPickPositions{};  ///< of these, in the user's unit
     SplineData spline;
     SolveReport report;
     /// The shell that the curve was drawn in; none: it was drawn along fibres, without one.
