@@ -5,6 +5,7 @@
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
 #include "io/curve_writer.h"
+#include "io/picks_reader.h"
 
 namespace bspline_curve::cli {
 
@@ -16,10 +17,10 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
         app,
         "--picks",
         arguments.picks,
-        "Points to pass through, in order: .pp, .json, .mrk.json, .xyz or .csv; at most 1 % of the "
-        "mesh's diagonal from it"
+        "Points to pass through, in order: " + std::string(kPicksExtensions)
     )
         ->required();
+    addPickDistance(app, arguments.pickDistance);
     addOutput(
         app,
         arguments.output,

@@ -122,6 +122,7 @@ ExitCode drawBeside(const OffsetArguments& arguments, ProgressBar& bar) {
         files.add(last, curveBytes(last, drawn, {}, read.workpiece().checksum()));
         pieces.push_back(piece);
     }
+    files.replaceSeries(arguments.output);
     if (!arguments.band.empty()) {
         const std::vector<int> labels(lines.band.begin(), lines.band.end());
         files.add(
@@ -136,6 +137,7 @@ ExitCode drawBeside(const OffsetArguments& arguments, ProgressBar& bar) {
         );
     }
     files.commit();
+    printRemoved(files.stale());
     if (pieces.size() > 1) {
         std::cerr << "bspline_curve: the offset has " << pieces.size() << " pieces, the last in "
                   << last.string() << '\n';

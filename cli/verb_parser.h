@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/error.h"
+#include "cli/value_checks.h"
 #include "cli/verb.h"
 
 #include <CLI/CLI.hpp>
@@ -71,6 +72,32 @@ inline void addMesh(CLI::App& app, std::filesystem::path& mesh) {
     addFile(app, "MESH", mesh, "Triangle mesh: .ply, .obj, .off or .stl", "")->required();
     constexpr const char* kHidden = "";
     app.add_flag("--repair")->group(kHidden);
+}
+
+/// --layers.
+inline void addLayers(CLI::App& app, std::vector<std::string>& layers) {
+    app.add_option(
+           "--layers",
+           layers,
+           "Layers of a DXF to read, with commas between them; default: all that are not off or "
+           "frozen"
+    )
+        ->delimiter(',')
+        ->type_name("NAMES")
+        ->expected(1);
+}
+
+/// --pick-distance.
+inline void addPickDistance(CLI::App& app, double& distance) {
+    app.add_option(
+           "--pick-distance",
+           distance,
+           "Refuse picks that are farther than this from the mesh, in its unit; 0: 1 % of its "
+           "diagonal"
+    )
+        ->check(atLeast(0.0).validator())
+        ->type_name("NUMBER")
+        ->capture_default_str();
 }
 
 /// --no-cache.

@@ -192,9 +192,13 @@ Pattern carriedDrawing(
                 {.curve = std::move(drawn.curve), .path = path.number, .copy = path.copy}
             );
         } catch (const InputError& error) {
+            const bool isPoint = error.code() == InputErrorCode::CoincidentPicks;
             throw InputError(
                 error.code(),
-                nameOf(drawing, pieces[i].path) + " of the drawing: " + error.what(),
+                nameOf(drawing, pieces[i].path) + " of the drawing" +
+                    (isPoint ? " has a part that is a point on the surface; leave it out, or give "
+                               "a larger size"
+                             : std::string(": ") + error.what()),
                 {path.number}
             );
         }

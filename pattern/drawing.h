@@ -67,7 +67,8 @@ struct SmoothPiece {
     [[nodiscard]] Eigen::Vector2d at(double parameter) const;
 };
 
-/// The paths parted where they turn by more than an angle (radians), and without arcs of no length.
+/// The paths parted where they turn by more than an angle (radians), and without arcs that are
+/// shorter than 1e-6 of the drawing's size.
 [[nodiscard]] std::vector<SmoothPiece> smoothPieces(const Drawing& drawing, double cornerAngle);
 
 }  // namespace bspline_curve
