@@ -25,8 +25,10 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
         app,
         arguments.output,
         "Curve to write: " + curveExtensions() +
-            "; for trimesh: .ply, meshio: .vtu, PyVista and ParaView: .vtu or .obj (docs/FILES.md)"
+            "; for trimesh: .ply, meshio: .vtu, PyVista and ParaView: .vtu or .obj, CAD: .step "
+            "(docs/FILES.md)"
     );
+    addUnit(app, arguments.unit);
     addReport(
         app,
         arguments.report,

@@ -21,6 +21,7 @@ namespace {
 struct OffsetArguments : UseArguments {
     std::filesystem::path band;  ///< empty: none asked for
     OffsetRequest request;
+    LengthUnit unit = LengthUnit::Millimetre;
 };
 
 struct OffsetParser {
@@ -44,6 +45,7 @@ struct OffsetParser {
                 "; where it has several pieces, the longest first, further ones are FILE-2.ply, "
                 "FILE-3.ply, …"
         );
+        addUnit(app, arguments.unit);
         addFile(
             app,
             "--band",
@@ -119,7 +121,7 @@ ExitCode drawBeside(const OffsetArguments& arguments, ProgressBar& bar) {
         const Curve drawn{
             .polyline = piece.line, .spline = piece.spline, .report = {}, .shell = {}
         };
-        files.add(last, curveBytes(last, drawn, {}, read.workpiece().checksum()));
+        files.add(last, curveBytes(last, drawn, {}, read.workpiece().checksum(), arguments.unit));
         pieces.push_back(piece);
     }
     files.replaceSeries(arguments.output);

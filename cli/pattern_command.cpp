@@ -36,6 +36,7 @@ struct PatternArguments {
     std::vector<double> centre, up;   ///< empty: not said
     std::vector<std::string> layers;  ///< of a DXF; empty: all that are visible
     PatternRequest request;
+    LengthUnit unit = LengthUnit::Millimetre;
 };
 
 struct PatternParser {
@@ -91,6 +92,7 @@ struct PatternParser {
             "Curves to write, all in one file: " + manyCurvesExtensions() +
                 "; .json is what --curve of other verbs takes"
         );
+        addUnit(app, arguments.unit);
         addReport(app, arguments.report, "Write counts, distortion, lengths and times");
     }
 
@@ -139,9 +141,7 @@ Vec3 toVec3(const std::vector<double>& values) {
 
 SurfacePolyline curveAlong(const Workpiece& workpiece, const std::filesystem::path& file) {
     const Surface& surface = workpiece.surface();
-    return CurvesOnSurface(
-               surface, workpiece.checksum(), kPickReachRelative * surface.diagonal()
-    )
+    return CurvesOnSurface(surface, workpiece.checksum(), kPickReachRelative * surface.diagonal())
         .readOne(file, "project the curve onto it first");
 }
 
@@ -215,7 +215,8 @@ ExitCode carry(const PatternArguments& arguments, ProgressBar& bar) {
     }
     ResultFiles files;
     files.add(
-        arguments.output, curvesBytes(arguments.output, curves, loaded.workpiece->checksum())
+        arguments.output,
+        curvesBytes(arguments.output, curves, loaded.workpiece->checksum(), arguments.unit)
     );
     if (!arguments.report.empty()) {
         files.add(arguments.report, patternReportBytes(pattern, figures));

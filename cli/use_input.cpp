@@ -27,8 +27,14 @@ namespace {
 
 constexpr const char* kLargerDistance = "a larger --max-distance";
 
-void take(CurvesOnMesh& taken, const std::filesystem::path& file, SurfacePolyline line) {
+void take(
+    CurvesOnMesh& taken,
+    const std::filesystem::path& file,
+    SurfacePolyline line,
+    std::optional<SplineData> spline
+) {
     taken.lines.push_back(std::move(line));
+    taken.splines.push_back(std::move(spline));
     taken.files.push_back(file);
 }
 
@@ -45,8 +51,8 @@ void readLines(CurvesOnMesh& taken, const UseArguments& arguments, double maxDis
     for (const std::filesystem::path& file : arguments.curves) {
         CurvesOfFile read = curves.read(file, kLargerDistance);
         printNotes(read.notes);
-        for (SurfacePolyline& line : read.lines) {
-            take(taken, file, std::move(line));
+        for (std::size_t i = 0; i < read.lines.size(); ++i) {
+            take(taken, file, std::move(read.lines[i]), std::move(read.splines[i]));
         }
         const bool isExact = lowerCaseExtension(file) == ".json";
         (isExact ? taken.readSeconds : taken.drawSeconds) += watch.lap();
@@ -72,7 +78,7 @@ void drawLines(
             );
         }
         printNotes(drawn.notes);
-        take(taken, file, std::move(drawn.curve.polyline));
+        take(taken, file, std::move(drawn.curve.polyline), std::move(drawn.curve.spline));
     }
     taken.drawSeconds += watch.lap();
 }
@@ -86,9 +92,12 @@ UseOptions::UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescr
          {std::tuple(
               "--curve",
               &arguments.curves,
-              std::string("Curve on this mesh: .json, .ply, .csv or .vtu, as this program writes it, exactly; "
-              "other .ply, .obj, .dxf, .csv and .vtu are projected onto the mesh. May be given "
-                          "again")
+              std::string(
+                  "Curve on this mesh: .json, .ply, .csv or .vtu, as this program writes it, "
+                  "exactly; "
+                  "other .ply, .obj, .dxf, .csv and .vtu are projected onto the mesh. May be given "
+                  "again"
+              )
           ),
           std::tuple(
               "--picks",
@@ -124,7 +133,7 @@ CurvesOnMesh curvesOnMesh(
 ) {
     bar.show(0.0, "reading");
     DrawingArguments drawing = arguments.drawing;
-    CurvesOnMesh taken{.loaded = {}, .lines = {}, .files = {}};
+    CurvesOnMesh taken{.loaded = {}, .lines = {}, .splines = {}, .files = {}};
     LoadedMesh& loaded = taken.loaded;
     if (!arguments.picks.empty()) {
         checkDrawingFiles(drawing);

@@ -10,6 +10,7 @@
 #include "workpiece/curve_uses.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct UseArguments {
     std::filesystem::path output, report;  ///< report: empty: none asked for
     std::vector<std::filesystem::path> curves, picks;
     std::vector<std::string> layers;  ///< of curves of DXF; empty: all that are visible
-    DrawingArguments drawing;  ///< the mesh, and how curves are drawn
+    DrawingArguments drawing;         ///< the mesh, and how curves are drawn
 };
 
 /// MESH, --curve, --picks, the options of curves, and those of the filter that do the same.
@@ -45,7 +46,8 @@ private:
 struct CurvesOnMesh {
     LoadedMesh loaded;
     std::vector<SurfacePolyline> lines;
-    std::vector<std::filesystem::path> files;  ///< for each line, the one that it is from
+    std::vector<std::optional<SplineData>> splines;  ///< for each line, where it is known
+    std::vector<std::filesystem::path> files;        ///< for each line, the one that it is from
     /// Of files; of preparing the mesh; of projecting and drawing.
     double readSeconds = 0.0, surfaceSeconds = 0.0, drawSeconds = 0.0;
 

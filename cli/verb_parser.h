@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "cli/value_checks.h"
 #include "cli/verb.h"
+#include "io/length_unit.h"
 
 #include <CLI/CLI.hpp>
 
@@ -98,6 +99,19 @@ inline void addPickDistance(CLI::App& app, double& distance) {
         ->check(atLeast(0.0).validator())
         ->type_name("NUMBER")
         ->capture_default_str();
+}
+
+/// --unit.
+inline void addUnit(CLI::App& app, LengthUnit& unit) {
+    std::vector<std::pair<std::string, LengthUnit>> words;
+    for (const LengthUnitNames& names : kLengthUnits) {
+        words.emplace_back(names.id, names.unit);
+    }
+    app.add_option(
+           "--unit", unit, "Unit of the mesh, which .step and .iges name: mm|cm|m|um|in|ft [mm]"
+    )
+        ->transform(CLI::Transformer(words))
+        ->type_name("WORD");
 }
 
 /// --no-cache.

@@ -62,10 +62,16 @@ std::optional<SurfacePolyline> linePlaced(
 
 CurvesOfFile CurvesOnSurface::read(const std::filesystem::path& file, const char* remedy) {
     if (lowerCaseExtension(file) == ".json") {
-        return {.lines = readCurves(file, surface_, mesh_), .notes = {}};
+        return {
+            .lines = readCurves(file, surface_, mesh_), .splines = readSplines(file), .notes = {}
+        };
     }
     PolylineFile polylines = readPolylines(file, layers_);
-    CurvesOfFile result{.lines = {}, .notes = std::move(polylines.notes)};
+    CurvesOfFile result{
+        .lines = {},
+        .splines = std::vector<std::optional<SplineData>>(polylines.lines.size()),
+        .notes = std::move(polylines.notes)
+    };
     for (std::size_t i = 0; i < polylines.lines.size(); ++i) {
         const SpacePolyline& line = polylines.lines[i];
         if (auto placed = linePlaced(surface_, line, polylines.places[i])) {

@@ -16,7 +16,8 @@ namespace bspline_curve {
 
 struct CurvesOfFile {
     std::vector<SurfacePolyline> lines;
-    std::vector<std::string> notes;  ///< what of the file was left out
+    std::vector<std::optional<SplineData>> splines;  ///< of each line, where the file has it
+    std::vector<std::string> notes;                  ///< what of the file was left out
 };
 
 /// Reads curves of files onto a surface, for all that use curves. Those of .json are read exactly
@@ -25,8 +26,8 @@ struct CurvesOfFile {
 /// projectedPolyline().
 class CurvesOnSurface {
 public:
-    /// `distance`: polylines that are farther from the surface are refused. The surface must outlive
-    /// this.
+    /// `distance`: polylines that are farther from the surface are refused. The surface must
+    /// outlive this.
     CurvesOnSurface(
         const Surface& surface,
         const MeshChecksum& mesh,

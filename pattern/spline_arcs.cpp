@@ -83,9 +83,7 @@ std::vector<Vec3> tangentsThrough(
     std::vector<double> above(last + 1, 0.0);
     std::vector<double> below(last + 1, 0.0);
     std::vector<Vec3> tangents(last + 1);
-    const auto slope = [&](std::size_t i) {
-        return Vec3((points[i + 1] - points[i]) / steps[i]);
-    };
+    const auto slope = [&](std::size_t i) { return Vec3((points[i + 1] - points[i]) / steps[i]); };
     for (std::size_t i = 1; i < last; ++i) {
         below[i] = steps[i];
         diagonal[i] = 2.0 * (steps[i - 1] + steps[i]);
@@ -183,14 +181,14 @@ std::vector<SpaceArc> arcsThrough(
         steps.push_back((all[i + 1] - all[i]).norm());
     }
     const Vec3 none = Vec3::Zero();
-    const std::vector<Vec3> tangents = tangentsThrough(
-        all, steps, closed ? none : startDirection, closed ? none : endDirection
-    );
+    const std::vector<Vec3> tangents =
+        tangentsThrough(all, steps, closed ? none : startDirection, closed ? none : endDirection);
     std::vector<SpaceArc> arcs;
     for (std::size_t i = before; i < before + arcCount; ++i) {
         const Vec3 out = steps[i] / 3.0 * tangents[i];
         const Vec3 in = steps[i] / 3.0 * tangents[i + 1];
-        arcs.push_back({.points = {all[i], all[i] + out, all[i + 1] - in, all[i + 1]}, .weights = {}}
+        arcs.push_back(
+            {.points = {all[i], all[i] + out, all[i + 1] - in, all[i + 1]}, .weights = {}}
         );
     }
     return arcs;
