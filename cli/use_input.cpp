@@ -10,6 +10,7 @@
 #include "io/mesh_writer.h"
 #include "io/picks_reader.h"
 #include "io/text_parsing.h"
+#include "surface/error_messages.h"
 #include "surface/picks.h"
 #include "utility/stopwatch.h"
 #include "workpiece/curve_notes.h"
@@ -25,6 +26,8 @@ namespace bspline_curve::cli {
 
 namespace {
 
+/// Vertices that a format moves by more, relative to the diagonal, are told.
+constexpr double kToldMoveRelative = 1e-6;
 constexpr const char* kLargerDistance = "a larger --max-distance";
 
 void take(
@@ -191,11 +194,21 @@ std::string ImprintedFile::bytesOf(
 }
 
 std::vector<std::string> ImprintedFile::notesFor(const std::filesystem::path& file) const {
+    std::vector<std::string> notes;
     const std::string lost = lostExtras(file, extras);
-    if (lost.empty()) {
-        return {};
+    if (!lost.empty()) {
+        notes.push_back(
+            file.string() + " does not hold " + lost + " of the input; .ply and .obj hold more"
+        );
     }
-    return {file.string() + " does not hold " + lost + " of the input; .ply and .obj hold more"};
+    const double moved = largestMoveIn(file, imprint.mesh->mesh);
+    if (moved > kToldMoveRelative * imprint.surface->diagonal()) {
+        notes.push_back(
+            file.string() + " holds floats, which move vertices by up to " + describeNumber(moved) +
+            "; write .ply, or move the mesh nearer to the origin"
+        );
+    }
+    return notes;
 }
 
 ImprintedFile imprintedFile(

@@ -4,6 +4,7 @@
 #include "io/drawing_formats.h"
 #include "io/left_out.h"
 #include "io/number_scanner.h"
+#include "io/svg_style.h"
 #include "io/text_parsing.h"
 #include "io/xml_tree.h"
 
@@ -77,6 +78,7 @@ Length lengthOfText(std::string_view text) {
 struct Viewport {
     Eigen::Affine2d map;
     Vec2 size;
+    bool isVisible = true;
 };
 
 struct ViewBox {
@@ -101,7 +103,8 @@ std::optional<ViewBox> viewBoxOf(const Element& element) {
 
 class SvgReader {
 public:
-    SvgReader(const std::filesystem::path& file, const Element& root) : file_(file), broken_(file) {
+    SvgReader(const std::filesystem::path& file, const Element& root)
+        : file_(file), styles_(root), broken_(file) {
         collectIds(root);
     }
 
@@ -115,6 +118,13 @@ public:
             paths_[i].number = static_cast<int>(i);
         }
         result.drawing.paths = std::move(paths_);
+        if (drawnWhole_ > 0) {
+            result.notes.push_back(
+                file_.filename().string() + ": " + std::to_string(drawnWhole_) +
+                (drawnWhole_ == 1 ? " clip path or mask is" : " clip paths or masks are") +
+                " not applied; cut the paths in your drawing program"
+            );
+        }
         if (!broken_.empty()) {
             result.notes.push_back(broken_.note("element", "elements"));
         }
@@ -204,15 +214,16 @@ private:
         return viewport;
     }
 
-    static bool isHidden(const Element& element) {
-        if (attributeOf(element, "display") == "none") {
-            return true;
+    /// Units of angles and lengths that transforms of CSS have, and those of SVG have not.
+    static std::string withoutUnits(std::string_view text) {
+        std::string plain(text);
+        for (const std::string_view unit : {"deg", "px"}) {
+            for (std::size_t at = plain.find(unit); at != std::string::npos;
+                 at = plain.find(unit)) {
+                plain.erase(at, unit.size());
+            }
         }
-        const std::vector<std::string_view> parts = splitAt(attributeOf(element, "style"), ';');
-        return std::ranges::any_of(parts, [](std::string_view part) {
-            const std::vector<std::string_view> words = splitAt(part, ':');
-            return words.size() == 2 && words[0] == "display" && words[1] == "none";
-        });
+        return plain;
     }
 
     void drawChildren(const Element& element, const Viewport& viewport) {
@@ -234,8 +245,16 @@ private:
 
     void draw(const Element& element, Viewport viewport) {
         const std::string& name = element.name;
-        if (isHidden(element)) {
+        if (styles_.valueOf(element, "display") == "none") {
             return;
+        }
+        const std::string_view visibility = styles_.valueOf(element, "visibility");
+        viewport.isVisible = visibility.empty() || visibility == "inherit"
+                                 ? viewport.isVisible
+                                 : visibility == "visible";
+        for (const char* const cut : {"clip-path", "mask"}) {
+            const std::string_view value = styles_.valueOf(element, cut);
+            drawnWhole_ += value.empty() || value == "none" ? 0 : 1;
         }
         if (std::ranges::find(kSvgLeftOut, name) != kSvgLeftOut.end()) {
             ++leftOut_[name];
@@ -243,7 +262,8 @@ private:
         }
         count(1);
         keepingOthers(element, [&] {
-            viewport.map = viewport.map * svgTransform(attributeOf(element, "transform"));
+            viewport.map =
+                viewport.map * svgTransform(withoutUnits(styles_.valueOf(element, "transform")));
             if (name == "use") {
                 drawUsed(element, viewport);
             } else if (name == "svg") {
@@ -329,6 +349,9 @@ private:
     }
 
     void drawShape(const Element& element, std::string_view name, const Viewport& viewport) {
+        if (!viewport.isVisible) {
+            return;
+        }
         DrawingBuilder pen;
         const auto length = [&](const char* attribute, int axis) {
             return lengthOf(element, attribute, viewport.size[axis]);
@@ -439,6 +462,8 @@ private:
     std::map<std::string, const Element*, std::less<>> ids_;
     std::vector<DrawingPath> paths_;
     std::map<std::string, int> leftOut_;
+    SvgStyles styles_;
+    int drawnWhole_ = 0;  // elements whose clip path or mask is not applied
     LeftOut broken_;
     std::set<const Element*> open_;  // that are being drawn because others use them
     std::size_t used_ = 0;

@@ -393,6 +393,16 @@ std::string lostExtras(const std::filesystem::path& file, const MeshExtras& extr
     return lost.words();
 }
 
+double largestMoveIn(const std::filesystem::path& file, const TriangleMesh& mesh) {
+    double largest = 0.0;
+    if (lowerCaseExtension(file) == ".stl") {
+        for (const Vec3& p : mesh.vertices) {
+            largest = std::max(largest, (p - p.cast<float>().cast<double>()).norm());
+        }
+    }
+    return largest;
+}
+
 std::string meshBytes(
     const std::filesystem::path& file, const TriangleMesh& mesh, const MeshAttributes& attributes
 ) {

@@ -31,6 +31,9 @@ void checkMeshExtension(const std::filesystem::path& file);
 /// What of extras a file of that name cannot hold, in words: "colours, normals"; empty: nothing.
 [[nodiscard]] std::string lostExtras(const std::filesystem::path& file, const MeshExtras& extras);
 
+/// How far a file of that name moves a vertex at most: .stl holds floats.
+[[nodiscard]] double largestMoveIn(const std::filesystem::path& file, const TriangleMesh& mesh);
+
 /// The bytes of a mesh file: .ply (binary, little-endian, doubles, with all attributes but headings
 /// and libraries of materials), .obj (text, shortest decimals that read back as the same doubles,
 /// with colours, normals, texture coordinates, groups and materials), .off (likewise, without

@@ -4,6 +4,8 @@
 import json
 import os
 
+import ezdxf
+import ezdxf.math
 import made_meshes as meshes
 import numpy as np
 import pytest
@@ -175,3 +177,82 @@ def test_headers_of_ply_may_have_blanks_and_a_mark(run, refused, plate):
     (plate / "b.ply").write_text("ply\n" + head + body.replace("0.5", "0,5"))
     refused(1, "field", "b.ply", "--kind", "ridge", "--output", "b.npy",
             says=['line 11: vertex 1: "0,5" is not a number', "write decimal points"])
+
+
+def test_a_format_that_moves_vertices_says_so(run, plate):
+    V, F = meshes.plate()
+    meshes.write_ply(plate / "far.ply", V + [4e5, 5e6, 0], F)
+    (plate / "far.json").write_text(json.dumps({"picks": (np.array(RING) + [4e5, 5e6, 0]).tolist(), "closed": True}))
+    result = run.ok("imprint", "far.ply", "--picks", "far.json", "--output", "out.stl")
+    assert "out.stl holds floats, which move vertices by up to 0.2" in result.stderr
+    assert "floats" not in run.ok("imprint", "far.ply", "--picks", "far.json", "--output", "out.obj").stderr
+
+
+def random_entities(random, layout, doc, depth=0):
+    """Adds curves of every kind; those of blocks as well."""
+    at = lambda: tuple(random.uniform(-3, 3, 2))  # noqa: E731
+    for kind in random.choice(["line", "circle", "arc", "ellipse", "light", "old", "spline", "insert"], 6):
+        layer = {"layer": str(random.choice(["0", "seen", "off", "frozen"], p=[0.4, 0.4, 0.1, 0.1]))}
+        if kind == "line":
+            layout.add_line(at(), at(), layer)
+        elif kind == "circle":
+            layout.add_circle(at(), random.uniform(0.1, 2), {**layer, "extrusion": (0, 0, random.choice([-1, 1]))})
+        elif kind == "arc":
+            layout.add_arc(at(), random.uniform(0.1, 2), *random.uniform(0, 360, 2), dxfattribs=layer)
+        elif kind == "ellipse":
+            layout.add_ellipse(at(), (*random.uniform(0.5, 2, 2), 0), random.uniform(0.1, 1), *random.uniform(0, 6.2, 2),
+                               dxfattribs=layer)
+        elif kind == "light":
+            points = [(*at(), 0, 0, random.choice([0, random.uniform(-1.5, 1.5)])) for _ in range(4)]
+            layout.add_lwpolyline(points, close=bool(random.integers(2)), dxfattribs=layer)
+        elif kind == "old":
+            layout.add_polyline2d([(*at(), random.uniform(-1, 1)) for _ in range(4)], format="xyb", dxfattribs=layer)
+        elif kind == "spline":
+            layout.add_open_spline([(*at(), 0) for _ in range(6)], degree=int(random.integers(2, 5)), dxfattribs=layer)
+        elif kind == "insert" and depth < 3:
+            block = doc.blocks.new(name=f"B{len(doc.blocks)}", base_point=at())
+            random_entities(random, block, doc, depth + 1)
+            layout.add_blockref(block.name, at(), {
+                "xscale": random.choice([1, -0.7]), "yscale": random.uniform(0.5, 1), "rotation": random.uniform(0, 360),
+                "layer": str(random.choice(["0", "seen"]))})
+
+
+def seen(entities, matrix, layer="0"):
+    """Curves of ezdxf that are shown, as points."""
+    from ezdxf import path
+
+    for entity in entities:
+        own = layer if entity.dxf.layer == "0" else entity.dxf.layer
+        if entity.dxftype() == "INSERT":
+            yield from seen(entity.block(), entity.matrix44() * matrix, own)
+        elif own not in ("off", "frozen"):
+            points = list(matrix.transform_vertices(path.make_path(entity).flattening(1e-5, 64)))
+            if len(points) > 1:
+                yield np.array([(p.x, p.y, p.z) for p in points])
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_dxf_drawings_are_those_of_ezdxf(run, tmp_path, seed):
+    """Blocks in blocks, mirrored, on hidden layers: as many curves, of the same lengths."""
+    random = np.random.default_rng(seed)
+    doc = ezdxf.new("R2010")
+    for name in ("seen", "off", "frozen"):
+        doc.layers.add(name)
+    doc.layers.get("off").off()
+    doc.layers.get("frozen").freeze()
+    random_entities(random, doc.modelspace(), doc)
+    doc.layout("Layout1").add_line((0, 0), (297, 210))
+    doc.saveas(tmp_path / "a.dxf")
+    expected = list(seen(doc.modelspace(), ezdxf.math.Matrix44()))
+    V, F = meshes.plate(cells=4, size=80)
+    meshes.write_ply(tmp_path / "plate.ply", V - [40, 40, 0], F)
+    run.ok("points", "plate.ply", "--curve", "a.dxf", "--count", 4000, "--output", "points.json")
+    curves = []
+    for curve in report_of(tmp_path / "points.json")["curves"]:
+        points = np.array([point["position"] for point in curve["points"]])
+        curves.append(np.vstack([points, points[:1]]) if curve["closed"] else points)
+    length = lambda points: np.linalg.norm(np.diff(points, axis=0), axis=1).sum()  # noqa: E731
+    assert sum(map(length, curves)) == pytest.approx(sum(map(length, expected)), rel=1.5e-3)
+    for low_or_high in (np.min, np.max):
+        box = [low_or_high(np.vstack(all_of), axis=0) for all_of in (curves, expected)]
+        assert np.allclose(*box, rtol=0, atol=0.02)

@@ -501,6 +501,30 @@ TEST_F(Drawings, SymbolsHaveTheSizeOfTheirUseAndSwitchesOneChild) {
     expectNear({box(1).min(), box(1).max()}, {{-2, -2}, {2, 2}});
 }
 
+TEST_F(Drawings, StyleSheetsHideAndTransform) {
+    const std::string sheet =
+        "<style>/* a */ .h, #no {display: none} rect.turned{transform:rotate(90deg)} "
+        "circle { visibility : hidden }</style>";
+    const Drawing drawing =
+        svg(sheet +
+            "<path class='a h' d='M0 0L1 1'/><path id='no' d='M0 0L1 1'/>"
+            "<path class='h' style='display:inline' d='M0 0L7 0'/>"
+            "<rect class='turned' width='3' height='1'/><circle r='1'/>"
+            "<g visibility='hidden'><path d='M0 0L1 1'/><path visibility='visible' d='M0 0L9 0'/>"
+            "</g><path style='transform:translate(5px,0)' d='M0 0L1 0'/>");
+    ASSERT_EQ(drawing.paths.size(), 4U);
+    expectJoints(drawing.paths[0], {{0, 0}, {7, 0}});
+    const auto box = Drawing{.paths = {drawing.paths[1]}}.box();
+    expectNear({box.min(), box.max()}, {{-1, -3}, {0, 0}});
+    expectJoints(drawing.paths[2], {{0, 0}, {9, 0}});
+    expectJoints(drawing.paths[3], {{5, 0}, {6, 0}});
+    const DrawingFile clipped = readDrawing(
+        write("c.svg", "<svg><circle r='2' clip-path='url(#c)'/><path d='M0 0L1 1'/></svg>")
+    );
+    EXPECT_EQ(clipped.drawing.paths.size(), 2U);
+    expectContains(clipped.notes.at(0), "1 clip path or mask is not applied");
+}
+
 TEST_F(Drawings, SpecksAreNoPieces) {
     // A stadium whose straight sides are rounding, and a corner doubled at 1e-9.
     const Drawing pill =
