@@ -9,6 +9,7 @@
 #include "io/points_writer.h"
 #include "workpiece/curve_points.h"
 
+#include <optional>
 #include <vector>
 
 namespace bspline_curve::cli {
@@ -104,12 +105,11 @@ ExitCode placePoints(const PointsArguments& arguments, ProgressBar& bar) {
     std::vector<PointsOfCurve> curves;
     for (std::size_t i = 0; i < read.lines.size(); ++i) {
         const SurfacePolyline& line = read.lines[i];
+        const std::optional<SplineData>& spline = read.splines[i];
         curves.push_back({
             .closed = line.closed,
             .points = along.at(
-                line,
-                read.splines[i] ? &*read.splines[i] : nullptr,
-                distancesOn(arguments, line, read.files[i])
+                line, spline ? &*spline : nullptr, distancesOn(arguments, line, read.files[i])
             ),
         });
     }

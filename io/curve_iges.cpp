@@ -21,7 +21,7 @@ constexpr std::size_t kDataColumns = 64;  // of parameters, before the number of
 
 /// A real in double precision: "1.D0", "1.5D-09".
 std::string igesReal(double value) {
-    std::string text = numberText(value);
+    const std::string text = numberText(value);
     const std::size_t exponent = text.find('e');
     std::string mantissa = text.substr(0, exponent);
     if (mantissa.find('.') == std::string::npos) {

@@ -18,7 +18,7 @@ namespace {
 
 /// A real as STEP and IGES have it, with a decimal point: "1.", "1.5E-09".
 std::string stepReal(double value) {
-    std::string text = numberText(value);
+    const std::string text = numberText(value);
     const std::size_t exponent = text.find('e');
     std::string mantissa = text.substr(0, exponent);
     if (mantissa.find('.') == std::string::npos) {

@@ -292,14 +292,6 @@ private:
         return fittedViewport(element, outer, sizeOf(element, outer.size, outer.size));
     }
 
-    /// Of a <symbol>, whose size is that of the <use>, if it has one.
-    [[nodiscard]] static Viewport symbolViewport(
-        const Element& use, const Element& symbol, const Viewport& outer
-    ) {
-        const Vec2 own = sizeOf(symbol, outer.size, outer.size);
-        return fittedViewport(symbol, outer, sizeOf(use, outer.size, own));
-    }
-
     [[nodiscard]] static Viewport fittedViewport(
         const Element& element, const Viewport& outer, const Vec2& size
     ) {
@@ -340,7 +332,10 @@ private:
         const Element& used = *found->second;
         keepingOthers(used, [&] {
             if (used.name == "symbol") {
-                drawChildren(used, symbolViewport(element, used, viewport));
+                // A symbol's size is that of its <use>, if that has one.
+                const Vec2 own = sizeOf(used, viewport.size, viewport.size);
+                const Vec2 size = sizeOf(element, viewport.size, own);
+                drawChildren(used, fittedViewport(used, viewport, size));
             } else {
                 draw(used, viewport);
             }

@@ -150,8 +150,10 @@ std::string pointsPickPoints(Curves curves) {
     for (std::size_t c = 0; c < curves.size(); ++c) {
         for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
             const Vec3& p = curves[c].points[i].position;
-            text += " <point x=\"" + numberText(p.x()) + "\" y=\"" + numberText(p.y()) + "\" z=\"" +
-                    numberText(p.z()) + "\" active=\"1\" name=\"" + labelOf(c, i) + "\"/>\n";
+            text.append(R"( <point x=")").append(numberText(p.x()));
+            text.append(R"(" y=")").append(numberText(p.y()));
+            text.append(R"(" z=")").append(numberText(p.z()));
+            text.append(R"(" active="1" name=")").append(labelOf(c, i)).append("\"/>\n");
         }
     }
     return text + "</PickedPoints>\n";

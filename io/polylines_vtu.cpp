@@ -102,7 +102,8 @@ private:
             const auto end = static_cast<std::size_t>(ends[cell]);
             if (types[cell] == kLine || types[cell] == kPolyLine) {
                 for (std::size_t i = start; i < end; ++i) {
-                    if (!(corners[i] >= 0.0 && corners[i] < count)) {
+                    const bool isPoint = corners[i] >= 0.0 && corners[i] < count;
+                    if (!isPoint) {
                         refuseFile(
                             file_,
                             "cell " + std::to_string(cell) + " names a point that is not there"

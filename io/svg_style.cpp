@@ -5,11 +5,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <ranges>
 #include <utility>
 
 namespace bspline_curve {
 
 namespace {
+
+/// How closely selectors select: an id more than a class, a class more than a name.
+constexpr int kId = 100;
+constexpr int kClass = 10;
 
 /// The value of a property in "a: b; c: d"; empty: it is not there.
 std::string_view declared(std::string_view declarations, std::string_view property) {
@@ -43,16 +49,23 @@ std::string withoutComments(std::string_view text) {
 SvgStyles::SvgStyles(const XmlElement& root) {
     collect(root);
     // Of rules that select an element as closely, the last one counts.
-    std::ranges::stable_sort(rules_, {}, &Rule::closeness);
+    std::vector<Rule> sorted;
+    for (const int closeness :
+         {0, 1, kClass, kClass + 1, kId, kId + 1, kId + kClass, kId + kClass + 1}) {
+        std::ranges::copy_if(rules_, std::back_inserter(sorted), [&](const Rule& rule) {
+            return rule.closeness() == closeness;
+        });
+    }
+    rules_ = std::move(sorted);
 }
 
 std::string_view SvgStyles::valueOf(const XmlElement& element, std::string_view property) const {
     if (const std::string_view own = declared(element.attribute("style"), property); !own.empty()) {
         return own;
     }
-    for (auto rule = rules_.rbegin(); rule != rules_.rend(); ++rule) {
-        if (rule->selects(element)) {
-            const std::string_view value = declared(rule->declarations, property);
+    for (const Rule& rule : std::views::reverse(rules_)) {
+        if (rule.selects(element)) {
+            const std::string_view value = declared(rule.declarations, property);
             if (!value.empty()) {
                 return value;
             }
@@ -71,8 +84,6 @@ bool SvgStyles::Rule::selects(const XmlElement& element) const {
 }
 
 int SvgStyles::Rule::closeness() const {
-    constexpr int kId = 100;
-    constexpr int kClass = 10;
     return (id.empty() ? 0 : kId) + (className.empty() ? 0 : kClass) + (name.empty() ? 0 : 1);
 }
 

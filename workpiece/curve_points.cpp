@@ -44,8 +44,8 @@ public:
 
     /// A segment, and how much of it is passed.
     struct Place {
-        std::size_t segment;
-        double share;
+        std::size_t segment = 0;
+        double share = 0.0;
     };
 
     /// Of a closed line any distance.
