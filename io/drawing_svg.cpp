@@ -448,6 +448,9 @@ private:
     void add(Drawing&& drawn, const Eigen::Affine2d& map) {
         const Eigen::Affine2d upwards = Eigen::Scaling(1.0, -1.0) * map;
         for (DrawingPath& path : mapped(std::move(drawn), upwards).paths) {
+            if (!isUsablePath(path)) {
+                throw std::invalid_argument("its numbers are too large");
+            }
             count(path.arcs.size());
             paths_.push_back(std::move(path));
         }

@@ -5,6 +5,7 @@
 #include "io/dxf_path.h"
 #include "io/left_out.h"
 #include "io/text_parsing.h"
+#include "pattern/drawing.h"
 
 #include <Eigen/Geometry>
 
@@ -213,10 +214,13 @@ private:
 
     void add(SpacePath&& path, const DxfEntity& entity) {
         count(path.arcs.size());
-        const bool isFinite = std::ranges::all_of(path.arcs, [](const SpaceArc& arc) {
-            return std::ranges::all_of(arc.points, [](const Vec3& p) { return p.allFinite(); });
+        const bool isUsable = std::ranges::all_of(path.arcs, [](const SpaceArc& arc) {
+            return std::ranges::all_of(arc.points, [](const Vec3& point) {
+                return point.cwiseAbs().maxCoeff() <= kLargestDrawingCoordinate &&
+                       point.allFinite();
+            });
         });
-        if (!isFinite) {
+        if (!isUsable) {
             leftOut_.add(entity.line(), "its numbers are too large");
         } else if (!path.arcs.empty()) {
             curves_.paths.push_back(std::move(path));

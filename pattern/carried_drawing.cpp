@@ -158,6 +158,9 @@ Pattern carriedDrawing(
     const Progress& progress
 ) {
     options.validate();
+    if (!std::ranges::all_of(drawing.paths, isUsablePath)) {
+        throw InputError(InputErrorCode::BadOption, "the drawing has numbers that are too large");
+    }
     const std::vector<SmoothPiece> pieces = smoothPieces(drawing, options.cornerAngle * kRadians);
     if (pieces.empty()) {
         throw InputError(InputErrorCode::BadOption, "the drawing has no paths");

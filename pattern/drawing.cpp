@@ -144,6 +144,14 @@ Eigen::AlignedBox2d Drawing::box() const {
     return box;
 }
 
+bool isUsablePath(const DrawingPath& path) {
+    return std::ranges::all_of(path.arcs, [](const DrawingArc& arc) {
+        return std::ranges::all_of(arc.points, [](const Vec2& point) {
+            return point.cwiseAbs().maxCoeff() <= kLargestDrawingCoordinate && point.allFinite();
+        });
+    });
+}
+
 std::vector<DrawingArc> ellipticalArc(
     const Vec2& centre, const Vec2& right, const Vec2& up, double from, double sweep
 ) {

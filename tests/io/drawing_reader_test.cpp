@@ -282,12 +282,13 @@ std::string onLayer(const std::string& name) {
 TEST_F(DxfDrawings, EntitiesThatCannotBeDrawnAreLeftOutWithOneNote) {
     const DrawingFile read = file(
         std::string("0 CIRCLE|8 1|10 0|20 0|40 0|") + kLine +
-        "|0 INSERT|2 NONE|0 LINE|10 a|20 0|11 1|21 0|0 ELLIPSE|11 0|21 0"
+        "|0 INSERT|2 NONE|0 LINE|10 a|20 0|11 1|21 0|0 ELLIPSE|11 0|21 0|0 LINE|10 1e300|20 0|11 "
+        "1|21 0"
     );
     EXPECT_EQ(read.drawing.paths.size(), 1U);
     ASSERT_EQ(read.notes.size(), 1U);
     EXPECT_EQ(
-        read.notes[0], "b.dxf: 4 entities left out; the first, line 5: a radius that is not > 0"
+        read.notes[0], "b.dxf: 5 entities left out; the first, line 5: a radius that is not > 0"
     );
 }
 
@@ -465,13 +466,14 @@ TEST_F(DxfDrawings, BadFilesAreRefused) {
 TEST_F(Drawings, ElementsThatCannotBeDrawnAreLeftOutWithOneNote) {
     const DrawingFile read = readDrawing(write(
         "b.svg",
-        "<svg>\n<circle r='-1'/><path d='M0 0L1 1'/><path d='M0 0X'/><use href='#no'/></svg>"
+        "<svg>\n<circle r='-1'/><rect width='1' height='1e308' ry='1' "
+        "transform='rotate(30)'/><path d='M0 0L1 1'/><path d='M0 0X'/><use href='#no'/></svg>"
     ));
     EXPECT_EQ(read.drawing.paths.size(), 1U);
     ASSERT_EQ(read.notes.size(), 1U);
     EXPECT_EQ(
         read.notes[0],
-        "b.svg: 3 elements left out; the first, line 2: <circle>: a radius is below 0"
+        "b.svg: 4 elements left out; the first, line 2: <circle>: a radius is below 0"
     );
 }
 
