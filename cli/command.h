@@ -55,6 +55,9 @@ inline constexpr const char* kMeshProcess = "--mesh-process";
 /// The verb pattern: a planar drawing carried to the surface.
 [[nodiscard]] ExitCode runPattern(Arguments arguments);
 
+/// The verb points: points at distances along curves.
+[[nodiscard]] ExitCode runPoints(Arguments arguments);
+
 /// The verb segment: labels, colours and measures of the parts between curves.
 [[nodiscard]] ExitCode runSegment(Arguments arguments);
 

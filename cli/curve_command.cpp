@@ -107,7 +107,8 @@ ExitCode drawAndWrite(
     }
     if (!isRefused) {
         files.add(
-            arguments.output, curveBytes(arguments.output, curve, drawn.along, workpiece.checksum())
+            arguments.output,
+            curveBytes(arguments.output, curve, drawn.along, workpiece.checksum(), arguments.unit)
         );
     }
     // Why it is refused comes last, and is no note.

@@ -5,6 +5,7 @@
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
 #include "io/curve_writer.h"
+#include "io/picks_reader.h"
 
 namespace bspline_curve::cli {
 
@@ -16,16 +17,18 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
         app,
         "--picks",
         arguments.picks,
-        "Points to pass through, in order: .pp, .json, .mrk.json, .xyz or .csv; at most 1 % of the "
-        "mesh's diagonal from it"
+        "Points to pass through, in order: " + std::string(kPicksExtensions)
     )
         ->required();
+    addPickDistance(app, arguments.pickDistance);
     addOutput(
         app,
         arguments.output,
         "Curve to write: " + curveExtensions() +
-            "; for trimesh: .ply, meshio: .vtu, PyVista and ParaView: .vtu or .obj (docs/FILES.md)"
+            "; for trimesh: .ply, meshio: .vtu, PyVista and ParaView: .vtu or .obj, CAD: .step "
+            "(docs/FILES.md)"
     );
+    addUnit(app, arguments.unit);
     addReport(
         app,
         arguments.report,

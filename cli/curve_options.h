@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "cli/drawing_options.h"
 #include "cli/loaded_mesh.h"
+#include "io/length_unit.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +20,7 @@ struct CurveArguments : DrawingArguments {
     std::filesystem::path report;  ///< empty: none asked for
     int repeat = 0;                ///< further curves to time
     bool requireUsable = false;
+    LengthUnit unit = LengthUnit::Millimetre;  ///< of the mesh
 };
 
 /// That command line, see runParsed().

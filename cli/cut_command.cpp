@@ -105,6 +105,7 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
         files.add(last, file.bytesOf(last, mesh));
         figures.kept.insert(figures.kept.end(), parts.begin(), parts.end());
     }
+    files.replaceSeries(arguments.output);
     figures.cutSeconds = watch.lap();
     if (!arguments.report.empty()) {
         files.add(
@@ -114,6 +115,8 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
     }
     bar.clear();
     files.commit();
+    printRemoved(files.stale());
+    printNotes(file.notesFor(arguments.output));
     printNotes(cut.notes);
     if (cut.pieces.size() > 1) {
         std::cerr << "bspline_curve: the mesh is in " << cut.pieces.size() << " files, the last is "

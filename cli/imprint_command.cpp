@@ -70,6 +70,7 @@ ExitCode imprintCurves(const ImprintArguments& arguments, ProgressBar& bar) {
     }
     bar.clear();
     files.commit();
+    printNotes(file.notesFor(arguments.output));
     return ExitCode::Success;
 }
 

@@ -30,6 +30,7 @@ constexpr std::array kVerbs{
     Verb{.name = "imprint", .run = runImprint},
     Verb{.name = "offset", .run = runOffset},
     Verb{.name = "pattern", .run = runPattern},
+    Verb{.name = "points", .run = runPoints},
     Verb{.name = "segment", .run = runSegment},
     Verb{.name = "shell", .run = runShell}
 };

@@ -21,6 +21,7 @@ namespace {
 struct OffsetArguments : UseArguments {
     std::filesystem::path band;  ///< empty: none asked for
     OffsetRequest request;
+    LengthUnit unit = LengthUnit::Millimetre;
 };
 
 struct OffsetParser {
@@ -44,6 +45,7 @@ struct OffsetParser {
                 "; where it has several pieces, the longest first, further ones are FILE-2.ply, "
                 "FILE-3.ply, …"
         );
+        addUnit(app, arguments.unit);
         addFile(
             app,
             "--band",
@@ -119,9 +121,10 @@ ExitCode drawBeside(const OffsetArguments& arguments, ProgressBar& bar) {
         const Curve drawn{
             .polyline = piece.line, .spline = piece.spline, .report = {}, .shell = {}
         };
-        files.add(last, curveBytes(last, drawn, {}, read.workpiece().checksum()));
+        files.add(last, curveBytes(last, drawn, {}, read.workpiece().checksum(), arguments.unit));
         pieces.push_back(piece);
     }
+    files.replaceSeries(arguments.output);
     if (!arguments.band.empty()) {
         const std::vector<int> labels(lines.band.begin(), lines.band.end());
         files.add(
@@ -136,6 +139,7 @@ ExitCode drawBeside(const OffsetArguments& arguments, ProgressBar& bar) {
         );
     }
     files.commit();
+    printRemoved(files.stale());
     if (pieces.size() > 1) {
         std::cerr << "bspline_curve: the offset has " << pieces.size() << " pieces, the last in "
                   << last.string() << '\n';

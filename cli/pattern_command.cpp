@@ -6,14 +6,15 @@
 #include "cli/verb_parser.h"
 #include "filters/pattern_requests.h"
 #include "filters/utf8_path.h"
-#include "io/curve_reader.h"
 #include "io/curve_writer.h"
+#include "io/curves_on_surface.h"
 #include "io/drawing_reader.h"
 #include "io/font_search.h"
 #include "io/pattern_report.h"
 #include "io/report_writer.h"
 #include "io/text_outlines.h"
 #include "pattern/draw_pattern.h"
+#include "surface/picks.h"
 #include "utility/stopwatch.h"
 
 #include <optional>
@@ -32,8 +33,10 @@ struct PatternArguments {
     std::filesystem::path along;   ///< empty: round a point
     std::filesystem::path report;  ///< empty: none asked for
     std::string text;
-    std::vector<double> centre, up;  ///< empty: not said
+    std::vector<double> centre, up;   ///< empty: not said
+    std::vector<std::string> layers;  ///< of a DXF; empty: all that are visible
     PatternRequest request;
+    LengthUnit unit = LengthUnit::Millimetre;
 };
 
 struct PatternParser {
@@ -67,6 +70,7 @@ struct PatternParser {
     void addFiles() {
         addMesh(app, arguments.mesh);
         addFile(app, "--drawing", arguments.drawing, "Planar drawing to carry: .svg or .dxf");
+        addLayers(app, arguments.layers);
         app.add_option(
                "--text",
                arguments.text,
@@ -88,6 +92,7 @@ struct PatternParser {
             "Curves to write, all in one file: " + manyCurvesExtensions() +
                 "; .json is what --curve of other verbs takes"
         );
+        addUnit(app, arguments.unit);
         addReport(app, arguments.report, "Write counts, distortion, lengths and times");
     }
 
@@ -109,9 +114,8 @@ struct PatternParser {
             app,
             "--along",
             arguments.along,
-            "Carry the drawing along this curve on the mesh, as this program writes it: its x axis "
-            "along the curve, its y axis to the left, seen with the surface's normal upwards",
-            "FILE.json"
+            "Carry the drawing along this curve on the mesh, in any format of --curve: its x axis "
+            "along the curve, its y axis to the left, seen with the surface's normal upwards"
         );
     }
 
@@ -135,6 +139,12 @@ Vec3 toVec3(const std::vector<double>& values) {
     return {values[0], values[1], values[2]};
 }
 
+SurfacePolyline curveAlong(const Workpiece& workpiece, const std::filesystem::path& file) {
+    const Surface& surface = workpiece.surface();
+    return CurvesOnSurface(surface, workpiece.checksum(), kPickReachRelative * surface.diagonal())
+        .readOne(file, "project the curve onto it first");
+}
+
 Pattern patternOn(
     const Workpiece& workpiece,
     const Drawing& drawing,
@@ -147,7 +157,7 @@ Pattern patternOn(
         return patternAlongCurve(
             designer,
             drawing,
-            readCurve(arguments.along, workpiece.surface(), workpiece.checksum()),
+            curveAlong(workpiece, arguments.along),
             request.row,
             request.pattern,
             progress
@@ -167,7 +177,7 @@ Pattern patternOn(
 /// What is to be drawn, with notes for people; `figures` keep the font of a text.
 DrawingFile drawingOf(const PatternArguments& arguments, PatternFigures& figures) {
     if (arguments.text.empty()) {
-        return readDrawing(arguments.drawing);
+        return readDrawing(arguments.drawing, arguments.layers);
     }
     const std::filesystem::path font = fontOrDefault(arguments.font);
     figures.font = utf8Text(font);
@@ -205,7 +215,8 @@ ExitCode carry(const PatternArguments& arguments, ProgressBar& bar) {
     }
     ResultFiles files;
     files.add(
-        arguments.output, curvesBytes(arguments.output, curves, loaded.workpiece->checksum())
+        arguments.output,
+        curvesBytes(arguments.output, curves, loaded.workpiece->checksum(), arguments.unit)
     );
     if (!arguments.report.empty()) {
         files.add(arguments.report, patternReportBytes(pattern, figures));

@@ -1,28 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/result_files.h"
 
+#include "bspline_curve/error.h"
 #include "cli/interrupt.h"
+
+#include <chrono>
+#include <string_view>
+#include <system_error>
 
 namespace bspline_curve::cli {
 
-std::filesystem::path ResultFiles::nextAfter(const std::filesystem::path& first) const {
-    if (files_.empty()) {
+std::filesystem::path numbered(const std::filesystem::path& first, std::size_t number) {
+    if (number <= 1) {
         return first;
     }
     const std::string name = first.filename().string();
-    const std::string bspline = ".bspline";
     std::size_t end = name.size() - first.extension().string().size();
-    if (name.substr(0, end).ends_with(bspline)) {
-        end -= bspline.size();
+    for (const std::string_view kind : {".bspline", ".polyline"}) {
+        if (name.substr(0, end).ends_with(kind)) {
+            end -= kind.size();
+        }
     }
     return first.parent_path() /
-           (name.substr(0, end) + "-" + std::to_string(files_.size() + 1) + name.substr(end));
+           (name.substr(0, end) + "-" + std::to_string(number) + name.substr(end));
+}
+
+std::filesystem::path ResultFiles::nextAfter(const std::filesystem::path& first) const {
+    return numbered(first, files_.size() + 1);
+}
+
+void ResultFiles::replaceSeries(const std::filesystem::path& first) {
+    // Files of one run are written within seconds, in the order of their numbers.
+    constexpr auto kTogether = std::chrono::seconds(60);
+    std::error_code error;
+    auto before = std::filesystem::last_write_time(first, error);
+    for (std::size_t number = 2; !error; ++number) {
+        const std::filesystem::path file = numbered(first, number);
+        const auto written = std::filesystem::last_write_time(file, error);
+        if (error || written < before - kTogether || written > before + kTogether) {
+            return;
+        }
+        before = written;
+        if (number > files_.size()) {
+            stale_.push_back(file);
+        }
+    }
 }
 
 void ResultFiles::commit() {
     beginWriting();
     for (AtomicFile& file : files_) {
         file.commit();
+    }
+    for (const std::filesystem::path& file : stale_) {
+        std::error_code error;
+        std::filesystem::remove(file, error);
+        if (error) {
+            throw InputError(
+                InputErrorCode::UnwritableFile,
+                file.string() + ", of an earlier run, cannot be removed: " + error.message()
+            );
+        }
     }
 }
 

@@ -3,9 +3,11 @@
 
 #include "io/atomic_file.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <list>
 #include <string>
+#include <vector>
 
 namespace bspline_curve::cli {
 
@@ -21,12 +23,26 @@ public:
     /// FILE-2.bspline.dxf.
     [[nodiscard]] std::filesystem::path nextAfter(const std::filesystem::path& first) const;
 
+    /// Takes note of further files of an earlier run, behind those of this one: FILE-3.ply where
+    /// this one ends with FILE-2.ply. Only files whose numbers follow each other, and that were
+    /// written together with FILE.ply, count. Before commit(), which removes them.
+    void replaceSeries(const std::filesystem::path& first);
+
+    /// Names of the files that replaceSeries() found.
+    [[nodiscard]] const std::vector<std::filesystem::path>& stale() const { return stale_; }
+
     /// Throws InputError (UnwritableFile), Cancelled.
     void commit();
 
 private:
     std::list<AtomicFile> files_;
+    std::vector<std::filesystem::path> stale_;
 };
+
+/// The name of a file of a series by its number: FILE.ply, FILE-2.ply, …; also FILE-2.bspline.dxf.
+[[nodiscard]] std::filesystem::path numbered(
+    const std::filesystem::path& first, std::size_t number
+);
 
 /// Refuses a file, where one is asked for, that could not be written after the work. `check`: of
 /// its extension. Throws InputError (UnwritableFile).

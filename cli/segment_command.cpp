@@ -76,6 +76,7 @@ ExitCode segmentBy(const SegmentArguments& arguments, ProgressBar& bar) {
     }
     bar.clear();
     files.commit();
+    printNotes(file.notesFor(arguments.output));
     printNotes(segments.notes);
     return ExitCode::Success;
 }

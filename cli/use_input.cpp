@@ -5,13 +5,13 @@
 #include "cli/interrupt.h"
 #include "cli/verb_parser.h"
 #include "imprint/part_colours.h"
-#include "imprint/projected_polyline.h"
-#include "io/curve_reader.h"
+#include "io/carried_extras.h"
+#include "io/curves_on_surface.h"
 #include "io/mesh_writer.h"
-#include "io/polyline_reader.h"
+#include "io/picks_reader.h"
 #include "io/text_parsing.h"
+#include "surface/error_messages.h"
 #include "surface/picks.h"
-#include "surface/triangle_tree.h"
 #include "utility/stopwatch.h"
 #include "workpiece/curve_notes.h"
 
@@ -26,34 +26,18 @@ namespace bspline_curve::cli {
 
 namespace {
 
-/// Projects the polylines of a file onto a surface.
-std::vector<SurfacePolyline> projectedLines(
-    const std::filesystem::path& file,
-    const Surface& surface,
-    const TriangleTree& tree,
-    double distance
-) {
-    std::vector<SurfacePolyline> projected;
-    const std::vector<SpacePolyline> lines = readPolylines(file);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        try {
-            projected.push_back(projectedPolyline(surface, tree, lines[i], distance));
-        } catch (const InputError& error) {
-            const std::string which =
-                lines.size() == 1 ? "" : "polyline " + std::to_string(i) + " of it ";
-            throw InputError(
-                error.code(),
-                file.string() + ": " + which + "is not near the mesh: " + error.what() +
-                    "; give the mesh that it belongs to, or a larger --max-distance",
-                error.elements()
-            );
-        }
-    }
-    return projected;
-}
+/// Vertices that a format moves by more, relative to the diagonal, are told.
+constexpr double kToldMoveRelative = 1e-6;
+constexpr const char* kLargerDistance = "a larger --max-distance";
 
-void take(CurvesOnMesh& taken, const std::filesystem::path& file, SurfacePolyline line) {
+void take(
+    CurvesOnMesh& taken,
+    const std::filesystem::path& file,
+    SurfacePolyline line,
+    std::optional<SplineData> spline
+) {
     taken.lines.push_back(std::move(line));
+    taken.splines.push_back(std::move(spline));
     taken.files.push_back(file);
 }
 
@@ -61,18 +45,19 @@ void readLines(CurvesOnMesh& taken, const UseArguments& arguments, double maxDis
     Stopwatch watch;
     const Workpiece& workpiece = taken.workpiece();
     const Surface& surface = workpiece.surface();
-    const double distance =
-        maxDistance > 0.0 ? maxDistance : kPickReachRelative * surface.diagonal();
-    std::optional<TriangleTree> tree;
+    CurvesOnSurface curves(
+        surface,
+        workpiece.checksum(),
+        maxDistance > 0.0 ? maxDistance : kPickReachRelative * surface.diagonal(),
+        arguments.layers
+    );
     for (const std::filesystem::path& file : arguments.curves) {
+        CurvesOfFile read = curves.read(file, kLargerDistance);
+        printNotes(read.notes);
+        for (std::size_t i = 0; i < read.lines.size(); ++i) {
+            take(taken, file, std::move(read.lines[i]), std::move(read.splines[i]));
+        }
         const bool isExact = lowerCaseExtension(file) == ".json";
-        if (!isExact && !tree) {
-            tree.emplace(surface.vertices(), surface.faces());
-        }
-        for (SurfacePolyline& line : isExact ? readCurves(file, surface, workpiece.checksum())
-                                             : projectedLines(file, surface, *tree, distance)) {
-            take(taken, file, std::move(line));
-        }
         (isExact ? taken.readSeconds : taken.drawSeconds) += watch.lap();
     }
 }
@@ -96,7 +81,7 @@ void drawLines(
             );
         }
         printNotes(drawn.notes);
-        take(taken, file, std::move(drawn.curve.polyline));
+        take(taken, file, std::move(drawn.curve.polyline), std::move(drawn.curve.spline));
     }
     taken.drawSeconds += watch.lap();
 }
@@ -110,14 +95,18 @@ UseOptions::UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescr
          {std::tuple(
               "--curve",
               &arguments.curves,
-              "Curve on this mesh: .json, as this program writes it, exactly; .ply, .obj or .dxf, "
-              "whose polylines are projected onto the mesh. May be given again"
+              std::string(
+                  "Curve on this mesh: .json, .ply, .csv or .vtu, as this program writes it, "
+                  "exactly; "
+                  "other .ply, .obj, .dxf, .csv and .vtu are projected onto the mesh. May be given "
+                  "again"
+              )
           ),
           std::tuple(
               "--picks",
               &arguments.picks,
-              "Draw a curve through these points first: .pp, .json, .mrk.json, .xyz or .csv; the "
-              "options of curves say how. May be given again"
+              "Draw a curve through these points first: " + std::string(kPicksExtensions) +
+                  "; the options of curves say how. May be given again"
           )}) {
         app.add_option(flag, *files, help)->allow_extra_args(false)->type_name("FILE");
     }
@@ -126,6 +115,8 @@ UseOptions::UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescr
         {.help = "Refuse polylines that are farther than this from the mesh anywhere, in its "
                  "unit; 0: 1 % of its diagonal"}
     );
+    addLayers(app, arguments.layers);
+    addPickDistance(app, arguments.drawing.pickDistance);
     addCacheOption(app, arguments.drawing.noCache);
     drawing_.add("Options of curves, for --picks");
 }
@@ -145,7 +136,7 @@ CurvesOnMesh curvesOnMesh(
 ) {
     bar.show(0.0, "reading");
     DrawingArguments drawing = arguments.drawing;
-    CurvesOnMesh taken{.loaded = {}, .lines = {}, .files = {}};
+    CurvesOnMesh taken{.loaded = {}, .lines = {}, .splines = {}, .files = {}};
     LoadedMesh& loaded = taken.loaded;
     if (!arguments.picks.empty()) {
         checkDrawingFiles(drawing);
@@ -191,11 +182,33 @@ std::string ImprintedFile::bytesOf(
         }
     }
     const std::vector<double> carried = qualityOf(made);
+    const MeshExtras carriedOver = carriedExtras(extras, made, faces);
     return meshBytes(
         file,
         made.mesh(),
-        {.vertexQuality = carried, .faceLabels = made.labels(), .faceColours = colours}
+        {.vertexQuality = carried,
+         .faceLabels = made.labels(),
+         .faceColours = colours,
+         .extras = &carriedOver}
     );
+}
+
+std::vector<std::string> ImprintedFile::notesFor(const std::filesystem::path& file) const {
+    std::vector<std::string> notes;
+    const std::string lost = lostExtras(file, extras);
+    if (!lost.empty()) {
+        notes.push_back(
+            file.string() + " does not hold " + lost + " of the input; .ply and .obj hold more"
+        );
+    }
+    const double moved = largestMoveIn(file, imprint.mesh->mesh);
+    if (moved > kToldMoveRelative * imprint.surface->diagonal()) {
+        notes.push_back(
+            file.string() + " holds floats, which move vertices by up to " + describeNumber(moved) +
+            "; write .ply, or move the mesh nearer to the origin"
+        );
+    }
+    return notes;
 }
 
 ImprintedFile imprintedFile(
@@ -211,6 +224,8 @@ ImprintedFile imprintedFile(
             progressPart(bar, kReadShare, kImprintedShare)
         ),
         .quality = std::move(read.loaded.layer.quality),
+        .extras = readMeshExtras(arguments.drawing.mesh),
+        .faces = read.workpiece().surface().input().faces,
         .figures = {}
     };
     result.figures = {

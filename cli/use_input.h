@@ -6,9 +6,11 @@
 #include "cli/progress_bar.h"
 #include "filters/imprint_requests.h"
 #include "io/imprint_writer.h"
+#include "io/mesh_extras.h"
 #include "workpiece/curve_uses.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,8 @@ namespace bspline_curve::cli {
 struct UseArguments {
     std::filesystem::path output, report;  ///< report: empty: none asked for
     std::vector<std::filesystem::path> curves, picks;
-    DrawingArguments drawing;  ///< the mesh, and how curves are drawn
+    std::vector<std::string> layers;  ///< of curves of DXF; empty: all that are visible
+    DrawingArguments drawing;         ///< the mesh, and how curves are drawn
 };
 
 /// MESH, --curve, --picks, the options of curves, and those of the filter that do the same.
@@ -43,7 +46,8 @@ private:
 struct CurvesOnMesh {
     LoadedMesh loaded;
     std::vector<SurfacePolyline> lines;
-    std::vector<std::filesystem::path> files;  ///< for each line, the one that it is from
+    std::vector<std::optional<SplineData>> splines;  ///< for each line, where it is known
+    std::vector<std::filesystem::path> files;        ///< for each line, the one that it is from
     /// Of files; of preparing the mesh; of projecting and drawing.
     double readSeconds = 0.0, surfaceSeconds = 0.0, drawSeconds = 0.0;
 
@@ -63,12 +67,17 @@ void checkHoldsLabels(const std::filesystem::path& file);
 struct ImprintedFile {
     Imprint imprint;
     std::vector<double> quality;  ///< of the input's vertices; empty: the file has none
+    MeshExtras extras;            ///< of the input
+    std::vector<Triangle> faces;  ///< of the input
     ImprintFigures figures;
 
-    /// The bytes of a mesh that was made of it, with the parts of faces and the quality.
+    /// The bytes of a mesh that was made of it, with the parts of faces, the quality, and what else
+    /// the input has.
     [[nodiscard]] std::string bytesOf(
         const std::filesystem::path& file, const MadeMesh& made, bool coloured = false
     ) const;
+    /// A note where a file of that name cannot hold all that the input has; else none.
+    [[nodiscard]] std::vector<std::string> notesFor(const std::filesystem::path& file) const;
     /// The quality at a mesh's vertices; empty: none.
     [[nodiscard]] std::vector<double> qualityOf(const MadeMesh& made) const;
 };

@@ -38,6 +38,16 @@ void printNotes(std::span<const std::string> notes) {
     }
 }
 
+void printRemoved(std::span<const std::filesystem::path> files) {
+    if (!files.empty()) {
+        printError(
+            "note: " + std::to_string(files.size()) + " further file" +
+            (files.size() == 1 ? "" : "s") + " of an earlier run removed, the first " +
+            files.front().string()
+        );
+    }
+}
+
 ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work, AfterInterrupt after) {
     if (after == AfterInterrupt::EndSoon) {
         endSoonAfterInterrupt();

@@ -6,6 +6,7 @@
 #include "cli/progress_bar.h"
 #include "surface/error_messages.h"
 
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -41,6 +42,9 @@ inline constexpr RemedyWords kRemedyWords{
 
 /// One line on stderr for each.
 void printNotes(std::span<const std::string> notes);
+
+/// One line on stderr where files of an earlier run were removed.
+void printRemoved(std::span<const std::filesystem::path> files);
 
 /// Prints help, version or what is wrong with a command line.
 [[nodiscard]] ExitCode explainParseError(const CLI::App& app, const CLI::ParseError& error);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "bspline_curve/error.h"
+#include "cli/value_checks.h"
 #include "cli/verb.h"
+#include "io/length_unit.h"
 
 #include <CLI/CLI.hpp>
 
@@ -71,6 +73,45 @@ inline void addMesh(CLI::App& app, std::filesystem::path& mesh) {
     addFile(app, "MESH", mesh, "Triangle mesh: .ply, .obj, .off or .stl", "")->required();
     constexpr const char* kHidden = "";
     app.add_flag("--repair")->group(kHidden);
+}
+
+/// --layers.
+inline void addLayers(CLI::App& app, std::vector<std::string>& layers) {
+    app.add_option(
+           "--layers",
+           layers,
+           "Layers of a DXF to read, with commas between them; default: all that are not off or "
+           "frozen"
+    )
+        ->delimiter(',')
+        ->type_name("NAMES")
+        ->expected(1);
+}
+
+/// --pick-distance.
+inline void addPickDistance(CLI::App& app, double& distance) {
+    app.add_option(
+           "--pick-distance",
+           distance,
+           "Refuse picks that are farther than this from the mesh, in its unit; 0: 1 % of its "
+           "diagonal"
+    )
+        ->check(atLeast(0.0).validator())
+        ->type_name("NUMBER")
+        ->capture_default_str();
+}
+
+/// --unit.
+inline void addUnit(CLI::App& app, LengthUnit& unit) {
+    std::vector<std::pair<std::string, LengthUnit>> words;
+    for (const LengthUnitNames& names : kLengthUnits) {
+        words.emplace_back(names.id, names.unit);
+    }
+    app.add_option(
+           "--unit", unit, "Unit of the mesh, which .step and .iges name: mm|cm|m|um|in|ft [mm]"
+    )
+        ->transform(CLI::Transformer(words))
+        ->type_name("WORD");
 }
 
 /// --no-cache.

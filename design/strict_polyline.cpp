@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/strict_polyline.h"
 
+#include "bspline_curve/error.h"
+#include "surface/error_messages.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>
@@ -13,6 +15,8 @@ namespace {
 constexpr double kCoincident = 1e-10;
 // A segment is halved at most this often to meet the maximal length.
 constexpr int kMaxHalvings = 24;
+/// More fill the memory before anybody can use them.
+constexpr double kMostSegments = 1e7;
 
 struct Vertex {
     double parameter;
@@ -141,6 +145,19 @@ private:
     }
 
     void limitLengths(double longest) {
+        double length = 0.0;
+        for (std::size_t i = 1; i < vertices_.size(); ++i) {
+            length += (vertices_[i].position - vertices_[i - 1].position).norm();
+        }
+        if (length > kMostSegments * longest) {
+            throw InputError(
+                InputErrorCode::BadOption,
+                "max segment length " + describeNumber(longest) +
+                    " would part the curve, which is " + describeNumber(length) +
+                    " long, into more than " + describeNumber(kMostSegments) +
+                    " segments; give a larger one"
+            );
+        }
         std::vector<Vertex> finer{vertices_.front()};
         for (std::size_t i = 1; i < vertices_.size(); ++i) {
             halve(finer, vertices_[i], longest, 0);

@@ -71,7 +71,9 @@ std::string commentedPolylines(CommentStyle style, const CurveRecords& records) 
 
 /// The polylines of a file that says nothing of picks, each described by a few of its vertices.
 CurveRecords fittedRecords(const path& file, double diagonal, std::vector<std::string>& notes) {
-    const std::vector<SpacePolyline> lines = readPolylines(file);
+    PolylineFile read = readPolylines(file);
+    const std::vector<SpacePolyline>& lines = read.lines;
+    std::ranges::move(read.notes, std::back_inserter(notes));
     if (lines.size() > kMostPolylines) {
         refuseFile(
             file,

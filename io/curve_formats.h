@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "io/length_unit.h"
 #include "surface/mesh_checksum.h"
 
 #include <cstddef>
@@ -17,8 +18,9 @@ namespace bspline_curve {
 /// What a curve file is made from.
 struct CurveContent {
     const Curve& curve;
-    std::span<const double> field{};     ///< per vertex of the polyline; empty: there is none
-    std::optional<MeshChecksum> mesh{};  ///< the one that its faces are of; none: not known
+    std::span<const double> field{};           ///< per vertex of the polyline; empty: there is none
+    std::optional<MeshChecksum> mesh{};        ///< the one that its faces are of; none: not known
+    LengthUnit unit = LengthUnit::Millimetre;  ///< for formats that name one
 
     /// What is shown along the curve: the field or, where there is none, t.
     [[nodiscard]] std::span<const double> quality() const {
@@ -52,5 +54,11 @@ struct CurveContent {
 // The spline alone.
 [[nodiscard]] std::string splineObj(const CurveContent& content);
 [[nodiscard]] std::string splineDxf(const CurveContent& content);
+
+// For CAD: the splines of one curve or several, and their polylines.
+[[nodiscard]] std::string splineStep(std::span<const CurveContent> contents);
+[[nodiscard]] std::string polylineStep(std::span<const CurveContent> contents);
+[[nodiscard]] std::string splineIges(std::span<const CurveContent> contents);
+[[nodiscard]] std::string polylineIges(std::span<const CurveContent> contents);
 
 }  // namespace bspline_curve

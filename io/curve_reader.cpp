@@ -100,6 +100,24 @@ std::vector<SurfacePolyline> readCurves(
     return curves;
 }
 
+std::vector<std::optional<SplineData>> readSplines(const std::filesystem::path& file) {
+    const nlohmann::json document = jsonOfBytes(file, readWholeFile(file));
+    const auto splineIn = [&](const nlohmann::json& curve) {
+        return curve.is_object() && curve.contains("spline")
+                   ? std::optional(splineOfJson(file, curve.at("spline")))
+                   : std::nullopt;
+    };
+    std::vector<std::optional<SplineData>> splines;
+    if (document.is_object() && document.contains("curves")) {
+        for (const nlohmann::json& curve : document.at("curves")) {
+            splines.push_back(splineIn(curve));
+        }
+    } else {
+        splines.push_back(splineIn(document));
+    }
+    return splines;
+}
+
 SurfacePolyline readCurve(
     const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
 ) {

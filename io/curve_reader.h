@@ -6,6 +6,7 @@
 #include "surface/surface.h"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace bspline_curve {
@@ -21,7 +22,11 @@ namespace bspline_curve {
     const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
 );
 
-/// The same of a file with one curve; refuses another number.
+/// The splines of such a file, for each curve; none where it has none. Throws InputError
+/// (UnreadableFile).
+[[nodiscard]] std::vector<std::optional<SplineData>> readSplines(const std::filesystem::path& file);
+
+/// The curve of a file with one; refuses another number.
 [[nodiscard]] SurfacePolyline readCurve(
     const std::filesystem::path& file, const Surface& surface, const MeshChecksum& mesh
 );

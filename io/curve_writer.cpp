@@ -40,6 +40,14 @@ constexpr std::array kCurveFormats{
     CurveFormat{.end = ".dxf", .bytes = ofOne<curveDxf>, .bytesOfMany = curveDxf},
     CurveFormat{.end = ".vtu", .bytes = curveVtu},
     CurveFormat{.end = ".csv", .bytes = curveCsv},
+    CurveFormat{.end = ".polyline.step", .bytes = ofOne<polylineStep>, .bytesOfMany = polylineStep},
+    CurveFormat{.end = ".polyline.stp", .bytes = ofOne<polylineStep>, .bytesOfMany = polylineStep},
+    CurveFormat{.end = ".step", .bytes = ofOne<splineStep>, .bytesOfMany = splineStep},
+    CurveFormat{.end = ".stp", .bytes = ofOne<splineStep>, .bytesOfMany = splineStep},
+    CurveFormat{.end = ".polyline.iges", .bytes = ofOne<polylineIges>, .bytesOfMany = polylineIges},
+    CurveFormat{.end = ".polyline.igs", .bytes = ofOne<polylineIges>, .bytesOfMany = polylineIges},
+    CurveFormat{.end = ".iges", .bytes = ofOne<splineIges>, .bytesOfMany = splineIges},
+    CurveFormat{.end = ".igs", .bytes = ofOne<splineIges>, .bytesOfMany = splineIges},
     CurveFormat{.end = ".json", .bytes = curveJson, .bytesOfMany = curvesJson},
 };
 
@@ -103,21 +111,25 @@ std::string curveBytes(
     const path& file,
     const Curve& curve,
     std::span<const double> field,
-    const std::optional<MeshChecksum>& mesh
+    const std::optional<MeshChecksum>& mesh,
+    LengthUnit unit
 ) {
     const CurveFormat& format = formatOf(file);
     assert(curve.polyline.surfacePoints.size() == curve.polyline.points.size());
     assert(curve.polyline.parameters.size() == curve.polyline.points.size());
     assert(field.empty() || field.size() == curve.polyline.points.size());
-    return format.bytes({.curve = curve, .field = field, .mesh = mesh});
+    return format.bytes({.curve = curve, .field = field, .mesh = mesh, .unit = unit});
 }
 
 std::string curvesBytes(
-    const path& file, std::span<const Curve* const> curves, const std::optional<MeshChecksum>& mesh
+    const path& file,
+    std::span<const Curve* const> curves,
+    const std::optional<MeshChecksum>& mesh,
+    LengthUnit unit
 ) {
     std::vector<CurveContent> contents;
     for (const Curve* const curve : curves) {
-        contents.push_back({.curve = *curve, .field = {}, .mesh = mesh});
+        contents.push_back({.curve = *curve, .field = {}, .mesh = mesh, .unit = unit});
     }
     return formatOfMany(file).bytesOfMany(contents);
 }

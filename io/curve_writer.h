@@ -3,6 +3,7 @@
 
 #include "bspline_curve/curve.h"
 #include "bspline_curve/mesh.h"
+#include "io/length_unit.h"
 #include "surface/mesh_checksum.h"
 
 #include <filesystem>
@@ -32,6 +33,9 @@ void checkCurveExtension(const std::filesystem::path& file);
 ///   .vtu          the polyline, VTK XML, base64: lines; points: quality t barycentric (double),
 ///                 face (int), is_pick (uchar)
 ///   .csv          the polyline: x,y,z,t,face,b0,b1,b2,quality,is_pick, one line per vertex
+///   .step .stp    the spline: B_SPLINE_CURVE_WITH_KNOTS of AP214 in `unit`; a closed one with
+///                 clamped knots; .polyline.step: a POLYLINE, closed by its first point once more
+///   .iges .igs    likewise as IGES 5.3: entity 126, or 106 of form 12
 ///   .json         {"closed", "polyline": {"points", "faces", "barycentrics", "t", "picks"},
 ///                 "spline": {"degree", "closed", "knots", "control_points", "pick_parameters"}};
 ///                 "quality" in "polyline" where there is a field, and {"mesh": {"vertices",
@@ -43,7 +47,8 @@ void checkCurveExtension(const std::filesystem::path& file);
     const std::filesystem::path& file,
     const Curve& curve,
     std::span<const double> field = {},
-    const std::optional<MeshChecksum>& mesh = {}
+    const std::optional<MeshChecksum>& mesh = {},
+    LengthUnit unit = LengthUnit::Millimetre
 );
 
 /// The ends of names of files that hold several curves.
@@ -52,13 +57,14 @@ void checkCurveExtension(const std::filesystem::path& file);
 /// Throws InputError (UnwritableFile) where the file's name is none of a format for several curves.
 void checkManyCurvesExtension(const std::filesystem::path& file);
 
-/// Several curves of one mesh in one file: the polylines of .ply, .obj and .dxf one after the
-/// other; .json {"curves": [{"closed", "polyline", "spline"}, …], "mesh"}. Throws InputError
-/// (UnwritableFile).
+/// Several curves of one mesh in one file: the polylines of .ply, .obj and .dxf, and those of .step
+/// and .iges, one after the other; .json {"curves": [{"closed", "polyline", "spline"}, …], "mesh"}.
+/// Throws InputError (UnwritableFile).
 [[nodiscard]] std::string curvesBytes(
     const std::filesystem::path& file,
     std::span<const Curve* const> curves,
-    const std::optional<MeshChecksum>& mesh = {}
+    const std::optional<MeshChecksum>& mesh = {},
+    LengthUnit unit = LengthUnit::Millimetre
 );
 
 /// Writes curveBytes() to the file: wholly, or not at all. Throws InputError (UnwritableFile).

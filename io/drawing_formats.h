@@ -17,9 +17,12 @@ inline constexpr std::size_t kMostPaths = 1000000;
 
 [[nodiscard]] DrawingFile drawingOfSvg(const std::filesystem::path& file, const XmlElement& root);
 
-/// LINE, POLYLINE, LWPOLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE and INSERT; curves whose ends meet are
-/// one path.
-[[nodiscard]] DrawingFile drawingOfDxf(const std::filesystem::path& file, std::string_view bytes);
+/// What curvesOfDxf() reads, seen along z; curves whose ends meet are one path.
+[[nodiscard]] DrawingFile drawingOfDxf(
+    const std::filesystem::path& file,
+    std::string_view bytes,
+    const std::vector<std::string>& layers
+);
 
 /// Draws path data ("M 0 0 L 1 1 …") as they are, y downwards. Throws std::invalid_argument saying
 /// what is wrong at which character.

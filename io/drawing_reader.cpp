@@ -6,13 +6,13 @@
 
 namespace bspline_curve {
 
-DrawingFile readDrawing(const std::filesystem::path& file) {
+DrawingFile readDrawing(const std::filesystem::path& file, const std::vector<std::string>& layers) {
     const std::string extension = lowerCaseExtension(file);
     if (extension != ".svg" && extension != ".dxf") {
         refuseFile(file, "drawings are read from .svg and .dxf; save the drawing as one of these");
     }
     const std::string bytes = readWholeFile(file);
-    DrawingFile result = extension == ".dxf" ? drawingOfDxf(file, bytes)
+    DrawingFile result = extension == ".dxf" ? drawingOfDxf(file, bytes, layers)
                                              : drawingOfSvg(file, xmlTreeOf(file, bytes));
     if (result.drawing.paths.empty()) {
         refuseFile(

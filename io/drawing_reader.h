@@ -17,8 +17,11 @@ struct DrawingFile {
 /// Reads the paths of a planar drawing: .svg (all shapes and path commands, groups, transforms,
 /// viewBox, use; text and images are left out) or .dxf (lines, polylines, arcs, ellipses, splines
 /// and inserted blocks, seen along z; curves whose ends meet are one path). The unit is that of the
-/// file; of an SVG whose width has a physical unit, millimetres. Throws InputError (UnreadableFile)
-/// naming file, line and what is wrong, also where there is no path at all.
-[[nodiscard]] DrawingFile readDrawing(const std::filesystem::path& file);
+/// file; of an SVG whose width has a physical unit, millimetres. What cannot be drawn is left out;
+/// notes count it. `layers`: of a DXF, those to read; empty: all that are visible. Throws
+/// InputError (UnreadableFile) naming file, line and what is wrong where there is no path at all.
+[[nodiscard]] DrawingFile readDrawing(
+    const std::filesystem::path& file, const std::vector<std::string>& layers = {}
+);
 
 }  // namespace bspline_curve

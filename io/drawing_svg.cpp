@@ -2,7 +2,9 @@
 // Shapes of SVG files (SVG 2, Sect. 5, 8 to 10) as paths.
 #include "bspline_curve/error.h"
 #include "io/drawing_formats.h"
+#include "io/left_out.h"
 #include "io/number_scanner.h"
+#include "io/svg_style.h"
 #include "io/text_parsing.h"
 #include "io/xml_tree.h"
 
@@ -11,6 +13,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,7 +28,7 @@ using Vec2 = Eigen::Vector2d;
 constexpr double kMillimetresPerInch = 25.4;
 constexpr double kPixelsPerInch = 96.0;
 /// Uses of elements that use elements, at most.
-constexpr int kMostUses = 32;
+constexpr std::size_t kMostUses = 32;
 
 /// Elements whose children are drawn.
 constexpr std::array<std::string_view, 5> kGroups{"g", "a", "svg", "switch", "symbol"};
@@ -75,6 +78,7 @@ Length lengthOfText(std::string_view text) {
 struct Viewport {
     Eigen::Affine2d map;
     Vec2 size;
+    bool isVisible = true;
 };
 
 struct ViewBox {
@@ -99,17 +103,31 @@ std::optional<ViewBox> viewBoxOf(const Element& element) {
 
 class SvgReader {
 public:
-    SvgReader(const std::filesystem::path& file, const Element& root) : file_(file) {
+    SvgReader(const std::filesystem::path& file, const Element& root)
+        : file_(file), styles_(root), broken_(file) {
         collectIds(root);
     }
 
     DrawingFile read(const Element& root) {
-        naming(root, [&] { drawChildren(root, rootViewport(root)); });
+        keepingOthers(root, [&] { drawChildren(root, rootViewport(root)); });
+        if (paths_.empty() && !broken_.empty()) {
+            broken_.refuse();
+        }
         DrawingFile result;
         for (std::size_t i = 0; i < paths_.size(); ++i) {
             paths_[i].number = static_cast<int>(i);
         }
         result.drawing.paths = std::move(paths_);
+        if (drawnWhole_ > 0) {
+            result.notes.push_back(
+                file_.filename().string() + ": " + std::to_string(drawnWhole_) +
+                (drawnWhole_ == 1 ? " clip path or mask is" : " clip paths or masks are") +
+                " not applied; cut the paths in your drawing program"
+            );
+        }
+        if (!broken_.empty()) {
+            result.notes.push_back(broken_.note("element", "elements"));
+        }
         for (const auto& [name, count] : leftOut_) {
             result.notes.push_back(
                 file_.filename().string() + ": " + std::to_string(count) + " <" + name +
@@ -120,13 +138,25 @@ public:
     }
 
 private:
-    /// What goes wrong while `work` reads an element names its line.
+    /// Leaves an element out where it goes wrong.
     template <class Work>
-    void naming(const Element& element, const Work& work) const {
+    void keepingOthers(const Element& element, const Work& work) {
         try {
             work();
         } catch (const std::invalid_argument& error) {
-            refuseLine(file_, element.line, "<" + element.name + ">: " + error.what());
+            broken_.add(element.line, "<" + element.name + ">: " + error.what());
+        }
+    }
+
+    /// Counts what elements that use others bring.
+    void count(std::size_t parts) {
+        used_ += open_.empty() ? 0 : parts;
+        if (used_ > kMostPaths || paths_.size() > kMostPaths) {
+            refuseFile(
+                file_,
+                "its elements come to more than " + std::to_string(kMostPaths) +
+                    " with those that they use; save what you need to a file of its own"
+            );
         }
     }
 
@@ -184,15 +214,16 @@ private:
         return viewport;
     }
 
-    static bool isHidden(const Element& element) {
-        if (attributeOf(element, "display") == "none") {
-            return true;
+    /// Units of angles and lengths that transforms of CSS have, and those of SVG have not.
+    static std::string withoutUnits(std::string_view text) {
+        std::string plain(text);
+        for (const std::string_view unit : {"deg", "px"}) {
+            for (std::size_t at = plain.find(unit); at != std::string::npos;
+                 at = plain.find(unit)) {
+                plain.erase(at, unit.size());
+            }
         }
-        const std::vector<std::string_view> parts = splitAt(attributeOf(element, "style"), ';');
-        return std::ranges::any_of(parts, [](std::string_view part) {
-            const std::vector<std::string_view> words = splitAt(part, ':');
-            return words.size() == 2 && words[0] == "display" && words[1] == "none";
-        });
+        return plain;
     }
 
     void drawChildren(const Element& element, const Viewport& viewport) {
@@ -201,21 +232,44 @@ private:
         }
     }
 
+    /// The first child of a <switch> that asks for no extension or language.
+    void drawFirst(const Element& element, const Viewport& viewport) {
+        for (const Element& child : element.children) {
+            if (attributeOf(child, "requiredExtensions").empty() &&
+                attributeOf(child, "systemLanguage").empty()) {
+                draw(child, viewport);
+                return;
+            }
+        }
+    }
+
     void draw(const Element& element, Viewport viewport) {
         const std::string& name = element.name;
-        if (isHidden(element)) {
+        if (styles_.valueOf(element, "display") == "none") {
             return;
+        }
+        const std::string_view visibility = styles_.valueOf(element, "visibility");
+        viewport.isVisible = visibility.empty() || visibility == "inherit"
+                                 ? viewport.isVisible
+                                 : visibility == "visible";
+        for (const char* const cut : {"clip-path", "mask"}) {
+            const std::string_view value = styles_.valueOf(element, cut);
+            drawnWhole_ += value.empty() || value == "none" ? 0 : 1;
         }
         if (std::ranges::find(kSvgLeftOut, name) != kSvgLeftOut.end()) {
             ++leftOut_[name];
             return;
         }
-        naming(element, [&] {
-            viewport.map = viewport.map * svgTransform(attributeOf(element, "transform"));
+        count(1);
+        keepingOthers(element, [&] {
+            viewport.map =
+                viewport.map * svgTransform(withoutUnits(styles_.valueOf(element, "transform")));
             if (name == "use") {
                 drawUsed(element, viewport);
             } else if (name == "svg") {
                 drawChildren(element, innerViewport(element, viewport));
+            } else if (name == "switch") {
+                drawFirst(element, viewport);
             } else if (name != "symbol" && std::ranges::find(kGroups, name) != kGroups.end()) {
                 drawChildren(element, viewport);
             } else {
@@ -224,13 +278,25 @@ private:
         });
     }
 
-    /// Of an <svg> inside another, or a <symbol>.
-    [[nodiscard]] static Viewport innerViewport(const Element& element, const Viewport& outer) {
-        Viewport inner = outer;
-        inner.size = {
-            lengthOf(element, "width", outer.size.x(), outer.size.x()),
-            lengthOf(element, "height", outer.size.y(), outer.size.y())
+    [[nodiscard]] static Vec2 sizeOf(
+        const Element& element, const Vec2& outer, const Vec2& otherwise
+    ) {
+        return {
+            lengthOf(element, "width", outer.x(), otherwise.x()),
+            lengthOf(element, "height", outer.y(), otherwise.y())
         };
+    }
+
+    /// Of an <svg> inside another.
+    [[nodiscard]] static Viewport innerViewport(const Element& element, const Viewport& outer) {
+        return fittedViewport(element, outer, sizeOf(element, outer.size, outer.size));
+    }
+
+    [[nodiscard]] static Viewport fittedViewport(
+        const Element& element, const Viewport& outer, const Vec2& size
+    ) {
+        Viewport inner = outer;
+        inner.size = size;
         inner.map.translate(
             Vec2(lengthOf(element, "x", outer.size.x()), lengthOf(element, "y", outer.size.y()))
         );
@@ -257,22 +323,30 @@ private:
                 "there is no element " + inQuotes(reference) + " in this file"
             );
         }
-        if (++uses_ > kMostUses) {
+        if (open_.size() >= kMostUses || !open_.insert(found->second).second) {
             throw std::invalid_argument("elements use each other without end");
         }
         viewport.map.translate(Vec2(
             lengthOf(element, "x", viewport.size.x()), lengthOf(element, "y", viewport.size.y())
         ));
         const Element& used = *found->second;
-        if (used.name == "symbol") {
-            drawChildren(used, innerViewport(used, viewport));
-        } else {
-            draw(used, viewport);
-        }
-        --uses_;
+        keepingOthers(used, [&] {
+            if (used.name == "symbol") {
+                // A symbol's size is that of its <use>, if that has one.
+                const Vec2 own = sizeOf(used, viewport.size, viewport.size);
+                const Vec2 size = sizeOf(element, viewport.size, own);
+                drawChildren(used, fittedViewport(used, viewport, size));
+            } else {
+                draw(used, viewport);
+            }
+        });
+        open_.erase(&used);
     }
 
     void drawShape(const Element& element, std::string_view name, const Viewport& viewport) {
+        if (!viewport.isVisible) {
+            return;
+        }
         DrawingBuilder pen;
         const auto length = [&](const char* attribute, int axis) {
             return lengthOf(element, attribute, viewport.size[axis]);
@@ -374,10 +448,11 @@ private:
     void add(Drawing&& drawn, const Eigen::Affine2d& map) {
         const Eigen::Affine2d upwards = Eigen::Scaling(1.0, -1.0) * map;
         for (DrawingPath& path : mapped(std::move(drawn), upwards).paths) {
+            if (!isUsablePath(path)) {
+                throw std::invalid_argument("its numbers are too large");
+            }
+            count(path.arcs.size());
             paths_.push_back(std::move(path));
-        }
-        if (paths_.size() > kMostPaths) {
-            throw std::invalid_argument("the file has more than 1000000 paths");
         }
     }
 
@@ -385,7 +460,11 @@ private:
     std::map<std::string, const Element*, std::less<>> ids_;
     std::vector<DrawingPath> paths_;
     std::map<std::string, int> leftOut_;
-    int uses_ = 0;
+    SvgStyles styles_;
+    int drawnWhole_ = 0;  // elements whose clip path or mask is not applied
+    LeftOut broken_;
+    std::set<const Element*> open_;  // that are being drawn because others use them
+    std::size_t used_ = 0;
 };
 
 }  // namespace

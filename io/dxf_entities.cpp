@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -49,6 +50,8 @@ private:
             hasEntities_ = true;
         } else if (name == "BLOCKS") {
             section_ = &content_.blocks;
+        } else if (name == "TABLES") {
+            section_ = &content_.tables;
         }
     }
 
@@ -113,7 +116,16 @@ std::string_view DxfEntity::textOf(int code) const {
 
 int DxfEntity::flags() const {
     constexpr int kFlags = 70;
-    return static_cast<int>(numberOf(kFlags, 0.0));
+    return integerOf(kFlags, 0);
+}
+
+int DxfEntity::integerOf(int code, int otherwise) const {
+    using Limits = std::numeric_limits<int>;
+    return static_cast<int>(std::clamp(
+        numberOf(code, static_cast<double>(otherwise)),
+        static_cast<double>(Limits::min()),
+        static_cast<double>(Limits::max())
+    ));
 }
 
 Vec3 DxfEntity::pointOf(int code) const {

@@ -39,6 +39,8 @@ public:
 
     [[nodiscard]] std::string_view name() const { return name_; }
 
+    [[nodiscard]] std::size_t line() const { return line_; }
+
     [[nodiscard]] const std::vector<DxfPair>& pairs() const { return pairs_; }
 
     [[nodiscard]] double number(const DxfPair& pair) const;
@@ -47,6 +49,8 @@ public:
     [[nodiscard]] std::vector<double> numbersOf(int code) const;
     [[nodiscard]] std::string_view textOf(int code) const;
     [[nodiscard]] int flags() const;
+    /// A whole number, cut to the range of int.
+    [[nodiscard]] int integerOf(int code, int otherwise) const;
     /// A point, whose axes are `code`, `code` + 10 and `code` + 20.
     [[nodiscard]] Vec3 pointOf(int code) const;
     /// The axes of its own coordinates, by the arbitrary axis algorithm of the reference.
@@ -65,6 +69,7 @@ private:
 struct DxfContent {
     std::vector<DxfEntity> entities;  ///< of the section ENTITIES
     std::vector<DxfEntity> blocks;    ///< of the section BLOCKS: BLOCK, its entities, ENDBLK, …
+    std::vector<DxfEntity> tables;    ///< of the section TABLES: TABLE, LAYER, …
 };
 
 /// The entities of a file, whose bytes must stay. Throws InputError (UnreadableFile) where it is no

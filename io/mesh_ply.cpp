@@ -171,12 +171,7 @@ private:
         if (!cursor_.failed()) {
             return;
         }
-        refuseFile(
-            file_,
-            "is truncated or damaged: no " + element.name + " " +
-                (i < element.count ? std::to_string(i) + " " : "data ") + "of " +
-                std::to_string(element.count)
-        );
+        cursor_.refuse(file_, header_, element, i);
     }
 
     const std::filesystem::path& file_;

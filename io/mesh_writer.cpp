@@ -3,79 +3,29 @@
 
 #include "bspline_curve/error.h"
 #include "io/append_binary.h"
+#include "io/mesh_formats.h"
 #include "io/number_text.h"
 #include "io/text_parsing.h"
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
 namespace {
 
-std::string meshPly(const TriangleMesh& mesh, const MeshAttributes& attributes) {
-    const bool hasQuality = !attributes.vertexQuality.empty();
-    const bool hasLabels = !attributes.faceLabels.empty();
-    const bool hasColours = !attributes.faceColours.empty();
-    std::string bytes =
-        "ply\nformat binary_little_endian 1.0\nelement vertex " +
-        std::to_string(mesh.vertices.size()) +
-        "\nproperty double x\nproperty double y\nproperty double z\n" +
-        (hasQuality ? "property double quality\n" : "") + "element face " +
-        std::to_string(mesh.faces.size()) + "\nproperty list uchar int vertex_indices\n" +
-        (hasLabels ? "property int label\nproperty double quality\n" : "") +
-        (hasColours ? "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty "
-                      "uchar alpha\n"
-                    : "") +
-        "end_header\n";
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        for (const double x : mesh.vertices[v]) {
-            appendBinary(bytes, x);
-        }
-        if (hasQuality) {
-            appendBinary(bytes, attributes.vertexQuality[v]);
-        }
-    }
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        appendBinary(bytes, std::uint8_t{3});
-        for (const int vertex : mesh.faces[f]) {
-            appendBinary(bytes, static_cast<std::int32_t>(vertex));
-        }
-        if (hasLabels) {
-            appendBinary(bytes, static_cast<std::int32_t>(attributes.faceLabels[f]));
-            appendBinary(bytes, static_cast<double>(attributes.faceLabels[f]));
-        }
-        if (hasColours) {
-            for (const std::uint8_t channel : attributes.faceColours[f]) {
-                appendBinary(bytes, channel);
-            }
-            appendBinary(bytes, std::uint8_t{255});
-        }
-    }
-    return bytes;
-}
-
 std::string numbersOf(const Vec3& point) {
     return numberText(point.x()) + " " + numberText(point.y()) + " " + numberText(point.z());
-}
-
-std::string objBytes(const TriangleMesh& mesh) {
-    std::string text;
-    for (const Vec3& vertex : mesh.vertices) {
-        text += "v ";
-        text += numbersOf(vertex);
-        text += '\n';
-    }
-    for (const Triangle& face : mesh.faces) {
-        text += 'f';
-        for (const int vertex : face) {
-            text += ' ';
-            text += std::to_string(vertex + 1);
-        }
-        text += '\n';
-    }
-    return text;
 }
 
 std::string offBytes(const TriangleMesh& mesh) {
@@ -130,13 +80,58 @@ void checkMeshExtension(const std::filesystem::path& file) {
     }
 }
 
+std::string lostExtras(const std::filesystem::path& file, const MeshExtras& extras) {
+    const std::string extension = lowerCaseExtension(file);
+    MeshExtras lost = extras;
+    if (extension == ".ply") {
+        lost.vertices.clear();
+        lost.faces.clear();
+        lost.cornerTexture.clear();
+        lost.cornerNormals.clear();
+    } else if (extension == ".obj") {
+        constexpr std::array<std::string_view, 13> kHeld{
+            "red",
+            "green",
+            "blue",
+            "alpha",
+            "nx",
+            "ny",
+            "nz",
+            "s",
+            "t",
+            "u",
+            "v",
+            "texture_u",
+            "texture_v"
+        };
+        std::erase_if(lost.vertices, [&](const MeshChannel& channel) {
+            return std::ranges::find(kHeld, channel.name) != kHeld.end();
+        });
+        lost.cornerTexture.clear();
+        lost.cornerNormals.clear();
+        lost.libraries.clear();
+        lost.headings.clear();
+    }
+    return lost.words();
+}
+
+double largestMoveIn(const std::filesystem::path& file, const TriangleMesh& mesh) {
+    double largest = 0.0;
+    if (lowerCaseExtension(file) == ".stl") {
+        for (const Vec3& p : mesh.vertices) {
+            largest = std::max(largest, (p - p.cast<float>().cast<double>()).norm());
+        }
+    }
+    return largest;
+}
+
 std::string meshBytes(
     const std::filesystem::path& file, const TriangleMesh& mesh, const MeshAttributes& attributes
 ) {
     checkMeshExtension(file);
     const std::string extension = lowerCaseExtension(file);
     if (extension == ".obj") {
-        return objBytes(mesh);
+        return meshObj(mesh, attributes);
     }
     if (extension == ".off") {
         return offBytes(mesh);

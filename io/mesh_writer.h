@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
+#include "io/mesh_extras.h"
 
 #include <array>
 #include <cstdint>
@@ -18,6 +19,7 @@ struct MeshAttributes {
     /// selects by.
     std::span<const int> faceLabels{};
     std::span<const std::array<std::uint8_t, 3>> faceColours{};
+    const MeshExtras* extras = nullptr;  ///< of this mesh; what is above goes before it
 };
 
 /// The file name extensions that meshBytes() knows, for messages: ".ply, .obj, .off or .stl".
@@ -26,9 +28,17 @@ struct MeshAttributes {
 /// Throws InputError (UnwritableFile) where a mesh cannot be written under this name.
 void checkMeshExtension(const std::filesystem::path& file);
 
-/// The bytes of a mesh file: .ply (binary, little-endian, doubles, with attributes), .obj and .off
-/// (text, shortest decimals that read back as the same doubles, without attributes) or .stl
-/// (binary, floats, without attributes). Throws InputError (UnwritableFile) for other extensions.
+/// What of extras a file of that name cannot hold, in words: "colours, normals"; empty: nothing.
+[[nodiscard]] std::string lostExtras(const std::filesystem::path& file, const MeshExtras& extras);
+
+/// How far a file of that name moves a vertex at most: .stl holds floats.
+[[nodiscard]] double largestMoveIn(const std::filesystem::path& file, const TriangleMesh& mesh);
+
+/// The bytes of a mesh file: .ply (binary, little-endian, doubles, with all attributes but headings
+/// and libraries of materials), .obj (text, shortest decimals that read back as the same doubles,
+/// with colours, normals, texture coordinates, groups and materials), .off (likewise, without
+/// attributes) or .stl (binary, floats, without attributes). Throws InputError (UnwritableFile) for
+/// other extensions.
 [[nodiscard]] std::string meshBytes(
     const std::filesystem::path& file,
     const TriangleMesh& mesh,

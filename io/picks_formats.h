@@ -16,7 +16,13 @@ namespace bspline_curve {
 [[nodiscard]] PicksFile picksOfPickPoints(
     const std::filesystem::path& file, const std::string& bytes
 );
-[[nodiscard]] PicksFile picksOfXyz(const std::filesystem::path& file, std::string_view bytes);
+/// Blanks, commas or semicolons between the fields, whichever the first line has; # and // begin
+/// comments. A line of names, and a label before the coordinates, as in CSV.
+[[nodiscard]] PicksFile picksOfText(const std::filesystem::path& file, std::string_view bytes);
+/// A list of 3D Slicer (.fcsv), in LPS.
+[[nodiscard]] PicksFile picksOfSlicerList(
+    const std::filesystem::path& file, std::string_view bytes
+);
 [[nodiscard]] PicksFile picksOfCsv(const std::filesystem::path& file, std::string_view bytes);
 /// Ours, or the markups of 3D Slicer, whichever the file holds.
 [[nodiscard]] PicksFile picksOfJson(const std::filesystem::path& file, const std::string& bytes);

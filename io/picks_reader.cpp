@@ -23,45 +23,36 @@ double coordinateOf(const path& file, std::size_t line, std::string_view word) {
     return *value;
 }
 
-PicksFile picksOfXyz(const path& file, std::string_view bytes) {
-    PicksFile result;
-    LineReader lines(bytes);
-    while (lines.next()) {
-        const auto words = splitAtBlanks(lines.line().substr(0, lines.line().find('#')));
-        if (words.empty()) {
-            continue;
-        }
-        if (words.size() < 3) {
-            refuseLine(file, lines.number(), "a pick needs three coordinates");
-        }
-        Vec3 pick;
-        for (std::size_t k = 0; k < 3; ++k) {
-            pick[static_cast<Eigen::Index>(k)] = coordinateOf(file, lines.number(), words[k]);
-        }
-        result.picks.push_back(pick);
-    }
-    return result;
+namespace {
+
+bool isPicksExtension(const std::string& extension) {
+    constexpr std::array<std::string_view, 7> kKnown{
+        ".pp", ".json", ".csv", ".fcsv", ".xyz", ".txt", ".asc"
+    };
+    return std::ranges::find(kKnown, extension) != kKnown.end();
 }
+
+}  // namespace
 
 PicksFile readPicks(const path& file) {
     const std::string extension = lowerCaseExtension(file);
-    const std::array<std::string_view, 4> known{".pp", ".json", ".xyz", ".csv"};
-    if (std::ranges::find(known, extension) == known.end()) {
-        refuseFile(
-            file,
-            "the extension " + inQuotes(extension) + " is none of .pp, .json, .mrk.json, .xyz, .csv"
-        );
-    }
-    const std::string bytes = readWholeFile(file);
+    const std::string bytes = isPicksExtension(extension) ? readWholeFile(file) : std::string();
     PicksFile result;
     if (extension == ".pp") {
         result = picksOfPickPoints(file, bytes);
     } else if (extension == ".json") {
         result = picksOfJson(file, bytes);
-    } else if (extension == ".xyz") {
-        result = picksOfXyz(file, bytes);
-    } else {
+    } else if (extension == ".csv") {
         result = picksOfCsv(file, bytes);
+    } else if (extension == ".fcsv") {
+        result = picksOfSlicerList(file, bytes);
+    } else if (isPicksExtension(extension)) {
+        result = picksOfText(file, bytes);
+    } else {
+        refuseFile(
+            file,
+            "the extension " + inQuotes(extension) + " is none of " + std::string(kPicksExtensions)
+        );
     }
     if (result.picks.empty()) {
         refuseFile(file, "holds no picks");

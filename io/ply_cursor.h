@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <string_view>
 
 namespace bspline_curve {
@@ -17,9 +18,18 @@ namespace bspline_curve {
 /// `failed` stays true.
 class PlyCursor {
 public:
-    PlyCursor(std::string_view data, PlyFormat format) : data_(data), format_(format) {}
+    PlyCursor(std::string_view data, PlyFormat format) : all_(data), data_(data), format_(format) {}
 
     [[nodiscard]] bool failed() const { return failed_; }
+
+    /// Throws InputError (UnreadableFile) that says at which element it failed: the word of a text
+    /// that is no number, with its line, or where the data end.
+    [[noreturn]] void refuse(
+        const std::filesystem::path& file,
+        const PlyHeader& header,
+        const PlyElement& element,
+        std::size_t index
+    ) const;
 
     /// Many scalars at once, without looking at them; binary only.
     void skipBytes(std::size_t count) { static_cast<void>(take(count)); }
@@ -60,6 +70,9 @@ private:
         const std::size_t end = std::min(data_.find_first_of(kBlanks, first), data_.size());
         const std::string_view token = data_.substr(first, end - first);
         data_.remove_prefix(end);
+        if (!failed_) {
+            word_ = token;
+        }
         if (type == PlyScalar::Float) {
             const auto value = parseFloat(token);
             failed_ = failed_ || !value;
@@ -101,7 +114,8 @@ private:
         return value;
     }
 
-    std::string_view data_;
+    std::string_view all_, data_;
+    std::string_view word_;  // of a text, the last one up to the one that failed
     PlyFormat format_;
     bool failed_ = false;
 };

@@ -42,7 +42,9 @@ public:
         : file_(file), bytes_(bytes) {}
 
     PlyHeader run() {
-        if (!bytes_.starts_with("ply\n") && !bytes_.starts_with("ply\r\n")) {
+        header_.size = bytes_.size() - withoutByteOrderMark(bytes_).size();
+        const std::string_view rest = bytes_.substr(header_.size);
+        if (trimmed(rest.substr(0, rest.find('\n'))) != "ply") {
             refuseFile(file_, "is not a PLY file (it does not start with \"ply\")");
         }
         bool ended = false;
@@ -75,6 +77,7 @@ private:
         } else if (words[0] == "property") {
             readProperty(words);
         }
+        header_.lines = line_;
         return words[0] == "end_header";
     }
 

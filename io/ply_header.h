@@ -39,7 +39,8 @@ enum class PlyFormat : std::uint8_t { Ascii, LittleEndian, BigEndian };
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    std::size_t size = 0;  ///< in bytes; the data follow
+    std::size_t size = 0;   ///< in bytes; the data follow
+    std::size_t lines = 0;  ///< of the header
 };
 
 /// Throws InputError (UnreadableFile) naming file and line.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/left_out.h"
 #include "io/polyline_formats.h"
+#include "io/space_paths.h"
 #include "io/text_parsing.h"
 
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -14,40 +17,127 @@ namespace {
 class ObjLines {
 public:
     ObjLines(const std::filesystem::path& file, std::string_view bytes)
-        : file_(file), lines_(withoutTrailingZeros(bytes)) {}
+        : file_(file), lines_(withoutTrailingZeros(bytes)), leftOut_(file) {}
 
     PolylineGraph run() {
         while (lines_.next()) {
-            const std::vector<std::string_view> words = splitAtBlanks(lines_.line());
-            if (words.empty()) {
-                continue;
+            const std::string_view line = wholeLine();
+            const std::vector<std::string_view> words = splitAtBlanks(line);
+            if (!words.empty()) {
+                read(words);
             }
-            if (words.back() == "\\" && (words[0] == "v" || words[0] == "l")) {
-                refuse("a statement that goes on in the next line; write it in one");
-            }
-            if (words[0] == "v") {
-                readVertex(words);
-            } else if (words[0] == "l") {
-                readLine(words);
-            }
+        }
+        appendSplines();
+        if (graph_.edges.empty() && !leftOut_.empty()) {
+            leftOut_.refuse();
+        }
+        if (!leftOut_.empty()) {
+            graph_.notes.push_back(leftOut_.note("free-form curve", "free-form curves"));
         }
         return std::move(graph_);
     }
 
 private:
+    /// The line with those that a backslash at its end joins to it.
+    std::string_view wholeLine() {
+        std::string_view line = lines_.line();
+        if (!line.ends_with('\\') || line.starts_with('#')) {
+            return line;
+        }
+        joined_.clear();
+        while (line.ends_with('\\')) {
+            joined_ += line.substr(0, line.size() - 1);
+            if (!lines_.next()) {
+                refuse("the file ends where a line should go on");
+            }
+            line = lines_.line();
+        }
+        joined_ += line;
+        return joined_;
+    }
+
+    void read(const std::vector<std::string_view>& words) {
+        const std::string_view keyword = words[0];
+        if (keyword == "v") {
+            readVertex(words);
+        } else if (keyword == "l") {
+            readLine(words);
+        } else if (keyword == "cstype") {
+            isRational_ = words.size() > 2 && words[1] == "rat";
+            isSpline_ = words.back() == "bspline";
+        } else if (keyword == "deg" && words.size() > 1) {
+            spline_.degree = static_cast<int>(parseInteger(words[1]).value_or(0));
+        } else if (keyword == "curv") {
+            beginCurve(words);
+        } else if (keyword == "parm" && words.size() > 1 && words[1] == "u") {
+            for (std::size_t k = 2; k < words.size(); ++k) {
+                spline_.knots.push_back(numberIn(words[k]));
+            }
+        } else if (keyword == "end" && isInCurve_) {
+            endCurve();
+        }
+    }
+
+    [[nodiscard]] double numberIn(std::string_view word) const {
+        const std::optional<double> number = parseNumber(word);
+        if (!number) {
+            refuse(inQuotes(word) + " is not a number");
+        }
+        return *number;
+    }
+
     void readVertex(const std::vector<std::string_view>& words) {
         if (words.size() < 4) {
             refuse("a vertex needs three coordinates");
         }
-        Vec3 point;
-        for (int k = 0; k < 3; ++k) {
-            const std::optional<double> number = parseNumber(words[k + 1]);
-            if (!number) {
-                refuse(inQuotes(words[k + 1]) + " is not a number");
+        graph_.points.emplace_back(numberIn(words[1]), numberIn(words[2]), numberIn(words[3]));
+        weights_.push_back(words.size() == 5 ? numberIn(words[4]) : 1.0);
+    }
+
+    void beginCurve(const std::vector<std::string_view>& words) {
+        isInCurve_ = true;
+        curveLine_ = lines_.number();
+        spline_.knots.clear();
+        spline_.points.clear();
+        spline_.weights.clear();
+        for (std::size_t k = 3; k < words.size(); ++k) {
+            const int vertex = vertexOf(words[k]);
+            spline_.points.push_back(graph_.points[vertex]);
+            if (isRational_) {
+                spline_.weights.push_back(weights_[vertex]);
             }
-            point[k] = *number;
         }
-        graph_.points.push_back(point);
+    }
+
+    void endCurve() {
+        isInCurve_ = false;
+        if (!isSpline_) {
+            leftOut_.add(curveLine_, "a curve that is no B-spline (cstype bspline)");
+            return;
+        }
+        SpacePath path;
+        try {
+            path.arcs = arcsOf(spline_);
+        } catch (const std::invalid_argument& error) {
+            leftOut_.add(curveLine_, error.what());
+            return;
+        }
+        if (path.arcs.empty()) {
+            leftOut_.add(curveLine_, "a spline without length");
+            return;
+        }
+        closeWhereEndsMeet(path);
+        splines_.add(path);
+    }
+
+    /// After all vertices, whose indices stay.
+    void appendSplines() {
+        const PolylineGraph along = splines_.take();
+        const auto before = static_cast<int>(graph_.points.size());
+        graph_.points.insert(graph_.points.end(), along.points.begin(), along.points.end());
+        for (const auto& [from, to] : along.edges) {
+            graph_.edges.push_back({before + from, before + to});
+        }
     }
 
     void readLine(const std::vector<std::string_view>& words) {
@@ -78,6 +168,13 @@ private:
 
     const std::filesystem::path& file_;
     LineReader lines_;
+    std::string joined_;           // of the current line, where it is more than one
+    std::vector<double> weights_;  // of the vertices, of rational splines
+    bool isRational_ = false, isSpline_ = false, isInCurve_ = false;
+    std::size_t curveLine_ = 0;
+    SpaceSpline spline_;
+    PathLines splines_;
+    LeftOut leftOut_;
     PolylineGraph graph_;
 };
 

@@ -19,15 +19,15 @@ public:
 
     PolylineGraph run() {
         for (const PlyElement& element : header_.elements) {
+            if (element.name == "vertex") {
+                hasPlaces_ = findProperty(element, "face") != nullptr &&
+                             findProperty(element, "barycentric_2") != nullptr;
+            }
             const std::size_t count = element.properties.empty() ? 0 : element.count;
             for (std::size_t i = 0; i < count; ++i) {
                 readOne(element);
                 if (cursor_.failed()) {
-                    refuseFile(
-                        file_,
-                        "is truncated or damaged: no " + element.name + " " + std::to_string(i) +
-                            " of " + std::to_string(element.count)
-                    );
+                    cursor_.refuse(file_, header_, element, i);
                 }
                 keep(element, i);
             }
@@ -56,12 +56,24 @@ private:
         if (axis != std::string_view::npos) {
             return &point_[static_cast<int>(axis)];
         }
+        constexpr std::array<std::string_view, 4> kPlace{
+            "face", "barycentric_0", "barycentric_1", "barycentric_2"
+        };
+        const auto* const ofPlace = std::ranges::find(kPlace, name);
+        if (ofPlace != kPlace.end()) {
+            return &place_[static_cast<std::size_t>(ofPlace - kPlace.begin())];
+        }
         return name == "vertex1" ? ends_.data() : name == "vertex2" ? &ends_[1] : &ignored_;
     }
 
     void keep(const PlyElement& element, std::size_t i) {
         if (element.name == "vertex") {
             graph_.points.push_back(point_);
+            if (hasPlaces_) {
+                graph_.places.push_back(
+                    placeOfNumbers(place_[0], Vec3(place_[1], place_[2], place_[3]))
+                );
+            }
         } else if (element.name == "edge") {
             std::array<int, 2> edge{};
             for (std::size_t k = 0; k < 2; ++k) {
@@ -100,6 +112,8 @@ private:
     PlyCursor cursor_;
     Vec3 point_ = Vec3::Zero();
     std::array<double, 2> ends_{};
+    std::array<double, 4> place_{};  // face, barycentric coordinates
+    bool hasPlaces_ = false;
     double ignored_ = 0.0;
     PolylineGraph graph_;
 };

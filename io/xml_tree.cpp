@@ -18,6 +18,7 @@ XmlElement treeOf(const tinyxml2::XMLElement& element) {
         .name = std::string(colon == std::string_view::npos ? name : name.substr(colon + 1)),
         .attributes = {},
         .children = {},
+        .text = element.GetText() != nullptr ? element.GetText() : "",
         .line = static_cast<std::size_t>(element.GetLineNum())
     };
     for (const auto* each = element.FirstAttribute(); each != nullptr; each = each->Next()) {

@@ -10,11 +10,12 @@
 
 namespace bspline_curve {
 
-/// An element of an XML document, without its text.
+/// An element of an XML document.
 struct XmlElement {
     std::string name;  ///< without its prefix
     std::vector<std::pair<std::string, std::string>> attributes;
     std::vector<XmlElement> children;
+    std::string text;      ///< before its first child
     std::size_t line = 0;  ///< of the file, from 1
 
     /// The value of an attribute; empty where there is none.

@@ -158,6 +158,9 @@ Pattern carriedDrawing(
     const Progress& progress
 ) {
     options.validate();
+    if (!std::ranges::all_of(drawing.paths, isUsablePath)) {
+        throw InputError(InputErrorCode::BadOption, "the drawing has numbers that are too large");
+    }
     const std::vector<SmoothPiece> pieces = smoothPieces(drawing, options.cornerAngle * kRadians);
     if (pieces.empty()) {
         throw InputError(InputErrorCode::BadOption, "the drawing has no paths");
@@ -192,9 +195,13 @@ Pattern carriedDrawing(
                 {.curve = std::move(drawn.curve), .path = path.number, .copy = path.copy}
             );
         } catch (const InputError& error) {
+            const bool isPoint = error.code() == InputErrorCode::CoincidentPicks;
             throw InputError(
                 error.code(),
-                nameOf(drawing, pieces[i].path) + " of the drawing: " + error.what(),
+                nameOf(drawing, pieces[i].path) + " of the drawing" +
+                    (isPoint ? " has a part that is a point on the surface; leave it out, or give "
+                               "a larger size"
+                             : std::string(": ") + error.what()),
                 {path.number}
             );
         }

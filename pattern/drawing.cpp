@@ -17,6 +17,9 @@ using Vec2 = Eigen::Vector2d;
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 /// Parts of an arc that are looked at for its outermost points.
 constexpr int kBoxSteps = 16;
+/// Arcs that are shorter, in the size of their drawing, are rounding: on the surface picks would
+/// coincide.
+constexpr double kSpeckRelative = 1e-6;
 /// Each narrows the place of an outermost point to two thirds.
 constexpr int kBoxNarrowings = 40;
 
@@ -83,6 +86,28 @@ std::vector<std::size_t> cornersOf(
     return corners;
 }
 
+/// The arcs of a path that reach farther than a distance; their ends still meet.
+std::vector<DrawingArc> withoutSpecks(const DrawingPath& path, double distance) {
+    const auto isSpeck = [&](const DrawingArc& arc) {
+        return std::ranges::all_of(arc.points, [&](const Vec2& point) {
+            return (point - arc.points.front()).norm() <= distance;
+        });
+    };
+    std::vector<DrawingArc> arcs;
+    for (const DrawingArc& arc : path.arcs) {
+        if (!isSpeck(arc)) {
+            arcs.push_back(arc);
+            if (arcs.size() > 1) {
+                arcs.back().points.front() = arcs[arcs.size() - 2].points.back();
+            }
+        }
+    }
+    if (path.closed && !arcs.empty()) {
+        arcs.back().points.back() = arcs.front().points.front();
+    }
+    return arcs;
+}
+
 }  // namespace
 
 Vec2 DrawingArc::at(double t) const {
@@ -117,6 +142,14 @@ Eigen::AlignedBox2d Drawing::box() const {
         }
     }
     return box;
+}
+
+bool isUsablePath(const DrawingPath& path) {
+    return std::ranges::all_of(path.arcs, [](const DrawingArc& arc) {
+        return std::ranges::all_of(arc.points, [](const Vec2& point) {
+            return point.cwiseAbs().maxCoeff() <= kLargestDrawingCoordinate && point.allFinite();
+        });
+    });
 }
 
 std::vector<DrawingArc> ellipticalArc(
@@ -170,10 +203,11 @@ Vec2 SmoothPiece::at(double parameter) const {
 
 std::vector<SmoothPiece> smoothPieces(const Drawing& drawing, double cornerAngle) {
     std::vector<SmoothPiece> pieces;
+    const Eigen::AlignedBox2d box = drawing.box();
+    const double least = box.isEmpty() ? 0.0 : kSpeckRelative * box.diagonal().norm();
     for (std::size_t p = 0; p < drawing.paths.size(); ++p) {
         const DrawingPath& path = drawing.paths[p];
-        std::vector<DrawingArc> arcs = path.arcs;
-        std::erase_if(arcs, [](const DrawingArc& arc) { return arc.startDirection().isZero(); });
+        std::vector<DrawingArc> arcs = withoutSpecks(path, least);
         if (arcs.empty()) {
             continue;
         }

@@ -44,6 +44,12 @@ struct Drawing {
     [[nodiscard]] Eigen::AlignedBox2d box() const;
 };
 
+/// Coordinates beyond this size are no drawing: their squares and products would overflow.
+inline constexpr double kLargestDrawingCoordinate = 1e60;
+
+/// Whether no coordinate of a path is NaN or that large.
+[[nodiscard]] bool isUsablePath(const DrawingPath& path);
+
 /// The elliptical arc centre + cos(angle) right + sin(angle) up, from one angle (radians) on by
 /// `sweep`, in parts of a quarter turn at most.
 [[nodiscard]] std::vector<DrawingArc> ellipticalArc(
@@ -67,7 +73,8 @@ struct SmoothPiece {
     [[nodiscard]] Eigen::Vector2d at(double parameter) const;
 };
 
-/// The paths parted where they turn by more than an angle (radians), and without arcs of no length.
+/// The paths parted where they turn by more than an angle (radians), and without arcs that are
+/// shorter than 1e-6 of the drawing's size.
 [[nodiscard]] std::vector<SmoothPiece> smoothPieces(const Drawing& drawing, double cornerAngle);
 
 }  // namespace bspline_curve

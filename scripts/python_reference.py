@@ -24,7 +24,7 @@ HEAD = """# Reference of bspline_curve
 [PYTHON.md](PYTHON.md) introduces the package; `help(bspline_curve.Mesh.curve)` says the same as this page.
 """
 # In this order; of a mesh, the methods with keywords stand in a class that is generated.
-NAMES = ["Mesh", "Curve", "load", "pick", "Picker", "Imprint", "Part", "Cut", "repair", "Repair", "Projection", "Shell", "Layer",
+NAMES = ["Mesh", "Curve", "Samples", "load", "pick", "Picker", "Imprint", "Part", "Cut", "repair", "Repair", "Projection", "Shell", "Layer",
          "InputError", "MeshError", "MeshWarning", "PickError", "FieldError", "OptionError", "FileError", "Cancelled"]
 INHERITED = {"Mesh": "MeshKeywords"}
 

@@ -8,7 +8,7 @@
 """
 
 from ._core import __version__
-from ._curve import Curve
+from ._curve import Curve, Samples
 from ._errors import Cancelled, FieldError, FileError, InputError, MeshError, MeshWarning, OptionError, PickError
 from ._files import load
 from ._imprint import Cut, Imprint, Part
@@ -34,6 +34,7 @@ __all__ = [
     "PickError",
     "Picker",
     "Repair",
+    "Samples",
     "__version__",
     "load",
     "pick",

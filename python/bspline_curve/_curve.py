@@ -22,8 +22,10 @@ if TYPE_CHECKING:
 
 
 Side: TypeAlias = Literal["left", "right", "both"]
+Unit: TypeAlias = Literal["mm", "cm", "m", "um", "in", "ft"]
 
 DISTANCE = Option("double", None, 0.0, None, True, ())
+UNIT = Option("enum", "mm", None, None, False, ("mm", "cm", "m", "um", "in", "ft"))
 SIDE = Option("enum", "both", None, None, False, ("left", "right", "both"))
 
 _Array = TypeVar("_Array", bound=npt.NDArray[Any])
@@ -56,6 +58,21 @@ class Drawing(NamedTuple):
         resolved = self.resolved(part_of(progress, 0.0, share))
         drawn = self.mesh._core.draw(self.picks, *resolved, start, part_of(progress, share, 1.0))
         return Curve(drawn, self)
+
+
+class Samples(NamedTuple):
+    """Points along a curve, one for each row."""
+
+    points: Floats  # (n, 3)
+    faces: Int32s  # (n,)
+    barycentrics: Floats  # (n, 3)
+    distances: Floats  # (n,), along the polyline from its start
+    tangents: Floats  # (n, 3), of unit length, as the next two
+    normals: Floats  # (n, 3), of the surface, perpendicular to the tangents
+    left: Floats  # (n, 3), to the left of the curve, seen with the normal upwards
+    curvature: Floats  # (n,), 1 / radius
+    normal_curvature: Floats  # (n,), its part along the normal
+    geodesic_curvature: Floats  # (n,), its part to the left
 
 
 class Curve:
@@ -273,11 +290,59 @@ class Curve:
         length = checked_number("distance", DISTANCE, distance)
         return self.mesh._core, self._core, length, str(checked_value("side", SIDE, side))
 
-    def save(self, file: str | os.PathLike[str]) -> None:
-        """Write the curve to a .json file, from which load() makes it again; the file appears wholly, or not at all."""
+    def sample(self, count: int | None = None, *, distances: npt.ArrayLike | None = None) -> Samples:
+        """Points at equal distances along the curve (semilandmarks), or at given ones, with frames and curvatures.
+
+        Parameters
+        ----------
+        count : int
+            Of points. Those of an open curve (at least 2) have both ends; those of a closed one part it evenly from its start.
+        distances : (n,) array of float
+            In place of `count`: from the start, in the unit of the mesh. A closed curve begins anew after its length.
+
+        Returns
+        -------
+        Samples
+            On the mesh; tangent and curvature are those of the spline.
+
+        Raises
+        ------
+        InputError
+            A distance is not on the curve, or neither or both of the arguments are given.
+        """
+        if (count is None) == (distances is None):
+            raise InputError("give either count or distances")
+        if distances is None:
+            assert count is not None
+            least = 1 if self.closed else 2
+            if count < least:
+                raise InputError(f"count is {count}, but must be at least {least}")
+            at = self.length * np.arange(count) / (count if self.closed else count - 1)
+        else:
+            at = numbers(distances, "distances").ravel()
+        columns = _core.points_along(self.mesh._core, self._core, at.tolist())
+        faces, barycentrics = columns.pop("places")
+        return Samples(faces=faces, barycentrics=barycentrics, **columns)
+
+    def save(self, file: str | os.PathLike[str], unit: Unit = "mm") -> None:
+        """Write the curve to a file, which appears wholly, or not at all.
+
+        Parameters
+        ----------
+        file : str or path
+            .json, from which load() makes the curve again; .step, .stp, .iges or .igs: the spline for CAD; .polyline.step …: the
+            polyline.
+        unit : {"mm", "cm", "m", "um", "in", "ft"}, default "mm"
+            Of the mesh; files for CAD name it.
+
+        Raises
+        ------
+        FileError
+            The file cannot be written, or its name has another end.
+        """
         from ._files import save
 
-        save(self, file)
+        save(self, file, str(checked_value("unit", UNIT, unit)))
 
     def to_pyvista(self) -> Any:
         """A PolyData of one line, with t, values, face and barycentric as point data. Needs pyvista."""

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 # A file's points may be those of the mesh to rounding, relative to its diagonal.
 SAME_PLACE = 1e-9
+CAD = {".step": "step", ".stp": "step", ".iges": "iges", ".igs": "iges"}
 
 
 def document_of(curve: Curve) -> dict[str, Any]:
@@ -75,20 +76,31 @@ def finite(value: Any) -> Any:
     return value if not isinstance(value, float) or np.isfinite(value) else None
 
 
-def save(curve: Curve, file: str | os.PathLike[str]) -> None:
-    import contextlib
-    import json
-    import tempfile
+def save(curve: Curve, file: str | os.PathLike[str], unit: str) -> None:
     from pathlib import Path
 
     path = Path(file)
+    kind = CAD.get(path.suffix.lower())
+    if kind is not None:
+        is_polyline = path.stem.lower().endswith(".polyline")
+        write_wholly(path, curve._core.cad_bytes(kind, is_polyline, unit))
+        return
     if path.suffix.lower() != ".json":
-        raise FileError(f"{path}: a curve is saved as .json", "unwritable-file")
-    text = json.dumps(document_of(curve), allow_nan=False) + "\n"
+        raise FileError(f"{path}: a curve is saved as .json, .step or .iges", "unwritable-file")
+    import json
+
+    write_wholly(path, (json.dumps(document_of(curve), allow_nan=False) + "\n").encode())
+
+
+def write_wholly(path: Path, data: bytes) -> None:
+    """The file appears wholly, or not at all."""
+    import contextlib
+    import tempfile
+
     try:
-        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, delete=False) as part:
+        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as part:
             try:
-                part.write(text)
+                part.write(data)
                 part.close()
                 umask = os.umask(0)
                 os.umask(umask)

@@ -120,21 +120,25 @@ def _bytes(file: str) -> bytes:
 
 
 def _xml_tree(file: str, data: bytes) -> Any:
-    """(name, attributes, children, line) of the root element."""
+    """(name, attributes, children, line, text) of the root element."""
     from xml.parsers import expat
 
     parser = expat.ParserCreate()
-    open_nodes: list[Any] = [("", [], [], 0)]
+    open_nodes: list[Any] = [("", [], [], 0, [])]
 
     def start(name: str, attributes: dict[str, str]) -> None:
-        node: Any = (name.rpartition(":")[2], list(attributes.items()), [], parser.CurrentLineNumber)
+        node: Any = (name.rpartition(":")[2], list(attributes.items()), [], parser.CurrentLineNumber, [])
         open_nodes[-1][2].append(node)
         open_nodes.append(node)
 
     def end(name: str) -> None:
         open_nodes.pop()
 
+    def text(data: str) -> None:
+        open_nodes[-1][4].append(data)
+
     parser.StartElementHandler = start
+    parser.CharacterDataHandler = text
     parser.EndElementHandler = end
     try:
         parser.Parse(data, True)

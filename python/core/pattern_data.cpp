@@ -28,14 +28,18 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 using Triple = std::array<double, 3>;
 
-/// Of (name, [(key, value), ...], [children], line).
+/// Of (name, [(key, value), ...], [children], line, [text]).
 XmlElement elementOf(const nb::tuple& node) {
     XmlElement element{
         .name = nb::cast<std::string>(node[0]),
         .attributes = {},
         .children = {},
+        .text = {},
         .line = nb::cast<std::size_t>(node[3])
     };
+    for (const nb::handle part : nb::cast<nb::list>(node[4])) {
+        element.text += nb::cast<std::string>(part);
+    }
     for (const nb::handle pair : nb::cast<nb::list>(node[1])) {
         const auto words = nb::cast<nb::tuple>(pair);
         element.attributes.emplace_back(
@@ -56,7 +60,7 @@ nb::tuple svgDrawing(const std::string& file, const nb::tuple& root) {
 
 // (drawing, notes)
 nb::tuple dxfDrawing(const std::string& file, const nb::bytes& bytes) {
-    DrawingFile read = drawingOfDxf(file, std::string_view(bytes.c_str(), bytes.size()));
+    DrawingFile read = drawingOfDxf(file, std::string_view(bytes.c_str(), bytes.size()), {});
     return nb::make_tuple(std::move(read.drawing), read.notes);
 }
 

@@ -2,6 +2,7 @@
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
 #include "python/core/python_progress.h"
+#include "workpiece/curve_points.h"
 #include "workpiece/curve_uses.h"
 
 #include <nanobind/stl/optional.h>
@@ -151,6 +152,37 @@ Array facesNear(
     return arrayOf(std::vector<std::uint8_t>(within.begin(), within.end()));
 }
 
+/// Points, places, frames and curvatures at distances along a curve.
+nb::dict pointsAlong(
+    const Mesh& mesh, const DesignedCurve& drawn, const std::vector<double>& distances
+) {
+    const std::vector<CurvePoint> points =
+        CurvePoints(mesh->surface().input())
+            .at(drawn.curve.polyline, &drawn.curve.spline, distances);
+    std::vector<SurfacePoint> places;
+    for (const CurvePoint& point : points) {
+        places.push_back(point.place);
+    }
+    const auto columnOf = [&](auto part) {
+        std::vector<std::decay_t<decltype(points.front().*part)>> column;
+        for (const CurvePoint& point : points) {
+            column.push_back(point.*part);
+        }
+        return arrayOf(std::move(column));
+    };
+    nb::dict columns;
+    columns["points"] = columnOf(&CurvePoint::position);
+    columns["places"] = placesOf(places);
+    columns["distances"] = columnOf(&CurvePoint::distance);
+    columns["tangents"] = columnOf(&CurvePoint::tangent);
+    columns["normals"] = columnOf(&CurvePoint::normal);
+    columns["left"] = columnOf(&CurvePoint::left);
+    columns["curvature"] = columnOf(&CurvePoint::curvature);
+    columns["normal_curvature"] = columnOf(&CurvePoint::normalCurvature);
+    columns["geodesic_curvature"] = columnOf(&CurvePoint::geodesicCurvature);
+    return columns;
+}
+
 }  // namespace
 
 void bindUses(nb::module_& module) {
@@ -160,6 +192,7 @@ void bindUses(nb::module_& module) {
     const auto mesh = [](auto part) {
         return viewOf<Imprint>([part](const Imprint& i) -> auto& { return i.mesh->mesh.*part; });
     };
+    module.def("points_along", pointsAlong);
     nb::class_<Imprint>(module, "Imprint")
         .def_prop_ro("vertices", mesh(&TriangleMesh::vertices))
         .def_prop_ro("faces", mesh(&TriangleMesh::faces))

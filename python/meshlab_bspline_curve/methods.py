@@ -150,7 +150,7 @@ def generate_bspline_curve_on_surface(
         (default): no layer of picks.
     picks_file : str, optional
         A file of picks in world coordinates: .pp as PickPoints saves it, .json {"picks": [[x, y, z], ...]}, .mrk.json
-        of 3D Slicer, .csv or .xyz with one point a line. Empty: no file.
+        or .fcsv of 3D Slicer, .csv, .xyz, .txt or .asc with one point a line. Empty: no file.
     picks : str, optional
         Picks as text "x y z; x y z; ..." in world coordinates. Empty: no text. Without text, file and layer the points
         of Edit > PickPoints on the surface are used. Picks farther from the surface than 1 % of its diagonal are
@@ -174,8 +174,8 @@ def generate_bspline_curve_on_surface(
         No segment of the polyline is longer than this, in the unit of the mesh. 0: not limited.
     save : str or path, optional
         A file that the curve is written to, in world coordinates: the polyline, or the spline itself where the name
-        ends with .bspline.obj or .bspline.dxf (.json: both). MeshLab's own exporters lose the edges, the quality or the
-        spline. Empty: no file.
+        ends with .bspline.obj, .bspline.dxf, .step or .iges, which name millimetres (.json: both). MeshLab's own
+        exporters lose the edges, the quality or the spline. Empty: no file.
     shell : {'local', 'full', 'simplified', 'preset'}, default 'preset'
         Where the curve is sought. local: no prisms: the fibres of a full shell are followed beneath the curve; a shell
         is built only for a curve that needs one; full: a shell of one thin prism per face, built at the start;

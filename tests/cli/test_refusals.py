@@ -62,7 +62,7 @@ def test_missing_files(refused):
     "status, words, parts",
     [
         (2, ("shel", "plate.ply"), ["shel is neither a mesh file nor one of the verbs help|batch|", "did you mean shell?"]),
-        (2, ("frobnicate", "plate.ply"), ["help|batch|curve|cut|field|imprint|offset|pattern|segment|shell\n"]),
+        (2, ("frobnicate", "plate.ply"), ["help|batch|curve|cut|field|imprint|offset|pattern|points|segment|shell\n"]),
         (2, ("help", "bach"), ["did you mean batch?"]),
         (1, (*DEFAULT, "--field", "valey"), ["--field valey: there is no such file", "|valley|", "did you mean valley?"]),
         (1, (*DEFAULT, "--field", "none.npy"), ["none.npy: there is no such file", "|obstacle|auto\n"]),
@@ -94,7 +94,7 @@ def test_meshes_that_nothing_mends(refused, plate, change, part):
 @pytest.mark.parametrize("name, text, part", [
     ("a.pp", "<PickedPoints>\n<point x='1' y='2'/>\n</PickedPoints>", "line 2"),
     ("a.json", '{"picks": [[0, 0]]}', "pick 1"),
-    ("a.txt", "0 0 0\n", ".txt"),
+    ("a.doc", "0 0 0\n", ".doc"),
 ])
 def test_picks_files_that_are_none(refused, plate, name, text, part):
     (plate / name).write_text(text)

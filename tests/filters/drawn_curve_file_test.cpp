@@ -118,7 +118,7 @@ TEST_F(DrawnCurveFile, KeepsPicksOptionsNameAndColourToTheBit) {
 TEST_F(DrawnCurveFile, OfPolylinesIsReadByProgramsThatKnowNothingOfPicks) {
     for (const char* const name : {"a.obj", "a.dxf"}) {
         saveDrawnCurves(path(name), curves_, surface_);
-        const std::vector<SpacePolyline> lines = readPolylines(path(name));
+        const std::vector<SpacePolyline> lines = readPolylines(path(name)).lines;
         ASSERT_EQ(lines.size(), 2U) << name;
         for (std::size_t c = 0; c < lines.size(); ++c) {
             std::vector<Vec3> points = curves_[c].curve->polyline.points;

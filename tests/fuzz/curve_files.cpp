@@ -6,6 +6,8 @@
 #include "fuzz/fuzz_target.h"
 #include "io/byte_stream.h"
 #include "io/curve_reader.h"
+#include "io/curves_on_surface.h"
+#include "io/drawing_reader.h"
 #include "io/picks_formats.h"
 #include "io/shell_file.h"
 #include "shell/extended_surface.h"
@@ -28,7 +30,7 @@ void readPicksBytes(std::string_view bytes) {
     const std::string rest(bytes.substr(1));
     try {
         PicksFile read;
-        switch (static_cast<unsigned char>(bytes[0]) % 5) {
+        switch (static_cast<unsigned char>(bytes[0]) % 6) {
             case 0:
                 read = picksOfPickPoints("file", rest);
                 break;
@@ -36,10 +38,13 @@ void readPicksBytes(std::string_view bytes) {
                 read = picksOfJson("file", rest);
                 break;
             case 2:
-                read = picksOfXyz("file", rest);
+                read = picksOfText("file", rest);
                 break;
             case 3:
                 read = picksOfCsv("file", rest);
+                break;
+            case 4:
+                read = picksOfSlicerList("file", rest);
                 break;
             default:
                 read.picks = parsePicksText(rest);
@@ -92,6 +97,47 @@ void readCurveBytes(std::string_view bytes) {
         } catch (const InputError&) {
             continue;
         }
+    }
+}
+
+void readForeignCurveBytes(std::string_view bytes) {
+    if (bytes.empty()) {
+        return;
+    }
+    constexpr std::array kNames{"a.ply", "a.obj", "a.dxf", "a.vtu", "a.csv"};
+    const FuzzFile file(
+        kNames[static_cast<unsigned char>(bytes[0]) % kNames.size()], bytes.substr(1)
+    );
+    for (const auto& [checksum, designer] : curveMeshes()) {
+        const Surface& surface = designer.surface();
+        try {
+            CurvesOnSurface curves(surface, checksum, surface.diagonal());
+            for (const SurfacePolyline& line : curves.read(file.path(), "").lines) {
+                require(
+                    isStrict(surface, strictLine(surface, line, "it")),
+                    "every segment lies in a face"
+                );
+            }
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+}
+
+void readDrawingBytes(std::string_view bytes) {
+    if (bytes.empty()) {
+        return;
+    }
+    constexpr std::array kNames{"a.svg", "a.dxf"};
+    const FuzzFile file(
+        kNames[static_cast<unsigned char>(bytes[0]) % kNames.size()], bytes.substr(1)
+    );
+    try {
+        for (const DrawingPath& path : readDrawing(file.path()).drawing.paths) {
+            require(!path.arcs.empty(), "paths have arcs");
+        }
+    } catch (const InputError&) {
+        return;
     }
 }
 

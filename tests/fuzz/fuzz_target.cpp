@@ -14,6 +14,8 @@ std::span<const FuzzTarget> fuzzTargets() {
         {.name = "stl", .run = readStlBytes},
         {.name = "picks", .run = readPicksBytes},
         {.name = "curve_json", .run = readCurveBytes},
+        {.name = "foreign_curves", .run = readForeignCurveBytes, .isReader = false},
+        {.name = "drawings", .run = readDrawingBytes, .isReader = false},  // blocks multiply
         {.name = "drawn_curves", .run = openDrawnBytes},
         {.name = "shell_file", .run = readShellBytes},
         {.name = "field", .run = readFieldBytes},

@@ -41,6 +41,9 @@ void readStlBytes(std::string_view bytes);
 void readPicksBytes(std::string_view bytes);
 
 void readCurveBytes(std::string_view bytes);  ///< .json of a curve
+/// Curves in formats of others, read onto a mesh; the first byte chooses the format.
+void readForeignCurveBytes(std::string_view bytes);
+void readDrawingBytes(std::string_view bytes);  ///< .svg or .dxf; the first byte chooses
 /// Curves to go on with; the first byte chooses the format.
 void openDrawnBytes(std::string_view bytes);
 void readShellBytes(std::string_view bytes);  ///< a file of the cache of shells

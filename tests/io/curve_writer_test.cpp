@@ -182,7 +182,7 @@ TEST_F(CurveWriter, RefusesOtherExtensionsAndPlaces) {
         refused(path("a.txt")),
         "\".txt\" of the output is none of .ply, .bspline.obj, .obj, .bspline.dxf, .dxf, .vtu, "
         ".csv, "
-        ".json"
+        ".polyline.step, "
     );
     refused(path(".ply"));
     refused(path("ply"));

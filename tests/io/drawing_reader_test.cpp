@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -253,7 +254,119 @@ protected:
         }
         return readDrawing(write("a.dxf", text)).drawing;
     }
+
+    /// The file as a whole; sections before ENTITIES as they are.
+    [[nodiscard]] DrawingFile file(
+        const std::string& entities,
+        const std::string& before = "",
+        const std::vector<std::string>& layers = {}
+    ) const {
+        std::string text;
+        for (const char c : before + "0 SECTION|2 ENTITIES|" + entities + "|0 ENDSEC|0 EOF|") {
+            text += c == ' ' || c == '|' ? '\n' : c;
+        }
+        return readDrawing(write("b.dxf", text), layers);
+    }
 };
+
+constexpr const char* kLine = "0 LINE|8 1|10 0|20 0|11 1|21 0";
+/// Layers that are on, off, and frozen.
+constexpr const char* kLayers =
+    "0 SECTION|2 TABLES|0 TABLE|2 LAYER|0 LAYER|2 1|70 0|62 7|0 LAYER|2 Off|70 0|62 -7|0 LAYER|"
+    "2 Frozen|70 1|62 7|0 ENDTAB|0 ENDSEC|";
+
+std::string onLayer(const std::string& name) {
+    return "|0 CIRCLE|8 " + name + "|10 5|20 5|40 1";
+}
+
+TEST_F(DxfDrawings, EntitiesThatCannotBeDrawnAreLeftOutWithOneNote) {
+    const DrawingFile read = file(
+        std::string("0 CIRCLE|8 1|10 0|20 0|40 0|") + kLine +
+        "|0 INSERT|2 NONE|0 LINE|10 a|20 0|11 1|21 0|0 ELLIPSE|11 0|21 0|0 LINE|10 1e300|20 0|11 "
+        "1|21 0"
+    );
+    EXPECT_EQ(read.drawing.paths.size(), 1U);
+    ASSERT_EQ(read.notes.size(), 1U);
+    EXPECT_EQ(
+        read.notes[0], "b.dxf: 5 entities left out; the first, line 5: a radius that is not > 0"
+    );
+}
+
+TEST_F(DxfDrawings, PaperSpaceAndHiddenEntitiesAreLeftOut) {
+    const DrawingFile read = file(
+        std::string(kLine) + onLayer("off") + onLayer("Frozen") +
+            "|0 LINE|8 1|67 1|10 0|20 0|11 297|21 210|0 LINE|8 1|60 1|10 0|20 0|11 9|21 9",
+        kLayers
+    );
+    EXPECT_EQ(read.drawing.paths.size(), 1U);
+    ASSERT_EQ(read.notes.size(), 1U);
+    expectContains(read.notes[0], "4 entities in paper space, invisible");
+    expectContains(
+        refusal([&] { return file("0 LINE|67 1|10 0|20 0|11 1|21 0"); }), "all its entities are in"
+    );
+}
+
+TEST_F(DxfDrawings, LayersAreChosenAndBlocksTakeThatOfTheirInsert) {
+    const std::string entities = std::string(kLine) + onLayer("Off");
+    const DrawingFile chosen = file(entities, kLayers, {"OFF"});
+    ASSERT_EQ(chosen.drawing.paths.size(), 1U);
+    EXPECT_TRUE(chosen.drawing.paths[0].closed);
+    expectContains(
+        refusal([&] { return file(entities, kLayers, {"wall"}); }), "no layer \"wall\" but 1, "
+    );
+    const std::string blocks =
+        std::string(kLayers) +
+        "0 SECTION|2 BLOCKS|0 BLOCK|2 B|0 LINE|8 0|10 0|20 0|11 1|21 1|0 LINE|8 1|10 5|20 5|11 6|"
+        "21 5|0 ENDBLK|0 ENDSEC|";
+    EXPECT_EQ(file("0 INSERT|8 1|2 b", blocks).drawing.paths.size(), 2U);
+    EXPECT_EQ(file("0 INSERT|8 0|2 B", blocks, {"1"}).drawing.paths.size(), 1U);
+}
+
+TEST_F(DxfDrawings, SplinesOfFitPointsPassThem) {
+    // Through points of a circle a periodic cubic is near to it; an open one has straight ends.
+    std::string points;
+    constexpr int kCount = 12;
+    for (int i = 0; i < kCount; ++i) {
+        points += "|11 " + std::to_string(std::cos(2 * kPi * i / kCount)) + "|21 " +
+                  std::to_string(std::sin(2 * kPi * i / kCount)) + "|31 0";
+    }
+    const Drawing closed = dxf("0 SPLINE|70 1|71 3" + points);
+    ASSERT_EQ(closed.paths.size(), 1U);
+    EXPECT_TRUE(closed.paths[0].closed);
+    ASSERT_EQ(closed.paths[0].arcs.size(), 12U);
+    for (int i = 0; i < kCount; ++i) {
+        const DrawingArc& arc = closed.paths[0].arcs[static_cast<std::size_t>(i)];
+        EXPECT_NEAR(arc.points.front().x(), std::cos(2 * kPi * i / kCount), 1e-6);
+        EXPECT_NEAR(arc.at(0.5).norm(), 1.0, 3e-4);
+    }
+    const Drawing straight = dxf("0 SPLINE|71 3|11 0|21 0|11 1|21 1|11 3|21 3");
+    for (const double t : {0.2, 0.7}) {
+        const Vec2 at = straight.paths[0].arcs[1].at(t);
+        EXPECT_NEAR(at.x(), at.y(), 1e-12);
+    }
+    const Drawing tangent = dxf("0 SPLINE|71 3|12 0|22 2|13 0|23 -1|11 0|21 0|11 2|21 0");
+    EXPECT_NEAR(tangent.paths[0].arcs[0].startDirection().y(), 1.0, 1e-12);
+    EXPECT_NEAR(tangent.paths[0].arcs[0].endDirection().y(), -1.0, 1e-12);
+}
+
+TEST_F(DxfDrawings, BlocksThatAskForTooMuchEndSoon) {
+    std::string blocks = "0 SECTION|2 BLOCKS|";
+    for (int i = 0; i < 20; ++i) {
+        const std::string next = std::to_string(i + 1);
+        blocks += "0 BLOCK|2 B" + std::to_string(i) + "|0 INSERT|2 B" + next + "|70 1000|71 1000" +
+                  "|0 INSERT|2 B" + next + "|0 ENDBLK|";
+    }
+    blocks += "0 BLOCK|2 B20|0 ENDBLK|0 ENDSEC|";
+    const auto start = std::chrono::steady_clock::now();
+    expectContains(refusal([&] { return file("0 INSERT|2 B0", blocks); }), "more than 1000000");
+    const std::string circle =
+        "0 SECTION|2 BLOCKS|0 BLOCK|2 A|0 INSERT|2 B|0 INSERT|2 B|0 ENDBLK|0 BLOCK|2 B|0 INSERT|"
+        "2 A|0 INSERT|2 A|0 ENDBLK|0 ENDSEC|";
+    const DrawingFile rest = file(std::string("0 INSERT|2 A|") + kLine, circle);
+    EXPECT_EQ(rest.drawing.paths.size(), 1U);
+    expectContains(rest.notes.at(0), "without end");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
 
 TEST_F(DxfDrawings, LinesWhoseEndsMeetAreOnePath) {
     const Drawing drawing =
@@ -337,7 +450,7 @@ TEST_F(DxfDrawings, BadFilesAreRefused) {
     const auto refused = [&](const std::string& entities, const std::string& blocks = "") {
         return refusal([&] { return dxf(entities, blocks); });
     };
-    expectContains(refused("0 TEXT|1 a"), "no path");
+    expectContains(refused("0 TEXT|1 a"), "no curve; turn text");
     expectContains(refused("0 CIRCLE|40 0"), "radius");
     expectContains(refused("0 LINE|10 a|11 1"), "not a finite number");
     expectContains(refused("0 SPLINE|71 3|10 0|20 0"), "more points");
@@ -346,6 +459,81 @@ TEST_F(DxfDrawings, BadFilesAreRefused) {
     expectContains(refused("0 INSERT|2 B", "0 BLOCK|2 B|0 INSERT|2 B|0 ENDBLK"), "without end");
     expectContains(refusal([&] { return readDrawing(write("b.dxf", "0\nEOF\n")); }), "ENTITIES");
     expectContains(refusal([&] { return readDrawing(write("c.dxf", "x\n")); }), "no group code");
+}
+
+// ---- elements that are left out ----
+
+TEST_F(Drawings, ElementsThatCannotBeDrawnAreLeftOutWithOneNote) {
+    const DrawingFile read = readDrawing(write(
+        "b.svg",
+        "<svg>\n<circle r='-1'/><rect width='1' height='1e308' ry='1' "
+        "transform='rotate(30)'/><path d='M0 0L1 1'/><path d='M0 0X'/><use href='#no'/></svg>"
+    ));
+    EXPECT_EQ(read.drawing.paths.size(), 1U);
+    ASSERT_EQ(read.notes.size(), 1U);
+    EXPECT_EQ(
+        read.notes[0],
+        "b.svg: 4 elements left out; the first, line 2: <circle>: a radius is below 0"
+    );
+}
+
+TEST_F(Drawings, UsesThatAskForTooMuchEndSoon) {
+    std::string uses;
+    for (int i = 0; i < 25; ++i) {
+        const std::string next = "<use href='#a" + std::to_string(i + 1) + "'/>";
+        uses += "<g id='a" + std::to_string(i) + "'>" + next + next + next + "</g>";
+    }
+    const auto start = std::chrono::steady_clock::now();
+    expectContains(refusedSvg(uses + "<g id='a25'/>"), "more than 1000000");
+    const std::string circle =
+        "<g id='a'><use href='#b'/><use href='#b'/></g>"
+        "<g id='b'><use href='#a'/><use href='#a'/></g>";
+    EXPECT_EQ(svg(circle + "<path d='M0 0L1 1'/>").paths.size(), 1U);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
+TEST_F(Drawings, SymbolsHaveTheSizeOfTheirUseAndSwitchesOneChild) {
+    const Drawing drawing =
+        svg("<symbol id='s' viewBox='0 0 10 10'><circle cx='5' cy='5' r='4'/></symbol>"
+            "<use href='#s' x='10' y='10' width='30' height='30'/>"
+            "<switch><circle r='1' systemLanguage='de'/><circle r='2'/><circle r='3'/></switch>");
+    ASSERT_EQ(drawing.paths.size(), 2U);
+    const auto box = [&](int i) { return Drawing{.paths = {drawing.paths[i]}}.box(); };
+    expectNear({box(0).min(), box(0).max()}, {{13, -37}, {37, -13}});
+    expectNear({box(1).min(), box(1).max()}, {{-2, -2}, {2, 2}});
+}
+
+TEST_F(Drawings, StyleSheetsHideAndTransform) {
+    const std::string sheet =
+        "<style>/* a */ .h, #no {display: none} rect.turned{transform:rotate(90deg)} "
+        "circle { visibility : hidden }</style>";
+    const Drawing drawing =
+        svg(sheet +
+            "<path class='a h' d='M0 0L1 1'/><path id='no' d='M0 0L1 1'/>"
+            "<path class='h' style='display:inline' d='M0 0L7 0'/>"
+            "<rect class='turned' width='3' height='1'/><circle r='1'/>"
+            "<g visibility='hidden'><path d='M0 0L1 1'/><path visibility='visible' d='M0 0L9 0'/>"
+            "</g><path style='transform:translate(5px,0)' d='M0 0L1 0'/>");
+    ASSERT_EQ(drawing.paths.size(), 4U);
+    expectJoints(drawing.paths[0], {{0, 0}, {7, 0}});
+    const auto box = Drawing{.paths = {drawing.paths[1]}}.box();
+    expectNear({box.min(), box.max()}, {{-1, -3}, {0, 0}});
+    expectJoints(drawing.paths[2], {{0, 0}, {9, 0}});
+    expectJoints(drawing.paths[3], {{5, 0}, {6, 0}});
+    const DrawingFile clipped = readDrawing(
+        write("c.svg", "<svg><circle r='2' clip-path='url(#c)'/><path d='M0 0L1 1'/></svg>")
+    );
+    EXPECT_EQ(clipped.drawing.paths.size(), 2U);
+    expectContains(clipped.notes.at(0), "1 clip path or mask is not applied");
+}
+
+TEST_F(Drawings, SpecksAreNoPieces) {
+    // A stadium whose straight sides are rounding, and a corner doubled at 1e-9.
+    const Drawing pill =
+        svg("<rect x='0.1' y='0.3' width='10' height='0.6000000000000001' ry='0.3'/>");
+    EXPECT_EQ(smoothPieces(pill, 0.3).size(), 1U);
+    const Drawing square = path("M0 0L1 0L1 1L0.5 1L0.5 1.000000001L0 1Z");
+    EXPECT_EQ(smoothPieces(square, 0.3).size(), 4U);
 }
 
 // ---- text ----

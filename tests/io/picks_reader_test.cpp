@@ -116,6 +116,43 @@ TEST_F(PicksReader, ReadsCsvOfEitherSeparator) {
     EXPECT_EQ(readPicks(write("e.csv", "x\ty\tz\n1\t2\t3\n-0.5\t1e-3\t0\n")).picks, kPicks);
 }
 
+TEST_F(PicksReader, ReadsListsOfOtherPrograms) {
+    const std::string head = "# Markups fiducial file version = 4.11\n";
+    const std::string columns = "# columns = id,x,y,z,ow,label\n";
+    EXPECT_EQ(
+        readPicks(write(
+                      "a.fcsv",
+                      head + "# CoordinateSystem = LPS\n" + columns +
+                          "1,1,2,3,0,A\n2,-0.5,1e-3,0,0,B\n"
+                  ))
+            .picks,
+        kPicks
+    );
+    EXPECT_EQ(
+        readPicks(write("b.fcsv", head + "# CoordinateSystem = 0\n1,-1,-2,3\n2,0.5,-0.001,0\n"))
+            .picks,
+        kPicks
+    );
+    for (const char* const text :
+         {"1,2,3\n-0.5,1e-3,0\n",
+          "A-1,1,2,3\nA-2,-0.5,1e-3,0\n",
+          "//X Y Z\n1 2 3 255\n-0.5 1e-3 0 255\n",
+          "x y z\n1 2 3\n-0.5 1e-3 0\n",
+          "1; 2; 3\n-0,5; 0,001; 0\n"}) {
+        for (const char* const name : {"a.txt", "a.asc", "a.xyz"}) {
+            EXPECT_EQ(readPicks(write(name, text)).picks, kPicks) << name << ": " << text;
+        }
+    }
+    for (const char* const header :
+         {"\"Points:0\",\"Points:1\",\"Points:2\"", "x [mm],y [mm],z [mm]", "X(mm),Y(mm),Z(mm)"}) {
+        EXPECT_EQ(
+            readPicks(write("a.csv", std::string(header) + "\n1,2,3\n-0.5,1e-3,0\n")).picks, kPicks
+        ) << header;
+    }
+    EXPECT_EQ(readPicks(write("b.csv", "A-1,1,2,3\nA-2,-0.5,1e-3,0\n")).picks, kPicks);
+    expectContains(refused("c.xyz", "0,1 0,2 0,3\n"), "write decimal points, not commas");
+}
+
 TEST_F(PicksReader, RefusesWrongCsvWithTheLine) {
     expectContains(refused("a.csv", "x,y,z\n1,2,3\n1,2\n"), "line 3");
     expectContains(refused("b.csv", "x,y,z\n1,2,c\n"), "\"c\"");
@@ -127,7 +164,7 @@ TEST_F(PicksReader, RefusesWrongCsvWithTheLine) {
 
 TEST_F(PicksReader, RefusesMissingEmptyAndUnknownFiles) {
     expectContains(refusal([&] { return readPicks(path("none.pp")); }), "no such file");
-    expectContains(refused("a.txt", "1 2 3\n"), ".txt");
+    expectContains(refused("a.doc", "1 2 3\n"), ".doc");
     for (const char* name : {"a.pp", "a.json", "a.xyz", "a.csv"}) {
         expectContains(refused(name, ""), "empty");
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/polyline_reader.h"
 
+#include "io/curve_writer.h"
+#include "io/small_curve.h"
 #include "io/temporary_files.h"
 
 namespace bspline_curve::io_tests {
@@ -17,7 +19,7 @@ protected:
     }
 
     SpacePolyline only(const std::string& name, std::string_view bytes) {
-        const std::vector<SpacePolyline> lines = readPolylines(write(name, bytes));
+        const std::vector<SpacePolyline> lines = readPolylines(write(name, bytes)).lines;
         EXPECT_EQ(lines.size(), 1U);
         return lines.front();
     }
@@ -82,7 +84,7 @@ TEST_F(PolylineReader, ReadsLineElementsOfObj) {
     const std::string points = "v 0 0 1\nv 1 0 1\nv 0 2 1\nvn 0 0 1\nf 1 2 3\n";
     EXPECT_EQ(only("a.obj", points + "l 1 2 3\n").points, kTriangle);
     EXPECT_TRUE(only("b.obj", points + "l 1/1 2/2\nl -2 -1\nl 3 1\n").closed);
-    EXPECT_EQ(readPolylines(write("c.obj", points + "v 5 5 5\nl 1 2\nl 3 4\n")).size(), 2U);
+    EXPECT_EQ(readPolylines(write("c.obj", points + "v 5 5 5\nl 1 2\nl 3 4\n")).lines.size(), 2U);
     expectContains(refused("d.obj", points), "no polyline");
     expectContains(refused("e.obj", points + "l 1 4\n"), "line 6: \"4\" is not the index");
     expectContains(refused("f.obj", "v 0 0\n"), "three coordinates");
@@ -106,15 +108,92 @@ TEST_F(PolylineReader, ReadsLinesAndPolylinesOfDxf) {
     EXPECT_EQ(only("c.dxf", light).points, (std::vector<Vec3>{{1, -5, 2}, {3, -5, 4}}));
 }
 
-TEST_F(PolylineReader, RefusesCurvesOfDxfThatAreNoPolylines) {
-    expectContains(refused("a.dxf", dxf("0 CIRCLE 10 0 20 0 40 1 ")), "the entity CIRCLE");
-    expectContains(
-        refused("b.dxf", dxf("0 LWPOLYLINE 90 2 10 0 20 0 42 0.5 10 1 20 0 ")), "an arc (bulge)"
-    );
+TEST_F(PolylineReader, ReadsTheCurvesOfDxfThatDrawingsAreReadFrom) {
+    const SpacePolyline circle = only("a.dxf", dxf("0 CIRCLE 10 1 20 0 30 2 40 3 "));
+    EXPECT_TRUE(circle.closed);
+    EXPECT_GT(circle.points.size(), 100U);
+    for (const Vec3& point : circle.points) {
+        EXPECT_NEAR((point - Vec3(1, 0, 2)).norm(), 3.0, 1e-3);
+        EXPECT_EQ(point.z(), 2.0);
+    }
+    const SpacePolyline bulge =
+        only("b.dxf", dxf("0 LWPOLYLINE 90 2 38 1 10 -1 20 0 42 1 10 1 20 0 "));
+    for (const Vec3& point : bulge.points) {
+        EXPECT_NEAR(point.head<2>().norm(), 1.0, 1e-3);
+    }
+    // A spline in space, and one entity that is none.
+    const PolylineFile file = readPolylines(write(
+        "c.dxf",
+        dxf("0 SPLINE 71 1 40 0 40 0 40 1 40 1 10 0 20 0 30 5 10 1 20 2 30 6 0 CIRCLE 40 0 ")
+    ));
+    ASSERT_EQ(file.lines.size(), 1U);
+    EXPECT_EQ(file.lines[0].points, (std::vector<Vec3>{{0, 0, 5}, {1, 2, 6}}));
+    EXPECT_EQ(file.notes.size(), 1U);
+}
+
+TEST_F(PolylineReader, ReadsSplinesOfObj) {
+    // A parabola, with a statement over two lines; a Bézier curve is left out.
+    const PolylineFile file = readPolylines(write(
+        "a.obj",
+        "v 0 0 0\nv 1 2 0\nv 2 0 0\ncstype bspline\ndeg 2\ncurv 0 1 1 \\\n2 3\n"
+        "parm u 0 0 0 1 1 1\nend\ncstype bezier\ncurv 0 1 1 2 3\nparm u 0 1\nend\n"
+    ));
+    ASSERT_EQ(file.lines.size(), 1U);
+    for (const Vec3& point : file.lines[0].points) {
+        EXPECT_NEAR(point.y(), point.x() * (2.0 - point.x()), 1e-12);
+    }
+    ASSERT_EQ(file.notes.size(), 1U);
+    expectContains(file.notes[0], "1 free-form curve left out; line 11");
+}
+
+TEST_F(PolylineReader, ReadsAllThatCurvesAreWrittenAs) {
+    for (const bool closed : {false, true}) {
+        Curve curve = smallCurve(closed);
+        curve.polyline.parameters.back() = closed ? 0.7 : 1.0;
+        for (const char* const name : {"a.ply", "a.csv", "a.vtu"}) {
+            const PolylineFile file = readPolylines(write(name, curveBytes(name, curve)));
+            ASSERT_EQ(file.lines.size(), 1U) << name;
+            EXPECT_EQ(file.lines[0].points, curve.polyline.points) << name;
+            EXPECT_EQ(file.lines[0].closed, closed) << name;
+            ASSERT_EQ(file.places[0].size(), curve.polyline.points.size()) << name;
+            for (std::size_t i = 0; i < file.places[0].size(); ++i) {
+                EXPECT_EQ(file.places[0][i].face, curve.polyline.surfacePoints[i].face);
+                EXPECT_EQ(
+                    file.places[0][i].barycentric, curve.polyline.surfacePoints[i].barycentric
+                );
+            }
+        }
+        for (const char* const name : {"a.bspline.obj", "a.bspline.dxf"}) {
+            const PolylineFile file = readPolylines(write(name, curveBytes(name, curve)));
+            ASSERT_EQ(file.lines.size(), 1U) << name;
+            EXPECT_EQ(file.lines[0].closed, closed) << name;
+        }
+    }
+}
+
+TEST_F(PolylineReader, ReadsTextOfVtuAndRefusesWhatItCannot) {
+    const std::string start = "<VTKFile type='UnstructuredGrid'";
+    const std::string grid =
+        "><UnstructuredGrid><Piece><Points><DataArray type='Float32' format='ascii'>0 0 1 1 0 1 0 "
+        "2 "
+        "1</DataArray></Points><Cells><DataArray Name='connectivity' format='ascii'>0 1 "
+        "2</DataArray>"
+        "<DataArray Name='offsets' format='ascii'>3</DataArray><DataArray Name='types' "
+        "format='ascii'>4</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>";
+    EXPECT_EQ(only("a.vtu", start + grid).points, kTriangle);
+    expectContains(refused("b.vtu", start + " compressor='zlib'" + grid), "compressed");
+    expectContains(refused("c.vtu", "<VTKFile/>"), "no unstructured grid");
+    expectContains(refused("d.vtu", start), "line 1: is not XML");
+    std::string wrong = start + grid;
+    wrong.replace(wrong.find("0 1 2<"), 5, "0 1 9");
+    expectContains(refused("e.vtu", wrong), "names a point that is not there");
+}
+
+TEST_F(PolylineReader, RefusesDxfWithoutCurves) {
     expectContains(refused("c.dxf", "0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nEOF\n"), "ENTITIES");
     expectContains(refused("d.dxf", dxf("0 LINE 10 zero 20 0 11 1 21 1 ")), "not a finite number");
     expectContains(refused("e.dxf", dxf("0 LINE 10 nan 20 0 11 1 21 1 ")), "not a finite number");
-    expectContains(refused("f.dxf", dxf("0 TEXT 1 word ")), "no polyline");
+    expectContains(refused("f.dxf", dxf("0 TEXT 1 word ")), "no curve");
     expectContains(refused("g.dxf", "AutoCAD Binary DXF\r\n\x1a"), "binary");
     expectContains(refused("h.dxf", "ply\nformat\n"), "no group code");
     expectContains(refused("i.stl", "solid\n"), "curves are read from .json");

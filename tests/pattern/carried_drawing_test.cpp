@@ -256,6 +256,48 @@ TEST(Drawing, ClosesPathsWhoseEndsMeet) {
     EXPECT_EQ(smoothPieces(drawing, 3.0).size(), 1U);
 }
 
+TEST(Drawing, LeavesOutSpecksWhereItIsParted) {
+    for (const double speck : {1e-7, 1e-9, 1e-12}) {
+        DrawingBuilder pen;
+        pen.moveTo({0, 0});
+        pen.lineTo({1, 0});
+        pen.lineTo({1, speck});  // a corner, at rounding size
+        pen.lineTo({1, 1});
+        pen.lineTo({0, 1});
+        pen.close();
+        const Drawing drawing = pen.take();
+        const std::vector<SmoothPiece> pieces = smoothPieces(drawing, 0.5);
+        ASSERT_EQ(pieces.size(), 4U);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            EXPECT_EQ(
+                pieces[i].arcs.back().points.back(), pieces[(i + 1) % 4].arcs.front().points.front()
+            );
+        }
+    }
+}
+
+TEST(Drawing, WithHugeNumbersIsRefused) {
+    const CurveDesigner designer(test_support::icosphere(1));
+    DrawingBuilder pen;
+    pen.moveTo({-1.7e308, 0});
+    pen.lineTo({1.7e308, 1});
+    const Drawing drawing = pen.take();
+    test_support::expectRefused(
+        [&] {
+            return patternRoundPoint(
+                designer,
+                drawing,
+                designer.surface().vertices()[0],
+                Vec3(1, 2, 3),
+                {.size = 0.1},
+                {}
+            );
+        },
+        InputErrorCode::BadOption,
+        "the drawing has"
+    );
+}
+
 }  // namespace
 
 }  // namespace bspline_curve

@@ -172,3 +172,46 @@ def test_repr_is_short(mesh, picks):
     assert repr(mesh) == "<bspline_curve.Mesh: 1681 vertices, 3200 faces>"
     assert len(repr(mesh.curve(picks))) < 100
     assert bspline_curve.__version__.count(".") == 2
+
+
+def test_a_curve_is_saved_for_cad(mesh, picks, tmp_path):
+    curve = mesh.curve(picks, closed=True)
+    for name in ("c.step", "c.igs", "c.polyline.stp", "c.polyline.iges"):
+        curve.save(tmp_path / name, unit="in")
+    step, polyline = ((tmp_path / name).read_text() for name in ("c.step", "c.polyline.stp"))
+    assert step.startswith("ISO-10303-21;") and "CONVERSION_BASED_UNIT('INCH'" in step
+    assert step.count("CARTESIAN_POINT") == len(curve.control_points)
+    assert polyline.count("CARTESIAN_POINT") == len(curve.points) + 1
+    assert (tmp_path / "c.igs").read_text().count("\n     126") == 2
+    assert (tmp_path / "c.polyline.iges").read_text().count("\n     106") == 2
+    with pytest.raises(bspline_curve.OptionError, match="unit"):
+        curve.save(tmp_path / "c.step", unit="mile")
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_samples_are_at_equal_steps_on_the_mesh_with_frames(mesh, picks, closed):
+    curve = mesh.curve(picks, closed=closed)
+    samples = curve.sample(30)
+    on_faces = (mesh.vertices[mesh.faces[samples.faces]] * samples.barycentrics[..., None]).sum(1)
+    np.testing.assert_allclose(on_faces, samples.points, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(np.diff(samples.distances), curve.length / (30 if closed else 29), rtol=1e-12)
+    np.testing.assert_allclose(samples.points[0], curve.points[0], atol=1e-12)
+    if not closed:
+        np.testing.assert_allclose(samples.points[-1], curve.points[-1], atol=1e-12)
+    frames = np.stack([samples.tangents, samples.left, samples.normals], axis=1)
+    np.testing.assert_allclose(frames @ frames.transpose(0, 2, 1), np.broadcast_to(np.eye(3), frames.shape), atol=1e-12)
+    np.testing.assert_allclose(np.linalg.det(frames), 1, atol=1e-12)
+    chords = np.diff(samples.points, axis=0)
+    assert ((chords * samples.tangents[:-1]).sum(1) > 0.8 * np.linalg.norm(chords, axis=1)).all()
+    parts = samples.normal_curvature**2 + samples.geodesic_curvature**2
+    np.testing.assert_allclose(samples.curvature**2, parts, rtol=1e-9, atol=1e-9)
+    again = curve.sample(distances=samples.distances[[3, 7]])
+    np.testing.assert_array_equal(again.points, samples.points[[3, 7]])
+
+
+def test_samples_that_are_not_on_the_curve_are_refused(mesh, picks):
+    curve = mesh.curve(picks)
+    for arguments in ({}, {"count": 3, "distances": [0.0]}, {"count": 1}, {"distances": [2 * curve.length]},
+                      {"distances": [np.nan]}):
+        with pytest.raises(bspline_curve.InputError):
+            curve.sample(**arguments)
