@@ -60,6 +60,47 @@ std::vector<int> doubledIn(const CutMesh& cut, std::size_t uncutCount, const Sub
     return doubled;
 }
 
+/// For each kept vertex the mean length of the sides of the faces around it, before curves divided
+/// them.
+std::vector<double> sizesAt(const ImprintedMesh& imprinted, const SubMesh& kept) {
+    const TriangleMesh whole = withoutImprint(imprinted);
+    std::size_t next = 0;
+    std::vector<double> perFace(imprinted.mesh.faces.size());
+    for (std::size_t f = 0; f < perFace.size(); ++f) {
+        next += f > 0 && imprinted.ownParents[f] != imprinted.ownParents[f - 1] ? 1 : 0;
+        const auto& [a, b, c] = whole.faces[next];
+        const std::vector<Vec3>& points = whole.vertices;
+        perFace[f] = ((points[a] - points[b]).norm() + (points[b] - points[c]).norm() +
+                      (points[c] - points[a]).norm()) /
+                     3.0;
+    }
+    std::vector<double> sums(kept.vertices.size(), 0.0);
+    std::vector<int> counts(kept.vertices.size(), 0);
+    for (std::size_t f = 0; f < kept.faces.size(); ++f) {
+        for (const int corner : kept.mesh.faces[f]) {
+            sums[corner] += perFace[kept.faces[f]];
+            ++counts[corner];
+        }
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        sums[v] /= counts[v];
+    }
+    return sums;
+}
+
+/// Faces of no chosen part, with the vertices of the imprint.
+TriangleMesh removedFrom(
+    const ImprintedMesh& imprinted, const MeshParts& parts, const std::vector<int>& chosen
+) {
+    TriangleMesh removed{.vertices = imprinted.mesh.vertices, .faces = {}};
+    for (std::size_t f = 0; f < parts.labels.size(); ++f) {
+        if (!std::ranges::binary_search(chosen, parts.labels[f])) {
+            removed.faces.push_back(imprinted.mesh.faces[f]);
+        }
+    }
+    return removed;
+}
+
 }  // namespace
 
 FilledParts fillAround(
@@ -102,7 +143,17 @@ FilledParts fillAround(
             "cut along closed curves, or fill nothing"
         );
     }
-    FilledMesh filled = fillHoles(kept.mesh, result.rims, shape, progress);
+    const FillSurroundings surroundings{
+        .sizes = sizesAt(imprinted, kept), .removed = [&](std::size_t rim) {
+            std::vector<int> vertices;
+            for (const int vertex : result.rims[rim]) {
+                vertices.push_back(kept.vertices[vertex]);
+            }
+            return sheetBeside(removedFrom(imprinted, parts, chosen), vertices, false);
+        }
+    };
+    FilledMesh filled = fillHoles(kept.mesh, result.rims, shape, surroundings, progress);
+    result.crossing = std::move(filled.crossing);
     result.firstNew = std::move(filled.firstNew);
     result.endOfNew = static_cast<int>(filled.mesh.vertices.size());
     CutMesh parted = partFans(filled.mesh, doubledIn(cut, imprinted.mesh.vertices.size(), kept));

@@ -22,8 +22,9 @@ struct FilledParts {
     std::vector<Triangle> walls;
     std::vector<std::vector<int>> rims;  ///< of the filled holes, vertices of `mesh`
     std::vector<int> firstNew;           ///< for each of these its first new vertex
-    int endOfNew = 0;  ///< behind the last; copies follow, of vertices where holes meet
-    int openRims = 0;  ///< left open, since the boundary of the input is part of them
+    int endOfNew = 0;           ///< behind the last; copies follow, of vertices where holes meet
+    std::vector<int> crossing;  ///< new faces that cross others, ascending
+    int openRims = 0;           ///< left open, since the boundary of the input is part of them
 
     /// Values at the vertices, from those of the imprinted mesh: a new vertex has the mean of its
     /// hole's rim.
@@ -32,7 +33,8 @@ struct FilledParts {
 
 /// Takes the parts `chosen` (labels, ascending) and fills each hole whose rim is made of curves
 /// between them and other parts. Curves between two chosen parts, or with one on both sides, stay
-/// closed. Throws InputError (NoPath) where no hole is left to fill, and as fillHoles() does.
+/// closed. Throws InputError (NoPath) where no hole is left to fill, and as fillHoles() does. New
+/// faces cross others only where `crossing` has them.
 [[nodiscard]] FilledParts fillAround(
     const ImprintedMesh& imprinted,
     const MeshParts& parts,

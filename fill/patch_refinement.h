@@ -22,6 +22,7 @@ struct Patch {
 enum class Relaxing {
     Free,        ///< points move to the middle of their neighbours
     Tangential,  ///< within the surface only
+    None,        ///< nor are edges flipped, so that the surface stays as it is
 };
 
 /// Halves edges that are longer than their points ask for, and long ones between points of the

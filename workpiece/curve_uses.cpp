@@ -6,12 +6,14 @@
 #include "imprint/slits.h"
 #include "imprint/unjoined_imprint.h"
 #include "shell/extended_surface.h"
+#include "surface/error_messages.h"
 #include "surface/lines_over_parted_edges.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 namespace bspline_curve {
@@ -20,7 +22,18 @@ namespace {
 
 // Shares of the work, for progress only.
 constexpr double kImprintedShare = 0.6;
-constexpr double kLinesShare = 0.8;  // of an offset, without its band
+constexpr double kLinesShare = 0.8;     // of an offset, without its band
+constexpr std::size_t kMostNamed = 10;  // faces, in a note
+
+std::string crossingNote(const std::vector<int>& faces) {
+    std::string named;
+    for (std::size_t i = 0; i < std::min(faces.size(), kMostNamed); ++i) {
+        named += (i > 0 ? ", " : "") + std::to_string(faces[i]);
+    }
+    return describeCount(faces.size(), "new face crosses", "new faces cross") +
+           " others, since the rim allows no fill that does not: " + named +
+           (faces.size() > kMostNamed ? ", ..." : "") + "; move the curve";
+}
 
 /// The parts that one mesh gets; adds what to say of them.
 FilledParts partsMeant(
@@ -39,6 +52,9 @@ FilledParts partsMeant(
                 std::to_string(taken.openRims) +
                 " rims stay open, since the boundary of the mesh is part of them"
             );
+        }
+        if (!taken.crossing.empty()) {
+            notes.push_back(crossingNote(taken.crossing));
         }
         return taken;
     }

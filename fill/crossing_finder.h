@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/mesh.h"
+#include "surface/triangle_tree.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+
+/// What new faces cross.
+struct Crossings {
+    std::vector<std::pair<int, int>> pairs;  ///< of new faces that cross each other
+    std::vector<int> withKept;               ///< new faces that cross kept ones, ascending
+
+    [[nodiscard]] bool isEmpty() const { return pairs.empty() && withKept.empty(); }
+
+    /// New faces that cross anything, ascending.
+    [[nodiscard]] std::vector<int> faces() const;
+};
+
+/// Finds where new faces cross each other or those that are there, exactly: faces cross where they
+/// meet anywhere but in the corners and the edge that they share by index. New faces must have
+/// area.
+class CrossingFinder {
+public:
+    /// `vertices` must outlive it and may grow; those of kept faces stay where they are.
+    CrossingFinder(const std::vector<Vec3>& vertices, const std::vector<Triangle>& kept);
+
+    /// From now on these are kept as well. O(n log n).
+    void keep(std::vector<Triangle> faces);
+
+    /// O(log n) where few kept faces are near.
+    [[nodiscard]] bool crossesKept(const Triangle& face) const;
+
+    /// O(n log n) where few faces overlap.
+    [[nodiscard]] Crossings crossingsOf(const std::vector<Triangle>& faces) const;
+
+private:
+    struct Kept {
+        Kept(const std::vector<Vec3>& vertices, std::vector<Triangle> those)
+            : faces(std::move(those)), tree(vertices, faces) {}
+
+        std::vector<Triangle> faces;
+        TriangleTree tree;
+    };
+
+    const std::vector<Vec3>& vertices_;
+    std::vector<std::unique_ptr<const Kept>> kept_;
+};
+
+}  // namespace bspline_curve

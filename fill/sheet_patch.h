@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fill/patch_refinement.h"
+
+#include <optional>
+#include <vector>
+
+namespace bspline_curve {
+
+/// Faces of a mesh that a rim bounds and nothing else, as a patch that has the rim's points first.
+/// Inner edges between two points of the rim are halved, so that the patch has no edge that the
+/// mesh has. `normals`: unit, for each point that of the faces around it; zero on the rim. `sizes`:
+/// the least height of those faces.
+struct Sheet {
+    Patch patch;
+    std::vector<Vec3> normals;
+};
+
+/// The sheet beside a rim, which its faces pass in the rim's order, or in the other one where
+/// `isBehind`; then the sheet is turned over, so that it passes the rim in its order. None where
+/// the faces beside the rim are no disc with this boundary alone. O(n log n) for n faces of the
+/// mesh.
+[[nodiscard]] std::optional<Sheet> sheetBeside(
+    const TriangleMesh& mesh, const std::vector<int>& rim, bool isBehind
+);
+
+}  // namespace bspline_curve
