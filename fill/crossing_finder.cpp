@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill/crossing_finder.h"
 
+#include "surface/mesh_checks.h"
 #include "surface/self_intersection.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 
 namespace bspline_curve {
 
@@ -20,21 +22,46 @@ std::vector<int> Crossings::faces() const {
     return all;
 }
 
-CrossingFinder::CrossingFinder(const std::vector<Vec3>& vertices, const std::vector<Triangle>& kept)
-    : vertices_(vertices) {
+CrossingFinder::CrossingFinder(
+    const std::vector<Vec3>& vertices, const std::vector<Triangle>& kept, bool isRounded
+)
+    : vertices_(vertices), isRounded_(isRounded) {
     keep(kept);
 }
 
-void CrossingFinder::keep(std::vector<Triangle> faces) {
-    kept_.push_back(std::make_unique<const Kept>(vertices_, std::move(faces)));
+void CrossingFinder::keep(const std::vector<Triangle>& faces) {
+    std::vector<Triangle> kept;
+    std::ranges::copy_if(faces, std::back_inserter(kept), [&](const Triangle& face) {
+        return hasArea(face);
+    });
+    kept_.push_back(std::make_unique<const Kept>(vertices_, std::move(kept)));
+}
+
+bool CrossingFinder::hasArea(const Triangle& face) const {
+    return !isRounded_ ||
+           bspline_curve::hasArea(vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]);
+}
+
+bool CrossingFinder::cross(const Triangle& a, const Triangle& b) const {
+    if (!trianglesIntersect(vertices_, a, b)) {
+        return false;
+    }
+    return !isRounded_ || std::ranges::none_of(a, [&](int one) {
+        return std::ranges::any_of(b, [&](int other) {
+            return one != other && vertices_[one] == vertices_[other];
+        });
+    });
 }
 
 bool CrossingFinder::crossesKept(const Triangle& face) const {
+    if (!hasArea(face)) {
+        return false;
+    }
     const std::array corners{vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
     return std::ranges::any_of(kept_, [&](const std::unique_ptr<const Kept>& kept) {
         bool crosses = false;
         kept->tree.forEachMeeting(corners, [&](int other) {
-            crosses = crosses || trianglesIntersect(vertices_, face, kept->faces[other]);
+            crosses = crosses || cross(face, kept->faces[other]);
         });
         return crosses;
     });
@@ -42,7 +69,13 @@ bool CrossingFinder::crossesKept(const Triangle& face) const {
 
 Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces) const {
     Crossings found;
-    found.pairs = findSelfIntersections(vertices_, faces);
+    const TriangleTree tree(vertices_, faces);
+    tree.forEachOverlappingPair([&](int i, int j) {
+        if (hasArea(faces[i]) && hasArea(faces[j]) && cross(faces[i], faces[j])) {
+            found.pairs.emplace_back(i, j);
+        }
+    });
+    std::ranges::sort(found.pairs);
     found.withKept =
         indicesWhere<int>(faces.size(), [&](std::size_t f) { return crossesKept(faces[f]); });
     return found;

@@ -12,7 +12,7 @@ namespace bspline_curve {
 
 /// What new faces cross.
 struct Crossings {
-    std::vector<std::pair<int, int>> pairs;  ///< of new faces that cross each other
+    std::vector<std::pair<int, int>> pairs;  ///< of new faces that cross each other, ascending
     std::vector<int> withKept;               ///< new faces that cross kept ones, ascending
 
     [[nodiscard]] bool isEmpty() const { return pairs.empty() && withKept.empty(); }
@@ -27,10 +27,14 @@ struct Crossings {
 class CrossingFinder {
 public:
     /// `vertices` must outlive it and may grow; those of kept faces stay where they are.
-    CrossingFinder(const std::vector<Vec3>& vertices, const std::vector<Triangle>& kept);
+    /// `isRounded`: they were rounded, so that faces without area, and pairs with corners that
+    /// became one place, count as not crossing.
+    CrossingFinder(
+        const std::vector<Vec3>& vertices, const std::vector<Triangle>& kept, bool isRounded
+    );
 
     /// From now on these are kept as well. O(n log n).
-    void keep(std::vector<Triangle> faces);
+    void keep(const std::vector<Triangle>& faces);
 
     /// O(log n) where few kept faces are near.
     [[nodiscard]] bool crossesKept(const Triangle& face) const;
@@ -47,7 +51,11 @@ private:
         TriangleTree tree;
     };
 
+    [[nodiscard]] bool hasArea(const Triangle& face) const;
+    [[nodiscard]] bool cross(const Triangle& a, const Triangle& b) const;
+
     const std::vector<Vec3>& vertices_;
+    bool isRounded_;
     std::vector<std::unique_ptr<const Kept>> kept_;
 };
 

@@ -44,6 +44,8 @@ constexpr int kMostTriangulations = 12;
 /// by halves of it where it crosses.
 constexpr double kSheetMove = 0.5;
 constexpr int kSheetHalvings = 30;
+/// Edges shorter than this, relative to the largest coordinate, are too fine for single precision.
+constexpr double kFineRelative = 1e-4;
 
 /// A patch and its faces that cross others; the fewer the better.
 struct Attempt {
@@ -55,6 +57,13 @@ bool hasFlatFace(const Patch& patch) {
     return std::ranges::any_of(patch.faces, [&](const Triangle& face) {
         return !hasArea(patch.points[face[0]], patch.points[face[1]], patch.points[face[2]]);
     });
+}
+
+std::vector<Vec3> inSinglePrecision(std::vector<Vec3> points) {
+    for (Vec3& point : points) {
+        point = point.cast<float>().cast<double>();
+    }
+    return points;
 }
 
 /// With inner points that are harmonic between those of the rim.
@@ -83,12 +92,20 @@ public:
           places_(rims, mesh.vertices.size()),
           beside_(besideRims(mesh, places_)),
           result_{.mesh = mesh, .firstNew = {}, .crossing = {}},
-          finder_(result_.mesh.vertices, mesh.faces) {}
+          rounded_(inSinglePrecision(mesh.vertices)),
+          finder_(result_.mesh.vertices, mesh.faces, false),
+          roundedFinder_(rounded_, mesh.faces, true) {
+        for (const Vec3& vertex : mesh.vertices) {
+            largest_ = std::max(largest_, vertex.cwiseAbs().maxCoeff());
+        }
+    }
 
     void fill(std::size_t rim, FillShape shape, const Progress& progress) {
         report(progress, 0.0, "filling a hole");
         rim_ = rim;
         best_.reset();
+        const double least = std::ranges::min(rimPatch().sizes);
+        isFine_ = least < kFineRelative * largest_;
         if (shape == FillShape::Flat) {
             fillFlat(progress);
         } else {
@@ -178,7 +195,8 @@ private:
         const std::vector<int>& vertices = rims_[rim_];
         const auto isAllowed = [&](const Triangle& places) {
             const Triangle face{vertices[places[0]], vertices[places[1]], vertices[places[2]]};
-            return !refused.contains(places) && !finder_.crossesKept(face);
+            return !refused.contains(places) && !finder_.crossesKept(face) &&
+                   (isFine_ || !roundedFinder_.crossesKept(face));
         };
         for (int i = 0; i < kMostTriangulations; ++i) {
             Patch patch = rim;
@@ -244,7 +262,7 @@ private:
     }
 
     /// Moves a sheet off the faces that it copies, so far as it crosses nothing.
-    [[nodiscard]] std::vector<Vec3> movedOff(const Sheet& sheet) const {
+    [[nodiscard]] std::vector<Vec3> movedOff(const Sheet& sheet) {
         const Patch& patch = sheet.patch;
         std::vector<double> shares(patch.points.size(), kSheetMove);
         Patch moved = patch;
@@ -276,9 +294,7 @@ private:
     }
 
     /// From a patch that crosses nothing as far to one with the same faces as that is so.
-    [[nodiscard]] Patch between(
-        const Patch& sound, const Patch& wanted, const Progress& progress
-    ) const {
+    [[nodiscard]] Patch between(const Patch& sound, const Patch& wanted, const Progress& progress) {
         Patch patch = sound;
         const auto crossing = [&](const std::vector<Vec3>& points) {
             patch.points = points;
@@ -289,7 +305,7 @@ private:
     }
 
     /// Faces that have no area; where all have some, those that cross others.
-    [[nodiscard]] std::vector<int> badFaces(const Patch& patch) const {
+    [[nodiscard]] std::vector<int> badFaces(const Patch& patch) {
         std::vector<int> flat = indicesWhere<int>(patch.faces.size(), [&](std::size_t f) {
             const auto& [a, b, c] = patch.faces[f];
             return !hasArea(patch.points[a], patch.points[b], patch.points[c]);
@@ -297,13 +313,22 @@ private:
         return flat.empty() ? crossingsOf(patch).faces() : flat;
     }
 
-    /// The faces of a patch need area.
-    [[nodiscard]] Crossings crossingsOf(const Patch& patch) const {
+    /// As they are, and rounded to single precision, as in many files and programs, unless what is
+    /// around is too fine for that. The faces of a patch need area.
+    [[nodiscard]] Crossings crossingsOf(const Patch& patch) {
         std::vector<Vec3>& vertices = result_.mesh.vertices;
         const std::size_t count = vertices.size();
-        vertices.insert(vertices.end(), patch.points.begin() + patch.rimCount, patch.points.end());
-        Crossings crossings = finder_.crossingsOf(placed(patch, count));
+        const auto firstNew = patch.points.begin() + patch.rimCount;
+        vertices.insert(vertices.end(), firstNew, patch.points.end());
+        const std::vector<Triangle> faces = placed(patch, count);
+        Crossings crossings = finder_.crossingsOf(faces);
         vertices.resize(count);
+        if (crossings.isEmpty() && !isFine_) {
+            const std::vector<Vec3> rounded = inSinglePrecision({firstNew, patch.points.end()});
+            rounded_.insert(rounded_.end(), rounded.begin(), rounded.end());
+            crossings = roundedFinder_.crossingsOf(faces);
+            rounded_.resize(count);
+        }
         return crossings;
     }
 
@@ -404,7 +429,7 @@ private:
         result_.mesh.vertices.insert(
             result_.mesh.vertices.end(), patch.points.begin() + patch.rimCount, patch.points.end()
         );
-        std::vector<Triangle> faces = placed(patch, firstNew);
+        const std::vector<Triangle> faces = placed(patch, firstNew);
         for (const int face : attempt.crossing) {
             result_.crossing.push_back(firstFace + face);
         }
@@ -420,8 +445,14 @@ private:
                 }
             }
         }
+        const std::vector<Vec3> rounded = inSinglePrecision(
+            {result_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(firstNew),
+             result_.mesh.vertices.end()}
+        );
+        rounded_.insert(rounded_.end(), rounded.begin(), rounded.end());
         if (rim_ + 1 < rims_.size()) {
-            finder_.keep(std::move(faces));
+            finder_.keep(faces);
+            roundedFinder_.keep(faces);
         }
     }
 
@@ -442,9 +473,13 @@ private:
     const FillSurroundings& given_;
     RimPlaces places_;
     std::vector<Beside> beside_;  // by place
-    mutable FilledMesh result_;   // its vertices grow for a while where crossings are looked for
+    FilledMesh result_;           // its vertices grow for a while where crossings are looked for
+    std::vector<Vec3> rounded_;   // those vertices, in single precision
     CrossingFinder finder_;
-    std::size_t rim_ = 0;  // that is being filled
+    CrossingFinder roundedFinder_;
+    double largest_ = 0.0;  // coordinate
+    std::size_t rim_ = 0;   // that is being filled
+    bool isFine_ = false;   // what is around it
     std::optional<Attempt> best_;
 };
 
