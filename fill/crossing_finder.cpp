@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill/crossing_finder.h"
 
-#include "surface/mesh_checks.h"
 #include "surface/self_intersection.h"
 #include "utility/index_sets.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 
 namespace bspline_curve {
+
+namespace {
+
+// Least heights of triangles in single precision, relative to their largest coordinate: 8 ulps,
+// below which rounding may turn a triangle over, and 1.
+constexpr double kKeptHeight = 0x1p-20;
+constexpr double kNewHeight = 0x1p-23;
+
+}  // namespace
 
 std::vector<int> Crossings::faces() const {
     std::vector<int> all = withKept;
@@ -32,14 +43,23 @@ CrossingFinder::CrossingFinder(
 void CrossingFinder::keep(const std::vector<Triangle>& faces) {
     std::vector<Triangle> kept;
     std::ranges::copy_if(faces, std::back_inserter(kept), [&](const Triangle& face) {
-        return hasArea(face);
+        return isBroad(face, kKeptHeight);
     });
     kept_.push_back(std::make_unique<const Kept>(vertices_, std::move(kept)));
 }
 
-bool CrossingFinder::hasArea(const Triangle& face) const {
-    return !isRounded_ ||
-           bspline_curve::hasArea(vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]);
+bool CrossingFinder::isBroad(const Triangle& face, double leastHeight) const {
+    if (!isRounded_) {
+        return true;
+    }
+    const Vec3& a = vertices_[face[0]];
+    const Vec3& b = vertices_[face[1]];
+    const Vec3& c = vertices_[face[2]];
+    const double longest =
+        std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+    const double largest =
+        std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+    return (b - a).cross(c - a).norm() > leastHeight * longest * largest;
 }
 
 bool CrossingFinder::cross(const Triangle& a, const Triangle& b) const {
@@ -54,7 +74,7 @@ bool CrossingFinder::cross(const Triangle& a, const Triangle& b) const {
 }
 
 bool CrossingFinder::crossesKept(const Triangle& face) const {
-    if (!hasArea(face)) {
+    if (!isBroad(face, kNewHeight)) {
         return false;
     }
     const std::array corners{vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
@@ -71,7 +91,8 @@ Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces) const 
     Crossings found;
     const TriangleTree tree(vertices_, faces);
     tree.forEachOverlappingPair([&](int i, int j) {
-        if (hasArea(faces[i]) && hasArea(faces[j]) && cross(faces[i], faces[j])) {
+        if (isBroad(faces[i], kNewHeight) && isBroad(faces[j], kNewHeight) &&
+            cross(faces[i], faces[j])) {
             found.pairs.emplace_back(i, j);
         }
     });

@@ -51,7 +51,7 @@ private:
         TriangleTree tree;
     };
 
-    [[nodiscard]] bool hasArea(const Triangle& face) const;
+    [[nodiscard]] bool isBroad(const Triangle& face, double leastHeight) const;
     [[nodiscard]] bool cross(const Triangle& a, const Triangle& b) const;
 
     const std::vector<Vec3>& vertices_;

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -40,9 +41,9 @@ constexpr double kLift = 1e-3;
 constexpr double kPlanarRelative = 1e-3;
 /// Triangulations tried, each without the triangles that crossed others before.
 constexpr int kMostTriangulations = 12;
-/// A sheet is first moved off the faces that it copies by this share of its faces' heights, then
-/// by halves of it where it crosses.
-constexpr double kSheetMove = 0.5;
+/// A sheet is first moved off the faces that it copies by this share of the length of its edges,
+/// then by halves of it where it crosses.
+constexpr double kSheetMove = 0.2;
 constexpr int kSheetHalvings = 30;
 /// Edges shorter than this, relative to the largest coordinate, are too fine for single precision.
 constexpr double kFineRelative = 1e-4;
@@ -244,21 +245,18 @@ private:
         return accept(std::move(flat->patch));
     }
 
-    /// Copies the mesh behind the rim, or what was before it, moved towards a patch that is
-    /// stretched over the rim.
+    /// Copies what was before the rim, or is behind it, whichever is smaller, moved towards a patch
+    /// that is stretched over the rim.
     bool fillWithSheets(const Progress& progress) {
-        if (given_.removed) {
-            const std::optional<Sheet> sheet = given_.removed(rim_);
-            if (sheet && fillWith(*sheet, sheet->patch.points, progress)) {
-                return true;
-            }
-        }
         const std::optional<Sheet> behind = sheetBeside(mesh_, rims_[rim_], true);
-        if (!behind) {
-            return false;
+        const std::optional<Sheet> removed = given_.removed ? given_.removed(rim_) : std::nullopt;
+        const auto sizeOf = [](const std::optional<Sheet>& sheet) {
+            return sheet ? sheet->patch.faces.size() : std::numeric_limits<std::size_t>::max();
+        };
+        if (sizeOf(removed) < sizeOf(behind)) {
+            return fillWith(*removed, removed->patch.points, progress);
         }
-        std::vector<Vec3> moved = movedOff(*behind);
-        return fillWith(*behind, std::move(moved), progress);
+        return behind && fillWith(*behind, movedOff(*behind), progress);
     }
 
     /// Moves a sheet off the faces that it copies, so far as it crosses nothing.
@@ -479,7 +477,7 @@ private:
     CrossingFinder roundedFinder_;
     double largest_ = 0.0;  // coordinate
     std::size_t rim_ = 0;   // that is being filled
-    bool isFine_ = false;   // what is around it
+    bool isFine_ = false;  // what is around it
     std::optional<Attempt> best_;
 };
 

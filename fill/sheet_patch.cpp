@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <set>
 #include <span>
@@ -116,7 +115,8 @@ void halveChords(Patch& patch) {
 void measure(Sheet& sheet) {
     Patch& patch = sheet.patch;
     sheet.normals.assign(patch.points.size(), Vec3::Zero());
-    patch.sizes.assign(patch.points.size(), std::numeric_limits<double>::infinity());
+    patch.sizes.assign(patch.points.size(), 0.0);
+    std::vector<int> counts(patch.points.size(), 0);
     for (const Triangle& face : patch.faces) {
         for (int k = 0; k < 3; ++k) {
             const Vec3& p = patch.points[face[k]];
@@ -124,12 +124,13 @@ void measure(Sheet& sheet) {
             const Vec3 from = patch.points[face[(k + 2) % 3]] - p;
             const Vec3 normal = to.cross(from);
             const double angle = std::atan2(normal.norm(), to.dot(from));
-            const double longest = std::max({to.norm(), from.norm(), (to - from).norm()});
             sheet.normals[face[k]] += angle * normal.stableNormalized();
-            patch.sizes[face[k]] = std::min(patch.sizes[face[k]], normal.norm() / longest);
+            patch.sizes[face[k]] += to.norm();
+            ++counts[face[k]];
         }
     }
     for (std::size_t i = 0; i < patch.points.size(); ++i) {
+        patch.sizes[i] /= counts[i];
         if (patch.isOnRim(static_cast<int>(i))) {
             sheet.normals[i].setZero();
         } else {
@@ -171,7 +172,9 @@ std::optional<Sheet> sheetBeside(
             copy[k] = at->second;
         }
     }
-    halveChords(sheet.patch);
+    if (isBehind) {
+        halveChords(sheet.patch);
+    }
     measure(sheet);
     if (isBehind) {
         for (Triangle& face : sheet.patch.faces) {

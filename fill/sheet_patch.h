@@ -18,9 +18,10 @@ struct Sheet {
 };
 
 /// The sheet beside a rim, which its faces pass in the rim's order, or in the other one where
-/// `isBehind`; then the sheet is turned over, so that it passes the rim in its order. None where
-/// the faces beside the rim are no disc with this boundary alone. O(n log n) for n faces of the
-/// mesh.
+/// `isBehind`; then the sheet is turned over, so that it passes the rim in its order, and inner
+/// edges between two points of the rim are halved, so that it has no edge that the mesh has. None
+/// where the faces beside the rim are no disc with this boundary alone. O(n log n) for n faces of
+/// the mesh.
 [[nodiscard]] std::optional<Sheet> sheetBeside(
     const TriangleMesh& mesh, const std::vector<int>& rim, bool isBehind
 );
