@@ -8,6 +8,7 @@
 #include "shell/extended_surface.h"
 #include "surface/error_messages.h"
 #include "surface/lines_over_parted_edges.h"
+#include "utility/index_sets.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
@@ -74,6 +75,27 @@ std::vector<std::string> slitNotes(const Imprint& imprint, bool isCut) {
     return note.empty() ? std::vector<std::string>() : std::vector{std::move(note)};
 }
 
+/// The parts that are not kept, ascending.
+std::vector<int> droppedParts(const Imprint& imprint, const std::vector<int>& kept) {
+    return indicesWhere<int>(imprint.parts.parts.size(), [&](std::size_t part) {
+        return !std::ranges::binary_search(kept, static_cast<int>(part));
+    });
+}
+
+/// What to say of components that are dropped though no curve parts them; or nothing.
+std::string untouchedNote(const Imprint& imprint, const std::vector<int>& dropped) {
+    const std::vector<int> parted = partedParts(*imprint.joined, imprint.parts);
+    const auto count = std::ranges::count_if(dropped, [&](int part) {
+        return !std::ranges::binary_search(parted, part);
+    });
+    return count == 0 ? std::string()
+                      : "dropped: " + describeCount(
+                                          static_cast<std::size_t>(count),
+                                          "component that no curve parts",
+                                          "components that no curve parts"
+                                      );
+}
+
 CutMeshes::Piece pieceOf(const Imprint& imprint, std::vector<int> parts, FilledParts taken) {
     if (imprint.mesh != imprint.joined) {
         taken = unjoined(taken, *imprint.joined, *imprint.mesh);
@@ -122,8 +144,19 @@ CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress&
     CutMeshes result;
     result.doubledVertices =
         static_cast<int>(cut.mesh.vertices.size() - imprint.joined->mesh.vertices.size());
-    const std::vector<std::vector<int>> perMesh =
-        partsPerMesh(*imprint.joined, imprint.parts, choice.keep, choice.split);
+    std::vector<std::vector<int>> perMesh;
+    if (choice.keep && choice.relief != 0.0) {
+        perMesh = {chosenParts(*imprint.joined, imprint.parts, *choice.keep)};
+    } else {
+        perMesh = partsPerMesh(*imprint.joined, imprint.parts, choice.keep, choice.split);
+    }
+    if (choice.keep && choice.relief == 0.0) {
+        result.dropped = droppedParts(imprint, perMesh.front());
+        const std::string note = untouchedNote(imprint, result.dropped);
+        if (!note.empty()) {
+            result.notes.push_back(note);
+        }
+    }
     for (std::size_t i = 0; i < perMesh.size(); ++i) {
         const Progress step = stepOf(progress, i, perMesh.size());
         FilledParts taken = partsMeant(imprint, cut, choice, perMesh[i], result.notes, step);
