@@ -92,7 +92,7 @@ public:
           given_(surroundings),
           places_(rims, mesh.vertices.size()),
           beside_(besideRims(mesh, places_)),
-          result_{.mesh = mesh, .firstNew = {}, .crossing = {}},
+          result_{.mesh = mesh, .firstNew = {}, .firstFace = {}, .crossing = {}},
           rounded_(inSinglePrecision(mesh.vertices)),
           finder_(result_.mesh.vertices, mesh.faces, false),
           roundedFinder_(rounded_, mesh.faces, true) {
@@ -424,6 +424,7 @@ private:
         const std::size_t firstNew = result_.mesh.vertices.size();
         const auto firstFace = static_cast<int>(result_.mesh.faces.size());
         result_.firstNew.push_back(static_cast<int>(firstNew));
+        result_.firstFace.push_back(firstFace);
         result_.mesh.vertices.insert(
             result_.mesh.vertices.end(), patch.points.begin() + patch.rimCount, patch.points.end()
         );
@@ -477,7 +478,7 @@ private:
     CrossingFinder roundedFinder_;
     double largest_ = 0.0;  // coordinate
     std::size_t rim_ = 0;   // that is being filled
-    bool isFine_ = false;  // what is around it
+    bool isFine_ = false;   // what is around it
     std::optional<Attempt> best_;
 };
 

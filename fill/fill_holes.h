@@ -30,9 +30,10 @@ struct FillSurroundings {
 };
 
 struct FilledMesh {
-    TriangleMesh mesh;          ///< vertices and faces of the input first, as they were
-    std::vector<int> firstNew;  ///< for each rim its first new vertex
-    std::vector<int> crossing;  ///< new faces that cross others, where no way of filling has none
+    TriangleMesh mesh;           ///< vertices and faces of the input first, as they were
+    std::vector<int> firstNew;   ///< for each rim its first new vertex
+    std::vector<int> firstFace;  ///< likewise its first new face
+    std::vector<int> crossing;   ///< new faces that cross others, where no way of filling has none
 };
 
 /// Fills holes of a mesh, each given by its rim in the order of rimsOf(). Rims may meet in

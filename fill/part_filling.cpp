@@ -2,10 +2,12 @@
 #include "fill/part_filling.h"
 
 #include "bspline_curve/error.h"
+#include "fill/harmonic_values.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -17,13 +19,39 @@ std::vector<double> FilledParts::carried(std::span<const double> imprintedValues
         values.push_back(vertex < 0 ? 0.0 : imprintedValues[vertex]);
     }
     for (std::size_t hole = 0; hole < rims.size(); ++hole) {
-        double sum = 0.0;
-        for (const int vertex : rims[hole]) {
-            sum += values[vertex];
+        const bool isLast = hole + 1 == rims.size();
+        const int first = firstNew[hole];
+        const int endOfHole = isLast ? endOfNew : firstNew[hole + 1];
+        const auto endOfFaces = isLast ? static_cast<int>(mesh.faces.size()) : firstFace[hole + 1];
+        std::vector<Triangle> patch(
+            mesh.faces.begin() + firstFace[hole], mesh.faces.begin() + endOfFaces
+        );
+        std::vector<int> onRim;
+        for (const Triangle& face : patch) {
+            std::ranges::copy_if(face, std::back_inserter(onRim), [&](int v) {
+                return v < first || v >= endOfHole;
+            });
         }
-        const int last = hole + 1 < rims.size() ? firstNew[hole + 1] : endOfNew;
-        for (int v = firstNew[hole]; v < last; ++v) {
-            values[v] = sum / static_cast<double>(rims[hole].size());
+        sortUnique(onRim);
+        const auto rimCount = static_cast<int>(onRim.size());
+        for (Triangle& face : patch) {
+            for (int& corner : face) {
+                const bool isNew = corner >= first && corner < endOfHole;
+                corner = isNew ? rimCount + corner - first : indexIn(onRim, corner);
+            }
+        }
+        std::vector<Vec3> points;
+        ValueRows rimValues(rimCount, 1);
+        for (const int vertex : onRim) {
+            rimValues(std::ssize(points), 0) = values[vertex];
+            points.push_back(mesh.vertices[vertex]);
+        }
+        points.insert(
+            points.end(), mesh.vertices.begin() + first, mesh.vertices.begin() + endOfHole
+        );
+        const ValueRows carried = harmonicFrom(points, patch, rimValues);
+        for (int v = first; v < endOfHole; ++v) {
+            values[v] = carried(rimCount + v - first, 0);
         }
     }
     return values;
@@ -153,6 +181,7 @@ FilledParts fillAround(
         }
     };
     FilledMesh filled = fillHoles(kept.mesh, result.rims, shape, surroundings, progress);
+    result.firstFace = std::move(filled.firstFace);
     result.crossing = std::move(filled.crossing);
     result.firstNew = std::move(filled.firstNew);
     result.endOfNew = static_cast<int>(filled.mesh.vertices.size());

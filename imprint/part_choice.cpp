@@ -102,10 +102,12 @@ std::vector<char> oddParts(const ImprintedMesh& imprinted, const MeshParts& part
         std::ranges::copy(edgesOf(curve), std::back_inserter(onCurves));
     }
     std::ranges::sort(onCurves);
+
     struct Passage {
         int to;
         bool isOdd;
     };
+
     std::vector<std::vector<Passage>> passages(parts.parts.size());
     forEachPartingEdge(imprinted.mesh, parts.labels, [&](const auto& edge, int one, int other) {
         const bool isOdd = std::ranges::ssize(std::ranges::equal_range(onCurves, edge)) % 2 != 0;
@@ -185,7 +187,8 @@ std::vector<int> chosenParts(
     }
     if (chosen.empty()) {
         throw InputError(
-            InputErrorCode::NoPath, "no part is meant: none lies inside the curves, or no seed is given"
+            InputErrorCode::NoPath,
+            "no part is meant: none lies inside the curves, or no seed is given"
         );
     }
     return chosen;

@@ -20,7 +20,7 @@ struct PartChoice {
     };
 
     Which which = Which::Largest;
-    std::vector<Vec3> seeds;  ///< near the surface
+    std::vector<Vec3> seeds = {};  ///< near the surface
     /// Components that no curve parts stay, unless they are dropped; a seed keeps one then.
     bool dropUntouched = false;
 };
@@ -31,9 +31,9 @@ struct PartChoice {
 /// Throws InputError (NoPath): there are no such parts.
 [[noreturn]] void refuseNothingParted();
 
-/// The parts meant (labels, ascending). Throws InputError (NoPath) where the curves part nothing, or
-/// none is meant, and for a seed that is not finite (NonFiniteCoordinate), that is farther from the surface than a
-/// pick may be (PickTooFar) or that lies between two parts (NoPath). O(n log n).
+/// The parts meant (labels, ascending). Throws InputError (NoPath) where the curves part nothing,
+/// or none is meant, and for a seed that is not finite (NonFiniteCoordinate), that is farther from
+/// the surface than a pick may be (PickTooFar) or that lies between two parts (NoPath). O(n log n).
 [[nodiscard]] std::vector<int> chosenParts(
     const ImprintedMesh& imprinted, const MeshParts& parts, const PartChoice& choice
 );
