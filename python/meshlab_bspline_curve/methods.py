@@ -34,7 +34,7 @@ Kind: TypeAlias = Literal[
     "obstacle",
 ]
 Region: TypeAlias = Literal["selected-faces", "selected-vertices"]
-Keep: TypeAlias = Literal["all", "largest", "smallest", "inside", "seed"]
+Keep: TypeAlias = Literal["all", "largest", "smallest", "inside", "outside", "seed"]
 Fill: TypeAlias = Literal["none", "flat", "smooth"]
 Side: TypeAlias = Literal["both", "left", "right"]
 Place: TypeAlias = Literal["point", "curve"]
@@ -564,6 +564,7 @@ def cut_along_curves(
     curve_layer: int | None = None,
     keep: Keep = "all",
     seed: str = "",
+    drop_untouched: bool = False,
     fill: Fill = "none",
     split: bool = False,
     relief: float = 0.0,
@@ -591,23 +592,28 @@ def cut_along_curves(
         visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
         they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
         MeshLab's window the current layer is chosen if it is a curve.
-    keep : {'all', 'largest', 'smallest', 'inside', 'seed'}, default 'all'
-        Which parts the result has. all: all parts; largest: the part at curves with the largest area; smallest: the one
-        with the smallest area; inside: all parts at curves but the largest; seed: the part at a point.
+    keep : {'all', 'largest', 'smallest', 'inside', 'outside', 'seed'}, default 'all'
+        Which parts the result has. Components that no curve parts stay with any of them. all: all parts; largest: the
+        part at curves with the largest area; smallest: the one with the smallest area; inside: the parts that an odd
+        number of curves parts from the largest, so that the holes of letters are not among them; outside: the parts
+        that an even number does; seed: the parts at points.
     seed : str, optional
-        A point of the part to keep, "x y z" in world coordinates. Empty: the one point of Edit > PickPoints on the
+        Points of the parts to keep, "x y z; x y z" in world coordinates. Empty: the points of Edit > PickPoints on the
         surface. Only with keep seed.
+    drop_untouched : bool, default False
+        Drops components that no curve parts as well; a seed keeps one. Only with keep largest or smallest or inside or
+        outside or seed.
     fill : {'none', 'flat', 'smooth'}, default 'none'
-        What becomes of the holes that parts leave which are not kept. none: they stay open; flat: a triangulation of
-        least area, without new vertices; smooth: as dense as around, with its tangent planes. Only with keep largest or
-        smallest or inside or seed.
+        What becomes of the holes that parts leave which are not kept. none: they stay open; flat: a triangulation that
+        bends least; with new vertices only where it would cross the mesh; smooth: as dense as around, with its tangent
+        planes. Only with keep largest or smallest or inside or outside or seed.
     split : bool, default False
         Makes a layer of each part at curves, the largest first, and one of all that no curve parts. On in MeshLab's
         window. Only with keep all.
     relief : float, default 0.0
         Keeps the whole surface, with the parts to keep moved by this along their normals, in the unit of the mesh, and
         walls around them. Negative: engraved. 0: the parts are cut. Only with keep largest or smallest or inside or
-        seed.
+        outside or seed.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
         drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
@@ -645,6 +651,7 @@ def cut_along_curves(
             "curve_layer": curve_layer,
             "keep": keep,
             "seed": seed,
+            "drop_untouched": drop_untouched,
             "fill": fill,
             "split": split,
             "relief": relief,
