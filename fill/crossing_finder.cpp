@@ -63,14 +63,17 @@ bool CrossingFinder::isBroad(const Triangle& face, double leastHeight) const {
 }
 
 bool CrossingFinder::cross(const Triangle& a, const Triangle& b) const {
-    if (!trianglesIntersect(vertices_, a, b)) {
-        return false;
+    if (!isRounded_) {
+        return trianglesIntersect(vertices_, a, b);
     }
-    return !isRounded_ || std::ranges::none_of(a, [&](int one) {
-        return std::ranges::any_of(b, [&](int other) {
-            return one != other && vertices_[one] == vertices_[other];
+    Triangle other = b;  // by the vertices of `a` where they became one place
+    for (int& corner : other) {
+        const auto same = std::ranges::find_if(a, [&](int vertex) {
+            return vertices_[vertex] == vertices_[corner];
         });
-    });
+        corner = same != a.end() ? *same : corner;
+    }
+    return trianglesIntersect(vertices_, a, other);
 }
 
 bool CrossingFinder::crossesKept(const Triangle& face) const {

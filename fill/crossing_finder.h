@@ -27,8 +27,9 @@ struct Crossings {
 class CrossingFinder {
 public:
     /// `vertices` must outlive it and may grow; those of kept faces stay where they are.
-    /// `isRounded`: they were rounded, so that faces without area, and pairs with corners that
-    /// became one place, count as not crossing.
+    /// `isRounded`: they were rounded to single precision, so that kept faces that this may have
+    /// turned over and new ones without area do not count, and corners that became one place are
+    /// one.
     CrossingFinder(
         const std::vector<Vec3>& vertices, const std::vector<Triangle>& kept, bool isRounded
     );

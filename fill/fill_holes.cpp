@@ -33,6 +33,10 @@ namespace bspline_curve {
 namespace {
 
 constexpr int kFairingSteps = 20;
+/// A faired patch is refined and faired again, so often, where its faces become this many times
+/// more.
+constexpr int kMostFairings = 4;
+constexpr double kGrowth = 1.3;
 /// Points of a rim that is filled smoothly that are triangulated at once.
 constexpr int kFewRimPoints = 120;
 /// How far a middle in line with an edge is lifted off it, relative to the edges around.
@@ -44,9 +48,9 @@ constexpr int kMostTriangulations = 12;
 /// A sheet is first moved off the faces that it copies by this share of the length of its edges,
 /// then by halves of it where it crosses.
 constexpr double kSheetMove = 0.2;
-constexpr int kSheetHalvings = 30;
+constexpr int kSheetHalvings = 10;
 /// Edges shorter than this, relative to the largest coordinate, are too fine for single precision.
-constexpr double kFineRelative = 1e-4;
+constexpr double kFineRelative = 1e-5;
 
 /// A patch and its faces that cross others; the fewer the better.
 struct Attempt {
@@ -156,10 +160,20 @@ private:
             closeWithMiddle(coarse);
         }
         Patch smooth = coarse;
-        refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.4));
-        fairPatch(smooth, around, 1, partOf(progress, 0.4, 0.5));
-        refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.5, 0.6));
-        fairPatch(smooth, around, kFairingSteps, partOf(progress, 0.6, 0.9));
+        refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.3));
+        fairPatch(smooth, around, 1, partOf(progress, 0.3, 0.4));
+        // A patch that bulges has longer edges than before.
+        for (int pass = 0; pass < kMostFairings; ++pass) {
+            const Progress step = partOf(progress, 0.4 + 0.1 * pass, 0.5 + 0.1 * pass);
+            Patch refined = smooth;
+            refinePatch(refined, Relaxing::Tangential, partOf(step, 0.0, 0.3));
+            if (pass > 0 && static_cast<double>(refined.faces.size()) <
+                                kGrowth * static_cast<double>(smooth.faces.size())) {
+                break;
+            }
+            smooth = std::move(refined);
+            fairPatch(smooth, around, kFairingSteps, partOf(step, 0.3, 1.0));
+        }
         const Progress further = partOf(progress, 0.9, 1.0);
         if (accept(std::move(smooth)) || fairFromFlat(rim, around, further) ||
             fillWithSheets(further)) {
