@@ -18,8 +18,8 @@ namespace {
 
 // Least heights of triangles in single precision, relative to their largest coordinate: 8 ulps,
 // below which rounding may turn a triangle over, and 1.
-constexpr double kKeptHeight = 0x1p-20;
-constexpr double kNewHeight = 0x1p-23;
+constexpr double kSliverHeight = 0x1p-20;
+constexpr double kLeastHeight = 0x1p-23;
 
 }  // namespace
 
@@ -43,15 +43,12 @@ CrossingFinder::CrossingFinder(
 void CrossingFinder::keep(const std::vector<Triangle>& faces) {
     std::vector<Triangle> kept;
     std::ranges::copy_if(faces, std::back_inserter(kept), [&](const Triangle& face) {
-        return isBroad(face, kKeptHeight);
+        return !isRounded_ || !isSliver(face);
     });
     kept_.push_back(std::make_unique<const Kept>(vertices_, std::move(kept)));
 }
 
 bool CrossingFinder::isBroad(const Triangle& face, double leastHeight) const {
-    if (!isRounded_) {
-        return true;
-    }
     const Vec3& a = vertices_[face[0]];
     const Vec3& b = vertices_[face[1]];
     const Vec3& c = vertices_[face[2]];
@@ -60,6 +57,14 @@ bool CrossingFinder::isBroad(const Triangle& face, double leastHeight) const {
     const double largest =
         std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
     return (b - a).cross(c - a).norm() > leastHeight * longest * largest;
+}
+
+bool CrossingFinder::isSliver(const Triangle& face) const {
+    return !isBroad(face, kSliverHeight);
+}
+
+bool CrossingFinder::counts(const Triangle& face) const {
+    return !isRounded_ || isBroad(face, kLeastHeight);
 }
 
 bool CrossingFinder::cross(const Triangle& a, const Triangle& b) const {
@@ -77,7 +82,7 @@ bool CrossingFinder::cross(const Triangle& a, const Triangle& b) const {
 }
 
 bool CrossingFinder::crossesKept(const Triangle& face) const {
-    if (!isBroad(face, kNewHeight)) {
+    if (!counts(face)) {
         return false;
     }
     const std::array corners{vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
@@ -94,8 +99,7 @@ Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces) const 
     Crossings found;
     const TriangleTree tree(vertices_, faces);
     tree.forEachOverlappingPair([&](int i, int j) {
-        if (isBroad(faces[i], kNewHeight) && isBroad(faces[j], kNewHeight) &&
-            cross(faces[i], faces[j])) {
+        if (counts(faces[i]) && counts(faces[j]) && cross(faces[i], faces[j])) {
             found.pairs.emplace_back(i, j);
         }
     });

@@ -37,6 +37,9 @@ public:
     /// From now on these are kept as well. O(n log n).
     void keep(const std::vector<Triangle>& faces);
 
+    /// Whether a face is so narrow that rounding to single precision may turn it over.
+    [[nodiscard]] bool isSliver(const Triangle& face) const;
+
     /// O(log n) where few kept faces are near.
     [[nodiscard]] bool crossesKept(const Triangle& face) const;
 
@@ -53,6 +56,7 @@ private:
     };
 
     [[nodiscard]] bool isBroad(const Triangle& face, double leastHeight) const;
+    [[nodiscard]] bool counts(const Triangle& face) const;
     [[nodiscard]] bool cross(const Triangle& a, const Triangle& b) const;
 
     const std::vector<Vec3>& vertices_;

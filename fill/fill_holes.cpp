@@ -52,10 +52,20 @@ constexpr int kSheetHalvings = 10;
 /// Edges shorter than this, relative to the largest coordinate, are too fine for single precision.
 constexpr double kFineRelative = 1e-5;
 
-/// A patch and its faces that cross others; the fewer the better.
+/// Faces of a patch, ascending, that cross others.
+struct CrossingFacesOf {
+    std::vector<int> clearly;   ///< also where slivers of single precision do not count
+    std::vector<int> narrowly;  ///< where these count, if none does clearly
+
+    [[nodiscard]] bool isEmpty() const { return clearly.empty() && narrowly.empty(); }
+
+    [[nodiscard]] auto counts() const { return std::pair(clearly.size(), narrowly.size()); }
+};
+
+/// The fewer of its faces cross others the better.
 struct Attempt {
     Patch patch;
-    std::vector<int> crossing;
+    CrossingFacesOf crossing;
 };
 
 bool hasFlatFace(const Patch& patch) {
@@ -127,11 +137,11 @@ private:
         if (patch.faces.empty() || hasFlatFace(patch)) {
             return false;
         }
-        std::vector<int> crossing = crossingsOf(patch).faces();
-        if (!best_ || crossing.size() < best_->crossing.size()) {
+        CrossingFacesOf crossing = crossingFacesOf(patch);
+        if (!best_ || crossing.counts() < best_->crossing.counts()) {
             best_ = Attempt{.patch = std::move(patch), .crossing = std::move(crossing)};
         }
-        return best_->crossing.empty();
+        return best_->crossing.isEmpty();
     }
 
     void fillFlat(const Progress& progress) {
@@ -219,7 +229,7 @@ private:
             if (patch.faces.empty()) {
                 return false;
             }
-            const Crossings crossings = crossingsOf(patch);
+            const std::vector<std::pair<int, int>> pairs = crossingPairs(patch);
             if (accept(patch)) {
                 return true;
             }
@@ -229,7 +239,7 @@ private:
                        (patch.points[b] - patch.points[c]).norm() +
                        (patch.points[c] - patch.points[a]).norm();
             };
-            for (const auto& [one, other] : crossings.pairs) {
+            for (const auto& [one, other] : pairs) {
                 refused.insert(patch.faces[extent(one) > extent(other) ? one : other]);
             }
         }
@@ -247,7 +257,7 @@ private:
         for (const Relaxing relaxing : {Relaxing::Tangential, Relaxing::None}) {
             Patch divided = flat->patch;
             refinePatch(divided, relaxing, progress);
-            if (hasFlatFace(divided) || !crossingsOf(divided).isEmpty()) {
+            if (hasFlatFace(divided) || !crossingFacesOf(divided).isEmpty()) {
                 continue;
             }
             Patch fair = divided;
@@ -299,49 +309,79 @@ private:
     bool fillWith(const Sheet& sheet, std::vector<Vec3> points, const Progress& progress) {
         Patch sound = sheet.patch;
         sound.points = std::move(points);
-        if (!badFaces(sound).empty()) {
-            return false;
-        }
-        return accept(between(sound, stretched(sound), progress));
+        accept(sound);
+        return badFaces(sound).empty() && accept(between(sound, stretched(sound), progress));
     }
 
-    /// From a patch that crosses nothing as far to one with the same faces as that is so.
+    /// From a patch that crosses nothing clearly as far to one with the same faces as that is so,
+    /// and nothing narrowly either if the first one does not.
     [[nodiscard]] Patch between(const Patch& sound, const Patch& wanted, const Progress& progress) {
         Patch patch = sound;
+        const bool isStrict = !hasFlatFace(sound) && crossingFacesOf(sound).isEmpty();
         const auto crossing = [&](const std::vector<Vec3>& points) {
             patch.points = points;
-            return badFaces(patch);
+            std::vector<int> bad = badFaces(patch);
+            return isStrict && bad.empty() ? crossingFacesOf(patch).narrowly : bad;
         };
         patch.points = retreated(sound.points, wanted.points, sound.faces, crossing, progress);
         return patch;
     }
 
-    /// Faces that have no area; where all have some, those that cross others.
+    /// Faces that have no area; where all have some, those that clearly cross others.
     [[nodiscard]] std::vector<int> badFaces(const Patch& patch) {
         std::vector<int> flat = indicesWhere<int>(patch.faces.size(), [&](std::size_t f) {
             const auto& [a, b, c] = patch.faces[f];
             return !hasArea(patch.points[a], patch.points[b], patch.points[c]);
         });
-        return flat.empty() ? crossingsOf(patch).faces() : flat;
+        return flat.empty() ? crossingFacesOf(patch).clearly : flat;
     }
 
     /// As they are, and rounded to single precision, as in many files and programs, unless what is
     /// around is too fine for that. The faces of a patch need area.
-    [[nodiscard]] Crossings crossingsOf(const Patch& patch) {
+    [[nodiscard]] CrossingFacesOf crossingFacesOf(const Patch& patch) {
+        CrossingFacesOf crossing;
+        withPlaced(patch, [&](const std::vector<Triangle>& faces) {
+            crossing.clearly = finder_.crossingsOf(faces).faces();
+            if (!crossing.clearly.empty() || isFine_) {
+                return;
+            }
+            crossing.narrowly = roundedFinder_.crossingsOf(faces).faces();
+            for (const int face : crossing.narrowly) {
+                if (!roundedFinder_.isSliver(faces[face])) {
+                    crossing.clearly.push_back(face);
+                }
+            }
+            if (!crossing.clearly.empty()) {
+                crossing.narrowly.clear();
+            }
+        });
+        return crossing;
+    }
+
+    /// Of faces that cross each other.
+    [[nodiscard]] std::vector<std::pair<int, int>> crossingPairs(const Patch& patch) {
+        std::vector<std::pair<int, int>> pairs;
+        withPlaced(patch, [&](const std::vector<Triangle>& faces) {
+            pairs = finder_.crossingsOf(faces).pairs;
+            if (pairs.empty() && !isFine_) {
+                pairs = roundedFinder_.crossingsOf(faces).pairs;
+            }
+        });
+        return pairs;
+    }
+
+    /// Calls use(faces of a patch) while its points are among the vertices.
+    template <class Use>
+    void withPlaced(const Patch& patch, const Use& use) {
         std::vector<Vec3>& vertices = result_.mesh.vertices;
         const std::size_t count = vertices.size();
         const auto firstNew = patch.points.begin() + patch.rimCount;
         vertices.insert(vertices.end(), firstNew, patch.points.end());
-        const std::vector<Triangle> faces = placed(patch, count);
-        Crossings crossings = finder_.crossingsOf(faces);
+        const std::vector<Vec3> rounded = inSinglePrecision({firstNew, patch.points.end()});
+        rounded_.insert(rounded_.end(), rounded.begin(), rounded.end());
+        use(placed(patch, count));
         vertices.resize(count);
-        if (crossings.isEmpty() && !isFine_) {
-            const std::vector<Vec3> rounded = inSinglePrecision({firstNew, patch.points.end()});
-            rounded_.insert(rounded_.end(), rounded.begin(), rounded.end());
-            crossings = roundedFinder_.crossingsOf(faces);
-            rounded_.resize(count);
-        }
-        return crossings;
+        rounded_.resize(count);
     }
 
     /// Its faces with vertices of the mesh, of which the new ones begin at `firstNew`.
@@ -443,7 +483,7 @@ private:
             result_.mesh.vertices.end(), patch.points.begin() + patch.rimCount, patch.points.end()
         );
         const std::vector<Triangle> faces = placed(patch, firstNew);
-        for (const int face : attempt.crossing) {
+        for (const int face : attempt.crossing.clearly) {
             result_.crossing.push_back(firstFace + face);
         }
         for (std::size_t f = 0; f < faces.size(); ++f) {
