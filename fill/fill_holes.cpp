@@ -45,6 +45,7 @@ constexpr double kLift = 1e-3;
 constexpr double kPlanarRelative = 1e-3;
 /// Triangulations tried, each without the triangles that crossed others before.
 constexpr int kMostTriangulations = 12;
+constexpr int kMostRings = 16;  // of faces around those that cross, to be triangulated anew
 /// A sheet is first moved off the faces that it copies by this share of the length of its edges,
 /// then by halves of it where it crosses.
 constexpr double kSheetMove = 0.2;
@@ -58,6 +59,13 @@ struct CrossingFacesOf {
     std::vector<int> narrowly;  ///< where these count, if none does clearly
 
     [[nodiscard]] bool isEmpty() const { return clearly.empty() && narrowly.empty(); }
+
+    [[nodiscard]] std::vector<int> all() const {
+        std::vector<int> faces = clearly;
+        faces.insert(faces.end(), narrowly.begin(), narrowly.end());
+        sortUnique(faces);
+        return faces;
+    }
 
     [[nodiscard]] auto counts() const { return std::pair(clearly.size(), narrowly.size()); }
 };
@@ -211,17 +219,45 @@ private:
         }
         Patch bent = rim;
         bent.faces = triangulateRim(rim.points, rim.forbidden);
-        return accept(std::move(bent)) || (!isPlanar && inPlane()) || triangulateAround(rim);
+        return accept(std::move(bent)) || (!isPlanar && inPlane()) || repair() ||
+               triangulateAround(rim) || repair();
+    }
+
+    /// Whether a triangle of three points of the rim crosses nothing that is kept.
+    [[nodiscard]] bool isFree(const Triangle& places) const {
+        const std::vector<int>& vertices = rims_[rim_];
+        const Triangle face{vertices[places[0]], vertices[places[1]], vertices[places[2]]};
+        return !finder_.crossesKept(face) && (isFine_ || !roundedFinder_.crossesKept(face));
+    }
+
+    /// Triangulates the best patch anew around its faces that cross, without triangles that cross
+    /// what is kept.
+    bool repair() {
+        if (!best_ || std::ssize(best_->patch.points) > best_->patch.rimCount) {
+            return false;
+        }
+        const Patch before = best_->patch;
+        std::vector<int> region = best_->crossing.all();
+        for (int rings = 1; rings <= kMostRings; rings *= 2) {
+            region = grown(before.faces, region, rings);
+            Patch patch = before;
+            patch.faces = retriangulated(
+                before.points, before.faces, before.forbidden, region, [&](const Triangle& places) {
+                    return isFree(places);
+                }
+            );
+            if (accept(std::move(patch))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /// Without triangles that cross the mesh, or crossed each other in the attempt before.
     bool triangulateAround(const Patch& rim) {
         std::set<Triangle> refused;
-        const std::vector<int>& vertices = rims_[rim_];
         const auto isAllowed = [&](const Triangle& places) {
-            const Triangle face{vertices[places[0]], vertices[places[1]], vertices[places[2]]};
-            return !refused.contains(places) && !finder_.crossesKept(face) &&
-                   (isFine_ || !roundedFinder_.crossesKept(face));
+            return !refused.contains(places) && isFree(places);
         };
         for (int i = 0; i < kMostTriangulations; ++i) {
             Patch patch = rim;

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill/rim_triangulation.h"
 
+#include "fill/inner_edges.h"
 #include "surface/mesh_checks.h"
+#include "utility/index_sets.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace bspline_curve {
@@ -193,6 +196,91 @@ std::vector<Triangle> triangulateRim(
         }
         for (const Triangle& each : part.triangles()) {
             result.push_back(each);
+        }
+    }
+    return result;
+}
+
+std::vector<int> grown(
+    const std::vector<Triangle>& faces, const std::vector<int>& region, int rings
+) {
+    std::vector<char> isIn(faces.size(), 0);
+    for (const int face : region) {
+        isIn[face] = 1;
+    }
+    const std::vector<InnerEdge> edges = innerEdges(faces);
+    for (int ring = 0; ring < rings; ++ring) {
+        const std::vector<char> before = isIn;
+        for (const InnerEdge& edge : edges) {
+            if (before[edge.first] != 0 || before[edge.second] != 0) {
+                isIn[edge.first] = isIn[edge.second] = 1;
+            }
+        }
+    }
+    return indicesWhere<int>(faces.size(), [&](std::size_t f) { return isIn[f] != 0; });
+}
+
+std::vector<Triangle> retriangulated(
+    const std::vector<Vec3>& points,
+    const std::vector<Triangle>& faces,
+    const EdgeSet& forbidden,
+    const std::vector<int>& region,
+    const TriangleTest& isAllowed
+) {
+    // Faces of the region that are joined have one number, that of the first.
+    std::vector<int> groupOf(faces.size(), -1);
+    for (const int face : region) {
+        groupOf[face] = face;
+    }
+    const std::vector<InnerEdge> edges = innerEdges(faces);
+    for (bool isJoined = true; isJoined;) {
+        isJoined = false;
+        for (const auto& [a, b, c, d, first, second] : edges) {
+            int& one = groupOf[first];
+            int& other = groupOf[second];
+            if (one >= 0 && other >= 0 && one != other) {
+                one = other = std::min(one, other);
+                isJoined = true;
+            }
+        }
+    }
+    std::vector<Triangle> result;
+    std::map<int, std::vector<int>> cornersOf;  // by group
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        if (groupOf[f] < 0) {
+            result.push_back(faces[f]);
+        } else {
+            std::vector<int>& corners = cornersOf[groupOf[f]];
+            corners.insert(corners.end(), faces[f].begin(), faces[f].end());
+        }
+    }
+    for (auto& [group, corners] : cornersOf) {
+        // There are no inner points: the outline passes the corners in the polygon's order.
+        sortUnique(corners);
+        std::vector<Vec3> outline;
+        for (const int corner : corners) {
+            outline.push_back(points[corner]);
+        }
+        EdgeSet chords;
+        for (const auto& [low, high] : forbidden) {
+            const int from = indexIn(corners, low);
+            const int to = indexIn(corners, high);
+            if (from >= 0 && to >= 0) {
+                chords.insert({from, to});
+            }
+        }
+        const auto inPolygon = [&](const Triangle& places) {
+            return Triangle{corners[places[0]], corners[places[1]], corners[places[2]]};
+        };
+        const std::vector<Triangle> part =
+            triangulateRim(outline, chords, kMostRimPoints, [&](const Triangle& places) {
+                return isAllowed(inPolygon(places));
+            });
+        if (part.empty()) {
+            return {};
+        }
+        for (const Triangle& places : part) {
+            result.push_back(inPolygon(places));
         }
     }
     return result;

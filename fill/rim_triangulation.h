@@ -33,4 +33,19 @@ using TriangleTest = std::function<bool(const Triangle&)>;
     const TriangleTest& isAllowed = {}
 );
 
+/// Faces and those within some rings around, across edges, ascending. O(n log n) a ring.
+[[nodiscard]] std::vector<int> grown(
+    const std::vector<Triangle>& faces, const std::vector<int>& region, int rings
+);
+
+/// A triangulation of a polygon that has no other points than `points`, of which a region (faces,
+/// ascending) is triangulated anew as by triangulateRim(). Empty where some part of it cannot be.
+[[nodiscard]] std::vector<Triangle> retriangulated(
+    const std::vector<Vec3>& points,
+    const std::vector<Triangle>& faces,
+    const EdgeSet& forbidden,
+    const std::vector<int>& region,
+    const TriangleTest& isAllowed
+);
+
 }  // namespace bspline_curve

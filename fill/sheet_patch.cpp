@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -111,30 +110,43 @@ void halveChords(Patch& patch) {
     }
 }
 
-/// Normals, weighted by angles, and sizes.
+/// A unit direction on whose side all of some unit normals are, as far as there is one: normals
+/// that are farthest from it are added, in turn.
+Vec3 directionAlong(const std::vector<Vec3>& normals) {
+    constexpr int kTurns = 50;
+    constexpr double kShare = 0.2;
+    Vec3 direction = Vec3::Zero();
+    for (const Vec3& normal : normals) {
+        direction += normal;
+    }
+    direction.stableNormalize();
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const auto farthest =
+            std::ranges::min_element(normals, {}, [&](const Vec3& n) { return n.dot(direction); });
+        direction = (direction + kShare / (1.0 + 0.2 * turn) * *farthest).stableNormalized();
+    }
+    return direction;
+}
+
 void measure(Sheet& sheet) {
     Patch& patch = sheet.patch;
-    sheet.normals.assign(patch.points.size(), Vec3::Zero());
+    std::vector<std::vector<Vec3>> normals(patch.points.size());
     patch.sizes.assign(patch.points.size(), 0.0);
-    std::vector<int> counts(patch.points.size(), 0);
     for (const Triangle& face : patch.faces) {
+        const Vec3& p = patch.points[face[0]];
+        const Vec3 normal =
+            (patch.points[face[1]] - p).cross(patch.points[face[2]] - p).stableNormalized();
         for (int k = 0; k < 3; ++k) {
-            const Vec3& p = patch.points[face[k]];
-            const Vec3 to = patch.points[face[(k + 1) % 3]] - p;
-            const Vec3 from = patch.points[face[(k + 2) % 3]] - p;
-            const Vec3 normal = to.cross(from);
-            const double angle = std::atan2(normal.norm(), to.dot(from));
-            sheet.normals[face[k]] += angle * normal.stableNormalized();
-            patch.sizes[face[k]] += to.norm();
-            ++counts[face[k]];
+            normals[face[k]].push_back(normal);
+            patch.sizes[face[k]] +=
+                (patch.points[face[(k + 1) % 3]] - patch.points[face[k]]).norm();
         }
     }
+    sheet.normals.assign(patch.points.size(), Vec3::Zero());
     for (std::size_t i = 0; i < patch.points.size(); ++i) {
-        patch.sizes[i] /= counts[i];
-        if (patch.isOnRim(static_cast<int>(i))) {
-            sheet.normals[i].setZero();
-        } else {
-            sheet.normals[i].stableNormalize();
+        patch.sizes[i] /= static_cast<double>(normals[i].size());
+        if (!patch.isOnRim(static_cast<int>(i))) {
+            sheet.normals[i] = directionAlong(normals[i]);
         }
     }
 }

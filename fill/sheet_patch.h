@@ -9,9 +9,8 @@
 namespace bspline_curve {
 
 /// Faces of a mesh that a rim bounds and nothing else, as a patch that has the rim's points first.
-/// Inner edges between two points of the rim are halved, so that the patch has no edge that the
-/// mesh has. `normals`: unit, for each point that of the faces around it; zero on the rim. `sizes`:
-/// the least height of those faces.
+/// Its sizes are mean lengths of edges. `normals`: unit, for each point a direction on whose side all
+/// faces around it are, if there is one; zero on the rim.
 struct Sheet {
     Patch patch;
     std::vector<Vec3> normals;
