@@ -33,10 +33,13 @@ namespace bspline_curve {
 namespace {
 
 constexpr int kFairingSteps = 20;
-/// A faired patch is refined and faired again, so often, where its faces become this many times
-/// more.
-constexpr int kMostFairings = 4;
-constexpr double kGrowth = 1.3;
+/// Edges at a rim may be as short as its own ones, but not below this share of those around.
+constexpr double kLeastSizeRelative = 0.3;
+/// First, a patch is refined and faired in few steps, in turn, until its faces become less than
+/// this many times more.
+constexpr int kMostRefinements = 6;
+constexpr int kFewFairingSteps = 3;
+constexpr double kGrowth = 1.1;
 /// Points of a rim that is filled smoothly that are triangulated at once.
 constexpr int kFewRimPoints = 120;
 /// How far a middle in line with an edge is lifted off it, relative to the edges around.
@@ -45,7 +48,8 @@ constexpr double kLift = 1e-3;
 constexpr double kPlanarRelative = 1e-3;
 /// Triangulations tried, each without the triangles that crossed others before.
 constexpr int kMostTriangulations = 12;
-constexpr int kMostRings = 16;  // of faces around those that cross, to be triangulated anew
+constexpr int kMostTests = 40000;  // of single triangles for one rim: tenths of a second
+constexpr int kMostRings = 16;     // of faces around those that cross, to be triangulated anew
 /// A sheet is first moved off the faces that it copies by this share of the length of its edges,
 /// then by halves of it where it crosses.
 constexpr double kSheetMove = 0.2;
@@ -89,6 +93,17 @@ std::vector<Vec3> inSinglePrecision(std::vector<Vec3> points) {
     return points;
 }
 
+/// For each point of a closed polygon the mean length of its two sides there.
+std::vector<double> rimLengths(const std::vector<Vec3>& points) {
+    const std::size_t count = points.size();
+    std::vector<double> lengths(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        lengths[i] = 0.5 * ((points[(i + 1) % count] - points[i]).norm() +
+                            (points[(i + count - 1) % count] - points[i]).norm());
+    }
+    return lengths;
+}
+
 /// With inner points that are harmonic between those of the rim.
 Patch stretched(Patch patch) {
     ValueRows rim(patch.rimCount, 3);
@@ -127,7 +142,8 @@ public:
         report(progress, 0.0, "filling a hole");
         rim_ = rim;
         best_.reset();
-        const double least = std::ranges::min(rimPatch().sizes);
+        testsLeft_ = kMostTests;
+        const double least = std::ranges::min(rimPatch().most);
         isFine_ = least < kFineRelative * largest_;
         if (shape == FillShape::Flat) {
             fillFlat(progress);
@@ -142,7 +158,8 @@ public:
 private:
     /// Keeps a patch where it crosses less than others so far. Returns whether it crosses nothing.
     bool accept(Patch patch) {
-        if (patch.faces.empty() || hasFlatFace(patch)) {
+        const bool isCopy = std::ssize(patch.points) == patch.rimCount && isFaceOfMesh();
+        if (patch.faces.empty() || isCopy || hasFlatFace(patch)) {
             return false;
         }
         CrossingFacesOf crossing = crossingFacesOf(patch);
@@ -180,18 +197,17 @@ private:
         Patch smooth = coarse;
         refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.3));
         fairPatch(smooth, around, 1, partOf(progress, 0.3, 0.4));
-        // A patch that bulges has longer edges than before.
-        for (int pass = 0; pass < kMostFairings; ++pass) {
-            const Progress step = partOf(progress, 0.4 + 0.1 * pass, 0.5 + 0.1 * pass);
-            Patch refined = smooth;
-            refinePatch(refined, Relaxing::Tangential, partOf(step, 0.0, 0.3));
-            if (pass > 0 && static_cast<double>(refined.faces.size()) <
-                                kGrowth * static_cast<double>(smooth.faces.size())) {
+        // A patch that bulges has longer edges than before, so that it is refined again.
+        for (int pass = 0; pass < kMostRefinements; ++pass) {
+            const std::size_t before = smooth.faces.size();
+            refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.4, 0.5));
+            if (pass > 0 &&
+                static_cast<double>(smooth.faces.size()) < kGrowth * static_cast<double>(before)) {
                 break;
             }
-            smooth = std::move(refined);
-            fairPatch(smooth, around, kFairingSteps, partOf(step, 0.3, 1.0));
+            fairPatch(smooth, around, kFewFairingSteps, partOf(progress, 0.5, 0.6));
         }
+        fairPatch(smooth, around, kFairingSteps, partOf(progress, 0.6, 0.9));
         const Progress further = partOf(progress, 0.9, 1.0);
         if (accept(std::move(smooth)) || fairFromFlat(rim, around, further) ||
             fillWithSheets(further)) {
@@ -223,8 +239,12 @@ private:
                triangulateAround(rim) || repair();
     }
 
-    /// Whether a triangle of three points of the rim crosses nothing that is kept.
-    [[nodiscard]] bool isFree(const Triangle& places) const {
+    /// Whether a triangle of three points of the rim crosses nothing that is kept; false where too
+    /// many were tested.
+    [[nodiscard]] bool isFree(const Triangle& places) {
+        if (--testsLeft_ < 0) {
+            return false;
+        }
         const std::vector<int>& vertices = rims_[rim_];
         const Triangle face{vertices[places[0]], vertices[places[1]], vertices[places[2]]};
         return !finder_.crossesKept(face) && (isFine_ || !roundedFinder_.crossesKept(face));
@@ -439,6 +459,7 @@ private:
         Patch patch{
             .points = {},
             .sizes = {},
+            .most = {},
             .faces = {},
             .rimCount = static_cast<int>(vertices.size()),
             .forbidden = {}
@@ -448,11 +469,16 @@ private:
             const int place = places_.placeOf(vertex);
             localOf.emplace(place, static_cast<int>(patch.points.size()));
             patch.points.push_back(mesh_.vertices[vertex]);
-            patch.sizes.push_back(
+            patch.most.push_back(
                 given_.sizes.empty() ? beside_[place].size() : given_.sizes[vertex]
             );
         }
-        patch.sizes = averagedAlong(std::move(patch.sizes));
+        patch.most = averagedAlong(std::move(patch.most));
+        patch.sizes = averagedAlong(rimLengths(patch.points));
+        for (std::size_t i = 0; i < patch.sizes.size(); ++i) {
+            patch.sizes[i] =
+                std::clamp(patch.sizes[i], kLeastSizeRelative * patch.most[i], patch.most[i]);
+        }
         for (const auto& [place, local] : localOf) {
             for (const int neighbour : beside_[place].neighbours) {
                 const auto other = localOf.find(neighbour);
@@ -480,10 +506,11 @@ private:
         double size = 0.0;
         for (int i = 0; i < count; ++i) {
             middle += patch.points[i] / count;
-            size += patch.sizes[i] / count;
+            size += patch.most[i] / count;
         }
         patch.points.push_back(middle);
         patch.sizes.push_back(size);
+        patch.most.push_back(size);
         patch.faces.clear();
         for (int i = 0; i < count; ++i) {
             patch.faces.push_back({i, (i + 1) % count, count});
@@ -568,6 +595,7 @@ private:
     CrossingFinder roundedFinder_;
     double largest_ = 0.0;  // coordinate
     std::size_t rim_ = 0;   // that is being filled
+    int testsLeft_ = 0;     // of triangles of its points
     bool isFine_ = false;   // what is around it
     std::optional<Attempt> best_;
 };

@@ -26,6 +26,8 @@ constexpr double kLongRelative = 1.4;
 constexpr double kLongChordRelative = 0.5;
 /// Sums of cotangents below minus this are not Delaunay; a margin against endless turns.
 constexpr double kDelaunayMargin = 1e-9;
+/// How much longer edges become from short ones at the rim inwards, for each length.
+constexpr double kGrading = 0.5;
 constexpr int kMostRounds = 40;
 /// Rounds end with less than one edge that is too long in so many faces: points that relax make a
 /// few longer again.
@@ -60,7 +62,13 @@ std::size_t halveLongEdges(Patch& patch) {
         const auto& [a, b, c, d, first, second] = edge;
         const auto middle = static_cast<int>(patch.points.size());
         patch.points.emplace_back(0.5 * (patch.points[a] + patch.points[b]));
-        patch.sizes.push_back(0.5 * (patch.sizes[a] + patch.sizes[b]));
+        const double length = (patch.points[a] - patch.points[b]).norm();
+        patch.most.push_back(0.5 * (patch.most[a] + patch.most[b]));
+        patch.sizes.push_back(
+            std::min(
+                patch.most.back(), 0.5 * (patch.sizes[a] + patch.sizes[b]) + 0.5 * kGrading * length
+            )
+        );
         patch.faces[first] = {a, middle, c};
         patch.faces[second] = {b, middle, d};
         patch.faces.push_back({middle, b, c});

@@ -12,6 +12,7 @@ namespace bspline_curve {
 struct Patch {
     std::vector<Vec3> points;
     std::vector<double> sizes;  ///< for each point the length that edges should have there
+    std::vector<double> most;   ///< likewise, far from the rim, whose edges may be shorter
     std::vector<Triangle> faces;
     int rimCount = 0;
     EdgeSet forbidden;  ///< edges between points of the rim that the mesh has already

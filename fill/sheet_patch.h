@@ -9,8 +9,8 @@
 namespace bspline_curve {
 
 /// Faces of a mesh that a rim bounds and nothing else, as a patch that has the rim's points first.
-/// Its sizes are mean lengths of edges. `normals`: unit, for each point a direction on whose side all
-/// faces around it are, if there is one; zero on the rim.
+/// Its sizes are mean lengths of edges. `normals`: unit, for each point a direction on whose side
+/// all faces around it are, if there is one; zero on the rim.
 struct Sheet {
     Patch patch;
     std::vector<Vec3> normals;

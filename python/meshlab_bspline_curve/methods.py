@@ -564,11 +564,11 @@ def cut_along_curves(
     curve_layer: int | None = None,
     keep: Keep = "all",
     seed: str = "",
-    drop_untouched: bool = False,
     fill: Fill = "none",
     split: bool = False,
     relief: float = 0.0,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    drop_untouched: bool = False,
     project_curves: bool = False,
     snap: float = 1e-09,
     strict: bool = False,
@@ -600,9 +600,6 @@ def cut_along_curves(
     seed : str, optional
         Points of the parts to keep, "x y z; x y z" in world coordinates. Empty: the points of Edit > PickPoints on the
         surface. Only with keep seed.
-    drop_untouched : bool, default False
-        Drops components that no curve parts as well; a seed keeps one. Only with keep largest or smallest or inside or
-        outside or seed.
     fill : {'none', 'flat', 'smooth'}, default 'none'
         What becomes of the holes that parts leave which are not kept. none: they stay open; flat: a triangulation that
         bends least; with new vertices only where it would cross the mesh; smooth: as dense as around, with its tangent
@@ -617,6 +614,9 @@ def cut_along_curves(
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
         drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+    drop_untouched : bool, default False
+        Drops components that no curve parts as well; a seed keeps one. Only with keep largest or smallest or inside or
+        outside or seed.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -651,11 +651,11 @@ def cut_along_curves(
             "curve_layer": curve_layer,
             "keep": keep,
             "seed": seed,
-            "drop_untouched": drop_untouched,
             "fill": fill,
             "split": split,
             "relief": relief,
             "max_distance": max_distance,
+            "drop_untouched": drop_untouched,
             "project_curves": project_curves,
             "snap": snap,
             "strict": strict,
