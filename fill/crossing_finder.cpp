@@ -73,7 +73,7 @@ bool CrossingFinder::cross(const Triangle& a, const Triangle& b) const {
     }
     Triangle other = b;  // by the vertices of `a` where they became one place
     for (int& corner : other) {
-        const auto same = std::ranges::find_if(a, [&](int vertex) {
+        const auto* const same = std::ranges::find_if(a, [&](int vertex) {
             return vertices_[vertex] == vertices_[corner];
         });
         corner = same != a.end() ? *same : corner;

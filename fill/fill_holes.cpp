@@ -3,8 +3,8 @@
 
 #include "bspline_curve/error.h"
 #include "fill/beside_rims.h"
-#include "fill/crossing_finder.h"
 #include "fill/harmonic_values.h"
+#include "fill/patch_checker.h"
 #include "fill/patch_fairing.h"
 #include "fill/patch_retreat.h"
 #include "fill/planar_triangulation.h"
@@ -48,50 +48,17 @@ constexpr double kLift = 1e-3;
 constexpr double kPlanarRelative = 1e-3;
 /// Triangulations tried, each without the triangles that crossed others before.
 constexpr int kMostTriangulations = 12;
-constexpr int kMostTests = 40000;  // of single triangles for one rim: tenths of a second
-constexpr int kMostRings = 16;     // of faces around those that cross, to be triangulated anew
+constexpr int kMostRings = 16;  // of faces around those that cross, to be triangulated anew
 /// A sheet is first moved off the faces that it copies by this share of the length of its edges,
 /// then by halves of it where it crosses.
 constexpr double kSheetMove = 0.2;
 constexpr int kSheetHalvings = 10;
-/// Edges shorter than this, relative to the largest coordinate, are too fine for single precision.
-constexpr double kFineRelative = 1e-5;
-
-/// Faces of a patch, ascending, that cross others.
-struct CrossingFacesOf {
-    std::vector<int> clearly;   ///< also where slivers of single precision do not count
-    std::vector<int> narrowly;  ///< where these count, if none does clearly
-
-    [[nodiscard]] bool isEmpty() const { return clearly.empty() && narrowly.empty(); }
-
-    [[nodiscard]] std::vector<int> all() const {
-        std::vector<int> faces = clearly;
-        faces.insert(faces.end(), narrowly.begin(), narrowly.end());
-        sortUnique(faces);
-        return faces;
-    }
-
-    [[nodiscard]] auto counts() const { return std::pair(clearly.size(), narrowly.size()); }
-};
 
 /// The fewer of its faces cross others the better.
 struct Attempt {
     Patch patch;
-    CrossingFacesOf crossing;
+    PatchCrossings crossing;
 };
-
-bool hasFlatFace(const Patch& patch) {
-    return std::ranges::any_of(patch.faces, [&](const Triangle& face) {
-        return !hasArea(patch.points[face[0]], patch.points[face[1]], patch.points[face[2]]);
-    });
-}
-
-std::vector<Vec3> inSinglePrecision(std::vector<Vec3> points) {
-    for (Vec3& point : points) {
-        point = point.cast<float>().cast<double>();
-    }
-    return points;
-}
 
 /// For each point of a closed polygon the mean length of its two sides there.
 std::vector<double> rimLengths(const std::vector<Vec3>& points) {
@@ -130,25 +97,20 @@ public:
           places_(rims, mesh.vertices.size()),
           beside_(besideRims(mesh, places_)),
           result_{.mesh = mesh, .firstNew = {}, .firstFace = {}, .crossing = {}},
-          rounded_(inSinglePrecision(mesh.vertices)),
-          finder_(result_.mesh.vertices, mesh.faces, false),
-          roundedFinder_(rounded_, mesh.faces, true) {
-        for (const Vec3& vertex : mesh.vertices) {
-            largest_ = std::max(largest_, vertex.cwiseAbs().maxCoeff());
-        }
-    }
+          checker_(mesh) {}
 
     void fill(std::size_t rim, FillShape shape, const Progress& progress) {
         report(progress, 0.0, "filling a hole");
         rim_ = rim;
         best_.reset();
-        testsLeft_ = kMostTests;
-        const double least = std::ranges::min(rimPatch().most);
-        isFine_ = least < kFineRelative * largest_;
+        checker_.begin(rims_[rim], std::ranges::min(rimPatch().most));
         if (shape == FillShape::Flat) {
             fillFlat(progress);
         } else {
             fillSmoothly(progress);
+        }
+        if (!best_) {
+            refuse();
         }
         append(*best_);
     }
@@ -162,7 +124,7 @@ private:
         if (patch.faces.empty() || isCopy || hasFlatFace(patch)) {
             return false;
         }
-        CrossingFacesOf crossing = crossingFacesOf(patch);
+        PatchCrossings crossing = checker_.crossingsOf(patch);
         if (!best_ || crossing.counts() < best_->crossing.counts()) {
             best_ = Attempt{.patch = std::move(patch), .crossing = std::move(crossing)};
         }
@@ -171,30 +133,37 @@ private:
 
     void fillFlat(const Progress& progress) {
         const Patch rim = rimPatch();
-        if (triangulate(rim) || fillWithSheets(partOf(progress, 0.1, 1.0))) {
-            return;
-        }
-        if (!best_) {
-            refuse(
-                "cannot be filled without a new vertex: each triangulation has a flat face, or an "
-                "edge that the mesh has already"
-            );
+        if (!triangulate(rim) && !fillWithSheets(partOf(progress, 0.1, 0.5))) {
+            fairFromRim(rim, surroundings(), partOf(progress, 0.5, 1.0));
         }
     }
 
     void fillSmoothly(const Progress& progress) {
         const RimSurroundings around = surroundings();
         const Patch rim = rimPatch();
-        Patch coarse = rim;
+        const Progress further = partOf(progress, 0.9, 1.0);
+        if (fairFromRim(rim, around, partOf(progress, 0.0, 0.9)) ||
+            fairFromFlat(rim, around, further) || fillWithSheets(further)) {
+            return;
+        }
+        if (!best_) {
+            Patch middle = rim;
+            closeWithMiddle(middle);
+            accept(std::move(middle));
+        }
+    }
+
+    /// A coarse patch that is refined and faired.
+    bool fairFromRim(const Patch& rim, const RimSurroundings& around, const Progress& progress) {
+        Patch smooth = rim;
         // What is refined afterwards need not begin with the best triangulation.
-        coarse.faces = triangulateRim(rim.points, rim.forbidden, kFewRimPoints);
-        if (coarse.faces.empty()) {
-            coarse.faces = triangulateRim(rim.points, rim.forbidden);
+        smooth.faces = triangulateRim(rim.points, rim.forbidden, kFewRimPoints);
+        if (smooth.faces.empty()) {
+            smooth.faces = triangulateRim(rim.points, rim.forbidden);
         }
-        if (coarse.faces.empty() || isFaceOfMesh()) {
-            closeWithMiddle(coarse);
+        if (smooth.faces.empty() || isFaceOfMesh()) {
+            closeWithMiddle(smooth);
         }
-        Patch smooth = coarse;
         refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.3));
         fairPatch(smooth, around, 1, partOf(progress, 0.3, 0.4));
         // A patch that bulges has longer edges than before, so that it is refined again.
@@ -208,14 +177,7 @@ private:
             fairPatch(smooth, around, kFewFairingSteps, partOf(progress, 0.5, 0.6));
         }
         fairPatch(smooth, around, kFairingSteps, partOf(progress, 0.6, 0.9));
-        const Progress further = partOf(progress, 0.9, 1.0);
-        if (accept(std::move(smooth)) || fairFromFlat(rim, around, further) ||
-            fillWithSheets(further)) {
-            return;
-        }
-        if (!accept(std::move(coarse)) && !best_) {
-            refuse("cannot be filled: a new face would have no area");
-        }
+        return accept(std::move(smooth));
     }
 
     /// Triangulates a rim without new points, in one way after the other.
@@ -239,17 +201,6 @@ private:
                triangulateAround(rim) || repair();
     }
 
-    /// Whether a triangle of three points of the rim crosses nothing that is kept; false where too
-    /// many were tested.
-    [[nodiscard]] bool isFree(const Triangle& places) {
-        if (--testsLeft_ < 0) {
-            return false;
-        }
-        const std::vector<int>& vertices = rims_[rim_];
-        const Triangle face{vertices[places[0]], vertices[places[1]], vertices[places[2]]};
-        return !finder_.crossesKept(face) && (isFine_ || !roundedFinder_.crossesKept(face));
-    }
-
     /// Triangulates the best patch anew around its faces that cross, without triangles that cross
     /// what is kept.
     bool repair() {
@@ -263,7 +214,7 @@ private:
             Patch patch = before;
             patch.faces = retriangulated(
                 before.points, before.faces, before.forbidden, region, [&](const Triangle& places) {
-                    return isFree(places);
+                    return checker_.isFree(places);
                 }
             );
             if (accept(std::move(patch))) {
@@ -277,7 +228,7 @@ private:
     bool triangulateAround(const Patch& rim) {
         std::set<Triangle> refused;
         const auto isAllowed = [&](const Triangle& places) {
-            return !refused.contains(places) && isFree(places);
+            return !refused.contains(places) && checker_.isFree(places);
         };
         for (int i = 0; i < kMostTriangulations; ++i) {
             Patch patch = rim;
@@ -285,7 +236,7 @@ private:
             if (patch.faces.empty()) {
                 return false;
             }
-            const std::vector<std::pair<int, int>> pairs = crossingPairs(patch);
+            const std::vector<std::pair<int, int>> pairs = checker_.crossingPairs(patch);
             if (accept(patch)) {
                 return true;
             }
@@ -313,7 +264,7 @@ private:
         for (const Relaxing relaxing : {Relaxing::Tangential, Relaxing::None}) {
             Patch divided = flat->patch;
             refinePatch(divided, relaxing, progress);
-            if (hasFlatFace(divided) || !crossingFacesOf(divided).isEmpty()) {
+            if (hasFlatFace(divided) || !checker_.crossingsOf(divided).isEmpty()) {
                 continue;
             }
             Patch fair = divided;
@@ -349,7 +300,7 @@ private:
                 moved.points[p] = patch.points[p] - shares[p] * patch.sizes[p] * sheet.normals[p];
             }
             std::set<int> corners;
-            for (const int face : badFaces(moved)) {
+            for (const int face : checker_.badFaces(moved)) {
                 corners.insert(patch.faces[face].begin(), patch.faces[face].end());
             }
             if (corners.empty()) {
@@ -366,91 +317,22 @@ private:
         Patch sound = sheet.patch;
         sound.points = std::move(points);
         accept(sound);
-        return badFaces(sound).empty() && accept(between(sound, stretched(sound), progress));
+        return checker_.badFaces(sound).empty() &&
+               accept(between(sound, stretched(sound), progress));
     }
 
     /// From a patch that crosses nothing clearly as far to one with the same faces as that is so,
     /// and nothing narrowly either if the first one does not.
     [[nodiscard]] Patch between(const Patch& sound, const Patch& wanted, const Progress& progress) {
         Patch patch = sound;
-        const bool isStrict = !hasFlatFace(sound) && crossingFacesOf(sound).isEmpty();
+        const bool isStrict = !hasFlatFace(sound) && checker_.crossingsOf(sound).isEmpty();
         const auto crossing = [&](const std::vector<Vec3>& points) {
             patch.points = points;
-            std::vector<int> bad = badFaces(patch);
-            return isStrict && bad.empty() ? crossingFacesOf(patch).narrowly : bad;
+            std::vector<int> bad = checker_.badFaces(patch);
+            return isStrict && bad.empty() ? checker_.crossingsOf(patch).narrowly : bad;
         };
         patch.points = retreated(sound.points, wanted.points, sound.faces, crossing, progress);
         return patch;
-    }
-
-    /// Faces that have no area; where all have some, those that clearly cross others.
-    [[nodiscard]] std::vector<int> badFaces(const Patch& patch) {
-        std::vector<int> flat = indicesWhere<int>(patch.faces.size(), [&](std::size_t f) {
-            const auto& [a, b, c] = patch.faces[f];
-            return !hasArea(patch.points[a], patch.points[b], patch.points[c]);
-        });
-        return flat.empty() ? crossingFacesOf(patch).clearly : flat;
-    }
-
-    /// As they are, and rounded to single precision, as in many files and programs, unless what is
-    /// around is too fine for that. The faces of a patch need area.
-    [[nodiscard]] CrossingFacesOf crossingFacesOf(const Patch& patch) {
-        CrossingFacesOf crossing;
-        withPlaced(patch, [&](const std::vector<Triangle>& faces) {
-            crossing.clearly = finder_.crossingsOf(faces).faces();
-            if (!crossing.clearly.empty() || isFine_) {
-                return;
-            }
-            crossing.narrowly = roundedFinder_.crossingsOf(faces).faces();
-            for (const int face : crossing.narrowly) {
-                if (!roundedFinder_.isSliver(faces[face])) {
-                    crossing.clearly.push_back(face);
-                }
-            }
-            if (!crossing.clearly.empty()) {
-                crossing.narrowly.clear();
-            }
-        });
-        return crossing;
-    }
-
-    /// Of faces that cross each other.
-    [[nodiscard]] std::vector<std::pair<int, int>> crossingPairs(const Patch& patch) {
-        std::vector<std::pair<int, int>> pairs;
-        withPlaced(patch, [&](const std::vector<Triangle>& faces) {
-            pairs = finder_.crossingsOf(faces).pairs;
-            if (pairs.empty() && !isFine_) {
-                pairs = roundedFinder_.crossingsOf(faces).pairs;
-            }
-        });
-        return pairs;
-    }
-
-    /// Calls use(faces of a patch) while its points are among the vertices.
-    template <class Use>
-    void withPlaced(const Patch& patch, const Use& use) {
-        std::vector<Vec3>& vertices = result_.mesh.vertices;
-        const std::size_t count = vertices.size();
-        const auto firstNew = patch.points.begin() + patch.rimCount;
-        vertices.insert(vertices.end(), firstNew, patch.points.end());
-        const std::vector<Vec3> rounded = inSinglePrecision({firstNew, patch.points.end()});
-        rounded_.insert(rounded_.end(), rounded.begin(), rounded.end());
-        use(placed(patch, count));
-        vertices.resize(count);
-        rounded_.resize(count);
-    }
-
-    /// Its faces with vertices of the mesh, of which the new ones begin at `firstNew`.
-    [[nodiscard]] std::vector<Triangle> placed(const Patch& patch, std::size_t firstNew) const {
-        std::vector<Triangle> faces = patch.faces;
-        for (Triangle& face : faces) {
-            for (int& corner : face) {
-                corner = patch.isOnRim(corner)
-                             ? rims_[rim_][corner]
-                             : static_cast<int>(firstNew) + corner - patch.rimCount;
-            }
-        }
-        return faces;
     }
 
     /// Without faces.
@@ -545,7 +427,7 @@ private:
         result_.mesh.vertices.insert(
             result_.mesh.vertices.end(), patch.points.begin() + patch.rimCount, patch.points.end()
         );
-        const std::vector<Triangle> faces = placed(patch, firstNew);
+        const std::vector<Triangle> faces = checker_.placed(patch);
         for (const int face : attempt.crossing.clearly) {
             result_.crossing.push_back(firstFace + face);
         }
@@ -561,23 +443,15 @@ private:
                 }
             }
         }
-        const std::vector<Vec3> rounded = inSinglePrecision(
-            {result_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(firstNew),
-             result_.mesh.vertices.end()}
-        );
-        rounded_.insert(rounded_.end(), rounded.begin(), rounded.end());
-        if (rim_ + 1 < rims_.size()) {
-            finder_.keep(faces);
-            roundedFinder_.keep(faces);
-        }
+        checker_.keep(patch);
     }
 
-    [[noreturn]] void refuse(const std::string& why) const {
+    [[noreturn]] void refuse() const {
         std::vector<std::int64_t> vertices(rims_[rim_].begin(), rims_[rim_].end());
         const std::string hole = "a hole of " + describeCount(vertices.size(), "edge", "edges");
         refuseElements(
             InputErrorCode::NoPath,
-            hole + " " + why,
+            hole + " cannot be filled: each way has a face without area",
             "vertices",
             std::move(vertices),
             "choose another shape to fill it with, or move the curve"
@@ -589,14 +463,9 @@ private:
     const FillSurroundings& given_;
     RimPlaces places_;
     std::vector<Beside> beside_;  // by place
-    FilledMesh result_;           // its vertices grow for a while where crossings are looked for
-    std::vector<Vec3> rounded_;   // those vertices, in single precision
-    CrossingFinder finder_;
-    CrossingFinder roundedFinder_;
-    double largest_ = 0.0;  // coordinate
-    std::size_t rim_ = 0;   // that is being filled
-    int testsLeft_ = 0;     // of triangles of its points
-    bool isFine_ = false;   // what is around it
+    FilledMesh result_;
+    PatchChecker checker_;
+    std::size_t rim_ = 0;  // that is being filled
     std::optional<Attempt> best_;
 };
 
