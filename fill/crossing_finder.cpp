@@ -78,7 +78,9 @@ bool CrossingFinder::cross(const Triangle& a, const Triangle& b) const {
         });
         corner = same != a.end() ? *same : corner;
     }
-    return trianglesIntersect(vertices_, a, other);
+    // Faces on both sides of an edge that became one place lie on each other.
+    const bool isSame = std::ranges::is_permutation(a, other) && !std::ranges::is_permutation(a, b);
+    return !isSame && trianglesIntersect(vertices_, a, other);
 }
 
 bool CrossingFinder::crossesKept(const Triangle& face) const {
