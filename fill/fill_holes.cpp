@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -109,10 +108,11 @@ public:
         } else {
             fillSmoothly(progress);
         }
-        if (!best_) {
+        if (const std::optional<Attempt> best = std::exchange(best_, std::nullopt)) {
+            append(*best);
+        } else {
             refuse();
         }
-        append(*best_);
     }
 
     [[nodiscard]] FilledMesh take() { return std::move(result_); }
@@ -256,9 +256,9 @@ private:
     /// A flat patch that crosses nothing, divided, and faired as far as it can be.
     bool fairFromFlat(const Patch& rim, const RimSurroundings& around, const Progress& progress) {
         std::optional<Attempt> before = std::exchange(best_, std::nullopt);
-        const bool isSound = triangulate(rim);
-        std::optional<Attempt> flat = std::exchange(best_, std::move(before));
-        if (!isSound) {
+        triangulate(rim);
+        const std::optional<Attempt> flat = std::exchange(best_, std::move(before));
+        if (!flat || !flat->crossing.isEmpty()) {
             return false;
         }
         for (const Relaxing relaxing : {Relaxing::Tangential, Relaxing::None}) {
@@ -273,7 +273,7 @@ private:
                 return true;
             }
         }
-        return accept(std::move(flat->patch));
+        return accept(flat->patch);
     }
 
     /// Copies what was before the rim, or is behind it, whichever is smaller, moved towards a patch
@@ -281,10 +281,7 @@ private:
     bool fillWithSheets(const Progress& progress) {
         const std::optional<Sheet> behind = sheetBeside(mesh_, rims_[rim_], true);
         const std::optional<Sheet> removed = given_.removed ? given_.removed(rim_) : std::nullopt;
-        const auto sizeOf = [](const std::optional<Sheet>& sheet) {
-            return sheet ? sheet->patch.faces.size() : std::numeric_limits<std::size_t>::max();
-        };
-        if (sizeOf(removed) < sizeOf(behind)) {
+        if (removed && (!behind || removed->patch.faces.size() < behind->patch.faces.size())) {
             return fillWith(*removed, removed->patch.points, progress);
         }
         return behind && fillWith(*behind, movedOff(*behind), progress);
@@ -328,7 +325,7 @@ private:
         const bool isStrict = !hasFlatFace(sound) && checker_.crossingsOf(sound).isEmpty();
         const auto crossing = [&](const std::vector<Vec3>& points) {
             patch.points = points;
-            std::vector<int> bad = checker_.badFaces(patch);
+            const std::vector<int> bad = checker_.badFaces(patch);
             return isStrict && bad.empty() ? checker_.crossingsOf(patch).narrowly : bad;
         };
         patch.points = retreated(sound.points, wanted.points, sound.faces, crossing, progress);

@@ -129,23 +129,16 @@ TriangleMesh removedFrom(
     return removed;
 }
 
-}  // namespace
-
-FilledParts fillAround(
-    const ImprintedMesh& imprinted,
-    const MeshParts& parts,
-    const std::vector<int>& chosen,
-    FillShape shape,
-    const Progress& progress
+/// Rims of the opened parts that are made of edges of curves alone, as loops of kept vertices;
+/// counts those of which such edges are a part.
+void findRims(
+    const std::vector<std::array<int, 2>>& edges,
+    const CutMesh& cut,
+    const SubMesh& opened,
+    const SubMesh& kept,
+    FilledParts& result
 ) {
-    const std::vector<std::array<int, 2>> edges = edgesAround(imprinted, parts, chosen);
-    // Rims are walked round the chosen faces. Where they meet themselves in a vertex, each loop is
-    // a hole of its own, and the vertex is one again when all are filled.
-    const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
-    const SubMesh opened = facesWithLabels(cut.mesh, parts.labels, chosen);
-    const SubMesh kept = facesWithLabels(imprinted.mesh, parts.labels, chosen);
     const auto sourceOf = [&](int vertex) { return cut.source[opened.vertices[vertex]]; };
-    FilledParts result;
     for (const std::vector<int>& rim : rimsOf(opened.mesh.faces)) {
         std::size_t around = 0;
         std::vector<int> walk;
@@ -164,6 +157,25 @@ FilledParts fillAround(
             ++result.openRims;
         }
     }
+}
+
+}  // namespace
+
+FilledParts fillAround(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const std::vector<int>& chosen,
+    FillShape shape,
+    const Progress& progress
+) {
+    const std::vector<std::array<int, 2>> edges = edgesAround(imprinted, parts, chosen);
+    // Rims are walked round the chosen faces. Where they meet themselves in a vertex, each loop is
+    // a hole of its own, and the vertex is one again when all are filled.
+    const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
+    const SubMesh opened = facesWithLabels(cut.mesh, parts.labels, chosen);
+    const SubMesh kept = facesWithLabels(imprinted.mesh, parts.labels, chosen);
+    FilledParts result;
+    findRims(edges, cut, opened, kept, result);
     if (result.rims.empty()) {
         throw InputError(
             InputErrorCode::NoPath,

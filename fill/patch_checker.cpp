@@ -115,7 +115,10 @@ std::vector<int> PatchChecker::badFaces(const Patch& patch) {
         const auto& [a, b, c] = patch.faces[f];
         return !hasArea(patch.points[a], patch.points[b], patch.points[c]);
     });
-    return flat.empty() ? crossingsOf(patch).clearly : std::move(flat);
+    if (flat.empty()) {
+        flat = crossingsOf(patch).clearly;
+    }
+    return flat;
 }
 
 std::vector<std::pair<int, int>> PatchChecker::crossingPairs(const Patch& patch) {
