@@ -39,6 +39,7 @@ constexpr double kLeastSizeRelative = 0.3;
 constexpr int kMostRefinements = 6;
 constexpr int kFewFairingSteps = 3;
 constexpr double kGrowth = 1.1;
+constexpr std::size_t kManyFaces = 20000;  // of patches that are refined twice alone, for time
 /// Points of a rim that is filled smoothly that are triangulated at once.
 constexpr int kFewRimPoints = 120;
 /// How far a middle in line with an edge is lifted off it, relative to the edges around.
@@ -170,8 +171,9 @@ private:
         for (int pass = 0; pass < kMostRefinements; ++pass) {
             const std::size_t before = smooth.faces.size();
             refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.4, 0.5));
-            if (pass > 0 &&
-                static_cast<double>(smooth.faces.size()) < kGrowth * static_cast<double>(before)) {
+            const bool hasGrown =
+                static_cast<double>(smooth.faces.size()) >= kGrowth * static_cast<double>(before);
+            if (smooth.faces.size() > kManyFaces || (pass > 0 && !hasGrown)) {
                 break;
             }
             fairPatch(smooth, around, kFewFairingSteps, partOf(progress, 0.5, 0.6));
