@@ -20,7 +20,7 @@ struct CutArguments : UseArguments {
 
 [[noreturn]] void refuseKeep(const std::string& word) {
     throw CLI::ValidationError(
-        "--keep", word + " is none of all|largest|smallest|inside|seed=x,y,z"
+        "--keep", word + " is none of all|largest|smallest|inside|outside|seed=x,y,z"
     );
 }
 
@@ -34,7 +34,9 @@ struct CutParser {
         );
         auto* const keep = options.described.add(
             "keep",
-            {.other = &keepWord, .otherHelp = "A point is seed=x,y,z.", .otherType = "=x,y,z"}
+            {.other = &keepWord,
+             .otherHelp = "Points are seed=x,y,z or \"seed=x,y,z;x,y,z\".",
+             .otherType = "=x,y,z"}
         );
         options.described
             .add(
@@ -44,6 +46,7 @@ struct CutParser {
             )
             ->excludes(keep);
         auto* const fill = options.described.add("fill")->needs(keep);
+        options.described.add("drop_untouched")->needs(keep);
         options.described.add("relief")->needs(keep)->excludes(fill);
         options.described.add("snap");
         addReport(app, arguments.report, "Write counts, parts, moves and times");
@@ -65,7 +68,7 @@ struct CutParser {
         arguments.request = request.imprint;
         try {
             arguments.choice = cutChoice(request.words, {});
-        } catch (const InputError&) {  // no point, or several
+        } catch (const InputError&) {  // no point
             refuseKeep(keepWord.empty() ? "seed" : keepWord);
         }
         return arguments;

@@ -2,8 +2,12 @@
 #include "fill/fill_holes.h"
 
 #include "bspline_curve/error.h"
+#include "fill/beside_rims.h"
+#include "fill/harmonic_values.h"
+#include "fill/patch_checker.h"
 #include "fill/patch_fairing.h"
-#include "fill/patch_refinement.h"
+#include "fill/patch_retreat.h"
+#include "fill/planar_triangulation.h"
 #include "fill/rim_triangulation.h"
 #include "surface/error_messages.h"
 #include "surface/half_edges.h"
@@ -16,6 +20,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -26,172 +32,315 @@ namespace bspline_curve {
 namespace {
 
 constexpr int kFairingSteps = 20;
+/// Edges at a rim may be as short as its own ones, but not below this share of those around.
+constexpr double kLeastSizeRelative = 0.3;
+/// First, a patch is refined and faired in few steps, in turn, until its faces become less than
+/// this many times more.
+constexpr int kMostRefinements = 6;
+constexpr int kFewFairingSteps = 3;
+constexpr double kGrowth = 1.1;
+constexpr std::size_t kManyFaces = 20000;  // of patches that are refined twice alone, for time
 /// Points of a rim that is filled smoothly that are triangulated at once.
 constexpr int kFewRimPoints = 120;
 /// How far a middle in line with an edge is lifted off it, relative to the edges around.
 constexpr double kLift = 1e-3;
-constexpr int kSizeAverages = 4;  // along the rim, since faces beside curves are uneven
+/// Rims that are as near to a plane, relative to their extent, are triangulated in it.
+constexpr double kPlanarRelative = 1e-3;
+/// Triangulations tried, each without the triangles that crossed others before.
+constexpr int kMostTriangulations = 12;
+constexpr int kMostRings = 16;  // of faces around those that cross, to be triangulated anew
+/// A sheet is first moved off the faces that it copies by this share of the length of its edges,
+/// then by halves of it where it crosses.
+constexpr double kSheetMove = 0.2;
+constexpr int kSheetHalvings = 10;
 
-Vec3 normalOf(const TriangleMesh& mesh, const Triangle& face) {
-    const Vec3& a = mesh.vertices[face[0]];
-    return (mesh.vertices[face[1]] - a).cross(mesh.vertices[face[2]] - a);
-}
-
-/// The vertices of all rims, numbered.
-class RimPlaces {
-public:
-    RimPlaces(const std::vector<std::vector<int>>& rims, std::size_t vertexCount)
-        : placeOf_(vertexCount, -1) {
-        for (const std::vector<int>& rim : rims) {
-            for (const int vertex : rim) {
-                if (placeOf_[vertex] < 0) {
-                    placeOf_[vertex] = static_cast<int>(rimCounts_.size());
-                    rimCounts_.push_back(0);
-                }
-                ++rimCounts_[placeOf_[vertex]];
-            }
-        }
-    }
-
-    [[nodiscard]] std::size_t count() const { return rimCounts_.size(); }
-
-    /// -1 for a vertex on none of the rims.
-    [[nodiscard]] int placeOf(int vertex) const { return placeOf_[vertex]; }
-
-    /// Whether several rims meet there.
-    [[nodiscard]] bool isShared(int place) const { return rimCounts_[place] > 1; }
-
-private:
-    std::vector<int> placeOf_;
-    std::vector<int> rimCounts_;  // by place
+/// The fewer of its faces cross others the better.
+struct Attempt {
+    Patch patch;
+    PatchCrossings crossing;
 };
 
-struct MeanLength {
-    double sum = 0.0;
-    int count = 0;
-
-    void add(double length) {
-        sum += length;
-        ++count;
+/// For each point of a closed polygon the mean length of its two sides there.
+std::vector<double> rimLengths(const std::vector<Vec3>& points) {
+    const std::size_t count = points.size();
+    std::vector<double> lengths(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        lengths[i] = 0.5 * ((points[(i + 1) % count] - points[i]).norm() +
+                            (points[(i + count - 1) % count] - points[i]).norm());
     }
-
-    [[nodiscard]] double mean() const { return sum / count; }
-};
-
-/// For each vertex on no rim, of the sides of faces that end there and on no rim either.
-std::vector<MeanLength> lengthsOffRims(const TriangleMesh& mesh, const RimPlaces& places) {
-    std::vector<MeanLength> result(mesh.vertices.size());
-    for (const Triangle& face : mesh.faces) {
-        for (int k = 0; k < 3; ++k) {
-            const int a = face[k];
-            const int b = face[(k + 1) % 3];
-            if (places.placeOf(a) < 0 && places.placeOf(b) < 0) {
-                const double length = (mesh.vertices[b] - mesh.vertices[a]).norm();
-                result[a].add(length);
-                result[b].add(length);
-            }
-        }
-    }
-    return result;
+    return lengths;
 }
 
-/// What is beside the vertex of a rim.
-struct Beside {
-    Vec3 laplacian = Vec3::Zero();  ///< as in RimSurroundings
-    Vec3 normal = Vec3::Zero();
-    MeanLength sides;             ///< of the faces' sides that end there
-    MeanLength beyond;            ///< of those that end at its neighbours, and not on rims
-    std::vector<int> neighbours;  ///< places with an edge to this one
-
-    /// The length that edges have around. Beside a curve that was cut along edges are pieces of
-    /// those of the mesh, so that those a step farther tell more.
-    [[nodiscard]] double size() const { return beyond.count > 0 ? beyond.mean() : sides.mean(); }
-};
-
-std::vector<Beside> besideRims(const TriangleMesh& mesh, const RimPlaces& places) {
-    const std::vector<MeanLength> offRims = lengthsOffRims(mesh, places);
-    std::vector<Beside> result(places.count());
-    for (const Triangle& face : mesh.faces) {
-        for (int k = 0; k < 3; ++k) {
-            const int place = places.placeOf(face[k]);
-            if (place < 0) {
-                continue;
-            }
-            Beside& beside = result[place];
-            const Vec3 normal = normalOf(mesh, face);
-            const int next = face[(k + 1) % 3];
-            const int last = face[(k + 2) % 3];
-            const Vec3 side = mesh.vertices[last] - mesh.vertices[next];
-            // The sum of cotangent weights times differences within one face.
-            beside.laplacian += 0.5 * side.cross(normal.stableNormalized());
-            beside.normal += normal;
-            for (const int end : {next, last}) {
-                beside.sides.add((mesh.vertices[end] - mesh.vertices[face[k]]).norm());
-                if (places.placeOf(end) >= 0) {
-                    beside.neighbours.push_back(places.placeOf(end));
-                } else if (offRims[end].count > 0) {
-                    beside.beyond.add(offRims[end].mean());
-                }
-            }
-        }
+/// With inner points that are harmonic between those of the rim.
+Patch stretched(Patch patch) {
+    ValueRows rim(patch.rimCount, 3);
+    for (int i = 0; i < patch.rimCount; ++i) {
+        rim.row(i) = patch.points[i];
     }
-    return result;
-}
-
-/// The lengths that edges at the rim should have: those beside it, averaged along the rim.
-std::vector<double> averagedAlong(std::vector<double> sizes) {
-    const std::size_t count = sizes.size();
-    for (int pass = 0; pass < kSizeAverages; ++pass) {
-        std::vector<double> averaged(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            averaged[i] =
-                0.25 * (sizes[(i + count - 1) % count] + sizes[(i + 1) % count]) + 0.5 * sizes[i];
-        }
-        sizes = std::move(averaged);
+    const ValueRows points = harmonicFrom(patch.points, patch.faces, rim);
+    for (std::size_t i = patch.rimCount; i < patch.points.size(); ++i) {
+        patch.points[i] = points.row(static_cast<Eigen::Index>(i));
     }
-    return sizes;
+    return patch;
 }
 
 class HoleFiller {
 public:
-    HoleFiller(const TriangleMesh& mesh, const std::vector<std::vector<int>>& rims)
-        : rims_(rims),
+    HoleFiller(
+        const TriangleMesh& mesh,
+        const std::vector<std::vector<int>>& rims,
+        const FillSurroundings& surroundings
+    )
+        : mesh_(mesh),
+          rims_(rims),
+          given_(surroundings),
           places_(rims, mesh.vertices.size()),
           beside_(besideRims(mesh, places_)),
-          result_{.mesh = mesh, .firstNew = {}} {}
+          result_{.mesh = mesh, .firstNew = {}, .firstFace = {}, .crossing = {}},
+          checker_(mesh) {}
 
     void fill(std::size_t rim, FillShape shape, const Progress& progress) {
         report(progress, 0.0, "filling a hole");
-        Patch patch = patchOf(rim, shape);
-        if (shape == FillShape::Smooth) {
-            const RimSurroundings around = surroundings(rim);
-            Patch smooth = patch;
-            refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.4));
-            fairPatch(smooth, around, 1, partOf(progress, 0.4, 0.5));
-            refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.5, 0.6));
-            fairPatch(smooth, around, kFairingSteps, partOf(progress, 0.6, 1.0));
-            // Rims with narrow ends can pull new vertices onto a line with theirs.
-            if (!hasFlatFace(smooth)) {
-                patch = std::move(smooth);
-            }
+        rim_ = rim;
+        best_.reset();
+        checker_.begin(rims_[rim], std::ranges::min(rimPatch().most));
+        if (shape == FillShape::Flat) {
+            fillFlat(progress);
+        } else {
+            fillSmoothly(progress);
         }
-        append(patch, rim);
+        if (const std::optional<Attempt> best = std::exchange(best_, std::nullopt)) {
+            append(*best);
+        } else {
+            refuse();
+        }
     }
 
     [[nodiscard]] FilledMesh take() { return std::move(result_); }
 
 private:
-    static bool hasFlatFace(const Patch& patch) {
-        return std::ranges::any_of(patch.faces, [&](const Triangle& face) {
-            return !hasArea(patch.points[face[0]], patch.points[face[1]], patch.points[face[2]]);
-        });
+    /// Keeps a patch where it crosses less than others so far. Returns whether it crosses nothing.
+    bool accept(Patch patch) {
+        const bool isCopy = std::ssize(patch.points) == patch.rimCount && isFaceOfMesh();
+        if (patch.faces.empty() || isCopy || hasFlatFace(patch)) {
+            return false;
+        }
+        PatchCrossings crossing = checker_.crossingsOf(patch);
+        if (!best_ || crossing.counts() < best_->crossing.counts()) {
+            best_ = Attempt{.patch = std::move(patch), .crossing = std::move(crossing)};
+        }
+        return best_->crossing.isEmpty();
     }
 
-    [[nodiscard]] Patch patchOf(std::size_t rim, FillShape shape) const {
-        const std::vector<int>& vertices = rims_[rim];
+    void fillFlat(const Progress& progress) {
+        const Patch rim = rimPatch();
+        if (!triangulate(rim) && !fillWithSheets(partOf(progress, 0.1, 0.5))) {
+            fairFromRim(rim, surroundings(), partOf(progress, 0.5, 1.0));
+        }
+    }
+
+    void fillSmoothly(const Progress& progress) {
+        const RimSurroundings around = surroundings();
+        const Patch rim = rimPatch();
+        const Progress further = partOf(progress, 0.9, 1.0);
+        if (fairFromRim(rim, around, partOf(progress, 0.0, 0.9)) ||
+            fairFromFlat(rim, around, further) || fillWithSheets(further)) {
+            return;
+        }
+        if (!best_) {
+            Patch middle = rim;
+            closeWithMiddle(middle);
+            accept(std::move(middle));
+        }
+    }
+
+    /// A coarse patch that is refined and faired.
+    bool fairFromRim(const Patch& rim, const RimSurroundings& around, const Progress& progress) {
+        Patch smooth = rim;
+        // What is refined afterwards need not begin with the best triangulation.
+        smooth.faces = triangulateRim(rim.points, rim.forbidden, kFewRimPoints);
+        if (smooth.faces.empty()) {
+            smooth.faces = triangulateRim(rim.points, rim.forbidden);
+        }
+        if (smooth.faces.empty() || isFaceOfMesh()) {
+            closeWithMiddle(smooth);
+        }
+        refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.3));
+        fairPatch(smooth, around, 1, partOf(progress, 0.3, 0.4));
+        // A patch that bulges has longer edges than before, so that it is refined again.
+        for (int pass = 0; pass < kMostRefinements; ++pass) {
+            const std::size_t before = smooth.faces.size();
+            refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.4, 0.5));
+            const bool hasGrown =
+                static_cast<double>(smooth.faces.size()) >= kGrowth * static_cast<double>(before);
+            if (smooth.faces.size() > kManyFaces || (pass > 0 && !hasGrown)) {
+                break;
+            }
+            fairPatch(smooth, around, kFewFairingSteps, partOf(progress, 0.5, 0.6));
+        }
+        fairPatch(smooth, around, kFairingSteps, partOf(progress, 0.6, 0.9));
+        return accept(std::move(smooth));
+    }
+
+    /// Triangulates a rim without new points, in one way after the other.
+    bool triangulate(const Patch& rim) {
+        if (isFaceOfMesh()) {
+            return false;
+        }
+        const PlanarView view = planarView(rim.points);
+        const auto inPlane = [&] {
+            Patch patch = rim;
+            patch.faces = triangulateSeen(rim.points, view, rim.forbidden);
+            return accept(std::move(patch));
+        };
+        const bool isPlanar = view.deviation < kPlanarRelative;
+        if (isPlanar && inPlane()) {
+            return true;
+        }
+        Patch bent = rim;
+        bent.faces = triangulateRim(rim.points, rim.forbidden);
+        return accept(std::move(bent)) || (!isPlanar && inPlane()) || repair() ||
+               triangulateAround(rim) || repair();
+    }
+
+    /// Triangulates the best patch anew around its faces that cross, without triangles that cross
+    /// what is kept.
+    bool repair() {
+        if (!best_ || std::ssize(best_->patch.points) > best_->patch.rimCount) {
+            return false;
+        }
+        const Patch before = best_->patch;
+        std::vector<int> region = best_->crossing.all();
+        for (int rings = 1; rings <= kMostRings; rings *= 2) {
+            region = grown(before.faces, region, rings);
+            Patch patch = before;
+            patch.faces = retriangulated(
+                before.points, before.faces, before.forbidden, region, [&](const Triangle& places) {
+                    return checker_.isFree(places);
+                }
+            );
+            if (accept(std::move(patch))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Without triangles that cross the mesh, or crossed each other in the attempt before.
+    bool triangulateAround(const Patch& rim) {
+        std::set<Triangle> refused;
+        const auto isAllowed = [&](const Triangle& places) {
+            return !refused.contains(places) && checker_.isFree(places);
+        };
+        for (int i = 0; i < kMostTriangulations; ++i) {
+            Patch patch = rim;
+            patch.faces = triangulateRim(rim.points, rim.forbidden, kFewRimPoints, isAllowed);
+            if (patch.faces.empty()) {
+                return false;
+            }
+            const std::vector<std::pair<int, int>> pairs = checker_.crossingPairs(patch);
+            if (accept(patch)) {
+                return true;
+            }
+            const auto extent = [&](int face) {
+                const auto& [a, b, c] = patch.faces[face];
+                return (patch.points[a] - patch.points[b]).norm() +
+                       (patch.points[b] - patch.points[c]).norm() +
+                       (patch.points[c] - patch.points[a]).norm();
+            };
+            for (const auto& [one, other] : pairs) {
+                refused.insert(patch.faces[extent(one) > extent(other) ? one : other]);
+            }
+        }
+        return false;
+    }
+
+    /// A flat patch that crosses nothing, divided, and faired as far as it can be.
+    bool fairFromFlat(const Patch& rim, const RimSurroundings& around, const Progress& progress) {
+        std::optional<Attempt> before = std::exchange(best_, std::nullopt);
+        triangulate(rim);
+        const std::optional<Attempt> flat = std::exchange(best_, std::move(before));
+        if (!flat || !flat->crossing.isEmpty()) {
+            return false;
+        }
+        for (const Relaxing relaxing : {Relaxing::Tangential, Relaxing::None}) {
+            Patch divided = flat->patch;
+            refinePatch(divided, relaxing, progress);
+            if (hasFlatFace(divided) || !checker_.crossingsOf(divided).isEmpty()) {
+                continue;
+            }
+            Patch fair = divided;
+            fairPatch(fair, around, kFairingSteps, progress);
+            if (accept(between(divided, fair, progress))) {
+                return true;
+            }
+        }
+        return accept(flat->patch);
+    }
+
+    /// Copies what was before the rim, or is behind it, whichever is smaller, moved towards a patch
+    /// that is stretched over the rim.
+    bool fillWithSheets(const Progress& progress) {
+        const std::optional<Sheet> behind = sheetBeside(mesh_, rims_[rim_], true);
+        const std::optional<Sheet> removed = given_.removed ? given_.removed(rim_) : std::nullopt;
+        if (removed && (!behind || removed->patch.faces.size() < behind->patch.faces.size())) {
+            return fillWith(*removed, removed->patch.points, progress);
+        }
+        return behind && fillWith(*behind, movedOff(*behind), progress);
+    }
+
+    /// Moves a sheet off the faces that it copies, so far as it crosses nothing.
+    [[nodiscard]] std::vector<Vec3> movedOff(const Sheet& sheet) {
+        const Patch& patch = sheet.patch;
+        std::vector<double> shares(patch.points.size(), kSheetMove);
+        Patch moved = patch;
+        for (int i = 0; i < kSheetHalvings; ++i) {
+            for (std::size_t p = 0; p < shares.size(); ++p) {
+                moved.points[p] = patch.points[p] - shares[p] * patch.sizes[p] * sheet.normals[p];
+            }
+            std::set<int> corners;
+            for (const int face : checker_.badFaces(moved)) {
+                corners.insert(patch.faces[face].begin(), patch.faces[face].end());
+            }
+            if (corners.empty()) {
+                break;
+            }
+            for (const int corner : corners) {
+                shares[corner] *= 0.5;
+            }
+        }
+        return moved.points;
+    }
+
+    bool fillWith(const Sheet& sheet, std::vector<Vec3> points, const Progress& progress) {
+        Patch sound = sheet.patch;
+        sound.points = std::move(points);
+        accept(sound);
+        return checker_.badFaces(sound).empty() &&
+               accept(between(sound, stretched(sound), progress));
+    }
+
+    /// From a patch that crosses nothing clearly as far to one with the same faces as that is so,
+    /// and nothing narrowly either if the first one does not.
+    [[nodiscard]] Patch between(const Patch& sound, const Patch& wanted, const Progress& progress) {
+        Patch patch = sound;
+        const bool isStrict = !hasFlatFace(sound) && checker_.crossingsOf(sound).isEmpty();
+        const auto crossing = [&](const std::vector<Vec3>& points) {
+            patch.points = points;
+            const std::vector<int> bad = checker_.badFaces(patch);
+            return isStrict && bad.empty() ? checker_.crossingsOf(patch).narrowly : bad;
+        };
+        patch.points = retreated(sound.points, wanted.points, sound.faces, crossing, progress);
+        return patch;
+    }
+
+    /// Without faces.
+    [[nodiscard]] Patch rimPatch() const {
+        const std::vector<int>& vertices = rims_[rim_];
         Patch patch{
             .points = {},
             .sizes = {},
+            .most = {},
             .faces = {},
             .rimCount = static_cast<int>(vertices.size()),
             .forbidden = {}
@@ -200,10 +349,17 @@ private:
         for (const int vertex : vertices) {
             const int place = places_.placeOf(vertex);
             localOf.emplace(place, static_cast<int>(patch.points.size()));
-            patch.points.push_back(result_.mesh.vertices[vertex]);
-            patch.sizes.push_back(beside_[place].size());
+            patch.points.push_back(mesh_.vertices[vertex]);
+            patch.most.push_back(
+                given_.sizes.empty() ? beside_[place].size() : given_.sizes[vertex]
+            );
         }
-        patch.sizes = averagedAlong(std::move(patch.sizes));
+        patch.most = averagedAlong(std::move(patch.most));
+        patch.sizes = averagedAlong(rimLengths(patch.points));
+        for (std::size_t i = 0; i < patch.sizes.size(); ++i) {
+            patch.sizes[i] =
+                std::clamp(patch.sizes[i], kLeastSizeRelative * patch.most[i], patch.most[i]);
+        }
         for (const auto& [place, local] : localOf) {
             for (const int neighbour : beside_[place].neighbours) {
                 const auto other = localOf.find(neighbour);
@@ -213,20 +369,11 @@ private:
                 }
             }
         }
-        // What is refined afterwards need not begin with the least area.
-        if (shape == FillShape::Smooth) {
-            patch.faces = triangulateRim(patch.points, patch.forbidden, kFewRimPoints);
-        }
-        if (patch.faces.empty()) {
-            patch.faces = triangulateRim(patch.points, patch.forbidden);
-        }
-        if (patch.faces.empty() || isFaceOfMesh(vertices)) {
-            closeWithMiddle(patch, rim, shape);
-        }
         return patch;
     }
 
-    [[nodiscard]] bool isFaceOfMesh(const std::vector<int>& rim) const {
+    [[nodiscard]] bool isFaceOfMesh() const {
+        const std::vector<int>& rim = rims_[rim_];
         return rim.size() == 3 &&
                std::ranges::any_of(result_.mesh.faces, [&](const Triangle& face) {
                    return std::ranges::all_of(face, [&](int v) { return contains(rim, v); });
@@ -234,23 +381,17 @@ private:
     }
 
     /// Fills a rim that has no triangulation of its own with faces round a new point.
-    void closeWithMiddle(Patch& patch, std::size_t rim, FillShape shape) const {
-        if (shape == FillShape::Flat) {
-            refuse(
-                rim,
-                "cannot be filled without a new vertex: each triangulation has a flat face, or an "
-                "edge that the mesh has already"
-            );
-        }
+    static void closeWithMiddle(Patch& patch) {
         const int count = patch.rimCount;
         Vec3 middle = Vec3::Zero();
         double size = 0.0;
         for (int i = 0; i < count; ++i) {
             middle += patch.points[i] / count;
-            size += patch.sizes[i] / count;
+            size += patch.most[i] / count;
         }
         patch.points.push_back(middle);
         patch.sizes.push_back(size);
+        patch.most.push_back(size);
         patch.faces.clear();
         for (int i = 0; i < count; ++i) {
             patch.faces.push_back({i, (i + 1) % count, count});
@@ -264,9 +405,9 @@ private:
         }
     }
 
-    [[nodiscard]] RimSurroundings surroundings(std::size_t rim) const {
+    [[nodiscard]] RimSurroundings surroundings() const {
         RimSurroundings around;
-        for (const int vertex : rims_[rim]) {
+        for (const int vertex : rims_[rim_]) {
             const int place = places_.placeOf(vertex);
             around.laplacians.push_back(beside_[place].laplacian);
             around.normals.push_back(beside_[place].normal);
@@ -276,47 +417,55 @@ private:
         return around;
     }
 
-    void append(const Patch& patch, std::size_t rim) {
-        std::vector<int> vertexOf = rims_[rim];
-        result_.firstNew.push_back(static_cast<int>(result_.mesh.vertices.size()));
-        for (std::size_t i = vertexOf.size(); i < patch.points.size(); ++i) {
-            vertexOf.push_back(static_cast<int>(result_.mesh.vertices.size()));
-            result_.mesh.vertices.push_back(patch.points[i]);
+    void append(const Attempt& attempt) {
+        const Patch& patch = attempt.patch;
+        const std::size_t firstNew = result_.mesh.vertices.size();
+        const auto firstFace = static_cast<int>(result_.mesh.faces.size());
+        result_.firstNew.push_back(static_cast<int>(firstNew));
+        result_.firstFace.push_back(firstFace);
+        result_.mesh.vertices.insert(
+            result_.mesh.vertices.end(), patch.points.begin() + patch.rimCount, patch.points.end()
+        );
+        const std::vector<Triangle> faces = checker_.placed(patch);
+        for (const int face : attempt.crossing.clearly) {
+            result_.crossing.push_back(firstFace + face);
         }
-        for (const Triangle& face : patch.faces) {
-            const Triangle added{vertexOf[face[0]], vertexOf[face[1]], vertexOf[face[2]]};
-            const std::vector<Vec3>& points = result_.mesh.vertices;
-            if (!hasArea(points[added[0]], points[added[1]], points[added[2]])) {
-                refuse(rim, "cannot be filled: a new face would have no area");
-            }
-            result_.mesh.faces.push_back(added);
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+            result_.mesh.faces.push_back(faces[f]);
             for (int k = 0; k < 3; ++k) {
-                if (patch.isOnRim(face[k]) && patch.isOnRim(face[(k + 1) % 3])) {
-                    const int from = places_.placeOf(added[k]);
-                    const int to = places_.placeOf(added[(k + 1) % 3]);
+                if (patch.isOnRim(patch.faces[f][k]) &&
+                    patch.isOnRim(patch.faces[f][(k + 1) % 3])) {
+                    const int from = places_.placeOf(faces[f][k]);
+                    const int to = places_.placeOf(faces[f][(k + 1) % 3]);
                     beside_[from].neighbours.push_back(to);
                     beside_[to].neighbours.push_back(from);
                 }
             }
         }
+        checker_.keep(patch);
     }
 
-    [[noreturn]] void refuse(std::size_t rim, const std::string& why) const {
-        std::vector<std::int64_t> vertices(rims_[rim].begin(), rims_[rim].end());
+    [[noreturn]] void refuse() const {
+        std::vector<std::int64_t> vertices(rims_[rim_].begin(), rims_[rim_].end());
         const std::string hole = "a hole of " + describeCount(vertices.size(), "edge", "edges");
         refuseElements(
             InputErrorCode::NoPath,
-            hole + " " + why,
+            hole + " cannot be filled: each way has a face without area",
             "vertices",
             std::move(vertices),
             "choose another shape to fill it with, or move the curve"
         );
     }
 
+    const TriangleMesh& mesh_;
     const std::vector<std::vector<int>>& rims_;
+    const FillSurroundings& given_;
     RimPlaces places_;
     std::vector<Beside> beside_;  // by place
     FilledMesh result_;
+    PatchChecker checker_;
+    std::size_t rim_ = 0;  // that is being filled
+    std::optional<Attempt> best_;
 };
 
 }  // namespace
@@ -350,9 +499,10 @@ FilledMesh fillHoles(
     const TriangleMesh& mesh,
     const std::vector<std::vector<int>>& rims,
     FillShape shape,
+    const FillSurroundings& surroundings,
     const Progress& progress
 ) {
-    HoleFiller filler(mesh, rims);
+    HoleFiller filler(mesh, rims, surroundings);
     for (std::size_t rim = 0; rim < rims.size(); ++rim) {
         filler.fill(rim, shape, stepOf(progress, rim, rims.size()));
     }

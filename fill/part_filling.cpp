@@ -2,10 +2,12 @@
 #include "fill/part_filling.h"
 
 #include "bspline_curve/error.h"
+#include "fill/harmonic_values.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -17,13 +19,39 @@ std::vector<double> FilledParts::carried(std::span<const double> imprintedValues
         values.push_back(vertex < 0 ? 0.0 : imprintedValues[vertex]);
     }
     for (std::size_t hole = 0; hole < rims.size(); ++hole) {
-        double sum = 0.0;
-        for (const int vertex : rims[hole]) {
-            sum += values[vertex];
+        const bool isLast = hole + 1 == rims.size();
+        const int first = firstNew[hole];
+        const int endOfHole = isLast ? endOfNew : firstNew[hole + 1];
+        const auto endOfFaces = isLast ? static_cast<int>(mesh.faces.size()) : firstFace[hole + 1];
+        std::vector<Triangle> patch(
+            mesh.faces.begin() + firstFace[hole], mesh.faces.begin() + endOfFaces
+        );
+        std::vector<int> onRim;
+        for (const Triangle& face : patch) {
+            std::ranges::copy_if(face, std::back_inserter(onRim), [&](int v) {
+                return v < first || v >= endOfHole;
+            });
         }
-        const int last = hole + 1 < rims.size() ? firstNew[hole + 1] : endOfNew;
-        for (int v = firstNew[hole]; v < last; ++v) {
-            values[v] = sum / static_cast<double>(rims[hole].size());
+        sortUnique(onRim);
+        const auto rimCount = static_cast<int>(onRim.size());
+        for (Triangle& face : patch) {
+            for (int& corner : face) {
+                const bool isNew = corner >= first && corner < endOfHole;
+                corner = isNew ? rimCount + corner - first : indexIn(onRim, corner);
+            }
+        }
+        std::vector<Vec3> points;
+        ValueRows rimValues(rimCount, 1);
+        for (const int vertex : onRim) {
+            rimValues(std::ssize(points), 0) = values[vertex];
+            points.push_back(mesh.vertices[vertex]);
+        }
+        points.insert(
+            points.end(), mesh.vertices.begin() + first, mesh.vertices.begin() + endOfHole
+        );
+        const ValueRows carried = harmonicFrom(points, patch, rimValues);
+        for (int v = first; v < endOfHole; ++v) {
+            values[v] = carried(rimCount + v - first, 0);
         }
     }
     return values;
@@ -60,23 +88,57 @@ std::vector<int> doubledIn(const CutMesh& cut, std::size_t uncutCount, const Sub
     return doubled;
 }
 
-}  // namespace
+/// For each kept vertex the mean length of the sides of the faces around it, before curves divided
+/// them.
+std::vector<double> sizesAt(const ImprintedMesh& imprinted, const SubMesh& kept) {
+    const TriangleMesh whole = withoutImprint(imprinted);
+    std::size_t next = 0;
+    std::vector<double> perFace(imprinted.mesh.faces.size());
+    for (std::size_t f = 0; f < perFace.size(); ++f) {
+        next += f > 0 && imprinted.ownParents[f] != imprinted.ownParents[f - 1] ? 1 : 0;
+        const auto& [a, b, c] = whole.faces[next];
+        const std::vector<Vec3>& points = whole.vertices;
+        perFace[f] = ((points[a] - points[b]).norm() + (points[b] - points[c]).norm() +
+                      (points[c] - points[a]).norm()) /
+                     3.0;
+    }
+    std::vector<double> sums(kept.vertices.size(), 0.0);
+    std::vector<int> counts(kept.vertices.size(), 0);
+    for (std::size_t f = 0; f < kept.faces.size(); ++f) {
+        for (const int corner : kept.mesh.faces[f]) {
+            sums[corner] += perFace[kept.faces[f]];
+            ++counts[corner];
+        }
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        sums[v] /= counts[v];
+    }
+    return sums;
+}
 
-FilledParts fillAround(
-    const ImprintedMesh& imprinted,
-    const MeshParts& parts,
-    const std::vector<int>& chosen,
-    FillShape shape,
-    const Progress& progress
+/// Faces of no chosen part, with the vertices of the imprint.
+TriangleMesh removedFrom(
+    const ImprintedMesh& imprinted, const MeshParts& parts, const std::vector<int>& chosen
 ) {
-    const std::vector<std::array<int, 2>> edges = edgesAround(imprinted, parts, chosen);
-    // Rims are walked round the chosen faces. Where they meet themselves in a vertex, each loop is
-    // a hole of its own, and the vertex is one again when all are filled.
-    const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
-    const SubMesh opened = facesWithLabels(cut.mesh, parts.labels, chosen);
-    const SubMesh kept = facesWithLabels(imprinted.mesh, parts.labels, chosen);
+    TriangleMesh removed{.vertices = imprinted.mesh.vertices, .faces = {}};
+    for (std::size_t f = 0; f < parts.labels.size(); ++f) {
+        if (!std::ranges::binary_search(chosen, parts.labels[f])) {
+            removed.faces.push_back(imprinted.mesh.faces[f]);
+        }
+    }
+    return removed;
+}
+
+/// Rims of the opened parts that are made of edges of curves alone, as loops of kept vertices;
+/// counts those of which such edges are a part.
+void findRims(
+    const std::vector<std::array<int, 2>>& edges,
+    const CutMesh& cut,
+    const SubMesh& opened,
+    const SubMesh& kept,
+    FilledParts& result
+) {
     const auto sourceOf = [&](int vertex) { return cut.source[opened.vertices[vertex]]; };
-    FilledParts result;
     for (const std::vector<int>& rim : rimsOf(opened.mesh.faces)) {
         std::size_t around = 0;
         std::vector<int> walk;
@@ -95,6 +157,25 @@ FilledParts fillAround(
             ++result.openRims;
         }
     }
+}
+
+}  // namespace
+
+FilledParts fillAround(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const std::vector<int>& chosen,
+    FillShape shape,
+    const Progress& progress
+) {
+    const std::vector<std::array<int, 2>> edges = edgesAround(imprinted, parts, chosen);
+    // Rims are walked round the chosen faces. Where they meet themselves in a vertex, each loop is
+    // a hole of its own, and the vertex is one again when all are filled.
+    const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
+    const SubMesh opened = facesWithLabels(cut.mesh, parts.labels, chosen);
+    const SubMesh kept = facesWithLabels(imprinted.mesh, parts.labels, chosen);
+    FilledParts result;
+    findRims(edges, cut, opened, kept, result);
     if (result.rims.empty()) {
         throw InputError(
             InputErrorCode::NoPath,
@@ -102,7 +183,18 @@ FilledParts fillAround(
             "cut along closed curves, or fill nothing"
         );
     }
-    FilledMesh filled = fillHoles(kept.mesh, result.rims, shape, progress);
+    const FillSurroundings surroundings{
+        .sizes = sizesAt(imprinted, kept), .removed = [&](std::size_t rim) {
+            std::vector<int> vertices;
+            for (const int vertex : result.rims[rim]) {
+                vertices.push_back(kept.vertices[vertex]);
+            }
+            return sheetBeside(removedFrom(imprinted, parts, chosen), vertices, false);
+        }
+    };
+    FilledMesh filled = fillHoles(kept.mesh, result.rims, shape, surroundings, progress);
+    result.firstFace = std::move(filled.firstFace);
+    result.crossing = std::move(filled.crossing);
     result.firstNew = std::move(filled.firstNew);
     result.endOfNew = static_cast<int>(filled.mesh.vertices.size());
     CutMesh parted = partFans(filled.mesh, doubledIn(cut, imprinted.mesh.vertices.size(), kept));

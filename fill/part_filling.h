@@ -22,17 +22,20 @@ struct FilledParts {
     std::vector<Triangle> walls;
     std::vector<std::vector<int>> rims;  ///< of the filled holes, vertices of `mesh`
     std::vector<int> firstNew;           ///< for each of these its first new vertex
-    int endOfNew = 0;  ///< behind the last; copies follow, of vertices where holes meet
-    int openRims = 0;  ///< left open, since the boundary of the input is part of them
+    std::vector<int> firstFace;          ///< likewise its first new face; they are the last faces
+    int endOfNew = 0;           ///< behind the last; copies follow, of vertices where holes meet
+    std::vector<int> crossing;  ///< new faces that cross others, ascending
+    int openRims = 0;           ///< left open, since the boundary of the input is part of them
 
-    /// Values at the vertices, from those of the imprinted mesh: a new vertex has the mean of its
-    /// hole's rim.
+    /// Values at the vertices, from those of the imprinted mesh: harmonic in a filled hole, see
+    /// harmonicFrom().
     [[nodiscard]] std::vector<double> carried(std::span<const double> imprintedValues) const;
 };
 
 /// Takes the parts `chosen` (labels, ascending) and fills each hole whose rim is made of curves
 /// between them and other parts. Curves between two chosen parts, or with one on both sides, stay
-/// closed. Throws InputError (NoPath) where no hole is left to fill, and as fillHoles() does.
+/// closed. Throws InputError (NoPath) where no hole is left to fill, and as fillHoles() does. New
+/// faces cross others only where `crossing` has them.
 [[nodiscard]] FilledParts fillAround(
     const ImprintedMesh& imprinted,
     const MeshParts& parts,

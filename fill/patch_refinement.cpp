@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill/patch_refinement.h"
 
-#include "surface/half_edges.h"
+#include "fill/inner_edges.h"
 #include "surface/surface_point.h"
 #include "utility/report_progress.h"
 
@@ -26,6 +26,8 @@ constexpr double kLongRelative = 1.4;
 constexpr double kLongChordRelative = 0.5;
 /// Sums of cotangents below minus this are not Delaunay; a margin against endless turns.
 constexpr double kDelaunayMargin = 1e-9;
+/// How much longer edges become from short ones at the rim inwards, for each length.
+constexpr double kGrading = 0.5;
 constexpr int kMostRounds = 40;
 /// Rounds end with less than one edge that is too long in so many faces: points that relax make a
 /// few longer again.
@@ -33,48 +35,6 @@ constexpr std::size_t kFacesPerLongEdge = 1000;
 constexpr std::size_t kMostFlips = 150;  // tried, for each face
 constexpr int kRelaxations = 2;          // in each round
 constexpr double kRelaxationStep = 0.5;
-
-/// An edge inside the patch, its faces (a, b, c) and (b, a, d).
-struct InnerEdge {
-    int a, b, c, d;
-    int first, second;  ///< those faces
-};
-
-std::vector<InnerEdge> innerEdges(const std::vector<Triangle>& faces) {
-    std::vector<InnerEdge> edges;
-    forEachEdge(sortedHalfEdges(faces), [&](std::span<const HalfEdge> sides) {
-        if (sides.size() == 2) {
-            const auto& [one, other] = std::array{sides[0], sides[1]};
-            edges.push_back({
-                .a = faces[one.face][(one.k + 1) % 3],
-                .b = faces[one.face][(one.k + 2) % 3],
-                .c = faces[one.face][one.k],
-                .d = faces[other.face][other.k],
-                .first = one.face,
-                .second = other.face,
-            });
-        }
-    });
-    return edges;
-}
-
-/// Lets every face change once.
-class ChangedFaces {
-public:
-    explicit ChangedFaces(std::size_t count) : isChanged_(count, 0) {}
-
-    /// False where one of the faces has changed already.
-    bool take(const InnerEdge& edge) {
-        if (isChanged_[edge.first] != 0 || isChanged_[edge.second] != 0) {
-            return false;
-        }
-        isChanged_[edge.first] = isChanged_[edge.second] = 1;
-        return true;
-    }
-
-private:
-    std::vector<char> isChanged_;
-};
 
 /// Length over size; chords of the rim count more.
 double excess(const Patch& patch, const InnerEdge& edge) {
@@ -102,7 +62,13 @@ std::size_t halveLongEdges(Patch& patch) {
         const auto& [a, b, c, d, first, second] = edge;
         const auto middle = static_cast<int>(patch.points.size());
         patch.points.emplace_back(0.5 * (patch.points[a] + patch.points[b]));
-        patch.sizes.push_back(0.5 * (patch.sizes[a] + patch.sizes[b]));
+        const double length = (patch.points[a] - patch.points[b]).norm();
+        patch.most.push_back(0.5 * (patch.most[a] + patch.most[b]));
+        patch.sizes.push_back(
+            std::min(
+                patch.most.back(), 0.5 * (patch.sizes[a] + patch.sizes[b]) + 0.5 * kGrading * length
+            )
+        );
         patch.faces[first] = {a, middle, c};
         patch.faces[second] = {b, middle, d};
         patch.faces.push_back({middle, b, c});
@@ -264,16 +230,21 @@ void relax(Patch& patch, Relaxing relaxing) {
 }  // namespace
 
 void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress) {
-    Flips(patch).run();
+    const bool isMoving = relaxing != Relaxing::None;
+    if (isMoving) {
+        Flips(patch).run();
+    }
     for (int round = 0; round < kMostRounds; ++round) {
         report(progress, 1.0 - 1.0 / (1.0 + round), "refining a patch");
         const std::size_t tooLong = halveLongEdges(patch);
-        Flips flips(patch);
-        flips.run();
-        for (int i = 0; i < kRelaxations; ++i) {
-            relax(patch, relaxing);
+        if (isMoving) {
+            Flips flips(patch);
+            flips.run();
+            for (int i = 0; i < kRelaxations; ++i) {
+                relax(patch, relaxing);
+            }
+            flips.run();
         }
-        flips.run();
         if (tooLong <= patch.faces.size() / kFacesPerLongEdge) {
             return;
         }

@@ -12,6 +12,7 @@ namespace bspline_curve {
 struct Patch {
     std::vector<Vec3> points;
     std::vector<double> sizes;  ///< for each point the length that edges should have there
+    std::vector<double> most;   ///< likewise, far from the rim, whose edges may be shorter
     std::vector<Triangle> faces;
     int rimCount = 0;
     EdgeSet forbidden;  ///< edges between points of the rim that the mesh has already
@@ -22,6 +23,7 @@ struct Patch {
 enum class Relaxing {
     Free,        ///< points move to the middle of their neighbours
     Tangential,  ///< within the surface only
+    None,        ///< nor are edges flipped, so that the surface stays as it is
 };
 
 /// Halves edges that are longer than their points ask for, and long ones between points of the

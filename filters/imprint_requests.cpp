@@ -39,10 +39,12 @@ Bindings<CutWords> cutBindings() {
                 {"largest", KeptParts::Largest},
                 {"smallest", KeptParts::Smallest},
                 {"inside", KeptParts::Inside},
-                {"seed", KeptParts::Seed}
+                {"outside", KeptParts::Outside},
+                {"seed", KeptParts::Seeds}
             }
         ),
         bound("seed", &C::seed),
+        bound("drop_untouched", &C::dropUntouched),
         chosen(
             "fill",
             &C::fill,
@@ -135,30 +137,38 @@ OffsetRequest offsetRequest(const ParameterValues& values) {
 
 namespace {
 
-/// The part that is kept, none: all.
+/// The parts that are kept, none: all.
 std::optional<PartChoice> partChoice(const CutWords& words, const std::vector<Vec3>& toolPoints) {
     using Which = PartChoice::Which;
+    PartChoice choice;
+    choice.dropUntouched = words.dropUntouched;
     switch (words.keep) {
         case KeptParts::All:
             return std::nullopt;
         case KeptParts::Largest:
-            return PartChoice{.which = Which::Largest};
+            choice.which = Which::Largest;
+            return choice;
         case KeptParts::Smallest:
-            return PartChoice{.which = Which::Smallest};
+            choice.which = Which::Smallest;
+            return choice;
         case KeptParts::Inside:
-            return PartChoice{.which = Which::Inside};
-        case KeptParts::Seed:
+            choice.which = Which::Inside;
+            return choice;
+        case KeptParts::Outside:
+            choice.which = Which::Outside;
+            return choice;
+        case KeptParts::Seeds:
             break;
     }
-    const std::vector<Vec3> points = words.seed.empty() ? toolPoints : parsePicksText(words.seed);
-    if (points.size() != 1) {
+    choice.which = Which::Seeds;
+    choice.seeds = words.seed.empty() ? toolPoints : parsePicksText(words.seed);
+    if (choice.seeds.empty()) {
         refuseChoice(
-            "keep is \"seed\", but there are " + std::to_string(points.size()) +
-            " points: give one by the option seed, as \"x y z\", or pick one on the surface with "
-            "Edit > PickPoints"
+            "keep is \"seed\", but there is no point: give points by the option seed, as \"x y z; "
+            "x y z\", or pick them on the surface with Edit > PickPoints"
         );
     }
-    return PartChoice{.which = Which::Seed, .seed = points.front()};
+    return choice;
 }
 
 }  // namespace

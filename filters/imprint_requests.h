@@ -30,12 +30,13 @@ struct ImprintRequest {
 };
 
 /// What a cut leaves, as users name it.
-enum class KeptParts { All, Largest, Smallest, Inside, Seed };
+enum class KeptParts { All, Largest, Smallest, Inside, Outside, Seeds };
 enum class FillKind { None, Flat, Smooth };
 
 struct CutWords {
     KeptParts keep = KeptParts::All;
-    std::string seed;  ///< "x y z"; empty: the one point of the host's own tool
+    std::string seed;  ///< "x y z; x y z; ..."; empty: the points of the host's own tool
+    bool dropUntouched = false;  ///< components that no curve parts
     FillKind fill = FillKind::None;
     bool split = false;   ///< where all are kept: a layer for each part
     double relief = 0.0;  ///< height that the parts to keep are moved by; 0: they are cut
@@ -83,7 +84,7 @@ inline constexpr double kOffsetRelative = 0.02;
 [[nodiscard]] OffsetRequest offsetRequest(const ParameterValues& values);
 
 /// What a cut leaves. `toolPoints`: of the host's own tool, in world coordinates. Throws InputError
-/// where a seed is meant and there is none, or more than one.
+/// where seeds are meant and there is none.
 [[nodiscard]] CutChoice cutChoice(const CutWords& words, const std::vector<Vec3>& toolPoints);
 
 }  // namespace bspline_curve

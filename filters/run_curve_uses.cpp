@@ -191,6 +191,7 @@ MeshesResult runCutFilter(
     }
     from.figures.push_back({"doubled_vertices", cut.doubledVertices});
     from.figures.push_back({"filled_holes", cut.filledHoles});
+    from.figures.push_back({"dropped_parts", countOf(cut.dropped.size())});
     MeshesResult result = finished(std::move(from), std::move(layers), watch);
     result.log.summary = cutSummary(result.figures, result.layers.size());
     return result;

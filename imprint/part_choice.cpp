@@ -94,6 +94,48 @@ int partAt(const TriangleMesh& mesh, const std::vector<int>& labels, const Vec3&
     return label;
 }
 
+/// For each part at curves whether an odd number of curves is between it and the largest of its
+/// component, on the way that passes the fewest parts.
+std::vector<char> oddParts(const ImprintedMesh& imprinted, const MeshParts& parts) {
+    std::vector<std::array<int, 2>> onCurves;
+    for (const ImprintedCurve& curve : imprinted.curves) {
+        std::ranges::copy(edgesOf(curve), std::back_inserter(onCurves));
+    }
+    std::ranges::sort(onCurves);
+
+    struct Passage {
+        int to;
+        bool isOdd;
+    };
+
+    std::vector<std::vector<Passage>> passages(parts.parts.size());
+    forEachPartingEdge(imprinted.mesh, parts.labels, [&](const auto& edge, int one, int other) {
+        const bool isOdd = std::ranges::ssize(std::ranges::equal_range(onCurves, edge)) % 2 != 0;
+        passages[one].push_back({other, isOdd});
+        passages[other].push_back({one, isOdd});
+    });
+    std::vector<char> isOdd(parts.parts.size(), 0);
+    std::vector<char> isReached(parts.parts.size(), 0);
+    std::vector<int> reached;
+    for (int first = 0; first < static_cast<int>(passages.size()); ++first) {
+        if (isReached[first] == 0) {  // the largest of its component
+            isReached[first] = 1;
+            reached.push_back(first);
+        }
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            for (const auto& [to, changes] : passages[reached[i]]) {
+                if (isReached[to] == 0) {
+                    isReached[to] = 1;
+                    isOdd[to] = static_cast<char>((isOdd[reached[i]] != 0) != changes);
+                    reached.push_back(to);
+                }
+            }
+        }
+        reached.clear();
+    }
+    return isOdd;
+}
+
 }  // namespace
 
 std::vector<int> partedParts(const ImprintedMesh& imprinted, const MeshParts& parts) {
@@ -121,17 +163,51 @@ std::vector<int> chosenParts(
     if (parted.empty()) {
         refuseNothingParted();
     }
+    std::vector<int> chosen;
     switch (choice.which) {
         case PartChoice::Which::Largest:
             return {parted.front()};
         case PartChoice::Which::Smallest:
             return {parted.back()};
         case PartChoice::Which::Inside:
-            return {parted.begin() + 1, parted.end()};
-        case PartChoice::Which::Seed:
+        case PartChoice::Which::Outside: {
+            const std::vector<char> isOdd = oddParts(imprinted, parts);
+            const bool wanted = choice.which == PartChoice::Which::Inside;
+            std::ranges::copy_if(parted, std::back_inserter(chosen), [&](int part) {
+                return (isOdd[part] != 0) == wanted;
+            });
+            break;
+        }
+        case PartChoice::Which::Seeds:
+            for (const Vec3& seed : choice.seeds) {
+                chosen.push_back(partAt(imprinted.mesh, parts.labels, seed));
+            }
+            sortUnique(chosen);
             break;
     }
-    return {partAt(imprinted.mesh, parts.labels, choice.seed)};
+    if (chosen.empty()) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            "no part is meant: none lies inside the curves, or no seed is given"
+        );
+    }
+    return chosen;
+}
+
+std::vector<int> keptParts(
+    const ImprintedMesh& imprinted, const MeshParts& parts, const PartChoice& choice
+) {
+    std::vector<int> kept = chosenParts(imprinted, parts, choice);
+    if (!choice.dropUntouched) {
+        const std::vector<int> parted = partedParts(imprinted, parts);
+        for (int part = 0; part < static_cast<int>(parts.parts.size()); ++part) {
+            if (!std::ranges::binary_search(parted, part)) {
+                kept.push_back(part);
+            }
+        }
+        sortUnique(kept);
+    }
+    return kept;
 }
 
 std::vector<std::vector<int>> partsPerMesh(
@@ -141,7 +217,7 @@ std::vector<std::vector<int>> partsPerMesh(
     bool split
 ) {
     if (choice) {
-        return {chosenParts(imprinted, parts, *choice)};
+        return {keptParts(imprinted, parts, *choice)};
     }
     std::vector<int> all(parts.parts.size());
     std::iota(all.begin(), all.end(), 0);

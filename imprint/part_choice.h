@@ -8,18 +8,21 @@
 
 namespace bspline_curve {
 
-/// Which parts of an imprinted mesh are meant. All but Seed look only at parts that a curve parts
-/// from another part, and leave components alone that no curve divides.
+/// Which parts of an imprinted mesh are meant. All but Seeds look only at parts that a curve parts
+/// from another part.
 struct PartChoice {
     enum class Which {
         Largest,
         Smallest,
-        Inside,  ///< all but the largest
-        Seed,    ///< the one at a point
+        Inside,   ///< those that an odd number of curves parts from the largest of their component
+        Outside,  ///< those that an even number does
+        Seeds,    ///< those at some points
     };
 
     Which which = Which::Largest;
-    Vec3 seed = Vec3::Zero();  ///< near the surface
+    std::vector<Vec3> seeds = {};  ///< near the surface
+    /// Components that no curve parts stay, unless they are dropped; a seed keeps one then.
+    bool dropUntouched = false;
 };
 
 /// Parts (labels, ascending) that have a curve between them and another part. O(n log n).
@@ -29,13 +32,18 @@ struct PartChoice {
 [[noreturn]] void refuseNothingParted();
 
 /// The parts meant (labels, ascending). Throws InputError (NoPath) where the curves part nothing,
-/// and for a seed that is not finite (NonFiniteCoordinate), that is farther from the surface than a
-/// pick may be (PickTooFar) or that lies between two parts (NoPath). O(n log n).
+/// or none is meant, and for a seed that is not finite (NonFiniteCoordinate), that is farther from
+/// the surface than a pick may be (PickTooFar) or that lies between two parts (NoPath). O(n log n).
 [[nodiscard]] std::vector<int> chosenParts(
     const ImprintedMesh& imprinted, const MeshParts& parts, const PartChoice& choice
 );
 
-/// The parts of each mesh that a cut makes (labels, ascending): the chosen ones, or where none is
+/// Those and the components that no curve parts, unless these are dropped.
+[[nodiscard]] std::vector<int> keptParts(
+    const ImprintedMesh& imprinted, const MeshParts& parts, const PartChoice& choice
+);
+
+/// The parts of each mesh that a cut makes (labels, ascending): the kept ones, or where none is
 /// chosen all in one, or with `split` each part at a curve by itself and those together that no
 /// curve parts from another; the mesh with the largest part first. Throws like chosenParts().
 [[nodiscard]] std::vector<std::vector<int>> partsPerMesh(

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -68,6 +69,12 @@ public:
     template <class Visitor>
     void forEachOverlapping(int triangle, const Visitor& visit) const;
 
+    /// Calls visit(j) for every triangle whose box overlaps that of a triangle, given by its
+    /// corners, and is not wholly on one side of its plane. The order is the same on every
+    /// platform. O(log n) where few do, also for a large triangle in the middle of a mesh.
+    template <class Visitor>
+    void forEachMeeting(const std::array<Vec3, 3>& corners, const Visitor& visit) const;
+
 private:
     static constexpr int kLeafSize = 4;
     /// Nodes that wait in a search, at most. Depth: at most one level per Morton bit (63) and per
@@ -118,7 +125,13 @@ private:
     }
 
     template <class Visitor>
-    void forEachOverlapping(const Box& box, const Visitor& visit) const;
+    void forEachOverlapping(const Box& box, const Visitor& visit) const {
+        forEachWhere([&](const Box& other) { return other.overlaps(box); }, visit);
+    }
+
+    /// Calls visit(j) for every triangle whose box may be met; so may all boxes around it then.
+    template <class Test, class Visitor>
+    void forEachWhere(const Test& mayMeet, const Visitor& visit) const;
 
     template <class Visitor>
     void visitLeafPair(int a, int b, const Visitor& visit) const;
@@ -185,13 +198,35 @@ void TriangleTree::forEachNear(const Vec3& point, double reach, const Visitor& v
 }
 
 template <class Visitor>
-void TriangleTree::forEachOverlapping(const Box& box, const Visitor& visit) const {
+void TriangleTree::forEachMeeting(const std::array<Vec3, 3>& corners, const Visitor& visit) const {
+    /// Beyond what rounding does to the distance from a plane, relative to its terms.
+    constexpr double kRounding = 1e-14;
+    const auto& [a, b, c] = corners;
+    const Box box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+    const Vec3 normal = (b - a).cross(c - a);
+    const double slack = kRounding * (b - a).norm() * (c - a).norm();
+    const auto mayMeet = [&](const Box& other) {
+        if (!other.overlaps(box)) {
+            return false;
+        }
+        const Vec3 middle = 0.5 * (other.low + other.high);
+        const Vec3 half = 0.5 * (other.high - other.low);
+        const double terms = middle.cwiseAbs().sum() + half.sum() + a.cwiseAbs().sum();
+        return std::abs(normal.dot(middle - a)) <= normal.cwiseAbs().dot(half) + slack * terms;
+    };
+    if (!nodes_.empty()) {
+        forEachWhere(mayMeet, visit);
+    }
+}
+
+template <class Test, class Visitor>
+void TriangleTree::forEachWhere(const Test& mayMeet, const Visitor& visit) const {
     std::array<int, kStackSize> stack;
     std::size_t stackSize = 0;
     stack[stackSize++] = 0;
     while (stackSize > 0) {
         const int here = stack[--stackSize];
-        if (!node(here).box.overlaps(box)) {
+        if (!mayMeet(node(here).box)) {
             continue;
         }
         if (!node(here).isLeaf()) {
@@ -201,7 +236,7 @@ void TriangleTree::forEachOverlapping(const Box& box, const Visitor& visit) cons
         }
         for (int i = node(here).first; i < node(here).first + node(here).count; ++i) {
             const int other = order_[i];
-            if (boxOf(other).overlaps(box)) {
+            if (mayMeet(boxOf(other))) {
                 visit(other);
             }
         }

@@ -6,12 +6,15 @@
 #include "imprint/slits.h"
 #include "imprint/unjoined_imprint.h"
 #include "shell/extended_surface.h"
+#include "surface/error_messages.h"
 #include "surface/lines_over_parted_edges.h"
+#include "utility/index_sets.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 namespace bspline_curve {
@@ -20,7 +23,18 @@ namespace {
 
 // Shares of the work, for progress only.
 constexpr double kImprintedShare = 0.6;
-constexpr double kLinesShare = 0.8;  // of an offset, without its band
+constexpr double kLinesShare = 0.8;     // of an offset, without its band
+constexpr std::size_t kMostNamed = 10;  // faces, in a note
+
+std::string crossingNote(const std::vector<int>& faces) {
+    std::string named;
+    for (std::size_t i = 0; i < std::min(faces.size(), kMostNamed); ++i) {
+        named += (i > 0 ? ", " : "") + std::to_string(faces[i]);
+    }
+    return describeCount(faces.size(), "new face crosses", "new faces cross") +
+           " others, since the rim allows no fill that does not: " + named +
+           (faces.size() > kMostNamed ? ", ..." : "") + "; move the curve";
+}
 
 /// The parts that one mesh gets; adds what to say of them.
 FilledParts partsMeant(
@@ -40,6 +54,9 @@ FilledParts partsMeant(
                 " rims stay open, since the boundary of the mesh is part of them"
             );
         }
+        if (!taken.crossing.empty()) {
+            notes.push_back(crossingNote(taken.crossing));
+        }
         return taken;
     }
     RaisedParts raised = raisedParts(*imprint.joined, imprint.parts, chosen, choice.relief);
@@ -56,6 +73,27 @@ FilledParts partsMeant(
 std::vector<std::string> slitNotes(const Imprint& imprint, bool isCut) {
     std::string note = describeSlits(slitsOf(*imprint.joined, imprint.parts), isCut);
     return note.empty() ? std::vector<std::string>() : std::vector{std::move(note)};
+}
+
+/// The parts that are not kept, ascending.
+std::vector<int> droppedParts(const Imprint& imprint, const std::vector<int>& kept) {
+    return indicesWhere<int>(imprint.parts.parts.size(), [&](std::size_t part) {
+        return !std::ranges::binary_search(kept, static_cast<int>(part));
+    });
+}
+
+/// What to say of components that are dropped though no curve parts them; or nothing.
+std::string untouchedNote(const Imprint& imprint, const std::vector<int>& dropped) {
+    const std::vector<int> parted = partedParts(*imprint.joined, imprint.parts);
+    const auto count = std::ranges::count_if(dropped, [&](int part) {
+        return !std::ranges::binary_search(parted, part);
+    });
+    return count == 0 ? std::string()
+                      : "dropped: " + describeCount(
+                                          static_cast<std::size_t>(count),
+                                          "component that no curve parts",
+                                          "components that no curve parts"
+                                      );
 }
 
 CutMeshes::Piece pieceOf(const Imprint& imprint, std::vector<int> parts, FilledParts taken) {
@@ -106,8 +144,19 @@ CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress&
     CutMeshes result;
     result.doubledVertices =
         static_cast<int>(cut.mesh.vertices.size() - imprint.joined->mesh.vertices.size());
-    const std::vector<std::vector<int>> perMesh =
-        partsPerMesh(*imprint.joined, imprint.parts, choice.keep, choice.split);
+    std::vector<std::vector<int>> perMesh;
+    if (choice.keep && choice.relief != 0.0) {
+        perMesh = {chosenParts(*imprint.joined, imprint.parts, *choice.keep)};
+    } else {
+        perMesh = partsPerMesh(*imprint.joined, imprint.parts, choice.keep, choice.split);
+    }
+    if (choice.keep && choice.relief == 0.0) {
+        result.dropped = droppedParts(imprint, perMesh.front());
+        const std::string note = untouchedNote(imprint, result.dropped);
+        if (!note.empty()) {
+            result.notes.push_back(note);
+        }
+    }
     for (std::size_t i = 0; i < perMesh.size(); ++i) {
         const Progress step = stepOf(progress, i, perMesh.size());
         FilledParts taken = partsMeant(imprint, cut, choice, perMesh[i], result.notes, step);

@@ -59,6 +59,7 @@ struct CutMeshes {
     };
 
     std::vector<Piece> pieces;  ///< the one with the largest part first
+    std::vector<int> dropped;   ///< parts that no piece has, ascending
     int doubledVertices = 0, filledHoles = 0;
     std::vector<std::string> notes;
 };

@@ -38,8 +38,8 @@ public:
     /// Barycentric coordinates of a corner of a face in the workpiece's face that it is part of.
     /// Expects a face that is part of one.
     [[nodiscard]] Vec3 placeOf(int face, int corner) const;
-    /// Values at the vertices, from those at the workpiece's: linear in each face; in a filled hole
-    /// the mean of its rim.
+    /// Values at the vertices, from those at the workpiece's: linear in each face; harmonic
+    /// in a filled hole.
     [[nodiscard]] std::vector<double> carried(std::span<const double> values) const;
     /// 1 for each vertex on a curve, else 0.
     [[nodiscard]] std::vector<double> curveFlags() const;

@@ -95,7 +95,13 @@ class Imprint:
     segment_notes: list[str]
 
     def cut(
-        self, which: str | None, seed: Sequence[float], fill: str = ..., relief: float = ..., progress: Any = ...
+        self,
+        which: str | None,
+        seeds: Sequence[float],
+        fill: str = ...,
+        relief: float = ...,
+        drop_untouched: bool = ...,
+        progress: Any = ...,
     ) -> tuple[tuple[Floats, Int32s, Int32s, Int32s], list[str]]: ...
 
 def imprint(mesh: Mesh, curves: Sequence[Curve], snap: float, /) -> Imprint: ...

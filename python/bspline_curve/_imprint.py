@@ -14,23 +14,23 @@ from ._arrays import Floats, Int32s, numbers, of_core
 from ._errors import FieldError, InputError, OptionError, warn
 from ._options import Option, Progress, checked_number, checked_value
 
-Keep: TypeAlias = "Literal['largest', 'smallest', 'inside'] | Sequence[float] | Floats"
+Keep: TypeAlias = "Literal['largest', 'smallest', 'inside', 'outside'] | Sequence[float] | Sequence[Sequence[float]] | Floats"
 Fill: TypeAlias = Literal["none", "flat", "smooth"]
 
 SNAP = Option("double", 1e-9, 0.0, 0.01, False, ())
-KEEP = Option("enum", "largest", None, None, False, ("largest", "smallest", "inside"))
+KEEP = Option("enum", "largest", None, None, False, ("largest", "smallest", "inside", "outside"))
 HEIGHT = Option("double", 0.0, None, None, False, ())
 FILL = Option("enum", "none", None, None, False, ("none", "flat", "smooth"))
 
 
 def parts_meant(name: str, keep: Keep | None) -> tuple[str | None, list[float]]:
-    """A word and a seed, as the core takes them; None: all parts."""
+    """A word and the coordinates of seeds, as the core takes them; None: all parts."""
     if keep is None or isinstance(keep, str):
         return None if keep is None else cast(str, checked_value(name, KEEP, keep)), []
-    seed = numbers(keep, name).tolist()
-    if np.shape(seed) != (3,):
-        raise InputError(f"{name} has shape {np.shape(seed)}, but must be a word or have (3,)", "bad-array")
-    return "seed", seed
+    seeds = numbers(keep, name)
+    if seeds.shape != (3,) and (seeds.ndim != 2 or seeds.shape[1] != 3 or len(seeds) == 0):
+        raise InputError(f"{name} has shape {seeds.shape}, but must be a word or have (3,) or (k, 3)", "bad-array")
+    return "seed", seeds.ravel().tolist()
 
 
 class Part(NamedTuple):
@@ -101,20 +101,30 @@ class Imprint:
             ]
         return self._parts
 
-    def cut(self, keep: Keep | None = None, fill: Fill = "none", progress: Progress | None = None) -> Cut:
+    def cut(
+        self,
+        keep: Keep | None = None,
+        fill: Fill = "none",
+        progress: Progress | None = None,
+        drop_untouched: bool = False,
+    ) -> Cut:
         """Open the mesh along the curves; an open curve becomes a slit with joined ends. O(m log m).
 
-        A MeshWarning says which curves part nothing, so that nothing comes apart there, and how many rims cannot be filled.
+        A MeshWarning says which curves part nothing, so that nothing comes apart there, how many rims cannot be filled, and
+        which new faces cross others, where a rim allows no fill that does not.
 
         Parameters
         ----------
-        keep : "largest", "smallest", "inside" or (3,) array of float, default None
-            Return one part at the curves, all of these but the largest ("inside"), or the part at a point; None: all parts.
+        keep : "largest", "smallest", "inside", "outside" or (3,) or (k, 3) array of float, default None
+            Return one part at the curves, those that an odd ("inside") or an even number of curves parts from the largest, or
+            the parts at points; None: all parts.
         fill : {"none", "flat", "smooth"}, default "none"
-            Fill the holes that the other parts leave: with the area that is least and no new vertices, or as dense as
-            around, with its tangent planes. Needs `keep`.
+            Fill the holes that the other parts leave: with a triangulation that bends least, which has new vertices only
+            where it would cross the mesh, or as dense as around, with its tangent planes. Needs `keep`.
         progress : callable, optional
             Called with a fraction in [0, 1] and a stage while holes are filled; where it returns False, the work is cancelled.
+        drop_untouched : bool, default False
+            Components that no curve parts stay with `keep`, unless they are dropped here; a point keeps one then.
 
         Returns
         -------
@@ -129,13 +139,15 @@ class Imprint:
         Cancelled
             `progress` returned False.
         """
-        return self._cut(keep, fill, progress)
+        return self._cut(keep, fill, progress, drop_untouched)
 
-    def _cut(self, keep: Keep | None, fill: Fill, progress: Progress | None) -> Cut:
+    def _cut(self, keep: Keep | None, fill: Fill, progress: Progress | None, drop_untouched: bool) -> Cut:
         shape = cast(str, checked_value("fill", FILL, fill))
         if keep is None and shape != "none":
             raise OptionError(f"fill is {shape!r}, which needs keep", "bad-option")
-        cut, notes = self._core.cut(*parts_meant("keep", keep), fill=shape, progress=progress)
+        if keep is None and drop_untouched:
+            raise OptionError("drop_untouched is True, which needs keep", "bad-option")
+        cut, notes = self._core.cut(*parts_meant("keep", keep), fill=shape, drop_untouched=drop_untouched, progress=progress)
         warn(notes, 3)
         return Cut(*cut)
 
@@ -146,7 +158,7 @@ class Imprint:
         ----------
         height : float
             Outwards where it is positive, in the unit of the mesh. A MeshWarning says where faces are turned over.
-        part : "largest", "smallest", "inside" or (3,) array of float, default "inside"
+        part : "largest", "smallest", "inside", "outside" or (3,) or (k, 3) array of float, default "inside"
             The parts to move, as `keep` of cut().
 
         Returns

@@ -131,9 +131,10 @@ class Mesh(MeshKeywords):
         fill: Fill = "none",
         snap: float = 1e-9,
         progress: Progress | None = None,
+        drop_untouched: bool = False,
     ) -> Cut:
-        """Open a copy of the mesh along curves: imprint(curves, snap).cut(keep, fill, progress)."""
-        return self.imprint(curves, snap)._cut(keep, fill, progress)
+        """Open a copy of the mesh along curves: imprint(curves, snap).cut(keep, fill, progress, drop_untouched)."""
+        return self.imprint(curves, snap)._cut(keep, fill, progress, drop_untouched)
 
     def segment(self, curves: Iterable[Curve], snap: float = 1e-9) -> Imprint:
         """Label the parts that curves leave: an imprint whose `labels` and `parts` are more than those of the mesh.

@@ -10,6 +10,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -54,34 +55,41 @@ nb::list figuresOf(const Imprint& imprint) {
     return figures;
 }
 
+/// `seeds`: three coordinates of each.
 std::optional<PartChoice> choiceOf(
-    const std::optional<std::string>& which, const std::vector<double>& seed
+    const std::optional<std::string>& which, const std::vector<double>& seeds, bool dropUntouched
 ) {
     using Which = PartChoice::Which;
     if (!which) {
         return std::nullopt;
     }
-    if (*which == "seed") {
-        return PartChoice{.which = Which::Seed, .seed = Vec3(seed.at(0), seed.at(1), seed.at(2))};
-    }
-    return PartChoice{
+    PartChoice choice{
         .which = *which == "largest"    ? Which::Largest
                  : *which == "smallest" ? Which::Smallest
-                                        : Which::Inside
+                 : *which == "inside"   ? Which::Inside
+                 : *which == "outside"  ? Which::Outside
+                                        : Which::Seeds,
+        .seeds = {},
+        .dropUntouched = dropUntouched
     };
+    for (std::size_t i = 0; i + 2 < seeds.size(); i += 3) {
+        choice.seeds.emplace_back(seeds[i], seeds[i + 1], seeds[i + 2]);
+    }
+    return choice;
 }
 
 // ((vertices, faces, imprinted vertex of each vertex, part of each face), notes); -1: new.
 nb::tuple cutTuple(
     const Imprint& imprint,
     const std::optional<std::string>& which,
-    const std::vector<double>& seed,
+    const std::vector<double>& seeds,
     const std::string& fill,
     double relief,
+    bool dropUntouched,
     nb::object progress
 ) {
     CutChoice choice;
-    choice.keep = choiceOf(which, seed);
+    choice.keep = choiceOf(which, seeds, dropUntouched);
     choice.relief = relief;
     if (fill != "none") {
         choice.fill = fill == "flat" ? FillShape::Flat : FillShape::Smooth;
@@ -210,9 +218,10 @@ void bindUses(nb::module_& module) {
             "cut",
             cutTuple,
             nb::arg("which").none(),
-            nb::arg("seed"),
+            nb::arg("seeds"),
             nb::arg("fill") = "none",
             nb::arg("relief") = 0.0,
+            nb::arg("drop_untouched") = false,
             nb::arg("progress") = nb::none()
         );
     module.def("imprint", imprinted);

@@ -34,7 +34,7 @@ Kind: TypeAlias = Literal[
     "obstacle",
 ]
 Region: TypeAlias = Literal["selected-faces", "selected-vertices"]
-Keep: TypeAlias = Literal["all", "largest", "smallest", "inside", "seed"]
+Keep: TypeAlias = Literal["all", "largest", "smallest", "inside", "outside", "seed"]
 Fill: TypeAlias = Literal["none", "flat", "smooth"]
 Side: TypeAlias = Literal["both", "left", "right"]
 Place: TypeAlias = Literal["point", "curve"]
@@ -568,6 +568,7 @@ def cut_along_curves(
     split: bool = False,
     relief: float = 0.0,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    drop_untouched: bool = False,
     project_curves: bool = False,
     snap: float = 1e-09,
     strict: bool = False,
@@ -591,26 +592,31 @@ def cut_along_curves(
         visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
         they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
         MeshLab's window the current layer is chosen if it is a curve.
-    keep : {'all', 'largest', 'smallest', 'inside', 'seed'}, default 'all'
-        Which parts the result has. all: all parts; largest: the part at curves with the largest area; smallest: the one
-        with the smallest area; inside: all parts at curves but the largest; seed: the part at a point.
+    keep : {'all', 'largest', 'smallest', 'inside', 'outside', 'seed'}, default 'all'
+        Which parts the result has. Components that no curve parts stay with any of them. all: all parts; largest: the
+        part at curves with the largest area; smallest: the one with the smallest area; inside: the parts that an odd
+        number of curves parts from the largest, so that the holes of letters are not among them; outside: the parts
+        that an even number does; seed: the parts at points.
     seed : str, optional
-        A point of the part to keep, "x y z" in world coordinates. Empty: the one point of Edit > PickPoints on the
+        Points of the parts to keep, "x y z; x y z" in world coordinates. Empty: the points of Edit > PickPoints on the
         surface. Only with keep seed.
     fill : {'none', 'flat', 'smooth'}, default 'none'
-        What becomes of the holes that parts leave which are not kept. none: they stay open; flat: a triangulation of
-        least area, without new vertices; smooth: as dense as around, with its tangent planes. Only with keep largest or
-        smallest or inside or seed.
+        What becomes of the holes that parts leave which are not kept. none: they stay open; flat: a triangulation that
+        bends least; with new vertices only where it would cross the mesh; smooth: as dense as around, with its tangent
+        planes. Only with keep largest or smallest or inside or outside or seed.
     split : bool, default False
         Makes a layer of each part at curves, the largest first, and one of all that no curve parts. On in MeshLab's
         window. Only with keep all.
     relief : float, default 0.0
         Keeps the whole surface, with the parts to keep moved by this along their normals, in the unit of the mesh, and
         walls around them. Negative: engraved. 0: the parts are cut. Only with keep largest or smallest or inside or
-        seed.
+        outside or seed.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
         drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+    drop_untouched : bool, default False
+        Drops components that no curve parts as well; a seed keeps one. Only with keep largest or smallest or inside or
+        outside or seed.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -649,6 +655,7 @@ def cut_along_curves(
             "split": split,
             "relief": relief,
             "max_distance": max_distance,
+            "drop_untouched": drop_untouched,
             "project_curves": project_curves,
             "snap": snap,
             "strict": strict,

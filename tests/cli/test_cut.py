@@ -33,6 +33,7 @@ def ring(run, tmp_path):
         ("slit", [at(0.2, 0.15), at(0.8, 0.2)], []),
     ):
         (tmp_path / "picks.json").write_text(json.dumps({"picks": picks}))
+        (tmp_path / f"picks-of-{name}.json").write_text(json.dumps({"picks": picks}))
         run.ok("hill.ply", "--picks", "picks.json", "--field", "none", "--output", f"{name}.json", *words)
     return vertices, faces
 
@@ -64,6 +65,28 @@ def test_split_writes_every_part_and_keep_one(run, tmp_path, ring):
         assert np.array_equal(one.vertices, part.vertices) and np.array_equal(one.faces, part.faces), keep
         quality = one.metadata["_ply_raw"]["vertex"]["data"]["quality"].ravel()
         assert np.allclose(quality, one.vertices @ [1.0, 2.0, 0.0], atol=1e-9)
+
+
+def test_several_seeds_and_what_no_curve_touches(run, tmp_path, ring):
+    vertices, faces = ring
+    apart = vertices + [0.0, 0.0, 5.0]
+    both = np.concatenate([vertices, apart]), np.concatenate([faces, faces + len(vertices)])
+    meshes.write_ply(tmp_path / "two.ply", *both)
+    run.ok("cut", "hill.ply", *RING, "--output", "all.ply", "--split")
+    seeds = [load(tmp_path / name).triangles_center[0] for name in ("all.ply", "all-2.ply")]
+    words = "seed=" + ";".join(",".join(map(str, seed)) for seed in seeds)
+    whole = trimesh.Trimesh(*ring, process=False).area
+    run.ok("cut", "hill.ply", *RING, "--keep", words, "--output", "one.ply")
+    assert load(tmp_path / "one.ply").area == pytest.approx(whole, rel=1e-12)
+    run.ok("two.ply", "--picks", "picks-of-ring.json", "--closed", "--field", "none", "--output", "ring-of-two.json")
+    cut = ("cut", "two.ply", "--curve", "ring-of-two.json", "--output", "kept.ply", "--keep")
+    run.ok(*cut, "inside")
+    inside = load(tmp_path / "kept.ply").area
+    run.ok(*cut, "outside")
+    assert inside + load(tmp_path / "kept.ply").area == pytest.approx(3 * whole, rel=1e-12)  # the other plate is in both
+    result = run(*cut, "inside", "--drop-untouched")
+    assert (result.returncode, result.stderr) == (0, "bspline_curve: note: dropped: 1 component that no curve parts\n")
+    assert load(tmp_path / "kept.ply").area == pytest.approx(inside - whole, rel=1e-9)
 
 
 @pytest.mark.parametrize("shape", ["flat", "smooth"])
@@ -160,7 +183,7 @@ def test_segments_are_labelled_coloured_and_measured(run, tmp_path, ring):
 
 def test_refuses_by_name_and_writes_nothing(refused, tmp_path, ring):
     cut = ("cut", "hill.ply", *RING, "--output", "out.ply")
-    refused(2, *cut, "--keep", "biggest", says=["is none of all|largest|smallest|inside|seed=x,y,z"])
+    refused(2, *cut, "--keep", "biggest", says=["is none of all|largest|smallest|inside|outside|seed=x,y,z"])
     refused(2, *cut, "--keep", "seed=1,2", says=["--keep"])
     refused(2, *cut, "--relief", "1", says=["--relief", "--keep"])
     refused(2, *cut, "--keep", "inside", "--relief", "nan", says=["--relief"])

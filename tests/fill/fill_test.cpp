@@ -7,7 +7,9 @@
 #include "support/meshes.h"
 #include "support/refusal.h"
 #include "support/seeds.h"
+#include "surface/self_intersection.h"
 #include "surface/surface.h"
+#include "surface/triangle_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace bspline_curve {
 
@@ -99,6 +102,7 @@ TEST(Fill, APlateGetsItsPlaneBack) {
     for (const FillShape shape : {FillShape::Flat, FillShape::Smooth}) {
         const FilledMesh result = fillHoles(open, rims, shape);
         EXPECT_EQ(result.mesh.vertices.size() > open.vertices.size(), shape == FillShape::Smooth);
+        EXPECT_TRUE(result.crossing.empty());
         EXPECT_NEAR(Surface(result.mesh).area(), 1.0, 1e-12);
         for (const Vec3& vertex : result.mesh.vertices) {
             EXPECT_NEAR(vertex.z(), 0.0, 1e-12);
@@ -175,24 +179,149 @@ TEST(Fill, IsAsDenseAsTheMeshAroundACurve) {
     EXPECT_LT(static_cast<double>(added), 1.4 * removed);
 }
 
-TEST(Fill, NewVerticesCarryTheMeanOfTheirRim) {
-    const Surface surface(icosphere(2));
-    Random random(3);
-    const ImprintedMesh imprinted = imprint(surface, randomCurves(surface, random), {});
-    const MeshParts parts = partsOf(imprinted);
-    const FilledParts result = fillAround(imprinted, parts, {0}, FillShape::Smooth);
-    std::vector<double> heights;
+TEST(Fill, NewVerticesCarryWhatIsHarmonicFromTheirRim) {
+    // A linear function is harmonic in a plane; so it comes back as it was.
+    const Surface surface(jitteredPlate(8, 8, 0.2, 7));
+    const SurfacePolyline square = alongGrid(
+        surface,
+        8,
+        {{2, 2},
+         {3, 2},
+         {4, 2},
+         {5, 2},
+         {5, 3},
+         {5, 4},
+         {5, 5},
+         {4, 5},
+         {3, 5},
+         {2, 5},
+         {2, 4},
+         {2, 3}},
+        true
+    );
+    const ImprintedMesh imprinted = imprint(surface, std::vector{square}, {});
+    const FilledParts result = fillAround(imprinted, partsOf(imprinted), {0}, FillShape::Smooth);
+    std::vector<double> given;
     for (const Vec3& vertex : imprinted.mesh.vertices) {
-        heights.push_back(vertex.z());
+        given.push_back(2.0 * vertex.x() - vertex.y());
     }
-    const std::vector<double> values = result.carried(heights);
+    const std::vector<double> values = result.carried(given);
     ASSERT_EQ(values.size(), result.mesh.vertices.size());
+    ASSERT_GT(result.endOfNew, result.firstNew.at(0));
     for (std::size_t v = 0; v < values.size(); ++v) {
-        if (result.source[v] >= 0) {
-            EXPECT_EQ(values[v], result.mesh.vertices[v].z());
-        } else {
-            EXPECT_LE(std::abs(values[v]), 1.0);
-            EXPECT_NE(values[v], 0.0);
+        const Vec3& vertex = result.mesh.vertices[v];
+        EXPECT_NEAR(values[v], 2.0 * vertex.x() - vertex.y(), result.source[v] < 0 ? 0.02 : 0.0);
+    }
+}
+
+/// A closed curve round a point of a sphere-like mesh, imprinted.
+ImprintedMesh ringOn(const TriangleMesh& mesh, double radius, int lobes) {
+    const CurveDesigner designer(mesh);
+    SolverOptions options;
+    options.closed = true;
+    const TriangleTree tree(mesh.vertices, mesh.faces);
+    std::vector<Vec3> picks;
+    const int count = 2 * lobes;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / count;
+        const double reach = radius * (i % 2 == 0 ? 1.0 : 0.6);
+        const Vec3 direction(reach * std::cos(angle), reach * std::sin(angle), 1.0);
+        picks.push_back(tree.firstHit(Vec3::Zero(), direction).position);
+    }
+    return imprint(Surface(mesh), std::array{designer.design(picks, options).polyline}, {});
+}
+
+TriangleMesh waves(double height) {
+    TriangleMesh mesh = icosphere(4);
+    for (Vec3& v : mesh.vertices) {
+        v *= 1.0 + height * std::sin(9.0 * v.x()) * std::cos(8.0 * v.y());
+    }
+    return mesh;
+}
+
+TEST(Fill, OfEitherSideOfACurveCrossesNothing) {
+    TriangleMesh lens = icosphere(4);
+    for (Vec3& v : lens.vertices) {
+        v.z() *= 0.05;
+    }
+    TriangleMesh needle = icosphere(4);
+    for (Vec3& v : needle.vertices) {
+        v *= 1.0 + 2.0 * std::pow(std::max(v.z(), 0.0), 30.0);
+    }
+    std::size_t tried = 0;
+    for (const TriangleMesh& mesh :
+         {icosphere(4), waves(0.1), withNoise(icosphere(4), 0.01, 3), lens, needle}) {
+        for (const auto& [radius, lobes] : {std::pair{0.3, 2}, std::pair{0.6, 3}}) {
+            const ImprintedMesh imprinted = ringOn(mesh, radius, lobes);
+            const MeshParts parts = partsOf(imprinted);
+            ASSERT_EQ(parts.parts.size(), 2U);
+            for (const int kept : {0, 1}) {
+                for (const FillShape shape : {FillShape::Flat, FillShape::Smooth}) {
+                    SCOPED_TRACE(std::to_string(tried++));
+                    const FilledParts result = fillAround(imprinted, parts, {kept}, shape);
+                    EXPECT_TRUE(isWatertight(Surface(result.mesh)));
+                    EXPECT_TRUE(result.crossing.empty());
+                    EXPECT_TRUE(
+                        findSelfIntersections(result.mesh.vertices, result.mesh.faces).empty()
+                    );
+                }
+            }
+        }
+    }
+    EXPECT_EQ(tried, 40U);
+}
+
+TEST(Fill, APlanarRimGetsAFlatDisc) {
+    // The cap of a sphere above a plane, of which all rim vertices are at one height.
+    TriangleMesh ball = icosphere(5);
+    for (Vec3& v : ball.vertices) {
+        v.z() = std::abs(v.z() - 0.6) < 0.04 ? 0.6 : v.z();
+    }
+    const TriangleMesh cap = without(ball, [](const Vec3& v) { return v.z() <= 0.6; });
+    const std::vector<std::vector<int>> rims = rimsOf(cap.faces);
+    ASSERT_EQ(rims.size(), 1U);
+    const FilledMesh result = fillHoles(cap, rims, FillShape::Flat);
+    EXPECT_TRUE(result.crossing.empty());
+    EXPECT_EQ(result.mesh.vertices.size(), cap.vertices.size());
+    for (std::size_t f = cap.faces.size(); f < result.mesh.faces.size(); ++f) {
+        for (const int corner : result.mesh.faces[f]) {
+            EXPECT_EQ(result.mesh.vertices[corner].z(), 0.6);
+        }
+    }
+    EXPECT_TRUE(findSelfIntersections(result.mesh.vertices, result.mesh.faces).empty());
+}
+
+TEST(Fill, NamesTheFacesOfAKnottedRimThatCross) {
+    // Every disc with a trefoil as its boundary crosses itself. A narrow band has it as a rim.
+    constexpr int kCount = 60;
+    TriangleMesh band;
+    for (int i = 0; i < kCount; ++i) {
+        const double t = 2.0 * std::numbers::pi * i / kCount;
+        const Vec3 point(
+            std::sin(t) + 2.0 * std::sin(2.0 * t),
+            std::cos(t) - 2.0 * std::cos(2.0 * t),
+            -std::sin(3.0 * t)
+        );
+        band.vertices.push_back(point);
+        band.vertices.emplace_back(1.05 * point.x(), 1.05 * point.y(), point.z());
+        const int next = 2 * ((i + 1) % kCount);
+        band.faces.push_back({2 * i, 2 * i + 1, next});
+        band.faces.push_back({next, 2 * i + 1, next + 1});
+    }
+    std::vector<std::vector<int>> rims = rimsOf(band.faces);
+    ASSERT_EQ(rims.size(), 2U);
+    rims.resize(1);
+    for (const FillShape shape : {FillShape::Flat, FillShape::Smooth}) {
+        const FilledMesh result = fillHoles(band, rims, shape);
+        EXPECT_FALSE(result.crossing.empty());
+        for (const int face : result.crossing) {
+            EXPECT_GE(face, std::ssize(band.faces));
+            EXPECT_LT(face, std::ssize(result.mesh.faces));
+        }
+        const auto pairs = findSelfIntersections(result.mesh.vertices, result.mesh.faces);
+        EXPECT_FALSE(pairs.empty());
+        for (const auto& [one, other] : pairs) {
+            EXPECT_TRUE(std::ranges::binary_search(result.crossing, other)) << one << ' ' << other;
         }
     }
 }

@@ -139,7 +139,7 @@ TEST(UnjoinedParts, AreFilledOnOneSide) {
             for (int v = after.firstNew[0]; v < after.endOfNew; ++v) {
                 EXPECT_EQ(after.source[v], -1);
             }
-            // New vertices have values as before, here the mean height of the rim.
+            // New vertices have values as before, here harmonic heights.
             std::vector<double> heights;
             for (const Vec3& vertex : ball.whole.mesh.vertices) {
                 heights.push_back(vertex.z());

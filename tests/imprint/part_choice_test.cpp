@@ -29,7 +29,7 @@ protected:
     }
 
     [[nodiscard]] std::vector<int> at(double x, double y) const {
-        return chosen({.which = PartChoice::Which::Seed, .seed = Vec3(x, y, 0.0)});
+        return chosen({.which = PartChoice::Which::Seeds, .seeds = {Vec3(x, y, 0.0)}});
     }
 
     Surface surface_{plate(kCells, kCells)};
@@ -60,10 +60,22 @@ TEST_F(TwoSquares, AreChosenBySizeSideAndSeed) {
     EXPECT_EQ(at(0.25, 0.25), std::vector{1});  // a vertex inside
 }
 
+TEST_F(TwoSquares, AreChosenBySeveralSeeds) {
+    PartChoice choice{
+        .which = PartChoice::Which::Seeds, .seeds = {Vec3(0.7, 0.7, 0), Vec3(0.3, 0.2, 0)}
+    };
+    EXPECT_EQ(chosen(choice), (std::vector{1, 2}));
+    choice.seeds.emplace_back(0.2, 0.3, 0);  // in one of them again
+    EXPECT_EQ(chosen(choice), (std::vector{1, 2}));
+    EXPECT_EQ(chosen({.which = PartChoice::Which::Outside}), std::vector{0});
+    choice.seeds.clear();
+    expectRefused([&] { return chosen(choice); }, InputErrorCode::NoPath, "no part is meant");
+}
+
 TEST_F(TwoSquares, RefuseSeedsOnCurvesAndFarAway) {
     expectRefused([&] { return at(0.2, 0.125); }, InputErrorCode::NoPath, "lies on a curve");
     expectRefused([&] { return at(0.125, 0.125); }, InputErrorCode::NoPath, "lies on a curve");
-    const PartChoice above{.which = PartChoice::Which::Seed, .seed = Vec3(0.2, 0.2, 1.0)};
+    const PartChoice above{.which = PartChoice::Which::Seeds, .seeds = {Vec3(0.2, 0.2, 1.0)}};
     expectRefused([&] { return chosen(above); }, InputErrorCode::PickTooFar, "is 1 away");
 }
 
@@ -78,6 +90,43 @@ TEST_F(TwoSquares, CutTheirRimsAloneWhereTheyAreChosen) {
     EXPECT_NEAR(Surface(small.mesh).area(), 1.0 / 64, 1e-15);
 }
 
+TEST(PartChoice, TheHoleOfALetterIsOutside) {
+    const Surface surface(plate(8, 8));
+    const auto square = [&](int low, int high) {
+        std::vector<std::array<int, 2>> round;
+        for (int i = low; i < high; ++i) {
+            round.push_back({i, low});
+        }
+        for (int i = low; i < high; ++i) {
+            round.push_back({high, i});
+        }
+        for (int i = high; i > low; --i) {
+            round.push_back({i, high});
+        }
+        for (int i = high; i > low; --i) {
+            round.push_back({low, i});
+        }
+        return alongGrid(surface, 8, round, true);
+    };
+    const ImprintedMesh imprinted =
+        imprint(surface, std::vector{square(1, 7), square(2, 6), square(3, 5)}, {});
+    const MeshParts parts = partsOf(imprinted);
+    ASSERT_EQ(parts.parts.size(), 4U);
+    // From outside: 28, 20, 12 and 4 cells.
+    EXPECT_EQ(
+        chosenParts(imprinted, parts, {.which = PartChoice::Which::Inside}), (std::vector{1, 3})
+    );
+    EXPECT_EQ(
+        chosenParts(imprinted, parts, {.which = PartChoice::Which::Outside}), (std::vector{0, 2})
+    );
+    // A curve that is there twice leaves what is inside of it outside.
+    const ImprintedMesh twice =
+        imprint(surface, std::vector{square(2, 6), square(2, 6), square(3, 5)}, {});
+    EXPECT_EQ(
+        chosenParts(twice, partsOf(twice), {.which = PartChoice::Which::Inside}), std::vector{2}
+    );
+}
+
 TEST(PartChoice, LeavesOtherComponentsAlone) {
     const Surface surface(joined(
         plate(4, 4), transformed(plate(4, 4), Eigen::Isometry3d(Eigen::Translation3d(9, 0, 0)), 3.0)
@@ -88,6 +137,10 @@ TEST(PartChoice, LeavesOtherComponentsAlone) {
     ASSERT_EQ(parts.parts.size(), 3U);
     EXPECT_EQ(partedParts(imprinted, parts), (std::vector{1, 2}));
     EXPECT_EQ(chosenParts(imprinted, parts, {.which = PartChoice::Which::Largest}), std::vector{1});
+    PartChoice choice{.which = PartChoice::Which::Largest};
+    EXPECT_EQ(keptParts(imprinted, parts, choice), (std::vector{0, 1}));
+    choice.dropUntouched = true;
+    EXPECT_EQ(keptParts(imprinted, parts, choice), std::vector{1});
 }
 
 TEST(PartChoice, ComponentsThatNoCurvePartsAreOneMeshTogether) {

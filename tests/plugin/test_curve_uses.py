@@ -266,7 +266,7 @@ def test_layers_that_moved_together_are_exact(ringed):
     ("imprint_curves", {"curve_layer": 2}, 'curve_layer: layer "other" is no polyline: it has faces'),
     ("imprint_curves", {"curve_layer": 9}, "curve_layer: there is no layer 9"),
     ("cut_along_curves", {"keep": "seed", "seed": "0 0 9"}, "the seed .* away from the mesh"),
-    ("cut_along_curves", {"keep": "seed"}, 'keep is "seed", but there are 0 points'),
+    ("cut_along_curves", {"keep": "seed"}, 'keep is "seed", but there is no point'),
     ("cut_along_curves", {"fill": "flat"}, "the option fill needs the option keep"),
     ("offset_curve_on_surface", {"offset": pymeshlab.PureValue(4)}, 'layer "plate curve": no point of the surface'),
     ("imprint_curves", {"snap": 0.5}, "snap is 0.5, but must be in"),

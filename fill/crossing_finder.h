@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/mesh.h"
+#include "surface/triangle_tree.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve {
+
+/// What new faces cross.
+struct Crossings {
+    std::vector<std::pair<int, int>> pairs;  ///< of new faces that cross each other, ascending
+    std::vector<int> withKept;               ///< new faces that cross kept ones, ascending
+
+    [[nodiscard]] bool isEmpty() const { return pairs.empty() && withKept.empty(); }
+
+    /// New faces that cross anything, ascending.
+    [[nodiscard]] std::vector<int> faces() const;
+};
+
+/// Finds where new faces cross each other or those that are there, exactly: faces cross where they
+/// meet anywhere but in the corners and the edge that they share by index. New faces must have
+/// area.
+class CrossingFinder {
+public:
+    /// `vertices` must outlive it and may grow; those of kept faces stay where they are.
+    /// `isRounded`: they were rounded to single precision, so that kept faces that this may have
+    /// turned over and new ones without area do not count, and corners that became one place are
+    /// one.
+    CrossingFinder(
+        const std::vector<Vec3>& vertices, const std::vector<Triangle>& kept, bool isRounded
+    );
+
+    /// From now on these are kept as well. O(n log n).
+    void keep(const std::vector<Triangle>& faces);
+
+    /// Whether a face is so narrow that rounding to single precision may turn it over.
+    [[nodiscard]] bool isSliver(const Triangle& face) const;
+
+    /// O(log n) where few kept faces are near.
+    [[nodiscard]] bool crossesKept(const Triangle& face) const;
+
+    /// O(n log n) where few faces overlap.
+    [[nodiscard]] Crossings crossingsOf(const std::vector<Triangle>& faces) const;
+
+private:
+    struct Kept {
+        Kept(const std::vector<Vec3>& vertices, std::vector<Triangle> those)
+            : faces(std::move(those)), tree(vertices, faces) {}
+
+        std::vector<Triangle> faces;
+        TriangleTree tree;
+    };
+
+    [[nodiscard]] bool isBroad(const Triangle& face, double leastHeight) const;
+    [[nodiscard]] bool counts(const Triangle& face) const;
+    [[nodiscard]] bool cross(const Triangle& a, const Triangle& b) const;
+
+    const std::vector<Vec3>& vertices_;
+    bool isRounded_;
+    std::vector<std::unique_ptr<const Kept>> kept_;
+};
+
+}  // namespace bspline_curve
