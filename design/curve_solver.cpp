@@ -267,9 +267,8 @@ std::optional<Solved> CurveSolver::solveAlong(
     std::optional<Solved> solved = relaxed(std::move(problem), own.path, {}, work);
     if (solved) {
         auto& seconds = solved->solution.report.seconds;
-        seconds.failedAttempts = std::max(
-            0.0, watch.lap() - seconds.initial - seconds.minimise - seconds.knots
-        );
+        seconds.failedAttempts =
+            std::max(0.0, watch.lap() - seconds.initial - seconds.minimise - seconds.knots);
     }
     return solved;
 }

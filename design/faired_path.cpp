@@ -339,9 +339,7 @@ private:
             const std::size_t end = i + 1 < stops_.size() ? stops_[i + 1].node : segmentCount();
             placement.stops.push_back({placement.nodes.size(), pick});
             placement.nodes.push_back(now_[first]);
-            placement.targets.push_back(
-                pick >= 0 ? picks_[pick].position : now_[first].position
-            );
+            placement.targets.push_back(pick >= 0 ? picks_[pick].position : now_[first].position);
             placement.places.push_back(static_cast<double>(first));
             if (first < end) {  // not the last stop of an open path
                 const auto leg = [&](std::size_t node) {
@@ -385,9 +383,8 @@ private:
         for (NearPicks::Pick& pick : near_.picks()) {
             const double place = static_cast<double>(pick.segment) + pick.share;
             const auto above = std::ranges::upper_bound(places, place);
-            const auto segment = static_cast<std::size_t>(
-                std::max<std::ptrdiff_t>(0, above - places.begin() - 1)
-            );
+            const auto segment =
+                static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, above - places.begin() - 1));
             const bool isPastEnd = segment >= segmentCount();
             pick.segment = isPastEnd ? segmentCount() - 1 : segment;
             pick.share = isPastEnd ? 1.0 : 0.0;
@@ -465,8 +462,7 @@ private:
     ) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < lengths.size(); ++i) {
-            sum +=
-                0.5 * lengths[i] * (fieldAt(nodes[i]).cost + fieldAt(nodes[after(i)]).cost);
+            sum += 0.5 * lengths[i] * (fieldAt(nodes[i]).cost + fieldAt(nodes[after(i)]).cost);
         }
         return sum / length;
     }
@@ -522,8 +518,8 @@ private:
         }
         if (!field_.empty()) {
             const auto& values = field_.values;
-            way.fieldBy = u * (values[face[1]] - values[face[0]]) +
-                          v * (values[face[2]] - values[face[0]]);
+            way.fieldBy =
+                u * (values[face[1]] - values[face[0]]) + v * (values[face[2]] - values[face[0]]);
         }
         return way;
     }
@@ -625,10 +621,8 @@ private:
         const double byB = 2.0 * pull.way.dot(b);
         gradientAt(i) += pull.slope * byA;
         gradientAt(j) += pull.slope * byB;
-        derivatives_.rows[i][0] +=
-            pull.curvature * byA * byA + 2.0 * pull.slope * a.squaredNorm();
-        derivatives_.rows[j][0] +=
-            pull.curvature * byB * byB + 2.0 * pull.slope * b.squaredNorm();
+        derivatives_.rows[i][0] += pull.curvature * byA * byA + 2.0 * pull.slope * a.squaredNorm();
+        derivatives_.rows[j][0] += pull.curvature * byB * byB + 2.0 * pull.slope * b.squaredNorm();
         derivatives_.rows[i][1] += pull.curvature * byA * byB + 2.0 * pull.slope * a.dot(b);
     }
 

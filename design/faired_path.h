@@ -43,9 +43,9 @@ struct PathField {
 };
 
 /// The same with picks that it keeps near to, each as its leeway says (empty: all exactly), and
-/// under a field. The picks of the result are the points of the path nearest to them, with ascending
-/// parameters; those of near ones may be the same. Bounds hold but for roundings, or where the path
-/// did not come to rest: to be checked.
+/// under a field. The picks of the result are the points of the path nearest to them, with
+/// ascending parameters; those of near ones may be the same. Bounds hold but for roundings, or
+/// where the path did not come to rest: to be checked.
 [[nodiscard]] std::optional<PickPath> fairedPathNear(
     const ExtendedSurface& extended,
     const PatchLevels* patches,

@@ -18,9 +18,10 @@ namespace {
 struct NearConstants {
     /// Of a tolerance, for the path: the rest is for the spline beside it and the projection.
     double pathShare = 0.93;
-    /// A path keeps its bounds along the surface. Where it is farther from a pick in space than this
-    /// share of the tolerance, since faces are large and the surface curved, the bound shrinks, so
-    /// many times, at last to nothing; and where there is no path within the bounds they are halved.
+    /// A path keeps its bounds along the surface. Where it is farther from a pick in space than
+    /// this share of the tolerance, since faces are large and the surface curved, the bound
+    /// shrinks, so many times, at last to nothing; and where there is no path within the bounds
+    /// they are halved.
     double mostPathShare = 0.97;
     int mostPaths = 5;
     /// Of the progress, for the path, and for each curve along it.
@@ -115,8 +116,7 @@ private:
                 if (leeways[k].bound > 0.0 && distance > kNear.mostPathShare * tolerances_[k]) {
                     isWithin = false;
                     const bool isLast = i + 2 >= kNear.mostPaths;
-                    leeways[k].bound *=
-                        isLast ? 0.0 : kNear.pathShare * tolerances_[k] / distance;
+                    leeways[k].bound *= isLast ? 0.0 : kNear.pathShare * tolerances_[k] / distance;
                 }
             }
             if (isWithin) {
@@ -157,8 +157,8 @@ private:
         for (std::size_t i = 0; i < picks_.size(); ++i) {
             if (i == 0 || path.picks[i].parameter != path.picks[i - 1].parameter) {
                 const SurfacePoint& point = path.picks[i].point;
-                const bool isClear = context_.obstacles == nullptr ||
-                                     context_.obstacles->closeness(point) < 1.0;
+                const bool isClear =
+                    context_.obstacles == nullptr || context_.obstacles->closeness(point) < 1.0;
                 points.push_back(isClear ? point : picks_[i]);
             }
             pointOf.push_back(points.size() - 1);

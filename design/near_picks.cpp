@@ -7,8 +7,8 @@
 namespace bspline_curve {
 namespace {
 
-/// Share of the squared bound beyond which the barrier is a parabola: steep enough to draw a polyline
-/// inside, and finite where a step has led outside.
+/// Share of the squared bound beyond which the barrier is a parabola: steep enough to draw a
+/// polyline inside, and finite where a step has led outside.
 constexpr double kSteepest = 0.96;
 
 struct Barrier {
@@ -51,9 +51,7 @@ void NearPicks::follow(std::span<const FairingNode> nodes, bool closed) {
     const std::size_t count = nodes.size();
     const std::size_t segments = closed ? count : count - 1;
     const auto nearest = [&](std::size_t segment, const Vec3& pick) {
-        return nearestOn(
-            nodes[segment].position, nodes[after(segment, count)].position, pick
-        );
+        return nearestOn(nodes[segment].position, nodes[after(segment, count)].position, pick);
     };
     for (Pick& pick : picks_) {
         if (pick.isAtNode) {

@@ -9,7 +9,9 @@ SplineData splineDataOf(
     const SplineCurve& curve, const ShellFrame& frame, std::vector<double> pickParameters
 ) {
     const auto& [space, controls] = curve;
-    SplineData data{space.degree(), space.closed(), space.knotVector(), {}, std::move(pickParameters)};
+    SplineData data{
+        space.degree(), space.closed(), space.knotVector(), {}, std::move(pickParameters)
+    };
     const int repeated = data.closed ? data.degree : 0;
     for (int i = 0; i < space.controlCount() + repeated; ++i) {
         const int c = i % space.controlCount();

@@ -151,9 +151,7 @@ std::vector<double> pickTolerancesOf(
                 describeCount(task.picks.size(), "pick", "picks") + ": give one for each"
         );
     }
-    std::vector<double> tolerances(
-        located.points.size(), std::numeric_limits<double>::infinity()
-    );
+    std::vector<double> tolerances(located.points.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < located.pointOf.size(); ++i) {
         const MeshLength& length =
             task.pickTolerances.empty() ? task.options.pickTolerance : task.pickTolerances[i];
@@ -219,7 +217,8 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     const DesignContext context{
         *validated,
         obstacles ? &*obstacles : nullptr,
-        repeated.empty() && !isNear ? askedStart : nullptr,  // which has as many picks as were asked for
+        repeated.empty() && !isNear ? askedStart
+                                    : nullptr,  // which has as many picks as were asked for
         numbers
     };
     std::optional<WorkerThread> side;
@@ -230,7 +229,13 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     std::optional<NearCurve> drawn;
     if (isNear) {
         drawn = drawNear(
-            *this, located.points, tolerances, options, sampling, context, other,
+            *this,
+            located.points,
+            tolerances,
+            options,
+            sampling,
+            context,
+            other,
             partOf(progress, 0.0, kNearPicksShare)
         );
         if (drawn && !isStrict(surface(), drawn->curve.polyline)) {
@@ -240,8 +245,14 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     Stopwatch watch;
     if (!drawn) {
         drawn = drawThrough(
-            *this, located.points, options, sampling, context, other,
-            partOf(progress, isNear ? kNearPicksShare : 0.0, 1.0), watch
+            *this,
+            located.points,
+            options,
+            sampling,
+            context,
+            other,
+            partOf(progress, isNear ? kNearPicksShare : 0.0, 1.0),
+            watch
         );
     }
     auto& [curve, solved] = *drawn;

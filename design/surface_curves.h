@@ -21,7 +21,7 @@ struct CurveTask {
     ScalarField field;
     Region avoid;
     std::span<const MeshLength> pickTolerances;  ///< see CurveInputs
-    const Curve* start;  ///< see CurveInputs; null: none
+    const Curve* start;                          ///< see CurveInputs; null: none
 };
 
 /// Draws curves on one surface as it is. Several threads may draw at once.

@@ -42,9 +42,9 @@ const std::vector<std::string>& drawnParameters() {
         "closed",
         "degree",
         "tension",
-        "pick_tolerance",
         "field",
         "field_weight",
+        "pick_tolerance",
         "avoid",
         "avoid_threshold"
     };

@@ -35,7 +35,7 @@ enum class FillKind { None, Flat, Smooth };
 
 struct CutWords {
     KeptParts keep = KeptParts::All;
-    std::string seed;  ///< "x y z; x y z; ..."; empty: the points of the host's own tool
+    std::string seed;            ///< "x y z; x y z; ..."; empty: the points of the host's own tool
     bool dropUntouched = false;  ///< components that no curve parts
     FillKind fill = FillKind::None;
     bool split = false;   ///< where all are kept: a layer for each part

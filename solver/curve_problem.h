@@ -29,7 +29,7 @@ struct CurveProblem {
     const PatchLevels* patches = nullptr;     ///< of the surface; null: feet are found without
     const ShellBoundary* boundary = nullptr;  ///< needed by Quadrature::Samples alone
     const Obstacles* obstacles = nullptr;     ///< what the curve avoids; null: nothing
-    std::vector<PickConstraint> picks;  ///< that the curve passes
+    std::vector<PickConstraint> picks;        ///< that the curve passes
     /// Of all picks as they were asked for, where the curve need not pass them: the parameters at
     /// which it is near to them, ascending. Empty: those of `picks`.
     std::vector<double> nearParameters;

@@ -76,8 +76,7 @@ MeshLength parseLength(const std::string& text, const std::string& name) {
     };
     skipBlanks();
     MeshLength length;
-    const auto [end, error] =
-        std::from_chars(rest.data(), rest.data() + rest.size(), length.value);
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), length.value);
     bool isLength = error == std::errc() && std::isfinite(length.value) && length.value >= 0.0;
     if (isLength) {
         rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));

@@ -53,7 +53,7 @@ private:
     QComboBox* avoid_;
     QDoubleSpinBox* avoidThreshold_;
     QComboBox* unit_;
-    double tensionValue_ = 0.0;    ///< finer than the slider
+    double tensionValue_ = 0.0;   ///< finer than the slider
     std::string toleranceValue_;  ///< may be a length in the mesh's unit
     bool isShowing_ = false;
 };

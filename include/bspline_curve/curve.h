@@ -34,8 +34,8 @@ struct SurfacePolyline {
 
 struct Curve {
     SurfacePolyline polyline;
-    /// The picks, as points of the surface, where the curve need not pass them; else empty: they are
-    /// vertices of the polyline.
+    /// The picks, as points of the surface, where the curve need not pass them; else empty: they
+    /// are vertices of the polyline.
     std::vector<SurfacePoint> nearPicks{};
     std::vector<Vec3> nearPickPositions{};  ///< of these, in the user's unit
     SplineData spline;

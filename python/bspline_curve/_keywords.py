@@ -51,8 +51,8 @@ CURVE: dict[str, Option] = {
     "closed": Option("bool", False, None, None, False, ()),
     "degree": Option("int", 3, 2, 4, False, ()),
     "tension": Option("double", 0.0, 0.0, 1.0, False, ()),
-    "pick_tolerance": Option("length", "0", None, None, False, ()),
     "field_weight": Option("double", 2000.0, 0.0, None, False, ()),
+    "pick_tolerance": Option("length", "0", None, None, False, ()),
     "field_cost": Option("enum", "natural", None, None, False, ("natural", "identity", "square", "exp-minus")),
     "samples": Option("int", 256, 0, None, False, ()),
     "max_segment_length": Option("double", 0.0, 0.0, None, False, ()),
@@ -104,8 +104,8 @@ class CurveOptions(TypedDict, total=False):
     closed: bool
     degree: int
     tension: float
-    pick_tolerance: float | str
     field_weight: float
+    pick_tolerance: float | str
     field_cost: FieldCost
     samples: int
     max_segment_length: float
@@ -228,8 +228,8 @@ class MeshKeywords(ABC):
         closed: bool = False,
         degree: int = 3,
         tension: float = 0.0,
-        pick_tolerance: float | str = "0",
         field_weight: float = 2000.0,
+        pick_tolerance: float | str = "0",
         field_cost: FieldCost = "natural",
         samples: int = 256,
         max_segment_length: float = 0.0,
@@ -280,12 +280,12 @@ class MeshKeywords(ABC):
             Polynomial degree of the spline.
         tension : float in [0, 1], default 0.0
             From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
-        pick_tolerance : float or str, default '0'
-            How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
-            of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
         field_weight : float ≥ 0, default 2000.0
             Weight of the field against smoothness, in units of 1 / cost, for costs between 0 and 1. 0: the field has no
             effect.
+        pick_tolerance : float or str, default '0'
+            How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
+            of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
         field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
             What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
             valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
@@ -394,8 +394,8 @@ class MeshKeywords(ABC):
                 "closed": closed,
                 "degree": degree,
                 "tension": tension,
-                "pick_tolerance": pick_tolerance,
                 "field_weight": field_weight,
+                "pick_tolerance": pick_tolerance,
                 "field_cost": field_cost,
                 "samples": samples,
                 "max_segment_length": max_segment_length,

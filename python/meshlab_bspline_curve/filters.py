@@ -45,11 +45,11 @@ def draw_curve(
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
-    pick_tolerance: float | str = "0",
     field: Field | npt.ArrayLike = "none",
     quality: npt.ArrayLike | None = None,
     field_weight: float = 2000.0,
     tube_radius: float = 0.0,
+    pick_tolerance: float | str = "0",
     field_cost: FieldCost = "natural",
     avoid: Avoid | npt.ArrayLike = "none",
     avoid_threshold: float = 0.0,
@@ -121,9 +121,6 @@ def draw_curve(
         Polynomial degree of the spline.
     tension : float in [0, 1], default 0.0
         From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
-    pick_tolerance : float or str, default '0'
-        How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
-        of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
     field : {'none', 'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
         'quality', 'obstacle', 'auto'} or (n,) array of float, its values, default 'none'
         A scalar that draws the curve to where its cost is low. none: no field; normal-variation: least product of the
@@ -140,6 +137,9 @@ def draw_curve(
     tube_radius : float ≥ 0, default 0.0
         A closed tube mesh around the curve is made too, with this radius in the unit of the mesh, at most its diagonal.
         0: none.
+    pick_tolerance : float or str, default '0'
+        How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
+        of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
     field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
         What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
         valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
@@ -303,9 +303,9 @@ def draw_curve(
             "closed": closed,
             "degree": degree,
             "tension": tension,
-            "pick_tolerance": pick_tolerance,
             "field_weight": field_weight,
             "tube_radius": tube_radius,
+            "pick_tolerance": pick_tolerance,
             "field_cost": field_cost,
             "avoid_threshold": avoid_threshold,
             "samples": samples,

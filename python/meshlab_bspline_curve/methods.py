@@ -47,10 +47,10 @@ def generate_bspline_curve_on_surface(
     closed: bool = False,
     degree: int = 3,
     tension: float = 0.0,
-    pick_tolerance: float | str = "0",
     field: Field = "none",
     field_weight: float = 2000.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    pick_tolerance: float | str = "0",
     picks_layer: int | None = None,
     picks_file: str = "",
     picks: str = "",
@@ -128,9 +128,6 @@ def generate_bspline_curve_on_surface(
         Polynomial degree of the spline.
     tension : float in [0, 1], default 0.0
         From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
-    pick_tolerance : float or str, default '0'
-        How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
-        of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
     field : {'none', 'normal-variation', 'maximal-curvature', 'ridge', 'valley', 'crease-distance', 'boundary-distance',
         'quality', 'obstacle', 'auto'}, default 'none'
         A scalar that draws the curve to where its cost is low. none: no field; normal-variation: least product of the
@@ -145,6 +142,9 @@ def generate_bspline_curve_on_surface(
     tube_radius : float ≥ 0, default 0.0
         A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
         diagonal. 0: no tube.
+    pick_tolerance : float or str, default '0'
+        How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
+        of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
     picks_layer : int, optional
         A layer of points without faces; the curve passes through its vertices in their order. The surface itself
         (default): no layer of picks.
@@ -321,10 +321,10 @@ def generate_bspline_curve_on_surface(
             "closed": closed,
             "degree": degree,
             "tension": tension,
-            "pick_tolerance": pick_tolerance,
             "field": field,
             "field_weight": field_weight,
             "tube_radius": tube_radius,
+            "pick_tolerance": pick_tolerance,
             "picks_layer": picks_layer,
             "picks_file": picks_file,
             "picks": picks,

@@ -71,6 +71,15 @@ double turningOf(const SplineData& spline) {
     return turning;
 }
 
+Curve curveNear(
+    const CurveDesigner& designer, const std::vector<Vec3>& picks, const SolverOptions& options
+) {
+    Curve curve = designer.design(picks, options);
+    EXPECT_TRUE(curve.report.usable);
+    expectStrict(designer.surface(), curve.polyline);
+    return curve;
+}
+
 void expectNear(const Curve& curve, const std::vector<Vec3>& picks, double tolerance) {
     ASSERT_EQ(curve.report.pickDistances.size(), picks.size());
     ASSERT_EQ(curve.polyline.picks.size(), picks.size());
@@ -87,7 +96,7 @@ TEST(NearCurves, AreSmoothWherePicksAreShaky) {
     constexpr double kTolerance = 0.02;
     const std::vector<Vec3> picks = shakyWave(0.012);
     const Curve through = goodCurve(designer, picks);
-    const Curve near = goodCurve(designer, picks, {.pickTolerance = {.value = kTolerance}});
+    const Curve near = curveNear(designer, picks, {.pickTolerance = {.value = kTolerance}});
     expectNear(near, picks, kTolerance);
     // The wave itself turns by 2.2; through the picks the curve turns at each.
     EXPECT_GT(turningOf(through.spline), 6.0);
@@ -100,7 +109,7 @@ TEST(NearCurves, MayBeClosed) {
     constexpr double kTolerance = 0.02;
     const std::vector<Vec3> picks = shakyCircle(0.015);
     const Curve near =
-        goodCurve(designer, picks, {.closed = true, .pickTolerance = {.value = kTolerance}});
+        curveNear(designer, picks, {.closed = true, .pickTolerance = {.value = kTolerance}});
     expectNear(near, picks, kTolerance);
     EXPECT_LT(turningOf(near.spline), 2.0 * std::numbers::pi + 0.05);
 }
@@ -110,8 +119,8 @@ TEST(NearCurves, TakeTolerancesInEdges) {
     const double edge = designer.surface().averageEdgeLength();
     const std::vector<Vec3> picks = shakyWave(0.012);
     const Curve inEdges =
-        goodCurve(designer, picks, {.pickTolerance = {.value = 0.5, .isInEdges = true}});
-    const Curve asLength = goodCurve(designer, picks, {.pickTolerance = {.value = 0.5 * edge}});
+        curveNear(designer, picks, {.pickTolerance = {.value = 0.5, .isInEdges = true}});
+    const Curve asLength = curveNear(designer, picks, {.pickTolerance = {.value = 0.5 * edge}});
     EXPECT_EQ(inEdges.polyline.points, asLength.polyline.points);
 }
 
@@ -209,7 +218,8 @@ TEST(MeshLength, IsReadAsItIsWritten) {
     }
     EXPECT_EQ(parseLength(" 1edge", "x"), (MeshLength{1.0, true}));
     EXPECT_EQ(parseLength("2 edges ", "x"), (MeshLength{2.0, true}));
-    for (const char* const text : {"", "edges", "-1", "1 edgesedge", "1mm", "nan", "inf", "1e400"}) {
+    for (const char* const text :
+         {"", "edges", "-1", "1 edgesedge", "1mm", "nan", "inf", "1e400"}) {
         EXPECT_THROW(static_cast<void>(parseLength(text, "x")), InputError) << text;
     }
 }

@@ -52,6 +52,9 @@ ParameterValue otherValue(const ParameterDescription& parameter, const Parameter
     if (const auto* const number = std::get_if<double>(&value)) {
         return *number == 0.5 ? 0.25 : 0.5;
     }
+    if (parameter.type == ParameterType::Length) {
+        return "2 edges";
+    }
     for (const EnumOption& option : parameter.options) {
         if (ParameterValue(option.id) != value && !leavesAsItIs(option.id)) {
             return option.id;
