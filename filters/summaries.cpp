@@ -97,6 +97,10 @@ std::string curveSummary(
         (report.usable ? "usable: its spline stays within " : "not usable: its spline is up to ") +
         describeLength(report.maxDistance * report.meanEdgeLength) +
         (report.usable ? " of the surface." : " from the surface.");
+    if (!report.pickDistances.empty()) {
+        text += " It passes the picks within " +
+                describeLength(std::ranges::max(report.pickDistances)) + ".";
+    }
     if (circumstances.followsField && request.field) {
         text += " It follows the field " + describeField(request.field->options.kind) + ".";
     }

@@ -144,6 +144,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"notes", figures.notes},
         {"field", fieldOf(report, figures)},
         {"repeated_picks", report.repeatedPicks},
+        {"pick_distances", report.pickDistances},
         {"detours", detoursOf(report)},
         {"avoid", avoidanceOf(report)},
         {"seconds", secondsOf(report, figures)},

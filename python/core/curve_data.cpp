@@ -108,6 +108,7 @@ nb::dict reportDict(const DesignedCurve& drawn) {
     result["field_at_rest"] = report.fieldAtRest;
     result["field_share"] = report.fieldShare;
     result["repeated_picks"] = report.repeatedPicks;
+    result["pick_distances"] = report.pickDistances;
     result["detours"] = detoursOf(report);
     result["avoided_faces"] = report.avoidedFaces;
     result["clearance"] = report.clearance;

@@ -78,6 +78,21 @@ def test_a_pick_given_twice_is_passed_once_with_a_note(run, plate):
     assert json.loads((plate / "report.json").read_text())["repeated_picks"] == [2]
 
 
+def test_a_curve_may_pass_beside_its_picks(run, plate):
+    run.ok(*DEFAULT[:-1], "near.json", "--pick-tolerance", "0.02", "--report", "report.json")
+    picks = json.loads((plate / "picks.json").read_text())["picks"]
+    distances = json.loads((plate / "report.json").read_text())["pick_distances"]
+    assert len(distances) == len(picks) and 0.001 < max(distances) <= 0.02
+    run.ok(*DEFAULT[:-1], "through.json", "--report", "report.json")
+    assert json.loads((plate / "report.json").read_text())["pick_distances"] == []
+
+
+@pytest.mark.parametrize("text", ["-1", "1mm", "edges", ""])
+def test_a_tolerance_of_picks_that_is_no_length_is_refused(run, plate, text):
+    result = run(*DEFAULT, f"--pick-tolerance={text}")
+    assert result.returncode == 2 and "must be a length" in result.stderr and "--pick-tolerance" in result.stderr
+
+
 def test_more_samples_and_shorter_segments_refine_the_polyline(run, plate):
     counts = []
     for samples in (0, 64, 1000):

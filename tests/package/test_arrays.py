@@ -30,6 +30,8 @@ def drawn(home, arguments="", **given):
         ("field='valley', field_weight=500", ["--field", "valley", "--field-weight", "500"]),
         ("field=values, field_cost='square', max_segment_length=0.01",
          ["--field", "values.npy", "--field-cost", "square", "--max-segment-length", "0.01"]),
+        ("pick_tolerance='0.5 edges'", ["--pick-tolerance", "0.5edges"]),
+        ("pick_tolerance=0.01", ["--pick-tolerance", "0.01"]),
         ("avoid=disc", ["--avoid", "disc.npy"]),
         ("quality=values, avoid='over-threshold', avoid_threshold=0.5, field='quality', field_weight=0",
          ["--field", "values.npy", "--field-weight", "0", "--avoid", "over-threshold", "--avoid-threshold", "0.5"]),

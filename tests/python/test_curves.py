@@ -215,3 +215,20 @@ def test_samples_that_are_not_on_the_curve_are_refused(mesh, picks):
                       {"distances": [np.nan]}):
         with pytest.raises(bspline_curve.InputError):
             curve.sample(**arguments)
+
+
+def test_a_curve_may_pass_beside_its_picks(mesh, picks):
+    reach = 0.1 * np.linalg.norm(picks[1] - picks[0])
+    through = mesh.curve(picks)
+    near = mesh.curve(picks, pick_tolerance=reach)
+    distances = np.array(near.report["pick_distances"])
+    assert distances.shape == (4,) and 0.1 * reach < distances.max() <= reach
+    assert through.report["pick_distances"] == []
+    edges = mesh.curve(picks, pick_tolerance="0.5 edges")
+    assert edges.usable and len(edges.report["pick_distances"]) == 4
+    # A pick that is moved goes on from the picks as they were given.
+    assert np.array_equal(near.move(0, picks[0]).points, near.points)
+    with pytest.raises(TypeError, match="pick_tolerance"):
+        mesh.curve(picks, pick_tolerance=True)
+    with pytest.raises(ValueError, match="must be a length"):
+        mesh.curve(picks, pick_tolerance="far")
