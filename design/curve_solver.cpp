@@ -5,6 +5,7 @@
 #include "design/curve_ladder.h"
 #include "design/faired_path.h"
 #include "design/overruns.h"
+#include "design/path_shape.h"
 #include "design/warm_start.h"
 #include "shell/shell_boundary.h"
 #include "solver/cellwise_solver.h"

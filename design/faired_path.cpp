@@ -2,6 +2,8 @@
 #include "design/faired_path.h"
 
 #include "design/near_picks.h"
+#include "design/node_spread.h"
+#include "design/path_turn.h"
 #include "design/surface_walk.h"
 #include "spline/band_cholesky.h"
 
@@ -11,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -29,9 +30,6 @@ struct FairingConstants {
     /// Steps far along the surface are made on few points. With half as many the path leaves the
     /// surface at thin limbs; with 180 at last curves bend as much.
     std::array<FairingLevel, 2> levels = {{{90, 3, 20, 1e-2}, {128, 6, 12, 1e-5}}};
-    /// Where the normal turns by more than this from point to point (radians),
-    /// each further `turnOfSegment` counts as a segment: points are denser at sharp edges.
-    double freeTurn = 0.17, turnOfSegment = 0.26;
     /// Of the Hessian's diagonal. Few paths need more than the first.
     double firstDamping = 1e-4, leastDamping = 1e-8, dampingGrowth = 6.0, dampingDecay = 0.25;
     int mostTrials = 6;  // of a step, each damped more
@@ -54,17 +52,6 @@ struct FairingConstants {
 };
 
 constexpr FairingConstants kFairing;
-
-struct ShapeConstants {
-    /// Of the points that hold a spline, per squared length of the polygon of picks. More takes
-    /// more knots for the same bending; with a hundredth curves bend more between knots.
-    double stiffness = 1e6;
-    /// Share of E_int of the path, with all its bending, that changes are measured against: less
-    /// makes more knots.
-    double measuredShare = 0.3;
-};
-
-constexpr ShapeConstants kShape;
 
 class FairingPolyline {
 public:
@@ -229,12 +216,6 @@ private:
         }
     }
 
-    // How a node and its normal move by the unknown, its way across the path. Zero at picks.
-    struct Way {
-        Vec3 across = Vec3::Zero(), turn = Vec3::Zero();
-        double fieldBy = 0.0;  // derivative of I
-    };
-
     struct Energy {
         double bending = 0.0;  // the integral of kappa_g^2
         double length = 0.0;
@@ -243,21 +224,8 @@ private:
         double total = 0.0;
     };
 
-    // A node from which the path goes on in even steps.
-    struct Stop {
-        std::size_t node;
-        int pick;  // that it stays at; -1: none
-    };
-
     struct FieldHere {
         double cost = 0.0, slope = 0.0, curvature = 0.0;  // by I
-    };
-
-    // The turn at a node and the length that is its own, and their derivatives by the unknowns
-    // before, at and after it.
-    struct Turn {
-        double value = 0.0, length = 0.0;
-        std::array<double, 3> valueBy{}, lengthBy{};
     };
 
     // Gradient, and of the Hessian's rows the diagonal and the two entries after it.
@@ -303,81 +271,6 @@ private:
         node.normal = normalAt(node.foot, node.frame.direction);
     }
 
-    // By segment: its length, and more of it where the surface turns.
-    [[nodiscard]] std::vector<double> measures(int segments) const {
-        std::vector<double> result(segmentCount());
-        double length = 0.0;
-        for (std::size_t i = 0; i < segmentCount(); ++i) {
-            result[i] = segment(now_, i).norm();
-            length += result[i];
-        }
-        for (std::size_t i = 0; i < segmentCount(); ++i) {
-            const Vec3& a = now_[i].normal;
-            const Vec3& b = now_[after(i)].normal;
-            const double turn =
-                std::max(0.0, turnOf(a.cross(b).norm(), a.dot(b)).value - kFairing.freeTurn);
-            result[i] += turn / kFairing.turnOfSegment * length / segments;
-        }
-        return result;
-    }
-
-    // Nodes that are to go somewhere, each near the node before it on the polyline.
-    struct Placement {
-        std::vector<Node> nodes;
-        std::vector<Vec3> targets;
-        std::vector<double> places;  // by segments of the polyline before
-        std::vector<Stop> stops;
-    };
-
-    // Spreads points from pick to pick, at even steps by measure.
-    [[nodiscard]] Placement spread(const FairingLevel& level) const {
-        const std::vector<double> measure = measures(level.segments);
-        const double whole = std::accumulate(measure.begin(), measure.end(), 0.0);
-        Placement placement;
-        for (std::size_t i = 0; i < stops_.size(); ++i) {
-            const auto [first, pick] = stops_[i];
-            const std::size_t end = i + 1 < stops_.size() ? stops_[i + 1].node : segmentCount();
-            placement.stops.push_back({placement.nodes.size(), pick});
-            placement.nodes.push_back(now_[first]);
-            placement.targets.push_back(pick >= 0 ? picks_[pick].position : now_[first].position);
-            placement.places.push_back(static_cast<double>(first));
-            if (first < end) {  // not the last stop of an open path
-                const auto leg = [&](std::size_t node) {
-                    return measure.begin() + static_cast<std::ptrdiff_t>(node);
-                };
-                const double length = std::accumulate(leg(first), leg(end), 0.0);
-                const auto share = std::lround(level.segments * length / whole);
-                const int count = std::max(level.leastOfLeg, static_cast<int>(share));
-                spreadLeg(measure, first, end, length / count, count, placement);
-            }
-        }
-        return placement;
-    }
-
-    // The points inside of a leg, from the node `first` to the end.
-    void spreadLeg(
-        const std::vector<double>& measure,
-        std::size_t first,
-        std::size_t end,
-        double step,
-        int count,
-        Placement& placement
-    ) const {
-        std::size_t i = first;
-        double passed = 0.0;
-        for (int k = 1; k < count; ++k) {
-            const double goal = step * k;
-            while (i + 1 < end && passed + measure[i] < goal) {
-                passed += measure[i++];
-            }
-            const double share =
-                measure[i] > 0.0 ? std::min(1.0, (goal - passed) / measure[i]) : 0.0;
-            placement.nodes.push_back(now_[i]);
-            placement.targets.emplace_back(now_[i].position + share * segment(now_, i));
-            placement.places.push_back(static_cast<double>(i) + share);
-        }
-    }
-
     // Gives near picks the segments of the new polyline at the same places.
     void placeNearPicks(const std::vector<double>& places) {
         for (NearPicks::Pick& pick : near_.picks()) {
@@ -393,7 +286,8 @@ private:
     }
 
     void placeEvenly(const FairingLevel& level) {
-        Placement placement = spread(level);
+        NodePlacement placement =
+            spreadNodes(now_, options_.closed, stops_, picks_, level.segments, level.leastOfLeg);
         now_ = std::move(placement.nodes);
         stops_ = std::move(placement.stops);
         isFixed_.assign(size(), 0);
@@ -420,29 +314,6 @@ private:
         placeNearPicks(placement.places);
         trial_ = now_;
         energy_ = energyOf(now_, near_);
-    }
-
-    struct TurnValue {
-        double value, byAngle;  // and its derivative
-    };
-
-    // The angle, from its sine and its cosine, both times the same factor: the series of 2 asin x
-    // to the seventh power of x = sin(angle / 2), exact to 0.3 % up to a right angle. By roots
-    // alone, so that it is the same on every processor.
-    static TurnValue turnOf(double sine, double cosine) {
-        const double size = std::sqrt(sine * sine + cosine * cosine);
-        if (!(size > 0.0)) {
-            return {0.0, 1.0};
-        }
-        const double c = cosine / size;
-        const double half = std::sqrt(std::max(0.0, 0.5 * (1.0 + c)));  // cos(angle / 2)
-        const double x =
-            c > 0.0 ? 0.5 * sine / (size * half) : std::copysign(std::sqrt(0.5 * (1.0 - c)), sine);
-        const double x2 = x * x;
-        return {
-            2.0 * x * (1.0 + x2 * (1.0 / 6.0 + x2 * (3.0 / 40.0 + x2 * (5.0 / 112.0)))),
-            half * (1.0 + x2 * (1.0 / 2.0 + x2 * (3.0 / 8.0 + x2 * (5.0 / 16.0))))
-        };
     }
 
     [[nodiscard]] FieldHere fieldAt(const Node& node) const {
@@ -493,7 +364,7 @@ private:
         return energy;
     }
 
-    [[nodiscard]] Way wayOf(std::size_t i) const {
+    [[nodiscard]] NodeWay wayOf(std::size_t i) const {
         const Node& node = now_[i];
         const bool isFirst = !hasTurn(i) && i == 0;
         const bool isLast = !hasTurn(i) && i > 0;
@@ -507,7 +378,7 @@ private:
         const double v = node.frame.v.dot(across);
         const Vec3 normal = extended_.vertexNormal(face[0]);
         const double length = extended_.normalAt(node.foot.face, node.foot.barycentric()).norm();
-        Way way;
+        NodeWay way;
         way.across =
             u * (extended_.vertices[face[1]] - corner) + v * (extended_.vertices[face[2]] - corner);
         if (length > 0.0) {
@@ -522,39 +393,6 @@ private:
                 u * (values[face[1]] - values[face[0]]) + v * (values[face[2]] - values[face[0]]);
         }
         return way;
-    }
-
-    [[nodiscard]] Turn turnAt(std::size_t i) const {
-        const Vec3 in = segment(now_, before(i));
-        const Vec3 out = segment(now_, i);
-        const Vec3& n = now_[i].normal;
-        const double sine = n.dot(in.cross(out));
-        const double cosine = in.dot(out);
-        const double squares = sine * sine + cosine * cosine;
-        const double inLength = in.norm();
-        const double outLength = out.norm();
-        const std::array<const Way*, 3> ways = {&ways_[before(i)], &ways_[i], &ways_[after(i)]};
-        Turn turn;
-        const auto [value, byAngle] = turnOf(sine, cosine);
-        turn.value = value;
-        turn.length = 0.5 * (inLength + outLength);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3& across = ways[k]->across;
-            // Of `in` and `out` by the node before, the node and the node after.
-            const double inSign = k == 0 ? -1.0 : (k == 1 ? 1.0 : 0.0);
-            const double outSign = k == 2 ? 1.0 : (k == 1 ? -1.0 : 0.0);
-            double sineBy = inSign * n.dot(across.cross(out)) + outSign * n.dot(in.cross(across));
-            if (k == 1) {
-                sineBy += ways[k]->turn.dot(in.cross(out));
-            }
-            const double cosineBy = inSign * across.dot(out) + outSign * across.dot(in);
-            const double angleBy =
-                squares > 0.0 ? (cosine * sineBy - sine * cosineBy) / squares : 0.0;
-            turn.valueBy[k] = byAngle * angleBy;
-            turn.lengthBy[k] =
-                0.5 * (inSign * in.dot(across) / inLength + outSign * out.dot(across) / outLength);
-        }
-        return turn;
     }
 
     // Of Gauss and Newton: bending as a sum of the squares (turn / sqrt(length))^2, whose own
@@ -631,7 +469,12 @@ private:
     }
 
     void addTurn(std::size_t i, double weight) {
-        const Turn turn = turnAt(i);
+        const PathTurn turn = pathTurn(
+            segment(now_, before(i)),
+            segment(now_, i),
+            now_[i].normal,
+            {&ways_[before(i)], &ways_[i], &ways_[after(i)]}
+        );
         const std::array<std::size_t, 3> nodes = {before(i), i, after(i)};
         const double root = std::sqrt(turn.length);
         std::array<double, 3> slope{};
@@ -765,34 +608,16 @@ private:
     double chord_;         // length of the polygon of picks
     std::vector<Node> now_, trial_;
     bool isTrialNear_ = false;
-    std::vector<Stop> stops_;
+    std::vector<NodeStop> stops_;
     NearPicks near_;
     std::vector<char> isExact_;             // by pick
     std::vector<std::size_t> nearNumbers_;  // of each of these, its index among the picks
     double barrier_ = 0.0;                  // strength, see NearPicks
     std::vector<char> isFixed_;             // by node: it is a pick
-    std::vector<Way> ways_;                 // by node
+    std::vector<NodeWay> ways_;             // by node
     Derivatives derivatives_;
     Energy energy_;
 };
-
-// The second derivative by differences at a point of a path that has others on both sides; `share`:
-// of the parameters that is nearest to it.
-Vec3 secondAt(
-    const InitialPath& path, std::size_t before, std::size_t i, std::size_t after, double& share
-) {
-    const auto gap = [&](std::size_t from, std::size_t to) {
-        const double difference = path.points[to].parameter - path.points[from].parameter;
-        return difference < 0.0 ? difference + 1.0 : difference;  // of a closed one
-    };
-    const Vec3& here = path.points[i].position;
-    const double in = gap(before, i);
-    const double out = gap(i, after);
-    share = 0.5 * (in + out);
-    return ((path.points[after].position - here) / out -
-            (here - path.points[before].position) / in) /
-           share;
-}
 
 }  // namespace
 
@@ -815,45 +640,6 @@ std::optional<PickPath> fairedPathNear(
 ) {
     FairingPolyline polyline(extended, patches, path, leeways, field, options);
     return polyline.comesToRest() ? polyline.result() : std::nullopt;
-}
-
-FairedShape fairedShapeOf(
-    const PickPath& faired, const SolverOptions& options, double chordLength
-) {
-    const InitialPath& path = faired.path;
-    const std::size_t last = path.points.size() - 1;
-    const double scale = 1.0 / (chordLength * chordLength);
-    FairedShape shape;
-    shape.stiffness = kShape.stiffness * scale;
-    double bending = 0.0;
-    std::size_t nextPick = 0;
-    for (std::size_t i = 0; i <= last; ++i) {
-        const InitialPath::Point& here = path.points[i];
-        FairedShape::Point point{here.parameter, 0.0, here.position, Vec3::Zero()};
-        double share = 0.0;
-        if (i > 0 && i < last) {
-            point.second = secondAt(path, i - 1, i, i + 1, share);
-        } else if (options.closed) {
-            point.second = secondAt(path, last - 1, i == 0 ? last : i, 1, share);
-        }
-        bending += share * point.second.squaredNorm();
-        const bool isPick = i == last || (nextPick < faired.picks.size() &&
-                                          faired.picks[nextPick].parameter == here.parameter);
-        if (isPick) {
-            ++nextPick;
-        } else {
-            point.share = share;
-        }
-        shape.points.push_back(point);
-    }
-    if (!options.closed) {
-        shape.points.front().second = shape.points[1].second;
-        shape.points.back().second = shape.points[last - 1].second;
-    }
-    const double length = path.length();
-    shape.energy = kShape.measuredShare * scale *
-                   ((1.0 - options.tension) * bending + options.tension * length * length);
-    return shape;
 }
 
 }  // namespace bspline_curve

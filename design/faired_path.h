@@ -55,9 +55,4 @@ struct PathField {
     const SolverOptions& options
 );
 
-/// A faired path as what a spline is held to. `chordLength`: L of (4). O(n).
-[[nodiscard]] FairedShape fairedShapeOf(
-    const PickPath& faired, const SolverOptions& options, double chordLength
-);
-
 }  // namespace bspline_curve

@@ -125,7 +125,6 @@ void OptionsForm::addUsual(QVBoxLayout& all) {
     auto* const form = new QFormLayout;
     form->setSpacing(kPanelSpacing);
     form->addRow(tr("tension"), rowOf({tension_, tensionText_}));
-    form->addRow(tr("tolerance"), rowOf({tolerance_, toleranceText_}));
     form->addRow(tr("field"), field_);
     all.addLayout(form);
 }
@@ -143,12 +142,13 @@ void OptionsForm::addFolded(QVBoxLayout& all) {
     auto* const form = new QFormLayout(folded);
     form->setContentsMargins(0, 0, 0, 0);
     form->setSpacing(kPanelSpacing);
+    form->addRow(tr("tolerance"), rowOf({tolerance_, toleranceText_}));
     form->addRow(tr("weight"), fieldWeight_);
     form->addRow(tr("avoid"), avoid_);
     form->addRow(tr("threshold"), avoidThreshold_);
     form->addRow(tr("unit"), unit_);
     auto* const more =
-        buttonOf(tr("More options"), tr("Weight of the field, faces to avoid, unit"));
+        buttonOf(tr("More options"), tr("Tolerance of picks, weight of the field, faces to avoid, unit"));
     more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     more->setAutoRaise(true);
     more->setCheckable(true);

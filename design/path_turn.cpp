@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/path_turn.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace bspline_curve {
+
+TurnValue turnOf(double sine, double cosine) {
+    const double size = std::sqrt(sine * sine + cosine * cosine);
+    if (!(size > 0.0)) {
+        return {0.0, 1.0};
+    }
+    const double c = cosine / size;
+    const double half = std::sqrt(std::max(0.0, 0.5 * (1.0 + c)));  // cos(angle / 2)
+    const double x =
+        c > 0.0 ? 0.5 * sine / (size * half) : std::copysign(std::sqrt(0.5 * (1.0 - c)), sine);
+    const double x2 = x * x;
+    return {
+        2.0 * x * (1.0 + x2 * (1.0 / 6.0 + x2 * (3.0 / 40.0 + x2 * (5.0 / 112.0)))),
+        half * (1.0 + x2 * (1.0 / 2.0 + x2 * (3.0 / 8.0 + x2 * (5.0 / 16.0))))
+    };
+}
+
+PathTurn pathTurn(
+    const Vec3& in, const Vec3& out, const Vec3& normal, const std::array<const NodeWay*, 3>& ways
+) {
+    const double sine = normal.dot(in.cross(out));
+    const double cosine = in.dot(out);
+    const double squares = sine * sine + cosine * cosine;
+    const double inLength = in.norm();
+    const double outLength = out.norm();
+    PathTurn turn;
+    const auto [value, byAngle] = turnOf(sine, cosine);
+    turn.value = value;
+    turn.length = 0.5 * (inLength + outLength);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& across = ways[k]->across;
+        // Of `in` and `out` by the node before, the node and the node after.
+        const double inSign = k == 0 ? -1.0 : (k == 1 ? 1.0 : 0.0);
+        const double outSign = k == 2 ? 1.0 : (k == 1 ? -1.0 : 0.0);
+        double sineBy =
+            inSign * normal.dot(across.cross(out)) + outSign * normal.dot(in.cross(across));
+        if (k == 1) {
+            sineBy += ways[k]->turn.dot(in.cross(out));
+        }
+        const double cosineBy = inSign * across.dot(out) + outSign * across.dot(in);
+        const double angleBy = squares > 0.0 ? (cosine * sineBy - sine * cosineBy) / squares : 0.0;
+        turn.valueBy[k] = byAngle * angleBy;
+        turn.lengthBy[k] =
+            0.5 * (inSign * in.dot(across) / inLength + outSign * out.dot(across) / outLength);
+    }
+    return turn;
+}
+
+}  // namespace bspline_curve
