@@ -87,7 +87,7 @@ def test_a_curve_may_pass_beside_its_picks(run, plate):
     assert json.loads((plate / "report.json").read_text())["pick_distances"] == []
 
 
-@pytest.mark.parametrize("text", ["-1", "1mm", "edges", ""])
+@pytest.mark.parametrize("text", ["-1", "1mm", "edges", "nan"])
 def test_a_tolerance_of_picks_that_is_no_length_is_refused(run, plate, text):
     result = run(*DEFAULT, f"--pick-tolerance={text}")
     assert result.returncode == 2 and "must be a length" in result.stderr and "--pick-tolerance" in result.stderr
