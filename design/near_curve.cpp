@@ -34,36 +34,22 @@ constexpr NearConstants kNear;
 
 class NearCurveMaker {
 public:
-    NearCurveMaker(
-        const PreparedSurface& prepared,
-        const std::vector<SurfacePoint>& picks,
-        std::span<const double> tolerances,
-        const SolverOptions& options,
-        const SamplingOptions& sampling,
-        const DesignContext& context,
-        WorkerThread* side
-    )
-        : prepared_(prepared),
-          picks_(picks),
-          tolerances_(tolerances),
-          options_(options),
-          sampling_(sampling),
-          context_(context),
-          side_(side) {
-        for (const SurfacePoint& pick : picks) {
-            positions_.push_back(prepared.surface().position(pick));
+    NearCurveMaker(const LocatedTask& task, std::span<const double> tolerances)
+        : task_(task), tolerances_(tolerances) {
+        for (const SurfacePoint& pick : task.picks) {
+            positions_.push_back(task.prepared.surface().position(pick));
         }
     }
 
     [[nodiscard]] std::optional<NearCurve> make(const Progress& progress) const {
-        const CurveSolver solver(prepared_, picks_, options_, context_, side_);
+        const CurveSolver solver = task_.solver();
         const std::optional<PickPath> path = pathWithin(solver);
         if (!path) {
             return std::nullopt;
         }
         std::vector<int> passed = {0};
-        if (!options_.closed) {
-            passed.push_back(static_cast<int>(picks_.size()) - 1);
+        if (!task_.options.closed) {
+            passed.push_back(static_cast<int>(task_.picks.size()) - 1);
         }
         const Progress rest = partOf(progress, kNear.fairedShare, kNear.drawnShare);
         for (int i = 0; i < kNear.mostDrawn; ++i) {
@@ -96,7 +82,7 @@ private:
         std::vector<PickLeeway> leeways;
         for (const double tolerance : tolerances_) {
             leeways.push_back(
-                {kNear.pathShare * tolerance / prepared_.extended()->frame.scale, 0.0}
+                {kNear.pathShare * tolerance / task_.prepared.extended()->frame.scale, 0.0}
             );
         }
         for (int i = 0; i < kNear.mostPaths; ++i) {
@@ -110,8 +96,8 @@ private:
                 continue;
             }
             bool isWithin = true;
-            for (std::size_t k = 0; k < picks_.size(); ++k) {
-                const Vec3 point = prepared_.surface().position(path->picks[k].point);
+            for (std::size_t k = 0; k < task_.picks.size(); ++k) {
+                const Vec3 point = task_.prepared.surface().position(path->picks[k].point);
                 const double distance = (point - positions_[k]).norm();
                 if (leeways[k].bound > 0.0 && distance > kNear.mostPathShare * tolerances_[k]) {
                     isWithin = false;
@@ -137,7 +123,7 @@ private:
 
     [[nodiscard]] NearCurve finished(Solved solved) const {
         NearCurve drawn{{}, std::move(solved)};
-        drawn.curve = curveOf(prepared_.surface(), drawn.solved, sampling_);
+        drawn.curve = curveOf(task_.prepared.surface(), drawn.solved, task_.sampling);
         return drawn;
     }
 
@@ -154,19 +140,22 @@ private:
     ) const {
         std::vector<SurfacePoint> points;
         std::vector<std::size_t> pointOf;
-        for (std::size_t i = 0; i < picks_.size(); ++i) {
+        for (std::size_t i = 0; i < task_.picks.size(); ++i) {
             if (i == 0 || path.picks[i].parameter != path.picks[i - 1].parameter) {
                 const SurfacePoint& point = path.picks[i].point;
-                const bool isClear =
-                    context_.obstacles == nullptr || context_.obstacles->closeness(point) < 1.0;
-                points.push_back(isClear ? point : picks_[i]);
+                const bool isClear = task_.context.obstacles == nullptr ||
+                                     task_.context.obstacles->closeness(point) < 1.0;
+                points.push_back(isClear ? point : task_.picks[i]);
             }
             pointOf.push_back(points.size() - 1);
         }
-        if (points.size() < (options_.closed ? 3U : 2U)) {
+        if (points.size() < (task_.options.closed ? 3U : 2U)) {
             return std::nullopt;
         }
-        const CurveSolver solver(prepared_, points, options_, context_, side_);
+        LocatedTask same = {
+            task_.prepared, points, task_.options, task_.sampling, task_.context, task_.side
+        };
+        const CurveSolver solver = same.solver();
         Solved solved = solver.solve(progress);
         if (!solved.solution.report.usable) {
             return std::nullopt;
@@ -178,30 +167,17 @@ private:
         return missedBy(drawn.curve).empty() ? std::optional(std::move(drawn)) : std::nullopt;
     }
 
-    const PreparedSurface& prepared_;
-    const std::vector<SurfacePoint>& picks_;
+    LocatedTask task_;
     std::span<const double> tolerances_;
-    const SolverOptions& options_;
-    const SamplingOptions& sampling_;
-    const DesignContext& context_;
-    WorkerThread* side_;
     std::vector<Vec3> positions_;  // of the picks, user's unit
 };
 
 }  // namespace
 
 std::optional<NearCurve> drawNear(
-    const PreparedSurface& prepared,
-    const std::vector<SurfacePoint>& picks,
-    std::span<const double> tolerances,
-    const SolverOptions& options,
-    const SamplingOptions& sampling,
-    const DesignContext& context,
-    WorkerThread* side,
-    const Progress& progress
+    const LocatedTask& task, std::span<const double> tolerances, const Progress& progress
 ) {
-    return NearCurveMaker(prepared, picks, tolerances, options, sampling, context, side)
-        .make(progress);
+    return NearCurveMaker(task, tolerances).make(progress);
 }
 
 std::vector<double> distancesTo(const SurfacePolyline& line, std::span<const Vec3> points) {

@@ -12,6 +12,18 @@
 
 namespace bspline_curve {
 
+/// What a curve is drawn by, with picks on the surface. Refers to all of these.
+struct LocatedTask {
+    const PreparedSurface& prepared;
+    const std::vector<SurfacePoint>& picks;
+    const SolverOptions& options;
+    const SamplingOptions& sampling;
+    const DesignContext& context;
+    WorkerThread* side = nullptr;  ///< to share work with; null: none
+
+    [[nodiscard]] CurveSolver solver() const { return {prepared, picks, options, context, side}; }
+};
+
 struct NearCurve {
     Curve curve;
     Solved solved;
@@ -28,14 +40,7 @@ struct NearCurve {
 ///
 /// Throws InputError (NoPath), Cancelled.
 [[nodiscard]] std::optional<NearCurve> drawNear(
-    const PreparedSurface& prepared,
-    const std::vector<SurfacePoint>& picks,
-    std::span<const double> tolerances,
-    const SolverOptions& options,
-    const SamplingOptions& sampling,
-    const DesignContext& context,
-    WorkerThread* side,
-    const Progress& progress
+    const LocatedTask& task, std::span<const double> tolerances, const Progress& progress
 );
 
 /// Least distance of the polyline to each of some points, in its unit. O(n m).

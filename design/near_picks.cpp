@@ -53,26 +53,27 @@ void NearPicks::follow(std::span<const FairingNode> nodes, bool closed) {
     const auto nearest = [&](std::size_t segment, const Vec3& pick) {
         return nearestOn(nodes[segment].position, nodes[after(segment, count)].position, pick);
     };
+    // The segment after or before another one; the same at the end of an open polyline.
+    const auto next = [&](std::size_t segment, bool isForward) {
+        if (!closed && segment == (isForward ? segments - 1 : 0)) {
+            return segment;
+        }
+        const std::size_t before = segment > 0 ? segment - 1 : segments - 1;
+        return isForward ? after(segment, segments) : before;
+    };
     for (Pick& pick : picks_) {
         if (pick.isAtNode) {
             continue;
         }
         OnSegment best = nearest(pick.segment, pick.position);
         for (const bool isForward : {true, false}) {
-            std::size_t segment = pick.segment;
-            for (std::size_t step = 0; step < segments; ++step) {
-                const bool isEnd = !closed && segment == (isForward ? segments - 1 : 0);
-                if (isEnd) {
-                    break;
-                }
-                segment = isForward ? after(segment, segments)
-                                    : (segment > 0 ? segment - 1 : segments - 1);
-                const OnSegment there = nearest(segment, pick.position);
-                if (!(there.squaredDistance < best.squaredDistance)) {
-                    break;
-                }
+            std::size_t segment = next(pick.segment, isForward);
+            OnSegment there = nearest(segment, pick.position);
+            while (there.squaredDistance < best.squaredDistance) {
                 best = there;
                 pick.segment = segment;
+                segment = next(segment, isForward);
+                there = nearest(segment, pick.position);
             }
         }
         pick.share = best.share;

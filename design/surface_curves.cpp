@@ -168,29 +168,43 @@ std::vector<double> pickTolerancesOf(
     return tolerances;
 }
 
-/// Through the picks; `watch` starts where it is solved.
-NearCurve drawThrough(
-    const PreparedSurface& prepared,
-    const std::vector<SurfacePoint>& picks,
-    const SolverOptions& options,
-    const SamplingOptions& sampling,
-    const DesignContext& context,
-    WorkerThread* side,
-    const Progress& progress,
-    Stopwatch& watch
-) {
-    const Surface& surface = prepared.surface();
-    const CurveSolver solver(prepared, picks, options, context, side);
+/// Through the picks.
+NearCurve drawThrough(const LocatedTask& task, const Progress& progress) {
+    const Surface& surface = task.prepared.surface();
+    const CurveSolver solver = task.solver();
     NearCurve drawn{{}, solver.solve(progress)};
-    watch.lap();
+    Stopwatch watch;
     auto& [curve, solved] = drawn;
-    curve = curveOf(surface, solved, sampling);
+    curve = curveOf(surface, solved, task.sampling);
     if (!isStrict(surface, curve.polyline)) {
         solved = solver.solveTightly(progress);
-        curve = curveOf(surface, solved, sampling);
+        curve = curveOf(surface, solved, task.sampling);
         curve.report.usable = curve.report.usable && isStrict(surface, curve.polyline);
     }
+    curve.report.seconds.polyline = watch.lap();
     return drawn;
+}
+
+/// Within the tolerances of the picks, user's unit; where there is no such curve, through them.
+NearCurve drawWithin(
+    const LocatedTask& task,
+    std::span<const double> tolerances,
+    const LocatedPicks& located,
+    const Progress& progress
+) {
+    const Surface& surface = task.prepared.surface();
+    std::optional<NearCurve> drawn =
+        drawNear(task, tolerances, partOf(progress, 0.0, kNearPicksShare));
+    if (!drawn || !isStrict(surface, drawn->curve.polyline)) {
+        drawn = drawThrough(task, partOf(progress, kNearPicksShare, 1.0));
+    }
+    Curve& curve = drawn->curve;
+    for (const int point : located.pointOf) {
+        curve.nearPicks.push_back(located.points[point]);
+        curve.nearPickPositions.push_back(surface.position(located.points[point]));
+    }
+    curve.report.pickDistances = distancesTo(curve.polyline, curve.nearPickPositions);
+    return *std::move(drawn);
 }
 
 }  // namespace
@@ -225,45 +239,14 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     if (areWorthTwoThreads(surface().faces().size())) {
         side.emplace();
     }
-    WorkerThread* const other = side ? &*side : nullptr;
-    std::optional<NearCurve> drawn;
-    if (isNear) {
-        drawn = drawNear(
-            *this,
-            located.points,
-            tolerances,
-            options,
-            sampling,
-            context,
-            other,
-            partOf(progress, 0.0, kNearPicksShare)
-        );
-        if (drawn && !isStrict(surface(), drawn->curve.polyline)) {
-            drawn.reset();
-        }
-    }
+    const LocatedTask here{
+        *this, located.points, options, sampling, context, side ? &*side : nullptr
+    };
+    NearCurve drawn =
+        isNear ? drawWithin(here, tolerances, located, progress) : drawThrough(here, progress);
     Stopwatch watch;
-    if (!drawn) {
-        drawn = drawThrough(
-            *this,
-            located.points,
-            options,
-            sampling,
-            context,
-            other,
-            partOf(progress, isNear ? kNearPicksShare : 0.0, 1.0),
-            watch
-        );
-    }
-    auto& [curve, solved] = *drawn;
+    auto& [curve, solved] = drawn;
     const CurveProblem& problem = solved.problem;
-    if (isNear) {
-        for (const int point : located.pointOf) {
-            curve.nearPicks.push_back(located.points[point]);
-            curve.nearPickPositions.push_back(surface().position(located.points[point]));
-        }
-        curve.report.pickDistances = distancesTo(curve.polyline, curve.nearPickPositions);
-    }
     curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
     curve.report.meanEdgeLength = surface().averageEdgeLength();
     curve.report.diagonal = surface().diagonal();
@@ -278,7 +261,7 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         giveRepeatedPicks(located, curve);
         curve.report.repeatedPicks = repeated;
     }
-    curve.report.seconds.polyline = watch.lap();
+    curve.report.seconds.polyline += watch.lap();
     bspline_curve::report(progress, 1.0, "done");
     return curve;
 }

@@ -200,11 +200,11 @@ void TriangleTree::forEachNear(const Vec3& point, double reach, const Visitor& v
 template <class Visitor>
 void TriangleTree::forEachMeeting(const std::array<Vec3, 3>& corners, const Visitor& visit) const {
     /// Beyond what rounding does to the distance from a plane, relative to its terms.
-    constexpr double kRounding = 1e-14;
+    constexpr double kPlaneRounding = 1e-14;
     const auto& [a, b, c] = corners;
     const Box box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
     const Vec3 normal = (b - a).cross(c - a);
-    const double slack = kRounding * (b - a).norm() * (c - a).norm();
+    const double slack = kPlaneRounding * (b - a).norm() * (c - a).norm();
     const auto mayMeet = [&](const Box& other) {
         if (!other.overlaps(box)) {
             return false;
