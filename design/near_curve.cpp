@@ -152,7 +152,7 @@ private:
         if (points.size() < (task_.options.closed ? 3U : 2U)) {
             return std::nullopt;
         }
-        LocatedTask same = {
+        const LocatedTask same = {
             task_.prepared, points, task_.options, task_.sampling, task_.context, task_.side
         };
         const CurveSolver solver = same.solver();
