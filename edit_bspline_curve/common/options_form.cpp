@@ -147,8 +147,9 @@ void OptionsForm::addFolded(QVBoxLayout& all) {
     form->addRow(tr("avoid"), avoid_);
     form->addRow(tr("threshold"), avoidThreshold_);
     form->addRow(tr("unit"), unit_);
-    auto* const more =
-        buttonOf(tr("More options"), tr("Tolerance of picks, weight of the field, faces to avoid, unit"));
+    auto* const more = buttonOf(
+        tr("More options"), tr("Tolerance of picks, weight of the field, faces to avoid, unit")
+    );
     more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     more->setAutoRaise(true);
     more->setCheckable(true);
