@@ -240,9 +240,7 @@ std::optional<PickPath> CurveSolver::pathNear(std::span<const PickLeeway> leeway
     if (hasPull(problem)) {
         field = {problem.field, options_.fieldCost, fieldWeight(problem)};
     }
-    return fairedPathNear(
-        *prepared_.extended(), &prepared_.patches(), quick, leeways, field, options_
-    );
+    return fairedPath(*prepared_.extended(), &prepared_.patches(), quick, options_, leeways, field);
 }
 
 std::optional<Solved> CurveSolver::solveAlong(

@@ -57,7 +57,7 @@ public:
     [[nodiscard]] Solved solve(const Progress& progress) const;
 
     /// The fair path that keeps to the picks as the leeways say, each of them, and follows the
-    /// field; see fairedPathNear(). Throws InputError (NoPath).
+    /// field; see fairedPath(). Throws InputError (NoPath).
     [[nodiscard]] std::optional<PickPath> pathNear(std::span<const PickLeeway> leeways) const;
 
     /// A curve along such a path, through the points of it that are nearest to some picks:

@@ -6,6 +6,7 @@
 #include "design/path_turn.h"
 #include "design/surface_walk.h"
 #include "spline/band_cholesky.h"
+#include "surface/surface_point.h"
 
 #include <Eigen/Geometry>
 
@@ -59,9 +60,9 @@ public:
         const ExtendedSurface& extended,
         const PatchLevels* patches,
         const PickPath& path,
+        const SolverOptions& options,
         std::span<const PickLeeway> leeways,
-        const PathField& field,
-        const SolverOptions& options
+        const PathField& field
     )
         : extended_(extended),
           finder_(extended, patches),
@@ -224,10 +225,6 @@ private:
         double total = 0.0;
     };
 
-    struct FieldHere {
-        double cost = 0.0, slope = 0.0, curvature = 0.0;  // by I
-    };
-
     // Gradient, and of the Hessian's rows the diagonal and the two entries after it.
     struct Derivatives {
         Eigen::VectorXd gradient;
@@ -316,24 +313,28 @@ private:
         energy_ = energyOf(now_, near_);
     }
 
-    [[nodiscard]] FieldHere fieldAt(const Node& node) const {
-        const Triangle& face = extended_.faces[node.foot.face];
-        const Vec3 barycentric = node.foot.barycentric();
-        double value = 0.0;
-        for (int k = 0; k < 3; ++k) {
-            value += barycentric[k] * field_.values[face[k]];
+    // c and its derivatives by I at each node.
+    [[nodiscard]] std::vector<FieldCostValue> fieldCostsAt(const std::vector<Node>& nodes) const {
+        std::vector<FieldCostValue> costs;
+        for (const Node& node : nodes) {
+            const SurfacePoint point{node.foot.face, node.foot.barycentric()};
+            costs.push_back(
+                bspline_curve::fieldCost(
+                    field_.cost, valueAt(extended_.faces, field_.values, point)
+                )
+            );
         }
-        const FieldCostValue cost = fieldCost(field_.cost, value);
-        return {cost.value, cost.slope, cost.curvature};
+        return costs;
     }
 
     // Mean of c along the path, by the trapezoidal rule.
     [[nodiscard]] double fieldCostOf(
         const std::vector<Node>& nodes, const std::vector<double>& lengths, double length
     ) const {
+        const std::vector<FieldCostValue> costs = fieldCostsAt(nodes);
         double sum = 0.0;
         for (std::size_t i = 0; i < lengths.size(); ++i) {
-            sum += 0.5 * lengths[i] * (fieldAt(nodes[i]).cost + fieldAt(nodes[after(i)]).cost);
+            sum += 0.5 * lengths[i] * (costs[i].value + costs[after(i)].value);
         }
         return sum / length;
     }
@@ -415,28 +416,23 @@ private:
                 addTurn(i, bendingWeight);
             }
         }
+        const std::vector<FieldCostValue> costs =
+            field_.empty() ? std::vector<FieldCostValue>(size()) : fieldCostsAt(now_);
         for (std::size_t i = 0; i < segmentCount(); ++i) {
-            addSegment(i, lengthWeight + fieldWeightOf(i));
+            // The derivative of the field's term by the length of a segment.
+            const double mean = 0.5 * (costs[i].value + costs[after(i)].value);
+            const double byField = field_.weight * (mean - energy_.fieldCost) / energy_.length;
+            addSegment(i, lengthWeight + byField);
         }
         for (std::size_t i = 0; !field_.empty() && i < size(); ++i) {
-            addField(i);
+            addField(i, costs[i]);
         }
         for (const NearPicks::Pick& pick : near_.picks()) {
             addPull(near_.pullOf(pick, now_, barrier_));
         }
     }
 
-    // The derivative of the field's term by the length of a segment.
-    [[nodiscard]] double fieldWeightOf(std::size_t i) const {
-        if (field_.empty()) {
-            return 0.0;
-        }
-        const double mean = 0.5 * (fieldAt(now_[i]).cost + fieldAt(now_[after(i)]).cost);
-        return field_.weight * (mean - energy_.fieldCost) / energy_.length;
-    }
-
-    void addField(std::size_t i) {
-        const FieldHere here = fieldAt(now_[i]);
+    void addField(std::size_t i, const FieldCostValue& here) {
         double length = 0.0;
         if (options_.closed || i > 0) {
             length += 0.5 * segment(now_, before(i)).norm();
@@ -625,20 +621,11 @@ std::optional<PickPath> fairedPath(
     const ExtendedSurface& extended,
     const PatchLevels* patches,
     const PickPath& path,
-    const SolverOptions& options
-) {
-    return fairedPathNear(extended, patches, path, {}, {}, options);
-}
-
-std::optional<PickPath> fairedPathNear(
-    const ExtendedSurface& extended,
-    const PatchLevels* patches,
-    const PickPath& path,
+    const SolverOptions& options,
     std::span<const PickLeeway> leeways,
-    const PathField& field,
-    const SolverOptions& options
+    const PathField& field
 ) {
-    FairingPolyline polyline(extended, patches, path, leeways, field, options);
+    FairingPolyline polyline(extended, patches, path, options, leeways, field);
     return polyline.comesToRest() ? polyline.result() : std::nullopt;
 }
 

@@ -13,6 +13,16 @@
 
 namespace bspline_curve {
 
+/// A field that draws a path: the mean of c(I) along it, times the weight, is added to what it
+/// minimises. Empty: none.
+struct PathField {
+    std::span<const double> values;  ///< I at each vertex of the extended surface
+    FieldCost cost = FieldCost::Identity;
+    double weight = 0.0;
+
+    [[nodiscard]] bool empty() const { return values.empty(); }
+};
+
 /// A path through the same picks that bends least along the surface: a polyline of points evenly
 /// spaced from pick to pick, at which
 ///   (1 - lambda) L integral kappa_g^2 ds + lambda (L / L_0)^2
@@ -25,34 +35,17 @@ namespace bspline_curve {
 /// Nothing either where it comes to rest in a cusp or half again as long; from another path it may
 /// not. `options`: closed and tension (lambda). `patches`: see FibreProjector. Nothing where the
 /// path leaves the surface over its boundary, or has no length.
+///
+/// `leeways`: how near it keeps to each pick (empty: it passes all); the picks of the result are
+/// the points of the path nearest to them, with ascending parameters, and may be the same. Bounds
+/// hold but for roundings, or where the path did not come to rest: to be checked.
 [[nodiscard]] std::optional<PickPath> fairedPath(
     const ExtendedSurface& extended,
     const PatchLevels* patches,
     const PickPath& path,
-    const SolverOptions& options
-);
-
-/// A field that draws a path: the mean of c(I) along it, times the weight, is added to what it
-/// minimises. Empty: none.
-struct PathField {
-    std::span<const double> values;  ///< I at each vertex of the extended surface
-    FieldCost cost = FieldCost::Identity;
-    double weight = 0.0;
-
-    [[nodiscard]] bool empty() const { return values.empty(); }
-};
-
-/// The same with picks that it keeps near to, each as its leeway says (empty: all exactly), and
-/// under a field. The picks of the result are the points of the path nearest to them, with
-/// ascending parameters; those of near ones may be the same. Bounds hold but for roundings, or
-/// where the path did not come to rest: to be checked.
-[[nodiscard]] std::optional<PickPath> fairedPathNear(
-    const ExtendedSurface& extended,
-    const PatchLevels* patches,
-    const PickPath& path,
-    std::span<const PickLeeway> leeways,
-    const PathField& field,
-    const SolverOptions& options
+    const SolverOptions& options,
+    std::span<const PickLeeway> leeways = {},
+    const PathField& field = {}
 );
 
 }  // namespace bspline_curve

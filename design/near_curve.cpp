@@ -3,6 +3,7 @@
 
 #include "design/solved_curve.h"
 #include "solver/obstacles.h"
+#include "surface/segment_distance.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
 #include "utility/report_progress.h"
@@ -187,14 +188,11 @@ std::vector<double> distancesTo(const SurfacePolyline& line, std::span<const Vec
     for (const Vec3& point : points) {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < segments; ++i) {
-            const Vec3& from = line.points[i];
-            const Vec3 way = line.points[(i + 1) % count] - from;
-            const double squared = way.squaredNorm();
-            const double share =
-                squared > 0.0 ? std::clamp((point - from).dot(way) / squared, 0.0, 1.0) : 0.0;
-            least = std::min(least, (from + share * way - point).squaredNorm());
+            least = std::min(
+                least, distanceToSegment(point, line.points[i], line.points[(i + 1) % count])
+            );
         }
-        distances.push_back(std::sqrt(least));
+        distances.push_back(least);
     }
     return distances;
 }

@@ -32,7 +32,7 @@ struct NearCurve {
 /// A curve that is as fair as it can be no farther from each pick than its tolerance (user's unit,
 /// >= 0), measured from the pick's point on the surface to the polyline.
 ///
-/// A path is faired within the bounds (see fairedPathNear()), and the spline follows it: it passes
+/// A path is faired within the bounds (see fairedPath()), and the spline follows it: it passes
 /// the path's points at the ends alone, or the first pick of a closed curve, and at those others
 /// from which it would be too far else. Where that is no way (a region to avoid, much tension, a
 /// whole shell) it passes the path's points at all picks. Nothing where there is no such path, or

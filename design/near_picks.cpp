@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/near_picks.h"
 
+#include "surface/segment_distance.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,11 +40,8 @@ struct OnSegment {
 };
 
 OnSegment nearestOn(const Vec3& from, const Vec3& to, const Vec3& pick) {
-    const Vec3 way = to - from;
-    const double squared = way.squaredNorm();
-    const double share =
-        squared > 0.0 ? std::clamp((pick - from).dot(way) / squared, 0.0, 1.0) : 0.0;
-    return {share, (from + share * way - pick).squaredNorm()};
+    const double share = nearestShare(pick, from, to);
+    return {share, (from + share * (to - from) - pick).squaredNorm()};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mesh_parsers.h"
+#include "io/obj_lines.h"
 #include "io/text_parsing.h"
 
 #include <algorithm>
@@ -42,24 +43,13 @@ public:
 private:
     std::vector<Vec3>& vertices() { return parsed_.mesh.vertices; }
 
-    /// The line with those that a backslash at its end joins to it.
     std::string_view wholeLine() {
-        refuseZeroByte();
-        std::string_view line = lines_.line();
-        if (!line.ends_with('\\') || line.starts_with('#')) {
-            return line;
-        }
-        joined_.clear();
-        while (line.ends_with('\\')) {
-            joined_ += line.substr(0, line.size() - 1);
-            if (!lines_.next()) {
-                refuse("the file ends where a line should go on");
-            }
-            refuseZeroByte();
-            line = lines_.line();
-        }
-        joined_ += line;
-        return joined_;
+        return wholeObjLine(
+            lines_,
+            joined_,
+            [this] { refuseZeroByte(); },
+            [this](const char* reason) { refuse(reason); }
+        );
     }
 
     void refuseZeroByte() const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/left_out.h"
+#include "io/obj_lines.h"
 #include "io/polyline_formats.h"
 #include "io/space_paths.h"
 #include "io/text_parsing.h"
@@ -38,22 +39,8 @@ public:
     }
 
 private:
-    /// The line with those that a backslash at its end joins to it.
     std::string_view wholeLine() {
-        std::string_view line = lines_.line();
-        if (!line.ends_with('\\') || line.starts_with('#')) {
-            return line;
-        }
-        joined_.clear();
-        while (line.ends_with('\\')) {
-            joined_ += line.substr(0, line.size() - 1);
-            if (!lines_.next()) {
-                refuse("the file ends where a line should go on");
-            }
-            line = lines_.line();
-        }
-        joined_ += line;
-        return joined_;
+        return wholeObjLine(lines_, joined_, [] {}, [this](const char* reason) { refuse(reason); });
     }
 
     void read(const std::vector<std::string_view>& words) {

@@ -7,6 +7,18 @@
 
 namespace bspline_curve {
 
+/// The share of a segment, which may have no length, at which it is nearest to a point.
+template <int Dimension>
+[[nodiscard]] double nearestShare(
+    const Eigen::Matrix<double, Dimension, 1>& point,
+    const Eigen::Matrix<double, Dimension, 1>& from,
+    const Eigen::Matrix<double, Dimension, 1>& to
+) {
+    const Eigen::Matrix<double, Dimension, 1> along = to - from;
+    const double squared = along.squaredNorm();
+    return squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
+}
+
 /// Distance of a point to a segment, which may have no length, in any dimension.
 template <int Dimension>
 [[nodiscard]] double distanceToSegment(
@@ -14,11 +26,7 @@ template <int Dimension>
     const Eigen::Matrix<double, Dimension, 1>& from,
     const Eigen::Matrix<double, Dimension, 1>& to
 ) {
-    const Eigen::Matrix<double, Dimension, 1> along = to - from;
-    const double squared = along.squaredNorm();
-    const double share =
-        squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
-    return (point - from - share * along).norm();
+    return (point - from - nearestShare(point, from, to) * (to - from)).norm();
 }
 
 }  // namespace bspline_curve

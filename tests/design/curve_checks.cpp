@@ -17,6 +17,8 @@ std::size_t segmentCount(const SurfacePolyline& line) {
     return line.points.size() - (line.closed ? 0 : 1);
 }
 
+}  // namespace
+
 double distanceToPolyline(const Vec3& p, const SurfacePolyline& line) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < segmentCount(line); ++i) {
@@ -26,6 +28,8 @@ double distanceToPolyline(const Vec3& p, const SurfacePolyline& line) {
     }
     return least;
 }
+
+namespace {
 
 /// By the trapezoidal rule; `isCounted` and `value` take the index of a vertex.
 template <class IsCounted, class Value>

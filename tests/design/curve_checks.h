@@ -46,6 +46,8 @@ inline const auto kEitherShell =
 
 [[nodiscard]] double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);
 
+[[nodiscard]] double distanceToPolyline(const Vec3& p, const SurfacePolyline& line);
+
 /// Hausdorff distance of two polylines, up to the vertices' spacing: vertices to segments, both
 /// ways.
 [[nodiscard]] double largestDistance(const SurfacePolyline& a, const SurfacePolyline& b);

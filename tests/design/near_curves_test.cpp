@@ -42,19 +42,6 @@ std::vector<Vec3> shakyCircle(double noise) {
     return picks;
 }
 
-double distanceOf(const SurfacePolyline& line, const Vec3& point) {
-    double least = std::numeric_limits<double>::infinity();
-    const std::size_t count = line.points.size();
-    for (std::size_t i = 0; i + (line.closed ? 0 : 1) < count; ++i) {
-        const Vec3& from = line.points[i];
-        const Vec3 way = line.points[(i + 1) % count] - from;
-        const double share =
-            std::clamp((point - from).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
-        least = std::min(least, (from + share * way - point).norm());
-    }
-    return least;
-}
-
 /// The sum of the angles by which a polyline of the plate turns, by 200 points of its spline.
 double turningOf(const SplineData& spline) {
     constexpr int kPoints = 200;
@@ -85,7 +72,7 @@ void expectNear(const Curve& curve, const std::vector<Vec3>& picks, double toler
     ASSERT_EQ(curve.polyline.picks.size(), picks.size());
     EXPECT_TRUE(std::ranges::is_sorted(curve.spline.pickParameters));
     for (std::size_t i = 0; i < picks.size(); ++i) {
-        const double distance = distanceOf(curve.polyline, picks[i]);
+        const double distance = distanceToPolyline(picks[i], curve.polyline);
         EXPECT_LE(distance, tolerance) << i;
         EXPECT_NEAR(distance, curve.report.pickDistances[i], 1e-9) << i;
     }
@@ -146,7 +133,7 @@ TEST(NearCurves, PassPicksWhoseOwnToleranceIsZero) {
     const Curve curve = designer.design(picks, {}, {}, inputs);
     ASSERT_TRUE(curve.report.usable);
     expectNear(curve, picks, 0.03);
-    EXPECT_LT(distanceOf(curve.polyline, picks[7]), 1e-9);
+    EXPECT_LT(distanceToPolyline(picks[7], curve.polyline), 1e-9);
 }
 
 TEST(NearCurves, SlideIntoTheValleyOfAField) {
