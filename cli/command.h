@@ -37,6 +37,9 @@ void printError(const std::string& message);
 /// The verb field: values at the vertices of a mesh that curves can follow or avoid.
 [[nodiscard]] ExitCode runField(Arguments arguments);
 
+/// The verb fit: smooth curves along lines that exist.
+[[nodiscard]] ExitCode runFit(Arguments arguments);
+
 /// The verb imprint: curves as edges of the mesh.
 [[nodiscard]] ExitCode runImprint(Arguments arguments);
 

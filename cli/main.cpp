@@ -27,6 +27,7 @@ constexpr std::array kVerbs{
     Verb{.name = "curve", .run = runCurve},
     Verb{.name = "cut", .run = runCut},
     Verb{.name = "field", .run = runField},
+    Verb{.name = "fit", .run = runFit},
     Verb{.name = "imprint", .run = runImprint},
     Verb{.name = "offset", .run = runOffset},
     Verb{.name = "pattern", .run = runPattern},

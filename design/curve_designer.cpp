@@ -172,4 +172,16 @@ Curve CurveDesigner::design(
     }
 }
 
+Curve CurveDesigner::fit(
+    const std::vector<Vec3>& line,
+    const FitOptions& fit,
+    const SolverOptions& options,
+    const SamplingOptions& sampling,
+    const Progress& progress
+) const {
+    Curve curve = state_->curves.fit({line, fit, options, sampling}, progress);
+    surface().provenance().bringToInput(curve);
+    return curve;
+}
+
 }  // namespace bspline_curve

@@ -233,8 +233,12 @@ std::optional<Solved> CurveSolver::relaxFaired(
     return relaxed(std::move(problem), faired->path, std::move(start), work);
 }
 
+PickPath CurveSolver::quickPath() const {
+    return pathRound({}, context_.field.travel(options_, 1.0), PathKind::Quick);
+}
+
 std::optional<PickPath> CurveSolver::pathNear(std::span<const PickLeeway> leeways) const {
-    const PickPath quick = pathRound({}, context_.field.travel(options_, 1.0), PathKind::Quick);
+    const PickPath quick = quickPath();
     const CurveProblem problem = problemOn(quick, nullptr, {});
     PathField field;
     if (hasPull(problem)) {

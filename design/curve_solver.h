@@ -56,6 +56,10 @@ public:
     /// InputError (NoPath), Cancelled.
     [[nodiscard]] Solved solve(const Progress& progress) const;
 
+    /// The shortest path from pick to pick, as points with chords between them. Throws InputError
+    /// (NoPath).
+    [[nodiscard]] PickPath quickPath() const;
+
     /// The fair path that keeps to the picks as the leeways say, each of them, and follows the
     /// field; see fairedPath(). Throws InputError (NoPath).
     [[nodiscard]] std::optional<PickPath> pathNear(std::span<const PickLeeway> leeways) const;

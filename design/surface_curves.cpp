@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "design/curve_solver.h"
 #include "design/detours.h"
+#include "design/fitted_curve.h"
 #include "design/near_curve.h"
 #include "design/solved_curve.h"
 #include "solver/obstacles.h"
@@ -262,6 +263,34 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         curve.report.repeatedPicks = repeated;
     }
     curve.report.seconds.polyline += watch.lap();
+    bspline_curve::report(progress, 1.0, "done");
+    return curve;
+}
+
+Curve SurfaceCurves::fit(const LineTask& task, const Progress& progress) const {
+    const auto& [line, fit, options, sampling] = task;
+    options.validate();
+    sampling.validate();
+    fit.validate();
+    const LocatedPicks located = locatePicks(surface(), tree(), line, options.closed);
+    const std::shared_ptr<const ValidatedField> none =
+        fieldCache_.find(surface(), *extended(), {}, options.fieldCost);
+    const DesignContext context{.field = *none};
+    std::optional<WorkerThread> side;
+    if (areWorthTwoThreads(surface().faces().size())) {
+        side.emplace();
+    }
+    const LocatedTask here{
+        *this, located.points, options, sampling, context, side ? &*side : nullptr
+    };
+    const double edge = surface().averageEdgeLength();
+    const bool isKnown = fit.deviation.value > 0.0;
+    NearCurve drawn = fitLine(here, isKnown ? fit.deviation.in(edge) : edge, isKnown, progress);
+    auto& [curve, solved] = drawn;
+    const CurveProblem& problem = solved.problem;
+    curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
+    curve.report.meanEdgeLength = edge;
+    curve.report.diagonal = surface().diagonal();
     bspline_curve::report(progress, 1.0, "done");
     return curve;
 }

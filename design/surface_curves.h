@@ -24,6 +24,14 @@ struct CurveTask {
     const Curve* start;                          ///< see CurveInputs; null: none
 };
 
+/// What one curve is fitted by.
+struct LineTask {
+    const std::vector<Vec3>& line;
+    const FitOptions& fit;
+    const SolverOptions& options;
+    const SamplingOptions& sampling;
+};
+
 /// Draws curves on one surface as it is. Several threads may draw at once.
 class SurfaceCurves : public PreparedSurface {
 public:
@@ -32,6 +40,9 @@ public:
     /// As CurveDesigner::design(), on the components that there are. The curve has the surface's
     /// own ids; its report does not say how many faces of the input it avoids.
     [[nodiscard]] Curve design(const CurveTask& task, const Progress& progress) const;
+
+    /// As CurveDesigner::fit(), likewise.
+    [[nodiscard]] Curve fit(const LineTask& task, const Progress& progress) const;
 
 private:
     mutable FieldCache fieldCache_;

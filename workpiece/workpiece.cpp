@@ -88,6 +88,19 @@ DesignedCurve Workpiece::draw(
     return drawn;
 }
 
+DesignedCurve Workpiece::fit(
+    const std::vector<Vec3>& line,
+    const FitOptions& fit,
+    const CurveOptions& options,
+    const Progress& progress
+) const {
+    Stopwatch watch;
+    DesignedCurve drawn =
+        finished(designer().fit(line, fit, options.solver, options.sampling, progress), {});
+    drawn.seconds = watch.lap();
+    return drawn;
+}
+
 DesignedCurve Workpiece::finished(Curve curve, const ScalarField& field) const {
     DesignedCurve drawn{.curve = std::move(curve), .field = field};
     if (!field.empty()) {

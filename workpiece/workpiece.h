@@ -83,6 +83,14 @@ public:
         const Progress& progress = {}
     ) const;
 
+    /// A smooth curve along a line. Throws as CurveDesigner::fit().
+    [[nodiscard]] DesignedCurve fit(
+        const std::vector<Vec3>& line,
+        const FitOptions& fit,
+        const CurveOptions& options,
+        const Progress& progress = {}
+    ) const;
+
     /// A curve that was drawn already, following a field (empty: none).
     [[nodiscard]] DesignedCurve finished(Curve curve, const ScalarField& field) const;
 

@@ -76,6 +76,20 @@ public:
         const Progress& progress = {}
     ) const;
 
+    /// A smooth curve along a line on the mesh (points in the user's unit, joined by shortest paths
+    /// and, as the solver's options say, closed): edges of a mesh, a stroke, a polyline of a file.
+    /// An open one keeps its ends. Its picks are points of the curve, so that one drawn through
+    /// them is like it. Of the solver's options pickTolerance has no effect. Throws InputError
+    /// (NoPath also where there is no smooth curve so near), Cancelled. O(n) for n points: about 50
+    /// microseconds a point.
+    [[nodiscard]] Curve fit(
+        const std::vector<Vec3>& line,
+        const FitOptions& fit = {},
+        const SolverOptions& options = {},
+        const SamplingOptions& sampling = {},
+        const Progress& progress = {}
+    ) const;
+
     /// The mesh as it was given.
     [[nodiscard]] const TriangleMesh& mesh() const;
     /// What curves are drawn on, for the library's other parts; as long as the designer.

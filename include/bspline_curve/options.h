@@ -142,6 +142,19 @@ struct SolverOptions {
 /// their defaults. They are meant for a simplified shell (ShellKind::Simplified).
 [[nodiscard]] SolverOptions paperPreset();
 
+/// How a curve is fitted to a line that is there already.
+struct FitOptions {
+    /// How far from the line the curve may be, >= 0: nowhere farther, and as fair as it can be
+    /// where the line is off by about a third of that. 0: by a mean edge length, and no more than
+    /// the line's own noise, waves of up to a dozen of its points, asks for.
+    MeshLength deviation{};
+
+    /// Throws InputError (BadOption).
+    void validate() const;
+
+    friend bool operator==(const FitOptions&, const FitOptions&) = default;
+};
+
 /// How finely the polyline follows the spline. The crossings of mesh edges and the picks are always
 /// vertices.
 struct SamplingOptions {

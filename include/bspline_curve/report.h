@@ -105,6 +105,8 @@ struct SolveReport {
     /// Of each pick, as a point of the surface, its distance from the polyline, in the user's unit,
     /// where the curve need not pass the picks; else empty. Set by CurveDesigner.
     std::vector<double> pickDistances;
+    /// Of a curve that was fitted to a line: how far it is from it at most, in the user's unit.
+    std::optional<double> lineDistance;
     std::vector<Detour> detours;  ///< by pick; set by CurveDesigner
     int avoidedFaces = 0;
     /// Least distance of a vertex of the polyline to the avoided faces, user's unit; infinite where

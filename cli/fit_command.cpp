@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bspline_curve fit MESH --line FILE …: smooth curves along lines that exist.
+#include "bspline_curve/error.h"
+#include "cli/described_options.h"
+#include "cli/loaded_mesh.h"
+#include "cli/region_options.h"
+#include "cli/result_files.h"
+#include "cli/verb_parser.h"
+#include "filters/requests.h"
+#include "io/curve_writer.h"
+#include "io/fit_report.h"
+#include "io/polyline_reader.h"
+#include "io/region_reader.h"
+#include "io/report_writer.h"
+#include "surface/error_messages.h"
+#include "workpiece/fitted_lines.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+// Shares of the progress, up to the end of preparing the mesh.
+constexpr double kReadyShare = 0.4;
+
+/// The options of curves that have a meaning here.
+constexpr std::array<std::string_view, 8> kOfCurves = {
+    "degree",
+    "tension",
+    "samples",
+    "max_segment_length",
+    "distance_tolerance",
+    "strict",
+    "weld",
+    "slits"
+};
+
+struct FitArguments : CurveOptions, PreparingOptions {
+    std::filesystem::path mesh, output, report;  ///< report: empty: none asked for
+    std::vector<std::filesystem::path> lines;
+    std::filesystem::path selection, labels;  ///< empty: none
+    std::vector<std::string> layers;
+    FitOptions fit;
+    LengthUnit unit = LengthUnit::Millimetre;
+};
+
+struct FitParser {
+    FitParser() {
+        addMesh(app, arguments.mesh);
+        auto* const lines =
+            app.add_option(
+                   "--line",
+                   arguments.lines,
+                   "Lines near the mesh, each of which becomes a curve: .obj, .ply, "
+                   ".dxf, .csv or .vtu. May be given again"
+            )
+                ->allow_extra_args(false)
+                ->type_name("FILE");
+        auto* const selection = addFile(
+            app,
+            "--selection",
+            arguments.selection,
+            "The boundary of some faces: their ids from 0 on, .npy of integers or a text"
+        );
+        addFile(
+            app,
+            "--labels",
+            arguments.labels,
+            "All boundaries of a segmentation, each once, from junction to junction: the label of "
+            "each face, a whole number, .npy or a text"
+        )
+            ->excludes(lines)
+            ->excludes(selection);
+        selection->excludes(lines);
+        app.add_option(
+               "--deviation",
+               deviation,
+               "How far from its line a curve may be anywhere: 0.4, in the mesh's unit, or 1edge, "
+               "in mean edge lengths. The curve is as smooth as it can be where the line is off by "
+               "about a quarter of that. Default: 1edge, and no more than the line's own noise"
+        )
+            ->type_name("LENGTH");
+        addLayers(app, arguments.layers);
+        addOutput(
+            app,
+            arguments.output,
+            "Curve to write: " + curveExtensions() +
+                "; where there are several, further ones are FILE-2.json, FILE-3.json, …"
+        );
+        addUnit(app, arguments.unit);
+        addReport(
+            app, arguments.report, "Write length, deviation and spline of each curve, and seconds"
+        );
+        for (const std::string_view id : kOfCurves) {
+            described.add(id);
+        }
+    }
+
+    FitArguments finish() {
+        if (arguments.lines.empty() && arguments.selection.empty() && arguments.labels.empty()) {
+            throw CLI::ValidationError(
+                "one of --line, --selection and --labels is required: there is no line"
+            );
+        }
+        const CurveRequest request = curveRequest(described.values());
+        static_cast<CurveOptions&>(arguments) = static_cast<const CurveOptions&>(request);
+        static_cast<PreparingOptions&>(arguments) = static_cast<const PreparingOptions&>(request);
+        if (!deviation.empty()) {
+            arguments.fit.deviation = parseLength(deviation, "deviation");
+            if (!(arguments.fit.deviation.value > 0.0)) {
+                throw CLI::ValidationError("--deviation must be above 0");
+            }
+        }
+        return arguments;
+    }
+
+    CLI::App app{
+        "Makes smooth curves of lines that are there already: jagged boundaries of labels or of "
+        "selected faces,\nedge loops, strokes, polylines of any file. Nowhere is a curve farther "
+        "from its line than the\ndeviation; an open one keeps its ends.\n\n"
+        "Exit status: 0 done; 1 bad mesh or file, or no curve so near; 2 wrong usage; 130\n"
+        "interrupted by Ctrl-C. No output is written unless the status is 0.\n",
+        "bspline_curve fit"
+    };
+    FitArguments arguments;
+    std::string deviation;  // empty: not said
+    DescribedOptions described{app, curveFilter()};
+};
+
+std::vector<LineToFit> linesOf(const FitArguments& arguments) {
+    std::vector<LineToFit> lines;
+    for (const std::filesystem::path& file : arguments.lines) {
+        PolylineFile read = readPolylines(file, arguments.layers);
+        printNotes(read.notes);
+        for (std::size_t i = 0; i < read.lines.size(); ++i) {
+            std::string name = file.string();
+            if (read.lines.size() > 1) {
+                name.insert(0, "line " + std::to_string(i + 1) + " of ");
+            }
+            lines.push_back({std::move(read.lines[i].points), read.lines[i].closed, name});
+        }
+    }
+    return lines;
+}
+
+std::vector<int> labelsOf(const std::filesystem::path& file, const TriangleMesh& mesh) {
+    const std::vector<std::int64_t> read = readFaceIds(file);
+    if (read.size() != mesh.faces.size()) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            file.string() + " has " + describeCount(read.size(), "label", "labels") +
+                ", but the mesh has " + describeCount(mesh.faces.size(), "face", "faces") +
+                ": give one for each face"
+        );
+    }
+    std::vector<int> labels;
+    for (const std::int64_t label : read) {
+        if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max()) {
+            throw InputError(
+                InputErrorCode::BadOption,
+                file.string() + ": label " + std::to_string(label) + " is out of range"
+            );
+        }
+        labels.push_back(static_cast<int>(label));
+    }
+    return labels;
+}
+
+ExitCode fitAndWrite(FitArguments& arguments, ProgressBar& bar) {
+    checkOutput(arguments.output, checkCurveExtension);
+    checkOutput(arguments.report, checkReportExtension);
+    bar.show(0.0, "reading");
+    std::vector<LineToFit> lines = linesOf(arguments);
+    LoadedMesh loaded = loadMesh(arguments.mesh, arguments.mending.strict);
+    const TriangleMesh& given = loaded.layer.mesh;
+    if (!arguments.selection.empty()) {
+        lines = linesRound(given, regionOf(arguments.selection, given));
+    } else if (!arguments.labels.empty()) {
+        lines = linesBetween(given, labelsOf(arguments.labels, given));
+    }
+    loaded.prepareForCurves(arguments, true, progressPart(bar, 0.0, kReadyShare));
+    const Workpiece& workpiece = *loaded.workpiece;
+    const FittedLines fitted =
+        fitLines(workpiece, lines, arguments.fit, arguments, progressPart(bar, kReadyShare, 1.0));
+    bar.clear();
+    ResultFiles files;
+    std::filesystem::path last;
+    std::vector<FitFigures> figures;
+    for (std::size_t i = 0; i < fitted.curves.size(); ++i) {
+        const DesignedCurve& drawn = fitted.curves[i];
+        last = files.nextAfter(arguments.output);
+        files.add(last, curveBytes(last, drawn.curve, {}, workpiece.checksum(), arguments.unit));
+        figures.push_back({lines[fitted.lines[i]].name, &drawn.curve, drawn.seconds});
+    }
+    files.replaceSeries(arguments.output);
+    if (!arguments.report.empty()) {
+        files.add(arguments.report, fitReportBytes(figures, fitted.notes));
+    }
+    printNotes(loaded.notes());
+    printNotes(fitted.notes);
+    files.commit();
+    printRemoved(files.stale());
+    if (figures.size() > 1) {
+        std::cerr << "bspline_curve: " << figures.size() << " curves, the last in " << last.string()
+                  << '\n';
+    }
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+ExitCode runFit(Arguments arguments) {
+    return runParsed<FitParser>(arguments, fitAndWrite);
+}
+
+}  // namespace bspline_curve::cli

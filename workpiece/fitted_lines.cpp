@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workpiece/fitted_lines.h"
+
+#include "bspline_curve/error.h"
+#include "utility/report_progress.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace bspline_curve {
+
+std::vector<LineToFit> linesBetween(const TriangleMesh& mesh, std::span<const int> labels) {
+    std::vector<LineToFit> lines;
+    for (const BoundaryLine& boundary : boundaryLines(mesh, labels)) {
+        LineToFit line{.points = {}, .closed = boundary.closed, .name = {}};
+        for (const int vertex : boundary.vertices) {
+            line.points.push_back(mesh.vertices[vertex]);
+        }
+        line.name = "the boundary of labels " + std::to_string(boundary.left) + " and " +
+                    std::to_string(boundary.right) + " at vertex " +
+                    std::to_string(boundary.vertices.front());
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+std::vector<LineToFit> linesRound(const TriangleMesh& mesh, const Region& faces) {
+    std::vector<int> labels(mesh.faces.size(), 0);
+    for (const int face : faces) {
+        labels[face] = 1;
+    }
+    std::vector<LineToFit> lines = linesBetween(mesh, labels);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        lines[i].name = "boundary " + std::to_string(i + 1) + " of the faces";
+    }
+    return lines;
+}
+
+FittedLines fitLines(
+    const Workpiece& workpiece,
+    std::span<const LineToFit> lines,
+    const FitOptions& fit,
+    const CurveOptions& options,
+    const Progress& progress
+) {
+    FittedLines fitted;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const LineToFit& line = lines[i];
+        CurveOptions own = options;
+        own.solver.closed = line.closed;
+        try {
+            DesignedCurve drawn =
+                workpiece.fit(line.points, fit, own, stepOf(progress, i, lines.size()));
+            for (const std::string& note : drawn.notes) {
+                fitted.notes.push_back(line.name + ": " + note);
+            }
+            fitted.curves.push_back(std::move(drawn));
+            fitted.lines.push_back(i);
+        } catch (const InputError& error) {
+            if (lines.size() == 1) {
+                throw InputError(error.code(), line.name + ": " + error.what(), {}, error.remedy());
+            }
+            fitted.notes.push_back(line.name + " is left out: " + error.what());
+        }
+    }
+    if (fitted.curves.empty()) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            lines.empty() ? "there is no line to follow: all faces have the same label"
+                          : fitted.notes.front()
+        );
+    }
+    return fitted;
+}
+
+}  // namespace bspline_curve
