@@ -13,8 +13,10 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Int32s, numbers
-from ._curve import Curve, Drawing
+from ._curve import Curve
+from ._drawing import Drawing
 from ._errors import FileError, InputError
+from ._lines import Line, curve_on
 from ._options import Option, Progress, checked_number
 
 if TYPE_CHECKING:
@@ -56,23 +58,21 @@ class Pattern(NamedTuple):
     longest: Distortion
 
 
-def drawn(
+def patterned(
     mesh: Mesh,
     drawing: Planar,
     centre: npt.ArrayLike | None,
-    along: Curve | None,
+    along: Line | None,
     up: npt.ArrayLike | None,
     options: dict[str, Any],
     progress: Progress | None,
 ) -> Pattern:
     if (centre is None) == (along is None):
         raise InputError("give one of centre and along", "bad-option")
-    if along is not None and along.mesh is not mesh:
-        raise InputError("along is a curve of another mesh")
     place: dict[str, Any] = {name: checked_number(name, OPTIONS[name], value) for name, value in options.items()}
     place["centre"] = None if centre is None else _three(centre, "centre")
     place["up"] = None if up is None else _three(up, "up")
-    place["along"] = None if along is None else along._core
+    place["along"] = None if along is None else curve_on(mesh, along, "along")._core
     try:
         curves, paths, copies, tolerance, deviation, *extremes = _core.pattern(
             mesh._core, planar_drawing(drawing), place, progress
@@ -80,7 +80,7 @@ def drawn(
     except InputError as error:
         # Ids are those of paths, which the message names.
         raise (InputError(str(error), error.code) if error.code == "no-path" else error) from None
-    nothing = Drawing(mesh, np.empty((0, 3)), {}, None, None)
+    nothing = Drawing(mesh, np.empty((0, 3)), {}, fixed="of a pattern")
     return Pattern(
         [Curve(curve, nothing) for curve in curves],
         paths,

@@ -91,7 +91,7 @@ def test_picks_on_other_parts_and_in_avoided_faces_are_refused(mesh, arrays, pic
     ({"closed": 1}, TypeError, "closed is 1, but must be True or False"),
     ({"bending": 1}, TypeError, "bending is 1, but must be one of"),
     ({"radius": 1}, TypeError, "radius"),
-    ({"field": "hills"}, FieldError, "field is 'hills', but must be one of 'normal-variation'"),
+    ({"field": "hills"}, FieldError, "field is 'hills', but must be one of 'none', 'normal-variation'"),
     ({"field": "quality"}, FieldError, "or a value for each vertex"),
     ({"field": [1, 2]}, FieldError, r"field has shape \(2,\), but must have \(1681,\), a value for each vertex"),
     ({"field": "boundary-distance", "avoid": [3200]}, InputError, r"avoid\[0\] is 3200, but there are 3200 faces"),
