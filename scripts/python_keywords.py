@@ -111,7 +111,9 @@ def init(parameters):
             *map(documented, parameters),
             ("quality", "(n,) array of float, optional", "A value for each vertex, which curves follow with field 'quality' or 'auto'."),
             PROGRESS],
-         "Raises": [("", kind, text) for kind, text in RAISES]})
+         "Raises": [("", kind, text) for kind, text in RAISES]},
+        [">>> bspline_curve.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])",
+         "<bspline_curve.Mesh: 3 vertices, 1 faces>"])
     body = ["    self._prepare(", "        vertices,", "        faces,", "        {", *given(parameters), "        },",
             "        quality,", "        progress,", "    )"]
     keywords = [*map(keyword, parameters), "quality: npt.ArrayLike | None = None", "progress: Progress | None = None"]
@@ -125,7 +127,10 @@ def curve(parameters):
         "lies inside one face.",
         {"Parameters": [PICKS, *map(documented, parameters), FIELD, QUALITY, AVOID, REGION, PROGRESS],
          "Returns": [("", "Curve", "Where it is not `usable`, it follows a shortest path, or shows how far it came.")],
-         "Raises": [("", kind, text) for kind, text in RAISES]})
+         "Raises": [("", kind, text) for kind, text in RAISES]},
+        [">>> curve = mesh.curve(picks, closed=True, field='ridge')",
+         ">>> curve.closed, curve.usable, len(curve.picks)",
+         "(True, True, 4)"])
     body = ["    return self._draw(", "        picks,", "        {", *given(parameters), "        },",
             "        {", *(f'            "{name}": {name},' for name in GUIDES), "        },", "        progress,", "    )"]
     keywords = [*map(keyword, parameters), *(f"{name}: {kind} = None" for name, kind in GUIDES.items()),
@@ -143,7 +148,11 @@ def field(kind, parameters):
             ("region", "(k,) array of int or (m,) array of bool, optional", "The faces of obstacles, for kind 'obstacle'."),
             *map(documented, parameters), PROGRESS],
          "Returns": [("", "(n,) array of float", "A value for each vertex.")],
-         "Raises": [("", kind, text) for kind, text in RAISES]})
+         "Raises": [("", kind, text) for kind, text in RAISES]},
+        [">>> values = mesh.field('valley', curvature_scale=0.03)",
+         ">>> values.shape",
+         "(1681,)",
+         ">>> curve = mesh.curve(picks, field=values, field_cost='exp-minus')"])
     body = ["    return self._make_field(", "        quality,", "        region,", "        {", *given([kind, *parameters]),
             "        },", "        progress,", "    )"]
     keywords = ["quality: npt.ArrayLike | None = None", "region: npt.ArrayLike | None = None",

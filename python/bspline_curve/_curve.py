@@ -36,18 +36,42 @@ _Array = TypeVar("_Array", bound=npt.NDArray[Any])
 
 
 class Samples(NamedTuple):
-    """Points along a curve, one for each row."""
+    """Points along a curve, one row for each.
 
-    points: Floats  # (n, 3)
-    faces: Int32s  # (n,)
-    barycentrics: Floats  # (n, 3)
-    distances: Floats  # (n,), along the polyline from its start
-    tangents: Floats  # (n, 3), of unit length, as the next two
-    normals: Floats  # (n, 3), of the surface, perpendicular to the tangents
-    left: Floats  # (n, 3), to the left of the curve, seen with the normal upwards
-    curvature: Floats  # (n,), 1 / radius
-    normal_curvature: Floats  # (n,), its part along the normal
-    geodesic_curvature: Floats  # (n,), its part to the left
+    Attributes
+    ----------
+    points : (n, 3) array of float
+        On the mesh, in its unit.
+    faces : (n,) array of int
+        A face of the mesh that holds the point.
+    barycentrics : (n, 3) array of float
+        Where it is in that face.
+    distances : (n,) array of float
+        Along the polyline from its start, in the unit of the mesh.
+    tangents : (n, 3) array of float
+        Unit vectors along the curve.
+    normals : (n, 3) array of float
+        Unit normals of the surface, perpendicular to the tangents.
+    left : (n, 3) array of float
+        Unit vectors to the left of the curve, seen with the normal upwards.
+    curvature : (n,) array of float
+        1 / radius, in 1 / unit of the mesh.
+    normal_curvature : (n,) array of float
+        Its part along the normal.
+    geodesic_curvature : (n,) array of float
+        Its part to the left.
+    """
+
+    points: Floats
+    faces: Int32s
+    barycentrics: Floats
+    distances: Floats
+    tangents: Floats
+    normals: Floats
+    left: Floats
+    curvature: Floats
+    normal_curvature: Floats
+    geodesic_curvature: Floats
 
 
 class Curve:
@@ -70,7 +94,9 @@ class Curve:
     knots : (m + degree + 1,) array of float
         The full knot vector; the curve is over [0, 1]. Those of a closed curve are periodic.
     degree : int
+        Of the spline: 2 to 4 of those that were drawn, 1 of polylines that were given.
     closed : bool
+        Whether it ends where it begins.
     pick_parameters : (p,) array of float
         Parameter t of each pick.
     pick_vertices : (p,) array of int
@@ -147,6 +173,13 @@ class Curve:
         ------
         InputError
             The polyline is not near the mesh, or leads over a gap of it; the message names the point.
+
+        Examples
+        --------
+        >>> square = [[0, 0, 0], [0.5, 0, 0], [0.5, 0.5, 0], [0, 0.5, 0], [0, 0, 0]]
+        >>> line = bspline_curve.Curve.from_points(square, mesh, max_distance=0.3)
+        >>> line.closed, line.degree
+        (True, 1)
         """
         from ._lines import of_points
 
@@ -175,6 +208,13 @@ class Curve:
         ------
         InputError
             The spline is not near the mesh, or leads over a gap of it, or is no curve in space.
+
+        Examples
+        --------
+        >>> from scipy.interpolate import make_interp_spline
+        >>> spline = make_interp_spline([0, 1, 2, 3], picks, k=3)
+        >>> bspline_curve.Curve.from_scipy(spline, mesh, max_distance=0.5).degree
+        3
         """
         from ._lines import is_spline, of_spline
 
@@ -193,6 +233,12 @@ class Curve:
         ------
         InputError
             The mesh is another one: it has other coordinates or faces, or another order of them.
+
+        Examples
+        --------
+        >>> import pickle
+        >>> pickle.loads(pickle.dumps(curve)).on(mesh).mesh is mesh
+        True
         """
         other = difference(self._drawing.home, mesh)
         if other:
@@ -252,6 +298,11 @@ class Curve:
         ------
         InputError
             A parameter is outside of [0, 1] on an open curve, or is not finite.
+
+        Examples
+        --------
+        >>> curve.spline([0, 0.5, 1]).shape, curve.spline(0.5, derivative=1).shape
+        ((3, 3), (3,))
         """
         at = numbers(t, "t").reshape(np.shape(t))
         if not np.isfinite(at).all():
@@ -263,22 +314,58 @@ class Curve:
         return _spline.evaluate(self._spline_data(), at, derivative)
 
     def to_scipy(self) -> Any:
-        """The spline as a BSpline of scipy over [0, 1]; that of a closed curve goes on with period 1. Needs scipy."""
+        """The spline as a BSpline of scipy over [0, 1]; that of a closed curve goes on with period 1. Needs scipy.
+
+        Examples
+        --------
+        >>> spline = curve.to_scipy()
+        >>> bool(np.allclose(spline(0.3), curve.spline(0.3)))
+        True
+        """
         from scipy.interpolate import BSpline
 
         extrapolate: Any = "periodic" if self.closed else False
         return BSpline(np.array(self.knots), np.array(self.control_points), self.degree, extrapolate=extrapolate)
 
     def segments(self) -> npt.NDArray[np.int64]:
-        """Pairs of indices into `points`: (n - 1, 2), or (n, 2) where the curve is closed."""
+        """Pairs of indices into `points`: (n - 1, 2), or (n, 2) where the curve is closed.
+
+        Examples
+        --------
+        >>> ends = curve.points[curve.segments()]
+        >>> bool(np.isclose(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum(), curve.length))
+        True
+        """
         n = len(self.points)
         first = np.arange(n if self.closed else n - 1)
         return np.stack([first, (first + 1) % n], axis=1)
 
     def move(self, pick: int, point: npt.ArrayLike | tuple[int, Any], progress: Progress | None = None) -> Curve:
-        """Draw the curve with one pick at another place: (3,), or a pair (face, barycentrics).
+        """Draw the curve with one pick at another place. The solver starts from this curve, which takes about half the time.
 
-        The solver starts from this curve, which takes about half the time. Raises as Mesh.curve() does.
+        Parameters
+        ----------
+        pick : int
+            Index of the pick; from the end where it is negative.
+        point : (3,) array of float, or a pair (face, barycentrics)
+            Where it comes to.
+        progress : callable, optional
+            As of Mesh.curve().
+
+        Returns
+        -------
+        Curve
+
+        Raises
+        ------
+        PickError
+            The curve has no such pick or none at all, or as Mesh.curve() raises it.
+
+        Examples
+        --------
+        >>> moved = curve.move(1, mesh.vertices[702])
+        >>> bool((moved.picks[1] == mesh.vertices[702]).all())
+        True
         """
         index = self._index(pick, len(self._drawing.picks))
         picks = self._drawing.picks.copy()
@@ -286,20 +373,87 @@ class Curve:
         return drawn(self._bound()._replace(picks=picks), self._core, progress)
 
     def insert(self, pick: int, point: npt.ArrayLike | tuple[int, Any], progress: Progress | None = None) -> Curve:
-        """Draw the curve with one more pick, before `pick`; len(picks) puts it last."""
+        """Draw the curve with one more pick.
+
+        Parameters
+        ----------
+        pick : int
+            Index of the pick that it comes before; len(picks) puts it last.
+        point : (3,) array of float, or a pair (face, barycentrics)
+        progress : callable, optional
+            As of Mesh.curve().
+
+        Returns
+        -------
+        Curve
+
+        Raises
+        ------
+        PickError
+            As move() raises it.
+
+        Examples
+        --------
+        >>> len(curve.insert(1, mesh.vertices[500]).picks) - len(curve.picks)
+        1
+        """
         index = self._index(pick, len(self.picks) + 1)
         added = one_pick(point, self.mesh, index)
         drawing = self._bound()
         return drawn(drawing._replace(picks=np.insert(drawing.picks, index, added, axis=0)), None, progress)
 
     def remove(self, pick: int, progress: Progress | None = None) -> Curve:
-        """Draw the curve without one of its picks."""
+        """Draw the curve without one of its picks.
+
+        Parameters
+        ----------
+        pick : int
+            Index of the pick; from the end where it is negative.
+        progress : callable, optional
+            As of Mesh.curve().
+
+        Returns
+        -------
+        Curve
+
+        Raises
+        ------
+        PickError
+            As move() raises it, or too few picks are left.
+
+        Examples
+        --------
+        >>> len(curve.remove(-1).picks) - len(curve.picks)
+        -1
+        """
         index = self._index(pick, len(self.picks))
         drawing = self._bound()
         return drawn(drawing._replace(picks=np.delete(drawing.picks, index, axis=0)), None, progress)
 
     def with_options(self, progress: Progress | None = None, **options: Unpack[CurveOptions]) -> Curve:
-        """Draw the curve through the same picks with some options changed; those of Mesh.curve()."""
+        """Draw the curve through the same picks with some options changed.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            As of Mesh.curve().
+        **options
+            Those of Mesh.curve().
+
+        Returns
+        -------
+        Curve
+
+        Raises
+        ------
+        InputError
+            As Mesh.curve() raises it; a PickError where the curve was not drawn through picks.
+
+        Examples
+        --------
+        >>> curve.with_options(tension=0.5, closed=True).options
+        {'tension': 0.5, 'closed': True}
+        """
         from ._keywords import CURVE
 
         given: dict[str, Any] = dict(options)
@@ -342,6 +496,12 @@ class Curve:
             `distance` or `side` is not allowed.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> outer, inner = sorted(ring.offset(0.05), key=len)
+        >>> outer.degree, outer.report["deviation"] < 1e-3
+        (3, True)
         """
         near = self._near(distance, side)
         drawing = Drawing(self.mesh, np.empty((0, 3)), {}, fixed="an offset")
@@ -351,7 +511,24 @@ class Curve:
     def faces_within(
         self, distance: float, side: Side = "both", progress: Progress | None = None
     ) -> npt.NDArray[np.bool_]:
-        """Find the faces near this curve: (m,), whether the middle of each is within a distance. As offset()."""
+        """Find the faces near this curve.
+
+        Parameters
+        ----------
+        distance, side, progress
+            As of offset().
+
+        Returns
+        -------
+        (m,) array of bool
+            Whether the middle of each face is within the distance.
+
+        Examples
+        --------
+        >>> near = curve.faces_within(0.1)
+        >>> near.dtype, near.shape == (len(mesh.faces),)
+        (dtype('bool'), True)
+        """
         return _core.faces_within(*self._near(distance, side), progress).astype(np.bool_)
 
     def _near(self, distance: float, side: str) -> tuple[_core.Mesh, _core.Curve, float, str]:
@@ -377,6 +554,14 @@ class Curve:
         ------
         InputError
             A distance is not on the curve, or neither or both of the arguments are given.
+
+        Examples
+        --------
+        >>> samples = curve.sample(20)
+        >>> samples.points.shape, samples.curvature.shape
+        ((20, 3), (20,))
+        >>> curve.sample(distances=[0.1, 0.2]).distances
+        array([0.1, 0.2])
         """
         if (count is None) == (distances is None):
             raise InputError("give either count or distances")
@@ -406,7 +591,14 @@ class Curve:
         return self._frames().curvature
 
     def reversed(self) -> Curve:
-        """The same curve from its end to its start; a closed one keeps its first point. Its picks change their order."""
+        """The same curve from its end to its start; a closed one keeps its first point. Its picks change their order.
+
+        Examples
+        --------
+        >>> turned = curve.reversed()
+        >>> bool(np.allclose(turned.spline(0.2), curve.spline(0.8)))
+        True
+        """
         from ._pieces import reversed_piece
 
         return self._made_of(*reversed_piece(self))
@@ -429,6 +621,12 @@ class Curve:
         ------
         InputError
             A parameter is not in [0, 1], or the part has no length.
+
+        Examples
+        --------
+        >>> middle = curve.trim(0.25, 0.75)
+        >>> bool(np.allclose(middle.spline(0), curve.spline(0.25)))
+        True
         """
         from ._pieces import checked_parameter, piece
 
@@ -456,6 +654,12 @@ class Curve:
         ------
         InputError
             A parameter is not in [0, 1].
+
+        Examples
+        --------
+        >>> parts = curve.split([0.3, 0.6])
+        >>> len(parts), bool(np.isclose(sum(part.length for part in parts), curve.length))
+        (3, True)
         """
         from ._pieces import checked_parameter, piece
 
@@ -483,25 +687,47 @@ class Curve:
         ------
         FileError
             The file cannot be written, or its name has another end.
+
+        Examples
+        --------
+        >>> curve.save("curve.step", unit="mm")
+        >>> curve.save("curve.json")
         """
         from ._files import save
 
         save(self, file, str(checked_value("unit", UNIT, unit)))
 
     def to_pyvista(self) -> Any:
-        """A PolyData of one line, with t, values, face and barycentric as point data. Needs pyvista."""
+        """A PolyData of one line, with t, values, face and barycentric as point data. Needs pyvista.
+
+        Examples
+        --------
+        >>> curve.to_pyvista().n_cells
+        1
+        """
         from ._convert import to_pyvista
 
         return to_pyvista(self)
 
     def to_trimesh(self) -> Any:
-        """A Path3D. Needs trimesh and what it needs for paths: networkx, scipy."""
+        """A Path3D. Needs trimesh and what it needs for paths: networkx, scipy.
+
+        Examples
+        --------
+        >>> bool(np.isclose(curve.to_trimesh().length, curve.length))
+        True
+        """
         from ._convert import to_trimesh
 
         return to_trimesh(self)
 
     def to_meshio(self) -> Any:
-        """A Mesh of lines, which meshio writes in many formats. Needs meshio."""
+        """A Mesh of lines, which meshio writes in many formats. Needs meshio.
+
+        Examples
+        --------
+        >>> curve.to_meshio().write("curve.vtu")
+        """
         from ._convert import to_meshio
 
         return to_meshio(self)
@@ -523,6 +749,12 @@ class Curve:
         -------
         pyvista.Plotter or matplotlib axes
             In a notebook, show() of the plotter gives a view that can be turned.
+
+        Examples
+        --------
+        >>> plotter = curve.plot(off_screen=True)
+        >>> plotter = ring.plot(plotter)
+        >>> plotter.close()
         """
         from ._picture import plot
 

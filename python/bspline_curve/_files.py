@@ -134,6 +134,12 @@ def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
     ------
     FileError
         The file cannot be read, holds no curve or several, or its points are not on this mesh, or the mesh changed since.
+
+    Examples
+    --------
+    >>> curve.save("curve.json")
+    >>> bool((bspline_curve.load("curve.json", mesh).points == curve.points).all())
+    True
     """
     curves = load_all(file, mesh)
     if len(curves) != 1:
@@ -158,6 +164,12 @@ def load_all(file: str | os.PathLike[str], mesh: Mesh) -> list[Curve]:
     ------
     FileError
         As load() raises it.
+
+    Examples
+    --------
+    >>> curve.save("curve.json")
+    >>> len(bspline_curve.load_all("curve.json", mesh))
+    1
     """
     import json
     from pathlib import Path

@@ -244,6 +244,11 @@ class MeshKeywords(ABC):
             An argument is wrong; which, and what to do. Its subclasses tell which kind of argument.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> bspline_curve.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        <bspline_curve.Mesh: 3 vertices, 1 faces>
         """
         self._prepare(
             vertices,
@@ -465,6 +470,12 @@ class MeshKeywords(ABC):
             An argument is wrong; which, and what to do. Its subclasses tell which kind of argument.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> curve = mesh.curve(picks, closed=True, field='ridge')
+        >>> curve.closed, curve.usable, len(curve.picks)
+        (True, True, 4)
         """
         return self._draw(
             picks,
@@ -588,6 +599,13 @@ class MeshKeywords(ABC):
             An argument is wrong; which, and what to do. Its subclasses tell which kind of argument.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> values = mesh.field('valley', curvature_scale=0.03)
+        >>> values.shape
+        (1681,)
+        >>> curve = mesh.curve(picks, field=values, field_cost='exp-minus')
         """
         return self._make_field(
             quality,

@@ -131,7 +131,7 @@ def parameters_along(spline: _spline.Spline, mesh: Mesh) -> Floats:
     """As dense as the spline bends, and as the mean edge of the mesh."""
     knots = np.unique(spline.knots)
     knots = knots[(knots >= 0.0) & (knots <= 1.0)]
-    even: Floats = np.linspace(0.0, 1.0, SAMPLES_OF_A_SPAN * len(knots) + 1)
+    even = np.asarray(np.linspace(0.0, 1.0, SAMPLES_OF_A_SPAN * len(knots) + 1), np.float64)
     rough = _spline.evaluate(spline, even, 0)
     length = np.linalg.norm(np.diff(rough, axis=0), axis=1).sum()
     edge = mesh.diagonal / np.sqrt(max(len(mesh.faces), 1))

@@ -32,30 +32,68 @@ if TYPE_CHECKING:
 
 
 class Projection(NamedTuple):
-    """Closest points of a mesh, one for each query."""
+    """Closest points of a mesh, one row for each query.
 
-    points: Floats  # (n, 3)
-    faces: Int32s  # (n,)
-    barycentrics: Floats  # (n, 3)
-    distances: Floats  # (n,)
+    Attributes
+    ----------
+    points : (n, 3) array of float
+        On the mesh, in its unit.
+    faces : (n,) array of int
+        A face that holds the point.
+    barycentrics : (n, 3) array of float
+        Where it is in that face: weights of the face's vertices, in their order.
+    distances : (n,) array of float
+        From the query, in the unit of the mesh.
+    """
+
+    points: Floats
+    faces: Int32s
+    barycentrics: Floats
+    distances: Floats
 
 
 class Layer(NamedTuple):
-    """A triangle mesh as arrays."""
+    """A triangle mesh as arrays.
 
-    vertices: Floats  # (n, 3)
-    faces: Int32s  # (m, 3)
+    Attributes
+    ----------
+    vertices : (n, 3) array of float
+    faces : (m, 3) array of int
+        Ids of vertices.
+    """
+
+    vertices: Floats
+    faces: Int32s
 
 
 class Shell(NamedTuple):
-    """Top and bottom of a shell, both oriented as the mesh is."""
+    """Top and bottom of a shell, both oriented as the mesh is.
+
+    Attributes
+    ----------
+    top : Layer
+        Outside of the mesh, where its normals point.
+    bottom : Layer
+        Inside.
+    """
 
     top: Layer
     bottom: Layer
 
 
 class Repair(NamedTuple):
-    """A mended mesh, and what was changed."""
+    """A mended mesh, and what was changed.
+
+    Attributes
+    ----------
+    mesh : Mesh
+    changes : dict
+        Ids of what was changed, by kinds: "joined_vertices", "merged_vertices" (vertex: the one that it became),
+        "left_out_faces", "removed_degenerate_faces", "removed_duplicate_faces", "reversed_faces", "split_faces" (lists),
+        "cut_edges" (pairs of vertices), "duplicated_vertices" (vertex: its copies).
+    summary : str
+        The same in words: "2 duplicate faces removed"; empty where nothing was changed.
+    """
 
     mesh: Mesh
     changes: dict[str, Any]
@@ -134,6 +172,13 @@ class Mesh(MeshKeywords):
             The file cannot be read; the message names the place in it.
         InputError
             As Mesh() raises it.
+
+        Examples
+        --------
+        >>> import meshio
+        >>> meshio.Mesh(mesh.vertices, [("triangle", mesh.faces)]).write("part.ply")
+        >>> bspline_curve.Mesh.load("part.ply")
+        <bspline_curve.Mesh: 1681 vertices, 3200 faces>
         """
         vertices, faces, quality = _core.read_mesh(os.fspath(file))
         given: dict[str, Any] = dict(options)
@@ -149,12 +194,25 @@ class Mesh(MeshKeywords):
         return f"{self._core.checksum:08x}"
 
     def project(self, points: npt.ArrayLike) -> Projection:
-        """Find the closest point of the mesh for each point, (n, 3) and finite. O(log m) each."""
+        """Find the closest point of the mesh for each point, (n, 3) and finite. O(log m) each.
+
+        Examples
+        --------
+        >>> closest = mesh.project([[0.1, 0.2, 1.0]])
+        >>> closest.points.shape, closest.faces.shape
+        ((1, 3), (1,))
+        """
         places, positions, distances = self._core.project(finite_points(points, "points", InputError, ""))
         return Projection(positions, *places, distances)
 
     def shell(self) -> Shell:
-        """Build the shell that curves are sought in, where it is not there yet, and return its top and bottom."""
+        """Build the shell that curves are sought in, where it is not there yet, and return its top and bottom.
+
+        Examples
+        --------
+        >>> mesh.shell().top.vertices.shape[1]
+        3
+        """
         top, bottom = self._core.shell_layers()
         return Shell(Layer(*top), Layer(*bottom))
 
@@ -184,6 +242,12 @@ class Mesh(MeshKeywords):
             A point is farther from the mesh than 1 % of its diagonal, or a curve is of another mesh.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> mesh.distance(picks[:1]).shape
+        (1681,)
+        >>> far = mesh.distance(curve, reach=0.2) == np.inf
         """
         return distances_to(self, to, reach, progress)
 
@@ -204,6 +268,12 @@ class Mesh(MeshKeywords):
         ------
         InputError
             A point is farther from the mesh than 1 % of its diagonal, both are one, or no way leads from one to the other.
+
+        Examples
+        --------
+        >>> path = mesh.path(picks[0], picks[1])
+        >>> path.length < curve.length
+        True
         """
         return way_between(self, start, end)
 
@@ -232,6 +302,12 @@ class Mesh(MeshKeywords):
             once.
         OptionError
             `snap` or `max_distance` is not in its range.
+
+        Examples
+        --------
+        >>> imprint = mesh.imprint([curve, ring])
+        >>> len(imprint.curves), imprint.parts[0].area > imprint.parts[1].area
+        (2, True)
         """
         given = [curve._core for curve in curves_on(self, curves, max_distance)]
         return Imprint(_core.imprint(self._core, given, checked_number("snap", SNAP, snap)))
@@ -246,7 +322,14 @@ class Mesh(MeshKeywords):
         drop_untouched: bool = False,
         max_distance: float = 0.0,
     ) -> Cut:
-        """Open a copy of the mesh along curves: imprint(curves, snap, max_distance).cut(keep, fill, progress, drop_untouched)."""
+        """Open a copy of the mesh along curves: imprint(curves, snap, max_distance).cut(keep, fill, progress, drop_untouched).
+
+        Examples
+        --------
+        >>> cut = mesh.cut(ring, keep="inside")
+        >>> cut.vertices.shape[1], cut.labels.min() == cut.labels.max()
+        (3, np.True_)
+        """
         return self.imprint(curves, snap, max_distance)._cut(keep, fill, progress, drop_untouched)
 
     def segment(self, curves: Line | Iterable[Line], snap: float = 1e-9, max_distance: float = 0.0) -> Imprint:
@@ -268,6 +351,12 @@ class Mesh(MeshKeywords):
         ------
         InputError
             The curves part nothing (a PickError), or as imprint() does.
+
+        Examples
+        --------
+        >>> regions = mesh.segment(ring)
+        >>> sorted(set(regions.labels.tolist()))
+        [0, 1]
         """
         imprint = self.imprint(curves, snap, max_distance)
         warn(imprint._core.segment_notes, 2)
@@ -339,6 +428,12 @@ class Mesh(MeshKeywords):
             A path leads over the boundary or an end of the curve (the message names it), or an argument is wrong.
         FileError
             The file cannot be read.
+
+        Examples
+        --------
+        >>> pattern = mesh.pattern("M0 0 L1 0 L1 1 Z", centre=[0, 0, 0], size=0.2)
+        >>> len(pattern.curves)
+        3
         """
         options = {"size": size, "scale": scale, "repeat": repeat, "spacing": spacing, "start": start, "shift": shift}
         options |= {"corner_angle": corner_angle, "tolerance": tolerance, "smoothing": smoothing}
@@ -460,6 +555,12 @@ def repair(vertices: Any, faces: npt.ArrayLike | None = None, **options: Any) ->
     ------
     MeshError
         Every face has a coordinate that is not finite, or one names a vertex that is not there.
+
+    Examples
+    --------
+    >>> repaired = bspline_curve.repair(mesh.vertices, np.concatenate([mesh.faces, mesh.faces[:1]]))
+    >>> repaired.summary
+    '1 duplicate face removed'
     """
     mending = changed(SHELL, {"weld": options.pop("weld", 0.0), "slits": options.get("slits", False)})
     mended, corners, changes, summary = _core.repaired(*mesh_arrays(vertices, faces), mending)

@@ -38,22 +38,50 @@ OPTIONS = {
 
 
 class Distortion(NamedTuple):
-    """A part of a curve, between two picks, and how long it is relative to what was drawn."""
+    """A part of a curve, between two picks, and how long it is relative to what was drawn.
+
+    Attributes
+    ----------
+    ratio : float
+        Its length on the mesh by its length in the drawing: 1 where nothing is distorted.
+    path : int
+        Of the drawing, from 0.
+    copy : int
+        Of the drawing along the curve, from 0.
+    position : (3,) array of float
+        Where it is on the mesh.
+    """
 
     ratio: float
-    path: int  # of the drawing, from 0
-    copy: int  # of the drawing, from 0
-    position: Floats  # (3,)
+    path: int
+    copy: int
+    position: Floats
 
 
 class Pattern(NamedTuple):
-    """A drawing on a mesh."""
+    """A drawing on a mesh.
 
-    curves: list[Curve]  # in the order of the paths, and along them
-    paths: Int32s  # (n,): the path of the drawing that each is a part of
-    copies: Int32s  # (n,): and of which copy
+    Attributes
+    ----------
+    curves : list of Curve
+        In the order of the paths, and along them; parted where paths turn. They have no picks.
+    paths : (n,) array of int
+        The path of the drawing, from 0, that each curve is a part of.
+    copies : (n,) array of int
+        The copy of the drawing, from 0, that each curve is of.
+    tolerance : float
+        Largest distance of the curves to the carried drawing that was asked for, in the unit of the mesh.
+    largest_deviation : float
+        Of a carried point to its curve, in the unit of the mesh.
+    shortest, longest : Distortion
+        The parts that became shortest and longest.
+    """
+
+    curves: list[Curve]
+    paths: Int32s
+    copies: Int32s
     tolerance: float
-    largest_deviation: float  # of a carried point to its curve
+    largest_deviation: float
     shortest: Distortion
     longest: Distortion
 

@@ -98,12 +98,30 @@ class Picker:
         return [problem for _, _, _, problem in self._session.curves if problem]
 
     def do(self, action: str) -> None:
-        """What a key does: "undo", "redo", "new-curve", "close", "remove", "next", "previous", "next-curve" or "cancel"."""
+        """Do what a key does.
+
+        Parameters
+        ----------
+        action : str
+            "undo", "redo", "new-curve", "close", "remove", "next", "previous", "next-curve" or "cancel".
+
+        Examples
+        --------
+        >>> picker = bspline_curve.Picker(mesh, plotter=pyvista.Plotter(off_screen=True))
+        >>> picker.do("new-curve")
+        """
         self._session.key(action, *self._pointer(), False)
         self._show()
 
     def update(self) -> bool:
-        """Show what was solved since the last call; whether there was something."""
+        """Show what was solved since the last call; whether there was something.
+
+        Examples
+        --------
+        >>> picker = bspline_curve.Picker(mesh, plotter=pyvista.Plotter(off_screen=True))
+        >>> picker.update()
+        False
+        """
         if not self._session.update():
             return False
         self._show()
@@ -111,7 +129,13 @@ class Picker:
 
     def show(self, **options: Any) -> Any:
         """Show the plotter: a window until it is closed, or in a notebook a view with buttons. `options` are those of
-        Plotter.show()."""
+        Plotter.show().
+
+        Examples
+        --------
+        >>> picker = bspline_curve.Picker(mesh, plotter=pyvista.Plotter(off_screen=True))
+        >>> shown = picker.show()
+        """
         if self.plotter.notebook:
             from ._notebook import show
 
@@ -281,6 +305,10 @@ def pick(mesh: Any, **options: Unpack[CurveOptions]) -> list[Curve]:
     -------
     list of Curve
         In the order in which they were begun.
+
+    Examples
+    --------
+    >>> curves = bspline_curve.pick(mesh, field="valley")  # doctest: +SKIP
     """
     picker = Picker(mesh, **options)
     if picker.plotter.notebook:
