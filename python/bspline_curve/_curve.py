@@ -566,7 +566,8 @@ class Curve:
         if (count is None) == (distances is None):
             raise InputError("give either count or distances")
         if distances is None:
-            assert count is not None
+            if isinstance(count, bool) or not isinstance(count, (int, np.integer)):
+                raise TypeError(f"count is {count!r}, but must be an integer")
             least = 1 if self.closed else 2
             if count < least:
                 raise InputError(f"count is {count}, but must be at least {least}")

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core
-from ._arrays import Floats
+from ._arrays import Floats, file_name
 from ._curve import Curve, restored
 from ._drawing import Drawing
 from ._errors import FileError
+from ._identity import require_mesh
 from ._keywords import CURVE
 from ._mesh import Mesh
 from ._options import changed
@@ -80,7 +81,7 @@ def finite(value: Any) -> Any:
 def save(curve: Curve, file: str | os.PathLike[str], unit: str) -> None:
     from pathlib import Path
 
-    path = Path(file)
+    path = Path(file_name(file))
     name = path.name.lower()
     ends = _core.curve_ends()
     end = next((end for end in ends if name.endswith(end) and name != end), None)
@@ -174,7 +175,8 @@ def load_all(file: str | os.PathLike[str], mesh: Mesh) -> list[Curve]:
     import json
     from pathlib import Path
 
-    path = Path(file)
+    require_mesh(mesh)
+    path = Path(file_name(file))
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:

@@ -49,10 +49,16 @@ def name_of(mesh: Mesh) -> AbsentMesh:
     return AbsentMesh(len(mesh.vertices), len(mesh.faces), mesh._core.checksum, mesh._options)
 
 
+def require_mesh(mesh: object) -> None:
+    if not hasattr(mesh, "_core") or not hasattr(mesh, "checksum"):
+        raise TypeError(f"mesh is {type(mesh).__name__}, but must be a Mesh")
+
+
 def difference(home: Mesh | AbsentMesh, mesh: Mesh) -> str:
     """How a mesh differs from that of a curve, for messages; empty where they are equal. O(n) once for each mesh."""
     if home is mesh:
         return ""
+    require_mesh(mesh)
     counts = home if isinstance(home, AbsentMesh) else None
     before = (counts.faces, counts.vertices) if counts else (len(home.faces), len(home.vertices))  # type: ignore[arg-type]
     for then, now, what in zip(before, (len(mesh.faces), len(mesh.vertices)), ("faces", "vertices")):

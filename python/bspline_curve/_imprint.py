@@ -246,7 +246,12 @@ class Imprint:
         count = len(self.vertices) - len(inside)
         if len(rows) != count:
             raise FieldError(f"given has {len(rows)} rows, but must have {count}, one for each vertex of the mesh", "bad-array")
-        corners = rows[np.asarray(faces)[inside]]
+        triangles = np.asarray(faces)
+        if triangles.ndim != 2 or triangles.shape[1] != 3 or triangles.dtype.kind not in "iu":
+            raise FieldError(f"faces has shape {triangles.shape} of {triangles.dtype}, but must be those of the mesh: mesh.faces", "bad-array")
+        if len(triangles) <= int(inside.max(initial=-1)):
+            raise FieldError(f"faces has {len(triangles)} rows, but must be all faces of the mesh: mesh.faces", "bad-array")
+        corners = rows[triangles[inside]]
         return np.concatenate([rows, np.einsum("ij,ij...->i...", weights, corners)])
 
     def __repr__(self) -> str:

@@ -14,7 +14,7 @@ from ._arrays import Floats, finite_points, numbers
 from ._curve import Curve, restored
 from ._drawing import Drawing
 from ._errors import InputError, PickError
-from ._identity import difference
+from ._identity import difference, require_mesh
 from ._options import Option, checked_number
 from ._pieces import spline_state
 
@@ -69,6 +69,7 @@ def is_spline(given: Any) -> bool:
 
 
 def of_points(given: npt.ArrayLike, mesh: Mesh, closed: bool | None, max_distance: float, name: str) -> Curve:
+    require_mesh(mesh)
     points = finite_points(given, name, InputError, "")
     if len(points) < 2:
         raise InputError(f"{name} has {len(points)} points, but a line has at least 2", "bad-array")
@@ -91,6 +92,7 @@ def projected(mesh: Mesh, points: Floats, closed: bool, max_distance: float, nam
 
 
 def of_spline(given: Any, mesh: Mesh, max_distance: float, name: str) -> Curve:
+    require_mesh(mesh)
     spline, closed = our_spline(given, name)
     at = parameters_along(spline, mesh)
     points = _spline.evaluate(spline, at, 0)

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Int32s, Picks, face_ids, finite_points, of_core, per_vertex, pick_points
+from ._arrays import Floats, Int32s, Picks, face_ids, file_name, finite_points, of_core, per_vertex, pick_points
 from ._curve import Curve, drawn
 from ._drawing import THRESHOLDS, Drawing
 from ._errors import FieldError, InputError, OptionError, warn
@@ -180,8 +180,9 @@ class Mesh(MeshKeywords):
         >>> bspline_curve.Mesh.load("part.ply")
         <bspline_curve.Mesh: 1681 vertices, 3200 faces>
         """
-        vertices, faces, quality = _core.read_mesh(os.fspath(file))
         given: dict[str, Any] = dict(options)
+        _check_options("Mesh.load", given)
+        vertices, faces, quality = _core.read_mesh(file_name(file))
         given.setdefault("quality", quality if len(quality) and np.isfinite(quality).all() else None)
         return cls(vertices, faces, **given)
 
@@ -529,6 +530,13 @@ class Mesh(MeshKeywords):
         return _restored, (self.vertices, self.faces, self._options, self._quality)
 
 
+def _check_options(call: str, given: dict[str, Any]) -> None:
+    known = [*SHELL, "quality", "progress"]
+    for name in given:
+        if name not in known:
+            raise TypeError(f"{call}() has no option {name!r}; it has {', '.join(known)}")
+
+
 def _restored(vertices: Floats, faces: Int32s, options: dict[str, Any], quality: Floats | None) -> Mesh:
     return Mesh(vertices, faces, quality=quality, **options)
 
@@ -562,6 +570,7 @@ def repair(vertices: Any, faces: npt.ArrayLike | None = None, **options: Any) ->
     >>> repaired.summary
     '1 duplicate face removed'
     """
+    _check_options("repair", options)
     mending = changed(SHELL, {"weld": options.pop("weld", 0.0), "slits": options.get("slits", False)})
     mended, corners, changes, summary = _core.repaired(*mesh_arrays(vertices, faces), mending)
     return Repair(Mesh(mended, corners, **options), changes, summary)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -122,6 +122,8 @@ def patterned(
 def planar_drawing(given: Planar) -> _core.Drawing:
     """A file, path data, or polylines, as the core takes it."""
     if not isinstance(given, (str, os.PathLike)):
+        if not isinstance(given, Iterable):
+            raise TypeError(f"drawing is {given!r}, but must be a file, path data, or polylines of (n, 2) arrays")
         return _core.polyline_drawing([_polyline(line, i) for i, line in enumerate(given)])
     name = os.fspath(given)
     kind = name.lower()[-4:]

@@ -92,6 +92,8 @@ def plot(curve: Curve, plotter: Any, **options: Any) -> Any:
         if find_spec("matplotlib") is None:
             raise ImportError("plot() needs pyvista or matplotlib: run pip install pyvista")
         return plot_by_matplotlib(curve, plotter, **options)
+    if plotter is not None and not hasattr(plotter, "add_actor"):
+        raise TypeError(f"plotter is {type(plotter).__name__}, but must be a Plotter of pyvista, or 3d axes of matplotlib")
     return plot_by_pyvista(curve, plotter, **options)
 
 
