@@ -54,12 +54,11 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
 
 CurveParser::CurveParser()
     : app("Draws a smooth B-spline curve through picked points on a triangle mesh and writes it as "
-          "a\npolyline whose every segment lies in one face. The verb \"curve\" may go before the "
-          "mesh;\nthe other verbs are \"batch\", \"field\" and \"shell\": bspline_curve help "
-          "batch.\n\n"
+          "a\npolyline whose every segment lies in one face. The verb \"curve\" may be left "
+          "out.\n\n"
           "Exit status: 0 done; 1 bad mesh, picks or file; 2 wrong usage;\n"
           "130 interrupted by Ctrl-C. No output is written unless the status is 0.\n",
-          "bspline_curve") {
+          "bspline_curve curve") {
     app.set_version_flag("--version", "bspline_curve " BSPLINE_CURVE_VERSION);
     addFiles(app, arguments);
     drawing.add();

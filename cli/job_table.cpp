@@ -52,7 +52,8 @@ std::vector<Column> readHeader(const path& file, const CsvRecord& header) {
                 file,
                 header.line,
                 "the column " + inQuotes(field) +
-                    " is neither mesh nor an option of a curve (bspline_curve --help lists them)"
+                    " is neither mesh nor an option of a curve (bspline_curve curve --help lists "
+                    "them)"
             );
         }
         if (std::ranges::find(columns, name, &Column::name) != columns.end()) {

@@ -19,22 +19,79 @@ namespace {
 struct Verb {
     std::string_view name;
     ExitCode (*run)(Arguments);
+    std::string_view help;
 };
 
 // A first argument that is none of these is a mesh, or an option of `curve`.
 constexpr std::array kVerbs{
-    Verb{.name = "batch", .run = runBatch},
-    Verb{.name = "curve", .run = runCurve},
-    Verb{.name = "cut", .run = runCut},
-    Verb{.name = "field", .run = runField},
-    Verb{.name = "fit", .run = runFit},
-    Verb{.name = "imprint", .run = runImprint},
-    Verb{.name = "offset", .run = runOffset},
-    Verb{.name = "pattern", .run = runPattern},
-    Verb{.name = "points", .run = runPoints},
-    Verb{.name = "segment", .run = runSegment},
-    Verb{.name = "shell", .run = runShell}
+    Verb{
+        .name = "curve",
+        .run = runCurve,
+        .help = "a smooth curve through picks on a mesh; may be left out"
+    },
+    Verb{
+        .name = "fit",
+        .run = runFit,
+        .help = "smooth curves along lines that exist: boundaries, strokes, polylines"
+    },
+    Verb{.name = "batch", .run = runBatch, .help = "many curves, as a table lists them"},
+    Verb{.name = "imprint", .run = runImprint, .help = "curves as edges of the mesh"},
+    Verb{
+        .name = "cut",
+        .run = runCut,
+        .help = "the mesh opened along curves, parts of it, holes filled, reliefs"
+    },
+    Verb{
+        .name = "segment",
+        .run = runSegment,
+        .help = "labels, colours and measures of the parts between curves"
+    },
+    Verb{
+        .name = "offset",
+        .run = runOffset,
+        .help = "curves at a distance from a curve, along the surface"
+    },
+    Verb{
+        .name = "pattern",
+        .run = runPattern,
+        .help = "a planar drawing carried to the surface as curves"
+    },
+    Verb{
+        .name = "points",
+        .run = runPoints,
+        .help = "points along curves, with frames and curvatures"
+    },
+    Verb{
+        .name = "field",
+        .run = runField,
+        .help = "values at vertices that curves can follow or avoid"
+    },
+    Verb{
+        .name = "shell",
+        .run = runShell,
+        .help = "the shell of a mesh, to look at, check and use elsewhere"
+    }
 };
+
+ExitCode printOverview() {
+    std::cout << "Smooth B-spline curves on triangle meshes, and what is made of them.\n"
+                 "Usage: bspline_curve [VERB] MESH OPTIONS...\n\nVerbs:\n";
+    constexpr std::size_t kColumn = 10;
+    for (const Verb& verb : kVerbs) {
+        std::cout << "  " << verb.name << std::string(kColumn - verb.name.size(), ' ') << verb.help
+                  << '\n';
+    }
+    std::cout
+        << "\n"
+           "  bspline_curve VERB --help   its options, in groups\n"
+           "  bspline_curve --version     the version\n\n"
+           "Examples:\n"
+           "  bspline_curve scan.ply --picks picks.json --closed --output curve.json\n"
+           "  bspline_curve cut scan.ply --curve curve.json --keep inside --output cut.ply\n\n"
+           "Exit status: 0 done; 1 bad mesh, picks or file; 2 wrong usage; 130 interrupted\n"
+           "by Ctrl-C. No output is written unless the status is 0.\n";
+    return ExitCode::Success;
+}
 
 ExitCode refuseVerb(const std::string& word) {
     std::vector<std::string> words{"help"};
@@ -61,6 +118,10 @@ ExitCode run(Arguments arguments) {
     const std::string word = arguments.front();
     if (word == kMeshProcess) {
         return runMeshProcess();
+    }
+    const bool asksForHelp = word == "help" || word == "--help" || word == "-h";
+    if (asksForHelp && arguments.size() == 1) {
+        return printOverview();
     }
     if (word == "help") {
         std::vector<const char*> words(arguments.begin() + 1, arguments.end());

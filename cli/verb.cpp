@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "cli/interrupt.h"
+#include "cli/value_checks.h"
 
 #include <CLI/CLI.hpp>
 
@@ -14,6 +15,23 @@
 #include <vector>
 
 namespace bspline_curve::cli {
+
+namespace {
+
+/// The option that may be meant by one that is not known; empty where none is near.
+std::string nearFlag(const CLI::App& app, const std::string& given) {
+    std::vector<std::string> flags;
+    for (const CLI::Option* const option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            if (!option->get_group().empty()) {
+                flags.push_back("--" + name);
+            }
+        }
+    }
+    return didYouMean(given.substr(0, given.find('=')), flags);
+}
+
+}  // namespace
 
 void printError(const std::string& message) {
     std::string line = message;
@@ -82,7 +100,8 @@ ExitCode explainParseError(const CLI::App& app, const CLI::ParseError& error) {
     // CLI11 speaks of what is missing first; what is not known tells more.
     const std::vector<std::string> unknown = app.remaining();
     const std::string reason =
-        unknown.empty() ? std::string(error.what()) : "unknown argument " + unknown.front();
+        unknown.empty() ? std::string(error.what())
+                        : "unknown argument " + unknown.front() + nearFlag(app, unknown.front());
     printError(reason + " (" + app.get_name() + " --help lists the options)");
     return ExitCode::Usage;
 }

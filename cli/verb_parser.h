@@ -110,7 +110,7 @@ inline void addUnit(CLI::App& app, LengthUnit& unit) {
     app.add_option(
            "--unit", unit, "Unit of the mesh, which .step and .iges name: mm|cm|m|um|in|ft [mm]"
     )
-        ->transform(CLI::Transformer(words))
+        ->transform(CLI::Transformer(words).description(""))  // the help names the words
         ->type_name("WORD");
 }
 

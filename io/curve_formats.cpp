@@ -1,7 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/curve_formats.h"
 
+#include <array>
+
 namespace bspline_curve {
+
+namespace {
+
+using Contents = std::span<const CurveContent>;
+
+/// A format of several curves, for one.
+template <std::string (*bytesOfMany)(Contents)>
+std::string ofOne(const CurveContent& content) {
+    return bytesOfMany(Contents(&content, 1));
+}
+
+// Longer ends go before shorter ones.
+constexpr std::array kCurveFormats{
+    CurveFormat{.end = ".ply", .bytes = ofOne<curvePly>, .bytesOfMany = curvePly},
+    CurveFormat{.end = ".bspline.obj", .bytes = splineObj},
+    CurveFormat{.end = ".obj", .bytes = ofOne<curveObj>, .bytesOfMany = curveObj},
+    CurveFormat{.end = ".bspline.dxf", .bytes = splineDxf},
+    CurveFormat{.end = ".dxf", .bytes = ofOne<curveDxf>, .bytesOfMany = curveDxf},
+    CurveFormat{.end = ".vtu", .bytes = curveVtu},
+    CurveFormat{.end = ".csv", .bytes = curveCsv},
+    CurveFormat{.end = ".polyline.step", .bytes = ofOne<polylineStep>, .bytesOfMany = polylineStep},
+    CurveFormat{.end = ".polyline.stp", .bytes = ofOne<polylineStep>, .bytesOfMany = polylineStep},
+    CurveFormat{.end = ".step", .bytes = ofOne<splineStep>, .bytesOfMany = splineStep},
+    CurveFormat{.end = ".stp", .bytes = ofOne<splineStep>, .bytesOfMany = splineStep},
+    CurveFormat{.end = ".polyline.iges", .bytes = ofOne<polylineIges>, .bytesOfMany = polylineIges},
+    CurveFormat{.end = ".polyline.igs", .bytes = ofOne<polylineIges>, .bytesOfMany = polylineIges},
+    CurveFormat{.end = ".iges", .bytes = ofOne<splineIges>, .bytesOfMany = splineIges},
+    CurveFormat{.end = ".igs", .bytes = ofOne<splineIges>, .bytesOfMany = splineIges},
+};
+
+}  // namespace
+
+std::span<const CurveFormat> curveFormatsWithoutJson() {
+    return kCurveFormats;
+}
 
 std::vector<std::pair<std::size_t, std::size_t>> segmentsOf(const SurfacePolyline& polyline) {
     std::vector<std::pair<std::size_t, std::size_t>> result;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,17 @@ struct CurveContent {
         return field.empty() ? std::span<const double>(curve.polyline.parameters) : field;
     }
 };
+
+struct CurveFormat {
+    std::string_view end;  ///< of a file's name, in lower case
+    std::string (*bytes)(const CurveContent& content);
+    /// Null: it holds one curve alone.
+    std::string (*bytesOfMany)(std::span<const CurveContent> contents) = nullptr;
+};
+
+/// All formats but .json, which needs a library of its own. A name has the first format that it
+/// ends with.
+[[nodiscard]] std::span<const CurveFormat> curveFormatsWithoutJson();
 
 /// Segments as pairs of vertices, in order along the curve; the last of a closed one leads back to
 /// vertex 0.

@@ -7,7 +7,6 @@
 #include "io/text_parsing.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <string_view>
 
@@ -17,46 +16,24 @@ namespace {
 
 using std::filesystem::path;
 
-using Contents = std::span<const CurveContent>;
+constexpr CurveFormat kJson{.end = ".json", .bytes = curveJson, .bytesOfMany = curvesJson};
 
-struct CurveFormat {
-    std::string_view end;  ///< of the file's name, in lower case
-    std::string (*bytes)(const CurveContent& content);
-    std::string (*bytesOfMany)(Contents contents) = nullptr;  ///< null: it holds one curve alone
-};
-
-/// A format of several curves, for one.
-template <std::string (*bytesOfMany)(Contents)>
-std::string ofOne(const CurveContent& content) {
-    return bytesOfMany(Contents(&content, 1));
+const std::vector<CurveFormat>& curveFormats() {
+    static const std::vector<CurveFormat> formats = [] {
+        const std::span<const CurveFormat> others = curveFormatsWithoutJson();
+        std::vector<CurveFormat> all(others.begin(), others.end());
+        all.push_back(kJson);
+        return all;
+    }();
+    return formats;
 }
-
-// A name has the first format that it ends with, so longer ends go before shorter ones.
-constexpr std::array kCurveFormats{
-    CurveFormat{.end = ".ply", .bytes = ofOne<curvePly>, .bytesOfMany = curvePly},
-    CurveFormat{.end = ".bspline.obj", .bytes = splineObj},
-    CurveFormat{.end = ".obj", .bytes = ofOne<curveObj>, .bytesOfMany = curveObj},
-    CurveFormat{.end = ".bspline.dxf", .bytes = splineDxf},
-    CurveFormat{.end = ".dxf", .bytes = ofOne<curveDxf>, .bytesOfMany = curveDxf},
-    CurveFormat{.end = ".vtu", .bytes = curveVtu},
-    CurveFormat{.end = ".csv", .bytes = curveCsv},
-    CurveFormat{.end = ".polyline.step", .bytes = ofOne<polylineStep>, .bytesOfMany = polylineStep},
-    CurveFormat{.end = ".polyline.stp", .bytes = ofOne<polylineStep>, .bytesOfMany = polylineStep},
-    CurveFormat{.end = ".step", .bytes = ofOne<splineStep>, .bytesOfMany = splineStep},
-    CurveFormat{.end = ".stp", .bytes = ofOne<splineStep>, .bytesOfMany = splineStep},
-    CurveFormat{.end = ".polyline.iges", .bytes = ofOne<polylineIges>, .bytesOfMany = polylineIges},
-    CurveFormat{.end = ".polyline.igs", .bytes = ofOne<polylineIges>, .bytesOfMany = polylineIges},
-    CurveFormat{.end = ".iges", .bytes = ofOne<splineIges>, .bytesOfMany = splineIges},
-    CurveFormat{.end = ".igs", .bytes = ofOne<splineIges>, .bytesOfMany = splineIges},
-    CurveFormat{.end = ".json", .bytes = curveJson, .bytesOfMany = curvesJson},
-};
 
 const CurveFormat& formatOf(const path& file) {
     const std::string name = lowerCase(file.filename().string());
-    const auto* const found = std::ranges::find_if(kCurveFormats, [&](const CurveFormat& format) {
+    const auto found = std::ranges::find_if(curveFormats(), [&](const CurveFormat& format) {
         return name.size() > format.end.size() && name.ends_with(format.end);
     });
-    if (found == kCurveFormats.end()) {
+    if (found == curveFormats().end()) {
         throw InputError(
             InputErrorCode::UnwritableFile,
             file.string() + ": the extension " + inQuotes(lowerCaseExtension(file)) +
@@ -83,7 +60,7 @@ const CurveFormat& formatOfMany(const path& file) {
 
 std::string curveExtensions() {
     std::string text;
-    for (const CurveFormat& format : kCurveFormats) {
+    for (const CurveFormat& format : curveFormats()) {
         text.append(text.empty() ? "" : ", ").append(format.end);
     }
     return text;
@@ -91,7 +68,7 @@ std::string curveExtensions() {
 
 std::string manyCurvesExtensions() {
     std::string text;
-    for (const CurveFormat& format : kCurveFormats) {
+    for (const CurveFormat& format : curveFormats()) {
         if (format.bytesOfMany != nullptr) {
             text.append(text.empty() ? "" : ", ").append(format.end);
         }

@@ -19,6 +19,8 @@ using Vec2 = Eigen::Vector2d;
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 /// Sectors narrower than this hold no way that counts: an angle of rounding.
 constexpr double kLeastAngle = 1e-12;
+/// Beams from a vertex are this much wider, so that rounding opens no gaps beside them.
+constexpr double kSpread = 1e-8;
 
 /// Beams into the angles [from, to] of a fan.
 void addSector(
@@ -77,9 +79,11 @@ void addPoint(
     if (next && previous) {
         around(*next, *previous, CurveSide::Left);
         around(*previous, *next, CurveSide::Right);
-    } else {
-        const double only = next ? *next : previous.value_or(0.0);
+    } else if (next || previous) {
+        const double only = next ? *next : *previous;
         around(only, only, CurveSide::Cap);
+    } else {
+        addSector(beams, fan, 0.0, fan.angle, {.distance = 0.0, .side = CurveSide::Cap});
     }
 }
 
@@ -153,13 +157,28 @@ std::vector<DistanceBeam> beamsOfPolyline(const Surface& surface, const SurfaceP
 }
 
 std::vector<DistanceBeam> beamsOfVertex(
-    const Surface& surface, int vertex, const SidedDistance& distance
+    const Surface& surface, int vertex, const SidedDistance& distance, const VertexArrival& arrival
 ) {
     const SurfaceFan fan = fanOfVertex(surface, vertex);
-    const double whole = fan.closed ? 2 * std::numbers::pi : std::numbers::pi;
+    const double halfTurn = std::numbers::pi;
+    const double whole = fan.closed ? 2 * halfTurn : halfTurn;
     std::vector<DistanceBeam> beams;
-    if (fan.angle > whole * (1 + kLeastAngle)) {
+    if (fan.angle <= whole * (1 + kLeastAngle)) {
+        return beams;
+    }
+    const auto wedge = std::ranges::find(fan.wedges, arrival.face, &FanWedge::face);
+    if (wedge == fan.wedges.end()) {
         addSector(beams, fan, 0.0, fan.angle, distance);
+        return beams;
+    }
+    const double came = wedge->start + std::clamp(arrival.angle, 0.0, wedge->width);
+    const double first = came + halfTurn - kSpread;
+    const double last = came - halfTurn + kSpread;
+    if (fan.closed) {
+        addSector(beams, fan, first, last + fan.angle, distance);
+    } else {
+        addSector(beams, fan, first, fan.angle, distance);
+        addSector(beams, fan, 0.0, last, distance);
     }
     return beams;
 }

@@ -116,6 +116,7 @@ public:
           beams_(beams),
           isReached_(isReached),
           vertices_(vertices),
+          arrivals_(vertices.size()),
           queue_(
               std::max(kBucketWidth * surface.averageEdgeLength(), range.to / kMostBuckets),
               range.to
@@ -136,8 +137,12 @@ public:
             }
             if (event.vertex >= 0) {
                 if (key == vertices_[event.vertex].distance) {
-                    for (const DistanceBeam& beam :
-                         beamsOfVertex(surface_, event.vertex, vertices_[event.vertex])) {
+                    for (const DistanceBeam& beam : beamsOfVertex(
+                             surface_,
+                             event.vertex,
+                             vertices_[event.vertex],
+                             arrivals_[event.vertex]
+                         )) {
                         start(beam);
                     }
                 }
@@ -177,6 +182,7 @@ private:
                 const bool ahead = beam.distance(face.corners[k]) >= -tolerance;
                 if (ahead && distance < vertices_[vertex].distance) {
                     vertices_[vertex] = {.distance = distance, .side = beam.side};
+                    arrivals_[vertex] = arrivalOf(beam, face, k);
                     if (distance <= range_.to) {
                         queue_.push(
                             distance, {.vertex = vertex, .beam = {}, .window = {}, .starts = false}
@@ -185,6 +191,20 @@ private:
                 }
             }
         }
+    }
+
+    /// At a corner of the beam's face; not known where the beam starts there.
+    [[nodiscard]] static VertexArrival arrivalOf(
+        const DistanceBeam& beam, const FaceLayout& face, int corner
+    ) {
+        const Vec2& at = face.corners[corner];
+        const Vec2 back = beam.fromLine ? Vec2(-beam.normal) : Vec2(beam.source - at);
+        if (beam.distance(at) <= 0.0 || back.isZero()) {
+            return {};
+        }
+        return {
+            .face = beam.face, .angle = angleBetween(face.corners[(corner + 1) % 3] - at, back)
+        };
     }
 
     /// Whether the ways by the corners of the face are shorter than all of a beam.
@@ -290,6 +310,7 @@ private:
     std::vector<std::vector<DistanceBeam>>& beams_;
     std::vector<char>& isReached_;
     std::vector<SidedDistance>& vertices_;
+    std::vector<VertexArrival> arrivals_;
     EventQueue queue_;
 };
 
@@ -302,7 +323,7 @@ bool DistanceBeam::contains(const Vec2& point, double tolerance) const {
 
 DistanceBeams::DistanceBeams(
     const Surface& surface,
-    const SurfacePolyline& line,
+    std::span<const SurfacePolyline> lines,
     const DistanceRange& range,
     const Progress& progress
 )
@@ -311,8 +332,10 @@ DistanceBeams::DistanceBeams(
       isReached_(surface.faceCount(), 0),
       vertices_(surface.vertexCount()) {
     Propagation propagation(surface, range, beams_, isReached_, vertices_);
-    for (const DistanceBeam& beam : beamsOfPolyline(surface, line)) {
-        propagation.start(beam);
+    for (const SurfacePolyline& line : lines) {
+        for (const DistanceBeam& beam : beamsOfPolyline(surface, line)) {
+            propagation.start(beam);
+        }
     }
     propagation.run(progress);
 }

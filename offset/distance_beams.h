@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -56,8 +57,8 @@ struct DistanceRange {
     double to = 0.0;
 };
 
-/// Exact geodesic distances to a polyline on a surface, within a range. Beams of straight ways run
-/// from the polyline's segments and vertices through strips of unfolded faces, and again from
+/// Exact geodesic distances to polylines on a surface, within a range. Beams of straight ways run
+/// from their segments and vertices through strips of unfolded faces, and again from
 /// vertices whose angle is more than a full turn (on boundaries: a half turn). A beam that no
 /// shortest way can lie in is dropped by the distances of the vertices (Xin & Wang 2009, Improving
 /// Chen and Han's algorithm). Exact up to rounding: relative errors of about 1e-9. Time grows
@@ -70,10 +71,22 @@ public:
         const SurfacePolyline& line,
         const DistanceRange& range,
         const Progress& progress = {}
+    )
+        : DistanceBeams(surface, std::span(&line, 1), range, progress) {}
+
+    /// To the nearest of several; one with a single vertex is a point.
+    DistanceBeams(
+        const Surface& surface,
+        std::span<const SurfacePolyline> lines,
+        const DistanceRange& range,
+        const Progress& progress = {}
     );
 
     /// Distance of a point; infinite or too large only where it is not within the range.
     [[nodiscard]] SidedDistance at(const SurfacePoint& point) const;
+
+    /// Of each vertex of the surface, exact up to the end of the range, whatever its beginning is.
+    [[nodiscard]] const std::vector<SidedDistance>& atVertices() const { return vertices_; }
 
     /// Faces that a beam reaches, ascending.
     [[nodiscard]] std::vector<int> reachedFaces() const;

@@ -8,7 +8,7 @@ from python_text import HEAD, WIDTH, aliases, camel, default_of, docstring, func
 # Arguments of the package's own, or of no use where there are neither layers nor files.
 LEFT_OUT = {
     "surface_layer", "picks_layer", "picks_file", "picks", "control_polygon", "shell_layers", "tube_radius", "save",
-    "field", "avoid", "avoid_threshold", "kind", "region",
+    "field", "avoid", "field_region", "kind", "region",
 }
 HELP = {
     "closed": "True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.",
@@ -18,9 +18,14 @@ HELP = {
 PICKS = ("picks", "(p, 3) array of float, or p pairs (face, barycentrics)",
          "Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.")
 FIELD = ("field", "str or (n,) array of float, optional",
-         "Draws the curve to where it costs little: the name of a kind, see field(), or a value for each vertex.")
-AVOID = ("avoid", "(k,) array of int or (m,) array of bool, optional",
-         "Faces that the curve does not enter: their ids, or a bool for each face.")
+         "Draws the curve to where it costs little: a kind of field(), or a value for each vertex. 'auto': the quality, mapped to "
+         "[0, 1], where there is one that is finite and not constant and that no threshold of avoid is for; else none.")
+AVOID = ("avoid", "str, (k,) array of int or (m,) array of bool, optional",
+         "Faces that the curve does not enter: their ids, or a bool for each face. 'under-threshold', 'over-threshold': those over "
+         "which the mean of the field, or without a field of the quality, is under or over avoid_threshold.")
+QUALITY = ("quality", "(n,) array of float, optional",
+           "A value for each vertex, for field 'quality' and 'auto' and for thresholds of avoid; None: the mesh's own.")
+REGION = ("field_region", "(k,) array of int or (m,) array of bool, optional", "The faces of obstacles, for field 'obstacle'.")
 PROGRESS = ("progress", "callable, optional",
             "Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.")
 RAISES = [
@@ -28,15 +33,10 @@ RAISES = [
     ("Cancelled", "`progress` returned False."),
 ]
 NONE_IN_PYTHON = ("field", "avoid")  # None stands for their default, "none"
-KINDS_LEFT_OUT = {"quality", "obstacle"}  # they need an array
 
 
 def is_of_shell(parameter):
     return parameter["id"] in ("shell", "strict", "weld", "slits") or parameter["group"] == "advanced.shell"
-
-
-def is_of_field(parameter):
-    return parameter["group"] == "advanced.field"
 
 
 def parameters_of(flt, keep):
@@ -72,10 +72,22 @@ def table(name, parameters):
     return "\n".join([f"{name}: dict[str, Option] = {{", *map(row, parameters), "}"])
 
 
+GUIDES = {
+    "field": "Field | npt.ArrayLike | None", "quality": "npt.ArrayLike | None", "avoid": "Avoid | npt.ArrayLike | None",
+    "field_region": "npt.ArrayLike | None",
+}
+
+
 def typed_dict(parameters):
     lines = ["class CurveOptions(TypedDict, total=False):", '    """Options of Mesh.curve(), for Curve.with_options()."""', ""]
     lines += [f"    {p['id']}: {type_of(p, False)}" for p in parameters]
-    return "\n".join([*lines, "    field: Kind | npt.ArrayLike | None", "    avoid: npt.ArrayLike | None"])
+    return "\n".join([*lines, *(f"    {name}: {kind}" for name, kind in GUIDES.items())])
+
+
+def options_of_mesh(parameters):
+    lines = ["class MeshOptions(TypedDict, total=False):", '    """Options of Mesh(), for Mesh.load() and repair()."""', ""]
+    lines += [f"    {p['id']}: {type_of(p, False)}" for p in parameters]
+    return "\n".join([*lines, "    quality: npt.ArrayLike | None", "    progress: Progress | None"])
 
 
 def method(name, positional, keywords, result, doc, body):
@@ -96,11 +108,15 @@ def init(parameters):
             ("vertices", "(n, 3) array of float, or a mesh",
              "A mesh of trimesh, pyvista, meshio or pymeshlab, or a pair of arrays, serves in place of both."),
             ("faces", "(m, 3) array of int, optional", "Ids of vertices, from 0 on, all oriented alike."),
-            *map(documented, parameters), PROGRESS],
-         "Raises": [("", kind, text) for kind, text in RAISES]})
+            *map(documented, parameters),
+            ("quality", "(n,) array of float, optional", "A value for each vertex, which curves follow with field 'quality' or 'auto'."),
+            PROGRESS],
+         "Raises": [("", kind, text) for kind, text in RAISES]},
+        [">>> bspline_curve.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])",
+         "<bspline_curve.Mesh: 3 vertices, 1 faces>"])
     body = ["    self._prepare(", "        vertices,", "        faces,", "        {", *given(parameters), "        },",
-            "        progress,", "    )"]
-    keywords = [*map(keyword, parameters), "progress: Progress | None = None"]
+            "        quality,", "        progress,", "    )"]
+    keywords = [*map(keyword, parameters), "quality: npt.ArrayLike | None = None", "progress: Progress | None = None"]
     return method("__init__", ["vertices: Any", "faces: npt.ArrayLike | None = None"], keywords, "None", doc, body)
 
 
@@ -109,13 +125,16 @@ def curve(parameters):
         "Draw a smooth curve through points.",
         "A variational B-spline close to the surface, and its exact projection onto it, a polyline every segment of which "
         "lies inside one face.",
-        {"Parameters": [PICKS, *map(documented, parameters), FIELD, AVOID, PROGRESS],
+        {"Parameters": [PICKS, *map(documented, parameters), FIELD, QUALITY, AVOID, REGION, PROGRESS],
          "Returns": [("", "Curve", "Where it is not `usable`, it follows a shortest path, or shows how far it came.")],
-         "Raises": [("", kind, text) for kind, text in RAISES]})
-    body = ["    return self._draw(", "        picks,", "        {", *given(parameters), "        },", "        field,",
-            "        avoid,", "        progress,", "    )"]
-    keywords = [*map(keyword, parameters), "field: Kind | npt.ArrayLike | None = None",
-                "avoid: npt.ArrayLike | None = None", "progress: Progress | None = None"]
+         "Raises": [("", kind, text) for kind, text in RAISES]},
+        [">>> curve = mesh.curve(picks, closed=True, field='ridge')",
+         ">>> curve.closed, curve.usable, len(curve.picks)",
+         "(True, True, 4)"])
+    body = ["    return self._draw(", "        picks,", "        {", *given(parameters), "        },",
+            "        {", *(f'            "{name}": {name},' for name in GUIDES), "        },", "        progress,", "    )"]
+    keywords = [*map(keyword, parameters), *(f"{name}: {kind} = None" for name, kind in GUIDES.items()),
+                "progress: Progress | None = None"]
     return method("curve", ["picks: Picks"], keywords, "Curve", doc, body)
 
 
@@ -125,11 +144,15 @@ def field(kind, parameters):
         "It is the same in every unit and, but for the variation of normals, hardly depends on how fine the mesh is.",
         {"Parameters": [
             documented(kind),
-            ("quality", "(n,) array of float, optional", "A value for each vertex, for kind 'quality'."),
+            ("quality", "(n,) array of float, optional", "A value for each vertex, for kind 'quality'; None: the mesh's own."),
             ("region", "(k,) array of int or (m,) array of bool, optional", "The faces of obstacles, for kind 'obstacle'."),
             *map(documented, parameters), PROGRESS],
          "Returns": [("", "(n,) array of float", "A value for each vertex.")],
-         "Raises": [("", kind, text) for kind, text in RAISES]})
+         "Raises": [("", kind, text) for kind, text in RAISES]},
+        [">>> values = mesh.field('valley', curvature_scale=0.03)",
+         ">>> values.shape",
+         "(1681,)",
+         ">>> curve = mesh.curve(picks, field=values, field_cost='exp-minus')"])
     body = ["    return self._make_field(", "        quality,", "        region,", "        {", *given([kind, *parameters]),
             "        },", "        progress,", "    )"]
     keywords = ["quality: npt.ArrayLike | None = None", "region: npt.ArrayLike | None = None",
@@ -139,16 +162,9 @@ def field(kind, parameters):
 
 
 def kinds(kind):
-    words = [o["id"] for o in kind["enumOptions"]]
-    quoted = [", ".join(f'"{w}"' for w in some) for some in (words, [w for w in words if w not in KINDS_LEFT_OUT])]
-    lines = []
-    for name, text in zip(("FieldKind", "Kind"), quoted):
-        line = f"{name}: TypeAlias = Literal[{text}]"
-        if len(line) > WIDTH:
-            inner = textwrap.fill(text, WIDTH, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
-            line = f"{name}: TypeAlias = Literal[\n{inner},\n]"
-        lines.append(line)
-    return "\n".join(lines)
+    words = ", ".join(f'"{o["id"]}"' for o in kind["enumOptions"])
+    inner = textwrap.fill(words, WIDTH, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
+    return f"FieldKind: TypeAlias = Literal[\n{inner},\n]"
 
 
 def keywords(filters):
@@ -158,7 +174,8 @@ def keywords(filters):
         if parameter["id"] in NONE_IN_PYTHON and parameter["default"] != "none":
             raise SystemExit(f"{parameter['id']} is {parameter['default']} by default: None cannot stand for it in Python")
     shell = parameters_of(of_curve, is_of_shell)
-    drawing = parameters_of(of_curve, lambda p: not is_of_shell(p) and not is_of_field(p))
+    drawing = parameters_of(of_curve, lambda p: not is_of_shell(p))
+    guides = [p for p in of_curve["parameters"] if p["id"] in NONE_IN_PYTHON]
     kind = next(p for p in of_field["parameters"] if p["id"] == "kind")
     fields = parameters_of(of_field, lambda p: p["id"] not in ("strict", "weld", "slits"))
     return "\n".join([
@@ -170,23 +187,28 @@ def keywords(filters):
         "import numpy.typing as npt", "",
         "from ._arrays import Floats, Picks", "from ._options import Option, Progress", "",
         "if TYPE_CHECKING:", "    from ._curve import Curve", "",
-        aliases([p for p in [*shell, *drawing, *fields] if p["type"] == "enum"], False), kinds(kind), "",
+        aliases([p for p in [*shell, *guides, *drawing, *fields] if p["type"] == "enum"], False), kinds(kind), "",
         table("SHELL", shell), table("CURVE", drawing), table("FIELD", [kind, *fields]), "", "",
+        options_of_mesh(shell), "", "",
         typed_dict(drawing), "", "",
         "class MeshKeywords(ABC):",
         '    """What a mesh does, with its options as keywords."""', "",
         init(shell), "", curve(drawing), "", field(kind, fields), "",
         "    @abstractmethod",
         "    def _prepare(",
-        "        self, vertices: Any, faces: npt.ArrayLike | None, options: Mapping[str, object], progress: Progress | None",
+        "        self,",
+        "        vertices: Any,",
+        "        faces: npt.ArrayLike | None,",
+        "        options: Mapping[str, object],",
+        "        quality: npt.ArrayLike | None,",
+        "        progress: Progress | None,",
         "    ) -> None: ...", "",
         "    @abstractmethod",
         "    def _draw(",
         "        self,",
         "        picks: Picks,",
         "        options: Mapping[str, object],",
-        "        field: str | npt.ArrayLike | None,",
-        "        avoid: npt.ArrayLike | None,",
+        "        guides: Mapping[str, Any],",
         "        progress: Progress | None,",
         "    ) -> Curve: ...", "",
         "    @abstractmethod",

@@ -21,10 +21,12 @@ HEAD = """# Reference of bspline_curve
 
 <!-- Made by scripts/python_reference.py from the docstrings; do not edit. -->
 
-[PYTHON.md](PYTHON.md) introduces the package; `help(bspline_curve.Mesh.curve)` says the same as this page.
+[PYTHON.md](PYTHON.md) introduces the package; `help(bspline_curve.Mesh.curve)` says the same as this page. In the examples
+`mesh` is a wavy square, `picks` are four points on it, `curve` is the open curve through them and `ring` a closed one.
 """
 # In this order; of a mesh, the methods with keywords stand in a class that is generated.
-NAMES = ["Mesh", "Curve", "Samples", "load", "pick", "Picker", "Imprint", "Part", "Cut", "repair", "Repair", "Projection", "Shell", "Layer",
+NAMES = ["Mesh", "Curve", "Samples", "load", "load_all", "pick", "Picker", "Imprint", "Part", "Cut", "Pattern", "Distortion", "repair",
+         "Repair", "Projection", "Shell", "Layer",
          "InputError", "MeshError", "MeshWarning", "PickError", "FieldError", "OptionError", "FileError", "Cancelled"]
 INHERITED = {"Mesh": "MeshKeywords"}
 
@@ -61,10 +63,13 @@ def unwrapped_heads(text):
 
 
 def markdown(doc):
-    parts = re.split(r"(?m)^(Parameters|Returns|Raises|Attributes)\n-+\n", unwrapped_heads(doc))
+    parts = re.split(r"(?m)^(Parameters|Returns|Raises|Attributes|Examples)\n-+\n", unwrapped_heads(doc))
     text = [escaped(parts[0].strip())]
     for title, body in zip(parts[1::2], parts[2::2]):
         body = textwrap.dedent(body).rstrip()
+        if title == "Examples":
+            text.append(f"```python\n{body}\n```")
+            continue
         listed, _, rest = body.partition("\n\n")
         text += [f"*{title}*", entries(listed.splitlines())]
         if rest.strip():
@@ -89,15 +94,14 @@ def section(name, node, found, level="##"):
     parts = [f"{level} {name}\n"] + ([markdown(doc) + "\n"] if doc else [])
     members = [*(found[INHERITED[name]].body if name in INHERITED else []), *node.body]
     for member in members:
-        if not isinstance(member, ast.FunctionDef) or any(isinstance(d, ast.Name) for d in member.decorator_list):
+        if not isinstance(member, ast.FunctionDef) or any(
+            isinstance(d, ast.Name) and d.id in ("property", "abstractmethod") for d in member.decorator_list
+        ):
             continue
         text = ast.get_docstring(member)
         if text and (not member.name.startswith("_") or member.name == "__init__"):
             title = name if member.name == "__init__" else member.name
             parts.append(f"### {title}{' ' if title == name else ''}{'(…)' if title == name else ''}\n\n```python\n{signature(member, name)}\n```\n\n{markdown(text)}\n")
-    if not doc and len(parts) == 1:
-        fields = [f"`{m.target.id}`" for m in node.body if isinstance(m, ast.AnnAssign)]
-        parts.append("Fields: " + ", ".join(fields) + "\n")
     return "\n".join(parts)
 
 

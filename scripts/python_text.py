@@ -57,8 +57,8 @@ def range_of(parameter):
     return "" if low is None else f" {'>' if opens else '≥'} {low:g}"
 
 
-def docstring(summary, extended, sections):
-    """numpydoc; sections: title -> [(name, type, text)], without a name where it is empty."""
+def docstring(summary, extended, sections, examples=()):
+    """numpydoc; sections: title -> [(name, type, text)], without a name where it is empty; examples: lines as they are."""
     lines = [f'"""{summary}', "", *textwrap.wrap(extended, WIDTH - 4, break_on_hyphens=False)]
     for title, entries in sections.items():
         lines += ["", title, "-" * len(title)]
@@ -66,6 +66,8 @@ def docstring(summary, extended, sections):
             head = f"{name} : {kind}" if name else kind
             lines += textwrap.wrap(head, WIDTH - 4, subsequent_indent="    ", break_on_hyphens=False)
             lines += textwrap.wrap(text, WIDTH - 4, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
+    if examples:
+        lines += ["", "Examples", "--------", *examples]
     return "\n".join(("    " + line).rstrip() for line in [*lines, '"""'])
 
 

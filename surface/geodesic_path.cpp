@@ -388,19 +388,39 @@ std::optional<GeodesicPath> GeodesicPathFinder::find(
     });
     Straightener first(surface_, search_.costs(), std::move(way->strip), start, goal);
     GeodesicPath path = pathOver(first.run(), false);
-    if (path.points.size() > 2 && search_.costs().costs().areLengths) {
-        const double longest = path.length / kDetour;
-        if (std::optional<Strip> strip = windows_.find(
-                start, goal, longest, hasNeedles ? kMostWindowsOverNeedles : kMostWindows
-            )) {
-            Straightener second(surface_, search_.costs(), std::move(*strip), start, goal);
-            std::vector<SurfacePoint> points = second.run();
-            if (second.cost() < first.cost()) {
-                return pathOver(std::move(points), false);
-            }
-        }
+    path.cost = first.cost();
+    const std::size_t mostWindows = hasNeedles ? kMostWindowsOverNeedles : kMostWindows;
+    return shorterBy(kDetour, std::move(path), start, goal, mostWindows);
+}
+
+std::optional<GeodesicPath> GeodesicPathFinder::findShortest(
+    const SurfacePoint& start, const SurfacePoint& goal
+) {
+    std::optional<GeodesicPath> path = find(start, goal);
+    if (!path) {
+        return std::nullopt;
     }
-    return path;
+    return shorterBy(1.0, std::move(*path), start, goal, kMostWindowsOverNeedles);
+}
+
+GeodesicPath GeodesicPathFinder::shorterBy(
+    double factor,
+    GeodesicPath path,
+    const SurfacePoint& start,
+    const SurfacePoint& goal,
+    std::size_t mostWindows
+) {
+    if (path.points.size() <= 2 || !search_.costs().costs().areLengths) {
+        return path;
+    }
+    std::optional<Strip> strip = windows_.find(start, goal, path.length / factor, mostWindows);
+    if (!strip) {
+        return path;
+    }
+    Straightener straightener(surface_, search_.costs(), std::move(*strip), start, goal);
+    GeodesicPath second = pathOver(straightener.run(), false);
+    second.cost = straightener.cost();
+    return second.cost < path.cost ? second : path;
 }
 
 GeodesicPath GeodesicPathFinder::pathOver(

@@ -27,6 +27,7 @@ struct GeodesicPath {
     std::vector<SurfacePoint> points;  ///< start, a point on each edge crossed, goal
     std::vector<Vec3> positions;
     double length = 0.0;
+    double cost = 0.0;           ///< the length, where all faces cost the same
     bool isOverPatches = false;  ///< of GeodesicPathFinder::find: consecutive points lie apart
 };
 
@@ -57,10 +58,25 @@ public:
         int mostPatches = std::numeric_limits<int>::max()
     );
 
+    /// The shortest path, up to rounding, where all faces cost the same, or nothing if there is
+    /// none. Where that takes more than half a second to tell, the shortest one found so far: not
+    /// longer than that of find().
+    [[nodiscard]] std::optional<GeodesicPath> findShortest(
+        const SurfacePoint& start, const SurfacePoint& goal
+    );
+
     /// See StripSearch.
     [[nodiscard]] std::size_t explored() const { return search_.explored(); }
 
 private:
+    /// The best path that is shorter than `path` by a factor, or `path`.
+    [[nodiscard]] GeodesicPath shorterBy(
+        double factor,
+        GeodesicPath path,
+        const SurfacePoint& start,
+        const SurfacePoint& goal,
+        std::size_t mostWindows
+    );
     [[nodiscard]] GeodesicPath pathOver(std::vector<SurfacePoint> points, bool isOverPatches) const;
 
     const Surface& surface_;

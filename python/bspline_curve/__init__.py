@@ -10,7 +10,7 @@
 from ._core import __version__
 from ._curve import Curve, Samples
 from ._errors import Cancelled, FieldError, FileError, InputError, MeshError, MeshWarning, OptionError, PickError
-from ._files import load
+from ._files import load, load_all
 from ._imprint import Cut, Imprint, Part
 from ._mesh import Mesh, Repair, repair
 from ._pattern import Distortion, Pattern
@@ -37,6 +37,7 @@ __all__ = [
     "Samples",
     "__version__",
     "load",
+    "load_all",
     "pick",
     "repair",
 ]

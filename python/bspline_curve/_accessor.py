@@ -6,9 +6,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pyvista
 
 from ._curve import Curve
+from ._inputs import mesh_arrays
 from ._mesh import Mesh
 from ._picker import pick
 
@@ -18,18 +20,23 @@ if TYPE_CHECKING:
 
 @pyvista.register_dataset_accessor("bspline_curve", pyvista.PolyData)
 class PolyDataAccessor:
-    """Attached to each PolyData as `bspline_curve`; the surface is prepared at the first use, and again once it changed."""
+    """Attached to each PolyData as `bspline_curve`; the surface is prepared at the first use, and again once its points or faces changed."""
 
     def __init__(self, surface: Any) -> None:
         self._surface = surface
-        self._prepared: tuple[int, Mesh] | None = None
+        self._prepared: tuple[int, Mesh] | None = None  # and when the surface was changed last
 
     @property
     def mesh(self) -> Mesh:
         """The bspline_curve.Mesh of the surface."""
         changed = self._surface.GetMTime()
-        if self._prepared is None or self._prepared[0] != changed:
+        if self._prepared is None:
             self._prepared = changed, Mesh(self._surface)
+        elif self._prepared[0] != changed:
+            mesh = self._prepared[1]
+            vertices, faces = mesh_arrays(self._surface, None)
+            is_same = np.array_equal(vertices, mesh.vertices) and np.array_equal(faces, mesh.faces)
+            self._prepared = changed, mesh if is_same else Mesh(vertices, faces)
         return self._prepared[1]
 
     def curve(self, picks: Any, **options: Any) -> Curve:

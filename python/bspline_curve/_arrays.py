@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Sequence
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -20,6 +21,13 @@ Floats: TypeAlias = npt.NDArray[np.float64]
 Int32s: TypeAlias = npt.NDArray[np.int32]
 SurfacePoints: TypeAlias = Sequence[tuple[int, Sequence[float]]]
 Picks: TypeAlias = "npt.ArrayLike | SurfacePoints"
+
+
+def file_name(file: Any) -> str:
+    """Of a str or a path."""
+    if not isinstance(file, (str, os.PathLike)):
+        raise TypeError(f"file is {file!r}, but must be a str or a path")
+    return os.fspath(file)
 
 
 def of_core(name: str) -> Any:
@@ -40,6 +48,8 @@ def numbers(given: npt.ArrayLike, name: str, error: type[InputError] = InputErro
     except ValueError as reason:
         raise error(f"{name} is no array: {reason}", "bad-array") from reason
     if array.dtype.kind not in "biuf":
+        if array.ndim == 0:
+            raise error(f"{name} is {given!r}, but must be an array of numbers", "bad-array")
         raise error(f"{name} holds {array.dtype}, but must hold numbers", "bad-array")
     return np.ascontiguousarray(array, dtype=np.float64)
 
@@ -129,6 +139,8 @@ def one_pick(given: Any, mesh: Mesh, index: int) -> Floats:
     if not is_surface_point(given):
         point = finite_points(numbers(given, f"picks[{index}]", PickError)[None], "picks", PickError, "picks")
         return np.asarray(point[0])
+    if not isinstance(given[0], (int, float, np.integer, np.floating)) or not np.isfinite(given[0]):
+        raise PickError(f"picks[{index}] is in face {given[0]!r}, but a face is a number", "index-out-of-range", "picks", [index])
     face, weights = given[0], finite_points([given[1]], "picks", PickError, "picks")[0]
     if face != int(face) or not 0 <= face < len(faces):
         text = f"picks[{index}] is in face {face}, but there are {len(faces)} faces, counted from 0"

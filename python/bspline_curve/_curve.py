@@ -4,20 +4,24 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, _spline
-from ._arrays import Floats, Int32s, face_ids, numbers, of_core, one_pick
+from ._arrays import Floats, Int32s, numbers, of_core, one_pick
+from ._drawing import Drawing
 from ._errors import InputError, PickError
-from ._options import Option, Progress, Value, changed, checked_number, checked_value, part_of
+from ._identity import AbsentMesh, difference, name_of
+from ._options import Option, Progress, Value, changed, checked_number, checked_value
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._keywords import CurveOptions
+    from ._lines import ScipySpline
     from ._mesh import Mesh
 
 
@@ -31,48 +35,43 @@ SIDE = Option("enum", "both", None, None, False, ("left", "right", "both"))
 _Array = TypeVar("_Array", bound=npt.NDArray[Any])
 
 
-class Drawing(NamedTuple):
-    """What a curve is drawn by."""
-
-    mesh: Mesh
-    picks: Floats
-    options: dict[str, Value]  # those that are not their defaults
-    field: str | _core.Field | None
-    avoid: Int32s | None
-
-    def made_field(self, progress: Progress | None = None) -> _core.Field | None:
-        if isinstance(self.field, str):
-            return self.mesh._kept_field(self.field, progress)
-        return self.field
-
-    def resolved(self, progress: Progress | None = None) -> tuple[dict[str, Value], _core.Field | None, Int32s | None]:
-        """Options, field, and faces to avoid, as the core takes them."""
-        made = self.made_field(progress)  # which checks the kind
-        options = self.options
-        if isinstance(self.field, str) and "field_cost" not in options:
-            options = {**options, "field_cost": _core.natural_cost({"kind": self.field})}
-        return options, made, self.avoid
-
-    def draw(self, start: _core.Curve | None, progress: Progress | None) -> Curve:
-        share = 0.5 if isinstance(self.field, str) and self.field not in self.mesh._fields else 0.0  # of the field
-        resolved = self.resolved(part_of(progress, 0.0, share))
-        drawn = self.mesh._core.draw(self.picks, *resolved, start, part_of(progress, share, 1.0))
-        return Curve(drawn, self)
-
-
 class Samples(NamedTuple):
-    """Points along a curve, one for each row."""
+    """Points along a curve, one row for each.
 
-    points: Floats  # (n, 3)
-    faces: Int32s  # (n,)
-    barycentrics: Floats  # (n, 3)
-    distances: Floats  # (n,), along the polyline from its start
-    tangents: Floats  # (n, 3), of unit length, as the next two
-    normals: Floats  # (n, 3), of the surface, perpendicular to the tangents
-    left: Floats  # (n, 3), to the left of the curve, seen with the normal upwards
-    curvature: Floats  # (n,), 1 / radius
-    normal_curvature: Floats  # (n,), its part along the normal
-    geodesic_curvature: Floats  # (n,), its part to the left
+    Attributes
+    ----------
+    points : (n, 3) array of float
+        On the mesh, in its unit.
+    faces : (n,) array of int
+        A face of the mesh that holds the point.
+    barycentrics : (n, 3) array of float
+        Where it is in that face.
+    distances : (n,) array of float
+        Along the polyline from its start, in the unit of the mesh.
+    tangents : (n, 3) array of float
+        Unit vectors along the curve.
+    normals : (n, 3) array of float
+        Unit normals of the surface, perpendicular to the tangents.
+    left : (n, 3) array of float
+        Unit vectors to the left of the curve, seen with the normal upwards.
+    curvature : (n,) array of float
+        1 / radius, in 1 / unit of the mesh.
+    normal_curvature : (n,) array of float
+        Its part along the normal.
+    geodesic_curvature : (n,) array of float
+        Its part to the left.
+    """
+
+    points: Floats
+    faces: Int32s
+    barycentrics: Floats
+    distances: Floats
+    tangents: Floats
+    normals: Floats
+    left: Floats
+    curvature: Floats
+    normal_curvature: Floats
+    geodesic_curvature: Floats
 
 
 class Curve:
@@ -95,14 +94,26 @@ class Curve:
     knots : (m + degree + 1,) array of float
         The full knot vector; the curve is over [0, 1]. Those of a closed curve are periodic.
     degree : int
+        Of the spline: 2 to 4 of those that were drawn, 1 of polylines that were given.
     closed : bool
+        Whether it ends where it begins.
     pick_parameters : (p,) array of float
         Parameter t of each pick.
     pick_vertices : (p,) array of int
         Which points the picks are.
     picks : (p, 3) array of float
         As they were given.
+    normals : (n, 3) array of float
+        Unit normals of the surface at the points, perpendicular to the curve, as of sample().
+    frames : (n, 3, 3) array of float
+        At each point three unit vectors, a row each: tangent, to the left, normal.
+    curvature : (n,) array of float
+        1 / radius of the spline at the points.
+    options : dict
+        Those that are not their defaults.
     mesh : Mesh
+        A pickle leaves it out. A curve that was unpickled has an equal mesh that is alive in this process, prepared with the
+        same options; where there is none, on() gives it one, and until then what needs the mesh raises an InputError.
     usable : bool
         Whether the spline came as near to the surface as asked; the polyline lies on it in any case.
     length : float
@@ -114,7 +125,7 @@ class Curve:
     All arrays are read-only, and those but `faces`, `barycentrics` and `values` share the memory of the curve.
     """
 
-    __slots__ = ("_core", "_drawing", "_places", "_report", "_values")
+    __slots__ = ("_at_points", "_core", "_drawing", "_places", "_report", "_values")
 
     points: Floats = of_core("points")
     t: Floats = of_core("t")
@@ -133,10 +144,106 @@ class Curve:
         self._report = report
         self._places: tuple[Int32s, Floats] | None = None
         self._values: Floats | None = None
+        self._at_points: Samples | None = None
+
+    @classmethod
+    def from_points(
+        cls, points: npt.ArrayLike, mesh: Mesh, *, closed: bool | None = None, max_distance: float = 0.0
+    ) -> Curve:
+        """Lay a polyline on a mesh: its points, and points between them, become the closest ones of the mesh.
+
+        Whatever takes curves also takes such arrays, and does this.
+
+        Parameters
+        ----------
+        points : (n, 3) array of float
+            In order, n ≥ 2.
+        mesh : Mesh
+        closed : bool, default None
+            None: whether the last point is the first.
+        max_distance : float ≥ 0, default 0
+            A polyline that is farther from the mesh anywhere is refused, in the unit of the mesh; 0: 1 % of its diagonal.
+
+        Returns
+        -------
+        Curve
+            Of degree 1 through all its points; t is the length along it, from 0 to 1. It has no picks.
+
+        Raises
+        ------
+        InputError
+            The polyline is not near the mesh, or leads over a gap of it; the message names the point.
+
+        Examples
+        --------
+        >>> square = [[0, 0, 0], [0.5, 0, 0], [0.5, 0.5, 0], [0, 0.5, 0], [0, 0, 0]]
+        >>> line = bspline_curve.Curve.from_points(square, mesh, max_distance=0.3)
+        >>> line.closed, line.degree
+        (True, 1)
+        """
+        from ._lines import of_points
+
+        return of_points(points, mesh, closed, max_distance, "points")
+
+    @classmethod
+    def from_scipy(cls, spline: ScipySpline, mesh: Mesh, *, max_distance: float = 0.0) -> Curve:
+        """Project a spline of scipy onto a mesh; it is kept as the spline of the curve, with its knots over [0, 1].
+
+        Whatever takes curves also takes such splines, and does this.
+
+        Parameters
+        ----------
+        spline : scipy.interpolate.BSpline
+            Of degree k ≥ 1 with coefficients (m, 3). One that is periodic, or ends where it begins, is closed.
+        mesh : Mesh
+        max_distance : float ≥ 0, default 0
+            A spline that is farther from the mesh anywhere is refused, in the unit of the mesh; 0: 1 % of its diagonal.
+
+        Returns
+        -------
+        Curve
+            It has no picks.
+
+        Raises
+        ------
+        InputError
+            The spline is not near the mesh, or leads over a gap of it, or is no curve in space.
+
+        Examples
+        --------
+        >>> from scipy.interpolate import make_interp_spline
+        >>> spline = make_interp_spline([0, 1, 2, 3], picks, k=3)
+        >>> bspline_curve.Curve.from_scipy(spline, mesh, max_distance=0.5).degree
+        3
+        """
+        from ._lines import is_spline, of_spline
+
+        if not is_spline(spline):
+            raise TypeError(f"spline is {type(spline).__name__}, but must be a BSpline of scipy")
+        return of_spline(spline, mesh, max_distance, "spline")
 
     @property
     def mesh(self) -> Mesh:
-        return self._drawing.mesh
+        return self._bound().mesh
+
+    def on(self, mesh: Mesh) -> Curve:
+        """The same curve on an equal mesh: for curves that come from another process, or from a mesh that was made anew.
+
+        Raises
+        ------
+        InputError
+            The mesh is another one: it has other coordinates or faces, or another order of them.
+
+        Examples
+        --------
+        >>> import pickle
+        >>> pickle.loads(pickle.dumps(curve)).on(mesh).mesh is mesh
+        True
+        """
+        other = difference(self._drawing.home, mesh)
+        if other:
+            raise InputError(f"the curve is of another mesh: {other}")
+        return Curve(self._core, self._drawing._replace(home=mesh), self._report)
 
     @property
     def picks(self) -> Floats:
@@ -160,7 +267,7 @@ class Curve:
     @property
     def values(self) -> Floats:
         if self._values is None:
-            field = self._drawing.made_field()
+            field = self._bound().made_field()
             corners = self.mesh.faces[self.faces]
             along: Floats = self.t if field is None else (field.values[corners] * self.barycentrics).sum(1)
             self._values = _read_only(along)
@@ -191,6 +298,11 @@ class Curve:
         ------
         InputError
             A parameter is outside of [0, 1] on an open curve, or is not finite.
+
+        Examples
+        --------
+        >>> curve.spline([0, 0.5, 1]).shape, curve.spline(0.5, derivative=1).shape
+        ((3, 3), (3,))
         """
         at = numbers(t, "t").reshape(np.shape(t))
         if not np.isfinite(at).all():
@@ -199,50 +311,160 @@ class Curve:
             at = at % 1.0
         elif at.size and (at.min() < 0.0 or at.max() > 1.0):
             raise InputError(f"t is in [{at.min()}, {at.max()}], but an open curve has [0, 1]")
-        return _spline.evaluate(_spline.Spline(self.degree, self.knots, self.control_points), at, derivative)
+        return _spline.evaluate(self._spline_data(), at, derivative)
+
+    def to_scipy(self) -> Any:
+        """The spline as a BSpline of scipy over [0, 1]; that of a closed curve goes on with period 1. Needs scipy.
+
+        Examples
+        --------
+        >>> spline = curve.to_scipy()
+        >>> bool(np.allclose(spline(0.3), curve.spline(0.3)))
+        True
+        """
+        from scipy.interpolate import BSpline
+
+        extrapolate: Any = "periodic" if self.closed else False
+        return BSpline(np.array(self.knots), np.array(self.control_points), self.degree, extrapolate=extrapolate)
 
     def segments(self) -> npt.NDArray[np.int64]:
-        """Pairs of indices into `points`: (n - 1, 2), or (n, 2) where the curve is closed."""
+        """Pairs of indices into `points`: (n - 1, 2), or (n, 2) where the curve is closed.
+
+        Examples
+        --------
+        >>> ends = curve.points[curve.segments()]
+        >>> bool(np.isclose(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum(), curve.length))
+        True
+        """
         n = len(self.points)
         first = np.arange(n if self.closed else n - 1)
         return np.stack([first, (first + 1) % n], axis=1)
 
     def move(self, pick: int, point: npt.ArrayLike | tuple[int, Any], progress: Progress | None = None) -> Curve:
-        """Draw the curve with one pick at another place: (3,), or a pair (face, barycentrics).
+        """Draw the curve with one pick at another place. The solver starts from this curve, which takes about half the time.
 
-        The solver starts from this curve, which takes about half the time. Raises as Mesh.curve() does.
+        Parameters
+        ----------
+        pick : int
+            Index of the pick; from the end where it is negative.
+        point : (3,) array of float, or a pair (face, barycentrics)
+            Where it comes to.
+        progress : callable, optional
+            As of Mesh.curve().
+
+        Returns
+        -------
+        Curve
+
+        Raises
+        ------
+        PickError
+            The curve has no such pick or none at all, or as Mesh.curve() raises it.
+
+        Examples
+        --------
+        >>> moved = curve.move(1, mesh.vertices[702])
+        >>> bool((moved.picks[1] == mesh.vertices[702]).all())
+        True
         """
         index = self._index(pick, len(self._drawing.picks))
         picks = self._drawing.picks.copy()
         picks[index] = one_pick(point, self.mesh, index)
-        return self._drawing._replace(picks=picks).draw(self._core, progress)
+        return drawn(self._bound()._replace(picks=picks), self._core, progress)
 
     def insert(self, pick: int, point: npt.ArrayLike | tuple[int, Any], progress: Progress | None = None) -> Curve:
-        """Draw the curve with one more pick, before `pick`; len(picks) puts it last."""
+        """Draw the curve with one more pick.
+
+        Parameters
+        ----------
+        pick : int
+            Index of the pick that it comes before; len(picks) puts it last.
+        point : (3,) array of float, or a pair (face, barycentrics)
+        progress : callable, optional
+            As of Mesh.curve().
+
+        Returns
+        -------
+        Curve
+
+        Raises
+        ------
+        PickError
+            As move() raises it.
+
+        Examples
+        --------
+        >>> len(curve.insert(1, mesh.vertices[500]).picks) - len(curve.picks)
+        1
+        """
         index = self._index(pick, len(self.picks) + 1)
         added = one_pick(point, self.mesh, index)
-        return self._drawing._replace(picks=np.insert(self._drawing.picks, index, added, axis=0)).draw(None, progress)
+        drawing = self._bound()
+        return drawn(drawing._replace(picks=np.insert(drawing.picks, index, added, axis=0)), None, progress)
 
     def remove(self, pick: int, progress: Progress | None = None) -> Curve:
-        """Draw the curve without one of its picks."""
+        """Draw the curve without one of its picks.
+
+        Parameters
+        ----------
+        pick : int
+            Index of the pick; from the end where it is negative.
+        progress : callable, optional
+            As of Mesh.curve().
+
+        Returns
+        -------
+        Curve
+
+        Raises
+        ------
+        PickError
+            As move() raises it, or too few picks are left.
+
+        Examples
+        --------
+        >>> len(curve.remove(-1).picks) - len(curve.picks)
+        -1
+        """
         index = self._index(pick, len(self.picks))
-        return self._drawing._replace(picks=np.delete(self._drawing.picks, index, axis=0)).draw(None, progress)
+        drawing = self._bound()
+        return drawn(drawing._replace(picks=np.delete(drawing.picks, index, axis=0)), None, progress)
 
     def with_options(self, progress: Progress | None = None, **options: Unpack[CurveOptions]) -> Curve:
-        """Draw the curve through the same picks with some options changed; those of Mesh.curve()."""
+        """Draw the curve through the same picks with some options changed.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            As of Mesh.curve().
+        **options
+            Those of Mesh.curve().
+
+        Returns
+        -------
+        Curve
+
+        Raises
+        ------
+        InputError
+            As Mesh.curve() raises it; a PickError where the curve was not drawn through picks.
+
+        Examples
+        --------
+        >>> curve.with_options(tension=0.5, closed=True).options
+        {'tension': 0.5, 'closed': True}
+        """
         from ._keywords import CURVE
 
         given: dict[str, Any] = dict(options)
-        drawing = self._drawing
-        if "field" in given:
-            drawing = drawing._replace(field=self.mesh._field_of(given.pop("field")))
-        if "avoid" in given:
-            avoid = given.pop("avoid")
-            drawing = drawing._replace(avoid=None if avoid is None else face_ids(avoid, "avoid", len(self.mesh.faces)))
+        drawing = self._bound()
+        guides = {name: given.pop(name) for name in ("field", "avoid", "quality", "field_region") if name in given}
         unknown = sorted(given.keys() - CURVE.keys())
         if unknown:
-            raise TypeError(f"with_options() has no option {unknown[0]!r}; it has {', '.join([*CURVE, 'field', 'avoid'])}")
-        return drawing._replace(options=changed(CURVE, {**drawing.options, **given})).draw(None, progress)
+            known = ", ".join([*CURVE, "field", "avoid", "quality", "field_region"])
+            raise TypeError(f"with_options() has no option {unknown[0]!r}; it has {known}")
+        drawing = drawing._replace(**self.mesh._guides(**guides))
+        return drawn(drawing._replace(options=changed(CURVE, {**drawing.options, **given})), None, progress)
 
     def offset(self, distance: float, side: Side = "both", progress: Progress | None = None) -> list[Curve]:
         """Draw the lines at a distance from this curve, measured along the surface.
@@ -274,16 +496,39 @@ class Curve:
             `distance` or `side` is not allowed.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> outer, inner = sorted(ring.offset(0.05), key=len)
+        >>> outer.degree, outer.report["deviation"] < 1e-3
+        (3, True)
         """
         near = self._near(distance, side)
-        drawing = Drawing(self.mesh, np.empty((0, 3)), {}, None, None)
+        drawing = Drawing(self.mesh, np.empty((0, 3)), {}, fixed="an offset")
         pieces = _core.offset(*near, progress)
         return [Curve(piece, drawing, {**piece.report(), "deviation": deviation}) for piece, deviation in pieces]
 
     def faces_within(
         self, distance: float, side: Side = "both", progress: Progress | None = None
     ) -> npt.NDArray[np.bool_]:
-        """Find the faces near this curve: (m,), whether the middle of each is within a distance. As offset()."""
+        """Find the faces near this curve.
+
+        Parameters
+        ----------
+        distance, side, progress
+            As of offset().
+
+        Returns
+        -------
+        (m,) array of bool
+            Whether the middle of each face is within the distance.
+
+        Examples
+        --------
+        >>> near = curve.faces_within(0.1)
+        >>> near.dtype, near.shape == (len(mesh.faces),)
+        (dtype('bool'), True)
+        """
         return _core.faces_within(*self._near(distance, side), progress).astype(np.bool_)
 
     def _near(self, distance: float, side: str) -> tuple[_core.Mesh, _core.Curve, float, str]:
@@ -309,11 +554,20 @@ class Curve:
         ------
         InputError
             A distance is not on the curve, or neither or both of the arguments are given.
+
+        Examples
+        --------
+        >>> samples = curve.sample(20)
+        >>> samples.points.shape, samples.curvature.shape
+        ((20, 3), (20,))
+        >>> curve.sample(distances=[0.1, 0.2]).distances
+        array([0.1, 0.2])
         """
         if (count is None) == (distances is None):
             raise InputError("give either count or distances")
         if distances is None:
-            assert count is not None
+            if isinstance(count, bool) or not isinstance(count, (int, np.integer)):
+                raise TypeError(f"count is {count!r}, but must be an integer")
             least = 1 if self.closed else 2
             if count < least:
                 raise InputError(f"count is {count}, but must be at least {least}")
@@ -324,14 +578,109 @@ class Curve:
         faces, barycentrics = columns.pop("places")
         return Samples(faces=faces, barycentrics=barycentrics, **columns)
 
+    @property
+    def normals(self) -> Floats:
+        return self._frames().normals
+
+    @property
+    def frames(self) -> Floats:
+        found = self._frames()
+        return _read_only(np.stack([found.tangents, found.left, found.normals], axis=1))
+
+    @property
+    def curvature(self) -> Floats:
+        return self._frames().curvature
+
+    def reversed(self) -> Curve:
+        """The same curve from its end to its start; a closed one keeps its first point. Its picks change their order.
+
+        Examples
+        --------
+        >>> turned = curve.reversed()
+        >>> bool(np.allclose(turned.spline(0.2), curve.spline(0.8)))
+        True
+        """
+        from ._pieces import reversed_piece
+
+        return self._made_of(*reversed_piece(self))
+
+    def trim(self, start: float, end: float) -> Curve:
+        """Cut out the part between two parameters, as an open curve: spline and polyline end at the same places.
+
+        Parameters
+        ----------
+        start, end : float in [0, 1]
+            Parameters t, start < end. On a closed curve start may be larger: the part leads over its first point then.
+
+        Returns
+        -------
+        Curve
+            Its t is from 0 to 1 again. Its spline is the same one, by insertion of knots. It has the picks that lie in the part,
+            and cannot be drawn again: to change it, change the whole curve, and trim that.
+
+        Raises
+        ------
+        InputError
+            A parameter is not in [0, 1], or the part has no length.
+
+        Examples
+        --------
+        >>> middle = curve.trim(0.25, 0.75)
+        >>> bool(np.allclose(middle.spline(0), curve.spline(0.25)))
+        True
+        """
+        from ._pieces import checked_parameter, piece
+
+        a, b = (checked_parameter(name, at, self.closed) for name, at in (("start", start), ("end", end)))
+        if self.closed and b < a:
+            b += 1.0
+        if not b - a > 1e-9:
+            raise InputError(f"the part from {start} to {end} has no length; start must be less than end")
+        return self._made_of(*piece(self, a, b))
+
+    def split(self, at: float | Sequence[float] | Floats) -> list[Curve]:
+        """Cut the curve at parameters t into open curves; together they are the whole.
+
+        Parameters
+        ----------
+        at : float or (k,) array of float in [0, 1]
+            In any order. The ends of an open curve do not count. One is enough for a closed curve to become an open one.
+
+        Returns
+        -------
+        list of Curve
+            In the order of the curve, each as of trim(); those of a closed curve begin at the first parameter.
+
+        Raises
+        ------
+        InputError
+            A parameter is not in [0, 1].
+
+        Examples
+        --------
+        >>> parts = curve.split([0.3, 0.6])
+        >>> len(parts), bool(np.isclose(sum(part.length for part in parts), curve.length))
+        (3, True)
+        """
+        from ._pieces import checked_parameter, piece
+
+        given = numbers(np.atleast_1d(np.asarray(at)), "at").ravel().tolist()
+        cuts = sorted({checked_parameter("at", each, self.closed) % (1.0 if self.closed else 2.0) for each in given})
+        if self.closed:
+            bounds = [*cuts, cuts[0] + 1.0] if cuts else []
+        else:
+            bounds = [0.0, *(each for each in cuts if 0.0 < each < 1.0), 1.0]
+        return [self._made_of(*piece(self, a, b)) for a, b in zip(bounds, bounds[1:]) if b - a > 1e-9] or [self]
+
     def save(self, file: str | os.PathLike[str], unit: Unit = "mm") -> None:
         """Write the curve to a file, which appears wholly, or not at all.
 
         Parameters
         ----------
         file : str or path
-            .json, from which load() makes the curve again; .step, .stp, .iges or .igs: the spline for CAD; .polyline.step …: the
-            polyline.
+            The end of its name tells the format, as of the program. .json: all, from which load() makes the curve again. .ply,
+            .obj, .dxf, .vtu, .csv: the polyline. .bspline.obj, .bspline.dxf: the spline. .step, .stp, .iges, .igs: the spline
+            for CAD; .polyline.step …: the polyline.
         unit : {"mm", "cm", "m", "um", "in", "ft"}, default "mm"
             Of the mesh; files for CAD name it.
 
@@ -339,42 +688,106 @@ class Curve:
         ------
         FileError
             The file cannot be written, or its name has another end.
+
+        Examples
+        --------
+        >>> curve.save("curve.step", unit="mm")
+        >>> curve.save("curve.json")
         """
         from ._files import save
 
         save(self, file, str(checked_value("unit", UNIT, unit)))
 
     def to_pyvista(self) -> Any:
-        """A PolyData of one line, with t, values, face and barycentric as point data. Needs pyvista."""
+        """A PolyData of one line, with t, values, face and barycentric as point data. Needs pyvista.
+
+        Examples
+        --------
+        >>> curve.to_pyvista().n_cells
+        1
+        """
         from ._convert import to_pyvista
 
         return to_pyvista(self)
 
     def to_trimesh(self) -> Any:
-        """A Path3D. Needs trimesh and what it needs for paths: networkx, scipy."""
+        """A Path3D. Needs trimesh and what it needs for paths: networkx, scipy.
+
+        Examples
+        --------
+        >>> bool(np.isclose(curve.to_trimesh().length, curve.length))
+        True
+        """
         from ._convert import to_trimesh
 
         return to_trimesh(self)
 
     def to_meshio(self) -> Any:
-        """A Mesh of lines, which meshio writes in many formats. Needs meshio."""
+        """A Mesh of lines, which meshio writes in many formats. Needs meshio.
+
+        Examples
+        --------
+        >>> curve.to_meshio().write("curve.vtu")
+        """
         from ._convert import to_meshio
 
         return to_meshio(self)
 
-    def plot(self, **options: Any) -> Any:
+    def plot(self, plotter: Any = None, **options: Any) -> Any:
         """Put mesh, curve and picks into a pyvista Plotter, which show() shows, or without pyvista into axes of matplotlib.
 
-        `options` go to Plotter or figure().
+        The line is drawn in front of the surface that it lies on.
+
+        Parameters
+        ----------
+        plotter : optional
+            What plot() of another curve returned, or a Plotter or axes of your own: this curve is added, and the mesh where it
+            is not there yet.
+        **options
+            Go to Plotter or figure().
+
+        Returns
+        -------
+        pyvista.Plotter or matplotlib axes
+            In a notebook, show() of the plotter gives a view that can be turned.
+
+        Examples
+        --------
+        >>> plotter = curve.plot(off_screen=True)
+        >>> plotter = ring.plot(plotter)
+        >>> plotter.close()
         """
         from ._picture import plot
 
-        return plot(self, **options)
+        return plot(self, plotter, **options)
 
     def _repr_html_(self) -> str:
         from ._picture import html
 
         return html(self)
+
+    def _bound(self) -> Drawing:
+        """What the curve is drawn by, with the mesh found."""
+        if isinstance(self._drawing.home, AbsentMesh):
+            self._drawing = self._drawing._replace(home=self._drawing.home.found())
+        return self._drawing
+
+    def _spline_data(self) -> _spline.Spline:
+        return _spline.Spline(self.degree, self.knots, self.control_points)
+
+    def _made_of(self, state: dict[str, Any], drawing: Drawing) -> Curve:
+        return restored(drawing, state, self.report)
+
+    def _frames(self) -> Samples:
+        """Samples at all points."""
+        if self._at_points is None:
+            steps = np.linalg.norm(np.diff(self.points, axis=0), axis=1)
+            distances = np.minimum(np.r_[0.0, np.cumsum(steps)], self.length)
+            samples = self.sample(distances=distances)
+            for array in samples:
+                array.flags.writeable = False
+            self._at_points = samples
+        return self._at_points
 
     def _placed(self) -> tuple[Int32s, Floats]:
         if self._places is None:
@@ -385,8 +798,10 @@ class Curve:
     def _index(self, pick: int, end: int) -> int:
         if isinstance(pick, bool) or not isinstance(pick, (int, np.integer)):
             raise TypeError(f"pick is {pick!r}, but must be an integer")
-        if not len(self._drawing.picks):
-            raise PickError("this curve has no picks: it is an offset or of a pattern; draw one with Mesh.curve()", "too-few-picks")
+        if self._drawing.fixed:
+            raise PickError(
+                f"this curve is {self._drawing.fixed}: it has no picks to be drawn through; draw one with Mesh.curve()", "too-few-picks"
+            )
         if not -end <= pick < end:
             raise PickError(f"pick is {pick}, but must be in [{-end}, {end - 1}]", "index-out-of-range")
         return int(pick) % end
@@ -403,7 +818,9 @@ class Curve:
         return len(self.points)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return restored, (self._drawing, self._state(), self.report)
+        home = self._drawing.home
+        absent = home if isinstance(home, AbsentMesh) else name_of(home)
+        return restored, (self._drawing._replace(home=absent), self._state(), self.report)
 
     def _state(self) -> dict[str, Any]:
         """What restored() makes the same curve of."""
@@ -425,7 +842,12 @@ class Curve:
         }
 
 
-def restored(drawing: Drawing, state: dict[str, Any], report: dict[str, Any]) -> Curve:
+def drawn(drawing: Drawing, start: _core.Curve | None = None, progress: Progress | None = None) -> Curve:
+    """The curve of a drawing; `start`: one that the solver starts from."""
+    return Curve(*drawing.draw(start, progress))
+
+
+def restored(drawing: Drawing, state: dict[str, Any], report: dict[str, Any] | None) -> Curve:
     """The curve that `state` was taken of."""
     return Curve(_core.Curve.restored(state), drawing, report)
 

@@ -7,14 +7,16 @@ What only files need is imported with the first of them: json, pathlib and tempf
 from __future__ import annotations
 
 import os
-import zlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._arrays import Floats
-from ._curve import Curve, Drawing, restored
+from . import _core
+from ._arrays import Floats, file_name
+from ._curve import Curve, restored
+from ._drawing import Drawing
 from ._errors import FileError
+from ._identity import require_mesh
 from ._keywords import CURVE
 from ._mesh import Mesh
 from ._options import changed
@@ -24,11 +26,11 @@ if TYPE_CHECKING:
 
 # A file's points may be those of the mesh to rounding, relative to its diagonal.
 SAME_PLACE = 1e-9
-CAD = {".step": "step", ".stp": "step", ".iges": "iges", ".igs": "iges"}
 
 
 def document_of(curve: Curve) -> dict[str, Any]:
-    drawing = curve._drawing
+    drawing = curve._bound()
+    made = drawing.made_field()
     polyline = {
         "points": curve.points.tolist(),
         "faces": curve.faces.tolist(),
@@ -36,7 +38,7 @@ def document_of(curve: Curve) -> dict[str, Any]:
         "t": curve.t.tolist(),
         "picks": curve.pick_vertices.tolist(),
     }
-    if drawing.field is not None:
+    if made is not None:
         polyline["quality"] = curve.values.tolist()
     return {
         "closed": curve.closed,
@@ -53,7 +55,10 @@ def document_of(curve: Curve) -> dict[str, Any]:
             "picks": curve.picks.tolist(),
             "options": drawing.options,
             "field": drawing.field if isinstance(drawing.field, (str, type(None))) else drawing.field.values.tolist(),
-            "avoid": None if drawing.avoid is None else drawing.avoid.tolist(),
+            "avoid": drawing.avoid if isinstance(drawing.avoid, (str, type(None))) else drawing.avoid.tolist(),
+            "quality": None if drawing.quality is None else drawing.quality.tolist(),
+            "field_region": None if drawing.region is None else drawing.region.tolist(),
+            "fixed": drawing.fixed,
         },
         "report": finite(curve.report),
     }
@@ -61,10 +66,7 @@ def document_of(curve: Curve) -> dict[str, Any]:
 
 def named(mesh: Mesh) -> dict[str, Any]:
     """By what a mesh is known again: as docs/FILES.md tells."""
-    with np.errstate(over="ignore"):
-        vertices = mesh.vertices.astype("<f4") + np.float32(0)  # -0 + 0 is 0
-    crc32 = zlib.crc32(mesh.faces.astype("<i4").tobytes(), zlib.crc32(vertices.tobytes()))
-    return {"vertices": len(vertices), "faces": len(mesh.faces), "crc32": f"{crc32:08x}"}
+    return {"vertices": len(mesh.vertices), "faces": len(mesh.faces), "crc32": mesh.checksum}
 
 
 def finite(value: Any) -> Any:
@@ -79,14 +81,16 @@ def finite(value: Any) -> Any:
 def save(curve: Curve, file: str | os.PathLike[str], unit: str) -> None:
     from pathlib import Path
 
-    path = Path(file)
-    kind = CAD.get(path.suffix.lower())
-    if kind is not None:
-        is_polyline = path.stem.lower().endswith(".polyline")
-        write_wholly(path, curve._core.cad_bytes(kind, is_polyline, unit))
+    path = Path(file_name(file))
+    name = path.name.lower()
+    ends = _core.curve_ends()
+    end = next((end for end in ends if name.endswith(end) and name != end), None)
+    if end is not None:
+        field = curve.values if curve._bound().made_field() is not None else np.empty(0)
+        write_wholly(path, _core.curve_bytes(curve._core, end, np.ascontiguousarray(field), unit))
         return
     if path.suffix.lower() != ".json":
-        raise FileError(f"{path}: a curve is saved as .json, .step or .iges", "unwritable-file")
+        raise FileError(f"{path}: a curve is saved as .json, {', '.join(ends)}", "unwritable-file")
     import json
 
     write_wholly(path, (json.dumps(document_of(curve), allow_nan=False) + "\n").encode())
@@ -130,17 +134,72 @@ def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
     Raises
     ------
     FileError
-        The file cannot be read, holds no curve, or its points are not on this mesh, or the mesh changed since.
+        The file cannot be read, holds no curve or several, or its points are not on this mesh, or the mesh changed since.
+
+    Examples
+    --------
+    >>> curve.save("curve.json")
+    >>> bool((bspline_curve.load("curve.json", mesh).points == curve.points).all())
+    True
+    """
+    curves = load_all(file, mesh)
+    if len(curves) != 1:
+        raise FileError(f"{os.fspath(file)} holds {len(curves)} curves: load_all() reads them", "unreadable-file")
+    return curves[0]
+
+
+def load_all(file: str | os.PathLike[str], mesh: Mesh) -> list[Curve]:
+    """Read all curves of a .json file, as of a pattern that the program made: one or several.
+
+    Parameters
+    ----------
+    file : str or path
+    mesh : Mesh
+
+    Returns
+    -------
+    list of Curve
+        In the order of the file, each as of load().
+
+    Raises
+    ------
+    FileError
+        As load() raises it.
+
+    Examples
+    --------
+    >>> curve.save("curve.json")
+    >>> len(bspline_curve.load_all("curve.json", mesh))
+    1
     """
     import json
     from pathlib import Path
 
-    path = Path(file)
+    require_mesh(mesh)
+    path = Path(file_name(file))
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise FileError(f"{path} cannot be read: {error.strerror}", "unreadable-file") from error
+    except ValueError as error:
+        raise FileError(f"{path} holds no curve: it is not JSON ({error})", "unreadable-file") from error
+    if not isinstance(document, dict) or not ("polyline" in document or isinstance(document.get("curves"), list)):
+        raise FileError(f"{path} holds no curve: it has neither polyline nor curves", "unreadable-file")
+    entries = document["curves"] if "curves" in document else [document]
+    parts = [parts_of(entry, mesh, path) for entry in entries]
+    require_same(mesh, document.get("mesh"), path)
+    for _, state, _ in parts:
+        require_on(mesh, state, path)
+    return [restored(*part) for part in parts]
+
+
+def parts_of(document: Any, mesh: Mesh, path: Path) -> tuple[Drawing, dict[str, Any], dict[str, Any] | None]:
+    """What restored() takes, of an entry of a file."""
+    try:
         line, spline = document["polyline"], document["spline"]
         drawn = document.get("drawn_by", {})
-        report = document.get("report", {})
+        report = document.get("report")
+        told = report or {}
         state = {
             "points": rows(line["points"]),
             "faces": np.array(line["faces"], dtype=np.int32),
@@ -152,31 +211,30 @@ def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
             "pick_vertices": line["picks"],
             "degree": spline["degree"],
             "closed": document["closed"],
-            "usable": report.get("usable", True),
-            "is_sampled": report.get("is_sampled", False),
-            "alpha": report["rounds"][-1]["alpha"] if report.get("rounds") else 0.0,
+            "usable": told.get("usable", True),
+            "is_sampled": told.get("is_sampled", False),
+            "alpha": told["rounds"][-1]["alpha"] if told.get("rounds") else 0.0,
         }
-        picks = rows(drawn["picks"]) if drawn else state["points"][line["picks"]]
+        picks = rows(drawn["picks"]) if drawn else state["points"][np.array(line["picks"], dtype=np.intp)]
         options = drawn.get("options", {"closed": document["closed"], "degree": spline["degree"]})
-        field = drawn.get("field")
+        guides = {name: drawn.get(name) for name in ("field", "avoid", "quality", "field_region")}
         drawing = Drawing(
             mesh,
             picks,
-            changed(CURVE, options),
-            mesh._field_of(field),
-            None if drawn.get("avoid") is None else np.array(drawn["avoid"], dtype=np.int32),
+            changed(CURVE, {name: value for name, value in options.items() if name != "degree" or value > 1}),
+            **mesh._guides(**{name: value if isinstance(value, str) or value is None else np.array(value) for name, value in guides.items()}),
+            fixed=drawn.get("fixed", "" if len(picks) else "of a file without picks"),
         )
-    except OSError as error:
-        raise FileError(f"{path} cannot be read: {error}", "unreadable-file") from error
     except (ValueError, KeyError, TypeError, IndexError, AttributeError) as error:
-        raise FileError(f"{path} holds no curve: {error!r}", "unreadable-file") from error
-    require_same(mesh, document.get("mesh"), path)
-    require_on(mesh, state, path)
-    return restored(drawing, state, report)
+        reason = f"an entry {error} is missing" if isinstance(error, KeyError) else str(error)
+        raise FileError(f"{path} holds no curve: {reason}", "unreadable-file") from error
+    return drawing, state, report
 
 
 def rows(numbers: Any) -> Floats:
     array = np.array(numbers, dtype=np.float64)
+    if array.size == 0:
+        return array.reshape(0, 3)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError("rows of three numbers are needed")
     return array

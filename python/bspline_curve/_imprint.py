@@ -34,22 +34,48 @@ def parts_meant(name: str, keep: Keep | None) -> tuple[str | None, list[float]]:
 
 
 class Part(NamedTuple):
-    """Faces that are joined across edges which are on no curve."""
+    """Faces that are joined across edges which are on no curve.
 
-    faces: Int32s  # ids in the imprint
+    Attributes
+    ----------
+    faces : (k,) array of int
+        Ids of faces of the imprint.
+    area : float
+        In the unit of the mesh, squared.
+    perimeter : float
+        Length of its rim, which is curves and the mesh's own boundary, in the unit of the mesh.
+    centroid : (3,) array of float
+        Of its area.
+    euler : int
+        Euler's number: 1 for a disc, 0 for a ring, 2 for a closed sphere.
+    """
+
+    faces: Int32s
     area: float
-    perimeter: float  # of its rim: curves and the mesh's own boundary
-    centroid: Floats  # (3,)
-    euler: int  # 1 for a disc, 0 for a ring, 2 for a closed sphere
+    perimeter: float
+    centroid: Floats
+    euler: int
 
 
 class Cut(NamedTuple):
-    """The mesh, or parts of it, opened along its curves: vertices on them are doubled."""
+    """The mesh, or parts of it, opened along its curves: vertices on them are doubled.
 
-    vertices: Floats  # (n, 3); copies come last
-    faces: Int32s  # (m, 3), in the order of the imprint
-    origins: Int32s  # (n,): the vertex of the imprint of each; -1: new, in a filled hole
-    labels: Int32s  # (m,): the part of each face, an index into Imprint.parts; -1: new
+    Attributes
+    ----------
+    vertices : (n, 3) array of float
+        Copies come last.
+    faces : (m, 3) array of int
+        In the order of the imprint; new ones come last.
+    origins : (n,) array of int
+        The vertex of the imprint that each vertex comes from; -1: it is new, in a filled hole.
+    labels : (m,) array of int
+        The part of each face, an index into Imprint.parts; -1: it is new.
+    """
+
+    vertices: Floats
+    faces: Int32s
+    origins: Int32s
+    labels: Int32s
 
 
 class Imprint:
@@ -138,6 +164,13 @@ class Imprint:
             `keep` or `fill` is none of these, or `fill` is there without `keep`.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> opened = mesh.imprint(ring).cut()
+        >>> inside = mesh.imprint(ring).cut(keep="inside")
+        >>> len(inside.faces) < len(opened.faces)
+        True
         """
         return self._cut(keep, fill, progress, drop_untouched)
 
@@ -172,6 +205,12 @@ class Imprint:
             The curves part nothing (a PickError), or no part or two are at the point.
         OptionError
             `part` is none of these, or `height` is not finite.
+
+        Examples
+        --------
+        >>> raised = mesh.imprint(ring).relief(0.02)
+        >>> bool((raised.origins >= 0).any())
+        True
         """
         meant = parts_meant("part", part)
         raised = checked_number("height", HEIGHT, height)
@@ -194,13 +233,25 @@ class Imprint:
         Returns
         -------
         (n,) or (n, d) array of float
+
+        Examples
+        --------
+        >>> imprint = mesh.imprint(ring)
+        >>> heights = imprint.values(mesh.vertices[:, 2], mesh.faces)
+        >>> heights.shape == (len(imprint.vertices),)
+        True
         """
         rows = numbers(given, "given", FieldError)
         inside, weights = self._core.places
         count = len(self.vertices) - len(inside)
         if len(rows) != count:
             raise FieldError(f"given has {len(rows)} rows, but must have {count}, one for each vertex of the mesh", "bad-array")
-        corners = rows[np.asarray(faces)[inside]]
+        triangles = np.asarray(faces)
+        if triangles.ndim != 2 or triangles.shape[1] != 3 or triangles.dtype.kind not in "iu":
+            raise FieldError(f"faces has shape {triangles.shape} of {triangles.dtype}, but must be those of the mesh: mesh.faces", "bad-array")
+        if len(triangles) <= int(inside.max(initial=-1)):
+            raise FieldError(f"faces has {len(triangles)} rows, but must be all faces of the mesh: mesh.faces", "bad-array")
+        corners = rows[triangles[inside]]
         return np.concatenate([rows, np.einsum("ij,ij...->i...", weights, corners)])
 
     def __repr__(self) -> str:

@@ -26,7 +26,7 @@ def mesh_arrays(given: Any, faces: npt.ArrayLike | None) -> tuple[Floats, Faces]
             return points(vertices, "vertices", MeshError), triangles(corners)
     raise TypeError(
         f"vertices is {type(given).__name__}: give vertices and faces as arrays, or a mesh of trimesh, pyvista, meshio or "
-        "pymeshlab"
+        "pymeshlab; Mesh.load() reads a file"
     )
 
 

@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from ._curve import Curve
 
 Shell: TypeAlias = Literal["local", "full", "simplified", "preset"]
+Field: TypeAlias = Literal[
+    "none", "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance",
+    "quality", "obstacle", "auto",
+]
+Avoid: TypeAlias = Literal["none", "under-threshold", "over-threshold"]
 FieldCost: TypeAlias = Literal["natural", "identity", "square", "exp-minus"]
 Preset: TypeAlias = Literal["default", "paper"]
 Fairness: TypeAlias = Literal["preset", "curvature", "parametric"]
@@ -32,9 +37,6 @@ RelativeHeight: TypeAlias = Literal["preset", "smooth", "linear"]
 FieldKind: TypeAlias = Literal[
     "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance", "quality",
     "obstacle",
-]
-Kind: TypeAlias = Literal[
-    "normal-variation", "maximal-curvature", "ridge", "valley", "crease-distance", "boundary-distance",
 ]
 
 SHELL: dict[str, Option] = {
@@ -54,9 +56,18 @@ CURVE: dict[str, Option] = {
     "field_weight": Option("double", 2000.0, 0.0, None, False, ()),
     "pick_tolerance": Option("length", "0", None, None, False, ()),
     "field_cost": Option("enum", "natural", None, None, False, ("natural", "identity", "square", "exp-minus")),
+    "avoid_threshold": Option("double", 0.0, None, None, False, ()),
     "samples": Option("int", 256, 0, None, False, ()),
     "max_segment_length": Option("double", 0.0, 0.0, None, False, ()),
     "avoid_margin": Option("double", 0.02, 0.0, 1.0, True, ()),
+    "field_curvature_scale": Option("double", 0.015, 0.0, 1.0, False, ()),
+    "field_crease_angle": Option("double", 40.0, 0.0, 180.0, False, ()),
+    "field_reach": Option("double", 0.1, 0.0, 1.0, True, ()),
+    "field_obstacle_value": Option("double", 1.0, 0.0, None, False, ()),
+    "field_obstacle_slope": Option("double", 1.0, 0.0, None, True, ()),
+    "field_smoothing": Option("double", 0.0, 0.0, 1.0, False, ()),
+    "field_normalised": Option("bool", False, None, None, False, ()),
+    "field_inverted": Option("bool", False, None, None, False, ()),
     "preset": Option("enum", "default", None, None, False, ("default", "paper")),
     "fairness": Option("enum", "preset", None, None, False, ("preset", "curvature", "parametric")),
     "bending": Option("enum", "preset", None, None, False, ("preset", "geodesic", "ambient")),
@@ -98,6 +109,21 @@ FIELD: dict[str, Option] = {
 }
 
 
+class MeshOptions(TypedDict, total=False):
+    """Options of Mesh(), for Mesh.load() and repair()."""
+
+    shell: Shell
+    target_thickness: float
+    target_edge_length: float
+    shell_thickness: float
+    shell_smoothing_passes: int
+    strict: bool
+    weld: float
+    slits: bool
+    quality: npt.ArrayLike | None
+    progress: Progress | None
+
+
 class CurveOptions(TypedDict, total=False):
     """Options of Mesh.curve(), for Curve.with_options()."""
 
@@ -107,9 +133,18 @@ class CurveOptions(TypedDict, total=False):
     field_weight: float
     pick_tolerance: float | str
     field_cost: FieldCost
+    avoid_threshold: float
     samples: int
     max_segment_length: float
     avoid_margin: float
+    field_curvature_scale: float
+    field_crease_angle: float
+    field_reach: float
+    field_obstacle_value: float
+    field_obstacle_slope: float
+    field_smoothing: float
+    field_normalised: bool
+    field_inverted: bool
     preset: Preset
     fairness: Fairness
     bending: Bending
@@ -137,8 +172,10 @@ class CurveOptions(TypedDict, total=False):
     max_rounds: int
     max_iterations: int
     minimum_span: float
-    field: Kind | npt.ArrayLike | None
-    avoid: npt.ArrayLike | None
+    field: Field | npt.ArrayLike | None
+    quality: npt.ArrayLike | None
+    avoid: Avoid | npt.ArrayLike | None
+    field_region: npt.ArrayLike | None
 
 
 class MeshKeywords(ABC):
@@ -157,6 +194,7 @@ class MeshKeywords(ABC):
         strict: bool = False,
         weld: float = 0.0,
         slits: bool = False,
+        quality: npt.ArrayLike | None = None,
         progress: Progress | None = None,
     ) -> None:
         """Prepare a triangle mesh for curves.
@@ -195,6 +233,8 @@ class MeshKeywords(ABC):
         slits : bool, default False
             Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
             sides are joined on a copy; the mesh is not changed.
+        quality : (n,) array of float, optional
+            A value for each vertex, which curves follow with field 'quality' or 'auto'.
         progress : callable, optional
             Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.
 
@@ -204,6 +244,11 @@ class MeshKeywords(ABC):
             An argument is wrong; which, and what to do. Its subclasses tell which kind of argument.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> bspline_curve.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        <bspline_curve.Mesh: 3 vertices, 1 faces>
         """
         self._prepare(
             vertices,
@@ -218,6 +263,7 @@ class MeshKeywords(ABC):
                 "weld": weld,
                 "slits": slits,
             },
+            quality,
             progress,
         )
 
@@ -231,9 +277,18 @@ class MeshKeywords(ABC):
         field_weight: float = 2000.0,
         pick_tolerance: float | str = "0",
         field_cost: FieldCost = "natural",
+        avoid_threshold: float = 0.0,
         samples: int = 256,
         max_segment_length: float = 0.0,
         avoid_margin: float = 0.02,
+        field_curvature_scale: float = 0.015,
+        field_crease_angle: float = 40.0,
+        field_reach: float = 0.1,
+        field_obstacle_value: float = 1.0,
+        field_obstacle_slope: float = 1.0,
+        field_smoothing: float = 0.0,
+        field_normalised: bool = False,
+        field_inverted: bool = False,
         preset: Preset = "default",
         fairness: Fairness = "preset",
         bending: Bending = "preset",
@@ -261,8 +316,10 @@ class MeshKeywords(ABC):
         max_rounds: int = 24,
         max_iterations: int = 100,
         minimum_span: float = 0.0001,
-        field: Kind | npt.ArrayLike | None = None,
-        avoid: npt.ArrayLike | None = None,
+        field: Field | npt.ArrayLike | None = None,
+        quality: npt.ArrayLike | None = None,
+        avoid: Avoid | npt.ArrayLike | None = None,
+        field_region: npt.ArrayLike | None = None,
         progress: Progress | None = None,
     ) -> Curve:
         """Draw a smooth curve through points.
@@ -290,6 +347,8 @@ class MeshKeywords(ABC):
             What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
             valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
             which draws the curve to large values.
+        avoid_threshold : float, default 0.0
+            The threshold of under-threshold and over-threshold, in the unit of the field.
         samples : int ≥ 0, default 256
             At least this many vertices at even steps of the spline's parameter, besides those where the curve crosses mesh
             edges and the picks. 0: none.
@@ -297,6 +356,23 @@ class MeshKeywords(ABC):
             No segment of the polyline is longer, in the unit of the mesh. 0: no limit.
         avoid_margin : float in (0, 1], default 0.02
             Distance within which faces to avoid push the curve away, relative to the diagonal of the mesh's box.
+        field_curvature_scale : float in [0, 1], default 0.015
+            Fields of curvature, ridges and valleys: radius that curvatures are averaged over, relative to the diagonal of
+            the mesh's box. More: less noise.
+        field_crease_angle : float in [0, 180], default 40.0
+            Field of crease distance: creases are edges whose faces turn by more than this, in degrees.
+        field_reach : float in (0, 1], default 0.1
+            Fields of crease and boundary distance: the distance that becomes 1, relative to the diagonal.
+        field_obstacle_value : float ≥ 0, default 1.0
+            Field of obstacles: its value on the boundary of the region.
+        field_obstacle_slope : float > 0, default 1.0
+            Field of obstacles: how steeply it grows from the boundary of the region inwards, per diagonal.
+        field_smoothing : float in [0, 1], default 0.0
+            Radius over which the values are averaged, relative to the diagonal. 0: not averaged.
+        field_normalised : bool, default False
+            Maps the values between their quantiles of 1 % and 99 % to [0, 1].
+        field_inverted : bool, default False
+            Turns x into minimum + maximum - x.
         preset : {'default', 'paper'}, default 'default'
             The values of the settings that are left at preset, and of the numbers that are left at their default. default:
             the settings that gave the best curves; paper: those of the paper (2023), for comparison.
@@ -370,9 +446,16 @@ class MeshKeywords(ABC):
         minimum_span : float in (0, 0.1], default 0.0001
             Shortest knot span, as a share of the whole parameter range.
         field : str or (n,) array of float, optional
-            Draws the curve to where it costs little: the name of a kind, see field(), or a value for each vertex.
-        avoid : (k,) array of int or (m,) array of bool, optional
-            Faces that the curve does not enter: their ids, or a bool for each face.
+            Draws the curve to where it costs little: a kind of field(), or a value for each vertex. 'auto': the quality,
+            mapped to [0, 1], where there is one that is finite and not constant and that no threshold of avoid is for; else
+            none.
+        quality : (n,) array of float, optional
+            A value for each vertex, for field 'quality' and 'auto' and for thresholds of avoid; None: the mesh's own.
+        avoid : str, (k,) array of int or (m,) array of bool, optional
+            Faces that the curve does not enter: their ids, or a bool for each face. 'under-threshold', 'over-threshold':
+            those over which the mean of the field, or without a field of the quality, is under or over avoid_threshold.
+        field_region : (k,) array of int or (m,) array of bool, optional
+            The faces of obstacles, for field 'obstacle'.
         progress : callable, optional
             Called now and then with a fraction in [0, 1] and the name of a stage; cancels by returning False.
 
@@ -387,6 +470,12 @@ class MeshKeywords(ABC):
             An argument is wrong; which, and what to do. Its subclasses tell which kind of argument.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> curve = mesh.curve(picks, closed=True, field='ridge')
+        >>> curve.closed, curve.usable, len(curve.picks)
+        (True, True, 4)
         """
         return self._draw(
             picks,
@@ -397,9 +486,18 @@ class MeshKeywords(ABC):
                 "field_weight": field_weight,
                 "pick_tolerance": pick_tolerance,
                 "field_cost": field_cost,
+                "avoid_threshold": avoid_threshold,
                 "samples": samples,
                 "max_segment_length": max_segment_length,
                 "avoid_margin": avoid_margin,
+                "field_curvature_scale": field_curvature_scale,
+                "field_crease_angle": field_crease_angle,
+                "field_reach": field_reach,
+                "field_obstacle_value": field_obstacle_value,
+                "field_obstacle_slope": field_obstacle_slope,
+                "field_smoothing": field_smoothing,
+                "field_normalised": field_normalised,
+                "field_inverted": field_inverted,
                 "preset": preset,
                 "fairness": fairness,
                 "bending": bending,
@@ -428,8 +526,12 @@ class MeshKeywords(ABC):
                 "max_iterations": max_iterations,
                 "minimum_span": minimum_span,
             },
-            field,
-            avoid,
+            {
+                "field": field,
+                "quality": quality,
+                "avoid": avoid,
+                "field_region": field_region,
+            },
             progress,
         )
 
@@ -463,7 +565,7 @@ class MeshKeywords(ABC):
             boundary-distance: along the surface, to its own edges; quality: the per-vertex quality of the mesh; obstacle: a
             hill on a region of faces.
         quality : (n,) array of float, optional
-            A value for each vertex, for kind 'quality'.
+            A value for each vertex, for kind 'quality'; None: the mesh's own.
         region : (k,) array of int or (m,) array of bool, optional
             The faces of obstacles, for kind 'obstacle'.
         curvature_scale : float in [0, 1], default 0.015
@@ -497,6 +599,13 @@ class MeshKeywords(ABC):
             An argument is wrong; which, and what to do. Its subclasses tell which kind of argument.
         Cancelled
             `progress` returned False.
+
+        Examples
+        --------
+        >>> values = mesh.field('valley', curvature_scale=0.03)
+        >>> values.shape
+        (1681,)
+        >>> curve = mesh.curve(picks, field=values, field_cost='exp-minus')
         """
         return self._make_field(
             quality,
@@ -517,7 +626,12 @@ class MeshKeywords(ABC):
 
     @abstractmethod
     def _prepare(
-        self, vertices: Any, faces: npt.ArrayLike | None, options: Mapping[str, object], progress: Progress | None
+        self,
+        vertices: Any,
+        faces: npt.ArrayLike | None,
+        options: Mapping[str, object],
+        quality: npt.ArrayLike | None,
+        progress: Progress | None,
     ) -> None: ...
 
     @abstractmethod
@@ -525,8 +639,7 @@ class MeshKeywords(ABC):
         self,
         picks: Picks,
         options: Mapping[str, object],
-        field: str | npt.ArrayLike | None,
-        avoid: npt.ArrayLike | None,
+        guides: Mapping[str, Any],
         progress: Progress | None,
     ) -> Curve: ...
 

@@ -20,6 +20,8 @@ def part_of(progress: Progress | None, start: float, end: float) -> Progress | N
     """A callable for a part of the work, whose fractions 0 to 1 are `start` to `end` of the whole."""
     if progress is None:
         return None
+    if not callable(progress):
+        raise TypeError("progress must be a function of a fraction and a stage, or None")
     return lambda fraction, stage: progress(start + (end - start) * fraction, stage)
 
 

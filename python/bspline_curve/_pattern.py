@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -13,8 +13,10 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Int32s, numbers
-from ._curve import Curve, Drawing
+from ._curve import Curve
+from ._drawing import Drawing
 from ._errors import FileError, InputError
+from ._lines import Line, curve_on
 from ._options import Option, Progress, checked_number
 
 if TYPE_CHECKING:
@@ -36,43 +38,69 @@ OPTIONS = {
 
 
 class Distortion(NamedTuple):
-    """A part of a curve, between two picks, and how long it is relative to what was drawn."""
+    """A part of a curve, between two picks, and how long it is relative to what was drawn.
+
+    Attributes
+    ----------
+    ratio : float
+        Its length on the mesh by its length in the drawing: 1 where nothing is distorted.
+    path : int
+        Of the drawing, from 0.
+    copy : int
+        Of the drawing along the curve, from 0.
+    position : (3,) array of float
+        Where it is on the mesh.
+    """
 
     ratio: float
-    path: int  # of the drawing, from 0
-    copy: int  # of the drawing, from 0
-    position: Floats  # (3,)
+    path: int
+    copy: int
+    position: Floats
 
 
 class Pattern(NamedTuple):
-    """A drawing on a mesh."""
+    """A drawing on a mesh.
 
-    curves: list[Curve]  # in the order of the paths, and along them
-    paths: Int32s  # (n,): the path of the drawing that each is a part of
-    copies: Int32s  # (n,): and of which copy
+    Attributes
+    ----------
+    curves : list of Curve
+        In the order of the paths, and along them; parted where paths turn. They have no picks.
+    paths : (n,) array of int
+        The path of the drawing, from 0, that each curve is a part of.
+    copies : (n,) array of int
+        The copy of the drawing, from 0, that each curve is of.
+    tolerance : float
+        Largest distance of the curves to the carried drawing that was asked for, in the unit of the mesh.
+    largest_deviation : float
+        Of a carried point to its curve, in the unit of the mesh.
+    shortest, longest : Distortion
+        The parts that became shortest and longest.
+    """
+
+    curves: list[Curve]
+    paths: Int32s
+    copies: Int32s
     tolerance: float
-    largest_deviation: float  # of a carried point to its curve
+    largest_deviation: float
     shortest: Distortion
     longest: Distortion
 
 
-def drawn(
+def patterned(
     mesh: Mesh,
     drawing: Planar,
     centre: npt.ArrayLike | None,
-    along: Curve | None,
+    along: Line | None,
     up: npt.ArrayLike | None,
     options: dict[str, Any],
     progress: Progress | None,
 ) -> Pattern:
     if (centre is None) == (along is None):
         raise InputError("give one of centre and along", "bad-option")
-    if along is not None and along.mesh is not mesh:
-        raise InputError("along is a curve of another mesh")
     place: dict[str, Any] = {name: checked_number(name, OPTIONS[name], value) for name, value in options.items()}
     place["centre"] = None if centre is None else _three(centre, "centre")
     place["up"] = None if up is None else _three(up, "up")
-    place["along"] = None if along is None else along._core
+    place["along"] = None if along is None else curve_on(mesh, along, "along")._core
     try:
         curves, paths, copies, tolerance, deviation, *extremes = _core.pattern(
             mesh._core, planar_drawing(drawing), place, progress
@@ -80,7 +108,7 @@ def drawn(
     except InputError as error:
         # Ids are those of paths, which the message names.
         raise (InputError(str(error), error.code) if error.code == "no-path" else error) from None
-    nothing = Drawing(mesh, np.empty((0, 3)), {}, None, None)
+    nothing = Drawing(mesh, np.empty((0, 3)), {}, fixed="of a pattern")
     return Pattern(
         [Curve(curve, nothing) for curve in curves],
         paths,
@@ -94,6 +122,8 @@ def drawn(
 def planar_drawing(given: Planar) -> _core.Drawing:
     """A file, path data, or polylines, as the core takes it."""
     if not isinstance(given, (str, os.PathLike)):
+        if not isinstance(given, Iterable):
+            raise TypeError(f"drawing is {given!r}, but must be a file, path data, or polylines of (n, 2) arrays")
         return _core.polyline_drawing([_polyline(line, i) for i, line in enumerate(given)])
     name = os.fspath(given)
     kind = name.lower()[-4:]

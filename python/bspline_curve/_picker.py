@@ -9,10 +9,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._curve import Curve, Drawing
+from ._curve import Curve, drawn
+from ._drawing import Drawing
 from ._keywords import CURVE
 from ._mesh import Mesh
-from ._picture import surface_of_pyvista
+from ._picture import LINE_WIDTH, add_mesh, in_front, thinned
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -83,12 +84,12 @@ class Picker:
     def curves(self) -> list[Curve]:
         self._session.settle()
         self._show()
-        drawn = []
+        curves: list[Curve] = []
         for picks, points, closed, problem in self._session.curves:
             if len(points) and not problem:
                 options = {**self._drawing.options, **({"closed": True} if closed else {})}
-                drawn.append(self._drawing._replace(picks=picks, options=options).draw(None, None))
-        return drawn
+                curves.append(drawn(self._drawing._replace(picks=picks, options=options)))
+        return curves
 
     @property
     def problems(self) -> list[str]:
@@ -97,12 +98,30 @@ class Picker:
         return [problem for _, _, _, problem in self._session.curves if problem]
 
     def do(self, action: str) -> None:
-        """What a key does: "undo", "redo", "new-curve", "close", "remove", "next", "previous", "next-curve" or "cancel"."""
+        """Do what a key does.
+
+        Parameters
+        ----------
+        action : str
+            "undo", "redo", "new-curve", "close", "remove", "next", "previous", "next-curve" or "cancel".
+
+        Examples
+        --------
+        >>> picker = bspline_curve.Picker(mesh, plotter=pyvista.Plotter(off_screen=True))
+        >>> picker.do("new-curve")
+        """
         self._session.key(action, *self._pointer(), False)
         self._show()
 
     def update(self) -> bool:
-        """Show what was solved since the last call; whether there was something."""
+        """Show what was solved since the last call; whether there was something.
+
+        Examples
+        --------
+        >>> picker = bspline_curve.Picker(mesh, plotter=pyvista.Plotter(off_screen=True))
+        >>> picker.update()
+        False
+        """
         if not self._session.update():
             return False
         self._show()
@@ -110,7 +129,13 @@ class Picker:
 
     def show(self, **options: Any) -> Any:
         """Show the plotter: a window until it is closed, or in a notebook a view with buttons. `options` are those of
-        Plotter.show()."""
+        Plotter.show().
+
+        Examples
+        --------
+        >>> picker = bspline_curve.Picker(mesh, plotter=pyvista.Plotter(off_screen=True))
+        >>> shown = picker.show()
+        """
         if self.plotter.notebook:
             from ._notebook import show
 
@@ -184,10 +209,11 @@ class _Parts:
     def __init__(self, plotter: Any, mesh: Mesh) -> None:
         import pyvista
 
-        plotter.add_mesh(surface_of_pyvista(mesh), color="lightgray", smooth_shading=True, name="bspline_curve mesh")
+        add_mesh(plotter, mesh)
         self._shown: Any = None
+        self._diagonal = mesh.diagonal
         self._lines = {}
-        for name, color, width in (("others", "darkorange", 4), ("active", "firebrick", 5), ("preview", "lightcoral", 2)):
+        for name, color, width in (("others", "darkorange", 4), ("active", "firebrick", LINE_WIDTH), ("preview", "lightcoral", 2)):
             self._lines[name] = self._add(plotter, pyvista.PolyData(), color=color, line_width=width)
         self._picks = {}
         for name, color, size in (("picks", "navy", 12), ("chosen", "royalblue", 16)):
@@ -196,14 +222,7 @@ class _Parts:
 
     @staticmethod
     def _add(plotter: Any, shape: Any, **look: Any) -> Any:
-        import pyvista
-
-        mapper = pyvista.DataSetMapper(dataset=shape)
-        # In front of the surface that they lie on.
-        mapper.SetResolveCoincidentTopologyToPolygonOffset()
-        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -400)
-        mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-800)
-        actor = pyvista.Actor(mapper=mapper, prop=pyvista.Property(lighting=False, **look))
+        actor = in_front(shape, **look)
         plotter.add_actor(actor, pickable=False, reset_camera=False, render=False)
         return actor
 
@@ -219,6 +238,7 @@ class _Parts:
             return False
         self._shown = state
         lines = [_closed(points) if closed else points for _, points, closed, _ in curves]
+        lines = [thinned(line, self._diagonal) if len(line) > 1 else line for line in lines]
         self._lines["others"].mapper.dataset = _polylines([line for i, line in enumerate(lines) if i != active])
         self._lines["active"].mapper.dataset = _polylines(lines[active:active + 1] if active >= 0 else [])
         self._lines["preview"].mapper.dataset = _polylines([] if preview is None else [preview])
@@ -233,13 +253,13 @@ class _Parts:
 
 
 def _drawing(mesh: Mesh, options: dict[str, Any]) -> Drawing:
-    field, avoid = options.pop("field", None), options.pop("avoid", None)
+    guides = {name: options.pop(name, None) for name in ("field", "avoid", "quality", "field_region")}
     if "closed" in options:
         raise TypeError("closed is of each curve that is drawn: a click on its first pick closes it")
     unknown = sorted(options.keys() - CURVE.keys())
     if unknown:
-        raise TypeError(f"there is no option {unknown[0]!r}; there are {', '.join([*sorted(CURVE), 'field', 'avoid'])}")
-    return mesh._drawing(np.empty((0, 3)), options, field, avoid)
+        raise TypeError(f"there is no option {unknown[0]!r}; there are {', '.join([*sorted(CURVE), *guides])}")
+    return mesh._drawing(np.empty((0, 3)), options, guides)
 
 
 def _closed(points: Floats) -> Floats:
@@ -285,6 +305,10 @@ def pick(mesh: Any, **options: Unpack[CurveOptions]) -> list[Curve]:
     -------
     list of Curve
         In the order in which they were begun.
+
+    Examples
+    --------
+    >>> curves = bspline_curve.pick(mesh, field="valley")  # doctest: +SKIP
     """
     picker = Picker(mesh, **options)
     if picker.plotter.notebook:

@@ -38,6 +38,10 @@ void bindCurve(nanobind::module_& module);
 void bindDrawing(nanobind::module_& module);
 /// Drawings, and the function that carries them to a mesh.
 void bindPattern(nanobind::module_& module);
+/// The formats of curves' files, and the reader of meshes' files.
+void bindFiles(nanobind::module_& module);
+/// Lines from elsewhere on a mesh, shortest ways, distances along it.
+void bindWays(nanobind::module_& module);
 /// Imprint, with cuts and parts, and the functions on what lies at a distance from a curve.
 void bindUses(nanobind::module_& module);
 

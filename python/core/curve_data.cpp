@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/curve_formats.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
 #include "surface/strict_line.h"
@@ -7,9 +6,6 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <algorithm>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace bspline_curve::python {
@@ -154,23 +150,6 @@ DesignedCurve restored(const nb::dict& parts) {
     return {.curve = std::move(curve)};
 }
 
-/// The bytes of a file for CAD: "step" or "iges" of the spline, or of the polyline.
-nb::bytes cadBytes(
-    const DesignedCurve& drawn, const std::string& format, bool polyline, const std::string& unit
-) {
-    CurveContent content{.curve = drawn.curve};
-    const auto* const named = std::ranges::find(kLengthUnits, unit, &LengthUnitNames::id);
-    if (named == kLengthUnits.end()) {
-        throw nb::value_error("the unit is not known");
-    }
-    content.unit = named->unit;
-    const std::span<const CurveContent> contents(&content, 1);
-    const bool isStep = format == "step";
-    const std::string bytes = polyline ? (isStep ? polylineStep : polylineIges)(contents)
-                                       : (isStep ? splineStep : splineIges)(contents);
-    return nb::bytes(bytes.data(), bytes.size());
-}
-
 }  // namespace
 
 void bindCurve(nb::module_& module) {
@@ -196,7 +175,6 @@ void bindCurve(nb::module_& module) {
         .def_prop_ro("closed", [](const Drawn& d) { return d.curve.polyline.closed; })
         .def_prop_ro("usable", [](const Drawn& d) { return d.curve.report.usable; })
         .def_prop_ro("length", [](const Drawn& d) { return lengthOf(d.curve.polyline); })
-        .def("cad_bytes", cadBytes)
         .def("report", reportDict);
 }
 

@@ -5,8 +5,10 @@
 #include "python/core/bindings.h"
 #include "python/core/option_values.h"
 #include "python/core/python_progress.h"
+#include "surface/region.h"
 #include "surface/triangle_tree.h"
 #include "utility/report_progress.h"
+#include "workpiece/automatic_field.h"
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
@@ -19,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -152,6 +155,12 @@ nb::tuple repaired(const Points& vertices, const Rows<Id, 3>& faces, const nb::d
     return nb::make_tuple(arrayOf(mesh.vertices), arrayOf(mesh.faces), changes, report.summary());
 }
 
+// Faces over which the mean of some values of vertices is under or over a threshold.
+template <Region (*find)(const TriangleMesh&, std::span<const double>, double)>
+Array facesBeside(const Mesh& mesh, const Values& values, double threshold) {
+    return arrayOf(find(mesh->mesh(), {values.data(), values.shape(0)}, threshold));
+}
+
 // Of preparing it.
 double preparingSeconds(const Mesh& mesh) {
     const StageSeconds seconds = mesh->designer().seconds();
@@ -171,6 +180,7 @@ void bindMesh(nb::module_& module) {
         .def_prop_ro("notes", [](const Mesh& m) { return m->notes(); })
         .def_prop_ro("seconds", preparingSeconds)
         .def_prop_ro("diagonal", [](const Mesh& m) { return m->surface().diagonal(); })
+        .def_prop_ro("checksum", [](const Mesh& m) { return m->checksum().crc32; })
         .def_prop_ro("components", [](const Mesh& m) { return m->surface().componentCount(); })
         .def(
             "draw",
@@ -203,6 +213,11 @@ void bindMesh(nb::module_& module) {
                      }));
     module.def("repaired", repaired<std::int32_t>);
     module.def("repaired", repaired<std::int64_t>);
+    module.def("can_be_followed", [](const Values& quality) {
+        return canBeFollowed({quality.data(), quality.shape(0)});
+    });
+    module.def("faces_under", facesBeside<facesUnder>);
+    module.def("faces_over", facesBeside<facesOver>);
     module.def("natural_cost", [](const nb::dict& options) {
         return name(naturalCost(fieldOptions(options).kind));
     });
@@ -216,6 +231,8 @@ NB_MODULE(_core, module) {
     bindMesh(module);
     bindDrawing(module);
     bindUses(module);
+    bindWays(module);
+    bindFiles(module);
     bindPattern(module);
     module.attr("__version__") = BSPLINE_CURVE_VERSION;
 }

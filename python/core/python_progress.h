@@ -19,7 +19,11 @@ namespace nb = nanobind;
 class PythonProgress {
 public:
     /// `callable`: called with a fraction and a stage; cancels where it returns False. None: none.
-    explicit PythonProgress(nb::object callable) : callable_(std::move(callable)) {}
+    explicit PythonProgress(nb::object callable) : callable_(std::move(callable)) {
+        if (!callable_.is_none() && PyCallable_Check(callable_.ptr()) == 0) {
+            throw nb::type_error("progress must be a function of a fraction and a stage, or None");
+        }
+    }
 
     /// The result of work(progress). Throws what work throws; in place of Cancelled, what the
     /// user's function or the interrupt raised.

@@ -7,6 +7,7 @@ import pty
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import made_meshes as meshes
 import numpy as np
@@ -229,8 +230,56 @@ def test_an_existing_output_is_replaced_and_nothing_else_is_left(run, plate):
     assert sorted(p.name for p in plate.iterdir()) == ["curve.ply", "picks.json", "plate.ply"]
 
 
-def test_help_names_every_option_with_range_and_default(run):
+def test_help_tells_all_verbs_on_one_screen(run):
     process = run("--help")
+    assert (process.returncode, process.stderr) == (0, "") and process.stdout == run("help").stdout == run("-h").stdout
+    lines = process.stdout.splitlines()
+    assert len(lines) <= 24 and max(map(len, lines)) <= 80
+    for verb in ("batch", "curve", "cut", "field", "imprint", "offset", "pattern", "points", "segment", "shell"):
+        assert any(line.startswith(f"  {verb} ") for line in lines)
+        assert run(verb, "--help").returncode == 0
+
+
+def test_the_program_is_installed_with_its_completion(build_folder, tmp_path):
+    command = ["cmake", "--install", build_folder, "--component", "program", "--prefix", tmp_path]
+    subprocess.run(command, check=True, capture_output=True)
+    done = subprocess.run([tmp_path / "bin" / "bspline_curve", "--version"], capture_output=True, text=True)
+    assert done.stdout.startswith("bspline_curve ")
+    assert (tmp_path / "share" / "bash-completion" / "completions" / "bspline_curve").is_file()
+
+
+@pytest.mark.parametrize("words, said", [
+    (("plate.ply", "--tensoin", "0.2"), "unknown argument --tensoin; did you mean --tension?"),
+    (("plate.ply", "--lambada=0.2"), "unknown argument --lambada=0.2; did you mean --lambda?"),
+    (("cut", "plate.ply", "--kep", "inside"), "unknown argument --kep; did you mean --keep?"),
+    (("plate.ply", "--reapir"), "unknown argument --reapir (bspline_curve curve --help"),  # is hidden
+    (("plate.ply", "--frobnicate"), "unknown argument --frobnicate (bspline_curve curve --help lists the options)"),
+])
+def test_a_mistyped_option_is_corrected(run, words, said):
+    process = run(*words)
+    assert process.returncode == 2 and said in process.stderr
+
+
+@pytest.mark.parametrize("words, completed", [
+    (["of"], ["offset"]),
+    (["cut", "--ke"], ["--keep"]),
+    (["segment", "plate.ply", "--sli"], ["--slits"]),
+    (["--tens"], ["--tension"]),
+    (["plate.ply", "--field-cost", "ex"], ["exp-minus"]),
+    (["plate.ply", "--picks", "pla"], ["plate.ply"]),
+])
+def test_bash_completes_verbs_options_and_words(build_folder, plate, words, completed):
+    script = Path(__file__).resolve().parents[2] / "cli" / "completion" / "bspline_curve.bash"
+    program = build_folder / "bin" / "bspline_curve"
+    line = " ".join(f"'{word}'" for word in [program, *words])
+    previous = words[-2] if len(words) > 1 else program
+    code = f"source '{script}'; COMP_WORDS=({line}); COMP_CWORD={len(words)}; _bspline_curve '{program}' '{words[-1]}' '{previous}'"
+    done = subprocess.run(["bash", "-c", code + '; printf "%s\\n" "${COMPREPLY[@]}"'], cwd=plate, capture_output=True, text=True)
+    assert (done.stdout.split(), done.stderr) == (completed, "")
+
+
+def test_help_names_every_option_with_range_and_default(run):
+    process = run("curve", "--help")
     assert process.returncode == 0 and process.stderr == ""
     for text in ("--picks", "--tension,--lambda", "[0, 1]", "--field-weight,--mu", "--degree", "[2, 4]", "--preset",
                  "--shell local|full|simplified|preset=", "--target-thickness", "--target-edge-length", "--shell-thickness", "edge lengths",
@@ -238,7 +287,7 @@ def test_help_names_every_option_with_range_and_default(run):
         assert text in process.stdout
 
 
-@pytest.mark.parametrize("words, usage", [(("help",), "--picks"), (("help", "shell"), "--check"), (("help", "batch"), "--resume")])
+@pytest.mark.parametrize("words, usage", [(("help", "curve"), "--picks"), (("help", "shell"), "--check"), (("help", "batch"), "--resume")])
 def test_help_is_a_verb(run, words, usage):
     process = run(*words)
     assert (process.returncode, process.stderr) == (0, "") and usage in process.stdout

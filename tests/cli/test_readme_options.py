@@ -30,7 +30,7 @@ OF_SHELLS = {"shell", "target_thickness", "target_edge_length", "shell_thickness
 
 def helped(run, *verb):
     """Option -> (default, help); the default is "" where there is none."""
-    text = run(*verb, "--help").stdout
+    text = run(*(verb or ("curve",)), "--help").stdout
     found = re.findall(r"^  (?:-h,)?--([\w-]+)[\w,-]*(?: [^\s=]+(?:=(\S+))?)?(?: REQUIRED)?\s+(\S.*)$", text, re.M)
     return {name: (default, words) for name, default, words in found if name not in ("help", "version")}
 

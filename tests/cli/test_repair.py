@@ -107,7 +107,7 @@ def test_repair_is_still_taken_and_says_nothing_new(run, tmp_path):
     meshes.write_ply(tmp_path / "bad.ply", V, F)
     said = [run_curve(run, tmp_path, "bad.ply", V, F, *words)[0].stderr for words in ((), ("--repair",))]
     assert said[0] == said[1] != ""
-    assert "--repair" not in run("--help").stdout and "--strict" in run("--help").stdout
+    assert "--repair" not in run("curve", "--help").stdout and "--strict" in run("curve", "--help").stdout
 
 
 def test_a_batch_mends_and_refuses_by_the_line(run, tmp_path):

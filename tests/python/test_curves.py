@@ -130,7 +130,7 @@ def test_curves_and_meshes_are_pickled(again, mesh, picks):
     for name in ("points", "faces", "barycentrics", "t", "values", "knots", "control_points", "pick_vertices", "picks"):
         np.testing.assert_array_equal(getattr(other, name), getattr(curve, name))
     assert (other.report, other.options, other.closed, repr(other)) == (curve.report, curve.options, True, repr(curve))
-    assert repr(other.mesh) == repr(mesh) and other.mesh is not mesh
+    assert other.mesh is mesh  # the equal one that is there
     np.testing.assert_array_equal(other.move(1, mesh.vertices[702]).points, curve.move(1, mesh.vertices[702]).points)
 
 
@@ -163,7 +163,7 @@ def test_files_that_are_no_curves_are_refused(mesh, picks, tmp_path):
     for file in (tmp_path / "gone.json", tmp_path):
         with pytest.raises(bspline_curve.FileError, match="cannot be read"):
             bspline_curve.load(file, mesh)
-    for file in (tmp_path / "c.ply", tmp_path / "nowhere" / "c.json"):
+    for file in (tmp_path / "c.png", tmp_path / "nowhere" / "c.json"):
         with pytest.raises(bspline_curve.FileError, match="is saved as .json|cannot be written"):
             curve.save(file)
 
@@ -186,6 +186,68 @@ def test_a_curve_is_saved_for_cad(mesh, picks, tmp_path):
     assert (tmp_path / "c.polyline.iges").read_text().count("\n     106") == 2
     with pytest.raises(bspline_curve.OptionError, match="unit"):
         curve.save(tmp_path / "c.step", unit="mile")
+
+
+@pytest.mark.parametrize("field", [None, "ridge"])
+def test_a_curve_is_saved_as_the_program_saves_it(mesh, picks, build_folder, tmp_path, field):
+    write_obj(tmp_path / "mesh.obj", mesh.vertices, mesh.faces)
+    np.savetxt(tmp_path / "picks.xyz", picks, fmt="%.17g")
+    curve = mesh.curve(picks, closed=True, field=field)
+    ends = ["ply", "obj", "bspline.obj", "dxf", "bspline.dxf", "vtu", "csv", "step", "polyline.igs"]
+    words = ["--picks", "picks.xyz", "--closed", *(["--field", field] if field else [])]
+    for end in ends:
+        command = [build_folder / "bin" / "bspline_curve", "mesh.obj", *words, "--output", f"program.{end}"]
+        subprocess.run(command, cwd=tmp_path, check=True)
+        curve.save(tmp_path / f"python.{end}")
+        ours, theirs = ((tmp_path / f"{host}.{end}").read_bytes() for host in ("python", "program"))
+        assert ours == theirs, end
+
+
+@pytest.mark.parametrize("end", ["ply", "obj", "off", "stl"])
+def test_a_mesh_is_read_from_a_file(mesh, end, tmp_path):
+    import trimesh
+
+    file = tmp_path / f"mesh.{end}"
+    trimesh.Trimesh(mesh.vertices, mesh.faces, process=False).export(file)
+    read = bspline_curve.Mesh.load(file, shell_thickness=0.5)
+    assert len(read.faces) == len(mesh.faces) and read.quality is None
+    np.testing.assert_allclose(read.vertices[read.faces], mesh.vertices[mesh.faces], atol=1e-6)
+    for name, said in (("none.ply", "none.ply"), ("mesh.gif", "extension .* is none of .ply")):
+        with pytest.raises(bspline_curve.FileError, match=said):
+            bspline_curve.Mesh.load(tmp_path / name)
+
+
+def test_a_mesh_is_read_with_its_quality(mesh, picks, tmp_path):
+    height = mesh.vertices[:, 2]
+    rows = "".join(f"{x!r} {y!r} {z!r} {q!r}\n" for (x, y, z), q in zip(mesh.vertices.tolist(), height.tolist()))
+    rows += "".join(f"3 {a} {b} {c}\n" for a, b, c in mesh.faces.tolist())
+    head = "".join(f"property double {name}\n" for name in ("x", "y", "z", "quality"))
+    (tmp_path / "mesh.ply").write_text(
+        f"ply\nformat ascii 1.0\nelement vertex {len(height)}\n{head}element face {len(mesh.faces)}\n"
+        f"property list uchar int vertex_indices\nend_header\n{rows}"
+    )
+    read = bspline_curve.Mesh.load(tmp_path / "mesh.ply")
+    np.testing.assert_array_equal(read.quality, height)
+    np.testing.assert_array_equal(read.curve(picks, field="quality").points, mesh.curve(picks, field=np.array(height)).points)
+
+
+def test_files_of_several_curves_and_of_made_ones_are_read(mesh, picks, tmp_path):
+    curve = mesh.curve(picks)
+    made = [curve.trim(0.2, 0.6), curve.reversed(), *curve.offset(0.05), bspline_curve.Curve.from_points(curve.points, mesh)]
+    for i, each in enumerate(made):
+        each.save(tmp_path / f"{i}.json")
+        loaded = bspline_curve.load(tmp_path / f"{i}.json", mesh)
+        np.testing.assert_array_equal(loaded.points, each.points)
+        assert loaded._drawing.fixed == each._drawing.fixed
+    documents = [json.loads((tmp_path / f"{i}.json").read_text()) for i in range(len(made))]
+    (tmp_path / "all.json").write_text(json.dumps({"curves": documents, "mesh": documents[0]["mesh"]}))
+    for loaded, each in zip(bspline_curve.load_all(tmp_path / "all.json", mesh), made, strict=True):
+        np.testing.assert_array_equal(loaded.points, each.points)
+    with pytest.raises(bspline_curve.FileError, match=rf"holds {len(made)} curves: load_all\(\) reads them"):
+        bspline_curve.load(tmp_path / "all.json", mesh)
+    (tmp_path / "none.json").write_text(json.dumps({"curves": [{"closed": False}]}))
+    with pytest.raises(bspline_curve.FileError, match="an entry 'polyline' is missing"):
+        bspline_curve.load(tmp_path / "none.json", mesh)
 
 
 @pytest.mark.parametrize("closed", [False, True])

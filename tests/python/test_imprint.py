@@ -86,7 +86,7 @@ def test_a_closed_curve_parts_a_disc(mesh, arrays):
 
 def test_what_cannot_be_imprinted_is_refused(mesh, arrays, crossing):
     with pytest.raises(bspline_curve.InputError, match=r"curves\[1\] is of another mesh"):
-        mesh.imprint([crossing[0], bspline_curve.Mesh(*arrays).curve(arrays[0][[45, 700]])])
+        mesh.imprint([crossing[0], bspline_curve.Mesh(arrays[0] * 1.01, arrays[1]).curve(1.01 * arrays[0][[45, 700]])])
     with pytest.raises(bspline_curve.OptionError, match="snap is 0.5"):
         mesh.imprint(crossing, snap=0.5)
 
@@ -337,7 +337,7 @@ def test_its_curves_are_curves_of_the_mesh(plate):
 
 
 def test_refusals(plate, tmp_path):
-    other = Mesh(plate.vertices, plate.faces)
+    other = Mesh(plate.vertices * 1.01, plate.faces)
     line = other.curve([[0.1, 0.5, 0], [0.9, 0.5, 0]])
     (tmp_path / "bad.svg").write_text("<svg><path d='M0 0L1'/></svg>")
     (tmp_path / "worse.svg").write_text("<svg>")

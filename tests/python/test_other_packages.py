@@ -4,6 +4,7 @@ import io
 import re
 import subprocess
 import sys
+import time
 from base64 import b64decode
 from pathlib import Path
 
@@ -37,6 +38,63 @@ def test_a_curve_becomes_one_of_pyvista(closed, mesh, picks):
     assert line.n_cells == 1 and line.length > 0
     assert line.compute_arc_length()["arc_length"].max() == pytest.approx(curve.length)
     np.testing.assert_array_equal(line.point_data["face"], curve.faces)
+
+
+def shares_of_the_line(plotter, curve):
+    """Of points along a curve, how many are seen in red, or in the blue of a pick."""
+    pixels = plotter.screenshot().astype(int)
+    r, g, b = np.moveaxis(pixels, 2, 0)
+    seen = red(pixels) | ((b > 90) & (r < 60) & (g < 60))
+    hits = []
+    for point in curve.sample(distances=np.linspace(0, curve.length, 2000, endpoint=False)).points:
+        plotter.renderer.SetWorldPoint(*point, 1)
+        plotter.renderer.WorldToDisplay()
+        x, y, _ = plotter.renderer.GetDisplayPoint()
+        hits.append(seen[int(len(pixels) - 1 - np.floor(y)), int(np.floor(x))])
+    return np.mean(hits)
+
+
+@pytest.mark.parametrize("n", [41, 261])
+@pytest.mark.parametrize("view", ["xy", "isometric"])
+def test_a_plotted_line_has_no_gaps(wavy, n, view):
+    pyvista = pytest.importorskip("pyvista")
+    vertices, faces = wavy(n)
+    mesh = bspline_curve.Mesh(vertices, faces)
+    curve, other = (mesh.curve(vertices[[n * n // a, n * n // 3, n * n // 2 + n // b, n * n - n * 9]]) for a, b in ((10, 3), (9, 2)))
+    plotter = curve.plot(off_screen=True, window_size=(700, 700))
+    assert other.plot(plotter) is plotter and isinstance(plotter, pyvista.Plotter)
+    assert sum("mesh" in name for name in plotter.actors) == 1  # the mesh is there once
+    getattr(plotter, f"view_{view}")()
+    plotter.show(auto_close=False)
+    assert shares_of_the_line(plotter, curve) > 0.985 and shares_of_the_line(plotter, other) > 0.985  # the rest: bends
+    plotter.close()
+
+
+def test_many_curves_on_a_large_mesh_are_plotted_fast(wavy):
+    pyvista = pytest.importorskip("pyvista")
+    vertices, faces = wavy(390)  # 302,642 faces
+    mesh = bspline_curve.Mesh(vertices, faces)
+    rng = np.random.default_rng(1)
+    curves = [mesh.curve(vertices[rng.choice(len(vertices), 4)]) for _ in range(20)]
+    pyvista.Plotter(off_screen=True).close()
+    start = time.process_time()
+    plotter = None
+    for curve in curves:
+        plotter = curve.plot(plotter, **({} if plotter else {"off_screen": True}))
+    assert time.process_time() - start < 2
+    plotter.close()
+
+
+def test_curves_are_plotted_by_matplotlib_where_its_axes_are_given(mesh, picks):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    import matplotlib.pyplot as pyplot
+
+    axes = pyplot.figure().add_subplot(projection="3d")
+    curve = mesh.curve(picks, closed=True)
+    assert curve.plot(axes) is axes and len(axes.lines) == 1
+    np.testing.assert_allclose(np.array(axes.lines[0].get_data_3d()).T[:-1], curve.points)
+    pyplot.close("all")
 
 
 def red(pixels):

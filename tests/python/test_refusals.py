@@ -4,6 +4,7 @@ import bspline_curve
 import numpy as np
 import pytest
 from bspline_curve import FieldError, InputError, Mesh, MeshError, OptionError, PickError
+from scipy.interpolate import BSpline
 
 SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 TWO = np.array([[0, 1, 2], [0, 2, 3]])
@@ -91,7 +92,7 @@ def test_picks_on_other_parts_and_in_avoided_faces_are_refused(mesh, arrays, pic
     ({"closed": 1}, TypeError, "closed is 1, but must be True or False"),
     ({"bending": 1}, TypeError, "bending is 1, but must be one of"),
     ({"radius": 1}, TypeError, "radius"),
-    ({"field": "hills"}, FieldError, "field is 'hills', but must be one of 'normal-variation'"),
+    ({"field": "hills"}, FieldError, "field is 'hills', but must be one of 'none', 'normal-variation'"),
     ({"field": "quality"}, FieldError, "or a value for each vertex"),
     ({"field": [1, 2]}, FieldError, r"field has shape \(2,\), but must have \(1681,\), a value for each vertex"),
     ({"field": "boundary-distance", "avoid": [3200]}, InputError, r"avoid\[0\] is 3200, but there are 3200 faces"),
@@ -127,3 +128,34 @@ def test_all_errors_are_input_errors_and_values(mesh):
         assert issubclass(kind, InputError) and issubclass(kind, ValueError)
     with pytest.raises(TypeError, match="vertices is int: give vertices and faces"):
         Mesh(5)
+
+
+SPLINE = BSpline(np.array([0.0, 0, 1, 1]), np.array([[-0.5, 0, 0], [0.5, 0, 0]]), 1)
+
+
+@pytest.mark.parametrize(("call", "kind", "text"), [
+    (lambda m, c: m.curve(None), PickError, "picks is None, but must be an array of numbers"),
+    (lambda m, c: m.curve([("a", (1, 0, 0)), (1, (1, 0, 0))]), PickError, r"picks\[0\] is in face 'a', but a face is a number"),
+    (lambda m, c: m.curve([(np.nan, (1, 0, 0)), (1, (1, 0, 0))]), PickError, r"picks\[0\] is in face nan"),
+    (lambda m, c: m.curve(c.picks, progress=5), TypeError, "progress must be a function of a fraction and a stage"),
+    (lambda m, c: c.sample("3"), TypeError, "count is '3', but must be an integer"),
+    (lambda m, c: c.sample(2.5), TypeError, "count is 2.5, but must be an integer"),
+    (lambda m, c: c.save(5), TypeError, "file is 5, but must be a str or a path"),
+    (lambda m, c: bspline_curve.load(None, m), TypeError, "file is None, but must be a str or a path"),
+    (lambda m, c: bspline_curve.load("x.json", (m.vertices, m.faces)), TypeError, "mesh is tuple, but must be a Mesh"),
+    (lambda m, c: Mesh.load(None), TypeError, "file is None, but must be a str or a path"),
+    (lambda m, c: Mesh.load("x.ply", bad=1), TypeError, r"Mesh.load\(\) has no option 'bad'; it has shell"),
+    (lambda m, c: bspline_curve.repair(m.vertices, m.faces, bad=1), TypeError, r"repair\(\) has no option 'bad'"),
+    (lambda m, c: Mesh("x.ply"), TypeError, r"vertices is str.*Mesh.load\(\) reads a file"),
+    (lambda m, c: m.pattern(5, centre=[0, 0, 0]), TypeError, "drawing is 5, but must be a file, path data, or polylines"),
+    (lambda m, c: bspline_curve.Curve.from_points(c.points, None), TypeError, "mesh is NoneType, but must be a Mesh"),
+    (lambda m, c: bspline_curve.Curve.from_scipy(SPLINE, 5), TypeError, "mesh is int, but must be a Mesh"),
+    (lambda m, c: c.on(None), TypeError, "mesh is NoneType, but must be a Mesh"),
+    (lambda m, c: m.imprint(c).values(m.vertices, None), FieldError, "must be those of the mesh: mesh.faces"),
+    (lambda m, c: m.imprint(c).values(m.vertices, m.faces[:3]), FieldError, "faces has 3 rows, but must be all faces of the mesh"),
+    (lambda m, c: c.plot(5), TypeError, "plotter is int, but must be a Plotter"),
+    (lambda m, c: m.distance(None), InputError, "to is None, but must be an array of numbers"),
+])
+def test_what_is_wrong_is_said_in_the_callers_words(call, kind, text, mesh, picks):
+    with pytest.raises(kind, match=text):
+        call(mesh, mesh.curve(picks))

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "imprint/projected_polyline.h"
+#include "offset/distances_to_lines.h"
+#include "offset/fitted_line.h"
+#include "python/core/arrays.h"
+#include "python/core/bindings.h"
+#include "python/core/python_progress.h"
+#include "surface/geodesic_path.h"
+#include "surface/strict_line.h"
+#include "surface/surface_point.h"
+
+#include <nanobind/stl/vector.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace bspline_curve::python {
+
+namespace {
+
+DesignedCurve curveOf(SurfacePolyline line) {
+    Curve curve;
+    curve.spline = polygonSpline(line);
+    curve.polyline = std::move(line);
+    curve.report.usable = true;
+    return {.curve = std::move(curve)};
+}
+
+/// A polyline in space, projected onto the mesh.
+DesignedCurve projected(const Mesh& mesh, const Points& points, bool closed, double distance) {
+    const SpacePolyline line{.points = toVectors(points), .closed = closed};
+    const nb::gil_scoped_release unlocked;
+    const TriangleTree& tree = mesh->designer().tree();
+    return curveOf(projectedPolyline(mesh->surface(), tree, line, distance));
+}
+
+std::vector<SurfacePoint> pointsOf(const Ids& faces, const Points& barycentrics) {
+    const std::vector<Vec3> weights = toVectors(barycentrics);
+    std::vector<SurfacePoint> points;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        points.push_back({.face = faces(i), .barycentric = weights[i]});
+    }
+    return points;
+}
+
+SurfacePolyline lineOfOne(const SurfacePoint& point) {
+    SurfacePolyline line;
+    line.surfacePoints.push_back(point);
+    return line;
+}
+
+/// The shortest way between two points of the mesh; none where there is no way.
+std::optional<DesignedCurve> shortestWay(
+    const Mesh& mesh, const Ids& faces, const Points& barycentrics
+) {
+    const std::vector<SurfacePoint> given = pointsOf(faces, barycentrics);
+    const nb::gil_scoped_release unlocked;
+    const Surface& surface = mesh->surface();
+    const SurfacePolyline start = strictLine(surface, lineOfOne(given[0]), "the start");
+    const SurfacePolyline goal = strictLine(surface, lineOfOne(given[1]), "the end");
+    const std::optional<GeodesicPath> path =
+        GeodesicPathFinder(surface, {})
+            .findShortest(start.surfacePoints.front(), goal.surfacePoints.front());
+    if (!path) {
+        return std::nullopt;
+    }
+    SurfacePolyline line;
+    double length = 0.0;
+    for (const SurfacePoint& passed : path->points) {
+        // On the vertex or edge that it is near, so that points at one place are the same.
+        const SurfacePoint point = snapped(passed, kSnapBarycentric);
+        const Vec3 position = surface.position(point);
+        if (!line.points.empty()) {
+            if (position == line.points.back()) {
+                continue;
+            }
+            length += (position - line.points.back()).norm();
+        }
+        line.surfacePoints.push_back(point);
+        line.points.push_back(position);
+        line.parameters.push_back(length);
+    }
+    if (line.points.size() < 2) {
+        return std::nullopt;
+    }
+    for (double& t : line.parameters) {
+        t /= length;
+    }
+    surface.provenance().bringToInput(line);
+    return curveOf(std::move(line));
+}
+
+/// Of each vertex to the nearest of some curves and points.
+Array distances(
+    const Mesh& mesh,
+    const std::vector<const DesignedCurve*>& curves,
+    const Ids& faces,
+    const Points& barycentrics,
+    double reach,
+    nb::object progress
+) {
+    std::vector<SurfacePolyline> lines;
+    for (const DesignedCurve* curve : curves) {
+        lines.push_back(curve->curve.polyline);
+    }
+    for (const SurfacePoint& point : pointsOf(faces, barycentrics)) {
+        lines.push_back(lineOfOne(point));
+    }
+    return arrayOf(PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        return distancesToLines(mesh->surface(), lines, reach, goesOn);
+    }));
+}
+
+}  // namespace
+
+void bindWays(nb::module_& module) {
+    module.def("projected", projected);
+    module.def("shortest_way", shortestWay);
+    module.def(
+        "distances",
+        distances,
+        nb::arg(),
+        nb::arg(),
+        nb::arg(),
+        nb::arg(),
+        nb::arg(),
+        nb::arg().none()
+    );
+}
+
+}  // namespace bspline_curve::python
