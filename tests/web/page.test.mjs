@@ -275,6 +275,34 @@ describe("the page", { skip: withoutBrowser }, () => {
     await seen.end();
   });
 
+  test("shows colours of vertices, and the image of an OBJ with texture coordinates", async (t) => {
+    const at = folder(t);
+    const seen = await openPage(browser);
+    const colour = () => seen.page.evaluate(async () => {
+      const bitmap = await createImageBitmap(await globalThis.curves.view.picture());
+      const context = new OffscreenCanvas(1, 1).getContext("2d");
+      context.drawImage(bitmap, bitmap.width / 2, bitmap.height / 2, 1, 1, 0, 0, 1, 1);
+      return [...context.getImageData(0, 0, 1, 1).data];
+    });
+    const corners = ["0 0 0", "1 0 0", "1 1 0", "0 1 0"];
+    write(at, "green.obj", [...corners.map((v) => `v ${v} 0 1 0`), "f 1 2 3", "f 1 3 4"].join("\n"));
+    await seen.upload(join(at, "green.obj"));
+    let [red, green] = await colour();
+    assert.ok(green > 120 && red < 60, `${red} ${green}`);
+    const red1 = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSuQmCC"; // 1 pixel
+    write(at, "image.png", Buffer.from(red1, "base64"));
+    write(at, "red.obj", [...corners.map((v) => `v ${v}`), "vt 0 0", "vt 1 0", "vt 1 1", "vt 0 1", "f 1/1 2/2 3/3", "f 1/1 3/3 4/4"].join("\n"));
+    await seen.upload(join(at, "red.obj"), join(at, "image.png"));
+    [red, green] = await colour();
+    assert.ok(red > 120 && green < 60, `${red} ${green}`);
+    await seen.click(0.45, 0.5);
+    await seen.click(0.55, 0.45);
+    await seen.press("#imprint");
+    [red, green] = await colour();
+    assert.ok(red > 120 && green < 60, `${red} ${green}`);
+    await seen.end();
+  });
+
   test("gives up long work, and the drawing is as it was", async () => {
     const seen = await drawn();
     const before = await seen.drawing();

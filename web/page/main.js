@@ -80,9 +80,13 @@ const act = {
   new: () => act.key("new_curve", rayNow()),
   remove: () => act.key("remove", rayNow()),
   key: (key, ray) => ask("event", { event: { event: "key", key, ...ray } }),
+  snap() {
+    input.snaps = !input.snaps;
+    panel.pressed("snap", input.snaps);
+  },
   turn() {
     input.turns = !input.turns;
-    panel.turns(input.turns);
+    panel.pressed("turn", input.turns);
   },
   fit: () => view.fit(),
   help: () => overlay.showModal(),
@@ -127,13 +131,21 @@ const act = {
 
 // ---- Files
 
+const IS_MESH = /\.(ply|obj|stl|off)$/i;
+
 async function openFiles(files) {
+  const images = [...files].filter(({ type }) => type.startsWith("image/"));
+  const others = [...files].filter((each) => !images.includes(each));
+  if (images.length > 0 || others.some(({ name }) => IS_MESH.test(name))) {
+    // Of a mesh that comes with several images, the first.
+    view.setTexture(images.length > 0 ? await createImageBitmap(images[0], { imageOrientation: "flipY" }) : null);
+  }
   // The mesh first, then what is on it.
-  const inOrder = [...files].sort((a, b) => Number(/\.(json|dxf)$/i.test(a.name)) - Number(/\.(json|dxf)$/i.test(b.name)));
+  const inOrder = others.sort((a, b) => Number(/\.(json|dxf)$/i.test(a.name)) - Number(/\.(json|dxf)$/i.test(b.name)));
   for (const each of inOrder) {
     const bytes = await each.arrayBuffer();
     const answer = await ask("open", { name: each.name, bytes });
-    if (answer !== undefined && /\.(ply|obj|stl|off)$/i.test(each.name)) {
+    if (answer !== undefined && IS_MESH.test(each.name)) {
       meshName = each.name.replace(/\.[^.]*$/, "");
     }
   }

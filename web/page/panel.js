@@ -22,7 +22,7 @@ export class Panel {
 
   constructor(act) {
     this.#act = act;
-    for (const id of ["undo", "redo", "close", "new", "remove", "turn", "fit", "help", "choose", "cancel", "open"]) {
+    for (const id of ["undo", "redo", "close", "new", "remove", "turn", "snap", "fit", "help", "choose", "cancel", "open"]) {
       element(id).addEventListener("click", () => act[id]());
     }
     for (const button of document.querySelectorAll("[data-sample]")) {
@@ -77,7 +77,7 @@ export class Panel {
     const hasCurves = this.#hasMesh && drawing !== null && drawing.curves.some(({ points }) => points.length > 0);
     const may = {
       undo: drawing?.can_undo, redo: drawing?.can_redo, close: this.#active && this.#active.picks.length >= 9, new: this.#active,
-      remove: this.#active, turn: this.#hasMesh, fit: this.#hasMesh, imprint: hasCurves, segment: hasCurves, cut: hasCurves,
+      remove: this.#active, turn: this.#hasMesh, snap: this.#hasMesh, fit: this.#hasMesh, imprint: hasCurves, segment: hasCurves, cut: hasCurves,
       offset: hasCurves, "save-curves": this.#hasMesh && drawing?.curves.length > 0, "save-mesh": this.#hasMesh,
       "save-picture": this.#hasMesh, fill: element("keep").value !== "all",
     };
@@ -150,8 +150,9 @@ export class Panel {
     status.classList.toggle("problem", isProblem);
   }
 
-  turns(isOn) {
-    element("turn").setAttribute("aria-pressed", String(isOn));
+  /** Of a button that stays down. */
+  pressed(id, isOn) {
+    element(id).setAttribute("aria-pressed", String(isOn));
   }
 
   busy(isBusy) {

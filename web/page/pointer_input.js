@@ -14,6 +14,8 @@ export class PointerInput {
   #nextMove = null;
   /** The first button turns the view. */
   turns = false;
+  /** Points snap without a key, too. */
+  snaps = false;
   /** Where the pointer is over the canvas; null: it is not. */
   at = null;
 
@@ -36,7 +38,7 @@ export class PointerInput {
   }
 
   #rayOf(event) {
-    return { ...this.#view.rayAt(...this.#placeOf(event)), snaps: event.altKey, removes: event.ctrlKey || event.metaKey };
+    return { ...this.#view.rayAt(...this.#placeOf(event)), snaps: event.altKey || this.snaps, removes: event.ctrlKey || event.metaKey };
   }
 
   #send(kind, event) {

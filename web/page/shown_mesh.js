@@ -29,8 +29,11 @@ function normalsOf(positions, faces) {
   return normals; // the card makes them unit vectors
 }
 
-/** @param {{vertices: Float64Array, faces: Int32Array, colours: Uint8Array | null}} mesh */
-export function shownMesh({ vertices, faces, colours }, labels) {
+/**
+ * @param {import("bspline-curve").Mesh} mesh
+ * @param {Int32Array | null} labels a part of each face, to be told by colours
+ */
+export function shownMesh({ vertices, faces, colours, texture_coordinates: texture }, labels) {
   const { low, high } = boxOf(vertices);
   const middle = low.map((value, axis) => (value + high[axis]) / 2);
   const positions = new Float32Array(vertices.length);
@@ -42,5 +45,8 @@ export function shownMesh({ vertices, faces, colours }, labels) {
     squared = Math.max(squared, positions[i] ** 2 + positions[i + 1] ** 2 + positions[i + 2] ** 2);
   }
   const radius = Math.sqrt(squared) || 1;
-  return { positions, normals: normalsOf(positions, faces), faces: new Uint32Array(faces), colours, labels, middle, radius };
+  return {
+    positions, normals: normalsOf(positions, faces), faces: new Uint32Array(faces), colours, labels, middle, radius,
+    uv: texture && Float32Array.from(texture), // of corners
+  };
 }

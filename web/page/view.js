@@ -2,7 +2,7 @@
 // What is seen: the mesh, the curves, their picks. Drawn only when something changed.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, ColorManagement, DirectionalLight, DoubleSide, LinearSRGBColorSpace, Mesh,
-  MeshLambertMaterial, Points, Scene, ShaderMaterial, WebGLRenderer,
+  MeshLambertMaterial, Points, Scene, ShaderMaterial, Texture, WebGLRenderer,
 } from "three";
 import { Line2 } from "three/addons/lines/Line2.js";
 import { LineGeometry } from "three/addons/lines/LineGeometry.js";
@@ -47,6 +47,7 @@ export class View {
   #light = new DirectionalLight(0xffffff, 2.0);
   #mesh = null;
   #shown = null; // arrays of the mesh
+  #texture = null;
   #curves = new Map(); // Line2 of each, by id
   #lines = [];
   #preview = null;
@@ -95,11 +96,7 @@ export class View {
   show(shown, lines) {
     const isNew = !this.#shown || this.#shown.radius !== shown.radius || this.#shown.middle.some((value, i) => value !== shown.middle[i]);
     this.#shown = shown;
-    this.#remove(this.#mesh);
-    this.#mesh = new Mesh(this.#geometry(shown), new MeshLambertMaterial({
-      color: 0xffffff, vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4,
-    }));
-    this.#scene.add(this.#mesh);
+    this.#showSurface();
     this.#lines.forEach((line) => this.#remove(line));
     this.#lines = lines.map(({ points, closed }) => this.#line(points, closed, [0x1d, 0x6f, 0xb8], LINE_WIDTH));
     this.#lines.forEach((line) => this.#scene.add(line));
@@ -109,20 +106,46 @@ export class View {
     this.draw();
   }
 
-  #geometry({ positions, normals, faces, colours, labels }) {
+  #showSurface() {
+    this.#remove(this.#mesh);
+    const isTextured = this.#texture !== null && this.#shown.uv !== null && this.#shown.labels === null;
+    this.#mesh = new Mesh(this.#geometry(this.#shown, isTextured), new MeshLambertMaterial({
+      color: 0xffffff, vertexColors: true, map: isTextured ? this.#texture : null, side: DoubleSide,
+      polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4, // lines lie on it
+    }));
+    this.#scene.add(this.#mesh);
+    this.draw();
+  }
+
+  /** An image that meshes with texture coordinates are covered with; null: none. */
+  setTexture(image) {
+    this.#texture?.dispose();
+    this.#texture = image && Object.assign(new Texture(image), { needsUpdate: true, flipY: false });
+    if (this.#shown) {
+      this.#showSurface();
+    }
+  }
+
+  #geometry({ positions, normals, faces, colours, labels, uv }, isTextured) {
     const geometry = new BufferGeometry();
-    if (labels) { // a colour for each face: corners of their own
+    if (labels || isTextured) { // faces look different at one vertex: corners of their own
       const count = faces.length;
-      const [corners, directions, tints] = [new Float32Array(3 * count), new Float32Array(3 * count), new Uint8Array(3 * count)];
+      const [corners, directions] = [new Float32Array(3 * count), new Float32Array(3 * count)];
+      const tints = new Uint8Array(3 * count).fill(255);
       for (let i = 0; i < count; ++i) {
         const at = 3 * faces[i];
         corners.set(positions.subarray(at, at + 3), 3 * i);
         directions.set(normals.subarray(at, at + 3), 3 * i);
-        tints.set(partColour(labels[Math.floor(i / 3)]), 3 * i);
+        if (labels) {
+          tints.set(partColour(labels[Math.floor(i / 3)]), 3 * i);
+        }
       }
       geometry.setAttribute("position", new BufferAttribute(corners, 3));
       geometry.setAttribute("normal", new BufferAttribute(directions, 3));
       geometry.setAttribute("color", new BufferAttribute(tints, 3, true));
+      if (isTextured) {
+        geometry.setAttribute("uv", new BufferAttribute(uv, 2));
+      }
       return geometry;
     }
     geometry.setAttribute("position", new BufferAttribute(positions, 3));
@@ -134,7 +157,7 @@ export class View {
 
   /** Colours the mesh by a value in [0, 1] of each vertex; null: as it was. */
   colourBy(values) {
-    if (!this.#shown || this.#shown.labels) {
+    if (!this.#shown || this.#shown.labels || !this.#mesh.geometry.index) {
       return;
     }
     const tints = new Uint8Array(this.#shown.positions.length);

@@ -40,7 +40,7 @@ function showMesh() {
   const { mesh, labels, lines, source } = documents.now;
   const shown = shownMesh(mesh, labels);
   postMessage(
-    { mesh: { ...shown, notes: mesh.notes, source }, lines: lines.map(({ points, closed }) => ({ points, closed })) },
+    { mesh: { ...shown, source }, lines: lines.map(({ points, closed }) => ({ points, closed })) },
     [shown.positions.buffer, shown.normals.buffer, shown.faces.buffer],
   );
 }
