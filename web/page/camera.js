@@ -5,6 +5,7 @@ import { PerspectiveCamera, Quaternion, Vector3 } from "three";
 const FIELD_OF_VIEW = 35; // degrees, vertical
 const NEAREST = 0.01; // of the radius
 const FARTHEST = 40;
+const FROM = new Vector3(0.45, -0.75, 0.6).normalize(); // where a new mesh is looked at from
 
 export class Camera {
   three = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
@@ -26,9 +27,7 @@ export class Camera {
     const half = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) * Math.min(1, this.three.aspect);
     this.#distance = (radius / Math.sin(Math.atan(half))) * 1.05;
     if (isNew) {
-      this.three.quaternion.setFromAxisAngle(new Vector3(1, 0, 0), -0.5);
-      this.three.quaternion.premultiply(new Quaternion().setFromAxisAngle(new Vector3(0, 0, 1), 0.0));
-      this.three.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(0.45, -0.75, 0.6).normalize());
+      this.three.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), FROM);
     }
     this.#place();
   }

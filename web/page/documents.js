@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What people work on: meshes one after the other, each made of the one before, with the drawing on each. Undo goes
 // back through the drawing, then to the mesh before.
-import { Curve, Mesh, Session } from "bspline-curve";
-
-const RADII = { mouse: { pick: 9, curve: 6 }, touch: { pick: 22, curve: 14 } };
+import { Curve, Session } from "bspline-curve";
 
 export class Documents {
   #all = [];
   #position = -1;
-  radii = RADII.mouse;
   #options = {}; // of new curves
-
-  setTouch(isTouch) {
-    this.radii = isTouch ? RADII.touch : RADII.mouse;
-  }
 
   get now() {
     return this.#all[this.#position];
@@ -35,7 +28,7 @@ export class Documents {
   }
 
   #session(mesh) {
-    return new Session(mesh, { radii: this.radii, ...this.#options });
+    return new Session(mesh, this.#options);
   }
 
   /** Of the active curve and of new ones, also of meshes to come. */
@@ -202,5 +195,3 @@ export class Documents {
     }
   }
 }
-
-export { Mesh };

@@ -144,7 +144,7 @@ async function openFiles(files) {
   const inOrder = others.sort((a, b) => Number(/\.(json|dxf)$/i.test(a.name)) - Number(/\.(json|dxf)$/i.test(b.name)));
   for (const each of inOrder) {
     const bytes = await each.arrayBuffer();
-    const answer = await ask("open", { name: each.name, bytes });
+    const answer = await ask("open", { name: each.name, bytes }, [bytes]);
     if (answer !== undefined && IS_MESH.test(each.name)) {
       meshName = each.name.replace(/\.[^.]*$/, "");
     }

@@ -2,6 +2,7 @@
 // Mouse, pen and fingers: to the drawing what it takes, the rest to the camera. The drawing answers from the worker, so
 // what comes before its answer waits for it.
 
+const FINGER = 2.3; // pixels of a mouse that are one of a finger, which hits less exactly
 const LONG_WAIT = 400; // ms: a press that is answered so late is the camera's no more
 
 export class PointerInput {
@@ -27,7 +28,7 @@ export class PointerInput {
     canvas.addEventListener("pointerdown", (event) => this.#press(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#release(event));
-    canvas.addEventListener("pointercancel", (event) => this.#release(event, true));
+    canvas.addEventListener("pointercancel", (event) => this.#cancel(event));
     canvas.addEventListener("pointerleave", () => this.#leave());
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
@@ -38,7 +39,9 @@ export class PointerInput {
   }
 
   #rayOf(event) {
-    return { ...this.#view.rayAt(...this.#placeOf(event)), snaps: event.altKey || this.snaps, removes: event.ctrlKey || event.metaKey };
+    const ray = this.#view.rayAt(...this.#placeOf(event));
+    const pixel = ray.pixel * (event.pointerType === "touch" ? FINGER : 1);
+    return { ...ray, pixel, snaps: event.altKey || this.snaps, removes: event.ctrlKey || event.metaKey };
   }
 
   #send(kind, event) {
@@ -56,10 +59,6 @@ export class PointerInput {
       this.#twoFingers();
       return;
     }
-    if (event.pointerType !== this.lastType) {
-      this.lastType = event.pointerType;
-      this.#engine.request("touch", { isTouch: event.pointerType === "touch" });
-    }
     if (event.button === 1 || (event.button === 2 && event.shiftKey)) {
       this.#use = "move";
     } else if (event.button === 2 || this.turns) {
@@ -76,10 +75,22 @@ export class PointerInput {
 
   // A second finger: the first did not mean to draw.
   #twoFingers() {
-    if (this.#use === "draw" || this.#use === "asked") {
-      this.#engine.request("event", { event: { event: "key", key: "cancel", ...this.#view.rayAt(0, 0) } });
-    }
+    this.#giveUp();
     this.#use = "fingers";
+  }
+
+  #giveUp() {
+    if (this.#use === "draw" || this.#use === "asked") {
+      this.#nextMove = null;
+      this.#engine.request("event", { event: { event: "key", key: "cancel", ...this.#view.rayAt(0, 0) } }).catch(this.report);
+    }
+  }
+
+  // The system took the pointer away.
+  #cancel(event) {
+    this.#giveUp();
+    this.#fingers.delete(event.pointerId);
+    this.#use = this.#fingers.size > 0 ? this.#use : null;
   }
 
   #move(event) {

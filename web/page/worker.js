@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The worker: everything that takes time. Requests come in order, each with a number, and are answered; what is to be
 // seen of the drawing is told after each, and after each curve that was solved meanwhile.
-import { init } from "bspline-curve";
+import { init, Mesh } from "bspline-curve";
 
-import { Documents, Mesh } from "./documents.js";
+import { Documents } from "./documents.js";
 import { SAMPLES } from "./samples.js";
 import { shownMesh } from "./shown_mesh.js";
 import { warmUp } from "./warm_up.js";
@@ -124,7 +124,6 @@ function fieldColours(kind) {
 
 const requests = {
   ready: () => null,
-  touch: ({ isTouch }) => documents.setTouch(isTouch),
   open: openFile,
   sample({ kind }) {
     const { vertices, faces } = SAMPLES[kind]();
