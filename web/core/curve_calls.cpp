@@ -10,6 +10,7 @@
 #include "workpiece/curve_guides.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace bspline_curve::web {
@@ -24,9 +25,21 @@ double lengthOf(const SurfacePolyline& line) {
     return line.closed ? length + (line.points.front() - line.points.back()).norm() : length;
 }
 
+// Curves that are drawn one after the other mostly have the same options, and reading these takes a
+// tenth of the time of a curve.
+CurveRequest requestFor(const Json& options) {
+    static std::string last;
+    static std::optional<CurveRequest> request;
+    std::string text = options.dump();
+    if (!request || text != last) {
+        request = curveRequest(valuesOfJson(curveFilter(), options));
+        last = std::move(text);
+    }
+    return *request;
+}
+
 CurveRequest requestOf(const Json& arguments) {
-    CurveRequest request =
-        curveRequest(valuesOfJson(curveFilter(), arguments.value("options", Json())));
+    CurveRequest request = requestFor(arguments.value("options", Json()));
     if (arguments.contains("field")) {
         const std::span<const double> values = numbersOf(arguments["field"]);
         request.field.emplace();
