@@ -55,13 +55,21 @@ export async function startBrowser() {
 
 const pictures = process.env.BSPLINE_CURVE_PICTURES; // a folder for screenshots
 
-/** A page that is ready, and what a test does with it. Whatever it says on its console fails the test in the end. */
+/**
+ * A page that is ready, and what a test does with it. What it says on its console, and
+ * what it asks of other servers, fails the test in the end.
+ */
 export async function openPage({ browser, url }, { width = 900, height = 640, touch = false, dark = false } = {}) {
   const context = await browser.createBrowserContext();
   const page = await context.newPage();
   const said = [];
   page.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
   page.on("pageerror", (error) => said.push(`error: ${error.message}`));
+  page.on("request", (request) => {
+    if (!request.url().startsWith(url) && !/^(blob|data):/.test(request.url())) {
+      said.push(`asked for ${request.url()}`);
+    }
+  });
   await page.setViewport({ width, height, hasTouch: touch, isMobile: touch });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]);
   await page.goto(url);

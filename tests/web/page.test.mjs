@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page in headless Chromium, by clicks, drags, fingers and keys.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { setTimeout as pause } from "node:timers/promises";
+import { gzipSync } from "node:zlib";
 import { after, before, describe, test } from "node:test";
 
 import { openPage, startBrowser, withoutBrowser } from "./browser.mjs";
@@ -40,6 +41,8 @@ describe("the page", { skip: withoutBrowser }, () => {
 
   test("is small and says that files stay", async () => {
     const seen = await openPage(browser);
+    const sizes = readdirSync(join(dist, "page")).map((name) => gzipSync(readFileSync(join(dist, "page", name))).length);
+    assert.ok(sizes.reduce((sum, size) => sum + size) <= 1.5e6 && Math.max(...sizes) <= 1e6, String(sizes));
     assert.match(await seen.page.$eval("#start", ({ textContent }) => textContent), /never leave this machine/);
     await seen.picture("start");
     await seen.end();
