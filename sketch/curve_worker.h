@@ -3,15 +3,13 @@
 
 #include "bspline_curve/designer.h"
 #include "sketch/sketch.h"
+#include "utility/threads.h"
 
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 namespace bspline_curve {
@@ -35,6 +33,8 @@ struct SolveAnswer {
 /// the newest wins, then the others in their order. A live request that is being solved is
 /// finished, so that answers keep coming while a mouse moves faster than curves are solved; one of
 /// the others is given up for it and begun again later.
+///
+/// Where there are no threads, whoever takes or waits for answers solves: one curve at each call.
 class CurveWorker {
 public:
     /// `wake` is called on the worker's thread after each answer; may be empty.
@@ -63,13 +63,15 @@ public:
 private:
     [[nodiscard]] bool isWorthWaking() const;
     void serve();
+    void solveNext(MutexLock& lock);
+    void solveHere();
     [[nodiscard]] Progress untilTheEnd() const;
     [[nodiscard]] SolveAnswer answerTo(const SolveRequest& request, const Progress& progress) const;
 
     std::shared_ptr<const CurveDesigner> designer_;
     std::function<void()> wake_;
-    mutable std::mutex mutex_;  // of all below
-    std::condition_variable changed_;
+    mutable Mutex mutex_;  // of all below
+    Condition changed_;
     std::optional<SolveRequest> live_;
     std::vector<SolveRequest> others_;
     std::optional<std::uint64_t> running_;  // id
@@ -78,7 +80,7 @@ private:
     bool isPostponed_ = false;  // interrupted for a live one, to be begun again
     bool isEnding_ = false;
     std::vector<SolveAnswer> answers_;
-    std::thread thread_;  // last: it uses the others
+    Thread thread_;  // last: it uses the others
 };
 
 }  // namespace bspline_curve

@@ -4,7 +4,7 @@
 namespace bspline_curve {
 
 const SketchGuides::Values& SketchGuides::values(const Progress& progress) const {
-    const std::scoped_lock lock(mutex_);
+    const MutexLock lock(mutex_);
     if (refusal_) {
         throw InputError(*refusal_);
     }

@@ -4,9 +4,9 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/progress.h"
 #include "bspline_curve/scalar_field.h"
+#include "utility/threads.h"
 
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -33,7 +33,7 @@ public:
 
 private:
     Maker maker_;
-    mutable std::mutex mutex_;  // of all below
+    mutable Mutex mutex_;  // of all below
     mutable std::optional<Values> values_;
     mutable std::optional<InputError> refusal_;
 };

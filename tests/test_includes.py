@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 ROOMS = ["utility", "surface", "spline", "shell", "tetrahedra", "projection", "solver", "design", "imprint", "offset", "fill", "pattern", "sketch", "field", "workpiece", "io", "filters"]
 HOSTS = ["cli", "filter_bspline_curve", "filter_bspline_curve_legacy", "edit_bspline_curve", "edit_bspline_curve_legacy",
-         "python/core"]
+         "python/core", "web/core"]
 
 
 def included_by(room):

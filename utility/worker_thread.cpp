@@ -2,7 +2,6 @@
 #include "utility/worker_thread.h"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 namespace bspline_curve {
@@ -14,16 +13,8 @@ constexpr int kMaxYields = 1000;
 
 }  // namespace
 
-WorkerThread::WorkerThread() : thread_(start()) {}
-
-// None where no more are to be had: loops are then the caller's alone.
-std::thread WorkerThread::start() {
-    try {
-        return std::thread([this] { serve(); });
-    } catch (const std::system_error&) {
-        return {};
-    }
-}
+// Where no thread is to be had, loops are the caller's alone.
+WorkerThread::WorkerThread() : thread_(startThread([this] { serve(); })) {}
 
 WorkerThread::~WorkerThread() {
     state_.store(State::End, std::memory_order_release);
@@ -42,7 +33,7 @@ void WorkerThread::run(const Loop& loop) {
     State expected = State::Open;
     if (!state_.compare_exchange_strong(expected, State::Idle, std::memory_order_acq_rel)) {
         while (state_.load(std::memory_order_acquire) != State::Idle) {
-            std::this_thread::yield();
+            giveWay();
         }
     }
     const std::exception_ptr other = std::exchange(error_, nullptr);
@@ -76,7 +67,7 @@ void WorkerThread::serve() {
         int yields = 0;
         while (state_.load(std::memory_order_acquire) == State::Idle) {
             if (++yields < kMaxYields) {
-                std::this_thread::yield();
+                giveWay();
             } else {
                 state_.wait(State::Idle, std::memory_order_acquire);
             }

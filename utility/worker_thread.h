@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "utility/threads.h"
+
 #include <atomic>
 #include <exception>
-#include <thread>
 
 namespace bspline_curve {
 
@@ -49,7 +50,6 @@ private:
         End
     };
 
-    [[nodiscard]] std::thread start();
     void run(const Loop& loop);
     std::exception_ptr work();
     void serve();
@@ -58,7 +58,7 @@ private:
     std::atomic<int> next_ = 0;  // of the loop, to be called
     std::atomic<State> state_ = State::Idle;
     std::exception_ptr error_;  // of the thread
-    std::thread thread_;        // last: it uses the others
+    Thread thread_;             // last: it uses the others
 };
 
 /// The same on one thread where there is no second.

@@ -26,7 +26,7 @@ Workpiece::Workpiece(TriangleMesh mesh, const PreparingOptions& options, const P
 }
 
 MeshChecksum Workpiece::checksum() const {
-    const std::scoped_lock lock(mutex_);
+    const MutexLock lock(mutex_);
     if (!checksum_) {
         checksum_ = checksumOf(mesh());
     }
@@ -36,7 +36,7 @@ MeshChecksum Workpiece::checksum() const {
 std::shared_ptr<const CurveDesigner> Workpiece::sharedDesigner(
     const Progress& progress, const ShellStore* store
 ) const {
-    const std::scoped_lock lock(mutex_);
+    const MutexLock lock(mutex_);
     if (designer_ == nullptr) {
         designer_ = std::make_shared<const CurveDesigner>(
             surface_, options_.shell, progress, store, seconds_

@@ -5,11 +5,11 @@
 #include "bspline_curve/progress.h"
 #include "surface/mesh_checksum.h"
 #include "surface/surface.h"
+#include "utility/threads.h"
 #include "workpiece/curve_options.h"
 #include "workpiece/layer_input.h"
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -98,7 +98,7 @@ private:
     PreparingOptions options_;
     double seconds_ = 0.0;
     std::shared_ptr<const Surface> surface_;
-    mutable std::mutex mutex_;  // of all below
+    mutable Mutex mutex_;  // of all below
     mutable std::optional<MeshChecksum> checksum_;
     mutable std::shared_ptr<const CurveDesigner> designer_;
 };

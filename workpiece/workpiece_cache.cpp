@@ -79,7 +79,7 @@ WorkpieceCache::Found WorkpieceCache::findOrMake(
     options.mending.validate();
     const std::uint64_t hash = hashOf(mesh, options.shell);
     {
-        const std::scoped_lock lock(mutex_);
+        const MutexLock lock(mutex_);
         const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
             return entry.hash == hash && areSame(entry.workpiece->options(), options) &&
                    isSame(mesh, entry.workpiece->mesh());
@@ -94,7 +94,7 @@ WorkpieceCache::Found WorkpieceCache::findOrMake(
         }
     }
     auto made = std::make_shared<const Workpiece>(mesh, options, progress);
-    const std::scoped_lock lock(mutex_);
+    const MutexLock lock(mutex_);
     entries_.push_front({.hash = hash, .workpiece = made});
     while (entries_.size() > capacity_) {
         entries_.pop_back();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "utility/threads.h"
 #include "workpiece/workpiece.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <list>
 #include <memory>
-#include <mutex>
 
 namespace bspline_curve {
 
@@ -52,7 +52,7 @@ private:
     };
 
     std::size_t capacity_;
-    std::mutex mutex_;
+    Mutex mutex_;
     std::list<Entry> entries_;  ///< the one that was used last comes first
 };
 

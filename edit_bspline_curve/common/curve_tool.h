@@ -2,12 +2,12 @@
 #pragma once
 
 #include "edit_bspline_curve/common/curve_uses.h"
-#include "edit_bspline_curve/common/option_book.h"
 #include "edit_bspline_curve/common/sketch_layers.h"
 #include "edit_bspline_curve/common/tool_keys.h"
 #include "edit_bspline_curve/common/tool_panel.h"
 #include "edit_bspline_curve/common/view.h"
 #include "filters/drawn_curve_file.h"
+#include "filters/option_book.h"
 #include "sketch/drawing_session.h"
 #include "workpiece/workpiece.h"
 

@@ -10,7 +10,7 @@
 
 namespace bspline_curve {
 
-/// Translates what the panel offers to what a session draws with, and back. Fields and faces to
+/// Translates what drawing tools offer to what a session draws with, and back. Fields and faces to
 /// avoid are made once for each choice.
 class OptionBook {
 public:

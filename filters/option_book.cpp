@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edit_bspline_curve/common/option_book.h"
+#include "filters/option_book.h"
 
 #include "workpiece/curve_guides.h"
 

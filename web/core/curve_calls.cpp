@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves through picks, and in files.
+#include "filters/requests.h"
+#include "filters/utf8_path.h"
+#include "io/curve_writer.h"
+#include "io/curves_on_surface.h"
+#include "surface/picks.h"
+#include "web/core/calls.h"
+#include "web/core/files_in_memory.h"
+#include "workpiece/curve_guides.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace bspline_curve::web {
+
+namespace {
+
+double lengthOf(const SurfacePolyline& line) {
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+        length += (line.points[i + 1] - line.points[i]).norm();
+    }
+    return line.closed ? length + (line.points.front() - line.points.back()).norm() : length;
+}
+
+// Curves that are drawn one after the other mostly have the same options, and reading these takes a
+// tenth of the time of a curve.
+CurveRequest requestFor(const Json& options) {
+    static std::string last;
+    static std::optional<CurveRequest> request;
+    std::string text = options.dump();
+    if (!request || text != last) {
+        request = curveRequest(valuesOfJson(curveFilter(), options));
+        last = std::move(text);
+    }
+    return *request;
+}
+
+CurveRequest requestOf(const Json& arguments) {
+    CurveRequest request = requestFor(arguments.value("options", Json()));
+    if (arguments.contains("field")) {
+        const std::span<const double> values = numbersOf(arguments["field"]);
+        request.field.emplace();
+        request.field->options.kind = FieldKind::Quality;
+        request.field->values.assign(values.begin(), values.end());
+    }
+    if (arguments.contains("avoid")) {
+        const std::span<const int> ids = idsOf(arguments["avoid"]);
+        request.avoid = {.by = FaceChoice::By::Ids, .ids = Region(ids.begin(), ids.end())};
+    }
+    return request;
+}
+
+// {"mesh", "picks", "options", "field", "avoid", "start"}: a curve. `field`: a value for each
+// vertex; `avoid`: faces; `start`: a curve through as many picks, to go on from.
+Json draw(const Json& arguments, Reply& reply) {
+    const auto mesh = meshOf(arguments.at("mesh").get<int>());
+    const std::vector<Vec3> picks = pointsOf(arguments.at("picks"));
+    const CurveRequest request = requestOf(arguments);
+    auto made = std::make_shared<DrawnOnMesh>();
+    made->mesh = mesh;
+    if (arguments.contains("start")) {
+        const auto start = curveOf(arguments["start"].get<int>());
+        const CurveGuides guides =
+            curveGuides(mesh->layer, mesh->workpiece->surface(), request, hostProgress());
+        const CurveInputs inputs{
+            .field = guides.field, .avoid = guides.avoid, .start = &start->drawn.curve
+        };
+        made->drawn = mesh->workpiece->finished(
+            mesh->workpiece->designer().design(
+                picks, request.solver, request.sampling, inputs, hostProgress()
+            ),
+            guides.field
+        );
+    } else {
+        made->drawn = mesh->workpiece->draw(picks, request, mesh->layer, hostProgress());
+    }
+    return curveJson(std::move(made), reply);
+}
+
+LengthUnit unitOf(const Json& arguments) {
+    const auto word = arguments.value("unit", std::string("mm"));
+    const auto* const unit = std::ranges::find(kLengthUnits, word, &LengthUnitNames::id);
+    if (unit == kLengthUnits.end()) {
+        throw InputError(InputErrorCode::BadOption, "there is no unit " + word);
+    }
+    return unit->unit;
+}
+
+// {"curves", "name", "unit"}: the bytes of a file of these curves of one mesh.
+Json saveCurves(const Json& arguments, Reply& reply) {
+    const auto curves = curvesOf(arguments.at("curves"));
+    const std::filesystem::path file = utf8Path(arguments.at("name").get<std::string>());
+    if (curves.empty()) {
+        throw InputError(
+            InputErrorCode::UnwritableFile, file.string() + ": there is no curve to be saved"
+        );
+    }
+    const DrawnOnMesh& first = *curves.front();
+    const MeshChecksum checksum = first.mesh->workpiece->checksum();
+    const LengthUnit unit = unitOf(arguments);
+    if (curves.size() == 1) {
+        return {
+            {"bytes",
+             reply.bytes(curveBytes(file, first.drawn.curve, first.drawn.along, checksum, unit))}
+        };
+    }
+    std::vector<const Curve*> all;
+    for (const auto& curve : curves) {
+        all.push_back(&curve->drawn.curve);
+    }
+    return {{"bytes", reply.bytes(curvesBytes(file, all, checksum, unit))}};
+}
+
+// {"mesh", "name", "bytes"}: {"curves": […], "notes"} of a file.
+Json readCurves(const Json& arguments, Reply& reply) {
+    const auto mesh = meshOf(arguments.at("mesh").get<int>());
+    const std::filesystem::path path = utf8Path(arguments.at("name").get<std::string>());
+    const FileInMemory file(path, std::string(bytesOf(arguments.at("bytes"))));
+    const Surface& surface = mesh->workpiece->surface();
+    CurvesOfFile found =
+        CurvesOnSurface(
+            surface, mesh->workpiece->checksum(), kPickReachRelative * surface.diagonal()
+        )
+            .read(path, "draw them nearer to the mesh");
+    Json curves = Json::array();
+    for (std::size_t i = 0; i < found.lines.size(); ++i) {
+        auto made = std::make_shared<DrawnOnMesh>();
+        made->mesh = mesh;
+        made->drawn.curve.polyline = std::move(found.lines[i]);
+        if (i < found.splines.size()) {
+            made->drawn.curve.spline = std::move(found.splines[i]).value_or(SplineData());
+        }
+        made->drawn.curve.report.usable = true;
+        curves.push_back(curveJson(std::move(made), reply));
+    }
+    return {{"curves", std::move(curves)}, {"notes", found.notes}};
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const DrawnOnMesh>> curvesOf(const Json& numbers) {
+    std::vector<std::shared_ptr<const DrawnOnMesh>> curves;
+    for (const Json& number : numbers) {
+        curves.push_back(curveOf(number.get<int>()));
+        if (curves.back()->mesh->workpiece != curves.front()->mesh->workpiece) {
+            throw InputError(InputErrorCode::NoPath, "the curves are of different meshes");
+        }
+    }
+    return curves;
+}
+
+Json curveJson(std::shared_ptr<const DrawnOnMesh> curve, Reply& reply) {
+    const auto& [line, nearPicks, nearPickPositions, spline, report, shell, prisms, passed] =
+        curve->drawn.curve;
+    std::vector<int> faces;
+    std::vector<Vec3> barycentrics;
+    for (const SurfacePoint& place : line.surfacePoints) {
+        faces.push_back(place.face);
+        barycentrics.push_back(place.barycentric);
+    }
+    Json json{
+        {"closed", line.closed},
+        {"points", reply.view(curve, line.points)},
+        {"faces", reply.array(std::move(faces))},
+        {"barycentrics", reply.array(std::move(barycentrics))},
+        {"t", reply.view(curve, line.parameters)},
+        {"picks", reply.view(curve, line.picks)},
+        {"degree", spline.degree},
+        {"knots", reply.view(curve, spline.knots)},
+        {"control_points", reply.view(curve, spline.controlPoints)},
+        {"pick_parameters", reply.view(curve, spline.pickParameters)},
+        {"length", lengthOf(line)},
+        {"usable", report.usable},
+        {"status", name(report.status)},
+        {"seconds", curve->drawn.seconds},
+        {"deviation", curve->deviation},
+        {"notes", curve->drawn.notes}
+    };
+    json["curve"] = keep(std::move(curve));
+    return json;
+}
+
+const Calls& curveCalls() {
+    static const Calls calls{
+        {"curve.draw", draw}, {"curves.save", saveCurves}, {"curves.read", readCurves}
+    };
+    return calls;
+}
+
+}  // namespace bspline_curve::web

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { call, Held } from "./instance.js";
+import { Mesh } from "./mesh.js";
+
+/** Curves as edges of a copy of a mesh, and the parts between them. */
+export class Imprint extends Held {
+  constructor(json) {
+    const { imprint, ...values } = json;
+    super(imprint);
+    Object.assign(this, values);
+  }
+
+  #pieces(name, { progress, ...options }) {
+    const answer = call(name, { imprint: this.number, options }, progress);
+    return {
+      ...answer,
+      pieces: answer.pieces.map(({ labels, parts, ...json }) => ({ mesh: Mesh.of(json), labels, parts })),
+    };
+  }
+
+  mesh() {
+    return Mesh.of(call("imprint.mesh", { imprint: this.number }));
+  }
+
+  cut(options = {}) {
+    return this.#pieces("imprint.cut", options);
+  }
+
+  segment(options = {}) {
+    return this.#pieces("imprint.segment", options);
+  }
+}

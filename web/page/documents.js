@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What people work on: meshes one after the other, each made of the one before, with the drawing on each. Undo goes
+// back through the drawing, then to the mesh before.
+import { Curve, Session } from "bspline-curve";
+
+export class Documents {
+  #all = [];
+  #position = -1;
+  #options = {}; // of new curves
+
+  get now() {
+    return this.#all[this.#position];
+  }
+
+  get canUndo() {
+    return Boolean(this.now) && (this.now.session.state.can_undo || this.#position > 0);
+  }
+
+  get canRedo() {
+    return Boolean(this.now) && (this.now.session.state.can_redo || this.#position + 1 < this.#all.length);
+  }
+
+  /** A mesh of a file or of a sample: all before is freed. */
+  begin(mesh, source) {
+    this.#free(this.#all.splice(0));
+    this.#position = -1;
+    return this.#add({ mesh, source, lines: [], labels: null, session: this.#session(mesh) });
+  }
+
+  #session(mesh) {
+    return new Session(mesh, this.#options);
+  }
+
+  /** Of the active curve and of new ones, also of meshes to come. */
+  setOptions(options, live) {
+    this.#options = { ...options, closed: false };
+    this.now?.session.set_options(options, { live });
+  }
+
+  /** What people work on; throws where there is nothing yet. */
+  get here() {
+    if (!this.now) {
+      throw new Error("Open a mesh first.");
+    }
+    return this.now;
+  }
+
+  /** What was made of it; `keepsCurves`: they are drawn on it anew. */
+  push({ mesh = this.now.mesh, labels = null, lines = [], keepsCurves = true }) {
+    const before = this.now;
+    const session = this.#session(mesh);
+    if (keepsCurves && before.session.state.curves.length > 0) {
+      session.open("drawing.json", before.session.save("drawing.json"), { first: true });
+    }
+    const source = mesh === before.mesh ? before.source : { vertices: mesh.vertices, faces: mesh.faces };
+    return this.#add({ mesh, source, lines, labels, session });
+  }
+
+  #add(document) {
+    this.dropUndone();
+    this.#all.push(document);
+    this.#position = this.#all.length - 1;
+    return document;
+  }
+
+  /** What redo would lead to, once something else is done. */
+  dropUndone() {
+    this.#free(this.#all.splice(this.#position + 1));
+  }
+
+  #free(documents) {
+    for (const document of documents) {
+      document.session.free();
+      document.lines.forEach((line) => this.#isShared(line) || line.free());
+      if (!this.#all.some(({ mesh }) => mesh === document.mesh)) {
+        document.mesh.free();
+      }
+    }
+  }
+
+  #isShared(line) {
+    return this.#all.some(({ lines }) => lines.includes(line));
+  }
+
+  /** Whether another mesh is to be shown. */
+  undo() {
+    if (this.now.session.state.can_undo) {
+      this.now.session.undo();
+      return false;
+    }
+    if (this.#position > 0) {
+      --this.#position;
+      return true;
+    }
+    return false;
+  }
+
+  redo() {
+    if (this.now.session.state.can_redo) {
+      this.now.session.redo();
+      return false;
+    }
+    if (this.#position + 1 < this.#all.length) {
+      ++this.#position;
+      return true;
+    }
+    return false;
+  }
+
+  // ---- Uses
+
+  /** The curves that can be used; throws what is wrong where there is none. */
+  #curves() {
+    const { session } = this.here;
+    session.settle();
+    const usable = session.state.curves.flatMap((curve, i) => (curve.hidden || curve.points.length === 0 ? [] : [i]));
+    if (usable.length === 0) {
+      throw new Error(session.state.curves.find(({ problem }) => problem)?.problem.message ?? "Draw a curve first.");
+    }
+    return usable.map((i) => session.curve(i));
+  }
+
+  #imprinted(curves, use, progress) {
+    const imprint = this.now.mesh.imprint(curves, { progress });
+    try {
+      return use(imprint);
+    } finally {
+      imprint.free();
+    }
+  }
+
+  use(kind, options, progress) {
+    const curves = this.#curves();
+    try {
+      return this[`use_${kind}`](curves, options, progress);
+    } finally {
+      curves.forEach((curve) => curve.free());
+    }
+  }
+
+  use_imprint(curves, _options, progress) {
+    return this.#imprinted(curves, (imprint) => {
+      const before = this.now.mesh.faces.length / 3;
+      this.push({ mesh: imprint.mesh() });
+      return [`The curves are edges: ${before} faces became ${this.now.mesh.faces.length / 3}.`];
+    }, progress);
+  }
+
+  use_segment(curves, _options, progress) {
+    return this.#imprinted(curves, (imprint) => {
+      const { pieces, notes } = imprint.segment({ progress });
+      this.push({ mesh: pieces[0].mesh, labels: pieces[0].labels });
+      const count = imprint.parts.length;
+      const areas = imprint.parts.slice(0, 6).map(({ area }) => area.toPrecision(4));
+      return [`${count} parts; areas: ${areas.join(", ")}${count > 6 ? " …" : ""}.`, ...notes];
+    }, progress);
+  }
+
+  use_cut(curves, options, progress) {
+    return this.#imprinted(curves, (imprint) => {
+      const { pieces, notes, filled_holes, dropped } = imprint.cut({ ...options, progress });
+      const [first, ...others] = pieces;
+      others.forEach(({ mesh }) => mesh.free());
+      this.push({ mesh: first.mesh, labels: options.keep === "all" ? first.labels : null, keepsCurves: false });
+      const kept = first.parts.length;
+      const holes = filled_holes ? ` ${filled_holes} ${filled_holes === 1 ? "hole was" : "holes were"} filled.` : "";
+      return [`${kept} ${kept === 1 ? "part" : "parts"} kept, ${dropped.length} left out.${holes}`, ...notes];
+    }, progress);
+  }
+
+  use_offset(curves, { distance, side }, progress) {
+    const length = (distance / 100) * this.now.mesh.diagonal;
+    const lines = curves.flatMap((curve) => curve.offset(length, side, { progress }));
+    this.push({ lines: [...this.now.lines, ...lines], labels: this.now.labels });
+    return [`${lines.length} ${lines.length === 1 ? "curve" : "curves"} at a distance of ${length.toPrecision(4)}.`];
+  }
+
+  // ---- Files
+
+  /** The bytes of a file of all curves; drawings can be gone on with. */
+  saveCurves(name) {
+    const { session, lines } = this.here;
+    if (name.endsWith(".pp")) {
+      return session.save_picks(name);
+    }
+    if (name === "drawing.json" && lines.length === 0) {
+      session.settle();
+      return session.save(name);
+    }
+    const curves = lines.length > 0 && session.state.curves.length === 0 ? [] : this.#curves();
+    try {
+      return Curve.save([...curves, ...lines], name);
+    } finally {
+      curves.forEach((curve) => curve.free());
+    }
+  }
+}
