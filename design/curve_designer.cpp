@@ -151,6 +151,7 @@ Curve CurveDesigner::design(
         inputs.field,
         provenance.facesFromInput(avoid),
         inputs.pickTolerances,
+        inputs.corners,
         start
     };
     try {

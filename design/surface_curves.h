@@ -21,6 +21,7 @@ struct CurveTask {
     ScalarField field;
     Region avoid;
     std::span<const MeshLength> pickTolerances;  ///< see CurveInputs
+    std::span<const int> corners;                ///< likewise
     const Curve* start;                          ///< see CurveInputs; null: none
 };
 
