@@ -2,6 +2,7 @@
 #include "cli/described_options.h"
 
 #include "cli/value_checks.h"
+#include "workpiece/pick_choice.h"
 
 #include <CLI/CLI.hpp>
 
@@ -126,6 +127,17 @@ CLI::Option* DescribedOptions::add(
             )
                          ->type_name("LENGTH")
                          ->default_str(values_.get<std::string>(parameter.id));
+            break;
+        case ParameterType::Picks:
+            option = app_.add_option_function<std::string>(
+                             flags,
+                             [this, key = parameter.id](const std::string& text) {
+                                 static_cast<void>(parsePickChoice(text, flagOf(key)));
+                                 keep(key, text);
+                             },
+                             extras.help.empty() ? parameter.help : extras.help
+            )
+                         ->type_name("PICKS");
             break;
         default:
             throw std::invalid_argument(parameter.id + " is no option of the program");

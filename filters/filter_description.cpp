@@ -17,13 +17,14 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::pair<const char*, ParameterType>, 10> kTypes = {{
+constexpr std::array<std::pair<const char*, ParameterType>, 11> kTypes = {{
     {"mesh", ParameterType::Layer},
     {"bool", ParameterType::Bool},
     {"int", ParameterType::Int},
     {"double", ParameterType::Double},
     {"absperc", ParameterType::Percentage},
     {"length", ParameterType::Length},
+    {"picks", ParameterType::Picks},
     {"enum", ParameterType::Enum},
     {"string", ParameterType::Text},
     {"openFile", ParameterType::OpenFile},

@@ -14,6 +14,7 @@ HELP = {
     "closed": "True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.",
     "max_segment_length": "No segment of the polyline is longer, in the unit of the mesh. 0: no limit.",
     "shell": "Where curves are sought.",
+    "corners": "Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either side.",
 }
 PICKS = ("picks", "(p, 3) array of float, or p pairs (face, barycentrics)",
          "Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.")
@@ -45,7 +46,7 @@ def parameters_of(flt, keep):
 
 def documented(parameter):
     kind, text = parameter["type"], parameter["help"]
-    words = {"bool": "bool", "int": "int", "length": "float or str"}.get(kind, "float")
+    words = {"bool": "bool", "int": "int", "length": "float or str", "picks": "sequence of int, or 'all'"}.get(kind, "float")
     if kind == "enum":
         words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, False)) + "}"
         told = [f"{o['id']}: {o['help']}" for o in options_of(parameter, False) if "help" in o]
@@ -53,11 +54,20 @@ def documented(parameter):
     else:
         words += range_of(parameter)
         text = HELP.get(parameter["id"], text)
-    return parameter["id"], f"{words}, default {parameter['default']!r}", text
+    return parameter["id"], f"{words}, default {default_in_python(parameter)}".replace('"', "'"), text
+
+
+def type_in_python(parameter):
+    """Picks are chosen by their indices, not by text."""
+    return 'Sequence[int] | Literal["all"]' if parameter["type"] == "picks" else type_of(parameter, False)
+
+
+def default_in_python(parameter):
+    return "()" if parameter["type"] == "picks" else default_of(parameter)
 
 
 def keyword(parameter):
-    return f"{parameter['id']}: {type_of(parameter, False)} = {default_of(parameter)}"
+    return f"{parameter['id']}: {type_in_python(parameter)} = {default_in_python(parameter)}"
 
 
 def row(parameter):
@@ -65,7 +75,7 @@ def row(parameter):
     kind = "double" if parameter["type"] == "absperc" else parameter["type"]
     words = tuple(o["id"] for o in options_of(parameter, False)) if kind == "enum" else ()
     numbers = [parameter.get("min"), parameter.get("max"), bool(parameter.get("excludesMin"))]
-    return f'    "{parameter["id"]}": Option("{kind}", {default_of(parameter)}, {", ".join(map(repr, numbers))}, {words!r}),'.replace("'", '"')
+    return f'    "{parameter["id"]}": Option("{kind}", {default_in_python(parameter)}, {", ".join(map(repr, numbers))}, {words!r}),'.replace("'", '"')
 
 
 def table(name, parameters):
@@ -74,7 +84,7 @@ def table(name, parameters):
 
 def typed_dict(parameters):
     lines = ["class CurveOptions(TypedDict, total=False):", '    """Options of Mesh.curve(), for Curve.with_options()."""', ""]
-    lines += [f"    {p['id']}: {type_of(p, False)}" for p in parameters]
+    lines += [f"    {p['id']}: {type_in_python(p)}" for p in parameters]
     return "\n".join([*lines, "    field: Kind | npt.ArrayLike | None", "    avoid: npt.ArrayLike | None"])
 
 
@@ -165,7 +175,7 @@ def keywords(filters):
         HEAD + '"""Keywords of meshes, curves and fields."""', "",
         "from __future__ import annotations", "",
         "from abc import ABC, abstractmethod",
-        "from collections.abc import Mapping",
+        "from collections.abc import Mapping, Sequence",
         "from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict", "",
         "import numpy.typing as npt", "",
         "from ._arrays import Floats, Picks", "from ._options import Option, Progress", "",

@@ -5,6 +5,7 @@
 #include "bspline_curve/options.h"
 #include "bspline_curve/shell.h"
 #include "surface/region.h"
+#include "workpiece/pick_choice.h"
 
 #include <optional>
 #include <vector>
@@ -46,6 +47,7 @@ struct CurveOptions {
     SamplingOptions sampling;
     std::optional<FieldRequest> field;
     FaceChoice avoid;
+    PickChoice corners{};  ///< see CurveInputs
 };
 
 /// How a mesh is prepared for curves.

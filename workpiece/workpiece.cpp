@@ -73,11 +73,12 @@ DesignedCurve Workpiece::draw(
     const CurveGuides guides =
         curveGuides(with, surface(), options, partOf(progress, 0.0, kFieldShare));
     const double fieldSeconds = watch.lap();
+    const std::vector<int> corners = options.corners.of(picks.size());
     Curve curve = designer().design(
         picks,
         options.solver,
         options.sampling,
-        {.field = guides.field, .avoid = guides.avoid},
+        {.field = guides.field, .avoid = guides.avoid, .corners = corners},
         partOf(progress, kFieldShare, 1.0)
     );
     const double seconds = watch.lap();

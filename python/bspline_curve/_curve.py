@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -52,6 +53,15 @@ class Drawing(NamedTuple):
         if isinstance(self.field, str) and "field_cost" not in options:
             options = {**options, "field_cost": _core.natural_cost({"kind": self.field})}
         return options, made, self.avoid
+
+    def with_corners(self, moved: Callable[[int], int | None]) -> Drawing:
+        """Corners at other picks: at `moved` of each, at none where that is None."""
+        corners = self.options.get("corners", ())
+        if not isinstance(corners, tuple):
+            return self  # all
+        new = tuple(each for each in map(moved, corners) if each is not None)
+        others = {name: value for name, value in self.options.items() if name != "corners"}
+        return self._replace(options={**others, "corners": new} if new else others)
 
     def draw(self, start: _core.Curve | None, progress: Progress | None) -> Curve:
         share = 0.5 if isinstance(self.field, str) and self.field not in self.mesh._fields else 0.0  # of the field
@@ -221,12 +231,14 @@ class Curve:
         """Draw the curve with one more pick, before `pick`; len(picks) puts it last."""
         index = self._index(pick, len(self.picks) + 1)
         added = one_pick(point, self.mesh, index)
-        return self._drawing._replace(picks=np.insert(self._drawing.picks, index, added, axis=0)).draw(None, progress)
+        drawing = self._drawing.with_corners(lambda corner: corner + (corner >= index))
+        return drawing._replace(picks=np.insert(drawing.picks, index, added, axis=0)).draw(None, progress)
 
     def remove(self, pick: int, progress: Progress | None = None) -> Curve:
         """Draw the curve without one of its picks."""
         index = self._index(pick, len(self.picks))
-        return self._drawing._replace(picks=np.delete(self._drawing.picks, index, axis=0)).draw(None, progress)
+        drawing = self._drawing.with_corners(lambda corner: None if corner == index else corner - (corner > index))
+        return drawing._replace(picks=np.delete(drawing.picks, index, axis=0)).draw(None, progress)
 
     def with_options(self, progress: Progress | None = None, **options: Unpack[CurveOptions]) -> Curve:
         """Draw the curve through the same picks with some options changed; those of Mesh.curve()."""

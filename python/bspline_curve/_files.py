@@ -157,7 +157,8 @@ def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
             "alpha": report["rounds"][-1]["alpha"] if report.get("rounds") else 0.0,
         }
         picks = rows(drawn["picks"]) if drawn else state["points"][line["picks"]]
-        options = drawn.get("options", {"closed": document["closed"], "degree": spline["degree"]})
+        of_spline = {"closed": document["closed"], "degree": spline["degree"], "corners": corners_of(spline)}
+        options = drawn.get("options", of_spline)
         field = drawn.get("field")
         drawing = Drawing(
             mesh,
@@ -173,6 +174,16 @@ def load(file: str | os.PathLike[str], mesh: Mesh) -> Curve:
     require_same(mesh, document.get("mesh"), path)
     require_on(mesh, state, path)
     return restored(drawing, state, report)
+
+
+def corners_of(spline: dict[str, Any]) -> list[int]:
+    """Picks at which the spline has knots whose multiplicity is its degree."""
+    degree, closed, knots = spline["degree"], spline["closed"], spline["knots"]
+    return [
+        index
+        for index, t in enumerate(spline["pick_parameters"])
+        if degree > 1 and knots.count(t) >= degree and (closed or 0.0 < t < 1.0)
+    ]
 
 
 def rows(numbers: Any) -> Floats:

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
 
 import numpy.typing as npt
@@ -53,6 +53,7 @@ CURVE: dict[str, Option] = {
     "tension": Option("double", 0.0, 0.0, 1.0, False, ()),
     "field_weight": Option("double", 2000.0, 0.0, None, False, ()),
     "pick_tolerance": Option("length", "0", None, None, False, ()),
+    "corners": Option("picks", (), None, None, False, ()),
     "field_cost": Option("enum", "natural", None, None, False, ("natural", "identity", "square", "exp-minus")),
     "samples": Option("int", 256, 0, None, False, ()),
     "max_segment_length": Option("double", 0.0, 0.0, None, False, ()),
@@ -106,6 +107,7 @@ class CurveOptions(TypedDict, total=False):
     tension: float
     field_weight: float
     pick_tolerance: float | str
+    corners: Sequence[int] | Literal["all"]
     field_cost: FieldCost
     samples: int
     max_segment_length: float
@@ -230,6 +232,7 @@ class MeshKeywords(ABC):
         tension: float = 0.0,
         field_weight: float = 2000.0,
         pick_tolerance: float | str = "0",
+        corners: Sequence[int] | Literal["all"] = (),
         field_cost: FieldCost = "natural",
         samples: int = 256,
         max_segment_length: float = 0.0,
@@ -286,6 +289,9 @@ class MeshKeywords(ABC):
         pick_tolerance : float or str, default '0'
             How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
             of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
+        corners : sequence of int, or 'all', default ()
+            Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either
+            side.
         field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
             What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
             valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
@@ -396,6 +402,7 @@ class MeshKeywords(ABC):
                 "tension": tension,
                 "field_weight": field_weight,
                 "pick_tolerance": pick_tolerance,
+                "corners": corners,
                 "field_cost": field_cost,
                 "samples": samples,
                 "max_segment_length": max_segment_length,

@@ -13,7 +13,7 @@ import numpy as np
 from ._errors import OptionError
 
 Progress: TypeAlias = Callable[[float, str], object]
-Value: TypeAlias = "bool | int | float | str"
+Value: TypeAlias = "bool | int | float | str | tuple[int, ...]"
 
 
 def part_of(progress: Progress | None, start: float, end: float) -> Progress | None:
@@ -26,7 +26,7 @@ def part_of(progress: Progress | None, start: float, end: float) -> Progress | N
 class Option(NamedTuple):
     """What an option may be."""
 
-    kind: str  # bool, int, double, length or enum
+    kind: str  # bool, int, double, length, picks or enum
     default: Any
     low: float | None
     high: float | None
@@ -56,6 +56,8 @@ def checked_value(name: str, option: Option, value: object) -> Value:
         return bool(value)
     if option.kind == "length":
         return checked_length(name, value)
+    if option.kind == "picks":
+        return checked_picks(name, value)
     if not isinstance(value, str):
         raise TypeError(f"{name} is {value!r}, but must be one of {', '.join(map(repr, option.words))}")
     if value not in option.words:
@@ -83,6 +85,20 @@ def checked_length(name: str, value: object) -> str:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, Real):
         raise TypeError(f"{name} is {value!r}, but must be a number, or text like '1.5 edges'")
     return repr(float(value))
+
+
+def checked_picks(name: str, value: object) -> str | tuple[int, ...]:
+    """Indices of picks, ascending; or "all"."""
+    if isinstance(value, str):
+        if value != "all":
+            raise OptionError(f"{name} is {value!r}, but must be indices of picks, or 'all'", "bad-option")
+        return value
+    ids = np.asarray(value)
+    if ids.ndim != 1 or (ids.size and ids.dtype.kind not in "iu"):
+        raise TypeError(f"{name} is {value!r}, but must be indices of picks, or 'all'")
+    if ids.size and ids.min() < 0:
+        raise OptionError(f"{name} has {ids.min()}, but picks are counted from 0", "bad-option")
+    return tuple(sorted({int(each) for each in ids}))
 
 
 def allowed_range(option: Option) -> str:

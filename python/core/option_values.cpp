@@ -4,9 +4,11 @@
 #include "filters/option_bindings.h"
 
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace bspline_curve::python {
 
@@ -52,6 +54,13 @@ CurveOptions curveOptions(const nb::dict& values) {
     }
     readChosen(values, ofSolver, options.solver);
     readChosen(values, ofSampling, options.sampling);
+    if (values.contains("corners")) {
+        const nb::handle corners = values["corners"];
+        options.corners.areAll = nb::isinstance<nb::str>(corners);  // "all"
+        if (!options.corners.areAll) {
+            options.corners.ids = nb::cast<std::vector<int>>(corners);
+        }
+    }
     return options;
 }
 

@@ -32,6 +32,8 @@ def drawn(home, arguments="", **given):
          ["--field", "values.npy", "--field-cost", "square", "--max-segment-length", "0.01"]),
         ("pick_tolerance='0.5 edges'", ["--pick-tolerance", "0.5edges"]),
         ("pick_tolerance=0.01", ["--pick-tolerance", "0.01"]),
+        ("corners='2,3'", ["--corners", "3, 2"]),
+        ("corners='all', closed=True", ["--corners", "all", "--closed"]),
         ("avoid=disc", ["--avoid", "disc.npy"]),
         ("quality=values, avoid='over-threshold', avoid_threshold=0.5, field='quality', field_weight=0",
          ["--field", "values.npy", "--field-weight", "0", "--avoid", "over-threshold", "--avoid-threshold", "0.5"]),
