@@ -152,6 +152,7 @@ Curve CurveDesigner::design(
         provenance.facesFromInput(avoid),
         inputs.pickTolerances,
         inputs.corners,
+        inputs.tangents,
         start
     };
     try {

@@ -6,6 +6,7 @@
 #include "design/curve_solver.h"
 #include "design/detours.h"
 #include "design/near_curve.h"
+#include "design/pick_tangents.h"
 #include "design/solved_curve.h"
 #include "solver/obstacles.h"
 #include "surface/error_messages.h"
@@ -188,6 +189,33 @@ std::vector<int> cornersOf(const CurveTask& task, const LocatedPicks& located) {
     return corners;
 }
 
+/// What is asked of the points of a curve.
+struct PointDemands {
+    bool isNear = false;                     ///< some have a tolerance
+    std::vector<double> tolerances;          ///< of each, in the user's unit
+    std::vector<std::vector<int>> sections;  ///< see pointsOfSections()
+    std::vector<Vec3> tangents;              ///< see tangentsOf()
+};
+
+PointDemands demandsOf(
+    const PreparedSurface& prepared, const CurveTask& task, const LocatedPicks& located
+) {
+    PointDemands demands;
+    demands.tolerances = pickTolerancesOf(prepared.surface(), task, located);
+    demands.isNear = std::ranges::any_of(demands.tolerances, [](double t) { return t > 0.0; });
+    const std::vector<int> corners = cornersOf(task, located);
+    demands.sections =
+        pointsOfSections(static_cast<int>(located.points.size()), corners, task.options.closed);
+    demands.tangents =
+        tangentsOf(*prepared.extended(), located, task.tangents, corners, task.options);
+    for (std::size_t i = 0; i < demands.tangents.size(); ++i) {
+        if (!demands.tangents[i].isZero(0.0)) {
+            demands.tolerances[i] = 0.0;
+        }
+    }
+    return demands;
+}
+
 /// Through the picks.
 NearCurve drawThrough(const LocatedTask& task, const Progress& progress) {
     const Surface& surface = task.prepared.surface();
@@ -205,16 +233,12 @@ NearCurve drawThrough(const LocatedTask& task, const Progress& progress) {
     return drawn;
 }
 
-bool isAny(std::span<const double> tolerances) {
-    return std::ranges::any_of(tolerances, [](double t) { return t > 0.0; });
-}
-
 /// Within the tolerances of the picks, user's unit; where there is no such curve, through them.
 Curve drawSmooth(
     const LocatedTask& task, std::span<const double> tolerances, const Progress& progress
 ) {
     std::optional<NearCurve> drawn;
-    if (isAny(tolerances)) {
+    if (std::ranges::any_of(tolerances, [](double t) { return t > 0.0; })) {
         drawn = drawNear(task, tolerances, partOf(progress, 0.0, kNearPicksShare));
         if (!drawn || !isStrict(task.prepared.surface(), drawn->curve.polyline)) {
             drawn = drawThrough(task, partOf(progress, kNearPicksShare, 1.0));
@@ -262,6 +286,10 @@ Curve drawSections(
         DesignContext context = task.context;
         context.start = starts.empty() ? nullptr : &starts[s];
         context.pickNumbers = numbers;
+        const std::vector<Vec3> tangents = task.context.tangents.empty()
+                                               ? std::vector<Vec3>()
+                                               : chosenOf(task.context.tangents, points);
+        context.tangents = tangents;
         const LocatedTask section{task.prepared, picks, options, task.sampling, context, task.side};
         sections.push_back(
             {points, drawSmooth(section, reaches, stepOf(progress, s, pointsOfEach.size()))}
@@ -281,13 +309,15 @@ void reportNearPicks(const Surface& surface, const LocatedPicks& located, Curve&
 }  // namespace
 
 Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) const {
-    const auto& [picks, options, sampling, field, avoid, tolerancesAsked, cornersAsked, askedStart] =
-        task;
+    const SolverOptions& options = task.options;
+    const SamplingOptions& sampling = task.sampling;
+    const Region& avoid = task.avoid;
     options.validate();
     sampling.validate();
-    const std::shared_ptr<const ValidatedField> validated =
-        fieldCache_.find(surface(), *extended(), valuesOn(surface(), field), options.fieldCost);
-    const LocatedPicks located = locatePicks(surface(), tree(), picks, options.closed);
+    const std::shared_ptr<const ValidatedField> validated = fieldCache_.find(
+        surface(), *extended(), valuesOn(surface(), task.field), options.fieldCost
+    );
+    const LocatedPicks located = locatePicks(surface(), tree(), task.picks, options.closed);
     const std::vector<int> repeated = located.repeated();
     std::optional<Obstacles> obstacles;
     if (!avoid.empty()) {
@@ -297,18 +327,15 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         );
         refuseAvoidedPicks(surface(), *obstacles, located);
     }
-    const std::vector<double> tolerances = pickTolerancesOf(surface(), task, located);
-    const bool isNear = isAny(tolerances);
-    const std::vector<std::vector<int>> sections = pointsOfSections(
-        static_cast<int>(located.points.size()), cornersOf(task, located), options.closed
-    );
+    const PointDemands demands = demandsOf(*this, task, located);
     const std::vector<int> numbers = located.firstPicks();
     const DesignContext context{
         *validated,
         obstacles ? &*obstacles : nullptr,
-        repeated.empty() && !isNear ? askedStart
-                                    : nullptr,  // which has as many picks as were asked for
-        numbers
+        repeated.empty() && !demands.isNear ? task.start
+                                            : nullptr,  // with as many picks as were asked for
+        numbers,
+        demands.tangents
     };
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {
@@ -317,10 +344,11 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     const LocatedTask here{
         *this, located.points, options, sampling, context, side ? &*side : nullptr
     };
-    Curve curve = sections.empty() ? drawSmooth(here, tolerances, progress)
-                                   : drawSections(here, tolerances, sections, progress);
+    Curve curve = demands.sections.empty()
+                      ? drawSmooth(here, demands.tolerances, progress)
+                      : drawSections(here, demands.tolerances, demands.sections, progress);
     Stopwatch watch;
-    if (isNear) {
+    if (demands.isNear) {
         reportNearPicks(surface(), located, curve);
     }
     curve.report.meanEdgeLength = surface().averageEdgeLength();
@@ -329,13 +357,14 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         requireClear(surface(), curve.polyline, *obstacles);
         curve.report.clearance = clearanceOf(curve.polyline, surface(), avoid);
     }
-    if (obstacles || !field.empty() || curve.shell) {
+    if (obstacles || !task.field.empty() || curve.shell) {
         reportDetour(*this, numbers, curve);
     }
     if (!repeated.empty()) {
         giveRepeatedPicks(located, curve);
         curve.report.repeatedPicks = repeated;
     }
+    curve.report.tangents = metTangents(*extended(), located, demands.tangents, curve);
     curve.report.seconds.polyline += watch.lap();
     bspline_curve::report(progress, 1.0, "done");
     return curve;

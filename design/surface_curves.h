@@ -22,6 +22,7 @@ struct CurveTask {
     Region avoid;
     std::span<const MeshLength> pickTolerances;  ///< see CurveInputs
     std::span<const int> corners;                ///< likewise
+    std::span<const Vec3> tangents;              ///< likewise
     const Curve* start;                          ///< see CurveInputs; null: none
 };
 

@@ -48,11 +48,11 @@ std::vector<double> knotsOfPeriod(const SplineData& chain) {
 }
 
 /// The last knot that is no more than t, among those that spans begin at.
-std::size_t spanHolding(const SplineData& open, double t) {
-    const auto count = static_cast<std::ptrdiff_t>(open.controlPoints.size());
-    const auto first = open.knots.begin() + open.degree;
-    const auto above = std::upper_bound(first + 1, open.knots.begin() + count, t);
-    return static_cast<std::size_t>(std::prev(above) - open.knots.begin());
+std::size_t spanHolding(const SplineData& spline, double t) {
+    const auto count = static_cast<std::ptrdiff_t>(spline.controlPoints.size());
+    const auto first = spline.knots.begin() + spline.degree;
+    const auto above = std::upper_bound(first + 1, spline.knots.begin() + count, t);
+    return static_cast<std::size_t>(std::prev(above) - spline.knots.begin());
 }
 
 /// Of the spans in [0, 1] on which a basis function is not zero, one that is not empty: in the
@@ -216,6 +216,17 @@ SplineData joinedSpline(std::span<const SplineSection> sections, bool closed) {
 
 std::vector<SplineSection> sectionsOf(const SplineData& spline) {
     return Sequence(spline).sections();
+}
+
+Vec3 derivativeOf(const SplineData& spline, double t) {
+    const std::size_t span = spanHolding(spline, t);
+    const double low = spline.knots[span];
+    const double high = spline.knots[span + 1];
+    std::vector<double> arguments(static_cast<std::size_t>(spline.degree), t);
+    arguments.back() = high;
+    const Vec3 atHigh = blossom(spline, span, arguments);
+    arguments.back() = low;
+    return spline.degree / (high - low) * (atHigh - blossom(spline, span, arguments));
 }
 
 std::vector<int> cornersOf(const SplineData& spline) {

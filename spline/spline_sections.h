@@ -30,6 +30,9 @@ struct SplineSection {
 /// `spline`: ascending knots, as many as control points, plus its degree, plus 1.
 [[nodiscard]] std::vector<SplineSection> sectionsOf(const SplineData& spline);
 
+/// The first derivative by t, at a corner that from the right; t in [0, 1].
+[[nodiscard]] Vec3 derivativeOf(const SplineData& spline, double t);
+
 /// Picks that are corners, by the knots at their parameters; ascending.
 [[nodiscard]] std::vector<int> cornersOf(const SplineData& spline);
 

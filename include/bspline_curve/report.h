@@ -71,6 +71,14 @@ struct Detour {
     Round round = Round::Guides;
 };
 
+/// How well a curve has the direction that was asked for at a pick, in radians.
+struct MetTangent {
+    int pick = 0;
+    double ofSpline = 0.0;    ///< the angle between the direction and P'
+    double ofPolyline = 0.0;  ///< the larger one of those of the segments beside the pick, seen
+                              ///< along the normal: they are chords
+};
+
 /// "slit", "cut", "guides".
 [[nodiscard]] const char* name(Detour::Round round);
 
@@ -105,7 +113,8 @@ struct SolveReport {
     /// Of each pick, as a point of the surface, its distance from the polyline, in the user's unit,
     /// where the curve need not pass the picks; else empty. Set by CurveDesigner.
     std::vector<double> pickDistances;
-    std::vector<Detour> detours;  ///< by pick; set by CurveDesigner
+    std::vector<Detour> detours;       ///< by pick; set by CurveDesigner
+    std::vector<MetTangent> tangents;  ///< of picks with one, ascending; set by CurveDesigner
     int avoidedFaces = 0;
     /// Least distance of a vertex of the polyline to the avoided faces, user's unit; infinite where
     /// there are none.
