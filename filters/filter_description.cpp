@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::pair<const char*, ParameterType>, 11> kTypes = {{
+constexpr std::array<std::pair<const char*, ParameterType>, 12> kTypes = {{
     {"mesh", ParameterType::Layer},
     {"bool", ParameterType::Bool},
     {"int", ParameterType::Int},
@@ -25,6 +25,7 @@ constexpr std::array<std::pair<const char*, ParameterType>, 11> kTypes = {{
     {"absperc", ParameterType::Percentage},
     {"length", ParameterType::Length},
     {"picks", ParameterType::Picks},
+    {"tangents", ParameterType::Tangents},
     {"enum", ParameterType::Enum},
     {"string", ParameterType::Text},
     {"openFile", ParameterType::OpenFile},

@@ -79,6 +79,8 @@ def values_of(parameter):
         return "a length, or so many `edges`"
     if kind == "picks":
         return "numbers of picks, or `all`"
+    if kind == "tangents":
+        return "numbers of picks, each with a direction"
     if kind == "string":
         return "text"
     low, high = parameter.get("min"), parameter.get("max")

@@ -14,6 +14,8 @@ HELP = {
     "closed": "True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.",
     "max_segment_length": "No segment of the polyline is longer, in the unit of the mesh. 0: no limit.",
     "shell": "Where curves are sought.",
+    "tangents": "Directions in which the curve passes picks, by their indices, as {0: (1, 0, 0)}. Their part along the surface counts, "
+                "not their length. Such picks are passed whatever their tolerance, and are no corners.",
     "corners": "Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either side.",
 }
 PICKS = ("picks", "(p, 3) array of float, or p pairs (face, barycentrics)",
@@ -46,7 +48,8 @@ def parameters_of(flt, keep):
 
 def documented(parameter):
     kind, text = parameter["type"], parameter["help"]
-    words = {"bool": "bool", "int": "int", "length": "float or str", "picks": "sequence of int, or 'all'"}.get(kind, "float")
+    words = {"bool": "bool", "int": "int", "length": "float or str", "picks": "sequence of int, or 'all'",
+             "tangents": "mapping of int to (3,) arrays, optional"}.get(kind, "float")
     if kind == "enum":
         words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, False)) + "}"
         told = [f"{o['id']}: {o['help']}" for o in options_of(parameter, False) if "help" in o]
@@ -54,16 +57,18 @@ def documented(parameter):
     else:
         words += range_of(parameter)
         text = HELP.get(parameter["id"], text)
-    return parameter["id"], f"{words}, default {default_in_python(parameter)}".replace('"', "'"), text
+    default = "" if kind == "tangents" else f", default {default_in_python(parameter)}".replace('"', "'")
+    return parameter["id"], words + default, text
 
 
 def type_in_python(parameter):
     """Picks are chosen by their indices, not by text."""
-    return 'Sequence[int] | Literal["all"]' if parameter["type"] == "picks" else type_of(parameter, False)
+    own = {"picks": 'Sequence[int] | Literal["all"]', "tangents": "Mapping[int, npt.ArrayLike] | None"}
+    return own.get(parameter["type"]) or type_of(parameter, False)
 
 
 def default_in_python(parameter):
-    return "()" if parameter["type"] == "picks" else default_of(parameter)
+    return {"picks": "()", "tangents": "None"}.get(parameter["type"]) or default_of(parameter)
 
 
 def keyword(parameter):

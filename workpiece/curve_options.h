@@ -6,6 +6,7 @@
 #include "bspline_curve/shell.h"
 #include "surface/region.h"
 #include "workpiece/pick_choice.h"
+#include "workpiece/pick_directions.h"
 
 #include <optional>
 #include <vector>
@@ -47,7 +48,8 @@ struct CurveOptions {
     SamplingOptions sampling;
     std::optional<FieldRequest> field;
     FaceChoice avoid;
-    PickChoice corners{};  ///< see CurveInputs
+    PickChoice corners{};       ///< see CurveInputs
+    PickDirections tangents{};  ///< likewise
 };
 
 /// How a mesh is prepared for curves.

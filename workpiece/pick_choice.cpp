@@ -48,8 +48,9 @@ PickChoice parsePickChoice(const std::string& text, const std::string& name) {
             continue;
         }
         int number = 0;
-        const char* const end = word.data() + word.size();
-        const auto [stop, error] = std::from_chars(word.data(), end, number);
+        const char* const begin = word.data();
+        const char* const end = begin + word.size();
+        const auto [stop, error] = std::from_chars(begin, end, number);
         if (choice.areAll || error != std::errc() || stop != end || number < 1) {
             refuseChoice(text, name);
         }

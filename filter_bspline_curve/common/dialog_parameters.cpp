@@ -81,6 +81,7 @@ public:
                 break;
             case ParameterType::Length:
             case ParameterType::Picks:
+            case ParameterType::Tangents:
             case ParameterType::Text:
                 addAs<RichString>(p, defaultText(p));
                 break;
@@ -214,6 +215,7 @@ void read(const RichParameterList& list, const ParameterDescription& p, Paramete
             break;
         case ParameterType::Length:
         case ParameterType::Picks:
+        case ParameterType::Tangents:
         case ParameterType::Text:
             values.set(p.id, trimmedText(list.getString(name)));
             break;

@@ -54,14 +54,17 @@ class Drawing(NamedTuple):
             options = {**options, "field_cost": _core.natural_cost({"kind": self.field})}
         return options, made, self.avoid
 
-    def with_corners(self, moved: Callable[[int], int | None]) -> Drawing:
-        """Corners at other picks: at `moved` of each, at none where that is None."""
-        corners = self.options.get("corners", ())
-        if not isinstance(corners, tuple):
-            return self  # all
-        new = tuple(each for each in map(moved, corners) if each is not None)
-        others = {name: value for name, value in self.options.items() if name != "corners"}
-        return self._replace(options={**others, "corners": new} if new else others)
+    def renumbered(self, moved: Callable[[int], int | None]) -> Drawing:
+        """Corners and tangents of other picks: of `moved` of each, of none where that is None."""
+        options = dict(self.options)
+        corners: Any = options.get("corners")
+        if isinstance(corners, tuple):
+            options["corners"] = tuple(each for each in map(moved, corners) if each is not None)
+        tangents: Any = options.get("tangents") or ()
+        if tangents:
+            pairs = ((moved(pick), direction) for pick, direction in tangents)
+            options["tangents"] = tuple((pick, direction) for pick, direction in pairs if pick is not None)
+        return self._replace(options={name: value for name, value in options.items() if value != ()})
 
     def draw(self, start: _core.Curve | None, progress: Progress | None) -> Curve:
         share = 0.5 if isinstance(self.field, str) and self.field not in self.mesh._fields else 0.0  # of the field
@@ -231,13 +234,13 @@ class Curve:
         """Draw the curve with one more pick, before `pick`; len(picks) puts it last."""
         index = self._index(pick, len(self.picks) + 1)
         added = one_pick(point, self.mesh, index)
-        drawing = self._drawing.with_corners(lambda corner: corner + (corner >= index))
+        drawing = self._drawing.renumbered(lambda corner: corner + (corner >= index))
         return drawing._replace(picks=np.insert(drawing.picks, index, added, axis=0)).draw(None, progress)
 
     def remove(self, pick: int, progress: Progress | None = None) -> Curve:
         """Draw the curve without one of its picks."""
         index = self._index(pick, len(self.picks))
-        drawing = self._drawing.with_corners(lambda corner: None if corner == index else corner - (corner > index))
+        drawing = self._drawing.renumbered(lambda corner: None if corner == index else corner - (corner > index))
         return drawing._replace(picks=np.delete(drawing.picks, index, axis=0)).draw(None, progress)
 
     def with_options(self, progress: Progress | None = None, **options: Unpack[CurveOptions]) -> Curve:

@@ -54,6 +54,7 @@ CURVE: dict[str, Option] = {
     "field_weight": Option("double", 2000.0, 0.0, None, False, ()),
     "pick_tolerance": Option("length", "0", None, None, False, ()),
     "corners": Option("picks", (), None, None, False, ()),
+    "tangents": Option("tangents", None, None, None, False, ()),
     "field_cost": Option("enum", "natural", None, None, False, ("natural", "identity", "square", "exp-minus")),
     "samples": Option("int", 256, 0, None, False, ()),
     "max_segment_length": Option("double", 0.0, 0.0, None, False, ()),
@@ -108,6 +109,7 @@ class CurveOptions(TypedDict, total=False):
     field_weight: float
     pick_tolerance: float | str
     corners: Sequence[int] | Literal["all"]
+    tangents: Mapping[int, npt.ArrayLike] | None
     field_cost: FieldCost
     samples: int
     max_segment_length: float
@@ -233,6 +235,7 @@ class MeshKeywords(ABC):
         field_weight: float = 2000.0,
         pick_tolerance: float | str = "0",
         corners: Sequence[int] | Literal["all"] = (),
+        tangents: Mapping[int, npt.ArrayLike] | None = None,
         field_cost: FieldCost = "natural",
         samples: int = 256,
         max_segment_length: float = 0.0,
@@ -292,6 +295,9 @@ class MeshKeywords(ABC):
         corners : sequence of int, or 'all', default ()
             Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either
             side.
+        tangents : mapping of int to (3,) arrays, optional
+            Directions in which the curve passes picks, by their indices, as {0: (1, 0, 0)}. Their part along the surface
+            counts, not their length. Such picks are passed whatever their tolerance, and are no corners.
         field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
             What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
             valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
@@ -403,6 +409,7 @@ class MeshKeywords(ABC):
                 "field_weight": field_weight,
                 "pick_tolerance": pick_tolerance,
                 "corners": corners,
+                "tangents": tangents,
                 "field_cost": field_cost,
                 "samples": samples,
                 "max_segment_length": max_segment_length,

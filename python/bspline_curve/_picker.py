@@ -236,8 +236,9 @@ def _drawing(mesh: Mesh, options: dict[str, Any]) -> Drawing:
     field, avoid = options.pop("field", None), options.pop("avoid", None)
     if "closed" in options:
         raise TypeError("closed is of each curve that is drawn: a click on its first pick closes it")
-    if "corners" in options:
-        raise TypeError("corners are of a curve's own picks: draw it, and take curve.with_options(corners=…)")
+    for name in ("corners", "tangents"):
+        if name in options:
+            raise TypeError(f"{name} are of a curve's own picks: draw it, and take curve.with_options({name}=…)")
     unknown = sorted(options.keys() - CURVE.keys())
     if unknown:
         raise TypeError(f"there is no option {unknown[0]!r}; there are {', '.join([*sorted(CURVE), 'field', 'avoid'])}")

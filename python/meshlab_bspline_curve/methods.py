@@ -52,6 +52,7 @@ def generate_bspline_curve_on_surface(
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     pick_tolerance: float | str = "0",
     corners: str = "",
+    tangents: str = "",
     picks_layer: int | None = None,
     picks_file: str = "",
     picks: str = "",
@@ -149,6 +150,9 @@ def generate_bspline_curve_on_surface(
     corners : str, optional
         Picks at which the curve turns, by their numbers from 1, as 1,4; all: every pick. It passes them, and is as fair
         as possible on either side.
+    tangents : str, optional
+        Directions in which the curve passes picks, by their numbers from 1, as 1: 1, 0, 0; 4: 0, 1, 0. Their part along
+        the surface counts, not their length. Such picks are passed whatever their tolerance, and are no corners.
     picks_layer : int, optional
         A layer of points without faces; the curve passes through its vertices in their order. The surface itself
         (default): no layer of picks.
@@ -330,6 +334,7 @@ def generate_bspline_curve_on_surface(
             "tube_radius": tube_radius,
             "pick_tolerance": pick_tolerance,
             "corners": corners,
+            "tangents": tangents,
             "picks_layer": picks_layer,
             "picks_file": picks_file,
             "picks": picks,

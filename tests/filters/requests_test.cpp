@@ -68,6 +68,34 @@ TEST(CurveRequest, ChoosesCornersByNumbersFromOne) {
     }
 }
 
+TEST(CurveRequest, TakesTangentsByNumbersFromOne) {
+    const auto tangentsOf = [](const Text& text) {
+        ParameterValues values(curveFilter());
+        values.set("tangents", text);
+        return curveRequest(values).tangents;
+    };
+    EXPECT_TRUE(tangentsOf("").of(3).empty());
+    const PickDirections two = tangentsOf(" 3: 0 , 0.1, -2e-3;1:1 0 0 ; ");
+    const std::vector<Vec3> expected = {
+        Vec3(1.0, 0.0, 0.0), Vec3::Zero(), Vec3(0.0, 0.1, -2e-3), Vec3::Zero()
+    };
+    EXPECT_EQ(two.of(4), expected);
+    EXPECT_EQ(describe(two), "3:0,0.1,-0.002;1:1,0,0");
+    EXPECT_EQ(tangentsOf(describe(two)), two);
+    EXPECT_THROW(static_cast<void>(two.of(2)), InputError);
+    for (const Text wrong :
+         {"0:1,0,0",
+          "1:0,0,0",
+          "1:1,0",
+          "1:1,0,0,0",
+          "1 1,0,0",
+          "x",
+          "1:nan,0,0",
+          "1:1,0,0 2:0,1,0"}) {
+        EXPECT_THROW(static_cast<void>(tangentsOf(wrong)), InputError) << wrong;
+    }
+}
+
 TEST(CurveRequest, TakesTheNaturalCostOfItsFieldUnlessAnotherIsGiven) {
     ParameterValues values(curveFilter());
     values.set("field", Text("crease-distance"));

@@ -34,6 +34,7 @@ def drawn(home, arguments="", **given):
         ("pick_tolerance=0.01", ["--pick-tolerance", "0.01"]),
         ("corners='2,3'", ["--corners", "3, 2"]),
         ("corners='all', closed=True", ["--corners", "all", "--closed"]),
+        ("tangents='1: 0, 1, 0.5; 3: 1, 0, 0'", ["--tangents", "3:1,0,0;1:0,1,0.5"]),
         ("avoid=disc", ["--avoid", "disc.npy"]),
         ("quality=values, avoid='over-threshold', avoid_threshold=0.5, field='quality', field_weight=0",
          ["--field", "values.npy", "--field-weight", "0", "--avoid", "over-threshold", "--avoid-threshold", "0.5"]),

@@ -287,3 +287,33 @@ def test_corners_stay_with_their_picks(mesh, picks, tmp_path):
 def test_corners_that_are_none_are_refused(corners, error, mesh, picks):
     with pytest.raises(error, match="corner"):
         mesh.curve(picks, corners=corners)
+
+
+@pytest.mark.parametrize("degree", [2, 3, 4])
+def test_a_curve_passes_picks_in_given_directions(degree, mesh, picks, tmp_path):
+    directions = {0: (0.0, 1.0, 0.3), 2: picks[3] - picks[1]}
+    curve = mesh.curve(picks, degree=degree, tangents=directions)
+    assert [each["pick"] for each in curve.report["tangents"]] == [0, 2]
+    for each in curve.report["tangents"]:
+        assert each["angle_of_spline"] < 1e-6 and each["angle_of_polyline"] < 0.3
+        slope = curve.spline(curve.pick_parameters[each["pick"]], derivative=1)
+        along = directions[each["pick"]] / np.linalg.norm(directions[each["pick"]])
+        # The direction's part along the surface: they differ by a part along the normal alone.
+        assert slope @ along > 0.5 * np.linalg.norm(slope)
+    curve.save(tmp_path / "curve.json")
+    again = bspline_curve.load(tmp_path / "curve.json", mesh)
+    assert again.options["tangents"] == curve.options["tangents"]
+    np.testing.assert_array_equal(again.with_options().points, curve.points)
+    assert [pick for pick, _ in curve.insert(1, picks[:2].mean(0)).options["tangents"]] == [0, 3]
+    assert [pick for pick, _ in curve.remove(0).options["tangents"]] == [1]
+    assert "tangents" not in curve.with_options(tangents=None).options
+
+
+@pytest.mark.parametrize(
+    ("tangents", "error"),
+    [({4: (1, 0, 0)}, ValueError), ({-1: (1, 0, 0)}, ValueError), ({0: (0, 0, 0)}, ValueError), ({0: (1, 0)}, TypeError),
+     ({"a": (1, 0, 0)}, TypeError), ("1:1,0,0", TypeError), (1, TypeError)],
+)
+def test_tangents_that_are_none_are_refused(tangents, error, mesh, picks):
+    with pytest.raises(error, match="tangent"):
+        mesh.curve(picks, tangents=tangents)
