@@ -46,6 +46,8 @@ std::optional<double> timeWarm(
     ProgressBar& bar
 ) {
     std::vector<double> times;
+    const std::vector<int> corners = arguments.corners.of(picks.size());
+    const std::vector<Vec3> tangents = arguments.tangents.of(picks.size());
     for (int i = 0; i < arguments.repeat; ++i) {
         bar.show(static_cast<double>(i) / arguments.repeat, "repeat");
         Stopwatch watch;
@@ -53,7 +55,7 @@ std::optional<double> timeWarm(
             picks,
             arguments.solver,
             arguments.sampling,
-            {.field = drawn.field, .avoid = drawn.avoid},
+            {.field = drawn.field, .avoid = drawn.avoid, .corners = corners, .tangents = tangents},
             [](double, const char*) { return !interrupted(); }
         ));
         times.push_back(watch.lap());

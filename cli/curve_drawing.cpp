@@ -76,6 +76,9 @@ void readDrawingFiles(DrawingArguments& arguments, const TriangleMesh& mesh) {
 std::vector<Vec3> picksFrom(const std::filesystem::path& file, DrawingArguments& arguments) {
     PicksFile picks = readPicks(file);
     arguments.solver.closed = arguments.solver.closed || picks.closed.value_or(false);
+    if (arguments.corners == PickChoice()) {
+        arguments.corners.ids = std::move(picks.corners);
+    }
     return std::move(picks.picks);
 }
 

@@ -2,6 +2,8 @@
 #include "cli/described_options.h"
 
 #include "cli/value_checks.h"
+#include "workpiece/pick_choice.h"
+#include "workpiece/pick_directions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -126,6 +128,28 @@ CLI::Option* DescribedOptions::add(
             )
                          ->type_name("LENGTH")
                          ->default_str(values_.get<std::string>(parameter.id));
+            break;
+        case ParameterType::Picks:
+            option = app_.add_option_function<std::string>(
+                             flags,
+                             [this, key = parameter.id](const std::string& text) {
+                                 static_cast<void>(parsePickChoice(text, flagOf(key)));
+                                 keep(key, text);
+                             },
+                             extras.help.empty() ? parameter.help : extras.help
+            )
+                         ->type_name("PICKS");
+            break;
+        case ParameterType::Tangents:
+            option = app_.add_option_function<std::string>(
+                             flags,
+                             [this, key = parameter.id](const std::string& text) {
+                                 static_cast<void>(parsePickDirections(text, flagOf(key)));
+                                 keep(key, text);
+                             },
+                             extras.help.empty() ? parameter.help : extras.help
+            )
+                         ->type_name("PICK:X,Y,Z");
             break;
         default:
             throw std::invalid_argument(parameter.id + " is no option of the program");

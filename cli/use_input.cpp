@@ -67,8 +67,10 @@ void drawLines(
 ) {
     Stopwatch watch;
     const bool isClosed = arguments.solver.closed;
+    const PickChoice corners = arguments.corners;
     for (const std::filesystem::path& file : all.picks) {
         arguments.solver.closed = isClosed;
+        arguments.corners = corners;
         const std::vector<Vec3> picks = picksFrom(file, arguments);
         DesignedCurve drawn =
             drawThrough(picks, arguments, taken.loaded, progressPart(bar, 0.0, 1.0));

@@ -151,6 +151,8 @@ Curve CurveDesigner::design(
         inputs.field,
         provenance.facesFromInput(avoid),
         inputs.pickTolerances,
+        inputs.corners,
+        inputs.tangents,
         start
     };
     try {

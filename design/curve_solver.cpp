@@ -334,7 +334,7 @@ Solved CurveSolver::solveTightly(const Progress& progress) const {
 PickPath CurveSolver::pathRound(
     std::span<const int> blockedFaces, const FieldTravel& travel, PathKind kind
 ) const {
-    return makePickPath(
+    PickPath path = makePickPath(
         prepared_.surface(),
         *prepared_.extended(),
         picks_,
@@ -348,12 +348,25 @@ PickPath CurveSolver::pathRound(
          side_,
          context_.pickNumbers}
     );
+    setTangents(path);
+    return path;
+}
+
+void CurveSolver::setTangents(PickPath& path) const {
+    for (std::size_t i = 0; i < context_.tangents.size(); ++i) {
+        path.picks[i].tangent = context_.tangents[i];
+    }
 }
 
 CurveProblem CurveSolver::problemOn(
     const PickPath& path, const Shell* shell, const Progress& progress
 ) const {
     CurveProblem problem = makeProblem(prepared_, options_, path.picks);
+    // Parameters are shares of the length.
+    const double speed = context_.tangents.empty() ? 0.0 : path.path.length();
+    for (PickConstraint& pick : problem.picks) {
+        pick.speed = speed;
+    }
     problem.shell = shell;
     problem.field = context_.field.values;
     problem.fieldCosts = context_.field.costs;
@@ -378,6 +391,7 @@ std::optional<Solved> CurveSolver::solveFromStart(const Progress& progress) cons
     if (!dragged) {
         return std::nullopt;
     }
+    setTangents(dragged->path);
     const Shell* const shell = isLocal() ? nullptr : &prepared_.wholeShell().build.shell;
     CurveProblem problem = problemOn(dragged->path, shell, progress);
     SampledStart begin{std::move(dragged->spline), start.report.rounds.back().alpha};

@@ -23,6 +23,8 @@ struct DesignContext {
     const Obstacles* obstacles = nullptr;  ///< null: nothing to avoid
     const Curve* start = nullptr;          ///< a curve through picks nearby; null: none
     std::span<const int> pickNumbers{};    ///< see PathConstraints
+    /// Of each pick, see PickConstraint; empty: none has any.
+    std::span<const Vec3> tangents{};
 };
 
 /// A curve and the problem that it solves, with the shell of the whole surface or none.
@@ -80,6 +82,7 @@ private:
     [[nodiscard]] PickPath pathRound(
         std::span<const int> blockedFaces, const FieldTravel& travel, PathKind kind
     ) const;
+    void setTangents(PickPath& path) const;
     [[nodiscard]] CurveProblem problemOn(
         const PickPath& path, const Shell* shell, const Progress& progress
     ) const;

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -117,7 +118,7 @@ public:
         }
         for (std::size_t i = 0; i < kFairing.levels.size(); ++i) {
             const FairingLevel& level = kFairing.levels[i];
-            placeEvenly(level);
+            placeEvenly(level, i == 0);
             if (near_.empty()) {
                 relax(level);
                 continue;
@@ -160,7 +161,8 @@ public:
                 }
                 const PickConstraint& pick = picks_[stop->pick];
                 point.point = pick.point;
-                faired.picks[stop->pick] = {pick.point, pick.position, length};
+                faired.picks[stop->pick] = pick;
+                faired.picks[stop->pick].parameter = length;
             }
             faired.path.points.push_back(point);
         }
@@ -246,6 +248,11 @@ private:
     }
 
     [[nodiscard]] bool isCusp(std::size_t i) const {
+        if (hasTangent(i)) {
+            return std::ranges::any_of(halfTurnsAt(i, now_), [](const auto& half) {
+                return std::abs(half.second.value) > 0.5 * std::numbers::pi;
+            });
+        }
         const Vec3 in = hasTurn(i) ? segment(now_, before(i)) : Vec3(Vec3::Zero());
         const Vec3 out = hasTurn(i) ? segment(now_, i) : Vec3(Vec3::Zero());
         return in.dot(out) < kFairing.cuspCosine * in.norm() * out.norm();
@@ -282,16 +289,21 @@ private:
         near_.follow(now_, options_.closed);
     }
 
-    void placeEvenly(const FairingLevel& level) {
+    void placeEvenly(const FairingLevel& level, bool isFirst) {
         NodePlacement placement =
             spreadNodes(now_, options_.closed, stops_, picks_, level.segments, level.leastOfLeg);
+        if (isFirst) {
+            bendToTangents(placement, picks_);
+        }
         now_ = std::move(placement.nodes);
         stops_ = std::move(placement.stops);
         isFixed_.assign(size(), 0);
+        tangents_.assign(size(), Vec3::Zero());
         for (const auto& [node, pick] : stops_) {
             if (pick >= 0) {
                 const SurfacePoint& point = picks_[pick].point;
                 isFixed_[node] = 1;
+                tangents_[node] = picks_[pick].tangent;
                 now_[node].foot = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
             }
         }
@@ -311,6 +323,10 @@ private:
         placeNearPicks(placement.places);
         trial_ = now_;
         energy_ = energyOf(now_, near_);
+        const auto isFree = [](const Vec3& tangent) { return tangent.isZero(0.0); };
+        if (isFirst && !std::ranges::all_of(tangents_, isFree)) {
+            lengthBefore_ = std::max(lengthBefore_, energy_.length);  // it has been bent to them
+        }
     }
 
     // c and its derivatives by I at each node.
@@ -347,7 +363,11 @@ private:
             energy.length += lengths[i];
         }
         for (std::size_t i = 0; i < size(); ++i) {
-            if (hasTurn(i)) {
+            if (hasTangent(i)) {
+                for (const auto& [other, half] : halfTurnsAt(i, nodes)) {
+                    energy.bending += half.value * half.value / half.length;
+                }
+            } else if (hasTurn(i)) {
                 const Vec3 in = segment(nodes, before(i));
                 const Vec3 out = segment(nodes, i);
                 const double turn = turnOf(nodes[i].normal.dot(in.cross(out)), in.dot(out)).value;
@@ -363,6 +383,38 @@ private:
         }
         energy.total = energy.own + near.energy(nodes, barrier_);
         return energy;
+    }
+
+    [[nodiscard]] bool hasTangent(std::size_t i) const { return !tangents_[i].isZero(0.0); }
+
+    // To and from the tangent of a pick, as far as there is a path; and the other node of each.
+    // Derivatives are those of the last ways.
+    [[nodiscard]] std::vector<std::pair<std::size_t, HalfTurn>> halfTurnsAt(
+        std::size_t i, const std::vector<Node>& nodes
+    ) const {
+        std::vector<std::pair<std::size_t, HalfTurn>> halves;
+        const auto add = [&](std::size_t other, bool isBefore) {
+            const Vec3 way = nodes[other].position - nodes[i].position;
+            const Vec3 across = other < ways_.size() ? ways_[other].across : Vec3(Vec3::Zero());
+            halves.emplace_back(
+                other, halfTurn(way, isBefore, tangents_[i], nodes[i].normal, across)
+            );
+        };
+        if (options_.closed || i > 0) {
+            add(before(i), true);
+        }
+        if (options_.closed || i + 1 < size()) {
+            add(after(i), false);
+        }
+        return halves;
+    }
+
+    void addHalfTurn(std::size_t other, const HalfTurn& half, double weight) {
+        const double root = std::sqrt(half.length);
+        const double slope =
+            half.valueBy / root - 0.5 * half.value * half.lengthBy / (root * half.length);
+        gradientAt(other) += weight * slope * half.value / root;
+        derivatives_.rows[other][0] += weight * slope * slope;
     }
 
     [[nodiscard]] NodeWay wayOf(std::size_t i) const {
@@ -412,7 +464,11 @@ private:
         const double lengthWeight = (1.0 - options_.tension) * energy_.bending +
                                     2.0 * options_.tension * energy_.length / (chord_ * chord_);
         for (std::size_t i = 0; i < size(); ++i) {
-            if (hasTurn(i)) {
+            if (hasTangent(i)) {
+                for (const auto& [other, half] : halfTurnsAt(i, now_)) {
+                    addHalfTurn(other, half, bendingWeight);
+                }
+            } else if (hasTurn(i)) {
                 addTurn(i, bendingWeight);
             }
         }
@@ -600,7 +656,7 @@ private:
     const SolverOptions& options_;
     const PathField& field_;
     const std::vector<PickConstraint>& picks_;
-    double lengthBefore_;  // of the path
+    double lengthBefore_;  // of the path, before it is faired
     double chord_;         // length of the polygon of picks
     std::vector<Node> now_, trial_;
     bool isTrialNear_ = false;
@@ -610,6 +666,7 @@ private:
     std::vector<std::size_t> nearNumbers_;  // of each of these, its index among the picks
     double barrier_ = 0.0;                  // strength, see NearPicks
     std::vector<char> isFixed_;             // by node: it is a pick
+    std::vector<Vec3> tangents_;            // by node: of its pick; zero: none
     std::vector<NodeWay> ways_;             // by node
     Derivatives derivatives_;
     Energy energy_;

@@ -49,9 +49,15 @@ public:
             return std::nullopt;
         }
         std::vector<int> passed = {0};
+        for (std::size_t i = 0; i < task_.context.tangents.size(); ++i) {
+            if (!task_.context.tangents[i].isZero(0.0)) {
+                passed.push_back(static_cast<int>(i));
+            }
+        }
         if (!task_.options.closed) {
             passed.push_back(static_cast<int>(task_.picks.size()) - 1);
         }
+        sortUnique(passed);
         const Progress rest = partOf(progress, kNear.fairedShare, kNear.drawnShare);
         for (int i = 0; i < kNear.mostDrawn; ++i) {
             std::optional<Solved> solved =
@@ -141,20 +147,24 @@ private:
     ) const {
         std::vector<SurfacePoint> points;
         std::vector<std::size_t> pointOf;
+        std::vector<Vec3> tangents;
         for (std::size_t i = 0; i < task_.picks.size(); ++i) {
             if (i == 0 || path.picks[i].parameter != path.picks[i - 1].parameter) {
                 const SurfacePoint& point = path.picks[i].point;
                 const bool isClear = task_.context.obstacles == nullptr ||
                                      task_.context.obstacles->closeness(point) < 1.0;
                 points.push_back(isClear ? point : task_.picks[i]);
+                tangents.push_back(path.picks[i].tangent);
             }
             pointOf.push_back(points.size() - 1);
         }
         if (points.size() < (task_.options.closed ? 3U : 2U)) {
             return std::nullopt;
         }
+        DesignContext context = task_.context;
+        context.tangents = task_.context.tangents.empty() ? std::span<const Vec3>() : tangents;
         const LocatedTask same = {
-            task_.prepared, points, task_.options, task_.sampling, task_.context, task_.side
+            task_.prepared, points, task_.options, task_.sampling, context, task_.side
         };
         const CurveSolver solver = same.solver();
         Solved solved = solver.solve(progress);

@@ -111,4 +111,38 @@ NodePlacement spreadNodes(
     return spreader.take();
 }
 
+void bendToTangents(NodePlacement& placement, std::span<const PickConstraint> picks) {
+    std::vector<Vec3>& targets = placement.targets;
+    const std::vector<Vec3> before = targets;
+    const std::size_t count = before.size();
+    const auto at = [&](std::size_t node) -> const Vec3& { return before[node % count]; };
+    const auto tangentAt = [&](const NodeStop& stop) {
+        return stop.pick >= 0 ? picks[stop.pick].tangent : Vec3(Vec3::Zero());
+    };
+    const std::vector<NodeStop>& stops = placement.stops;
+    for (std::size_t j = 0; j < stops.size(); ++j) {
+        const std::size_t first = stops[j].node;
+        const NodeStop& next = stops[(j + 1) % stops.size()];
+        const std::size_t end = j + 1 < stops.size() ? next.node : count;
+        const Vec3 tangentAtFirst = tangentAt(stops[j]);
+        const Vec3 tangentAtEnd = tangentAt(next);
+        if (end <= first + 1 || (tangentAtFirst.isZero(0.0) && tangentAtEnd.isZero(0.0))) {
+            continue;
+        }
+        double length = 0.0;
+        for (std::size_t i = first; i < end; ++i) {
+            length += (at(i + 1) - at(i)).norm();
+        }
+        const auto missing = [length](const Vec3& tangent, const Vec3& way) {
+            return tangent.isZero(0.0) ? tangent : Vec3(length * (tangent - way.normalized()));
+        };
+        const Vec3 slopeAtFirst = missing(tangentAtFirst, at(first + 1) - at(first));
+        const Vec3 slopeAtEnd = missing(tangentAtEnd, at(end) - at(end - 1));
+        for (std::size_t i = first + 1; i < end; ++i) {
+            const double s = static_cast<double>(i - first) / static_cast<double>(end - first);
+            targets[i] += s * (1.0 - s) * ((1.0 - s) * slopeAtFirst - s * slopeAtEnd);
+        }
+    }
+}
+
 }  // namespace bspline_curve

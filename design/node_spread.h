@@ -35,4 +35,8 @@ struct NodePlacement {
     int leastOfLeg
 );
 
+/// Moves targets between picks by the cubic that turns the ends of the path there into the picks'
+/// tangents: from a path that leaves a pick backwards no small step leads to one that does not.
+void bendToTangents(NodePlacement& placement, std::span<const PickConstraint> picks);
+
 }  // namespace bspline_curve

@@ -56,4 +56,22 @@ PathTurn pathTurn(
     return turn;
 }
 
+HalfTurn halfTurn(
+    const Vec3& way, bool isBefore, const Vec3& tangent, const Vec3& normal, const Vec3& across
+) {
+    // Before the pick the path goes along -way, and turns from there to the tangent.
+    const double sign = isBefore ? -1.0 : 1.0;
+    const Vec3 along = sign * way;
+    const Vec3 moved = sign * across;
+    const double sine = sign * normal.dot(tangent.cross(along));
+    const double cosine = tangent.dot(along);
+    const double squares = sine * sine + cosine * cosine;
+    const double sineBy = sign * normal.dot(tangent.cross(moved));
+    const double cosineBy = tangent.dot(moved);
+    const double angleBy = squares > 0.0 ? (cosine * sineBy - sine * cosineBy) / squares : 0.0;
+    const auto [value, byAngle] = turnOf(sine, cosine);
+    const double length = way.norm();
+    return {value, 0.5 * length, byAngle * angleBy, 0.5 * way.dot(across) / length};
+}
+
 }  // namespace bspline_curve

@@ -34,4 +34,16 @@ struct PathTurn {
     const Vec3& in, const Vec3& out, const Vec3& normal, const std::array<const NodeWay*, 3>& ways
 );
 
+/// What a segment beside a pick turns by to the pick's tangent, or from it, on the half of it that
+/// is the pick's own, and derivatives by the other node's unknown.
+struct HalfTurn {
+    double value = 0.0, length = 0.0, valueBy = 0.0, lengthBy = 0.0;
+};
+
+/// `way`: from the pick to the other node, which is before it along the path, or after. `across`:
+/// how that node moves by its unknown.
+[[nodiscard]] HalfTurn halfTurn(
+    const Vec3& way, bool isBefore, const Vec3& tangent, const Vec3& normal, const Vec3& across
+);
+
 }  // namespace bspline_curve

@@ -2,10 +2,12 @@
 #include "design/surface_curves.h"
 
 #include "bspline_curve/error.h"
+#include "design/curve_sections.h"
 #include "design/curve_solver.h"
 #include "design/detours.h"
 #include "design/fitted_curve.h"
 #include "design/near_curve.h"
+#include "design/pick_tangents.h"
 #include "design/solved_curve.h"
 #include "solver/obstacles.h"
 #include "surface/error_messages.h"
@@ -169,6 +171,52 @@ std::vector<double> pickTolerancesOf(
     return tolerances;
 }
 
+/// Points at which corners are, ascending.
+std::vector<int> cornersOf(const CurveTask& task, const LocatedPicks& located) {
+    const auto count = static_cast<int>(task.picks.size());
+    std::vector<int> corners;
+    for (const int pick : task.corners) {
+        if (pick < 0 || pick >= count) {
+            throw InputError(
+                InputErrorCode::BadOption,
+                describePicks({pick}) + " is to be a corner, but there are " +
+                    describeCount(task.picks.size(), "pick", "picks"),
+                {pick}
+            );
+        }
+        corners.push_back(located.pointOf[pick]);
+    }
+    sortUnique(corners);
+    return corners;
+}
+
+/// What is asked of the points of a curve.
+struct PointDemands {
+    bool isNear = false;                     ///< some have a tolerance
+    std::vector<double> tolerances;          ///< of each, in the user's unit
+    std::vector<std::vector<int>> sections;  ///< see pointsOfSections()
+    std::vector<Vec3> tangents;              ///< see tangentsOf()
+};
+
+PointDemands demandsOf(
+    const PreparedSurface& prepared, const CurveTask& task, const LocatedPicks& located
+) {
+    PointDemands demands;
+    demands.tolerances = pickTolerancesOf(prepared.surface(), task, located);
+    demands.isNear = std::ranges::any_of(demands.tolerances, [](double t) { return t > 0.0; });
+    const std::vector<int> corners = cornersOf(task, located);
+    demands.sections =
+        pointsOfSections(static_cast<int>(located.points.size()), corners, task.options.closed);
+    demands.tangents =
+        tangentsOf(*prepared.extended(), located, task.tangents, corners, task.options);
+    for (std::size_t i = 0; i < demands.tangents.size(); ++i) {
+        if (!demands.tangents[i].isZero(0.0)) {
+            demands.tolerances[i] = 0.0;
+        }
+    }
+    return demands;
+}
+
 /// Through the picks.
 NearCurve drawThrough(const LocatedTask& task, const Progress& progress) {
     const Surface& surface = task.prepared.surface();
@@ -187,36 +235,90 @@ NearCurve drawThrough(const LocatedTask& task, const Progress& progress) {
 }
 
 /// Within the tolerances of the picks, user's unit; where there is no such curve, through them.
-NearCurve drawWithin(
+Curve drawSmooth(
+    const LocatedTask& task, std::span<const double> tolerances, const Progress& progress
+) {
+    std::optional<NearCurve> drawn;
+    if (std::ranges::any_of(tolerances, [](double t) { return t > 0.0; })) {
+        drawn = drawNear(task, tolerances, partOf(progress, 0.0, kNearPicksShare));
+        if (!drawn || !isStrict(task.prepared.surface(), drawn->curve.polyline)) {
+            drawn = drawThrough(task, partOf(progress, kNearPicksShare, 1.0));
+        }
+    } else {
+        drawn = drawThrough(task, progress);
+    }
+    const CurveProblem& problem = drawn->solved.problem;
+    drawn->curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
+    return std::move(drawn->curve);
+}
+
+template <class Value>
+std::vector<Value> chosenOf(std::span<const Value> values, std::span<const int> indices) {
+    std::vector<Value> chosen;
+    for (const int i : indices) {
+        chosen.push_back(values[i]);
+    }
+    return chosen;
+}
+
+/// Section by section, each as an open curve.
+Curve drawSections(
     const LocatedTask& task,
     std::span<const double> tolerances,
-    const LocatedPicks& located,
+    std::span<const std::vector<int>> pointsOfEach,
     const Progress& progress
 ) {
-    const Surface& surface = task.prepared.surface();
-    std::optional<NearCurve> drawn =
-        drawNear(task, tolerances, partOf(progress, 0.0, kNearPicksShare));
-    if (!drawn || !isStrict(surface, drawn->curve.polyline)) {
-        drawn = drawThrough(task, partOf(progress, kNearPicksShare, 1.0));
+    SolverOptions options = task.options;
+    options.closed = false;
+    const Curve* const start = task.context.start;
+    const std::vector<Curve> starts =
+        start != nullptr ? sectionsOfCurve(*start, pointsOfEach) : std::vector<Curve>();
+    std::vector<DrawnSection> sections;
+    for (std::size_t s = 0; s < pointsOfEach.size(); ++s) {
+        const std::vector<int>& points = pointsOfEach[s];
+        const auto picks = chosenOf(std::span(task.picks), points);
+        const std::vector<int> numbers = chosenOf(task.context.pickNumbers, points);
+        std::vector<double> reaches = chosenOf(tolerances, points);
+        // Both sections of a corner end there.
+        const bool isFirst = !task.options.closed && s == 0;
+        const bool isLast = !task.options.closed && s + 1 == pointsOfEach.size();
+        reaches.front() = isFirst ? reaches.front() : 0.0;
+        reaches.back() = isLast ? reaches.back() : 0.0;
+        DesignContext context = task.context;
+        context.start = starts.empty() ? nullptr : &starts[s];
+        context.pickNumbers = numbers;
+        const std::vector<Vec3> tangents = task.context.tangents.empty()
+                                               ? std::vector<Vec3>()
+                                               : chosenOf(task.context.tangents, points);
+        context.tangents = tangents;
+        const LocatedTask section{task.prepared, picks, options, task.sampling, context, task.side};
+        sections.push_back(
+            {points, drawSmooth(section, reaches, stepOf(progress, s, pointsOfEach.size()))}
+        );
     }
-    Curve& curve = drawn->curve;
+    return joinedCurve(sections, task.options.closed);
+}
+
+void reportNearPicks(const Surface& surface, const LocatedPicks& located, Curve& curve) {
     for (const int point : located.pointOf) {
         curve.nearPicks.push_back(located.points[point]);
         curve.nearPickPositions.push_back(surface.position(located.points[point]));
     }
     curve.report.pickDistances = distancesTo(curve.polyline, curve.nearPickPositions);
-    return *std::move(drawn);
 }
 
 }  // namespace
 
 Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) const {
-    const auto& [picks, options, sampling, field, avoid, asked, askedStart] = task;
+    const SolverOptions& options = task.options;
+    const SamplingOptions& sampling = task.sampling;
+    const Region& avoid = task.avoid;
     options.validate();
     sampling.validate();
-    const std::shared_ptr<const ValidatedField> validated =
-        fieldCache_.find(surface(), *extended(), valuesOn(surface(), field), options.fieldCost);
-    const LocatedPicks located = locatePicks(surface(), tree(), picks, options.closed);
+    const std::shared_ptr<const ValidatedField> validated = fieldCache_.find(
+        surface(), *extended(), valuesOn(surface(), task.field), options.fieldCost
+    );
+    const LocatedPicks located = locatePicks(surface(), tree(), task.picks, options.closed);
     const std::vector<int> repeated = located.repeated();
     std::optional<Obstacles> obstacles;
     if (!avoid.empty()) {
@@ -226,15 +328,15 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         );
         refuseAvoidedPicks(surface(), *obstacles, located);
     }
-    const std::vector<double> tolerances = pickTolerancesOf(surface(), task, located);
-    const bool isNear = std::ranges::any_of(tolerances, [](double t) { return t > 0.0; });
+    const PointDemands demands = demandsOf(*this, task, located);
     const std::vector<int> numbers = located.firstPicks();
     const DesignContext context{
         *validated,
         obstacles ? &*obstacles : nullptr,
-        repeated.empty() && !isNear ? askedStart
-                                    : nullptr,  // which has as many picks as were asked for
-        numbers
+        repeated.empty() && !demands.isNear ? task.start
+                                            : nullptr,  // with as many picks as were asked for
+        numbers,
+        demands.tangents
     };
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {
@@ -243,25 +345,27 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     const LocatedTask here{
         *this, located.points, options, sampling, context, side ? &*side : nullptr
     };
-    NearCurve drawn =
-        isNear ? drawWithin(here, tolerances, located, progress) : drawThrough(here, progress);
+    Curve curve = demands.sections.empty()
+                      ? drawSmooth(here, demands.tolerances, progress)
+                      : drawSections(here, demands.tolerances, demands.sections, progress);
     Stopwatch watch;
-    auto& [curve, solved] = drawn;
-    const CurveProblem& problem = solved.problem;
-    curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
+    if (demands.isNear) {
+        reportNearPicks(surface(), located, curve);
+    }
     curve.report.meanEdgeLength = surface().averageEdgeLength();
     curve.report.diagonal = surface().diagonal();
     if (obstacles) {
         requireClear(surface(), curve.polyline, *obstacles);
         curve.report.clearance = clearanceOf(curve.polyline, surface(), avoid);
     }
-    if (obstacles || !field.empty() || problem.shell != nullptr) {
+    if (obstacles || !task.field.empty() || curve.shell) {
         reportDetour(*this, numbers, curve);
     }
     if (!repeated.empty()) {
         giveRepeatedPicks(located, curve);
         curve.report.repeatedPicks = repeated;
     }
+    curve.report.tangents = metTangents(*extended(), located, demands.tangents, curve);
     curve.report.seconds.polyline += watch.lap();
     bspline_curve::report(progress, 1.0, "done");
     return curve;

@@ -39,6 +39,34 @@ Binding<Options> boundLength(const std::string& id, MeshLength Options::* member
     };
 }
 
+/// Binds picks that are chosen by text.
+template <class Options>
+Binding<Options> boundPicks(const std::string& id, PickChoice Options::* member) {
+    return {
+        .id = id,
+        .read = [id, member](
+                    const ParameterValue& value, Options& options
+                ) { options.*member = parsePickChoice(std::get<std::string>(value), id); },
+        .write = [member](const Options& options) -> ParameterValue {
+            return describe(options.*member);
+        }
+    };
+}
+
+/// Binds directions of picks that are given by text.
+template <class Options>
+Binding<Options> boundDirections(const std::string& id, PickDirections Options::* member) {
+    return {
+        .id = id,
+        .read = [id, member](
+                    const ParameterValue& value, Options& options
+                ) { options.*member = parsePickDirections(std::get<std::string>(value), id); },
+        .write = [member](const Options& options) -> ParameterValue {
+            return describe(options.*member);
+        }
+    };
+}
+
 template <class Enum>
 using Names = std::vector<std::pair<std::string, Enum>>;
 

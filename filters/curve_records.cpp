@@ -5,8 +5,11 @@
 #include "filters/requests.h"
 #include "io/curve_json.h"
 #include "io/json_reader.h"
+#include "io/picks_formats.h"
 #include "io/text_parsing.h"
+#include "spline/spline_sections.h"
 #include "surface/error_messages.h"
+#include "utility/index_sets.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -53,7 +56,13 @@ Json picksJson(const std::vector<SketchPick>& picks) {
         positions.push_back(pick.position);
         points.push_back(pick.point);
     }
-    return surfacePointsJson(positions, points);
+    Json result = surfacePointsJson(positions, points);
+    const auto corners =
+        indicesWhere<int>(picks.size(), [&](std::size_t i) { return picks[i].isCorner; });
+    if (!corners.empty()) {
+        result["corners"] = corners;
+    }
+    return result;
 }
 
 Json recordJson(const CurveRecord& record, bool isShort) {
@@ -155,10 +164,19 @@ private:
             for (std::size_t i = 0; i < read.points.size(); ++i) {
                 picks.push_back({read.points[i], read.positions[i]});
             }
+            const nlohmann::json& written = curve.at("picks");
+            for (const int corner : cornersOfJson(file_, written, picks.size())) {
+                picks[corner].isCorner = true;
+            }
         } else if (record.curve) {
             const SurfacePolyline& line = record.curve->polyline;
             for (const int vertex : line.picks) {
                 picks.push_back({line.surfacePoints[vertex], line.points[vertex]});
+            }
+            for (const int corner : cornersOf(record.curve->spline)) {
+                if (corner < static_cast<int>(picks.size())) {
+                    picks[corner].isCorner = true;
+                }
             }
         }
         if (picks.empty()) {

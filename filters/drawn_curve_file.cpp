@@ -152,7 +152,7 @@ private:
         const TriangleTree::Closest closest = closestTo(pick.position);
         ++placed.projected;
         placed.farthest = std::max(placed.farthest, (closest.position - pick.position).norm());
-        return {closest.point, closest.position};
+        return {closest.point, closest.position, pick.isCorner};
     }
 
     TriangleTree::Closest closestTo(const Vec3& position) {

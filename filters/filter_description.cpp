@@ -17,13 +17,15 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::pair<const char*, ParameterType>, 10> kTypes = {{
+constexpr std::array<std::pair<const char*, ParameterType>, 12> kTypes = {{
     {"mesh", ParameterType::Layer},
     {"bool", ParameterType::Bool},
     {"int", ParameterType::Int},
     {"double", ParameterType::Double},
     {"absperc", ParameterType::Percentage},
     {"length", ParameterType::Length},
+    {"picks", ParameterType::Picks},
+    {"tangents", ParameterType::Tangents},
     {"enum", ParameterType::Enum},
     {"string", ParameterType::Text},
     {"openFile", ParameterType::OpenFile},

@@ -20,6 +20,8 @@ enum class ParameterType {
     Double,      ///< "double"
     Percentage,  ///< a length, in world units or as a share of the surface's diagonal; "absperc"
     Length,      ///< text: a length in world units or mean edges, see MeshLength; "length"
+    Picks,       ///< text: numbers of picks, see parsePickChoice(); "picks"
+    Tangents,    ///< text: directions of picks, see parsePickDirections(); "tangents"
     Enum,        ///< "enum"
     Text,        ///< "string"
     OpenFile,    ///< a file to read; "openFile"

@@ -242,6 +242,8 @@ Bindings<CurveRequest> curveBindings() {
         bound("picks_layer", &C::picksLayer),
         bound("picks_file", &C::picksFile),
         bound("picks", &C::picksText),
+        boundPicks<CurveRequest>("corners", &C::corners),
+        boundDirections<CurveRequest>("tangents", &C::tangents),
         bound("tube_radius", &C::tubeRadius),
         bound("save", &C::saveFile),
         bound("control_polygon", &C::controlPolygon),

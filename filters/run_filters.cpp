@@ -66,6 +66,9 @@ CurveResult runCurveFilter(
     const PicksFile chosen = choosePicks(request, picks);
     CurveOptions options = static_cast<const CurveOptions&>(request);
     options.solver.closed = options.solver.closed || chosen.closed.value_or(false);
+    if (options.corners == PickChoice()) {
+        options.corners.ids = chosen.corners;
+    }
     const std::optional<ShellCache> cache = ShellCache::ofUser();
     const WorkpieceCache::Found found = workpieces.ready(
         layer, request, partOf(progress, 0.0, kCurveSurfaceShare), cache ? &*cache : nullptr

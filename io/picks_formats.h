@@ -5,9 +5,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // The formats of picks, one function each; readPicks() chooses among them. Each throws InputError
 // (UnreadableFile) naming file and place.
@@ -35,6 +37,11 @@ namespace bspline_curve {
 /// [x, y, z]; `name` says in messages what that is.
 [[nodiscard]] Vec3 pointOfJson(
     const std::filesystem::path& file, const nlohmann::json& value, const std::string& name
+);
+
+/// What an object says of corners among so many picks: a list of indices "corners", or nothing.
+[[nodiscard]] std::vector<int> cornersOfJson(
+    const std::filesystem::path& file, const nlohmann::json& object, std::size_t picks
 );
 
 /// A coordinate of a file: a finite number.

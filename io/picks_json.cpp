@@ -7,6 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -26,6 +30,30 @@ Vec3 pointOfJson(const path& file, const nlohmann::json& value, const std::strin
     return point;
 }
 
+std::vector<int> cornersOfJson(const path& file, const nlohmann::json& object, std::size_t picks) {
+    std::vector<int> corners;
+    if (!object.contains("corners")) {
+        return corners;
+    }
+    const nlohmann::json& written = object.at("corners");
+    const auto count = static_cast<std::int64_t>(picks);
+    const bool areIndices =
+        written.is_array() && std::ranges::all_of(written, [&](const nlohmann::json& id) {
+            return id.is_number_integer() && id.get<std::int64_t>() >= 0 &&
+                   id.get<std::int64_t>() < count;
+        });
+    if (!areIndices) {
+        refuseFile(
+            file,
+            "\"corners\" is no list of indices of picks, in [0, " + std::to_string(count - 1) + "]"
+        );
+    }
+    for (const nlohmann::json& id : written) {
+        corners.push_back(id.get<int>());
+    }
+    return corners;
+}
+
 PicksFile picksOfJson(const path& file, const std::string& bytes) {
     const nlohmann::json document = jsonOfBytes(file, bytes);
     if (document.is_object() && document.contains("markups")) {
@@ -42,6 +70,8 @@ PicksFile picksOfJson(const path& file, const std::string& bytes) {
     for (const nlohmann::json& value : document.at(where)) {
         result.picks.push_back(pointOfJson(file, value, describePicks({std::ssize(result.picks)})));
     }
+    const nlohmann::json& beside = &where == &ofCurve ? document.at("picks") : document;
+    result.corners = cornersOfJson(file, beside, result.picks.size());
     if (document.contains("closed")) {
         if (!document["closed"].is_boolean()) {
             refuseFile(file, R"("closed" must be true or false)");

@@ -13,6 +13,7 @@ namespace bspline_curve {
 struct PicksFile {
     std::vector<Vec3> picks;     ///< finite, in the order of the file
     std::optional<bool> closed;  ///< what the file says about it, if it can
+    std::vector<int> corners{};  ///< indices of picks
 };
 
 /// The ends of names of files of picks, for help and messages.
@@ -21,7 +22,8 @@ inline constexpr std::string_view kPicksExtensions =
 
 /// Picked points by extension:
 ///   .pp        MeshLab's PickPoints (points that are not active are left out)
-///   .json      {"picks": [[x, y, z], …], "closed": true or false}; other keys are left alone
+///   .json      {"picks": [[x, y, z], …], "closed": true or false, "corners": [0, …]}: indices of
+///              picks that are corners; other keys are left alone
 ///   .mrk.json  (or .json) the markups of 3D Slicer: the placed control points of the one Fiducial,
 ///              Curve, ClosedCurve or Line that has any, in LPS; curves and lines say whether they
 ///              are closed

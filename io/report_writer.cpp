@@ -114,6 +114,18 @@ Json detoursOf(const SolveReport& report) {
     return list;
 }
 
+Json tangentsJson(const SolveReport& report) {
+    Json list = Json::array();
+    for (const MetTangent& tangent : report.tangents) {
+        list.push_back(
+            {{"pick", tangent.pick},
+             {"angle_of_spline", tangent.ofSpline},
+             {"angle_of_polyline", tangent.ofPolyline}}
+        );
+    }
+    return list;
+}
+
 Json meshOf(const Surface& surface, const std::string& file) {
     return {
         {"file", file},
@@ -146,6 +158,7 @@ std::string reportText(const Curve& curve, const Surface& surface, const RunFigu
         {"repeated_picks", report.repeatedPicks},
         {"pick_distances", report.pickDistances},
         {"detours", detoursOf(report)},
+        {"tangents", tangentsJson(report)},
         {"avoid", avoidanceOf(report)},
         {"seconds", secondsOf(report, figures)},
         {"peak_memory_bytes",

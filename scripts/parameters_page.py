@@ -77,6 +77,10 @@ def values_of(parameter):
         return ", ".join(f"`{extension}`" for extension in parameter["extensions"])
     if kind == "length":
         return "a length, or so many `edges`"
+    if kind == "picks":
+        return "numbers of picks, or `all`"
+    if kind == "tangents":
+        return "numbers of picks, each with a direction"
     if kind == "string":
         return "text"
     low, high = parameter.get("min"), parameter.get("max")

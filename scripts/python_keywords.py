@@ -14,6 +14,9 @@ HELP = {
     "closed": "True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.",
     "max_segment_length": "No segment of the polyline is longer, in the unit of the mesh. 0: no limit.",
     "shell": "Where curves are sought.",
+    "tangents": "Directions in which the curve passes picks, by their indices, as {0: (1, 0, 0)}. Their part along the surface counts, "
+                "not their length. Such picks are passed whatever their tolerance, and are no corners.",
+    "corners": "Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either side.",
 }
 PICKS = ("picks", "(p, 3) array of float, or p pairs (face, barycentrics)",
          "Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.")
@@ -45,7 +48,8 @@ def parameters_of(flt, keep):
 
 def documented(parameter):
     kind, text = parameter["type"], parameter["help"]
-    words = {"bool": "bool", "int": "int", "length": "float or str"}.get(kind, "float")
+    words = {"bool": "bool", "int": "int", "length": "float or str", "picks": "sequence of int, or 'all'",
+             "tangents": "mapping of int to (3,) arrays, optional"}.get(kind, "float")
     if kind == "enum":
         words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, False)) + "}"
         told = [f"{o['id']}: {o['help']}" for o in options_of(parameter, False) if "help" in o]
@@ -53,11 +57,22 @@ def documented(parameter):
     else:
         words += range_of(parameter)
         text = HELP.get(parameter["id"], text)
-    return parameter["id"], f"{words}, default {parameter['default']!r}", text
+    default = "" if kind == "tangents" else f", default {default_in_python(parameter)}".replace('"', "'")
+    return parameter["id"], words + default, text
+
+
+def type_in_python(parameter):
+    """Picks are chosen by their indices, not by text."""
+    own = {"picks": 'Sequence[int] | Literal["all"]', "tangents": "Mapping[int, npt.ArrayLike] | None"}
+    return own.get(parameter["type"]) or type_of(parameter, False)
+
+
+def default_in_python(parameter):
+    return {"picks": "()", "tangents": "None"}.get(parameter["type"]) or default_of(parameter)
 
 
 def keyword(parameter):
-    return f"{parameter['id']}: {type_of(parameter, False)} = {default_of(parameter)}"
+    return f"{parameter['id']}: {type_in_python(parameter)} = {default_in_python(parameter)}"
 
 
 def row(parameter):
@@ -65,7 +80,7 @@ def row(parameter):
     kind = "double" if parameter["type"] == "absperc" else parameter["type"]
     words = tuple(o["id"] for o in options_of(parameter, False)) if kind == "enum" else ()
     numbers = [parameter.get("min"), parameter.get("max"), bool(parameter.get("excludesMin"))]
-    return f'    "{parameter["id"]}": Option("{kind}", {default_of(parameter)}, {", ".join(map(repr, numbers))}, {words!r}),'.replace("'", '"')
+    return f'    "{parameter["id"]}": Option("{kind}", {default_in_python(parameter)}, {", ".join(map(repr, numbers))}, {words!r}),'.replace("'", '"')
 
 
 def table(name, parameters):
@@ -80,7 +95,7 @@ GUIDES = {
 
 def typed_dict(parameters):
     lines = ["class CurveOptions(TypedDict, total=False):", '    """Options of Mesh.curve(), for Curve.with_options()."""', ""]
-    lines += [f"    {p['id']}: {type_of(p, False)}" for p in parameters]
+    lines += [f"    {p['id']}: {type_in_python(p)}" for p in parameters]
     return "\n".join([*lines, *(f"    {name}: {kind}" for name, kind in GUIDES.items())])
 
 
@@ -182,7 +197,7 @@ def keywords(filters):
         HEAD + '"""Keywords of meshes, curves and fields."""', "",
         "from __future__ import annotations", "",
         "from abc import ABC, abstractmethod",
-        "from collections.abc import Mapping",
+        "from collections.abc import Mapping, Sequence",
         "from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict", "",
         "import numpy.typing as npt", "",
         "from ._arrays import Floats, Picks", "from ._options import Option, Progress", "",

@@ -163,6 +163,7 @@ SolveAnswer CurveWorker::answerTo(const SolveRequest& request, const Progress& p
     SolveAnswer answer{request.id, request.picks, nullptr, {}};
     CurveInputs inputs;
     inputs.start = request.start.get();
+    inputs.corners = request.corners;
     try {
         if (request.options.guides) {
             // Further requests need it as well, so it is finished where this one is given up.

@@ -18,6 +18,7 @@ namespace bspline_curve {
 struct SolveRequest {
     std::uint64_t id = 0;  ///< of whoever asks; comes back with the answer
     std::vector<Vec3> picks;
+    std::vector<int> corners;  ///< of these
     SketchCurveOptions options;
     std::shared_ptr<const Curve> start;  ///< see CurveInputs::start; null: from scratch
 };

@@ -21,7 +21,12 @@ DrawingSession::DrawingSession(
 // ---- Points ----
 
 SketchPick DrawingSession::pickAt(const SurfacePoint& point) const {
-    return {point, positionOf(designer_->mesh(), point)};
+    return {point, positionOf(designer_->mesh(), point), false};
+}
+
+void DrawingSession::place(SketchPick& pick, const SurfacePoint& point) const {
+    pick.point = point;
+    pick.position = positionOf(designer_->mesh(), point);
 }
 
 TriangleTree::Hit DrawingSession::seenBy(const Pointer& pointer) const {
@@ -104,7 +109,7 @@ bool DrawingSession::move(const Pointer& pointer) {
     }
     if (mode_ == Mode::Dragging && seen.point.face >= 0) {
         const SurfacePoint point = pointUnder(pointer, seen);
-        changed().picks[sketch_.selected] = pickAt(point);
+        place(changed().picks[sketch_.selected], point);
         askLive();
     }
     if (mode_ != Mode::Idle) {
@@ -254,9 +259,19 @@ void DrawingSession::insertPick(int after, const SurfacePoint& point) {
 void DrawingSession::movePick(int pick, const SurfacePoint& point) {
     cancel();
     requirePick(pick);
-    changed().picks[pick] = pickAt(point);
+    place(changed().picks[pick], point);
     sketch_.selected = pick;
     enter();
+}
+
+void DrawingSession::setCorner(int pick, bool isCorner) {
+    requirePick(pick);
+    if (sketch_.activeCurve()->picks[pick].isCorner != isCorner) {
+        cancel();
+        changed().picks[pick].isCorner = isCorner;
+        sketch_.selected = pick;
+        enter();
+    }
 }
 
 void DrawingSession::removePick(int pick) {

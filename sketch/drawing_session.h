@@ -60,6 +60,8 @@ public:
     void insertPick(int after, const SurfacePoint& point);
     void movePick(int pick, const SurfacePoint& point);
     void removePick(int pick);
+    /// Whether the curve may turn at a pick, see CurveInputs::corners.
+    void setCorner(int pick, bool isCorner);
     void select(int curve, int pick = -1);
     void setClosed(bool closed);
     /// Of the active curve, where there is one, and of new ones. `isLive`: more of the same change
@@ -137,6 +139,8 @@ private:
     };
 
     [[nodiscard]] SketchPick pickAt(const SurfacePoint& point) const;
+    /// Moves a pick, which stays what it is.
+    void place(SketchPick& pick, const SurfacePoint& point) const;
     [[nodiscard]] TriangleTree::Hit seenBy(const Pointer& pointer) const;
     /// The point under the pointer, snapped where that is asked for.
     SurfacePoint pointUnder(const Pointer& pointer, const TriangleTree::Hit& seen);

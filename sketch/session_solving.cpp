@@ -22,6 +22,7 @@ void DrawingSession::askLive() {
     worker_.askLive(
         {ask(Asking::Live, curve),
          curve->positions(),
+         curve->corners(),
          curve->options,
          canStart ? curve->last : nullptr}
     );
@@ -31,7 +32,9 @@ void DrawingSession::askPreview(const SurfacePoint& point) {
     const SketchCurve& curve = *sketch_.activeCurve();
     std::vector<Vec3> picks = curve.positions();
     picks.push_back(pickAt(point).position);
-    worker_.askLive({ask(Asking::Preview, nullptr), std::move(picks), curve.options, nullptr});
+    worker_.askLive(
+        {ask(Asking::Preview, nullptr), std::move(picks), curve.corners(), curve.options, nullptr}
+    );
 }
 
 // From scratch, in the order of the sketch.
@@ -49,7 +52,7 @@ void DrawingSession::askSettled() {
             return asked.kind == Asking::Settled && asked.curve == curve;
         });
         const std::uint64_t id = before != asked_.end() ? before->id : ask(Asking::Settled, curve);
-        requests.push_back({id, curve->positions(), curve->options, nullptr});
+        requests.push_back({id, curve->positions(), curve->corners(), curve->options, nullptr});
     }
     worker_.askOthers(std::move(requests));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sketch/sketch.h"
 
+#include "utility/index_sets.h"
+
 #include <algorithm>
 
 namespace bspline_curve {
@@ -8,7 +10,7 @@ namespace bspline_curve {
 bool SketchCurve::asksForTheSame(const SketchCurve& other) const {
     const auto samePick = [](const SketchPick& a, const SketchPick& b) {
         return a.point.face == b.point.face && a.point.barycentric == b.point.barycentric &&
-               a.position == b.position;
+               a.position == b.position && a.isCorner == b.isCorner;
     };
     return options.solver == other.options.solver && options.guides == other.options.guides &&
            std::ranges::equal(picks, other.picks, samePick);
@@ -20,6 +22,10 @@ std::vector<Vec3> SketchCurve::positions() const {
         positions.push_back(pick.position);
     }
     return positions;
+}
+
+std::vector<int> SketchCurve::corners() const {
+    return indicesWhere<int>(picks.size(), [this](std::size_t i) { return picks[i].isCorner; });
 }
 
 std::vector<Vec3> SketchCurve::shownPoints() const {

@@ -24,6 +24,7 @@ struct SketchCurveOptions {
 struct SketchPick {
     SurfacePoint point;
     Vec3 position = Vec3::Zero();  ///< of the point, user's unit
+    bool isCorner = false;         ///< see CurveInputs::corners
 };
 
 /// Why a curve is not what its picks ask for.
@@ -72,6 +73,8 @@ struct SketchCurve {
     }
 
     [[nodiscard]] std::vector<Vec3> positions() const;
+    /// Picks that are corners.
+    [[nodiscard]] std::vector<int> corners() const;
 
     /// The polyline to be shown: the settled one; else the last one, displaced with its picks where
     /// there are as many. Empty where there is none.

@@ -27,6 +27,26 @@ constexpr double kHighestStart = 0.9;
 // clearance.
 constexpr double kLeastClearanceShare = 0.3;
 
+// A pick with a tangent is two constraints, for which spans beside it are parted in four.
+std::vector<double> quarteredAtTangents(
+    const CurveProblem& problem, const std::vector<double>& breaks
+) {
+    constexpr int kParts = 4;
+    const std::vector<PickConstraint>& picks = problem.picks;
+    std::vector<double> finer{breaks.front()};
+    for (std::size_t i = 1; i < breaks.size(); ++i) {
+        if (picks[i - 1].hasTangent() || picks[i % picks.size()].hasTangent()) {
+            for (int k = 1; k < kParts; ++k) {
+                finer.push_back(
+                    std::lerp(breaks[i - 1], breaks[i], static_cast<double>(k) / kParts)
+                );
+            }
+        }
+        finer.push_back(breaks[i]);
+    }
+    return finer;
+}
+
 std::vector<double> firstBreaks(const CurveProblem& problem) {
     std::vector<double> breaks;
     for (const PickConstraint& pick : problem.picks) {
@@ -35,6 +55,7 @@ std::vector<double> firstBreaks(const CurveProblem& problem) {
     if (problem.options.closed) {
         breaks.push_back(1.0);
     }
+    breaks = quarteredAtTangents(problem, breaks);
     const int needed = problem.options.degree + 1;  // of a closed spline
     while (static_cast<int>(breaks.size()) - 1 < needed) {
         std::vector<double> finer{breaks.front()};

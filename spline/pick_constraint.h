@@ -12,7 +12,11 @@ namespace bspline_curve {
 struct PickConstraint {
     SurfacePoint point;
     Vec3 position;
-    double parameter = 0.0;  ///< t_ki; 0 for the first
+    double parameter = 0.0;       ///< t_ki; 0 for the first
+    Vec3 tangent = Vec3::Zero();  ///< unit direction in which the curve passes it; zero: any
+    double speed = 0.0;           ///< |P'| there, where there is such a direction
+
+    [[nodiscard]] bool hasTangent() const { return !tangent.isZero(0.0); }
 };
 
 /// L of (4): the length of the polygon of picks.

@@ -7,6 +7,27 @@
 
 namespace bspline_curve {
 
+namespace {
+
+InterpolationRow tangentRow(
+    const SplineSpace& space, int span, double tau, const PickConstraint& pick
+) {
+    const auto degree = static_cast<double>(space.degree());
+    InterpolationRow row;
+    row.span = span;
+    for (int j = 0; j < space.basisCount(); ++j) {
+        double power = 1.0;
+        for (int m = 1; m < space.basisCount(); ++m) {
+            row.values[j] += m / degree * space.basis(span)(j, m) * power;
+            power *= tau;
+        }
+    }
+    row.target = pick.speed * space.spanLength(span) / degree * pick.tangent;
+    return row;
+}
+
+}  // namespace
+
 std::vector<InterpolationRow> interpolationRows(
     const SplineSpace& space, const std::vector<PickConstraint>& picks
 ) {
@@ -15,6 +36,9 @@ std::vector<InterpolationRow> interpolationRows(
         const int span = space.spanAt(pick.parameter);
         const double tau = (pick.parameter - space.breaks()[span]) / space.spanLength(span);
         rows.push_back({span, space.basisAt(span, tau), pick.position});
+        if (pick.hasTangent()) {
+            rows.push_back(tangentRow(space, span, tau, pick));
+        }
     }
     return rows;
 }

@@ -10,7 +10,9 @@
 
 namespace bspline_curve {
 
-/// One row of the interpolation constraints: sum_j values[j] * control(span, j) = target.
+/// One row of the interpolation constraints: sum_j values[j] * control(span, j) = target. A pick
+/// has one for its position and, where it has a tangent, one for the derivative, in units of the
+/// span over the degree, which are those of the control points.
 struct InterpolationRow {
     int span = 0;
     SplineSpace::BasisValues values{};

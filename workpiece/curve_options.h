@@ -5,6 +5,8 @@
 #include "bspline_curve/options.h"
 #include "bspline_curve/shell.h"
 #include "surface/region.h"
+#include "workpiece/pick_choice.h"
+#include "workpiece/pick_directions.h"
 
 #include <optional>
 #include <vector>
@@ -46,6 +48,8 @@ struct CurveOptions {
     SamplingOptions sampling;
     std::optional<FieldRequest> field;
     FaceChoice avoid;
+    PickChoice corners{};       ///< see CurveInputs
+    PickDirections tangents{};  ///< likewise
 };
 
 /// How a mesh is prepared for curves.

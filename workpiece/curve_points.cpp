@@ -2,6 +2,7 @@
 #include "workpiece/curve_points.h"
 
 #include "bspline_curve/error.h"
+#include "spline/spline_sections.h"
 #include "spline/spline_space.h"
 #include "surface/error_messages.h"
 #include "surface/surface_point.h"
@@ -101,7 +102,7 @@ Derivatives alongLine(const MeasuredLine& line, bool closed, double distance) {
     return {.tangent = slope, .bend = bend};
 }
 
-/// A smooth spline with simple knots, as all that are drawn here are.
+/// A smooth spline with simple knots, as all that are drawn here have between their corners.
 class SmoothSpline {
 public:
     /// None where it is another one.
@@ -149,6 +150,55 @@ private:
 
     SplineSpace space_;
     ControlPoints controls_;
+};
+
+/// The spline of a curve; at a corner it is that behind it.
+class CurveSpline {
+public:
+    /// None where it is none of those that are drawn here.
+    static std::optional<CurveSpline> of(const SplineData& spline) {
+        std::optional<SmoothSpline> whole = SmoothSpline::of(spline);
+        CurveSpline result;
+        if (whole) {
+            result.parts_.push_back({0.0, 1.0, *std::move(whole)});
+            return result;
+        }
+        const auto degree = static_cast<std::size_t>(std::max(spline.degree, 0));
+        const std::size_t count = spline.controlPoints.size();
+        if (degree < 2 || count <= degree || spline.knots.size() != count + degree + 1 ||
+            !std::ranges::is_sorted(spline.knots)) {
+            return std::nullopt;
+        }
+        for (auto& [from, to, part] : sectionsOf(spline)) {
+            for (double& knot : part.knots) {
+                knot = knot == to ? 1.0 : (knot - from) / (to - from);
+            }
+            std::optional<SmoothSpline> smooth = SmoothSpline::of(part);
+            if (!smooth) {
+                return std::nullopt;
+            }
+            result.parts_.push_back({from, to, *std::move(smooth)});
+        }
+        result.isClosedChain_ = spline.closed;
+        return result.parts_.empty() ? std::nullopt : std::optional(std::move(result));
+    }
+
+    [[nodiscard]] Derivatives at(double t) const {
+        const double on = isClosedChain_ && t >= parts_.back().to ? t - 1.0 : t;
+        const auto after =
+            std::ranges::find_if(parts_, [on](const Part& part) { return on < part.to; });
+        const Part& part = after == parts_.end() ? parts_.back() : *after;
+        return part.spline.at((on - part.from) / (part.to - part.from));
+    }
+
+private:
+    struct Part {
+        double from, to;
+        SmoothSpline spline;
+    };
+
+    std::vector<Part> parts_;
+    bool isClosedChain_ = false;  // over [a, a + 1]
 };
 
 Vec3 unitOrZero(const Vec3& v) {
@@ -245,10 +295,9 @@ std::vector<CurvePoint> CurvePoints::at(
     const SurfacePolyline& line, const SplineData* spline, std::span<const double> distances
 ) const {
     const MeasuredLine measured(line);
-    const std::optional<SmoothSpline> smooth =
-        spline != nullptr && line.parameters.size() == line.points.size()
-            ? SmoothSpline::of(*spline)
-            : std::nullopt;
+    const std::optional<CurveSpline> smooth =
+        spline != nullptr && line.parameters.size() == line.points.size() ? CurveSpline::of(*spline)
+                                                                          : std::nullopt;
     std::vector<CurvePoint> points;
     for (const double distance : distances) {
         checkOnCurve(distance, measured.length(), line.closed);

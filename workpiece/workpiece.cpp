@@ -73,11 +73,13 @@ DesignedCurve Workpiece::draw(
     const CurveGuides guides =
         curveGuides(with, surface(), options, partOf(progress, 0.0, kFieldShare));
     const double fieldSeconds = watch.lap();
+    const std::vector<int> corners = options.corners.of(picks.size());
+    const std::vector<Vec3> tangents = options.tangents.of(picks.size());
     Curve curve = designer().design(
         picks,
         options.solver,
         options.sampling,
-        {.field = guides.field, .avoid = guides.avoid},
+        {.field = guides.field, .avoid = guides.avoid, .corners = corners, .tangents = tangents},
         partOf(progress, kFieldShare, 1.0)
     );
     const double seconds = watch.lap();

@@ -50,6 +50,9 @@ std::optional<DrawnCurve> reopened(
         }
         curve.picks.push_back({point, source->positions[i]});
     }
+    for (const int corner : source->corners) {
+        curve.picks[corner].isCorner = true;
+    }
     curve.options = *source->options;
     curve.options.closed = source->closed;
     curve.name = layer.label().toStdString();

@@ -218,6 +218,7 @@ RichParameterList SketchLayers::parametersOf(
     }
     set("surface_layer", LayerId{surface_});
     set("picks", picksText(curve));
+    set("corners", describe(PickChoice{.ids = curve.corners()}));
     if (parameters.hasParameter("replace")) {  // each curve has a layer of its own
         set("replace", false);
     }

@@ -10,6 +10,7 @@
 #include "filters/utf8_path.h"
 #include "io/atomic_file.h"
 #include "io/text_parsing.h"
+#include "utility/index_sets.h"
 
 #include <algorithm>
 #include <array>
@@ -83,6 +84,7 @@ std::vector<SketchPick> picksInLayer(
             pick.point.face = faceWithoutDeleted(*surface, pick.point.face);
         }
         pick.position = fromWorld.inDoubles(source.positions[i]);
+        pick.isCorner = contains(source.corners, static_cast<int>(i));
         picks.push_back(pick);
     }
     return picks;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/common/curve_source.h"
 
+#include "spline/spline_sections.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -33,6 +35,7 @@ void keepSource(
         pick.face = arrays.faceIds[pick.face];
     }
     source.positions = pickPositions(result.curve);
+    source.corners = cornersOf(result.curve.spline);
     source.closed = polyline.closed;
     source.options = drawnOptions(request);
     source.curve = std::make_shared<const Curve>(result.curve);

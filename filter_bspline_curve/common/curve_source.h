@@ -21,6 +21,7 @@ struct CurveSource {
     int surface = -1;                 ///< id of the surface's layer
     std::vector<SurfacePoint> picks;  ///< faces are those of that layer
     std::vector<Vec3> positions;      ///< of the picks, in world coordinates
+    std::vector<int> corners;         ///< picks that are corners
     bool closed = false;
     std::optional<DrawnOptions> options;  ///< none: more was asked for than these can say
     /// In world coordinates, with faces of the arrays of that layer. Null: it is not known.

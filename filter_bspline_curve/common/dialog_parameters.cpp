@@ -80,6 +80,8 @@ public:
                 addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
                 break;
             case ParameterType::Length:
+            case ParameterType::Picks:
+            case ParameterType::Tangents:
             case ParameterType::Text:
                 addAs<RichString>(p, defaultText(p));
                 break;
@@ -212,6 +214,8 @@ void read(const RichParameterList& list, const ParameterDescription& p, Paramete
             values.setOption(p.id, list.getEnum(name));
             break;
         case ParameterType::Length:
+        case ParameterType::Picks:
+        case ParameterType::Tangents:
         case ParameterType::Text:
             values.set(p.id, trimmedText(list.getString(name)));
             break;

@@ -107,6 +107,7 @@ private:
         CurveSource source = sourceOn(surface);
         for (const SketchPick& pick : record().picks) {
             source.positions.push_back(worldPosition(arrays, pick.point));
+            addCorner(pick, source);
             source.picks.push_back(
                 {.face = arrays.faceIds[pick.point.face], .barycentric = pick.point.barycentric}
             );
@@ -116,6 +117,13 @@ private:
         showColour();
         source.curve = std::make_shared<const Curve>(std::move(curve));
         keepSource(layer_, std::move(source));
+    }
+
+    /// `pick`: the last of the source's.
+    static void addCorner(const SketchPick& pick, CurveSource& source) {
+        if (pick.isCorner) {
+            source.corners.push_back(static_cast<int>(source.positions.size()) - 1);
+        }
     }
 
     [[nodiscard]] Vec3 worldPosition(const LayerArrays& arrays, const SurfacePoint& point) const {
@@ -169,6 +177,7 @@ private:
         CurveSource source = sourceOn(surface);
         for (const SketchPick& pick : opened.curves.front().picks) {
             source.positions.push_back(pick.position);
+            addCorner(pick, source);
             source.picks.push_back(
                 {.face = arrays.faceIds[pick.point.face], .barycentric = pick.point.barycentric}
             );

@@ -16,7 +16,8 @@ struct SplineData {
     bool closed = false;
     /// Open: clamped on [0, 1], controlPoints + degree + 1 knots. Closed: periodic with period 1,
     /// the knots of the unclamped form whose first `degree` control points are repeated at the end
-    /// (the form that OBJ and IGES use).
+    /// (the form that OBJ and IGES use). Inner knots are simple, but for those of corners, whose
+    /// multiplicity is the degree; the first of those at t = 0 is knots[degree].
     std::vector<double> knots;
     std::vector<Vec3> controlPoints;     ///< closed: with the repeated ones
     std::vector<double> pickParameters;  ///< t of each pick, ascending, in [0, 1]

@@ -25,11 +25,22 @@ struct CurveInputs {
     /// Of each pick, how far from it the curve may pass, instead of SolverOptions::pickTolerance;
     /// empty: that of all. `start` has no effect with any above 0.
     std::span<const MeshLength> pickTolerances{};
+    /// Picks, from 0 and in any order, at which the curve may turn: it is continuous there and no
+    /// more, passes them whatever their tolerance, and is as fair as it can be on either side. The
+    /// spline has knots there whose multiplicity is the degree. Without effect at the ends of an
+    /// open curve.
+    std::span<const int> corners{};
+    /// Of each pick the direction in which the curve passes it, in any length, as its part along
+    /// the surface: in the plane whose normal is the mean of the faces' normals there. Zero: any
+    /// direction; empty: none is given. The pick is passed whatever its tolerance, and is no
+    /// corner. For Interpolation::Constraint and InitialCurve::GeodesicFit. SolveReport::tangents
+    /// tells how well they are met.
+    std::span<const Vec3> tangents{};
     /// A curve of the same designer through as many picks, each near the one of now, as while a
     /// user drags a pick. The solver then starts from that curve, displaced with its picks, which
     /// takes six tenths of the time on average; the result bends as much as one from scratch. Has
-    /// no effect where degree or closedness differ, where `start` was not solved at foot points,
-    /// or where a piece between picks would double or halve its length.
+    /// no effect where degree, closedness or corners differ, where `start` was not solved at foot
+    /// points, or where a piece between picks would double or halve its length.
     const Curve* start = nullptr;
 };
 

@@ -71,6 +71,14 @@ struct Detour {
     Round round = Round::Guides;
 };
 
+/// How well a curve has the direction that was asked for at a pick, in radians.
+struct MetTangent {
+    int pick = 0;
+    double ofSpline = 0.0;    ///< the angle between the direction and P'
+    double ofPolyline = 0.0;  ///< the larger one of those of the segments beside the pick, seen
+                              ///< along the normal: they are chords
+};
+
 /// "slit", "cut", "guides".
 [[nodiscard]] const char* name(Detour::Round round);
 
@@ -107,7 +115,8 @@ struct SolveReport {
     std::vector<double> pickDistances;
     /// Of a curve that was fitted to a line: how far it is from it at most, in the user's unit.
     std::optional<double> lineDistance;
-    std::vector<Detour> detours;  ///< by pick; set by CurveDesigner
+    std::vector<Detour> detours;       ///< by pick; set by CurveDesigner
+    std::vector<MetTangent> tangents;  ///< of picks with one, ascending; set by CurveDesigner
     int avoidedFaces = 0;
     /// Least distance of a vertex of the polyline to the avoided faces, user's unit; infinite where
     /// there are none.

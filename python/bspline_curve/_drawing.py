@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _core
 from ._arrays import Floats, Int32s
@@ -85,6 +86,18 @@ class Drawing(NamedTuple):
         if kind is not None and "field_cost" not in options:
             options = {**options, "field_cost": _core.natural_cost({"kind": kind})}
         return options, made, self.avoided(made)
+
+    def renumbered(self, moved: Callable[[int], int | None]) -> Drawing:
+        """Corners and tangents of other picks: of `moved` of each, of none where that is None."""
+        options = dict(self.options)
+        corners: Any = options.get("corners")
+        if isinstance(corners, tuple):
+            options["corners"] = tuple(each for each in map(moved, corners) if each is not None)
+        tangents: Any = options.get("tangents") or ()
+        if tangents:
+            pairs = ((moved(pick), direction) for pick, direction in tangents)
+            options["tangents"] = tuple((pick, direction) for pick, direction in pairs if pick is not None)
+        return self._replace(options={name: value for name, value in options.items() if value != ()})
 
     def draw(self, start: _core.Curve | None, progress: Progress | None) -> tuple[_core.Curve, Drawing]:
         """The curve, and what it was drawn by, with the mesh in place."""

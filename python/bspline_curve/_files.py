@@ -216,7 +216,8 @@ def parts_of(document: Any, mesh: Mesh, path: Path) -> tuple[Drawing, dict[str, 
             "alpha": told["rounds"][-1]["alpha"] if told.get("rounds") else 0.0,
         }
         picks = rows(drawn["picks"]) if drawn else state["points"][np.array(line["picks"], dtype=np.intp)]
-        options = drawn.get("options", {"closed": document["closed"], "degree": spline["degree"]})
+        of_spline = {"closed": document["closed"], "degree": spline["degree"], "corners": corners_of(spline)}
+        options = drawn.get("options", of_spline)
         guides = {name: drawn.get(name) for name in ("field", "avoid", "quality", "field_region")}
         drawing = Drawing(
             mesh,
@@ -229,6 +230,16 @@ def parts_of(document: Any, mesh: Mesh, path: Path) -> tuple[Drawing, dict[str, 
         reason = f"an entry {error} is missing" if isinstance(error, KeyError) else str(error)
         raise FileError(f"{path} holds no curve: {reason}", "unreadable-file") from error
     return drawing, state, report
+
+
+def corners_of(spline: dict[str, Any]) -> list[int]:
+    """Picks at which the spline has knots whose multiplicity is its degree."""
+    degree, closed, knots = spline["degree"], spline["closed"], spline["knots"]
+    return [
+        index
+        for index, t in enumerate(spline["pick_parameters"])
+        if degree > 1 and knots.count(t) >= degree and (closed or 0.0 < t < 1.0)
+    ]
 
 
 def rows(numbers: Any) -> Floats:

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
 
 import numpy.typing as npt
@@ -55,6 +55,8 @@ CURVE: dict[str, Option] = {
     "tension": Option("double", 0.0, 0.0, 1.0, False, ()),
     "field_weight": Option("double", 2000.0, 0.0, None, False, ()),
     "pick_tolerance": Option("length", "0", None, None, False, ()),
+    "corners": Option("picks", (), None, None, False, ()),
+    "tangents": Option("tangents", None, None, None, False, ()),
     "field_cost": Option("enum", "natural", None, None, False, ("natural", "identity", "square", "exp-minus")),
     "avoid_threshold": Option("double", 0.0, None, None, False, ()),
     "samples": Option("int", 256, 0, None, False, ()),
@@ -132,6 +134,8 @@ class CurveOptions(TypedDict, total=False):
     tension: float
     field_weight: float
     pick_tolerance: float | str
+    corners: Sequence[int] | Literal["all"]
+    tangents: Mapping[int, npt.ArrayLike] | None
     field_cost: FieldCost
     avoid_threshold: float
     samples: int
@@ -276,6 +280,8 @@ class MeshKeywords(ABC):
         tension: float = 0.0,
         field_weight: float = 2000.0,
         pick_tolerance: float | str = "0",
+        corners: Sequence[int] | Literal["all"] = (),
+        tangents: Mapping[int, npt.ArrayLike] | None = None,
         field_cost: FieldCost = "natural",
         avoid_threshold: float = 0.0,
         samples: int = 256,
@@ -343,6 +349,12 @@ class MeshKeywords(ABC):
         pick_tolerance : float or str, default '0'
             How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
             of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
+        corners : sequence of int, or 'all', default ()
+            Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either
+            side.
+        tangents : mapping of int to (3,) arrays, optional
+            Directions in which the curve passes picks, by their indices, as {0: (1, 0, 0)}. Their part along the surface
+            counts, not their length. Such picks are passed whatever their tolerance, and are no corners.
         field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
             What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
             valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
@@ -485,6 +497,8 @@ class MeshKeywords(ABC):
                 "tension": tension,
                 "field_weight": field_weight,
                 "pick_tolerance": pick_tolerance,
+                "corners": corners,
+                "tangents": tangents,
                 "field_cost": field_cost,
                 "avoid_threshold": avoid_threshold,
                 "samples": samples,

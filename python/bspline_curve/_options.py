@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from numbers import Integral, Real
 from typing import Any, NamedTuple, TypeAlias
 
@@ -13,7 +13,8 @@ import numpy as np
 from ._errors import OptionError
 
 Progress: TypeAlias = Callable[[float, str], object]
-Value: TypeAlias = "bool | int | float | str"
+Tangents: TypeAlias = "tuple[tuple[int, tuple[float, float, float]], ...]"
+Value: TypeAlias = "bool | int | float | str | tuple[int, ...] | Tangents | None"
 
 
 def part_of(progress: Progress | None, start: float, end: float) -> Progress | None:
@@ -28,7 +29,7 @@ def part_of(progress: Progress | None, start: float, end: float) -> Progress | N
 class Option(NamedTuple):
     """What an option may be."""
 
-    kind: str  # bool, int, double, length or enum
+    kind: str  # bool, int, double, length, picks, tangents or enum
     default: Any
     low: float | None
     high: float | None
@@ -58,6 +59,10 @@ def checked_value(name: str, option: Option, value: object) -> Value:
         return bool(value)
     if option.kind == "length":
         return checked_length(name, value)
+    if option.kind == "picks":
+        return checked_picks(name, value)
+    if option.kind == "tangents":
+        return checked_tangents(name, value)
     if not isinstance(value, str):
         raise TypeError(f"{name} is {value!r}, but must be one of {', '.join(map(repr, option.words))}")
     if value not in option.words:
@@ -85,6 +90,41 @@ def checked_length(name: str, value: object) -> str:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, Real):
         raise TypeError(f"{name} is {value!r}, but must be a number, or text like '1.5 edges'")
     return repr(float(value))
+
+
+def checked_picks(name: str, value: object) -> str | tuple[int, ...]:
+    """Indices of picks, ascending; or "all"."""
+    if isinstance(value, str):
+        if value != "all":
+            raise OptionError(f"{name} is {value!r}, but must be indices of picks, or 'all'", "bad-option")
+        return value
+    ids = np.asarray(value)
+    if ids.ndim != 1 or (ids.size and ids.dtype.kind not in "iu"):
+        raise TypeError(f"{name} is {value!r}, but must be indices of picks, or 'all'")
+    if ids.size and ids.min() < 0:
+        raise OptionError(f"{name} has {ids.min()}, but picks are counted from 0", "bad-option")
+    return tuple(sorted({int(each) for each in ids}))
+
+
+def checked_tangents(name: str, value: object) -> Tangents | None:
+    """Pairs of a pick's index and a direction, from such or from a mapping; None where there are none."""
+    if value is None:
+        return None
+    if not isinstance(value, (Mapping, Sequence)) or isinstance(value, str):
+        raise TypeError(f"{name} is {value!r}, but must be a mapping from indices of picks to directions")
+    pairs = list(value.items()) if isinstance(value, Mapping) else [tuple(pair) for pair in value]
+    checked = []
+    for pick, given in pairs:
+        direction = np.asarray(given, dtype=np.float64)
+        if not isinstance(pick, Integral) or isinstance(pick, bool) or direction.shape != (3,):
+            raise TypeError(f"{name} has {pick!r}: {given!r}, but must have indices of picks and directions (x, y, z)")
+        if pick < 0:
+            raise OptionError(f"{name} has {pick}, but picks are counted from 0", "bad-option")
+        if not np.isfinite(direction).all() or not direction.any():
+            raise OptionError(f"{name} has {given!r}, but a direction is finite and not zero", "bad-option")
+        x, y, z = direction.tolist()
+        checked.append((int(pick), (x, y, z)))
+    return tuple(sorted(checked)) or None
 
 
 def allowed_range(option: Option) -> str:

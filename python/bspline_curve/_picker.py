@@ -256,6 +256,9 @@ def _drawing(mesh: Mesh, options: dict[str, Any]) -> Drawing:
     guides = {name: options.pop(name, None) for name in ("field", "avoid", "quality", "field_region")}
     if "closed" in options:
         raise TypeError("closed is of each curve that is drawn: a click on its first pick closes it")
+    for name in ("corners", "tangents"):
+        if name in options:
+            raise TypeError(f"{name} are of a curve's own picks: draw it, and take curve.with_options({name}=…)")
     unknown = sorted(options.keys() - CURVE.keys())
     if unknown:
         raise TypeError(f"there is no option {unknown[0]!r}; there are {', '.join([*sorted(CURVE), *guides])}")

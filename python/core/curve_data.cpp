@@ -80,6 +80,18 @@ nb::list detoursOf(const SolveReport& report) {
     return detours;
 }
 
+nb::list tangentsOf(const SolveReport& report) {
+    nb::list tangents;
+    for (const MetTangent& tangent : report.tangents) {
+        nb::dict entry;
+        entry["pick"] = tangent.pick;
+        entry["angle_of_spline"] = tangent.ofSpline;
+        entry["angle_of_polyline"] = tangent.ofPolyline;
+        tangents.append(entry);
+    }
+    return tangents;
+}
+
 // All of a report and what else is known of how a curve came about.
 nb::dict reportDict(const DesignedCurve& drawn) {
     const Curve& curve = drawn.curve;
@@ -106,6 +118,7 @@ nb::dict reportDict(const DesignedCurve& drawn) {
     result["repeated_picks"] = report.repeatedPicks;
     result["pick_distances"] = report.pickDistances;
     result["detours"] = detoursOf(report);
+    result["tangents"] = tangentsOf(report);
     result["avoided_faces"] = report.avoidedFaces;
     result["clearance"] = report.clearance;
     result["shell"] = curve.shell ? nb::object(nb::str(name(*curve.shell))) : nb::none();

@@ -63,9 +63,13 @@ DesignedCurve draw(
     const CurveOptions chosen = curveOptions(options);
     const std::vector<Vec3> through = toVectors(picks);
     const std::vector<int> avoided = toVector(avoid);
+    const std::vector<int> corners = chosen.corners.of(through.size());
+    const std::vector<Vec3> tangents = chosen.tangents.of(through.size());
     const CurveInputs inputs{
         .field = field != nullptr ? *field : ScalarField(),
         .avoid = avoided,
+        .corners = corners,
+        .tangents = tangents,
         .start = start != nullptr ? &start->curve : nullptr
     };
     return PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {

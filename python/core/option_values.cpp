@@ -3,10 +3,16 @@
 
 #include "filters/option_bindings.h"
 
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
+#include <array>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace bspline_curve::python {
 
@@ -52,6 +58,21 @@ CurveOptions curveOptions(const nb::dict& values) {
     }
     readChosen(values, ofSolver, options.solver);
     readChosen(values, ofSampling, options.sampling);
+    if (values.contains("corners")) {
+        const nb::handle corners = values["corners"];
+        options.corners.areAll = nb::isinstance<nb::str>(corners);  // "all"
+        if (!options.corners.areAll) {
+            options.corners.ids = nb::cast<std::vector<int>>(corners);
+        }
+    }
+    if (values.contains("tangents")) {
+        for (const nb::handle entry : values["tangents"]) {
+            const auto [pick, direction] = nb::cast<std::pair<int, std::array<double, 3>>>(entry);
+            options.tangents.entries.emplace_back(
+                pick, Vec3(direction[0], direction[1], direction[2])
+            );
+        }
+    }
     return options;
 }
 

@@ -50,6 +50,8 @@ def draw_curve(
     field_weight: float = 2000.0,
     tube_radius: float = 0.0,
     pick_tolerance: float | str = "0",
+    corners: str = "",
+    tangents: str = "",
     field_cost: FieldCost = "natural",
     avoid: Avoid | npt.ArrayLike = "none",
     avoid_threshold: float = 0.0,
@@ -140,6 +142,12 @@ def draw_curve(
     pick_tolerance : float or str, default '0'
         How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
         of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
+    corners : str, optional
+        Picks at which the curve turns, by their numbers from 1, as 1,4; all: every pick. It passes them, and is as fair
+        as possible on either side.
+    tangents : str, optional
+        Directions in which the curve passes picks, by their numbers from 1, as 1: 1, 0, 0; 4: 0, 1, 0. Their part along
+        the surface counts, not their length. Such picks are passed whatever their tolerance, and are no corners.
     field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
         What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
         valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),
@@ -306,6 +314,8 @@ def draw_curve(
             "field_weight": field_weight,
             "tube_radius": tube_radius,
             "pick_tolerance": pick_tolerance,
+            "corners": corners,
+            "tangents": tangents,
             "field_cost": field_cost,
             "avoid_threshold": avoid_threshold,
             "samples": samples,

@@ -51,6 +51,8 @@ def generate_bspline_curve_on_surface(
     field_weight: float = 2000.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     pick_tolerance: float | str = "0",
+    corners: str = "",
+    tangents: str = "",
     picks_layer: int | None = None,
     picks_file: str = "",
     picks: str = "",
@@ -145,6 +147,12 @@ def generate_bspline_curve_on_surface(
     pick_tolerance : float or str, default '0'
         How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
         of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
+    corners : str, optional
+        Picks at which the curve turns, by their numbers from 1, as 1,4; all: every pick. It passes them, and is as fair
+        as possible on either side.
+    tangents : str, optional
+        Directions in which the curve passes picks, by their numbers from 1, as 1: 1, 0, 0; 4: 0, 1, 0. Their part along
+        the surface counts, not their length. Such picks are passed whatever their tolerance, and are no corners.
     picks_layer : int, optional
         A layer of points without faces; the curve passes through its vertices in their order. The surface itself
         (default): no layer of picks.
@@ -325,6 +333,8 @@ def generate_bspline_curve_on_surface(
             "field_weight": field_weight,
             "tube_radius": tube_radius,
             "pick_tolerance": pick_tolerance,
+            "corners": corners,
+            "tangents": tangents,
             "picks_layer": picks_layer,
             "picks_file": picks_file,
             "picks": picks,

@@ -12,13 +12,15 @@ RING = [[0.3, 0.3, 0.0], [0.7, 0.3, 0.0], [0.7, 0.7, 0.0], [0.3, 0.7, 0.0]]
 MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 0.001, "in": 25.4, "ft": 304.8}
 
 
-@pytest.fixture(params=["open", "closed"])
+@pytest.fixture(params=["open", "closed", "open, a corner", "closed, corners", "closed, a corner elsewhere"])
 def curve(run, tmp_path, request):
     """A curve on a hill, as JSON has it."""
     meshes.write_ply(tmp_path / "hill.ply", *meshes.plate(height=0.2))
-    picks = RING if request.param == "closed" else meshes.PICKS
+    closed, _, corners = request.param.partition(", ")
+    picks = RING if closed == "closed" else meshes.PICKS
+    corners = {"": [], "a corner": [1], "corners": [0, 2], "a corner elsewhere": [1]}[corners]
     lifted = [[x, y, 0.2 * np.sin(np.pi * x) * np.sin(np.pi * y)] for x, y, _ in picks]
-    (tmp_path / "picks.json").write_text(json.dumps({"picks": lifted, "closed": request.param == "closed"}))
+    (tmp_path / "picks.json").write_text(json.dumps({"picks": lifted, "closed": closed == "closed", "corners": corners}))
 
     def write(*names, **options):
         for name in ("curve.json", *names):

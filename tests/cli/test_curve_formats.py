@@ -16,7 +16,8 @@ import trimesh
 from curve_files import read_ply
 from scipy.interpolate import BSpline
 
-CASES = [(degree, closed) for degree in (2, 3, 4) for closed in (False, True)]
+CASES = [(degree, closed, "") for degree in (2, 3, 4) for closed in (False, True)]
+CASES += [(2, False, "2,3"), (3, False, "3"), (3, True, "1,3"), (3, True, "4"), (4, True, "all")]
 SIZE = 12  # cells of the hill
 
 
@@ -28,8 +29,8 @@ def chain(count, closed):
 class Case:
     """A curve on a hill and, by name, the files that hold it."""
 
-    def __init__(self, folder, run, degree, closed):
-        self.folder, self.run, self.degree, self.closed = folder, run, degree, closed
+    def __init__(self, folder, run, degree, closed, corners):
+        self.folder, self.run, self.degree, self.closed, self.corners = folder, run, degree, closed, corners
         self.vertices, self.faces = meshes.plate(cells=SIZE, height=0.2)
         self.picks = self.vertices[[30, 90, 140, 100]]
         meshes.write_ply(folder / "hill.ply", self.vertices, self.faces, quality=self.vertices[:, 0])
@@ -42,6 +43,7 @@ class Case:
 
     def file(self, name, *words):
         options = ("--degree", self.degree, "--samples", 40, *(["--closed"] if self.closed else []), *words)
+        options += ("--corners", self.corners) if self.corners else ()
         if "--field" not in words:
             options += ("--field", "none")
         process = self.run("hill.ply", "--picks", "picks.json", "--output", name, *options)
@@ -53,9 +55,18 @@ class Case:
         return BSpline(self.spline["knots"], np.array(self.spline["control_points"]), self.degree)(t)
 
 
-@pytest.fixture(params=CASES, ids=lambda case: f"degree {case[0]} {'closed' if case[1] else 'open'}")
+@pytest.fixture(params=CASES, ids=lambda case: f"degree {case[0]} {'closed' if case[1] else 'open'} {case[2]}".strip())
 def case(request, run, tmp_path):
     return Case(tmp_path, run, *request.param)
+
+
+def test_corners_have_full_knots(case):
+    values, counts = np.unique(case.spline["knots"], return_counts=True)
+    numbers = range(1, 5) if case.corners == "all" else map(int, case.corners.split(",") if case.corners else [])
+    expected = [case.spline["pick_parameters"][number - 1] for number in numbers]
+    inside = (values < 1) & ((values >= 0) if case.closed else (values > 0))
+    assert values[inside & (counts == case.degree)].tolist() == sorted(expected)
+    assert set(counts[inside]) <= {1, case.degree}
 
 
 def test_json_agrees_with_itself(case):

@@ -94,6 +94,36 @@ def test_a_tolerance_of_picks_that_is_no_length_is_refused(run, plate, text):
     assert result.returncode == 2 and "must be a length" in result.stderr and "--pick-tolerance" in result.stderr
 
 
+def test_a_curve_turns_at_its_corners_and_passes_picks_in_given_directions(run, plate):
+    run.ok(*DEFAULT[:-1], "curve.json", "--corners", "2", "--tangents", "1: 0, 1, 0.5; 3: 0,-2,0", "--report", "report.json")
+    spline = json.loads((plate / "curve.json").read_text())["spline"]
+    assert spline["knots"].count(spline["pick_parameters"][1]) == 3
+    points = np.array(spline["control_points"])
+    assert abs(points[1] - points[0])[0] < 1e-9 and points[1, 1] > points[0, 1]
+    assert abs(points[-1] - points[-2])[0] < 1e-9 and points[-1, 1] < points[-2, 1]
+    tangents = json.loads((plate / "report.json").read_text())["tangents"]
+    assert [each["pick"] for each in tangents] == [0, 2] and all(each["angle_of_spline"] < 1e-6 for each in tangents)
+    # A file of picks may name corners; the option goes before it.
+    document = json.loads((plate / "picks.json").read_text())
+    (plate / "picks.json").write_text(json.dumps({**document, "corners": [1]}))
+    for words, multiplicity in (((), 3), (("--corners", "1"), 0)):
+        run.ok(*DEFAULT[:-1], "curve.json", *words)
+        spline = json.loads((plate / "curve.json").read_text())["spline"]
+        assert (spline["knots"].count(spline["pick_parameters"][1]) == 3) == (multiplicity == 3)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [(["--corners", "4"], "pick 4 is to be a corner, but there are 3 picks"), (["--corners", "0"], "from 1"),
+     (["--tangents", "4:1,0,0"], "pick 4 has a tangent, but there are 3 picks"), (["--tangents", "1:0,0,0"], "not zero"),
+     (["--tangents", "1:0,0,1"], "pick 1 is normal"), (["--tangents", "2:1,0,0", "--corners", "2"], "two directions"),
+     (["--tangents", "1:1,0,0", "--preset", "paper"], "constraint")],
+)
+def test_corners_and_tangents_that_cannot_be_are_refused(run, plate, words, said):
+    process = run(*DEFAULT, *words)
+    assert process.returncode in (1, 2) and said in process.stderr, process.stderr
+
+
 def test_more_samples_and_shorter_segments_refine_the_polyline(run, plate):
     counts = []
     for samples in (0, 64, 1000):

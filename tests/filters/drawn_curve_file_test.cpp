@@ -63,6 +63,7 @@ protected:
         add({3, 70, 120}, {.degree = 4, .tension = 0.1, .field = "ridge", .fieldWeight = 1.0 / 3});
         curves_.back().drawn.name = "Größe \"1\"  — rim";
         curves_.back().drawn.colour = {255, 0, 7, 128};
+        curves_.back().drawn.picks[1].isCorner = true;
         add({20, 50, 100, 90}, {.closed = true, .avoid = "over-threshold", .avoidThreshold = 0.1});
     }
 
@@ -93,6 +94,7 @@ protected:
                 EXPECT_EQ(opened[c].picks[i].point.face, drawn.picks[i].point.face);
                 EXPECT_EQ(opened[c].picks[i].point.barycentric, drawn.picks[i].point.barycentric);
                 EXPECT_EQ(opened[c].picks[i].position, drawn.picks[i].position);
+                EXPECT_EQ(opened[c].picks[i].isCorner, drawn.picks[i].isCorner);
             }
         }
     }
@@ -113,6 +115,33 @@ TEST_F(DrawnCurveFile, KeepsPicksOptionsNameAndColourToTheBit) {
         EXPECT_TRUE(opened.notes.empty());
     }
     EXPECT_EQ(fileCount(), 3U);
+}
+
+TEST_F(DrawnCurveFile, OfACurveWithoutItsPicksHasTheCornersOfTheSpline) {
+    std::vector<Vec3> picks;
+    for (const SketchPick& pick : curves_[1].drawn.picks) {
+        picks.push_back(pick.position);
+    }
+    const std::vector<int> corners = {0, 2};
+    const Curve curve = designer_.design(picks, {.closed = true}, {}, {.corners = corners});
+    writeCurve(path("a.json"), curve);
+    const OpenedCurves opened = openDrawnCurves(path("a.json"), surface_);
+    ASSERT_EQ(opened.curves.size(), 1U);
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(opened.curves[0].picks[i].isCorner, i % 2 == 0) << i;
+    }
+}
+
+TEST_F(DrawnCurveFile, KeepsCornersOfPicksThatAreProjected) {
+    saveDrawnCurves(path("a.json"), curves_, surface_);
+    TriangleMesh other = designer_.mesh();
+    for (Vec3& vertex : other.vertices) {
+        vertex.z() += 1e-4;
+    }
+    const OpenedCurves opened =
+        openDrawnCurves(path("a.json"), {.mesh = other, .checksum = checksumOf(other)});
+    EXPECT_TRUE(opened.curves.at(0).picks.at(1).isCorner);
+    EXPECT_FALSE(opened.curves.at(0).picks.at(0).isCorner);
 }
 
 TEST_F(DrawnCurveFile, OfPolylinesIsReadByProgramsThatKnowNothingOfPicks) {

@@ -55,6 +55,12 @@ ParameterValue otherValue(const ParameterDescription& parameter, const Parameter
     if (parameter.type == ParameterType::Length) {
         return "2 edges";
     }
+    if (parameter.type == ParameterType::Tangents) {
+        return "2:1,0,0.5";
+    }
+    if (parameter.type == ParameterType::Picks) {
+        return "2,3";
+    }
     for (const EnumOption& option : parameter.options) {
         if (ParameterValue(option.id) != value && !leavesAsItIs(option.id)) {
             return option.id;

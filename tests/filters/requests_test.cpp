@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/requests.h"
 
+#include "bspline_curve/error.h"
 #include "filters/option_bindings.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace bspline_curve {
 namespace {
@@ -40,6 +42,58 @@ TEST(CurveRequest, FollowsThePresetWhereNothingElseWasGiven) {
     EXPECT_EQ(curveRequest(values).shell.kind, ShellKind::Simplified);
     values.set("shell", Text("full"));
     EXPECT_EQ(curveRequest(values).shell.kind, ShellKind::FullResolution);
+}
+
+TEST(CurveRequest, ChoosesCornersByNumbersFromOne) {
+    const auto cornersOf = [](const Text& text) {
+        ParameterValues values(curveFilter());
+        values.set("corners", text);
+        return curveRequest(values).corners;
+    };
+    EXPECT_EQ(cornersOf("").of(3), std::vector<int>());
+    EXPECT_EQ(cornersOf(" 4, 1 ").of(9), (std::vector<int>{3, 0}));
+    EXPECT_EQ(cornersOf("2 3").of(9), (std::vector<int>{1, 2}));
+    EXPECT_EQ(cornersOf("all").of(3), (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(describe(cornersOf("2 3")), "2,3");
+    EXPECT_EQ(describe(cornersOf("all")), "all");
+    EXPECT_EQ(describe(PickChoice()), "");
+    for (const Text wrong : {"0", "-1", "1.5", "x", "1;2", "all 1", "1 all", "99999999999"}) {
+        try {
+            static_cast<void>(cornersOf(wrong));
+            FAIL() << wrong;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.code(), InputErrorCode::BadOption);
+            EXPECT_TRUE(Text(error.what()).starts_with("corners is \"" + wrong)) << error.what();
+        }
+    }
+}
+
+TEST(CurveRequest, TakesTangentsByNumbersFromOne) {
+    const auto tangentsOf = [](const Text& text) {
+        ParameterValues values(curveFilter());
+        values.set("tangents", text);
+        return curveRequest(values).tangents;
+    };
+    EXPECT_TRUE(tangentsOf("").of(3).empty());
+    const PickDirections two = tangentsOf(" 3: 0 , 0.1, -2e-3;1:1 0 0 ; ");
+    const std::vector<Vec3> expected = {
+        Vec3(1.0, 0.0, 0.0), Vec3::Zero(), Vec3(0.0, 0.1, -2e-3), Vec3::Zero()
+    };
+    EXPECT_EQ(two.of(4), expected);
+    EXPECT_EQ(describe(two), "3:0,0.1,-0.002;1:1,0,0");
+    EXPECT_EQ(tangentsOf(describe(two)), two);
+    EXPECT_THROW(static_cast<void>(two.of(2)), InputError);
+    for (const Text wrong :
+         {"0:1,0,0",
+          "1:0,0,0",
+          "1:1,0",
+          "1:1,0,0,0",
+          "1 1,0,0",
+          "x",
+          "1:nan,0,0",
+          "1:1,0,0 2:0,1,0"}) {
+        EXPECT_THROW(static_cast<void>(tangentsOf(wrong)), InputError) << wrong;
+    }
 }
 
 TEST(CurveRequest, TakesTheNaturalCostOfItsFieldUnlessAnotherIsGiven) {

@@ -54,6 +54,17 @@ TEST_F(PicksReader, RefusesWrongPickPointsWithTheLine) {
     expectContains(refused("f.pp", "<PickedPoints/>"), "no picks");
 }
 
+TEST_F(PicksReader, ReadsCornersFromJson) {
+    const std::string picks = R"({"picks": [[1, 2, 3], [-0.5, 1e-3, 0]], "corners": )";
+    EXPECT_EQ(readPicks(write("a.json", picks + "[1, 0]}")).corners, (std::vector<int>{1, 0}));
+    const std::string ofCurve =
+        R"({"picks": {"points": [[1, 2, 3], [-0.5, 1e-3, 0]], "corners": [1]}, "corners": [7]})";
+    EXPECT_EQ(readPicks(write("a.json", ofCurve)).corners, std::vector<int>{1});
+    for (const char* const wrong : {"[2]}", "[-1]}", "[0.5]}", "1}", "\"all\"}"}) {
+        expectContains(refused("a.json", picks + wrong), "corners");
+    }
+}
+
 TEST_F(PicksReader, ReadsJsonAndWhetherItIsClosed) {
     const std::string picks = R"("picks": [[1, 2, 3], [-0.5, 1e-3, 0]])";
     EXPECT_EQ(readPicks(write("a.json", "{" + picks + "}")).picks, kPicks);

@@ -16,7 +16,12 @@ from meshes import wavy_plate
 
 MESHES = {}
 CASES = [(mesh, kind) for mesh in ("plate", "torus", "sphere", "rough", "fold", "broken") for kind in ("open", "closed", "valley", "quartic")]
-OPTIONS = {"open": {}, "closed": {"closed": True}, "valley": {"field": "valley"}, "quartic": {"degree": 4, "tension": 0.3}}
+CASES += [(mesh, kind) for mesh in ("plate", "sphere", "broken") for kind in ("cornered", "led")]
+OPTIONS = {"open": {}, "closed": {"closed": True}, "valley": {"field": "valley"}, "quartic": {"degree": 4, "tension": 0.3},
+           "cornered": {"closed": True, "corners": "5,2"}, "led": {"tangents": "1:0.1,0.3,1;3:1,0,0.2", "corners": "2"}}
+# The package counts picks from 0.
+IN_PYTHON = OPTIONS | {"cornered": {"closed": True, "corners": [4, 1]},
+                       "led": {"tangents": {0: (0.1, 0.3, 1), 2: (1, 0, 0.2)}, "corners": [1]}}
 WITHOUT_AVX2 = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA"}
 
 
@@ -66,7 +71,7 @@ def quality_of(name):
 
 def picks_of(name, kind):
     vertices, _ = mesh_of(name)
-    count = 6 if kind == "closed" else 4
+    count = 6 if OPTIONS[kind].get("closed") else 4
     return vertices[np.linspace(40, len(vertices) - 200, count).astype(int) + np.arange(count) * 7]
 
 
@@ -107,7 +112,7 @@ def test_a_curve_is_the_same_bytes_everywhere(program, package, tmp_path, name, 
     vertices, faces = mesh_of(name)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", package.MeshWarning)
-        curve = package.Mesh(vertices, faces).curve(picks_of(name, kind), **OPTIONS[kind])
+        curve = package.Mesh(vertices, faces).curve(picks_of(name, kind), **IN_PYTHON[kind])
     assert bytes_of(curve.points, curve.faces, curve.barycentrics) == expected, "by the Python package"
     document = pymeshlab.MeshSet(verbose=False)
     document.add_mesh(pymeshlab.Mesh(vertices, faces, v_scalar_array=quality_of(name)))

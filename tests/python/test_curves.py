@@ -294,3 +294,88 @@ def test_a_curve_may_pass_beside_its_picks(mesh, picks):
         mesh.curve(picks, pick_tolerance=True)
     with pytest.raises(ValueError, match="must be a length"):
         mesh.curve(picks, pick_tolerance="far")
+
+
+def full_knots(curve):
+    """Parameters of knots between 0 and 1 that are not simple, and of a closed curve that at 0."""
+    values, counts = np.unique(curve.knots, return_counts=True)
+    inside = (values < 1) & ((values >= 0) if curve.closed else (values > 0))
+    assert set(counts[inside]) <= {1, curve.degree}
+    return values[inside & (counts > 1)]
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("degree", [2, 3, 4])
+def test_a_curve_turns_at_its_corners(degree, closed, mesh, picks):
+    curve = mesh.curve(picks, degree=degree, closed=closed, corners=[2, 1])
+    np.testing.assert_array_equal(full_knots(curve), curve.pick_parameters[[1, 2]])
+    np.testing.assert_allclose(curve.spline(curve.pick_parameters), picks, atol=1e-9)
+    assert curve.options["corners"] == (1, 2)
+    everywhere = mesh.curve(picks, degree=degree, closed=closed, corners="all")
+    assert len(full_knots(everywhere)) == (len(picks) if closed else len(picks) - 2)
+    between = mesh.curve(picks[1:3], degree=degree)
+    np.testing.assert_array_equal(between.points, curve.points[curve.pick_vertices[1] : curve.pick_vertices[2] + 1])
+
+
+def test_corners_stay_with_their_picks(mesh, picks, tmp_path):
+    curve = mesh.curve(picks, corners=[1])
+    before, middle = mesh.project([picks[:2].mean(0), picks[1:3].mean(0)]).points
+    assert curve.move(2, picks[2]).options["corners"] == (1,)
+    assert curve.insert(1, before).options["corners"] == (2,)
+    assert curve.insert(2, middle).options["corners"] == (1,)
+    assert curve.remove(0).options["corners"] == (0,)
+    assert "corners" not in curve.remove(1).options
+    assert curve.remove(2).options["corners"] == (1,)
+    curve.save(tmp_path / "curve.json")
+    again = bspline_curve.load(tmp_path / "curve.json", mesh)
+    assert again.options["corners"] == (1,)
+    np.testing.assert_array_equal(full_knots(again), curve.pick_parameters[[1]])
+    smooth = again.with_options(corners=())
+    assert not len(full_knots(smooth))
+    document = json.loads((tmp_path / "curve.json").read_text())
+    del document["drawn_by"]  # as the program writes it
+    (tmp_path / "program.json").write_text(json.dumps(document))
+    assert bspline_curve.load(tmp_path / "program.json", mesh).options["corners"] == (1,)
+    # Samples take tangents from the spline, at a corner those behind it.
+    at = curve.length * np.linspace(0, 1, 50)
+    samples = curve.sample(distances=at)
+    np.testing.assert_allclose(np.linalg.norm(samples.tangents, axis=1), 1.0)
+
+
+@pytest.mark.parametrize(
+    ("corners", "error"),
+    [([4], ValueError), ([-1], ValueError), ("1,2", ValueError), ([0.5], TypeError), (1, TypeError), ([[1]], TypeError)],
+)
+def test_corners_that_are_none_are_refused(corners, error, mesh, picks):
+    with pytest.raises(error, match="corner"):
+        mesh.curve(picks, corners=corners)
+
+
+@pytest.mark.parametrize("degree", [2, 3, 4])
+def test_a_curve_passes_picks_in_given_directions(degree, mesh, picks, tmp_path):
+    directions = {0: (0.0, 1.0, 0.3), 2: picks[3] - picks[1]}
+    curve = mesh.curve(picks, degree=degree, tangents=directions)
+    assert [each["pick"] for each in curve.report["tangents"]] == [0, 2]
+    for each in curve.report["tangents"]:
+        assert each["angle_of_spline"] < 1e-6 and each["angle_of_polyline"] < 0.3
+        slope = curve.spline(curve.pick_parameters[each["pick"]], derivative=1)
+        along = directions[each["pick"]] / np.linalg.norm(directions[each["pick"]])
+        # The direction's part along the surface: they differ by a part along the normal alone.
+        assert slope @ along > 0.5 * np.linalg.norm(slope)
+    curve.save(tmp_path / "curve.json")
+    again = bspline_curve.load(tmp_path / "curve.json", mesh)
+    assert again.options["tangents"] == curve.options["tangents"]
+    np.testing.assert_array_equal(again.with_options().points, curve.points)
+    assert [pick for pick, _ in curve.insert(1, mesh.project(picks[:1] * 0.9).points[0]).options["tangents"]] == [0, 3]
+    assert [pick for pick, _ in curve.remove(0).options["tangents"]] == [1]
+    assert "tangents" not in curve.with_options(tangents=None).options
+
+
+@pytest.mark.parametrize(
+    ("tangents", "error"),
+    [({4: (1, 0, 0)}, ValueError), ({-1: (1, 0, 0)}, ValueError), ({0: (0, 0, 0)}, ValueError), ({0: (1, 0)}, TypeError),
+     ({"a": (1, 0, 0)}, TypeError), ("1:1,0,0", TypeError), (1, TypeError)],
+)
+def test_tangents_that_are_none_are_refused(tangents, error, mesh, picks):
+    with pytest.raises(error, match="tangent"):
+        mesh.curve(picks, tangents=tangents)

@@ -87,6 +87,18 @@ def test_recipe_A_curve_that_follows_a_drag(files):
     assert np.linalg.norm(moved) > 0.1 and given["final"].usable
 
 
+def test_recipe_A_heart_with_corners(files, capsys):
+    given = run("A heart with corners")
+    heart, seam = given["heart"], given["seam"]
+    assert all(np.count_nonzero(heart.knots == heart.pick_parameters[corner]) == 3 for corner in (0, 6))
+    assert heart.usable and seam.usable
+    ends = np.abs([seam.points[0, 0], seam.points[-1, 0]])
+    np.testing.assert_allclose(ends, 1.0)  # on the boundary
+    assert [met["pick"] for met in seam.report["tangents"]] == [0, 2]
+    assert max(met["angle_of_spline"] for met in seam.report["tangents"]) < 1e-6
+    assert capsys.readouterr().out.splitlines()[0].endswith("(0, 6)")
+
+
 def test_recipe_A_folder_of_scans(files, capsys):
     run("A folder of scans")
     lines = capsys.readouterr().out.splitlines()

@@ -2,6 +2,7 @@
 #include "sketch/drawing_session.h"
 
 #include "session_fixture.h"
+#include "spline/spline_sections.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -99,6 +100,29 @@ TEST_P(ASession, DragsPicksAndTheCurveFollows) {
     s_.session.settle();
     s_.expectAsDrawn();
     EXPECT_NE(curve().shownPoints(), before);
+}
+
+TEST_P(ASession, DrawsCornersThatStayWithTheirPicks) {
+    drawArc();
+    s_.session.setCorner(1, true);
+    s_.session.settle();
+    ASSERT_TRUE(curve().settled);
+    EXPECT_EQ(curve().corners(), std::vector<int>{1});
+    EXPECT_EQ(cornersOf(curve().settled->spline), std::vector<int>{1});
+    s_.session.movePick(1, curve().picks[2].point);
+    s_.session.insertPick(0, curve().picks[0].point);
+    EXPECT_EQ(curve().corners(), std::vector<int>{2});
+    s_.session.undo();
+    s_.session.undo();
+    EXPECT_EQ(curve().corners(), std::vector<int>{1});
+    s_.session.undo();
+    EXPECT_TRUE(curve().corners().empty());
+    s_.session.settle();
+    EXPECT_TRUE(cornersOf(curve().settled->spline).empty());
+    s_.session.setCorner(1, true);
+    s_.session.removePick(0);
+    EXPECT_EQ(curve().corners(), std::vector<int>{0});
+    EXPECT_THROW(s_.session.setCorner(2, true), std::out_of_range);
 }
 
 TEST_P(ASession, InsertsPicksWhereTheCurveIsClicked) {
