@@ -16,6 +16,7 @@ from ._arrays import Floats, Int32s, Picks, face_ids, file_name, finite_points, 
 from ._curve import Curve, drawn
 from ._drawing import THRESHOLDS, Drawing
 from ._errors import FieldError, InputError, OptionError, warn
+from ._fit import curve_along, curves_round
 from ._identity import remember
 from ._imprint import SNAP, Cut, Fill, Imprint, Keep
 from ._inputs import mesh_arrays
@@ -277,6 +278,115 @@ class Mesh(MeshKeywords):
         True
         """
         return way_between(self, start, end)
+
+    def fit(
+        self,
+        line: npt.ArrayLike,
+        *,
+        closed: bool = False,
+        deviation: float | str | None = None,
+        degree: int = 3,
+        tension: float = 0.0,
+        samples: int = 256,
+        max_segment_length: float = 0.0,
+        progress: Progress | None = None,
+    ) -> Curve:
+        """Draw a smooth curve along a line that is there already: a stroke, an edge loop, a polyline of a file.
+
+        Parameters
+        ----------
+        line : (n, 3) array of float
+            Points near the mesh, in order, n ≥ 2, or 3 where it is closed.
+        closed : bool, default False
+            True: the line goes on from its last point to the first. An open curve keeps the ends of its line.
+        deviation : float or str, default None
+            How far from the line the curve may be anywhere: a length in the unit of the mesh, or text like '1edge', in mean edges.
+            It is as smooth as it can be where the line is off by about a quarter of that. None: by a mean edge, and no smoother
+            than the line's own noise asks for: waves of more than a dozen of its points stay.
+        degree : int in [2, 4], default 3
+        tension : float in [0, 1], default 0.0
+        samples : int ≥ 0, default 256
+        max_segment_length : float ≥ 0, default 0.0
+            All four as of curve().
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
+
+        Returns
+        -------
+        Curve
+            Its picks are points of it, so that it can be edited like one that was drawn. report["line_distance"]: how far it is
+            from the line.
+
+        Raises
+        ------
+        InputError
+            An argument is wrong, or there is no smooth curve so near.
+        Cancelled
+            `progress` returned False.
+
+        Examples
+        --------
+        >>> shaky = curve.points + 0.002 * np.sin(50 * np.arange(len(curve.points)))[:, None]
+        >>> smooth = mesh.fit(shaky, deviation=0.02)
+        >>> smooth.usable
+        True
+        """
+        options = {"degree": degree, "tension": tension, "samples": samples, "max_segment_length": max_segment_length}
+        return curve_along(self, line, closed, deviation, options, progress)
+
+    def fit_boundary(
+        self,
+        faces: npt.ArrayLike | None = None,
+        *,
+        labels: npt.ArrayLike | None = None,
+        deviation: float | str | None = None,
+        degree: int = 3,
+        tension: float = 0.0,
+        samples: int = 256,
+        max_segment_length: float = 0.0,
+        progress: Progress | None = None,
+    ) -> list[Curve]:
+        """Draw smooth curves along the jagged boundaries of faces, or of the labels of a segmentation.
+
+        Parameters
+        ----------
+        faces : (k,) array of int or (m,) array of bool, default None
+            Their boundaries.
+        labels : (m,) array of int, default None
+            In place of faces: a label for each face. Each boundary between two labels is drawn once, from junction to junction,
+            where curves meet in one point.
+        deviation : float or str, default None
+            How far from its line a curve may be anywhere: a length in the unit of the mesh, or text like '1edge', in mean edges.
+            It is as smooth as it can be where the line is off by about a quarter of that. None: by a mean edge, and no smoother
+            than the line's own noise asks for: waves of more than a dozen of its points stay.
+        degree : int in [2, 4], default 3
+        tension : float in [0, 1], default 0.0
+        samples : int ≥ 0, default 256
+        max_segment_length : float ≥ 0, default 0.0
+            All four as of curve().
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
+
+        Returns
+        -------
+        list of Curve
+            Open ones first.
+
+        Raises
+        ------
+        InputError
+            An argument is wrong, there is no boundary, or no smooth curve so near.
+        Cancelled
+            `progress` returned False.
+
+        Examples
+        --------
+        >>> middles = mesh.vertices[mesh.faces].mean(1)
+        >>> [loop.closed for loop in mesh.fit_boundary(np.hypot(*(middles - middles.mean(0))[:, :2].T) < 0.3)]
+        [True]
+        """
+        options = {"degree": degree, "tension": tension, "samples": samples, "max_segment_length": max_segment_length}
+        return curves_round(self, faces, labels, deviation, options, progress)
 
     def imprint(self, curves: Line | Iterable[Line], snap: float = 1e-9, max_distance: float = 0.0) -> Imprint:
         """Make curves edges of a copy of the mesh, which is mended where it had to be for curves.

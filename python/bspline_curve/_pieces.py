@@ -50,7 +50,18 @@ def reversed_piece(curve: Curve) -> Piece:
         "pick_vertices": index[curve.pick_vertices][turn if len(curve.pick_vertices) == count else slice(None, None, -1)].tolist(),
     }  # fmt: skip
     picks = drawing.picks
-    return Piece(state, drawing._replace(picks=picks[turn] if len(picks) == count else picks[::-1].copy()))
+    turned = turn if len(picks) == count else np.arange(len(picks))[::-1]
+    place = {int(pick): i for i, pick in enumerate(turned)}
+    return Piece(state, _turned(drawing.renumbered(place.get))._replace(picks=picks[turned]))
+
+
+def _turned(drawing: Drawing) -> Drawing:
+    """With the tangents of a curve that goes the other way."""
+    tangents: Any = drawing.options.get("tangents") or ()
+    if not tangents:
+        return drawing
+    other = tuple(sorted((pick, tuple(-x for x in direction)) for pick, direction in tangents))
+    return drawing._replace(options={**drawing.options, "tangents": other})
 
 
 def piece(curve: Curve, start: float, end: float) -> Piece:
@@ -75,7 +86,7 @@ def piece(curve: Curve, start: float, end: float) -> Piece:
     state |= {"pick_parameters": at, "pick_vertices": vertices}
     drawing = curve._bound()
     picks = drawing.picks[kept] if len(drawing.picks) == len(curve.pick_parameters) else drawing.picks[:0]
-    options = {name: value for name, value in drawing.options.items() if name != "closed"}
+    options = {name: value for name, value in drawing.options.items() if name not in ("closed", "corners", "tangents")}
     return Piece(state, drawing._replace(picks=picks, options=options, fixed="a part of another"))
 
 

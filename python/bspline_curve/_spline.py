@@ -23,7 +23,8 @@ def derivative(spline: Spline) -> Spline:
     """The spline of the first derivative."""
     degree, knots, points = spline
     lengths = knots[degree + 1 : degree + len(points)] - knots[1 : len(points)]
-    return Spline(degree - 1, knots[1:-1], degree * np.diff(points, axis=0) / lengths[:, None])
+    rates = degree / np.where(lengths > 0.0, lengths, np.inf)  # at a corner: points that count nowhere
+    return Spline(degree - 1, knots[1:-1], rates[:, None] * np.diff(points, axis=0))
 
 
 def evaluate(spline: Spline, at: Floats, order: int) -> Floats:

@@ -36,6 +36,8 @@ void registerErrors();
 void bindCurve(nanobind::module_& module);
 /// DrawingSession: events in, what is to be seen out, as arrays.
 void bindDrawing(nanobind::module_& module);
+/// Curves along lines, and boundaries of labels.
+void bindFits(nanobind::module_& module);
 /// Drawings, and the function that carries them to a mesh.
 void bindPattern(nanobind::module_& module);
 /// The formats of curves' files, and the reader of meshes' files.

@@ -117,6 +117,7 @@ nb::dict reportDict(const DesignedCurve& drawn) {
     result["field_share"] = report.fieldShare;
     result["repeated_picks"] = report.repeatedPicks;
     result["pick_distances"] = report.pickDistances;
+    result["line_distance"] = report.lineDistance;
     result["detours"] = detoursOf(report);
     result["tangents"] = tangentsOf(report);
     result["avoided_faces"] = report.avoidedFaces;

@@ -234,6 +234,7 @@ NB_MODULE(_core, module) {
     bindCurve(module);
     bindMesh(module);
     bindDrawing(module);
+    bindFits(module);
     bindUses(module);
     bindWays(module);
     bindFiles(module);

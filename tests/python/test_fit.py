@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Smooth curves along lines that exist, and along boundaries of faces and labels."""
+
+import bspline_curve as bc
+import numpy as np
+import pytest
+
+
+@pytest.fixture(scope="module")
+def flat(wavy):
+    return bc.Mesh(*wavy(61, height=0.0))
+
+
+def middles(mesh):
+    return mesh.vertices[mesh.faces].mean(1)[:, :2]
+
+
+def test_a_boundary_is_near_the_circle_that_was_meant(flat):
+    edge = np.linalg.norm(flat.vertices[1] - flat.vertices[0])
+    (curve,) = flat.fit_boundary(np.hypot(*middles(flat).T) < 0.6)
+    assert curve.closed and curve.usable
+    assert np.sqrt(((np.hypot(*curve.points[:, :2].T) - 0.6) ** 2).mean()) < 0.2 * edge
+    assert 0 < curve.report["line_distance"] <= 1.2 * edge
+    by_ids = flat.fit_boundary(np.flatnonzero(np.hypot(*middles(flat).T) < 0.6))[0]
+    assert np.array_equal(curve.points, by_ids.points)
+
+
+def test_a_stroke_becomes_smooth_and_can_be_edited(mesh):
+    rng = np.random.default_rng(4)
+    x = np.linspace(-0.7, 0.7, 120)
+    line = np.stack([x, 0.3 * np.sin(3 * x), 0 * x], 1)
+    line[:, 2] = 0.2 * np.sin(3 * line[:, 0]) * np.cos(2 * line[:, 1])
+    shaky = line + rng.normal(0, 0.008, line.shape)
+    curve = mesh.fit(shaky, deviation=0.05)
+    off = np.abs(curve.points[:, 1] - 0.3 * np.sin(3 * curve.points[:, 0]))
+    assert np.sqrt((off**2).mean()) < 0.008
+    assert np.allclose(curve.picks, curve.points[curve.pick_vertices])
+    moved = curve.move(1, curve.picks[1] + [0, 0.02, 0])
+    assert moved.usable and len(moved.picks) == len(curve.picks)
+
+
+def test_labels_may_be_any_integers_and_meet_in_junctions(flat):
+    angle = np.arctan2(*middles(flat).T)
+    labels = np.array([5, -100, 2**40])[np.floor((angle + np.pi) / (2 * np.pi + 1e-9) * 3).astype(int)]
+    curves = flat.fit_boundary(labels=labels)
+    assert len(curves) == 3 and not any(curve.closed for curve in curves)
+    ends = [tuple(point) for curve in curves for point in (curve.points[0], curve.points[-1])]
+    assert max(ends.count(end) for end in ends) == 3
+
+
+def test_what_is_wrong_is_said(flat, picks):
+    with pytest.raises(bc.InputError, match="either faces or labels"):
+        flat.fit_boundary()
+    with pytest.raises(bc.InputError, match="no boundary"):
+        flat.fit_boundary([])
+    with pytest.raises(bc.InputError, match="labels has shape"):
+        flat.fit_boundary(labels=[1, 2])
+    with pytest.raises(bc.InputError, match="must be above 0"):
+        flat.fit([[0, 0, 0], [0.5, 0, 0]], deviation=0)
+    with pytest.raises(bc.InputError, match="larger deviation"):
+        flat.fit([[-0.5, -0.5, 0], [0.5, -0.5, 0], [0.5, 0.5, 0]], closed=True, deviation=1e-6)
+    with pytest.raises(bc.Cancelled):
+        flat.fit([[-0.5, 0, 0], [0.5, 0.2, 0]], progress=lambda fraction, stage: False)
