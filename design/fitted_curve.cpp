@@ -46,6 +46,8 @@ struct FitConstants {
     /// Picks of a wavelength.
     double picksOfWave = 3.0;
     int leastPicks = 4;
+    /// The solver's time grows with the third power of these.
+    int mostPicks = 200;
     /// Where the curve is too far from the line, by which the spread shrinks; so many times.
     double shrinking = 0.6;
     int mostFits = 6;
@@ -158,6 +160,7 @@ public:
         double spread = kFit.spreadShare * deviation_ / scale_;
         double nearest = std::numeric_limits<double>::infinity();
         for (int i = 0; i < kFit.mostFits; ++i) {
+            report(progress, static_cast<double>(i) / kFit.mostFits, "smoothing the line");
             if (const std::optional<FittedPath> fitted = pathWithin(spread)) {
                 std::optional<NearCurve> drawn =
                     drawAlong(*fitted, stepOf(progress, i, kFit.mostFits));
@@ -258,7 +261,9 @@ private:
         const auto segments = static_cast<int>(points.size()) - 1;
         const double waves = path.path.length() / fitted.wavelength;
         const int count = std::clamp(
-            static_cast<int>(std::lround(kFit.picksOfWave * waves)), kFit.leastPicks, segments
+            static_cast<int>(std::lround(kFit.picksOfWave * waves)),
+            kFit.leastPicks,
+            std::min(segments, kFit.mostPicks)
         );
         for (int i = 0; i < count + (task_.options.closed ? 0 : 1); ++i) {
             const auto& node = points[static_cast<std::size_t>(i) * segments / count];

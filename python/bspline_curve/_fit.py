@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def curve_along(
     mesh: Mesh, line: Any, closed: bool, deviation: float | str | None, options: dict[str, Any], progress: Progress | None
 ) -> Curve:
-    return _fitted(mesh, finite_points(line, "line"), closed, _allowed(deviation), options, progress)
+    return _fitted(mesh, finite_points(line, "line", InputError, ""), closed, _allowed(deviation), options, progress)
 
 
 def curves_round(

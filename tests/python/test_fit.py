@@ -59,5 +59,10 @@ def test_what_is_wrong_is_said(flat, picks):
         flat.fit([[0, 0, 0], [0.5, 0, 0]], deviation=0)
     with pytest.raises(bc.InputError, match="larger deviation"):
         flat.fit([[-0.5, -0.5, 0], [0.5, -0.5, 0], [0.5, 0.5, 0]], closed=True, deviation=1e-6)
+
+
+def test_long_work_is_cancelled(flat):
+    t = np.linspace(0, 40, 20000)
+    spiral = np.stack([t / 50 * np.cos(t), t / 50 * np.sin(t), 0 * t], 1)
     with pytest.raises(bc.Cancelled):
-        flat.fit([[-0.5, 0, 0], [0.5, 0.2, 0]], progress=lambda fraction, stage: False)
+        flat.fit(spiral, progress=lambda fraction, stage: False)
