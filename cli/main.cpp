@@ -83,8 +83,7 @@ ExitCode printOverview() {
     }
     std::cout
         << "\n"
-           "  bspline_curve VERB --help   its options, in groups\n"
-           "  bspline_curve --version     the version\n\n"
+           "  bspline_curve VERB --help: its options; bspline_curve --version: the version\n\n"
            "Examples:\n"
            "  bspline_curve scan.ply --picks picks.json --closed --output curve.json\n"
            "  bspline_curve cut scan.ply --curve curve.json --keep inside --output cut.ply\n\n"
