@@ -75,9 +75,9 @@ class Drawing(NamedTuple):
         values = self.quality if made is None else made.values
         if values is None:
             raise OptionError(f"avoid is {self.avoid!r}, which needs a field or quality: give one of them", "bad-option")
-        threshold = float(self.options.get("avoid_threshold", 0.0))
+        threshold: Any = self.options.get("avoid_threshold", 0.0)
         find = _core.faces_under if self.avoid == "under-threshold" else _core.faces_over
-        return find(self.mesh._core, values, threshold)
+        return find(self.mesh._core, values, float(threshold))
 
     def resolved(self, progress: Progress | None = None) -> tuple[dict[str, Value], _core.Field | None, Int32s | None]:
         """Options, field, and faces to avoid, as the core takes them."""

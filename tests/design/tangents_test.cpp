@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -260,7 +261,8 @@ TEST(Tangents, ThatCannotBeMetAreRefused) {
         "the tangent of pick 2 is normal to the surface"
     );
     EXPECT_EQ(
-        refusal({free, Vec3(NAN, 0.0, 0.0), free, free}), "the tangent of pick 2 is not finite"
+        refusal({free, Vec3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), free, free}),
+        "the tangent of pick 2 is not finite"
     );
     EXPECT_EQ(
         refusal({free, along, free, free}, {1}),
