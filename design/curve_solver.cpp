@@ -9,6 +9,7 @@
 #include "design/warm_start.h"
 #include "shell/shell_boundary.h"
 #include "solver/cellwise_solver.h"
+#include "spline/spline_sections.h"
 #include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
@@ -384,7 +385,8 @@ std::optional<Solved> CurveSolver::solveFromStart(const Progress& progress) cons
     const Curve& start = *context_.start;
     const SplineData& spline = start.spline;
     if (!start.report.isSampled || spline.degree != options_.degree ||
-        spline.closed != options_.closed || spline.pickParameters.size() != picks_.size()) {
+        spline.closed != options_.closed || spline.pickParameters.size() != picks_.size() ||
+        !cornersOf(spline).empty()) {
         return std::nullopt;
     }
     std::optional<WarmStart> dragged = dragCurve(start, *prepared_.extended(), picks_);

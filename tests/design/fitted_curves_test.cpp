@@ -131,7 +131,7 @@ TEST(FittedCurves, FollowStrokesThatShake) {
         return least;
     };
     EXPECT_LE(rootMeanSquare(curve.polyline, off), 0.012);
-    EXPECT_LE(curve.spline.controlPoints.size(), 60U);
+    EXPECT_LE(curve.spline.controlPoints.size(), 100U);
 }
 
 TEST(FittedCurves, KeepTheEndsOfOpenLines) {
