@@ -25,8 +25,7 @@ public:
             FootFrame frame;
             finder_.move(0.5 * (extended_.position(from) + extended_.position(to)), foot, frame);
             if (std::abs(foot.height) > distance_) {
-                const Vec3 barycentric = foot.barycentric().cwiseMax(0.0);
-                const SurfacePoint middle{foot.face, barycentric / barycentric.sum()};
+                const SurfacePoint middle = foot.surfacePoint();
                 return foot.face < extended_.surfaceFaceCount && add(from, middle, halvings + 1) &&
                        add(middle, to, halvings + 1);
             }

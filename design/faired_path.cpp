@@ -75,9 +75,7 @@ public:
         const std::vector<InitialPath::Point>& points = path.path.points;
         for (const InitialPath::Point& point : points) {
             Node node;
-            node.foot = {
-                point.point.face, point.point.barycentric[1], point.point.barycentric[2], 0.0
-            };
+            node.foot = FootPoint::at(point.point);
             node.position = point.position;
             node.normal = normalAt(node.foot, Vec3::Zero());
             now_.push_back(node);
@@ -151,10 +149,7 @@ public:
                 }
                 length += (node.position - last.position).norm();
             }
-            const Vec3 barycentric = node.foot.barycentric().cwiseMax(0.0);
-            InitialPath::Point point{
-                length, {node.foot.face, barycentric / barycentric.sum()}, node.position
-            };
+            InitialPath::Point point{length, node.foot.surfacePoint(), node.position};
             if (k < size() && isFixed(k)) {
                 while (stop->node != k) {
                     ++stop;
@@ -198,8 +193,7 @@ private:
                 pick = {end.point, end.position, end.parameter};
                 continue;
             }
-            const Vec3 barycentric = foot.barycentric().cwiseMax(0.0);
-            pick.point = {foot.face, barycentric / barycentric.sum()};
+            pick.point = foot.surfacePoint();
             pick.position = extended_.position(pick.point);
         }
         // In order, where two lie the other way round along the path; exact ones stay.

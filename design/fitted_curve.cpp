@@ -196,9 +196,6 @@ private:
     void measure(const std::vector<PickConstraint>& vertices) {
         const bool closed = line_.closed;
         const double length = line_.path.length();
-        const auto add = [&](double parameter, double weight) {
-            line_.points.push_back({parameter, line_.path.positionAt(parameter), weight});
-        };
         const std::size_t legs = vertices.size() - (closed ? 0 : 1);
         for (std::size_t i = 0; i < legs; ++i) {
             const double from = vertices[i].parameter;
@@ -208,7 +205,8 @@ private:
                 std::max(1, static_cast<int>(std::ceil(piece / (kFit.longestPiece * bound_))));
             const double weight = std::min(1.0, piece / (kFit.wholePiece * bound_));
             for (int k = 0; k < pieces; ++k) {
-                add(std::lerp(from, to, (k + 0.5) / pieces), weight);
+                const double parameter = std::lerp(from, to, (k + 0.5) / pieces);
+                line_.points.push_back({parameter, line_.path.positionAt(parameter), weight});
             }
         }
     }

@@ -178,8 +178,7 @@ FittedPath smoothTo(LineSmoother& smoother, const FitTarget& target) {
 }
 
 void putAt(const InitialPath::Point& end, SurfaceNode& node) {
-    const SurfacePoint& point = end.point;
-    node.foot = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
+    node.foot = FootPoint::at(end.point);
     node.position = end.position;
 }
 
@@ -202,9 +201,8 @@ std::optional<FittedPath> fittedPath(
     std::vector<SurfaceNode> nodes;
     for (int i = 0; i < segments + (line.closed ? 0 : 1); ++i) {
         const double parameter = static_cast<double>(i) / segments;
-        const SurfacePoint& from = line.path.points[line.path.indexAt(parameter)].point;
         SurfaceNode node;
-        node.foot = {from.face, from.barycentric[1], from.barycentric[2], 0.0};
+        node.foot = FootPoint::at(line.path.points[line.path.indexAt(parameter)].point);
         finder.move(smoother.positionAt(parameter), node.foot, node.frame);
         node.foot.height = 0.0;
         node.position = extended.position({node.foot.face, node.foot.barycentric()});
@@ -228,8 +226,7 @@ std::optional<FittedPath> fittedPath(
             }
             way += (node.position - last.position).norm();
         }
-        const Vec3 barycentric = node.foot.barycentric().cwiseMax(0.0);
-        points.push_back({way, {node.foot.face, barycentric / barycentric.sum()}, node.position});
+        points.push_back({way, node.foot.surfacePoint(), node.position});
     }
     if (!(way > 0.0)) {
         return std::nullopt;

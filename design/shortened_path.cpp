@@ -94,8 +94,7 @@ public:
             if (!areJoined(extended_, finder_, now_[i - 1], node)) {
                 result.gaps.push_back(result.points.size() - 1);
             }
-            const Vec3 barycentric = node.foot.barycentric().cwiseMax(0.0);
-            result.points.push_back({node.foot.face, barycentric / barycentric.sum()});
+            result.points.push_back(node.foot.surfacePoint());
         }
         result.points.back() = path.back();
         if (field_.empty() && length > kShortening.longest * pathLength_) {
@@ -128,7 +127,7 @@ private:
             const double s = gap > 0.0 ? (cost - costs[k]) / gap : 0.0;
             const bool isLast = i == kSegments;
             const SurfacePoint& near = isLast ? path.back() : path[k];
-            now_[i].foot = {near.face, near.barycentric[1], near.barycentric[2], 0.0};
+            now_[i].foot = FootPoint::at(near);
             moves[i] = {
                 isLast ? positions.back() : (1.0 - s) * positions[k] + s * positions[k + 1],
                 &now_[i].foot,

@@ -18,7 +18,17 @@ struct FootPoint {
     double u = 0.0, v = 0.0;  ///< barycentric coordinates of the face's corners 1 and 2
     double height = 0.0;      ///< in the shell's frame, positive outside
 
+    [[nodiscard]] static FootPoint at(const SurfacePoint& point) {
+        return {point.face, point.barycentric[1], point.barycentric[2], 0.0};
+    }
+
     [[nodiscard]] Vec3 barycentric() const { return {1.0 - u - v, u, v}; }
+
+    /// Where it is; what roundings have put outside of the face comes onto its edge.
+    [[nodiscard]] SurfacePoint surfacePoint() const {
+        const Vec3 inside = barycentric().cwiseMax(0.0);
+        return {face, inside / inside.sum()};
+    }
 };
 
 /// First derivatives at a foot, by the position P.

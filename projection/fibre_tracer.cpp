@@ -206,14 +206,7 @@ CurveDistance measureAlongFibres(
     CurveDistance distance;
     distance.perSpan.assign(spans, kInfinity);
     const SurfacePoint& pick = traced.picks.front().point;
-    FibreTracer walk(
-        extended,
-        space,
-        controls,
-        0,
-        {pick.face, pick.barycentric[1], pick.barycentric[2], 0.0},
-        distance.perSpan
-    );
+    FibreTracer walk(extended, space, controls, 0, FootPoint::at(pick), distance.perSpan);
     if (middle) {
         // Both halves at once.
         FibreTracer rest(extended, space, controls, middle->span, middle->foot, distance.perSpan);

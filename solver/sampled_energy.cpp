@@ -62,8 +62,7 @@ SampledEnergy::SampledEnergy(
                initialPath.points[near + 1].parameter <= t) {
             ++near;
         }
-        const SurfacePoint& point = initialPath.points[near].point;
-        now_.feet[sample] = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
+        now_.feet[sample] = FootPoint::at(initialPath.points[near].point);
     }
     facesSeen_ += integrals_->follow(projector_, now_);
 }

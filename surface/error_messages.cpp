@@ -7,8 +7,44 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 namespace bspline_curve {
+namespace {
+
+constexpr std::array kCodeNames{
+    std::pair(InputErrorCode::EmptyMesh, "empty-mesh"),
+    std::pair(InputErrorCode::NonFiniteCoordinate, "non-finite-coordinate"),
+    std::pair(InputErrorCode::IndexOutOfRange, "index-out-of-range"),
+    std::pair(InputErrorCode::DegenerateFace, "degenerate-face"),
+    std::pair(InputErrorCode::NonManifoldEdge, "non-manifold-edge"),
+    std::pair(InputErrorCode::NonManifoldVertex, "non-manifold-vertex"),
+    std::pair(InputErrorCode::InconsistentOrientation, "inconsistent-orientation"),
+    std::pair(InputErrorCode::SelfIntersection, "self-intersection"),
+    std::pair(InputErrorCode::TooFewPicks, "too-few-picks"),
+    std::pair(InputErrorCode::PickTooFar, "pick-too-far"),
+    std::pair(InputErrorCode::CoincidentPicks, "coincident-picks"),
+    std::pair(InputErrorCode::PicksOnDifferentComponents, "picks-on-different-components"),
+    std::pair(InputErrorCode::PickAvoided, "pick-avoided"),
+    std::pair(InputErrorCode::NoPath, "no-path"),
+    std::pair(InputErrorCode::BadField, "bad-field"),
+    std::pair(InputErrorCode::BadOption, "bad-option"),
+    std::pair(InputErrorCode::UnreadableFile, "unreadable-file"),
+    std::pair(InputErrorCode::UnwritableFile, "unwritable-file"),
+    std::pair(InputErrorCode::NoShell, "no-shell"),
+};
+
+}  // namespace
+
+const char* name(InputErrorCode code) {
+    for (const auto& [known, name] : kCodeNames) {
+        if (code == known) {
+            return name;
+        }
+    }
+    throw std::logic_error("an error code without a name");
+}
 
 std::string describeElements(const std::vector<std::int64_t>& elements) {
     constexpr std::size_t kNamedElements = 5;

@@ -11,6 +11,9 @@
 
 namespace bspline_curve {
 
+/// "empty-mesh": a code as hosts name it.
+[[nodiscard]] const char* name(InputErrorCode code);
+
 /// "3, 17, 20, 21, 25 and 12 more": the first ids of a list, for messages.
 [[nodiscard]] std::string describeElements(const std::vector<std::int64_t>& elements);
 

@@ -2,7 +2,6 @@
 #include "surface/error_messages.h"
 #include "web/core/calls.h"
 
-#include <array>
 #include <exception>
 #include <new>
 #include <utility>
@@ -11,42 +10,10 @@ namespace bspline_curve::web {
 
 namespace {
 
-// As Python names them.
-constexpr std::array kCodeNames{
-    std::pair(InputErrorCode::EmptyMesh, "empty-mesh"),
-    std::pair(InputErrorCode::NonFiniteCoordinate, "non-finite-coordinate"),
-    std::pair(InputErrorCode::IndexOutOfRange, "index-out-of-range"),
-    std::pair(InputErrorCode::DegenerateFace, "degenerate-face"),
-    std::pair(InputErrorCode::NonManifoldEdge, "non-manifold-edge"),
-    std::pair(InputErrorCode::NonManifoldVertex, "non-manifold-vertex"),
-    std::pair(InputErrorCode::InconsistentOrientation, "inconsistent-orientation"),
-    std::pair(InputErrorCode::SelfIntersection, "self-intersection"),
-    std::pair(InputErrorCode::TooFewPicks, "too-few-picks"),
-    std::pair(InputErrorCode::PickTooFar, "pick-too-far"),
-    std::pair(InputErrorCode::CoincidentPicks, "coincident-picks"),
-    std::pair(InputErrorCode::PicksOnDifferentComponents, "picks-on-different-components"),
-    std::pair(InputErrorCode::PickAvoided, "pick-avoided"),
-    std::pair(InputErrorCode::NoPath, "no-path"),
-    std::pair(InputErrorCode::BadField, "bad-field"),
-    std::pair(InputErrorCode::BadOption, "bad-option"),
-    std::pair(InputErrorCode::UnreadableFile, "unreadable-file"),
-    std::pair(InputErrorCode::UnwritableFile, "unwritable-file"),
-    std::pair(InputErrorCode::NoShell, "no-shell"),
-};
-
 constexpr RemedyWords kRemedyWords{
     .mend = "without the option strict the mesh is mended",
     .weld = "opened with the option weld of %, its components are joined"
 };
-
-std::string nameOfCode(InputErrorCode code) {
-    for (const auto& [known, name] : kCodeNames) {
-        if (code == known) {
-            return name;
-        }
-    }
-    return "input";
-}
 
 Json errorJson(std::string code, std::string message) {
     return {
@@ -64,7 +31,7 @@ Json currentError() {
     try {
         throw;
     } catch (const InputError& error) {
-        Json json = errorJson(nameOfCode(error.code()), messageOf(error.what(), error.remedy()));
+        Json json = errorJson(name(error.code()), messageOf(error.what(), error.remedy()));
         json["elements"] = error.elements();
         return json;
     } catch (const Cancelled&) {
