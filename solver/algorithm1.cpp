@@ -194,7 +194,13 @@ private:
     SolveStatus rest() {
         const SolveStatus status = comeToRest();
         const double moved = paper_.meetPicks(energy_, policy_.newton);
-        distance_ = energy_.trace();
+        if (std::optional<TracedSpline> thinned = energy_.withFewerKnots()) {
+            thinned_ = std::move(thinned->curve);
+            distance_ = std::move(thinned->distance);
+            report_.seconds.knots += watch_.lap();
+        } else {
+            distance_ = energy_.trace();
+        }
         return moved < kSolve.restShare * problem_.distanceTolerance ? status
                                                                      : SolveStatus::DistanceReached;
     }
@@ -265,13 +271,14 @@ private:
                 report_.status = SolveStatus::DistanceReached;
             }
         }
-        report_.knotsLast = knotCount();
-        report_.maxPickGap = energy_.picks().residual(energy_.controls()).lpNorm<Eigen::Infinity>();
+        SplineCurve curve =
+            thinned_ ? std::move(*thinned_) : SplineCurve{energy_.space(), energy_.controls()};
+        const PickConstraints picks(curve.space, interpolationRows(curve.space, problem_.picks));
+        report_.knotsLast = static_cast<int>(curve.space.knotVector().size());
+        report_.maxPickGap = picks.residual(curve.controls).lpNorm<Eigen::Infinity>();
         report_.maxDistance = distance_.largest / problem_.averageEdgeLength;
         report_.seconds.minimise += watch_.lap();
-        Solution solution{
-            {energy_.space(), energy_.controls()}, std::move(report_), {}, energy_.work()
-        };
+        Solution solution{std::move(curve), std::move(report_), {}, energy_.work()};
         if (solution.report.usable) {
             solution.trace = std::move(distance_.trace);
         }
@@ -285,7 +292,8 @@ private:
     NewtonGoal roundGoal_;
     StopRule stopRule_;
     PaperSettings paper_;
-    CurveDistance distance_;  // of curve and surface, in the shell's frame
+    CurveDistance distance_;              // of curve and surface, in the shell's frame
+    std::optional<SplineCurve> thinned_;  // the curve at rest, without needless knots
     int round_ = 0;
     SolveReport report_;
     Stopwatch watch_;

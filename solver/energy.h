@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace bspline_curve {
@@ -29,6 +30,12 @@ struct KnotDemand {
     double total = 0.0;
     std::vector<double> perSpan;
     bool isNegligible = false;  ///< more knots no longer change the curve
+};
+
+/// A spline that has been traced as a whole.
+struct TracedSpline {
+    SplineCurve curve;
+    CurveDistance distance;
 };
 
 /// The energy (7) of a spline, which it holds: what minimise() and solve() ask of it. Bending
@@ -96,6 +103,10 @@ public:
 
     /// The same spline in a space with more breaks.
     virtual void insertKnots(SplineSpace finer) = 0;
+
+    /// The spline at rest without knots that it does not need, within the tolerance. Nothing where
+    /// it needs all, or that is not for this energy.
+    [[nodiscard]] virtual std::optional<TracedSpline> withFewerKnots() { return std::nullopt; }
 
 protected:
     /// A space and what belongs to it; refers to its own parts.

@@ -2,10 +2,12 @@
 #include "solver/sampled_energy.h"
 
 #include "projection/fibre_tracer.h"
+#include "solver/knot_removal.h"
 #include "solver/problem_traces.h"
 #include "utility/worker_thread.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -27,11 +29,30 @@ struct SampledEnergyConstants {
     double negligibleQuadraticGain = 0.03;
     /// A curve whose energy, which is dimensionless, is less is a segment, but for roundings.
     double straightEnergy = 1e-12;
+    /// Without needless knots samples may be so far away, in tolerances: less keeps a tenth more
+    /// knots, with more curves leave the tolerance between samples.
+    double heightWithFewer = 0.85;
+    /// And so far from where they were; with more curves bend as much.
+    double wayWithFewer = 2.0;
+    /// And the curve may bend by this share more than before, and than one whose length times the
+    /// integral of squared curvature is the floor: what bends less looks straight.
+    double bendingWithFewer = 0.01, bendingFloor = 1.0;
     /// So many spans at once are asked by one of two threads: for some microseconds.
     int spansAtOnce = 16;
 };
 
 constexpr SampledEnergyConstants kSampledEnergy;
+
+// Spans that leave the tolerance, as far as that is known.
+std::vector<char> farSpans(const CurveDistance& distance, double tolerance) {
+    const std::vector<double>& perSpan = distance.perSpan;
+    std::vector<char> marked(perSpan.size(), 0);
+    for (std::size_t span = 0; span < perSpan.size(); ++span) {
+        const bool isKnown = span == 0 || std::isfinite(perSpan[span - 1]);
+        marked[span] = perSpan[span] >= tolerance && isKnown ? 1 : 0;
+    }
+    return marked;
+}
 
 }  // namespace
 
@@ -143,21 +164,63 @@ CurveDistance SampledEnergy::measure() {
 
 CurveDistance SampledEnergy::trace() {
     picks().meet(now_.controls);  // rounding of many steps
-    return problem_.shell != nullptr
-               ? measureDistance(traceStartOf(problem_), space(), controls())
-               : measureAlongFibres(fibreStartOf(problem_), space(), controls(), footAtMiddle());
+    return traceOf(space(), controls());
 }
 
-// The start of the middle span, from its first sample.
-FootOfSpan SampledEnergy::footAtMiddle() const {
-    const int span = space().spanCount() / 2;
-    const std::size_t sample = span * integrals_->samplesPerSpan();
+CurveDistance SampledEnergy::traceOf(
+    const SplineSpace& splines, const ControlPoints& controls
+) const {
+    return problem_.shell != nullptr
+               ? measureDistance(traceStartOf(problem_), splines, controls)
+               : measureAlongFibres(
+                     fibreStartOf(problem_), splines, controls, footAtMiddle(splines, controls)
+                 );
+}
+
+// The start of the middle span of a spline near to this one, from the sample there.
+FootOfSpan SampledEnergy::footAtMiddle(
+    const SplineSpace& splines, const ControlPoints& controls
+) const {
+    const int span = splines.spanCount() / 2;
+    const int near = space().spanAt(splines.breaks()[span]);
+    const int sample = near * integrals_->samplesPerSpan();
     FootPoint foot = now_.feet[sample];
     FootFrame frame = now_.frames[sample];
-    const Vec3 start = space().polynomial(controls(), span).coefficients[0];
+    const Vec3 start = splines.polynomial(controls, span).coefficients[0];
     FibreProjector::predict(start - now_.positions[sample], frame, foot);
     projector_.move(start, foot, frame);
     return {span, foot};
+}
+
+std::optional<TracedSpline> SampledEnergy::withFewerKnots() {
+    if (problem_.options.fairness != Fairness::Curvature || integrals_->hasField()) {
+        return std::nullopt;
+    }
+    const double tolerance = problem_.distanceTolerance;
+    const SplineCurve before{space(), controls()};
+    KnotRemoval removal(
+        before,
+        problem_.picks,
+        integrals_->seen(now_),
+        {kSampledEnergy.heightWithFewer * tolerance,
+         kSampledEnergy.wayWithFewer * tolerance,
+         kSampledEnergy.bendingWithFewer,
+         kSampledEnergy.bendingFloor}
+    );
+    TracedSpline fewer{removal.run(), {}};
+    const auto isShorter = [&] { return fewer.curve.space.spanCount() < space().spanCount(); };
+    if (!isShorter()) {
+        return std::nullopt;
+    }
+    fewer.distance = traceOf(fewer.curve.space, fewer.curve.controls);
+    if (fewer.distance.largest >= tolerance) {
+        fewer.curve = removal.withKnotsBack(farSpans(fewer.distance, tolerance));
+        if (!isShorter()) {
+            return std::nullopt;
+        }
+        fewer.distance = traceOf(fewer.curve.space, fewer.curve.controls);
+    }
+    return fewer.distance.largest < tolerance ? std::optional(std::move(fewer)) : std::nullopt;
 }
 
 KnotDemand SampledEnergy::refinementGain() {
@@ -170,7 +233,9 @@ KnotDemand SampledEnergy::refinementGain() {
     const double scale = valueOf(integrals_->terms(now_, now_.frames)).scale;
     const double negligible = space().degree() > 2 ? kSampledEnergy.negligibleGain
                                                    : kSampledEnergy.negligibleQuadraticGain;
-    gain.isNegligible = gain.total < negligible * std::max(scale, kSampledEnergy.straightEnergy);
+    const static double factor = std::getenv("BSC_GAIN") ? atof(std::getenv("BSC_GAIN")) : 1.0;
+    gain.isNegligible =
+        gain.total < factor * negligible * std::max(scale, kSampledEnergy.straightEnergy);
     return gain;
 }
 

@@ -50,11 +50,17 @@ public:
     [[nodiscard]] CurveDistance trace() override;
     [[nodiscard]] KnotDemand refinementGain() override;
     void insertKnots(SplineSpace finer) override;
+    [[nodiscard]] std::optional<TracedSpline> withFewerKnots() override;
 
 private:
     [[nodiscard]] EnergyValue valueOf(const EnergyTerms& terms) const;
     void differentiateWith(double negativeShare);
-    [[nodiscard]] FootOfSpan footAtMiddle() const;
+    [[nodiscard]] FootOfSpan footAtMiddle(
+        const SplineSpace& splines, const ControlPoints& controls
+    ) const;
+    [[nodiscard]] CurveDistance traceOf(
+        const SplineSpace& splines, const ControlPoints& controls
+    ) const;
 
     FibreProjector projector_;
     double heightUnit_;

@@ -495,6 +495,23 @@ void SampledIntegrals::addBulge(
     }
 }
 
+std::vector<SeenSample> SampledIntegrals::seen(const FootedSpline& spline) const {
+    std::vector<SeenSample> result;
+    result.reserve(samples_.size());
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const FootPoint& foot = spline.feet[i];
+        result.push_back(
+            {samples_[i].parameter,
+             samples_[i].weight,
+             spline.positions[i],
+             spline.seconds[i] + samples_[i].fairedSecond,
+             problem_.extended->normalAt(foot.face, foot.barycentric()).normalized(),
+             foot.height}
+        );
+    }
+    return result;
+}
+
 double SampledIntegrals::largestHeight(const FootedSpline& spline) const {
     double largest = 0.0;
     for (const FootPoint& foot : spline.feet) {

@@ -6,6 +6,7 @@
 #include "solver/curve_problem.h"
 #include "solver/energy_derivatives.h"
 #include "solver/faired_shape.h"
+#include "solver/knot_removal.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -135,6 +136,9 @@ public:
     [[nodiscard]] double refinementGain(const FootedSpline& spline, double alpha, int span) const;
 
     [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
+
+    /// The spline and the surface beneath at each sample.
+    [[nodiscard]] std::vector<SeenSample> seen(const FootedSpline& spline) const;
 
 private:
     void setFairedShape(double bending);

@@ -25,6 +25,11 @@ bool isClear(const CurveProblem& problem, const Solution& solution) {
            });
 }
 
+// Whether it is drawn along a path of least bending that no field bends further.
+bool isAlongFaired(const CurveProblem& problem) {
+    return !problem.faired.empty() && !hasPull(problem);
+}
+
 // A weight of the distance that holds a curve as fast on every resolution.
 double alphaOf(const CurveProblem& problem, double stiffness) {
     const double share = heightUnitOf(problem) / problem.chordLength;
@@ -81,14 +86,20 @@ double heightUnitOf(const CurveProblem& problem) {
 
 // A field lifts curves as well.
 double firstAlphaOf(const CurveProblem& problem) {
+    const double stiffness = isAlongFaired(problem)
+                                 ? kSampled.fairedStiffness * kSampled.firstStiffness
+                                 : kSampled.firstStiffness;
     const double byField = 1.0 + kSampled.stiffnessByStrength * fieldStrength(problem);
     return std::max(
         kSampled.leastFirstAlpha * byField,
-        alphaOf(problem, std::max(kSampled.firstStiffness, kSampled.firstFieldStiffness * byField))
+        alphaOf(problem, std::max(stiffness, kSampled.firstFieldStiffness * byField))
     );
 }
 
 SplineCurve looseFit(const CurveProblem& problem, const InitialPath& initialPath) {
+    if (isAlongFaired(problem)) {
+        return fitLoosely(problem, initialPath, problem.chordLength * kSampled.firstFairedDistance);
+    }
     const double share = std::min(1.0, fieldStrength(problem));
     return fitLoosely(
         problem,

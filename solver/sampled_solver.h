@@ -26,6 +26,9 @@ struct SampledConstants {
     /// And under a strong field, which has bent the initial path: with less curves take longer,
     /// with twice as much they stay in worse valleys.
     double firstFieldDistance = 0.005;
+    /// And to a path of least bending, from which it need not move away: fewer rounds, and knots
+    /// that it does not need are taken out at last. With half as much there are more of these.
+    double firstFairedDistance = 0.001;
     /// A tight fit is within so many tolerances; both with half and twice of it fewer curves lie in
     /// the shell in the end.
     double tightDistance = 2.0;
@@ -35,6 +38,8 @@ struct SampledConstants {
     /// First weight of the distance, per squared length of the polygon of picks in units of height.
     /// Less takes more steps for the same bending; with more, curves stick to where they start.
     double firstStiffness = 1.35e6;
+    /// So many times that along a path of least bending, where there is nothing to stick to.
+    double fairedStiffness = 10.0;
     double leastFirstAlpha = 5.0;  ///< the first weight at least, by itself
     /// The same under a field, times 1 + strength times the factor below, where that is more: steps
     /// become fewer the larger it is, but curves follow their field less.

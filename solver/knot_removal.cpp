@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/knot_removal.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace bspline_curve {
+namespace {
+
+struct RemovalConstants {
+    /// Of squared second derivatives in the fit, relative to squared distances, in units of a mean
+    /// span to the fourth. With a tenth of it the noise of positions keeps a tenth more knots.
+    double secondsWeight = 0.1;
+    /// Of squared distances from the picks in the fit; multipliers do the rest.
+    double pickWeight = 1e4;
+    /// A fit misses the picks by less, in the unit frame; by more where too few control points are
+    /// left for them.
+    double pickAccuracy = 1e-9;
+    /// Of the bending that may still be added one knot may take this share, and a batch that one:
+    /// with more, what is taken first leaves nothing for the others.
+    double shareOfKnot = 0.25, shareOfBatch = 0.5;
+    /// What a knot adds is felt on so many spans to either side: fits decay by half and more from
+    /// span to span.
+    int reach = 6;
+};
+
+constexpr RemovalConstants kRemoval;
+
+void addProducts(
+    const SplineSpace& space,
+    int span,
+    const SplineSpace::BasisMatrix& products,
+    BandCholesky<1>& factor
+) {
+    for (int j = 0; j < space.basisCount(); ++j) {
+        for (int k = 0; k < space.basisCount(); ++k) {
+            const int row = space.control(span, j);
+            const int column = space.control(span, k);
+            if (row >= column) {
+                factor.add(row, column, &products(std::max(j, k), std::min(j, k)), 1);
+            }
+        }
+    }
+}
+
+// The squared geodesic curvature times the speed, of turn = n . (P' x P'').
+double bendOf(double turn, double squaredSpeed) {
+    return turn * turn / (squaredSpeed * squaredSpeed * std::sqrt(squaredSpeed));
+}
+
+// By the control points: the jump of the derivative of order degree at a break inside.
+Eigen::VectorXd jumpAt(const SplineSpace& space, int atBreak) {
+    Eigen::VectorXd jump = Eigen::VectorXd::Zero(space.controlCount());
+    for (const int side : {0, 1}) {
+        const int span = atBreak - 1 + side;
+        const double sign = side == 0 ? -1.0 : 1.0;
+        const double scale = sign / std::pow(space.spanLength(span), space.degree());
+        for (int j = 0; j < space.basisCount(); ++j) {
+            jump[space.control(span, j)] += scale * space.basis(span)(j, space.degree());
+        }
+    }
+    return jump;
+}
+
+}  // namespace
+
+KnotRemoval::KnotRemoval(
+    const SplineCurve& curve,
+    const std::vector<PickConstraint>& picks,
+    std::vector<SeenSample> samples,
+    const RemovalLimits& limits
+)
+    : curve_(curve),
+      picks_(picks),
+      samples_(std::move(samples)),
+      limits_(limits),
+      isLocked_(curve.space.breaks().size(), 0),
+      kept_(curve.space.breaks().size()) {
+    isLocked_.front() = isLocked_.back() = 1;
+    std::iota(kept_.begin(), kept_.end(), 0);
+}
+
+SplineCurve KnotRemoval::run() {
+    std::optional<Fit> fit = fitOn(kept_);
+    if (!fit) {
+        return curve_;
+    }
+    mostBending_ = fit->bending + limits_.bendingShare * (fit->bending + limits_.bendingFloor);
+    std::vector<Candidate> batch = nextBatch(*fit);
+    while (!batch.empty()) {
+        std::vector<int> rest;
+        std::size_t next = 0;
+        std::vector<char> isOut(fit->kept.size(), 0);
+        for (const Candidate& candidate : batch) {
+            isOut[candidate.index] = 1;
+        }
+        for (const int atBreak : fit->kept) {
+            if (isOut[next++] == 0) {
+                rest.push_back(atBreak);
+            }
+        }
+        std::optional<Fit> trial = fitOn(std::move(rest));
+        if (trial && isWithin(*trial)) {
+            fit = std::move(trial);
+            batch = nextBatch(*fit);
+        } else {
+            shorten(trial ? &*trial : nullptr, batch);
+            if (batch.empty()) {
+                batch = nextBatch(*fit);
+            }
+        }
+    }
+    kept_ = fit->kept;
+    return curveOf(*fit);
+}
+
+SplineCurve KnotRemoval::withKnotsBack(const std::vector<char>& spans) {
+    std::vector<int> kept;
+    for (std::size_t span = 0; span + 1 < kept_.size(); ++span) {
+        kept.push_back(kept_[span]);
+        for (int i = kept_[span] + 1; spans[span] != 0 && i < kept_[span + 1]; ++i) {
+            kept.push_back(i);
+        }
+    }
+    kept.push_back(kept_.back());
+    const std::optional<Fit> fit = fitOn(std::move(kept));
+    return fit ? curveOf(*fit) : curve_;
+}
+
+SplineCurve KnotRemoval::curveOf(const Fit& fit) const {
+    SplineCurve result{fit.space, fit.controls};
+    PickConstraints(result.space, interpolationRows(result.space, picks_)).meet(result.controls);
+    return result;
+}
+
+// Nothing where no spline on these breaks passes the picks.
+std::optional<KnotRemoval::Fit> KnotRemoval::fitOn(std::vector<int> kept) const {
+    const SplineSpace& before = curve_.space;
+    std::vector<double> breaks;
+    breaks.reserve(kept.size());
+    for (const int index : kept) {
+        breaks.push_back(before.breaks()[index]);
+    }
+    SplineSpace space(before.degree(), before.closed(), std::move(breaks));
+    BandCholesky<1> factor = bandCholeskyOf<1>(space);
+    Fit fit{std::move(kept), std::move(space), std::move(factor), {}, {}, {}, {}, {}, {}};
+    const PickConstraints picks(fit.space, interpolationRows(fit.space, picks_));
+    ControlPoints right = ControlPoints::Zero(fit.space.controlCount(), 3);
+    addSamples(fit, right);
+    addPicks(fit, picks);
+    if (!fit.factor.factorise()) {
+        return std::nullopt;
+    }
+    if (fit.kept.size() == before.breaks().size()) {
+        fit.controls = curve_.controls;
+    } else {
+        fit.controls = ControlPoints::Zero(fit.space.controlCount(), 3);
+        const Eigen::VectorXd flat = picks.minimiser(
+            Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()),
+            picks.residual(fit.controls),
+            kRemoval.pickWeight,
+            [&](Eigen::VectorXd&& pulled) {
+                Eigen::Map<ControlPoints> axes(pulled.data(), fit.space.controlCount(), 3);
+                for (int axis = 0; axis < 3; ++axis) {
+                    axes.col(axis) = fit.factor.solve(axes.col(axis));
+                }
+                return std::move(pulled);
+            }
+        );
+        fit.controls = Eigen::Map<const ControlPoints>(flat.data(), fit.space.controlCount(), 3);
+    }
+    if (!(picks.residual(fit.controls).lpNorm<Eigen::Infinity>() < kRemoval.pickAccuracy)) {
+        return std::nullopt;
+    }
+    measure(fit);
+    return fit;
+}
+
+void KnotRemoval::addSamples(Fit& fit, ControlPoints& right) const {
+    const SplineSpace& space = fit.space;
+    const int n = space.basisCount();
+    const double stiffness = kRemoval.secondsWeight / std::pow(space.spanCount(), 4);
+    fit.rows.reserve(samples_.size());
+    auto sample = samples_.begin();
+    for (int span = 0; span < space.spanCount(); ++span) {
+        const SplineSpace::BasisMatrix& table = space.basis(span);
+        const double perLength = 1.0 / space.spanLength(span);
+        SplineSpace::BasisMatrix products = SplineSpace::BasisMatrix::Zero();
+        std::array<Vec3, kMaxBasis> sums;
+        sums.fill(Vec3::Zero());
+        for (; sample != samples_.end() &&
+               (sample->parameter < space.breaks()[span + 1] || span + 1 == space.spanCount());
+             ++sample) {
+            Row& row = fit.rows.emplace_back(Row{span, {}, {}, {}});
+            const double tau = (sample->parameter - space.breaks()[span]) * perLength;
+            for (int j = 0; j < n; ++j) {
+                // Horner's scheme for a polynomial and its derivatives.
+                double value = 0.0;
+                double first = 0.0;
+                double halfSecond = 0.0;
+                for (int m = space.degree(); m >= 0; --m) {
+                    halfSecond = halfSecond * tau + first;
+                    first = first * tau + value;
+                    value = value * tau + table(j, m);
+                }
+                row.basis[j] = value;
+                row.first[j] = first * perLength;
+                row.second[j] = 2.0 * halfSecond * perLength * perLength;
+                const double near = sample->weight * row.basis[j];
+                const double bent = sample->weight * stiffness * row.second[j];
+                sums[j] += near * sample->position + bent * sample->second;
+                for (int k = 0; k <= j; ++k) {
+                    products(j, k) += near * row.basis[k] + bent * row.second[k];
+                }
+            }
+        }
+        for (int j = 0; j < n; ++j) {
+            right.row(space.control(span, j)) += sums[j].transpose();
+        }
+        addProducts(space, span, products, fit.factor);
+    }
+}
+
+void KnotRemoval::addPicks(Fit& fit, const PickConstraints& picks) const {
+    for (const InterpolationRow& row : picks.rows()) {
+        SplineSpace::BasisMatrix products;
+        for (int j = 0; j < fit.space.basisCount(); ++j) {
+            for (int k = 0; k <= j; ++k) {
+                products(j, k) = kRemoval.pickWeight * row.values[j] * row.values[k];
+            }
+        }
+        addProducts(fit.space, row.span, products, fit.factor);
+    }
+}
+
+void KnotRemoval::measure(Fit& fit) const {
+    const SplineSpace& space = fit.space;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const SeenSample& sample = samples_[i];
+        const Row& row = fit.rows[i];
+        Vec3 position = Vec3::Zero();
+        Vec3 first = Vec3::Zero();
+        Vec3 second = Vec3::Zero();
+        for (int j = 0; j < space.basisCount(); ++j) {
+            const Vec3 control = fit.controls.row(space.control(row.span, j)).transpose();
+            position += row.basis[j] * control;
+            first += row.first[j] * control;
+            second += row.second[j] * control;
+        }
+        const double squaredSpeed = first.squaredNorm();
+        fit.firsts.push_back(first);
+        fit.seconds.push_back(second);
+        fit.ways.emplace_back(position - sample.position);
+        fit.bends.push_back(bendOf(sample.normal.dot(first.cross(second)), squaredSpeed));
+        fit.length += sample.weight * std::sqrt(squaredSpeed);
+        sum += sample.weight * fit.bends.back();
+    }
+    fit.bending = fit.length * sum;
+}
+
+// Of a sample's height and way, relative to their limits.
+double KnotRemoval::farness(const SeenSample& sample, const Vec3& way) const {
+    const double height = sample.height + sample.normal.dot(way);
+    return std::max(std::abs(height) / limits_.height, way.norm() / limits_.way);
+}
+
+bool KnotRemoval::isWithin(const Fit& fit) const {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        if (farness(samples_[i], fit.ways[i]) > 1.0) {
+            return false;
+        }
+    }
+    return fit.bending <= mostBending_;
+}
+
+// The knots to take out next, cheapest first, no two of them neighbours.
+std::vector<KnotRemoval::Candidate> KnotRemoval::nextBatch(const Fit& fit) {
+    const double left = mostBending_ - fit.bending;
+    std::vector<Candidate> all;
+    for (std::size_t i = 1; i + 1 < fit.kept.size(); ++i) {
+        const int atBreak = fit.kept[i];
+        if (isLocked_[atBreak] != 0) {
+            continue;
+        }
+        const Cost cost = costOf(fit, static_cast<int>(i));
+        if (cost.farthest >= 1.0) {
+            isLocked_[atBreak] = 1;
+        } else if (cost.bending < kRemoval.shareOfKnot * left) {
+            const double share = std::max(cost.farthest, cost.bending / left);
+            all.push_back({static_cast<int>(i), atBreak, share, cost.bending});
+        }
+    }
+    std::ranges::stable_sort(all, {}, &Candidate::cost);
+    // As many control points as picks must be left, and for a closed spline a span for each of the
+    // basis functions on it.
+    const int needed = std::max(fit.space.basisCount(), static_cast<int>(picks_.size()));
+    const auto most = static_cast<std::size_t>(std::max(0, fit.space.controlCount() - needed));
+    std::vector<char> isTaken(fit.kept.size(), 0);
+    std::vector<Candidate> batch;
+    double leftOfBatch = kRemoval.shareOfBatch * left;
+    for (const Candidate& candidate : all) {
+        const int i = candidate.index;
+        if (batch.size() < most && candidate.bending <= leftOfBatch && isTaken[i - 1] == 0 &&
+            isTaken[i + 1] == 0) {
+            isTaken[i] = 1;
+            leftOfBatch -= candidate.bending;
+            batch.push_back(candidate);
+        }
+    }
+    return batch;
+}
+
+KnotRemoval::Cost KnotRemoval::costOf(const Fit& fit, int index) const {
+    // The least change of the fit without a jump there is `answer` times `step`.
+    const SplineSpace& space = fit.space;
+    const Eigen::VectorXd jump = jumpAt(space, index);
+    const Eigen::VectorXd answer = fit.factor.solve(jump);
+    const Vec3 step = -(fit.controls.transpose() * jump) / jump.dot(answer);
+    const int spans = space.spanCount();
+    Cost cost{0.0, 0.0};
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const SeenSample& sample = samples_[i];
+        const Row& row = fit.rows[i];
+        const int away = row.span < index ? index - 1 - row.span : row.span - index;
+        if (std::min(away, space.closed() ? spans - 1 - away : away) >= kRemoval.reach) {
+            continue;
+        }
+        double moved = 0.0;
+        double faster = 0.0;
+        double bent = 0.0;
+        for (int j = 0; j < space.basisCount(); ++j) {
+            const double share = answer[space.control(row.span, j)];
+            moved += row.basis[j] * share;
+            faster += row.first[j] * share;
+            bent += row.second[j] * share;
+        }
+        cost.farthest = std::max(cost.farthest, farness(sample, fit.ways[i] + moved * step));
+        const Vec3 first = fit.firsts[i] + faster * step;
+        const Vec3 second = fit.seconds[i] + bent * step;
+        const double bend = bendOf(sample.normal.dot(first.cross(second)), first.squaredNorm());
+        cost.bending += sample.weight * (bend - fit.bends[i]);
+    }
+    cost.bending *= fit.length;
+    return cost;
+}
+
+// Takes out of a batch, and keeps for good, the knots nearest to where its trial is too far away;
+// where it is not, or there is no trial, the dearest one, and half of the batch waits.
+void KnotRemoval::shorten(const Fit* trial, std::vector<Candidate>& batch) {
+    std::vector<char> isNeeded(batch.size(), 0);
+    bool isAny = false;
+    for (std::size_t i = 0; trial != nullptr && i < samples_.size(); ++i) {
+        if (farness(samples_[i], trial->ways[i]) > 1.0) {
+            const auto gap = [&](const Candidate& candidate) {
+                return std::abs(curve_.space.breaks()[candidate.atBreak] - samples_[i].parameter);
+            };
+            isNeeded[std::ranges::min_element(batch, {}, gap) - batch.begin()] = 1;
+            isAny = true;
+        }
+    }
+    if (!isAny) {
+        isLocked_[batch.back().atBreak] = 1;
+        batch.resize(batch.size() / 2);
+        return;
+    }
+    std::vector<Candidate> rest;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        if (isNeeded[i] != 0) {
+            isLocked_[batch[i].atBreak] = 1;
+        } else {
+            rest.push_back(batch[i]);
+        }
+    }
+    batch = std::move(rest);
+}
+
+}  // namespace bspline_curve

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/initial_curve.h"
+#include "spline/band_cholesky.h"
+#include "spline/pick_constraint.h"
+#include "spline/spline_system.h"
+
+#include <optional>
+#include <vector>
+
+namespace bspline_curve {
+
+/// A spline at one parameter, and the surface beneath.
+struct SeenSample {
+    double parameter = 0.0;  ///< ascending in (0, 1)
+    double weight = 0.0;     ///< of integrals over [0, 1]
+    Vec3 position = Vec3::Zero();
+    Vec3 second = Vec3::Zero();  ///< P''
+    Vec3 normal = Vec3::Zero();  ///< unit, of the surface
+    double height = 0.0;         ///< over the surface, along the normal
+};
+
+/// What a spline with fewer knots must keep to, at samples. Its bending is the length times the
+/// integral of the squared geodesic curvature, without unit.
+struct RemovalLimits {
+    double height = 0.0;  ///< from the surface, in the unit of positions
+    double way = 0.0;     ///< from where the spline was, likewise
+    /// The bending may grow by this share of itself and of the floor.
+    double bendingShare = 0.0, bendingFloor = 0.0;
+};
+
+/// Takes out of a spline the knots that it does not need. What is left passes the same picks, is
+/// near to the spline and within limits; its breaks are some of those before, 0 and 1 among them.
+///
+/// Knots are taken out in batches, cheapest first, no two neighbours at once, and the spline is
+/// fitted anew to its samples: least squares of positions and second derivatives under the picks.
+/// What a knot costs by itself is foreseen with the matrix of the fit. Usually five fits; O(n) each
+/// for n samples, and O(n^2) with a small factor for the costs.
+class KnotRemoval {
+public:
+    /// `curve` and `picks` must outlive it. At least one sample per span.
+    KnotRemoval(
+        const SplineCurve& curve,
+        const std::vector<PickConstraint>& picks,
+        std::vector<SeenSample> samples,
+        const RemovalLimits& limits
+    );
+
+    /// The spline with the fewest knots found. Where all are needed, the spline itself.
+    [[nodiscard]] SplineCurve run();
+
+    /// The same with all knots again inside the marked spans of what run() has returned, which are
+    /// out of the limits after all. Once.
+    [[nodiscard]] SplineCurve withKnotsBack(const std::vector<char>& spans);
+
+private:
+    // A sample's basis functions and their derivatives by t.
+    struct Row {
+        int span;
+        SplineSpace::BasisValues basis, first, second;
+    };
+
+    struct Fit {
+        std::vector<int> kept;  // breaks, as indices into those before
+        SplineSpace space;
+        BandCholesky<1> factor;
+        ControlPoints controls;
+        // By sample:
+        std::vector<Row> rows;
+        std::vector<Vec3> firsts, seconds;  // P', P''
+        std::vector<Vec3> ways;             // from where the spline was
+        std::vector<double> bends;          // squared geodesic curvature times the speed
+        double length = 0.0, bending = 0.0;
+    };
+
+    // What it would cost to take one knot out.
+    struct Cost {
+        double farthest;  // largest height or way there would be, 1 at the limit
+        double bending;   // more than now
+    };
+
+    struct Candidate {
+        int index;    // into Fit::kept
+        int atBreak;  // of the spline before
+        double cost;  // 1 at a limit
+        double bending;
+    };
+
+    [[nodiscard]] SplineCurve curveOf(const Fit& fit) const;
+    [[nodiscard]] std::optional<Fit> fitOn(std::vector<int> kept) const;
+    [[nodiscard]] double farness(const SeenSample& sample, const Vec3& way) const;
+    [[nodiscard]] bool isWithin(const Fit& fit) const;
+    void addSamples(Fit& fit, ControlPoints& right) const;
+    void addPicks(Fit& fit, const PickConstraints& picks) const;
+    void measure(Fit& fit) const;
+    [[nodiscard]] std::vector<Candidate> nextBatch(const Fit& fit);
+    [[nodiscard]] Cost costOf(const Fit& fit, int index) const;
+    void shorten(const Fit* trial, std::vector<Candidate>& batch);
+
+    const SplineCurve& curve_;
+    const std::vector<PickConstraint>& picks_;
+    std::vector<SeenSample> samples_;
+    RemovalLimits limits_;
+    double mostBending_ = 0.0;
+    std::vector<char> isLocked_;  // by break of the spline before: stays for good
+    std::vector<int> kept_;       // breaks of what run() has returned, as indices
+};
+
+}  // namespace bspline_curve
