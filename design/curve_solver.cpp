@@ -283,6 +283,8 @@ void CurveSolver::hold(const PickPath& faired, CurveProblem& problem) const {
     problem.faired.strength = fairedStrength();
     if (hasPull(problem)) {
         problem.faired.stiffness = 0.0;  // it would hold the curve against the field
+    } else {
+        start.reset();  // the path is nearer, and the curve before has no knots to spare
     }
 }
 

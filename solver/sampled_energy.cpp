@@ -32,8 +32,9 @@ struct SampledEnergyConstants {
     /// Without needless knots samples may be so far away, in tolerances: less keeps a tenth more
     /// knots, with more curves leave the tolerance between samples.
     double heightWithFewer = 0.85;
-    /// And so far from where they were; with more curves bend as much.
-    double wayWithFewer = 2.0;
+    /// And so far from where they were: with twice as much a hundredth fewer knots, but circles are
+    /// less round.
+    double wayWithFewer = 1.0;
     /// And the curve may bend by this share more than before, and than one whose length times the
     /// integral of squared curvature is the floor: what bends less looks straight.
     double bendingWithFewer = 0.01, bendingFloor = 1.0;
