@@ -231,6 +231,9 @@ std::optional<Solved> CurveSolver::relaxFaired(
     }
     CurveProblem problem = problemOn(*faired, unfaired.shell, unfaired.progress);
     hold(*faired, problem);
+    if (!hasPull(problem)) {
+        start.reset();  // the path is nearer, and the curve before has no knots to spare
+    }
     return relaxed(std::move(problem), faired->path, std::move(start), work);
 }
 
@@ -283,8 +286,6 @@ void CurveSolver::hold(const PickPath& faired, CurveProblem& problem) const {
     problem.faired.strength = fairedStrength();
     if (hasPull(problem)) {
         problem.faired.stiffness = 0.0;  // it would hold the curve against the field
-    } else {
-        start.reset();  // the path is nearer, and the curve before has no knots to spare
     }
 }
 
