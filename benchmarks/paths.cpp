@@ -158,7 +158,7 @@ void addDesigns(const Scene& scene, std::vector<MeasuredPath>& paths) {
     const auto before = std::make_shared<const Curve>(designer->design(scene.picks, scene.options));
     paths.push_back(
         {"design_moved", "curve", 1, [&scene, designer, moved, before] {
-             static_cast<void>(designer->design(moved, scene.options, {}, {.start = before.get()}));
+             static_cast<void>(designer->design(moved, scene.options, {}, {.start = before.get(), .isPreview = true}));
          }}
     );
     // As all curves were drawn before there were foot points, and as some still are.

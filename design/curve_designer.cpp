@@ -153,7 +153,8 @@ Curve CurveDesigner::design(
         inputs.pickTolerances,
         inputs.corners,
         inputs.tangents,
-        start
+        start,
+        inputs.isPreview
     };
     try {
         Curve curve;

@@ -232,7 +232,7 @@ std::optional<Solved> CurveSolver::relaxFaired(
     CurveProblem problem = problemOn(*faired, unfaired.shell, unfaired.progress);
     hold(*faired, problem);
     if (!hasPull(problem)) {
-        start.reset();  // the path is nearer, and the curve before has no knots to spare
+        start.reset();  // the path is nearer, and the curve before may have no knots to spare
     }
     return relaxed(std::move(problem), faired->path, std::move(start), work);
 }
@@ -375,6 +375,7 @@ CurveProblem CurveSolver::problemOn(
     problem.field = context_.field.values;
     problem.fieldCosts = context_.field.costs;
     problem.obstacles = context_.obstacles;
+    problem.keepsKnots = context_.isPreview;
     problem.side = side_;
     problem.progress = progress;
     return problem;

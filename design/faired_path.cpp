@@ -35,8 +35,9 @@ struct FairingConstants {
     /// Of the Hessian's diagonal. Few paths need more than the first.
     double firstDamping = 1e-4, leastDamping = 1e-8, dampingGrowth = 6.0, dampingDecay = 0.25;
     int mostTrials = 6;  // of a step, each damped more
-    /// Of a point, in mean segments: farther away the derivatives say nothing of the surface.
-    double longestStep = 1.0;
+    /// Of a point, in mean segments: so long at first, twice as long after a step that was held to
+    /// it and gained, up to the longest; half as long after one that gained nothing.
+    double firstRadius = 1.0, longestStep = 4.0;
     /// A step is halved, so many times at most, where a point comes to lie farther from where it
     /// was sent, in mean segments, or a segment grows by more than this factor and share of a mean
     /// one: it has come to another part of the surface.
@@ -581,23 +582,30 @@ private:
 
     void relax(const FairingLevel& level) {
         double damping = kFairing.firstDamping;
+        double radius = kFairing.firstRadius;
         for (int step = 0; step < level.mostSteps; ++step) {
-            if (descend(damping) <= level.restShare) {
+            if (descend(damping, radius) <= level.restShare) {
                 break;
             }
         }
     }
 
     // One step; returns the share of the energy that it gains.
-    double descend(double& damping) {
+    double descend(double& damping, double& radius) {
         differentiate();
         const double mean = energy_.length / static_cast<double>(segmentCount());
         for (int trial = 0; trial < kFairing.mostTrials; ++trial) {
             if (std::optional<Eigen::VectorXd> step = stepWith(damping)) {
                 const double longest = step->lpNorm<Eigen::Infinity>();
-                *step *= std::min(1.0, kFairing.longestStep * mean / longest);
+                const bool isHeld = longest > radius * mean;
+                if (isHeld) {
+                    *step *= radius * mean / longest;
+                } else {
+                    radius = longest / mean;
+                }
                 for (int i = 0; !tryStep(*step, mean) && i < kFairing.mostHalvings; ++i) {
                     *step *= 0.5;
+                    radius *= 0.5;
                 }
                 NearPicks near = near_;
                 near.follow(trial_, options_.closed);
@@ -608,10 +616,12 @@ private:
                     near_ = std::move(near);
                     energy_ = after;
                     damping = std::max(kFairing.leastDamping, damping * kFairing.dampingDecay);
+                    radius = std::clamp(2.0 * radius, kFairing.firstRadius, kFairing.longestStep);
                     return gain;
                 }
             }
             damping *= kFairing.dampingGrowth;
+            radius *= 0.5;
         }
         return 0.0;
     }

@@ -331,12 +331,13 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     const PointDemands demands = demandsOf(*this, task, located);
     const std::vector<int> numbers = located.firstPicks();
     const DesignContext context{
-        *validated,
-        obstacles ? &*obstacles : nullptr,
-        repeated.empty() && !demands.isNear ? task.start
-                                            : nullptr,  // with as many picks as were asked for
-        numbers,
-        demands.tangents
+        .field = *validated,
+        .obstacles = obstacles ? &*obstacles : nullptr,
+        // With as many picks as were asked for.
+        .start = repeated.empty() && !demands.isNear ? task.start : nullptr,
+        .isPreview = task.isPreview,
+        .pickNumbers = numbers,
+        .tangents = demands.tangents
     };
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {

@@ -24,6 +24,7 @@ struct CurveTask {
     std::span<const int> corners;                ///< likewise
     std::span<const Vec3> tangents;              ///< likewise
     const Curve* start;                          ///< see CurveInputs; null: none
+    bool isPreview;                              ///< likewise
 };
 
 /// What one curve is fitted by.

@@ -163,6 +163,7 @@ SolveAnswer CurveWorker::answerTo(const SolveRequest& request, const Progress& p
     SolveAnswer answer{request.id, request.picks, nullptr, {}};
     CurveInputs inputs;
     inputs.start = request.start.get();
+    inputs.isPreview = request.start != nullptr;  // from scratch once the pick is let go
     inputs.corners = request.corners;
     try {
         if (request.options.guides) {

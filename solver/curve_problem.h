@@ -40,6 +40,7 @@ struct CurveProblem {
     double chordLength = 0.0;        ///< L of (4)
     double averageEdgeLength = 0.0;  ///< in the shell's frame
     double distanceTolerance = 0.0;  ///< epsilon of (3), in the shell's frame
+    bool keepsKnots = false;         ///< those that the curve does not need stay in
     WorkerThread* side = nullptr;    ///< to share work with; null: none
     Progress progress;
 };

@@ -54,20 +54,6 @@ double bendOf(double turn, double squaredSpeed) {
     return turn * turn / (squaredSpeed * squaredSpeed * std::sqrt(squaredSpeed));
 }
 
-// By the control points: the jump of the derivative of order degree at a break inside.
-Eigen::VectorXd jumpAt(const SplineSpace& space, int atBreak) {
-    Eigen::VectorXd jump = Eigen::VectorXd::Zero(space.controlCount());
-    for (const int side : {0, 1}) {
-        const int span = atBreak - 1 + side;
-        const double sign = side == 0 ? -1.0 : 1.0;
-        const double scale = sign / std::pow(space.spanLength(span), space.degree());
-        for (int j = 0; j < space.basisCount(); ++j) {
-            jump[space.control(span, j)] += scale * space.basis(span)(j, space.degree());
-        }
-    }
-    return jump;
-}
-
 }  // namespace
 
 KnotRemoval::KnotRemoval(
@@ -84,10 +70,15 @@ KnotRemoval::KnotRemoval(
       kept_(curve.space.breaks().size()) {
     isLocked_.front() = isLocked_.back() = 1;
     std::iota(kept_.begin(), kept_.end(), 0);
+    for (const double from : curve.space.breaks()) {
+        const auto first = std::ranges::lower_bound(samples_, from, {}, &SeenSample::parameter);
+        firstSamples_.push_back(static_cast<int>(first - samples_.begin()));
+    }
+    firstSamples_.back() = static_cast<int>(samples_.size());
 }
 
 SplineCurve KnotRemoval::run() {
-    std::optional<Fit> fit = fitOn(kept_);
+    std::optional<Fit> fit = fitOn(kept_, nullptr);
     if (!fit) {
         return curve_;
     }
@@ -105,7 +96,7 @@ SplineCurve KnotRemoval::run() {
                 rest.push_back(atBreak);
             }
         }
-        std::optional<Fit> trial = fitOn(std::move(rest));
+        std::optional<Fit> trial = fitOn(std::move(rest), &*fit);
         if (trial && isWithin(*trial)) {
             fit = std::move(trial);
             batch = nextBatch(*fit);
@@ -129,7 +120,7 @@ SplineCurve KnotRemoval::withKnotsBack(const std::vector<char>& spans) {
         }
     }
     kept.push_back(kept_.back());
-    const std::optional<Fit> fit = fitOn(std::move(kept));
+    const std::optional<Fit> fit = fitOn(std::move(kept), nullptr);
     return fit ? curveOf(*fit) : curve_;
 }
 
@@ -139,8 +130,9 @@ SplineCurve KnotRemoval::curveOf(const Fit& fit) const {
     return result;
 }
 
-// Nothing where no spline on these breaks passes the picks.
-std::optional<KnotRemoval::Fit> KnotRemoval::fitOn(std::vector<int> kept) const {
+// Nothing where no spline on these breaks passes the picks. `like`: a fit that has some of its spans,
+// or null.
+std::optional<KnotRemoval::Fit> KnotRemoval::fitOn(std::vector<int> kept, const Fit* like) const {
     const SplineSpace& before = curve_.space;
     std::vector<double> breaks;
     breaks.reserve(kept.size());
@@ -149,10 +141,11 @@ std::optional<KnotRemoval::Fit> KnotRemoval::fitOn(std::vector<int> kept) const 
     }
     SplineSpace space(before.degree(), before.closed(), std::move(breaks));
     BandCholesky<1> factor = bandCholeskyOf<1>(space);
-    Fit fit{std::move(kept), std::move(space), std::move(factor), {}, {}, {}, {}, {}, {}};
+    Fit fit{std::move(kept), std::move(space), std::move(factor), {}, {}, {}, {}, {}, {}, {}};
     const PickConstraints picks(fit.space, interpolationRows(fit.space, picks_));
     ControlPoints right = ControlPoints::Zero(fit.space.controlCount(), 3);
-    addSamples(fit, right);
+    sumSamples(fit, like);
+    addSums(fit, right);
     addPicks(fit, picks);
     if (!fit.factor.factorise()) {
         return std::nullopt;
@@ -182,48 +175,85 @@ std::optional<KnotRemoval::Fit> KnotRemoval::fitOn(std::vector<int> kept) const 
     return fit;
 }
 
-void KnotRemoval::addSamples(Fit& fit, ControlPoints& right) const {
+// The samples of a span, from the first to behind the last.
+std::pair<int, int> KnotRemoval::samplesOf(const Fit& fit, int span) const {
+    return {firstSamples_[fit.kept[span]], firstSamples_[fit.kept[span + 1]]};
+}
+
+// Rows and sums; of spans that `like` has as well, with the same basis functions, its own.
+void KnotRemoval::sumSamples(Fit& fit, const Fit* like) const {
+    fit.rows.resize(samples_.size());
+    fit.sums.resize(fit.space.spanCount());
+    int other = 0;
+    for (int span = 0; span < fit.space.spanCount(); ++span) {
+        while (like != nullptr && like->kept[other] < fit.kept[span]) {
+            ++other;
+        }
+        if (like == nullptr || like->kept[other + 1] != fit.kept[span + 1] ||
+            like->space.basis(other) != fit.space.basis(span)) {
+            sumSpan(fit, span);
+            continue;
+        }
+        fit.sums[span] = like->sums[other];
+        const auto [begin, end] = samplesOf(fit, span);
+        for (int i = begin; i < end; ++i) {
+            fit.rows[i] = like->rows[i];
+            fit.rows[i].span = span;
+        }
+    }
+}
+
+void KnotRemoval::sumSpan(Fit& fit, int span) const {
     const SplineSpace& space = fit.space;
     const int n = space.basisCount();
-    const double stiffness = kRemoval.secondsWeight / std::pow(space.spanCount(), 4);
-    fit.rows.reserve(samples_.size());
-    auto sample = samples_.begin();
-    for (int span = 0; span < space.spanCount(); ++span) {
-        const SplineSpace::BasisMatrix& table = space.basis(span);
-        const double perLength = 1.0 / space.spanLength(span);
-        SplineSpace::BasisMatrix products = SplineSpace::BasisMatrix::Zero();
-        std::array<Vec3, kMaxBasis> sums;
-        sums.fill(Vec3::Zero());
-        for (; sample != samples_.end() &&
-               (sample->parameter < space.breaks()[span + 1] || span + 1 == space.spanCount());
-             ++sample) {
-            Row& row = fit.rows.emplace_back(Row{span, {}, {}, {}});
-            const double tau = (sample->parameter - space.breaks()[span]) * perLength;
-            for (int j = 0; j < n; ++j) {
-                // Horner's scheme for a polynomial and its derivatives.
-                double value = 0.0;
-                double first = 0.0;
-                double halfSecond = 0.0;
-                for (int m = space.degree(); m >= 0; --m) {
-                    halfSecond = halfSecond * tau + first;
-                    first = first * tau + value;
-                    value = value * tau + table(j, m);
-                }
-                row.basis[j] = value;
-                row.first[j] = first * perLength;
-                row.second[j] = 2.0 * halfSecond * perLength * perLength;
-                const double near = sample->weight * row.basis[j];
-                const double bent = sample->weight * stiffness * row.second[j];
-                sums[j] += near * sample->position + bent * sample->second;
-                for (int k = 0; k <= j; ++k) {
-                    products(j, k) += near * row.basis[k] + bent * row.second[k];
-                }
+    const SplineSpace::BasisMatrix& table = space.basis(span);
+    const double perLength = 1.0 / space.spanLength(span);
+    SpanSums& sums = fit.sums[span];
+    sums.near.setZero();
+    sums.bent.setZero();
+    sums.nearRight.fill(Vec3::Zero());
+    sums.bentRight.fill(Vec3::Zero());
+    const auto [begin, end] = samplesOf(fit, span);
+    for (int i = begin; i < end; ++i) {
+        const SeenSample& sample = samples_[i];
+        Row& row = fit.rows[i];
+        row.span = span;
+        const double tau = (sample.parameter - space.breaks()[span]) * perLength;
+        for (int j = 0; j < n; ++j) {
+            // Horner's scheme for a polynomial and its derivatives.
+            double value = 0.0;
+            double first = 0.0;
+            double halfSecond = 0.0;
+            for (int m = space.degree(); m >= 0; --m) {
+                halfSecond = halfSecond * tau + first;
+                first = first * tau + value;
+                value = value * tau + table(j, m);
+            }
+            row.basis[j] = value;
+            row.first[j] = first * perLength;
+            row.second[j] = 2.0 * halfSecond * perLength * perLength;
+            const double near = sample.weight * row.basis[j];
+            const double bent = sample.weight * row.second[j];
+            sums.nearRight[j] += near * sample.position;
+            sums.bentRight[j] += bent * sample.second;
+            for (int k = 0; k <= j; ++k) {
+                sums.near(j, k) += near * row.basis[k];
+                sums.bent(j, k) += bent * row.second[k];
             }
         }
-        for (int j = 0; j < n; ++j) {
-            right.row(space.control(span, j)) += sums[j].transpose();
+    }
+}
+
+void KnotRemoval::addSums(Fit& fit, ControlPoints& right) const {
+    const SplineSpace& space = fit.space;
+    const double stiffness = kRemoval.secondsWeight / std::pow(space.spanCount(), 4);
+    for (int span = 0; span < space.spanCount(); ++span) {
+        const SpanSums& sums = fit.sums[span];
+        for (int j = 0; j < space.basisCount(); ++j) {
+            right.row(space.control(span, j)) +=
+                (sums.nearRight[j] + stiffness * sums.bentRight[j]).transpose();
         }
-        addProducts(space, span, products, fit.factor);
+        addProducts(space, span, sums.near + stiffness * sums.bent, fit.factor);
     }
 }
 
@@ -290,8 +320,8 @@ std::vector<KnotRemoval::Candidate> KnotRemoval::nextBatch(const Fit& fit) {
             continue;
         }
         const Cost cost = costOf(fit, static_cast<int>(i));
-        if (cost.farthest >= 1.0) {
-            isLocked_[atBreak] = 1;
+        if (cost.farthest >= 1.0 || cost.bending >= left) {
+            isLocked_[atBreak] = 1;  // without others it costs more, and less is left
         } else if (cost.bending < kRemoval.shareOfKnot * left) {
             const double share = std::max(cost.farthest, cost.bending / left);
             all.push_back({static_cast<int>(i), atBreak, share, cost.bending});
@@ -317,35 +347,80 @@ std::vector<KnotRemoval::Candidate> KnotRemoval::nextBatch(const Fit& fit) {
     return batch;
 }
 
-KnotRemoval::Cost KnotRemoval::costOf(const Fit& fit, int index) const {
-    // The least change of the fit without a jump there is `answer` times `step`.
+// The least change of the fit without a jump of the highest derivative at a knot: of the control
+// points within reach of it, answer_ times what is returned.
+Vec3 KnotRemoval::moveWithout(const Fit& fit, int index) {
     const SplineSpace& space = fit.space;
-    const Eigen::VectorXd jump = jumpAt(space, index);
-    const Eigen::VectorXd answer = fit.factor.solve(jump);
-    const Vec3 step = -(fit.controls.transpose() * jump) / jump.dot(answer);
+    const int controls = space.controlCount();
+    const int border = space.closed() ? space.degree() : 0;
+    int first = index - kRemoval.reach;
+    int last = index - 1 + kRemoval.reach + space.degree();
+    const bool isAcross = space.closed() && (first < 0 || last >= controls - border);
+    first = isAcross ? 0 : std::max(0, first);
+    last = isAcross ? controls - 1 : std::min(controls - 1, last);
+    if (answer_.size() < controls) {
+        answer_.resize(controls);
+    }
+    answer_.segment(first, last - first + 1).setZero();
+    std::array<double, kMaxBasis + 1> jump{};
+    for (int j = 0; j < space.basisCount(); ++j) {
+        const auto highest = [&](int span) {
+            return space.basis(span)(j, space.degree()) /
+                   std::pow(space.spanLength(span), space.degree());
+        };
+        jump[j] -= highest(index - 1);
+        jump[j + 1] += highest(index);
+    }
+    const auto control = [&](int j) { return space.control(index - 1, j); };
+    for (int j = 0; j <= space.basisCount(); ++j) {
+        answer_[control(j)] += jump[j];
+    }
+    if (isAcross) {
+        answer_.head(controls) = fit.factor.solve(answer_.head(controls));
+    } else {
+        fit.factor.solveBetween(first, last, answer_);
+    }
+    Vec3 all = Vec3::Zero();
+    double share = 0.0;
+    for (int j = 0; j <= space.basisCount(); ++j) {
+        all += jump[j] * fit.controls.row(control(j)).transpose();
+        share += jump[j] * answer_[control(j)];
+    }
+    return -all / share;
+}
+
+KnotRemoval::Cost KnotRemoval::costOf(const Fit& fit, int index) {
+    const SplineSpace& space = fit.space;
+    const Vec3 step = moveWithout(fit, index);
     const int spans = space.spanCount();
+    const bool isRound = space.closed() && spans > 2 * kRemoval.reach;
+    const int begin = isRound ? index - kRemoval.reach : std::max(0, index - kRemoval.reach);
+    const int end = isRound ? index + kRemoval.reach : std::min(spans, index + kRemoval.reach);
     Cost cost{0.0, 0.0};
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const SeenSample& sample = samples_[i];
-        const Row& row = fit.rows[i];
-        const int away = row.span < index ? index - 1 - row.span : row.span - index;
-        if (std::min(away, space.closed() ? spans - 1 - away : away) >= kRemoval.reach) {
-            continue;
-        }
-        double moved = 0.0;
-        double faster = 0.0;
-        double bent = 0.0;
+    for (int at = begin; at < end; ++at) {
+        const int span = (at + spans) % spans;
+        std::array<double, kMaxBasis> shares;
         for (int j = 0; j < space.basisCount(); ++j) {
-            const double share = answer[space.control(row.span, j)];
-            moved += row.basis[j] * share;
-            faster += row.first[j] * share;
-            bent += row.second[j] * share;
+            shares[j] = answer_[space.control(span, j)];
         }
-        cost.farthest = std::max(cost.farthest, farness(sample, fit.ways[i] + moved * step));
-        const Vec3 first = fit.firsts[i] + faster * step;
-        const Vec3 second = fit.seconds[i] + bent * step;
-        const double bend = bendOf(sample.normal.dot(first.cross(second)), first.squaredNorm());
-        cost.bending += sample.weight * (bend - fit.bends[i]);
+        const auto [first, last] = samplesOf(fit, span);
+        for (int i = first; i < last; ++i) {
+            const SeenSample& sample = samples_[i];
+            const Row& row = fit.rows[i];
+            double moved = 0.0;
+            double faster = 0.0;
+            double bent = 0.0;
+            for (int j = 0; j < space.basisCount(); ++j) {
+                moved += row.basis[j] * shares[j];
+                faster += row.first[j] * shares[j];
+                bent += row.second[j] * shares[j];
+            }
+            cost.farthest = std::max(cost.farthest, farness(sample, fit.ways[i] + moved * step));
+            const Vec3 velocity = fit.firsts[i] + faster * step;
+            const Vec3 second = fit.seconds[i] + bent * step;
+            const double turn = sample.normal.dot(velocity.cross(second));
+            cost.bending += sample.weight * (bendOf(turn, velocity.squaredNorm()) - fit.bends[i]);
+        }
     }
     cost.bending *= fit.length;
     return cost;

@@ -6,7 +6,9 @@
 #include "spline/pick_constraint.h"
 #include "spline/spline_system.h"
 
+#include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -35,8 +37,8 @@ struct RemovalLimits {
 ///
 /// Knots are taken out in batches, cheapest first, no two neighbours at once, and the spline is
 /// fitted anew to its samples: least squares of positions and second derivatives under the picks.
-/// What a knot costs by itself is foreseen with the matrix of the fit. Usually five fits; O(n) each
-/// for n samples, and O(n^2) with a small factor for the costs.
+/// What a knot costs by itself is foreseen with the matrix of the fit, near to the knot; one that
+/// costs too much stays for good. Usually five fits; O(n) each for n samples.
 class KnotRemoval {
 public:
     /// `curve` and `picks` must outlive it. At least one sample per span.
@@ -61,11 +63,18 @@ private:
         SplineSpace::BasisValues basis, first, second;
     };
 
+    // Sums over the samples of a span, for the fit: by positions, and by second derivatives.
+    struct SpanSums {
+        SplineSpace::BasisMatrix near, bent;  // products of basis functions, lower triangle
+        std::array<Vec3, kMaxBasis> nearRight, bentRight;
+    };
+
     struct Fit {
         std::vector<int> kept;  // breaks, as indices into those before
         SplineSpace space;
         BandCholesky<1> factor;
         ControlPoints controls;
+        std::vector<SpanSums> sums;  // by span
         // By sample:
         std::vector<Row> rows;
         std::vector<Vec3> firsts, seconds;  // P', P''
@@ -88,14 +97,18 @@ private:
     };
 
     [[nodiscard]] SplineCurve curveOf(const Fit& fit) const;
-    [[nodiscard]] std::optional<Fit> fitOn(std::vector<int> kept) const;
+    [[nodiscard]] std::optional<Fit> fitOn(std::vector<int> kept, const Fit* like) const;
     [[nodiscard]] double farness(const SeenSample& sample, const Vec3& way) const;
     [[nodiscard]] bool isWithin(const Fit& fit) const;
-    void addSamples(Fit& fit, ControlPoints& right) const;
+    [[nodiscard]] std::pair<int, int> samplesOf(const Fit& fit, int span) const;
+    void sumSamples(Fit& fit, const Fit* like) const;
+    void sumSpan(Fit& fit, int span) const;
+    void addSums(Fit& fit, ControlPoints& right) const;
     void addPicks(Fit& fit, const PickConstraints& picks) const;
     void measure(Fit& fit) const;
     [[nodiscard]] std::vector<Candidate> nextBatch(const Fit& fit);
-    [[nodiscard]] Cost costOf(const Fit& fit, int index) const;
+    [[nodiscard]] Vec3 moveWithout(const Fit& fit, int index);
+    [[nodiscard]] Cost costOf(const Fit& fit, int index);
     void shorten(const Fit* trial, std::vector<Candidate>& batch);
 
     const SplineCurve& curve_;
@@ -103,7 +116,9 @@ private:
     std::vector<SeenSample> samples_;
     RemovalLimits limits_;
     double mostBending_ = 0.0;
-    std::vector<char> isLocked_;  // by break of the spline before: stays for good
+    std::vector<int> firstSamples_;  // by span of the spline before, and of all
+    std::vector<char> isLocked_;     // by break of the spline before: stays for good
+    Eigen::VectorXd answer_;         // of moveWithout(): by control point
     std::vector<int> kept_;       // breaks of what run() has returned, as indices
 };
 

@@ -194,7 +194,8 @@ FootOfSpan SampledEnergy::footAtMiddle(
 }
 
 std::optional<TracedSpline> SampledEnergy::withFewerKnots() {
-    if (problem_.options.fairness != Fairness::Curvature || integrals_->hasField()) {
+    if (problem_.keepsKnots || problem_.options.fairness != Fairness::Curvature ||
+        integrals_->hasField()) {
         return std::nullopt;
     }
     const double tolerance = problem_.distanceTolerance;
@@ -234,9 +235,7 @@ KnotDemand SampledEnergy::refinementGain() {
     const double scale = valueOf(integrals_->terms(now_, now_.frames)).scale;
     const double negligible = space().degree() > 2 ? kSampledEnergy.negligibleGain
                                                    : kSampledEnergy.negligibleQuadraticGain;
-    const static double factor = std::getenv("BSC_GAIN") ? atof(std::getenv("BSC_GAIN")) : 1.0;
-    gain.isNegligible =
-        gain.total < factor * negligible * std::max(scale, kSampledEnergy.straightEnergy);
+    gain.isNegligible = gain.total < negligible * std::max(scale, kSampledEnergy.straightEnergy);
     return gain;
 }
 

@@ -113,16 +113,16 @@ bool BandCholesky<kUnknowns>::factorise() {
     return true;
 }
 
-// L y = right, in place.
+// L y = right, in place, for rows from first to last alone, where y is 0 before.
 template <int kUnknowns>
-void BandCholesky<kUnknowns>::solveLower(double* unknowns) const {
+void BandCholesky<kUnknowns>::solveLower(int first, int last, double* unknowns) const {
     const auto unknownsOf = [&](int point) {
         return unknowns + kUnknowns * static_cast<std::ptrdiff_t>(point);
     };
-    for (int i = 0; i < points_; ++i) {
+    for (int i = first; i <= last; ++i) {
         const Block* const row = rowOf(i);
         double* const x = unknownsOf(i);
-        for (int j = firstColumn(i); j < i; ++j) {
+        for (int j = std::max(first, firstColumn(i)); j < i; ++j) {
             const double* const y = unknownsOf(j);
             for (std::size_t r = 0; r < kSize; ++r) {
                 double sum = row[j][r] * y[0];
@@ -142,13 +142,13 @@ void BandCholesky<kUnknowns>::solveLower(double* unknowns) const {
     }
 }
 
-// L^T x = y, in place.
+// L^T x = y, in place, likewise where x is 0 behind.
 template <int kUnknowns>
-void BandCholesky<kUnknowns>::solveUpper(double* unknowns) const {
+void BandCholesky<kUnknowns>::solveUpper(int first, int last, double* unknowns) const {
     const auto unknownsOf = [&](int point) {
         return unknowns + kUnknowns * static_cast<std::ptrdiff_t>(point);
     };
-    for (int i = points_ - 1; i >= 0; --i) {
+    for (int i = last; i >= first; --i) {
         const Block* const row = rowOf(i);
         double* const x = unknownsOf(i);
         const Block& diagonal = row[i];
@@ -158,7 +158,7 @@ void BandCholesky<kUnknowns>::solveUpper(double* unknowns) const {
             }
             x[r] *= diagonal[(kSize + 1) * r];
         }
-        for (int j = firstColumn(i); j < i; ++j) {
+        for (int j = std::max(first, firstColumn(i)); j < i; ++j) {
             double* const y = unknownsOf(j);
             for (std::size_t r = 0; r < kSize; ++r) {
                 const double* const values = row[j].data() + kSize * r;
@@ -174,9 +174,15 @@ void BandCholesky<kUnknowns>::solveUpper(double* unknowns) const {
 
 template <int kUnknowns>
 Eigen::VectorXd BandCholesky<kUnknowns>::solve(Eigen::VectorXd right) const {
-    solveLower(right.data());
-    solveUpper(right.data());
+    solveLower(0, points_ - 1, right.data());
+    solveUpper(0, points_ - 1, right.data());
     return right;
+}
+
+template <int kUnknowns>
+void BandCholesky<kUnknowns>::solveBetween(int first, int last, Eigen::VectorXd& right) const {
+    solveLower(first, last, right.data());
+    solveUpper(first, last, right.data());
 }
 
 template class BandCholesky<1>;

@@ -51,6 +51,11 @@ public:
     /// Solves A x = right. O(points bandwidth).
     [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd right) const;
 
+    /// The same in place for rows first to last, none of them of the border, where `right` is 0 before
+    /// first and unknowns behind last are held at 0. Others are left alone. O((last - first)
+    /// bandwidth).
+    void solveBetween(int first, int last, Eigen::VectorXd& right) const;
+
 private:
     static constexpr auto kSize = static_cast<std::size_t>(kUnknowns);
 
@@ -65,8 +70,8 @@ private:
 
     [[nodiscard]] int firstColumn(int row) const;
 
-    void solveLower(double* unknowns) const;
-    void solveUpper(double* unknowns) const;
+    void solveLower(int first, int last, double* unknowns) const;
+    void solveUpper(int first, int last, double* unknowns) const;
     static void subtractProduct(Block& c, const Block& a, const Block& b);
     static void divideByTransposed(Block& x, const Block& diagonal);
     static bool factoriseDiagonal(Block& a);

@@ -42,6 +42,9 @@ struct CurveInputs {
     /// no effect where degree, closedness or corners differ, where `start` was not solved at foot
     /// points, or where a piece between picks would double or halve its length.
     const Curve* start = nullptr;
+    /// The curve is shown for a moment, as while a user drags a pick: knots that it does not need
+    /// stay in, which takes two thirds of the time.
+    bool isPreview = false;
 };
 
 struct StageSeconds {
