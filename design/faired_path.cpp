@@ -31,13 +31,13 @@ struct FairingLevel {
 struct FairingConstants {
     /// Steps far along the surface are made on few points. With half as many the path leaves the
     /// surface at thin limbs; with 180 at last curves bend as much.
-    std::array<FairingLevel, 2> levels = {{{90, 3, 20, 1e-2}, {128, 6, 12, 1e-5}}};
+    std::array<FairingLevel, 2> levels = {{{90, 3, 20, 3e-2}, {128, 6, 12, 1e-3}}};
     /// Of the Hessian's diagonal. Few paths need more than the first.
     double firstDamping = 1e-4, leastDamping = 1e-8, dampingGrowth = 6.0, dampingDecay = 0.25;
     int mostTrials = 6;  // of a step, each damped more
     /// Of a point, in mean segments: so long at first, twice as long after a step that was held to
     /// it and gained, up to the longest; half as long after one that gained nothing.
-    double firstRadius = 1.0, longestStep = 4.0;
+    double firstRadius = 1.0, longestStep = 2.0;
     /// A step is halved, so many times at most, where a point comes to lie farther from where it
     /// was sent, in mean segments, or a segment grows by more than this factor and share of a mean
     /// one: it has come to another part of the surface.
