@@ -31,13 +31,12 @@ struct FairingLevel {
 struct FairingConstants {
     /// Steps far along the surface are made on few points. With half as many the path leaves the
     /// surface at thin limbs; with 180 at last curves bend as much.
-    std::array<FairingLevel, 2> levels = {{{90, 3, 20, 3e-2}, {128, 6, 12, 1e-3}}};
+    std::array<FairingLevel, 2> levels = {{{90, 3, 20, 1e-2}, {128, 6, 12, 1e-5}}};
     /// Of the Hessian's diagonal. Few paths need more than the first.
     double firstDamping = 1e-4, leastDamping = 1e-8, dampingGrowth = 6.0, dampingDecay = 0.25;
     int mostTrials = 6;  // of a step, each damped more
-    /// Of a point, in mean segments: so long at first, twice as long after a step that was held to
-    /// it and gained, up to the longest; half as long after one that gained nothing.
-    double firstRadius = 1.0, longestStep = 2.0;
+    /// Of a point, in mean segments: farther away the derivatives say nothing of the surface.
+    double longestStep = 1.0;
     /// A step is halved, so many times at most, where a point comes to lie farther from where it
     /// was sent, in mean segments, or a segment grows by more than this factor and share of a mean
     /// one: it has come to another part of the surface.
@@ -582,30 +581,23 @@ private:
 
     void relax(const FairingLevel& level) {
         double damping = kFairing.firstDamping;
-        double radius = kFairing.firstRadius;
         for (int step = 0; step < level.mostSteps; ++step) {
-            if (descend(damping, radius) <= level.restShare) {
+            if (descend(damping) <= level.restShare) {
                 break;
             }
         }
     }
 
     // One step; returns the share of the energy that it gains.
-    double descend(double& damping, double& radius) {
+    double descend(double& damping) {
         differentiate();
         const double mean = energy_.length / static_cast<double>(segmentCount());
         for (int trial = 0; trial < kFairing.mostTrials; ++trial) {
             if (std::optional<Eigen::VectorXd> step = stepWith(damping)) {
                 const double longest = step->lpNorm<Eigen::Infinity>();
-                const bool isHeld = longest > radius * mean;
-                if (isHeld) {
-                    *step *= radius * mean / longest;
-                } else {
-                    radius = longest / mean;
-                }
+                *step *= std::min(1.0, kFairing.longestStep * mean / longest);
                 for (int i = 0; !tryStep(*step, mean) && i < kFairing.mostHalvings; ++i) {
                     *step *= 0.5;
-                    radius *= 0.5;
                 }
                 NearPicks near = near_;
                 near.follow(trial_, options_.closed);
@@ -616,12 +608,10 @@ private:
                     near_ = std::move(near);
                     energy_ = after;
                     damping = std::max(kFairing.leastDamping, damping * kFairing.dampingDecay);
-                    radius = std::clamp(2.0 * radius, kFairing.firstRadius, kFairing.longestStep);
                     return gain;
                 }
             }
             damping *= kFairing.dampingGrowth;
-            radius *= 0.5;
         }
         return 0.0;
     }

@@ -120,7 +120,8 @@ SplineCurve KnotRemoval::withKnotsBack(const std::vector<char>& spans) {
         }
     }
     kept.push_back(kept_.back());
-    const std::optional<Fit> fit = fitOn(std::move(kept), nullptr);
+    kept_ = std::move(kept);
+    const std::optional<Fit> fit = fitOn(kept_, nullptr);
     return fit ? curveOf(*fit) : curve_;
 }
 

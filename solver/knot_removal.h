@@ -52,8 +52,8 @@ public:
     /// The spline with the fewest knots found. Where all are needed, the spline itself.
     [[nodiscard]] SplineCurve run();
 
-    /// The same with all knots again inside the marked spans of what run() has returned, which are
-    /// out of the limits after all. Once.
+    /// The same with all knots again inside the marked spans of what was returned last, which are out
+    /// of the limits after all.
     [[nodiscard]] SplineCurve withKnotsBack(const std::vector<char>& spans);
 
 private:

@@ -195,7 +195,7 @@ FootOfSpan SampledEnergy::footAtMiddle(
 
 std::optional<TracedSpline> SampledEnergy::withFewerKnots() {
     if (problem_.keepsKnots || problem_.options.fairness != Fairness::Curvature ||
-        integrals_->hasField()) {
+        hasPull(problem_)) {
         return std::nullopt;
     }
     const double tolerance = problem_.distanceTolerance;

@@ -257,7 +257,7 @@ class Lens : public testing::TestWithParam<double> {
 protected:
     void expectCurveOverTheRim(const std::vector<Vec3>& places) const {
         // A curve that asks for knots without end has passed through the lens.
-        constexpr std::size_t kManyControlPoints = 200;
+        constexpr std::size_t kManyControlPoints = 300;
         const TriangleMesh mesh = lens(GetParam());
         const CurveDesigner designer = designerIn(ShellKind::Local, mesh);
         const Curve curve = goodCurve(designer, picksOn(mesh, places));
