@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How long a drawing session takes from a mouse event to the curve: one pick of a curve is dragged
 // over the surface in steps of a fifth of an edge, and each event waits for the one before.
-#include "bspline_curve/designer.h"
-#include "io/mesh_reader.h"
-#include "io/picks_reader.h"
-#include "sketch/drawing_session.h"
+#include "bspline_curve/drawing_session.h"
+#include "bspline_curve/files.h"
 #include "surface/picks.h"
 #include "utility/stopwatch.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -81,14 +80,15 @@ nlohmann::ordered_json measure(
     TriangleMesh mesh = readMesh(meshFile);
     const PicksFile input = readPicks(picksFile);
     Stopwatch watch;
-    const auto designer = std::make_shared<const CurveDesigner>(std::move(mesh));
+    const auto workpiece = std::make_shared<const Workpiece>(std::move(mesh));
+    const CurveDesigner& designer = designerOf(*workpiece);
     Bell bell;
     SessionSettings settings;
     settings.wake = [&bell] { bell.ring(); };
-    DrawingSession session(designer, settings);
-    const Surface& surface = designer->surface();
+    DrawingSession session(workpiece, settings);
+    const Surface& surface = designer.surface();
     for (const SurfacePoint& pick :
-         locatePicks(surface, designer->tree(), input.picks, input.closed.value_or(false)).points) {
+         locatePicks(surface, designer.tree(), input.picks, input.closed.value_or(false)).points) {
         session.addPick(pick);
     }
     session.setClosed(input.closed.value_or(false));
@@ -101,7 +101,7 @@ nlohmann::ordered_json measure(
     session.press(pointerAt(surface, start.point));
     std::vector<double> seconds;
     for (const SurfacePoint& point :
-         wayFrom(*designer, curve, middle, 0.2 * surface.averageEdgeLength(), count)) {
+         wayFrom(designer, curve, middle, 0.2 * surface.averageEdgeLength(), count)) {
         watch.lap();
         session.move(pointerAt(surface, point));
         if (session.isDragging()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/paths.h"
 
-#include "bspline_curve/designer.h"
+#include "design/curve_designer.h"
 #include "projection/fibre_tracer.h"
 #include "shell/shell_simplifier.h"
 #include "solver/newton.h"

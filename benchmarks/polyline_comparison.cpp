@@ -2,12 +2,11 @@
 // polyline_comparison MESH PICKS: times the same curve as a spline and as a polyline that is
 // optimised itself (relaxPolyline), for several numbers of samples, and prints a JSON document.
 #include "benchmarks/polyline_relaxation.h"
-#include "bspline_curve/designer.h"
+#include "bspline_curve/files.h"
+#include "design/curve_designer.h"
 #include "design/curve_solver.h"
 #include "design/initial_path.h"
 #include "design/prepared_surface.h"
-#include "io/mesh_reader.h"
-#include "io/picks_reader.h"
 #include "surface/picks.h"
 #include "surface/surface.h"
 #include "utility/stopwatch.h"

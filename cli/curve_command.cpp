@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve MESH --picks FILE --output FILE …: one curve through picks on a mesh.
+#include "bspline_curve/files.h"
 #include "cli/curve_drawing.h"
 #include "cli/curve_options.h"
 #include "cli/interrupt.h"
 #include "cli/process_figures.h"
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
-#include "io/curve_writer.h"
 #include "io/report_writer.h"
 #include "utility/stopwatch.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <iterator>
@@ -41,7 +42,7 @@ double median(std::vector<double> values) {
 std::optional<double> timeWarm(
     const CurveArguments& arguments,
     const std::vector<Vec3>& picks,
-    const CurveDesigner& designer,
+    const Workpiece& workpiece,
     const DesignedCurve& drawn,
     ProgressBar& bar
 ) {
@@ -51,7 +52,7 @@ std::optional<double> timeWarm(
     for (int i = 0; i < arguments.repeat; ++i) {
         bar.show(static_cast<double>(i) / arguments.repeat, "repeat");
         Stopwatch watch;
-        static_cast<void>(designer.design(
+        static_cast<void>(workpiece.draw(
             picks,
             arguments.solver,
             arguments.sampling,
@@ -66,22 +67,22 @@ std::optional<double> timeWarm(
 RunFigures figuresOf(
     const CurveArguments& arguments, const LoadedMesh& loaded, const DesignedCurve& drawn
 ) {
-    const CurveDesigner& designer = loaded.workpiece->designer();
+    const Workpiece& workpiece = *loaded.workpiece;
     RunFigures figures;
     figures.fieldSeconds = drawn.field.empty() ? 0.0 : drawn.fieldSeconds;
     figures.designSeconds = drawn.seconds;
-    figures.stages = designer.seconds();
+    figures.stages = workpiece.seconds();
     figures.coldSeconds = figures.stages.validate + figures.stages.tree + figures.stages.shell +
                           figures.fieldSeconds + figures.designSeconds;
     figures.peakMemoryBytes = peakMemoryBytes();
     figures.readSeconds = loaded.readSeconds;
     figures.readMemoryBytes = loaded.readMemoryBytes;
-    figures.shell = designer.shell();
+    figures.shell = workpiece.shell();
     figures.meshFile = arguments.mesh.string();
-    figures.repair = loaded.workpiece->repair();
+    figures.repair = workpiece.repair();
     if (arguments.field && !drawn.field.empty()) {
         figures.field = name(arguments.field->options.kind);
-        figures.fieldCost = name(arguments.solver.fieldCost);
+        figures.fieldCost = name(drawn.field.costFor(arguments.solver.fieldCost));
     }
     figures.notes = loaded.notes();
     std::ranges::copy(figures.shell.notes, std::back_inserter(figures.notes));
@@ -100,12 +101,12 @@ ExitCode drawAndWrite(
         drawThrough(picks, arguments, loaded, progressPart(bar, kPreparedShare, 1.0));
     const Curve& curve = drawn.curve;
     RunFigures figures = figuresOf(arguments, loaded, drawn);
-    figures.warmSeconds = timeWarm(arguments, picks, workpiece.designer(), drawn, bar);
+    figures.warmSeconds = timeWarm(arguments, picks, workpiece, drawn, bar);
     bar.clear();
     const bool isRefused = !curve.report.usable && arguments.requireUsable;
     ResultFiles files;
     if (!arguments.report.empty()) {
-        files.add(arguments.report, reportText(curve, workpiece.surface(), figures));
+        files.add(arguments.report, reportText(curve, surfaceOf(workpiece), figures));
     }
     if (!isRefused) {
         files.add(

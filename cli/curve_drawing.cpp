@@ -2,11 +2,11 @@
 #include "cli/curve_drawing.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "cli/value_checks.h"
-#include "io/field_reader.h"
-#include "io/picks_reader.h"
 #include "surface/error_messages.h"
 #include "surface/triangle_tree.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <cmath>
 #include <cstddef>
@@ -90,7 +90,7 @@ DesignedCurve drawThrough(
 ) {
     const std::vector<Vec3> moved =
         arguments.pickDistance > 0.0
-            ? movedOnto(loaded.workpiece->surface(), picks, arguments.pickDistance)
+            ? movedOnto(surfaceOf(*loaded.workpiece), picks, arguments.pickDistance)
             : picks;
     DesignedCurve drawn = loaded.workpiece->draw(moved, arguments, loaded.layer, progress);
     if (arguments.field && arguments.field->automatic && !drawn.field.empty()) {

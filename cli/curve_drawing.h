@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/workpiece.h"
 #include "cli/drawing_options.h"
 #include "cli/loaded_mesh.h"
-#include "workpiece/workpiece.h"
 
 #include <filesystem>
 #include <vector>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/curve_options.h"
 
+#include "bspline_curve/files.h"
 #include "bspline_curve/version.h"
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
-#include "io/curve_writer.h"
-#include "io/picks_reader.h"
 
 namespace bspline_curve::cli {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve cut MESH --curve FILE …: the mesh opened along curves, whole or in parts.
+#include "bspline_curve/files.h"
 #include "cli/result_files.h"
 #include "cli/use_input.h"
 #include "cli/verb_parser.h"
-#include "io/mesh_writer.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>

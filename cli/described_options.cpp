@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/described_options.h"
 
+#include "bspline_curve/curve_options.h"
 #include "cli/value_checks.h"
-#include "workpiece/pick_choice.h"
-#include "workpiece/pick_directions.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/curve_options.h"
 #include "cli/described_options.h"
 #include "cli/region_options.h"
-#include "workpiece/curve_options.h"
 
 #include <filesystem>
 #include <memory>

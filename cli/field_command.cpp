@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve field MESH --kind KIND --output FILE …: a field on a mesh.
+#include "bspline_curve/files.h"
 #include "cli/described_options.h"
 #include "cli/loaded_mesh.h"
 #include "cli/region_options.h"
@@ -7,9 +8,9 @@
 #include "cli/verb_parser.h"
 #include "filters/requests.h"
 #include "io/field_report.h"
-#include "io/field_writer.h"
 #include "io/report_writer.h"
 #include "utility/stopwatch.h"
+#include "workpiece/workpiece_parts.h"
 
 namespace bspline_curve::cli {
 
@@ -86,14 +87,14 @@ ExitCode compute(FieldArguments& arguments, ProgressBar& bar) {
         .repair = workpiece.repair()
     };
     figures.seconds.read = loaded.readSeconds;
-    figures.seconds.validate = workpiece.seconds();
+    figures.seconds.validate = workpiece.seconds().validate;
     figures.seconds.field = watch.lap();
     bar.clear();
     ResultFiles files;
     files.add(arguments.output, fieldBytes(arguments.output, workpiece.mesh(), field.values()));
     figures.seconds.write = watch.lap();
     if (!arguments.report.empty()) {
-        files.add(arguments.report, fieldReportText(workpiece.surface(), field.values(), figures));
+        files.add(arguments.report, fieldReportText(surfaceOf(workpiece), field.values(), figures));
     }
     files.commit();
     return ExitCode::Success;

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve fit MESH --line FILE …: smooth curves along lines that exist.
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
+#include "bspline_curve/lines.h"
 #include "cli/described_options.h"
 #include "cli/loaded_mesh.h"
 #include "cli/region_options.h"
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
 #include "filters/requests.h"
-#include "io/curve_writer.h"
 #include "io/fit_report.h"
-#include "io/polyline_reader.h"
-#include "io/region_reader.h"
 #include "io/report_writer.h"
 #include "surface/error_messages.h"
-#include "workpiece/fitted_lines.h"
 
 #include <array>
 #include <cstddef>

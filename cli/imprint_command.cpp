@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve imprint MESH --curve FILE …: curves as edges of the mesh.
+#include "bspline_curve/files.h"
 #include "cli/result_files.h"
 #include "cli/use_input.h"
 #include "cli/verb_parser.h"
-#include "io/mesh_writer.h"
 
 namespace bspline_curve::cli {
 

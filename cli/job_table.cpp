@@ -2,10 +2,10 @@
 #include "cli/job_table.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "cli/curve_options.h"
 #include "cli/result_files.h"
 #include "io/csv.h"
-#include "io/curve_writer.h"
 #include "io/number_text.h"
 #include "io/report_writer.h"
 #include "io/text_parsing.h"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/loaded_mesh.h"
 
+#include "bspline_curve/files.h"
+#include "bspline_curve/progress.h"
 #include "cli/interrupt.h"
 #include "cli/process_figures.h"
-#include "io/mesh_reader.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <utility>
 
@@ -21,9 +22,9 @@ void LoadedMesh::prepareForCurves(
     constexpr double kSurfaceShare = 0.3;
     prepare(options, partOf(progress, 0.0, kSurfaceShare));
     const std::optional<ShellCache> cache = cacheUnless(noCache);
-    static_cast<void>(
-        workpiece->designer(partOf(progress, kSurfaceShare, 1.0), cache ? &*cache : nullptr)
-    );
+    static_cast<void>(sharedDesignerOf(
+        *workpiece, partOf(progress, kSurfaceShare, 1.0), cache ? &*cache : nullptr
+    ));
 }
 
 LoadedMesh loadMesh(const std::filesystem::path& file, bool strict) {

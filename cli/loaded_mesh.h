@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/workpiece.h"
 #include "io/shell_cache.h"
-#include "workpiece/workpiece.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve pattern MESH --drawing FILE --centre X,Y,Z …: a drawing as curves on the surface.
+#include "bspline_curve/files.h"
+#include "bspline_curve/pattern.h"
 #include "cli/described_options.h"
 #include "cli/loaded_mesh.h"
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
 #include "filters/pattern_requests.h"
 #include "filters/utf8_path.h"
-#include "io/curve_writer.h"
 #include "io/curves_on_surface.h"
-#include "io/drawing_reader.h"
 #include "io/font_search.h"
 #include "io/pattern_report.h"
 #include "io/report_writer.h"
-#include "io/text_outlines.h"
-#include "pattern/draw_pattern.h"
 #include "surface/picks.h"
 #include "utility/stopwatch.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <optional>
 
@@ -140,7 +139,7 @@ Vec3 toVec3(const std::vector<double>& values) {
 }
 
 SurfacePolyline curveAlong(const Workpiece& workpiece, const std::filesystem::path& file) {
-    const Surface& surface = workpiece.surface();
+    const Surface& surface = surfaceOf(workpiece);
     return CurvesOnSurface(surface, workpiece.checksum(), kPickReachRelative * surface.diagonal())
         .readOne(file, "project the curve onto it first");
 }
@@ -151,11 +150,10 @@ Pattern patternOn(
     const PatternArguments& arguments,
     const Progress& progress
 ) {
-    const CurveDesigner& designer = workpiece.designer();
     const PatternRequest& request = arguments.request;
     if (!arguments.along.empty()) {
         return patternAlongCurve(
-            designer,
+            workpiece,
             drawing,
             curveAlong(workpiece, arguments.along),
             request.row,
@@ -164,7 +162,7 @@ Pattern patternOn(
         );
     }
     return patternRoundPoint(
-        designer,
+        workpiece,
         drawing,
         toVec3(arguments.centre),
         arguments.up.empty() ? std::nullopt : std::optional(toVec3(arguments.up)),

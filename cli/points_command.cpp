@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve points MESH --curve FILE --count N …: points at distances along curves.
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
+#include "bspline_curve/lines.h"
 #include "cli/result_files.h"
 #include "cli/use_input.h"
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
 #include "filters/imprint_requests.h"
-#include "io/points_writer.h"
-#include "workpiece/curve_points.h"
 
 #include <optional>
 #include <vector>
@@ -101,7 +101,7 @@ std::vector<double> distancesOn(
 ExitCode placePoints(const PointsArguments& arguments, ProgressBar& bar) {
     checkOutput(arguments.output, checkPointsExtension);
     const CurvesOnMesh read = curvesOnMesh(arguments, arguments.use.placing.distance, bar, 1.0);
-    const CurvePoints along(read.workpiece().surface().input());
+    const CurvePoints along(read.workpiece().mesh());
     std::vector<PointsOfCurve> curves;
     for (std::size_t i = 0; i < read.lines.size(); ++i) {
         const SurfacePolyline& line = read.lines[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/region_options.h"
 
-#include "io/region_reader.h"
+#include "bspline_curve/files.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "workpiece/curve_options.h"
+#include "bspline_curve/curve_options.h"
 
 #include <filesystem>
 #include <string>

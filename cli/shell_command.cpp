@@ -14,6 +14,7 @@
 #include "io/text_parsing.h"
 #include "shell/shell_store.h"
 #include "utility/stopwatch.h"
+#include "workpiece/workpiece_parts.h"
 #ifdef BSPLINE_CURVE_TETGEN
 #include "tetrahedra/conforming_tetrahedra.h"
 #endif
@@ -162,7 +163,7 @@ Built buildStages(
     ProgressBar& bar
 ) {
     constexpr double kBuildStart = 0.1;  // for the bar only
-    const Surface& surface = workpiece.surface();
+    const Surface& surface = surfaceOf(workpiece);
     const ShellOptions& options = arguments.preparing.shell;
     Stopwatch watch;
     auto extended =
@@ -285,7 +286,7 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
     figures.seconds.wall = whole.lap();
     figures.seconds.cpu = processCpuSeconds() - cpuBefore;
     figures.seconds.read = loaded.readSeconds;
-    figures.seconds.validate = workpiece.seconds();
+    figures.seconds.validate = workpiece.seconds().validate;
     figures.peakMemoryBytes = peakMemoryBytes();
     figures.meshFile = arguments.mesh.string();
     figures.faces = static_cast<int>(workpiece.mesh().faces.size());

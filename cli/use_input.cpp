@@ -2,18 +2,18 @@
 #include "cli/use_input.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "cli/interrupt.h"
 #include "cli/verb_parser.h"
 #include "imprint/part_colours.h"
 #include "io/carried_extras.h"
 #include "io/curves_on_surface.h"
-#include "io/mesh_writer.h"
-#include "io/picks_reader.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"
 #include "surface/picks.h"
 #include "utility/stopwatch.h"
 #include "workpiece/curve_notes.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <array>
 #include <cstddef>
@@ -44,7 +44,7 @@ void take(
 void readLines(CurvesOnMesh& taken, const UseArguments& arguments, double maxDistance) {
     Stopwatch watch;
     const Workpiece& workpiece = taken.workpiece();
-    const Surface& surface = workpiece.surface();
+    const Surface& surface = surfaceOf(workpiece);
     CurvesOnSurface curves(
         surface,
         workpiece.checksum(),
@@ -204,7 +204,7 @@ std::vector<std::string> ImprintedFile::notesFor(const std::filesystem::path& fi
         );
     }
     const double moved = largestMoveIn(file, imprint.mesh->mesh);
-    if (moved > kToldMoveRelative * imprint.surface->diagonal()) {
+    if (moved > kToldMoveRelative * diagonal) {
         notes.push_back(
             file.string() + " holds floats, which move vertices by up to " + describeNumber(moved) +
             "; write .ply, or move the mesh nearer to the origin"
@@ -227,7 +227,8 @@ ImprintedFile imprintedFile(
         ),
         .quality = std::move(read.loaded.layer.quality),
         .extras = readMeshExtras(arguments.drawing.mesh),
-        .faces = read.workpiece().surface().input().faces,
+        .faces = read.workpiece().mesh().faces,
+        .diagonal = read.workpiece().diagonal(),
         .figures = {}
     };
     result.figures = {

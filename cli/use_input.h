@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/files.h"
+#include "bspline_curve/imprint.h"
+#include "bspline_curve/offset.h"
+#include "bspline_curve/parts.h"
 #include "cli/curve_drawing.h"
 #include "cli/loaded_mesh.h"
 #include "cli/progress_bar.h"
 #include "filters/imprint_requests.h"
 #include "io/imprint_writer.h"
-#include "io/mesh_extras.h"
-#include "workpiece/curve_uses.h"
 
 #include <filesystem>
 #include <optional>
@@ -69,6 +71,7 @@ struct ImprintedFile {
     std::vector<double> quality;  ///< of the input's vertices; empty: the file has none
     MeshExtras extras;            ///< of the input
     std::vector<Triangle> faces;  ///< of the input
+    double diagonal = 0.0;        ///< of the mesh
     ImprintFigures figures;
 
     /// The bytes of a mesh that was made of it, with the parts of faces, the quality, and what else

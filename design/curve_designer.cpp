@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bspline_curve/designer.h"
+#include "design/curve_designer.h"
+
 #include "bspline_curve/error.h"
+#include "bspline_curve/mesh.h"
+#include "bspline_curve/progress.h"
 #include "design/parted_curves.h"
 #include "design/surface_curves.h"
 #include "shell/shell_layers.h"
 #include "shell/shell_store.h"
-#include "surface/region.h"
 #include "surface/strict_line.h"
 #include "surface/weld_remedy.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <cstdint>
@@ -144,9 +145,11 @@ Curve CurveDesigner::design(
         ownStart = startOn(surface(), *start);
         start = ownStart ? &*ownStart : nullptr;
     }
+    SolverOptions resolved = options;
+    resolved.fieldCost = inputs.field.costFor(options.fieldCost);
     const CurveTask task{
         picks,
-        options,
+        resolved,
         sampling,
         inputs.field,
         provenance.facesFromInput(avoid),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/curve_sections.h"
 
+#include "bspline_curve/curve.h"
 #include "spline/spline_sections.h"
-#include "surface/strict_line.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 #include "design/curve_solver.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
+#include "bspline_curve/spline.h"
 #include "design/curve_ladder.h"
 #include "design/faired_path.h"
 #include "design/overruns.h"
@@ -9,8 +11,6 @@
 #include "design/warm_start.h"
 #include "shell/shell_boundary.h"
 #include "solver/cellwise_solver.h"
-#include "spline/spline_sections.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>

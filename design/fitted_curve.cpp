@@ -2,13 +2,13 @@
 #include "design/fitted_curve.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "design/curve_solver.h"
 #include "design/fitted_path.h"
 #include "design/solved_curve.h"
 #include "surface/error_messages.h"
 #include "surface/segment_distance.h"
 #include "surface/strict_line.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

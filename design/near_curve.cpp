@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/near_curve.h"
 
+#include "bspline_curve/progress.h"
 #include "design/solved_curve.h"
 #include "solver/obstacles.h"
 #include "surface/segment_distance.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/parted_curves.h"
 
+#include "bspline_curve/curve.h"
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "design/detours.h"
-#include "surface/strict_line.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #include "design/pick_tangents.h"
 
 #include "bspline_curve/error.h"
-#include "spline/spline_sections.h"
+#include "bspline_curve/spline.h"
 #include "surface/error_messages.h"
 #include "utility/index_sets.h"
 

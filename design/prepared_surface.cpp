@@ -2,7 +2,7 @@
 #include "design/prepared_surface.h"
 
 #include "bspline_curve/options.h"
-#include "utility/report_progress.h"
+#include "bspline_curve/progress.h"
 #include "utility/worker_task.h"
 
 #include <cmath>

@@ -2,10 +2,10 @@
 #include "design/rejoined_surfaces.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "surface/field_on_surface.h"
 #include "surface/rejoining.h"
 #include "surface/surface_point.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <limits>

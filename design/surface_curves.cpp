@@ -2,6 +2,8 @@
 #include "design/surface_curves.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
+#include "bspline_curve/spline.h"
 #include "design/curve_sections.h"
 #include "design/curve_solver.h"
 #include "design/detours.h"
@@ -16,7 +18,6 @@
 #include "surface/strict_line.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 #include "utility/worker_task.h"
 #include "utility/worker_thread.h"

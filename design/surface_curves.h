@@ -2,11 +2,11 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/field.h"
+#include "bspline_curve/mesh.h"
 #include "bspline_curve/options.h"
-#include "bspline_curve/scalar_field.h"
 #include "design/field_cache.h"
 #include "design/prepared_surface.h"
-#include "surface/region.h"
 
 #include <span>
 #include <vector>

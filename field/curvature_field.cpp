@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/curvature_field.h"
 
+#include "bspline_curve/progress.h"
 #include "field/curvature_tensors.h"
 #include "field/surface_diffusion.h"
 #include "surface/vertex_normals.h"
-#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/curvature_tensors.h"
 
-#include "utility/report_progress.h"
+#include "bspline_curve/progress.h"
 #include "utility/worker_task.h"
 
 #include <Eigen/Cholesky>

@@ -71,6 +71,8 @@ const char* name(FieldCost cost) {
             return "square";
         case FieldCost::ExpMinus:
             return "exp-minus";
+        case FieldCost::Natural:
+            return "natural";
         case FieldCost::Identity:
             break;
     }

@@ -2,6 +2,8 @@
 #include "field/make_field.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/mesh.h"
+#include "bspline_curve/progress.h"
 #include "field/curvature_field.h"
 #include "field/feature_distance.h"
 #include "field/normal_variation.h"
@@ -10,8 +12,6 @@
 #include "field/value_range.h"
 #include "surface/error_messages.h"
 #include "surface/field_on_surface.h"
-#include "surface/region.h"
-#include "utility/report_progress.h"
 
 #include <Eigen/Core>
 
@@ -184,7 +184,9 @@ ScalarField makeField(
         invert(values);
     }
     report(progress, 1.0, "field");
-    return fieldOf(surface, std::move(values));
+    ScalarField field = fieldOf(surface, std::move(values));
+    field.setNaturalCost(naturalCost(options.kind));
+    return field;
 }
 
 ScalarField makeField(

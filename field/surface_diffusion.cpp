@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/surface_diffusion.h"
 
+#include "bspline_curve/progress.h"
 #include "surface/spatial_order.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 #include "utility/worker_task.h"
 
 #include <Eigen/Geometry>

@@ -2,6 +2,7 @@
 #include "fill/fill_holes.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "fill/beside_rims.h"
 #include "fill/harmonic_values.h"
 #include "fill/patch_checker.h"
@@ -13,7 +14,6 @@
 #include "surface/half_edges.h"
 #include "surface/mesh_checks.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 

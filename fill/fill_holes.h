@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
+#include "bspline_curve/parts.h"
 #include "bspline_curve/progress.h"
 #include "fill/sheet_patch.h"
 
@@ -12,11 +13,6 @@
 #include <vector>
 
 namespace bspline_curve {
-
-enum class FillShape : std::uint8_t {
-    Flat,    ///< a triangulation of the rim that bends least, in a plane where the rim is
-    Smooth,  ///< new vertices, as dense as those around, faired to go on in the tangent planes
-};
 
 /// The rims of a mesh: loops of boundary edges, each from its lowest vertex on, in the order in
 /// which faces that fill it pass them. The mesh is one of Surface. O(n log n).

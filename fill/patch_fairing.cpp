@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill/patch_fairing.h"
 
-#include "utility/report_progress.h"
+#include "bspline_curve/progress.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill/patch_refinement.h"
 
+#include "bspline_curve/progress.h"
 #include "fill/inner_edges.h"
 #include "surface/surface_point.h"
-#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 

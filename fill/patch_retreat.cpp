@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill/patch_retreat.h"
 
-#include "utility/report_progress.h"
+#include "bspline_curve/progress.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/files.h"
 #include "filters/requests.h"
-#include "io/picks_reader.h"
 #include "workpiece/layer_input.h"
 
 namespace bspline_curve {

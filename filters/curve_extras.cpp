@@ -2,10 +2,10 @@
 #include "filters/curve_extras.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "design/curve_tube.h"
 #include "filters/utf8_path.h"
 #include "io/atomic_file.h"
-#include "io/curve_writer.h"
 #include "surface/error_messages.h"
 #include "surface/surface.h"
 
@@ -32,13 +32,13 @@ void checkSaveFile(const CurveRequest& request) {
     }
 }
 
-void checkTube(const CurveRequest& request, const Surface& surface) {
-    if (request.tubeRadius > surface.diagonal()) {
+void checkTube(const CurveRequest& request, const Workpiece& workpiece) {
+    if (request.tubeRadius > workpiece.diagonal()) {
         throw InputError(
             InputErrorCode::BadOption,
             "tube radius is " + describeNumber(request.tubeRadius) +
                 ", but must be at most the diagonal of the mesh, " +
-                describeNumber(surface.diagonal())
+                describeNumber(workpiece.diagonal())
         );
     }
 }
@@ -57,7 +57,7 @@ void addExtras(
         result.controlPolygon = controlPolygonOf(curve.spline);
     }
     if (request.shellLayers) {
-        result.shellLayers = workpiece.designer().shellLayers();
+        result.shellLayers = workpiece.shellLayers();
     }
     if (request.saveFile.empty()) {
         return;

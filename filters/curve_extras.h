@@ -13,7 +13,7 @@ namespace bspline_curve {
 void checkSaveFile(const CurveRequest& request);
 
 /// Refuses a tube that is larger than the mesh. Throws InputError (BadOption).
-void checkTube(const CurveRequest& request, const Surface& surface);
+void checkTube(const CurveRequest& request, const Workpiece& workpiece);
 
 /// Adds to a result what the request asks for, and writes its file. `along`: the field along the
 /// curve, or empty. Throws InputError (UnwritableFile).

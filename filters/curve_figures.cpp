@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/curve_figures.h"
 
-#include "surface/strict_line.h"
+#include "bspline_curve/curve.h"
 
 namespace bspline_curve {
 
@@ -30,8 +30,8 @@ double secondsOf(const SolveReport& report) {
 
 Figures curveFigures(const Curve& curve, const WorkpieceCache::Found& found, double seconds) {
     const SolveReport& report = curve.report;
-    const ShellSummary& shell = found->designer().shell();
-    const StageSeconds stages = found.isKept ? StageSeconds() : found->designer().seconds();
+    const ShellSummary shell = found->shell();
+    const StageSeconds stages = found.isKept ? StageSeconds() : found->seconds();
     return {
         {"usable", report.usable},
         {"converged", report.status == SolveStatus::Converged},

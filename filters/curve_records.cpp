@@ -2,12 +2,12 @@
 #include "filters/curve_records.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/spline.h"
 #include "filters/requests.h"
 #include "io/curve_json.h"
 #include "io/json_reader.h"
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
-#include "spline/spline_sections.h"
 #include "surface/error_messages.h"
 #include "utility/index_sets.h"
 

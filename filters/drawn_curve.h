@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/sketch.h"
 #include "filters/drawn_options.h"
-#include "sketch/sketch.h"
 
 #include <array>
 #include <cstdint>

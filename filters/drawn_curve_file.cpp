@@ -2,15 +2,14 @@
 #include "filters/drawn_curve_file.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
+#include "bspline_curve/mesh.h"
 #include "filters/curve_comments.h"
 #include "filters/fitting_picks.h"
 #include "io/atomic_file.h"
-#include "io/curve_writer.h"
-#include "io/polyline_reader.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"
 #include "surface/picks.h"
-#include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
 
 #include <Eigen/Geometry>
@@ -149,22 +148,21 @@ private:
     }
 
     SketchPick projected(const SketchPick& pick, Placed& placed) {
-        const TriangleTree::Closest closest = closestTo(pick.position);
+        const ClosestPoint closest = closestTo(pick.position);
         ++placed.projected;
         placed.farthest = std::max(placed.farthest, (closest.position - pick.position).norm());
-        return {closest.point, closest.position, pick.isCorner};
+        return {closest.place, closest.position, pick.isCorner};
     }
 
-    TriangleTree::Closest closestTo(const Vec3& position) {
-        if (surface_.designer != nullptr) {
-            TriangleTree::Closest closest = surface_.designer->tree().closestPoint(position);
-            closest.point = surface_.designer->surface().provenance().toInput(closest.point);
-            return closest;
+    ClosestPoint closestTo(const Vec3& position) {
+        if (surface_.workpiece != nullptr) {
+            return surface_.workpiece->closestPoint(position);
         }
         if (!tree_) {
             tree_.emplace(surface_.mesh.vertices, surface_.mesh.faces);
         }
-        return tree_->closestPoint(position);
+        const TriangleTree::Closest closest = tree_->closestPoint(position);
+        return {.place = closest.point, .position = closest.position};
     }
 
     const CurveFileSurface& surface_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
-#include "bspline_curve/designer.h"
+#include "bspline_curve/workpiece.h"
 #include "filters/curve_records.h"
 #include "filters/drawn_curve.h"
 #include "surface/mesh_checksum.h"
@@ -21,7 +21,7 @@ struct CurveFileSurface {
     const TriangleMesh& mesh;  ///< the input, unrepaired
     MeshChecksum checksum;     ///< of it
     /// Where picks are projected to it: what lies on it; null: a tree is built where it is needed.
-    const CurveDesigner* designer = nullptr;
+    const Workpiece* workpiece = nullptr;
 };
 
 /// A curve on the mesh of a CurveFileSurface, for its file.

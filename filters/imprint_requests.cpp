@@ -2,9 +2,9 @@
 #include "filters/imprint_requests.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "filters/binding_makers.h"
 #include "filters/requests.h"
-#include "io/picks_reader.h"
 
 #include <cmath>
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/imprint.h"
+#include "bspline_curve/offset.h"
+#include "bspline_curve/parts.h"
 #include "fill/fill_holes.h"
 #include "filters/option_bindings.h"
 #include "filters/parameter_values.h"
@@ -8,7 +11,6 @@
 #include "imprint/imprint.h"
 #include "imprint/part_choice.h"
 #include "offset/offset_curves.h"
-#include "workpiece/curve_uses.h"
 
 #include <optional>
 #include <string>

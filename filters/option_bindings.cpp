@@ -33,7 +33,8 @@ Names<FieldKind> fieldKinds() {
 
 Names<FieldCost> fieldCosts() {
     Names<FieldCost> names;
-    for (const FieldCost cost : {FieldCost::Identity, FieldCost::Square, FieldCost::ExpMinus}) {
+    for (const FieldCost cost :
+         {FieldCost::Natural, FieldCost::Identity, FieldCost::Square, FieldCost::ExpMinus}) {
         names.emplace_back(name(cost), cost);
     }
     return names;

@@ -2,6 +2,7 @@
 #include "filters/option_book.h"
 
 #include "workpiece/curve_guides.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <utility>
@@ -36,7 +37,7 @@ SketchCurveOptions OptionBook::toSketch(const DrawnOptions& options) {
     auto entry = std::ranges::find(entries_, choice, &Entry::choice);
     if (entry == entries_.end()) {
         auto make = [workpiece = workpiece_, layer = layer_, request](const Progress& progress) {
-            CurveGuides guides = curveGuides(*layer, workpiece->surface(), request, progress);
+            CurveGuides guides = curveGuides(*layer, surfaceOf(*workpiece), request, progress);
             return SketchGuides::Values{std::move(guides.field), std::move(guides.avoid)};
         };
         entries_.push_back({choice, std::make_shared<const SketchGuides>(std::move(make))});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/sketch.h"
+#include "bspline_curve/workpiece.h"
 #include "filters/drawn_options.h"
-#include "sketch/sketch.h"
-#include "workpiece/workpiece.h"
 
 #include <memory>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/pattern_requests.h"
 
+#include "bspline_curve/files.h"
 #include "filters/binding_makers.h"
-#include "io/picks_reader.h"
 
 namespace bspline_curve {
 

@@ -2,13 +2,13 @@
 #include "filters/polyline_layers.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/mesh.h"
 #include "imprint/polyline_chains.h"
 #include "imprint/projected_polyline.h"
 #include "surface/error_messages.h"
 #include "surface/lines_over_parted_edges.h"
 #include "surface/picks.h"
 #include "surface/strict_line.h"
-#include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
 
 #include <algorithm>

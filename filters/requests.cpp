@@ -11,8 +11,6 @@ namespace bspline_curve {
 
 namespace {
 
-constexpr const char* kNatural = "natural";
-
 // What is left at its default is what the preset says.
 template <class Options>
 void readBesidePreset(
@@ -93,9 +91,6 @@ CurveRequest curveRequest(const ParameterValues& values) {
         readBesidePreset(values, solverBindings(), request.solver);
     } else {
         readAll(values, solverBindings(), request.solver);
-    }
-    if (request.field && values.get<std::string>("field_cost") == kNatural) {
-        request.solver.fieldCost = naturalCost(request.field->options.kind);
     }
     readAll(values, samplingBindings(), request.sampling);
     readAll(values, shellBindings(), request.shell);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/run_curve_uses.h"
 
+#include "bspline_curve/curve.h"
 #include "bspline_curve/error.h"
+#include "bspline_curve/imprint.h"
+#include "bspline_curve/offset.h"
+#include "bspline_curve/parts.h"
+#include "bspline_curve/progress.h"
 #include "filters/summaries.h"
-#include "surface/strict_line.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 #include "workpiece/curve_notes.h"
-#include "workpiece/curve_uses.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -48,7 +51,7 @@ PlacedInput placedInput(const CurvesOnLayer& input, const CurveUse& use, const P
     PlacedInput result;
     result.workpiece = workpieceOf(input.surface, {.mending = use.mending});
     report(progress, kSurfaceShare, "curves");
-    result.placed = placedCurves(result.workpiece->surface(), input, use.placing);
+    result.placed = placedCurves(surfaceOf(*result.workpiece), input, use.placing);
     report(progress, kPlacedShare, "curves");
     result.warnings = layerNotes(*result.workpiece);
     std::ranges::move(
@@ -225,7 +228,7 @@ OffsetResult runOffsetFilter(
     const std::vector<PlacedCurve>& curves = placed.placed.curves;
     OffsetOptions options = request.offset;
     if (options.distance == 0.0) {
-        options.distance = kOffsetRelative * placed.workpiece->surface().diagonal();
+        options.distance = kOffsetRelative * placed.workpiece->diagonal();
     }
     OffsetLines lines = linesBeside(
         *placed.workpiece,

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/parts.h"
 #include "bspline_curve/progress.h"
 #include "filters/imprint_requests.h"
 #include "filters/polyline_layers.h"
 #include "filters/run_filters.h"
-#include "workpiece/made_mesh.h"
 
 #include <string>
 #include <vector>

@@ -2,6 +2,7 @@
 #include "filters/run_filters.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "filters/choose_picks.h"
 #include "filters/curve_extras.h"
 #include "filters/curve_figures.h"
@@ -10,7 +11,6 @@
 #include "io/report_writer.h"
 #include "io/shell_cache.h"
 #include "surface/error_messages.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 #include "workpiece/curve_notes.h"
 #include "workpiece/layer_ids.h"
@@ -33,7 +33,7 @@ std::vector<std::string> warningsOf(
 ) {
     std::vector<std::string> warnings;
     if (!found.isKept) {
-        warnings = found->designer().shell().notes;
+        warnings = found->shell().notes;
     }
     std::ranges::move(layerNotes(*found.workpiece), std::back_inserter(warnings));
     for (const std::string& note : drawn.notes) {
@@ -73,7 +73,7 @@ CurveResult runCurveFilter(
     const WorkpieceCache::Found found = workpieces.ready(
         layer, request, partOf(progress, 0.0, kCurveSurfaceShare), cache ? &*cache : nullptr
     );
-    checkTube(request, found->surface());
+    checkTube(request, *found.workpiece);
     DesignedCurve drawn =
         found->draw(chosen.picks, options, layer, partOf(progress, kCurveSurfaceShare, 1.0));
     drawn.seconds = watch.lap();

@@ -6,6 +6,7 @@
 #include "bspline_curve/shell.h"
 #include "filters/figures.h"
 #include "filters/requests.h"
+#include "workpiece/layer_input.h"
 #include "workpiece/workpiece_cache.h"
 
 #include <exception>

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/run_pattern.h"
 
-#include "bspline_curve/designer.h"
+#include "bspline_curve/curve.h"
+#include "bspline_curve/files.h"
+#include "bspline_curve/pattern.h"
+#include "bspline_curve/progress.h"
 #include "filters/summaries.h"
 #include "filters/utf8_path.h"
-#include "io/drawing_reader.h"
 #include "io/font_search.h"
 #include "io/shell_cache.h"
-#include "io/text_outlines.h"
-#include "pattern/draw_pattern.h"
-#include "surface/strict_line.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <iterator>
@@ -68,11 +67,10 @@ DrawnPattern drawnOn(
     const PatternRequest& request,
     const Progress& progress
 ) {
-    const CurveDesigner& designer = workpiece.designer();
     if (request.place == PatternPlace::Point) {
         return {
             .pattern = patternRoundPoint(
-                designer,
+                workpiece,
                 drawing,
                 patternCentre(request, toolPoints),
                 patternUp(request),
@@ -83,12 +81,14 @@ DrawnPattern drawnOn(
             .warnings = {}
         };
     }
-    const PlacedCurves placed = placedCurves(workpiece.surface(), input, request.use.placing);
+    const PlacedCurves placed = placedCurves(surfaceOf(workpiece), input, request.use.placing);
     DrawnPattern result;
     for (const PlacedCurve& curve : placed.curves) {
         take(
             result.pattern,
-            patternAlongCurve(designer, drawing, curve.line, request.row, request.pattern, progress)
+            patternAlongCurve(
+                workpiece, drawing, curve.line, request.row, request.pattern, progress
+            )
         );
     }
     result.warnings = leftOutWarnings(placed, input.surface);

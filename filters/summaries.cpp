@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/summaries.h"
 
+#include "bspline_curve/curve.h"
 #include "filters/filter_description.h"
 #include "surface/error_messages.h"
-#include "surface/strict_line.h"
 
 #include <algorithm>
 #include <cstddef>

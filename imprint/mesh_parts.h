@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/imprint.h"
 #include "imprint/imprint.h"
 
 #include <array>
 #include <vector>
 
 namespace bspline_curve {
-
-/// What the curves of an imprint part the mesh into.
-struct MeshPart {
-    int faces = 0;
-    double area = 0.0;
-    double perimeter = 0.0;  ///< length of its rim: curves and the mesh's own boundary
-    Vec3 centroid = Vec3::Zero();
-    /// V - E + F with vertices and edges of a curve counted once on each side of it: 1 for a disc,
-    /// 2 for a sphere, 0 for a ring.
-    int euler = 0;
-};
-
-struct MeshParts {
-    std::vector<int> labels;  ///< for each face of the imprinted mesh its part
-    std::vector<MeshPart> parts;
-};
 
 /// Parts of the imprinted mesh: faces that are joined across edges which are on no curve. Numbered
 /// from the largest area to the smallest (equal areas: by first face). An edge of a curve that has

@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/parts.h"
 #include "imprint/mesh_parts.h"
 
 #include <optional>
 #include <vector>
 
 namespace bspline_curve {
-
-/// Which parts of an imprinted mesh are meant. All but Seeds look only at parts that a curve parts
-/// from another part.
-struct PartChoice {
-    enum class Which {
-        Largest,
-        Smallest,
-        Inside,   ///< those that an odd number of curves parts from the largest of their component
-        Outside,  ///< those that an even number does
-        Seeds,    ///< those at some points
-    };
-
-    Which which = Which::Largest;
-    std::vector<Vec3> seeds = {};  ///< near the surface
-    /// Components that no curve parts stay, unless they are dropped; a seed keeps one then.
-    bool dropUntouched = false;
-};
 
 /// Parts (labels, ascending) that have a curve between them and another part. O(n log n).
 [[nodiscard]] std::vector<int> partedParts(const ImprintedMesh& imprinted, const MeshParts& parts);

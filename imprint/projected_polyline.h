@@ -2,18 +2,13 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/lines.h"
 #include "surface/surface.h"
 #include "surface/triangle_tree.h"
 
 #include <vector>
 
 namespace bspline_curve {
-
-/// A polyline in space; a closed one does not repeat its first point.
-struct SpacePolyline {
-    std::vector<Vec3> points;
-    bool closed = false;
-};
 
 /// A polyline that is near the surface, projected onto it: its points become their closest points,
 /// and so do points between them, as dense as edges are there; shortest paths join these. The

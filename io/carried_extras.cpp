@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/carried_extras.h"
 
+#include "io/ply_header.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

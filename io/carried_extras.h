@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/mesh_extras.h"
-#include "workpiece/made_mesh.h"
+#include "bspline_curve/files.h"
+#include "bspline_curve/parts.h"
 
 namespace bspline_curve {
 

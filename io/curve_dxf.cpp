@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves as DXF: the polyline for R12, which every CAD reads; the spline for R2000, the first
 // version that has splines and is read widely.
+#include "bspline_curve/spline.h"
 #include "io/curve_formats.h"
 #include "io/dxf_text.h"
-#include "spline/clamped_spline.h"
 
 #include <Eigen/Geometry>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves as IGES 5.3: rational B-spline curves (entity 126) and linear paths (entity 106, form 12),
 // in lines of 80 characters.
+#include "bspline_curve/spline.h"
 #include "bspline_curve/version.h"
 #include "io/curve_formats.h"
 #include "io/number_text.h"
-#include "spline/clamped_spline.h"
 
 #include <algorithm>
 #include <cstddef>

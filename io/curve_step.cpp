@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves as STEP (ISO 10303-21, application protocol 214): a part whose shape is a set of curves.
+#include "bspline_curve/spline.h"
 #include "bspline_curve/version.h"
 #include "io/curve_formats.h"
 #include "io/number_text.h"
 #include "io/spline_knots.h"
-#include "spline/clamped_spline.h"
 
 #include <algorithm>
 #include <string>

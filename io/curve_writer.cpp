@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/curve_writer.h"
-
 #include "bspline_curve/error.h"
-#include "io/atomic_file.h"
+#include "bspline_curve/files.h"
 #include "io/curve_formats.h"
 #include "io/text_parsing.h"
 
@@ -109,15 +107,6 @@ std::string curvesBytes(
         contents.push_back({.curve = *curve, .field = {}, .mesh = mesh, .unit = unit});
     }
     return formatOfMany(file).bytesOfMany(contents);
-}
-
-void writeCurve(
-    const path& file,
-    const Curve& curve,
-    std::span<const double> field,
-    const std::optional<MeshChecksum>& mesh
-) {
-    AtomicFile(file, curveBytes(file, curve, field, mesh)).commit();
 }
 
 }  // namespace bspline_curve

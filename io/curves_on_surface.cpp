@@ -2,12 +2,14 @@
 #include "io/curves_on_surface.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "imprint/projected_polyline.h"
 #include "io/curve_reader.h"
-#include "io/polyline_reader.h"
 #include "io/text_parsing.h"
 #include "surface/lines_over_parted_edges.h"
+#include "surface/picks.h"
 #include "surface/surface_point.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <cmath>
 #include <cstddef>
@@ -105,6 +107,18 @@ SurfacePolyline CurvesOnSurface::readOne(const std::filesystem::path& file, cons
         );
     }
     return std::move(read.lines.front());
+}
+
+CurvesOfFile readCurvesOn(
+    const Workpiece& workpiece,
+    const std::filesystem::path& file,
+    double distance,
+    const std::vector<std::string>& layers,
+    const char* remedy
+) {
+    const double reach = distance > 0.0 ? distance : kPickReachRelative * workpiece.diagonal();
+    return CurvesOnSurface(surfaceOf(workpiece), workpiece.checksum(), reach, layers)
+        .read(file, remedy);
 }
 
 }  // namespace bspline_curve

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/files.h"
 #include "surface/mesh_checksum.h"
 #include "surface/surface.h"
 #include "surface/triangle_tree.h"
@@ -13,12 +14,6 @@
 #include <vector>
 
 namespace bspline_curve {
-
-struct CurvesOfFile {
-    std::vector<SurfacePolyline> lines;
-    std::vector<std::optional<SplineData>> splines;  ///< of each line, where the file has it
-    std::vector<std::string> notes;                  ///< what of the file was left out
-};
 
 /// Reads curves of files onto a surface, for all that use curves. Those of .json are read exactly
 /// where they were drawn, see readCurves(). So are polylines of .ply, .csv and .vtu whose faces and

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/drawing_reader.h"
+#include "bspline_curve/files.h"
 #include "io/xml_tree.h"
 #include "pattern/drawing_builder.h"
 

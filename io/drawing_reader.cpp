@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/drawing_reader.h"
-
+#include "bspline_curve/files.h"
 #include "io/drawing_formats.h"
 #include "io/text_parsing.h"
 

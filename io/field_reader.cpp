@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/field_reader.h"
-
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "io/npy.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/field_writer.h"
-
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "io/append_binary.h"
 #include "io/text_parsing.h"
 

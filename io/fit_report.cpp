@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/fit_report.h"
 
+#include "bspline_curve/curve.h"
 #include "io/json_text.h"
-#include "surface/strict_line.h"
 
 #include <cstddef>
 

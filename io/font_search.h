@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/files.h"
+
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -21,9 +23,5 @@ namespace bspline_curve {
 [[nodiscard]] std::optional<std::filesystem::path> findFont(
     std::span<const std::filesystem::path> folders
 );
-
-/// `file`, or where that is empty the font that findFont() finds in fontFolders(): the same again
-/// until fonts are installed or removed. Throws InputError (BadOption) where there is none.
-[[nodiscard]] std::filesystem::path fontOrDefault(const std::filesystem::path& file);
 
 }  // namespace bspline_curve

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/files.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 namespace bspline_curve {
-
-/// The unit of a mesh, which formats of CAD have to name.
-enum class LengthUnit : std::uint8_t { Millimetre, Centimetre, Metre, Micrometre, Inch, Foot };
 
 struct LengthUnitNames {
     LengthUnit unit;

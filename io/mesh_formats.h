@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/mesh_writer.h"
+#include "bspline_curve/files.h"
 
 #include <string>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/mesh_reader.h"
-
+#include "bspline_curve/files.h"
 #include "io/mesh_parsers.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"

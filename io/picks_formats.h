@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/picks_reader.h"
+#include "bspline_curve/files.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/files.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -9,18 +11,6 @@
 #include <vector>
 
 namespace bspline_curve {
-
-enum class PlyScalar : std::uint8_t {
-    None,
-    Int8,
-    UInt8,
-    Int16,
-    UInt16,
-    Int32,
-    UInt32,
-    Float,
-    Double
-};
 
 struct PlyProperty {
     std::string name;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/points_writer.h"
-
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "io/json_text.h"
 #include "io/number_text.h"
 #include "io/text_parsing.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/polyline_reader.h"
-
+#include "bspline_curve/files.h"
 #include "imprint/polyline_chains.h"
 #include "io/polyline_formats.h"
 #include "io/text_parsing.h"

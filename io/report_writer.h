@@ -2,8 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
-#include "bspline_curve/designer.h"
-#include "surface/repair.h"
+#include "bspline_curve/workpiece.h"
 #include "surface/surface.h"
 
 #include <cstdint>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/text_outlines.h"
-
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "io/text_parsing.h"
 #include "pattern/drawing_builder.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "offset/distance_beams.h"
 
+#include "bspline_curve/progress.h"
 #include "offset/beam_sources.h"
 #include "offset/face_layout.h"
 #include "surface/surface_point.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,8 @@
 #include "offset/fitted_line.h"
 
 #include "bspline_curve/options.h"
+#include "bspline_curve/progress.h"
+#include "bspline_curve/spline.h"
 #include "design/spline_data.h"
 #include "design/strict_polyline.h"
 #include "projection/fibre_tracer.h"
@@ -11,7 +13,6 @@
 #include "solver/spline_fit.h"
 #include "surface/strict_line.h"
 #include "surface/surface_point.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

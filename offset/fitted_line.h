@@ -2,22 +2,12 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/offset.h"
 #include "bspline_curve/progress.h"
 #include "offset/distance_beams.h"
 #include "shell/extended_surface.h"
 
 namespace bspline_curve {
-
-/// A line at a distance as one of our curves.
-struct FittedLine {
-    SurfacePolyline line;    ///< the spline's projection, strictly on the surface
-    SplineData spline;       ///< of degree 3, or 1 where isFitted is false
-    double deviation = 0.0;  ///< largest of vertices and middles of segments, in distances
-    bool isFitted = false;   ///< else no spline came near enough: the line itself
-};
-
-/// The polyline as a spline of degree 1: its vertices are the control points, its t the knots.
-[[nodiscard]] SplineData polygonSpline(const SurfacePolyline& line);
 
 /// Fits cubic splines to lines at one distance from a curve, and projects them along the fibres.
 class LineFitter {

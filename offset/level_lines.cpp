@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "offset/level_lines.h"
 
+#include "bspline_curve/progress.h"
 #include "offset/face_layout.h"
 #include "surface/surface_point.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <array>

@@ -2,13 +2,13 @@
 #include "offset/offset_curves.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "imprint/imprint.h"
 #include "offset/distance_beams.h"
 #include "offset/level_lines.h"
 #include "offset/line_corners.h"
 #include "surface/strict_line.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

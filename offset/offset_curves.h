@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/offset.h"
 #include "bspline_curve/progress.h"
 #include "offset/fitted_line.h"
 #include "shell/extended_surface.h"
@@ -11,23 +12,6 @@
 #include <vector>
 
 namespace bspline_curve {
-
-enum class OffsetSides : std::uint8_t { Left, Right, Both };
-
-struct OffsetOptions {
-    double distance = 0.0;  ///< along the surface, > 0, in the user's unit
-    /// Left or right of the curve, seen along it with the surface's normal upwards. Both: an open
-    /// curve's offset runs round its ends.
-    OffsetSides sides = OffsetSides::Both;
-    /// Faces are searched in steps of this many distances, in (0, 1]: narrower gaps may be closed.
-    double step = 0.1;
-    /// Vertices of fitted lines and middles of their segments are at the distance to this many
-    /// distances, in (0, 0.1].
-    double tolerance = 5e-4;
-
-    /// Throws InputError (BadOption).
-    void validate() const;
-};
 
 /// The lines at a geodesic distance from a polyline. Both are on the surface's input. See
 /// DistanceBeams and LevelLine for their accuracy. Where an offset runs into itself or another

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/carried_drawing.h"
 
-#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
+#include "design/curve_designer.h"
 #include "pattern/carried_piece.h"
 #include "surface/error_messages.h"
 #include "surface/surface.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

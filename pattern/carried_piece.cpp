@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/carried_piece.h"
 
-#include "bspline_curve/designer.h"
+#include "design/curve_designer.h"
 #include "offset/face_layout.h"
 #include "surface/segment_distance.h"
 #include "surface/surface.h"

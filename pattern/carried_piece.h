@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
-#include "bspline_curve/designer.h"
+#include "design/curve_designer.h"
 #include "pattern/carried_drawing.h"
 #include "pattern/drawing.h"
 

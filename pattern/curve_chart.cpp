@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/curve_chart.h"
 
+#include "bspline_curve/curve.h"
 #include "bspline_curve/error.h"
 #include "offset/surface_fan.h"
 #include "pattern/straightest_path.h"
-#include "surface/strict_line.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/extended_surface.h"
 
+#include "bspline_curve/progress.h"
 #include "shell/face_geometry.h"
 #include "shell/pillar_directions.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
 #include "utility/large_array.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/pillar_lengths.h"
 
+#include "bspline_curve/progress.h"
 #include "shell/face_geometry.h"
 #include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

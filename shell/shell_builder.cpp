@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_builder.h"
 
+#include "bspline_curve/progress.h"
 #include "shell/overlapping_components.h"
 #include "shell/pillar_lengths.h"
 #include "shell/projection_stretch.h"
 #include "surface/self_intersection.h"
 #include "surface/triangle_tree.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/shell_simplifier.h"
 
+#include "bspline_curve/progress.h"
 #include "shell/prism_graph.h"
 #include "shell/simplify/operations.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

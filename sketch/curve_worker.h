@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/designer.h"
-#include "sketch/sketch.h"
+#include "bspline_curve/sketch.h"
+#include "design/curve_designer.h"
 #include "utility/threads.h"
 
 #include <chrono>

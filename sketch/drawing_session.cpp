@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sketch/drawing_session.h"
+#include "bspline_curve/drawing_session.h"
 
-#include "bspline_curve/designer.h"
+#include "sketch/hit_test.h"
+#include "sketch/session_parts.h"
+#include "sketch/snapping.h"
+#include "surface/surface.h"
 #include "surface/surface_point.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,34 +15,38 @@
 
 namespace bspline_curve {
 
-DrawingSession::DrawingSession(
-    std::shared_ptr<const CurveDesigner> designer, SessionSettings settings
-)
-    : designer_(std::move(designer)),
-      settings_(std::move(settings)),
-      worker_(designer_, settings_.wake) {}
+DrawingSession::DrawingSession(std::shared_ptr<const Workpiece> workpiece, SessionSettings settings)
+    : workpiece_(std::move(workpiece)), settings_(std::move(settings)) {
+    const std::shared_ptr<const CurveDesigner> designer = sharedDesignerOf(*workpiece_);
+    // NOLINTNEXTLINE(modernize-make-unique): an aggregate of what cannot be moved
+    solver_.reset(
+        new Solver{.designer = designer, .worker = CurveWorker(designer, settings_.wake)}
+    );
+}
+
+DrawingSession::~DrawingSession() = default;
 
 // ---- Points ----
 
 SketchPick DrawingSession::pickAt(const SurfacePoint& point) const {
-    return {point, positionOf(designer_->mesh(), point), false};
+    return {point, positionOf(workpiece_->mesh(), point), false};
 }
 
 void DrawingSession::place(SketchPick& pick, const SurfacePoint& point) const {
     pick.point = point;
-    pick.position = positionOf(designer_->mesh(), point);
+    pick.position = positionOf(workpiece_->mesh(), point);
 }
 
-TriangleTree::Hit DrawingSession::seenBy(const Pointer& pointer) const {
-    return designer_->tree().firstHit(pointer.start, pointer.direction);
+DrawingSession::Seen DrawingSession::seenBy(const Pointer& pointer) const {
+    return {solver_->designer->tree().firstHit(pointer.start, pointer.direction)};
 }
 
 bool DrawingSession::hides(const Pointer& pointer, const Vec3& point) const {
     return !isInSight(pointer, seenBy(pointer), point);
 }
 
-SurfacePoint DrawingSession::pointUnder(const Pointer& pointer, const TriangleTree::Hit& seen) {
-    const Surface& surface = designer_->surface();
+SurfacePoint DrawingSession::pointUnder(const Pointer& pointer, const Seen& seen) {
+    const Surface& surface = solver_->designer->surface();
     snapped_ = {SnapKind::None, seen.point};
     if (pointer.snaps) {
         const double reach = settings_.snapPixels * pointer.pixelAt(seen.distance);
@@ -61,7 +69,7 @@ bool DrawingSession::press(const Pointer& pointer) {
     if (mode_ != Mode::Idle) {
         return true;
     }
-    const TriangleTree::Hit seen = seenBy(pointer);
+    const Seen seen = seenBy(pointer);
     const SketchHit hit = hitTest(sketch_, pointer, seen, settings_.radii);
     if (hit.pick >= 0) {
         if (pointer.removes) {
@@ -101,7 +109,7 @@ bool DrawingSession::press(const Pointer& pointer) {
 }
 
 bool DrawingSession::move(const Pointer& pointer) {
-    const TriangleTree::Hit seen = seenBy(pointer);
+    const Seen seen = seenBy(pointer);
     snapped_ = {};
     if (mode_ == Mode::Pressed && hasMoved(pointer)) {
         mode_ = Mode::Dragging;
@@ -189,7 +197,7 @@ bool DrawingSession::key(SketchKey key, const Pointer& pointer) {
 }
 
 bool DrawingSession::moveSelected(const Pointer& pointer) {
-    const TriangleTree::Hit seen = seenBy(pointer);
+    const Seen seen = seenBy(pointer);
     if (sketch_.selected < 0 || seen.point.face < 0) {
         return false;
     }

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sketch/pointer.h"
-#include "sketch/sketch.h"
+#include "bspline_curve/drawing_session.h"
+#include "bspline_curve/sketch.h"
 #include "surface/triangle_tree.h"
 
 #include <optional>
 
 namespace bspline_curve {
-
-/// Part of a sketch.
-struct SketchHit {
-    int curve = -1;  ///< -1: none
-    int pick = -1;   ///< of that curve; -1: between picks
-    int after = -1;  ///< between picks: the pick before
-
-    [[nodiscard]] bool operator==(const SketchHit&) const = default;
-};
-
-/// How near the mouse must come, in pixels.
-struct HitRadii {
-    double pick = 9.0, curve = 6.0;
-};
 
 /// Whether a point at or in front of the surface is seen along a ray: picks lie on it, chords a
 /// little below. `seen`: where the ray meets the surface (firstHit).

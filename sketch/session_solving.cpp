@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves that a session asks its worker for, and what it does with the answers.
-#include "sketch/drawing_session.h"
+#include "sketch/session_parts.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +19,7 @@ void DrawingSession::askLive() {
         return;
     }
     const bool canStart = curve->last && curve->lastPicks.size() == curve->picks.size();
-    worker_.askLive(
+    solver_->worker.askLive(
         {ask(Asking::Live, curve),
          curve->positions(),
          curve->corners(),
@@ -32,7 +32,7 @@ void DrawingSession::askPreview(const SurfacePoint& point) {
     const SketchCurve& curve = *sketch_.activeCurve();
     std::vector<Vec3> picks = curve.positions();
     picks.push_back(pickAt(point).position);
-    worker_.askLive(
+    solver_->worker.askLive(
         {ask(Asking::Preview, nullptr), std::move(picks), curve.corners(), curve.options, nullptr}
     );
 }
@@ -54,24 +54,24 @@ void DrawingSession::askSettled() {
         const std::uint64_t id = before != asked_.end() ? before->id : ask(Asking::Settled, curve);
         requests.push_back({id, curve->positions(), curve->corners(), curve->options, nullptr});
     }
-    worker_.askOthers(std::move(requests));
+    solver_->worker.askOthers(std::move(requests));
 }
 
 void DrawingSession::dropLive() {
     preview_.reset();
-    worker_.dropLive();
+    solver_->worker.dropLive();
     std::erase_if(asked_, [](const Asked& asked) { return asked.kind != Asking::Settled; });
 }
 
 bool DrawingSession::update() {
     bool isOther = false;
-    for (const SolveAnswer& answer : worker_.takeAnswers()) {
-        isOther = take(answer) || isOther;
+    for (SolveAnswer& answer : solver_->worker.takeAnswers()) {
+        isOther = take({std::move(answer)}) || isOther;
     }
     return isOther;
 }
 
-bool DrawingSession::take(const SolveAnswer& answer) {
+bool DrawingSession::take(const Answer& answer) {
     const auto place = std::ranges::find(asked_, answer.id, &Asked::id);
     if (place == asked_.end()) {
         return false;
@@ -120,7 +120,7 @@ bool DrawingSession::isSettled() const {
 void DrawingSession::settle() {
     static_cast<void>(update());
     while (!isSettled()) {
-        worker_.wait();
+        solver_->worker.wait();
         static_cast<void>(update());
     }
 }
@@ -128,7 +128,7 @@ void DrawingSession::settle() {
 bool DrawingSession::settleWithin(std::chrono::milliseconds time) {
     const auto end = std::chrono::steady_clock::now() + time;
     static_cast<void>(update());
-    while (!isSettled() && worker_.waitUntil(end)) {
+    while (!isSettled() && solver_->worker.waitUntil(end)) {
         static_cast<void>(update());
     }
     return isSettled();

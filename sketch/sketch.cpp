@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sketch/sketch.h"
+#include "bspline_curve/sketch.h"
 
 #include "utility/index_sets.h"
 

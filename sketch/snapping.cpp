@@ -2,6 +2,7 @@
 #include "sketch/snapping.h"
 
 #include "surface/closest_point.h"
+#include "surface/field_on_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,11 +183,15 @@ Snap snap(
     if (found.kind == SnapKind::None) {
         found = snapper.nearestEdge();
     }
-    if (found.kind == SnapKind::None && options.ridge) {
-        found = snapper.highestVertex(SnapKind::Ridge, *options.ridge, options.leastCrest);
+    if (found.kind == SnapKind::None && !options.ridge.empty()) {
+        found = snapper.highestVertex(
+            SnapKind::Ridge, *valuesOn(surface, options.ridge), options.leastCrest
+        );
     }
-    if (found.kind == SnapKind::None && options.valley) {
-        found = snapper.highestVertex(SnapKind::Valley, *options.valley, options.leastCrest);
+    if (found.kind == SnapKind::None && !options.valley.empty()) {
+        found = snapper.highestVertex(
+            SnapKind::Valley, *valuesOn(surface, options.valley), options.leastCrest
+        );
     }
     if (found.kind == SnapKind::None) {
         found = snapper.nearestVertex();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/algorithm1.h"
 
+#include "bspline_curve/progress.h"
 #include "solver/knot_insertion.h"
 #include "solver/paper/paper_settings.h"
 #include "solver/sample_rule.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>

@@ -24,6 +24,7 @@ struct FieldCostValue {
             return {value, -value, value};
         }
         case FieldCost::Identity:
+        case FieldCost::Natural:  // of values themselves
             break;
     }
     return {x, 1.0, 0.0};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/mesh.h"
 #include "shell/affine_form.h"
 #include "shell/extended_surface.h"
 #include "shell/shell_cell.h"
-#include "surface/region.h"
 
 #include <array>
 #include <unordered_map>

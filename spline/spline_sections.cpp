@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spline/spline_sections.h"
 
+#include "bspline_curve/spline.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
@@ -45,14 +46,6 @@ std::vector<double> knotsOfPeriod(const SplineData& chain) {
         period.insert(period.begin(), 0.0);
     }
     return period;
-}
-
-/// The last knot that is no more than t, among those that spans begin at.
-std::size_t spanHolding(const SplineData& spline, double t) {
-    const auto count = static_cast<std::ptrdiff_t>(spline.controlPoints.size());
-    const auto first = spline.knots.begin() + spline.degree;
-    const auto above = std::upper_bound(first + 1, spline.knots.begin() + count, t);
-    return static_cast<std::size_t>(std::prev(above) - spline.knots.begin());
 }
 
 /// Of the spans in [0, 1] on which a basis function is not zero, one that is not empty: in the
@@ -192,6 +185,13 @@ private:
 
 }  // namespace
 
+std::size_t spanHolding(const SplineData& spline, double t) {
+    const auto count = static_cast<std::ptrdiff_t>(spline.controlPoints.size());
+    const auto first = spline.knots.begin() + spline.degree;
+    const auto above = std::upper_bound(first + 1, spline.knots.begin() + count, t);
+    return static_cast<std::size_t>(std::prev(above) - spline.knots.begin());
+}
+
 Vec3 blossom(const SplineData& spline, std::size_t span, std::span<const double> arguments) {
     const std::size_t degree = arguments.size();
     std::vector<Vec3> points(
@@ -216,17 +216,6 @@ SplineData joinedSpline(std::span<const SplineSection> sections, bool closed) {
 
 std::vector<SplineSection> sectionsOf(const SplineData& spline) {
     return Sequence(spline).sections();
-}
-
-Vec3 derivativeOf(const SplineData& spline, double t) {
-    const std::size_t span = spanHolding(spline, t);
-    const double low = spline.knots[span];
-    const double high = spline.knots[span + 1];
-    std::vector<double> arguments(static_cast<std::size_t>(spline.degree), t);
-    arguments.back() = high;
-    const Vec3 atHigh = blossom(spline, span, arguments);
-    arguments.back() = low;
-    return spline.degree / (high - low) * (atHigh - blossom(spline, span, arguments));
 }
 
 std::vector<int> cornersOf(const SplineData& spline) {

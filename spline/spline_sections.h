@@ -30,11 +30,8 @@ struct SplineSection {
 /// `spline`: ascending knots, as many as control points, plus its degree, plus 1.
 [[nodiscard]] std::vector<SplineSection> sectionsOf(const SplineData& spline);
 
-/// The first derivative by t, at a corner that from the right; t in [0, 1].
-[[nodiscard]] Vec3 derivativeOf(const SplineData& spline, double t);
-
-/// Picks that are corners, by the knots at their parameters; ascending.
-[[nodiscard]] std::vector<int> cornersOf(const SplineData& spline);
+/// The span that holds t: the last knot that is no more, among those that spans begin at.
+[[nodiscard]] std::size_t spanHolding(const SplineData& spline, double t);
 
 /// At `degree` arguments, the blossom of the polynomial on [knots[span], knots[span + 1]], which
 /// must not be empty: de Boor's algorithm with another argument in each step.

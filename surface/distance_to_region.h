@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/region.h"
+#include "bspline_curve/mesh.h"
 #include "surface/surface.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/scalar_field.h"
+#include "bspline_curve/field.h"
 #include "surface/surface.h"
 
 #include <memory>

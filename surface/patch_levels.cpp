@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/patch_levels.h"
 
+#include "bspline_curve/progress.h"
 #include "utility/large_array.h"
-#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 

@@ -21,7 +21,4 @@ namespace bspline_curve {
     const Surface& surface, SurfacePolyline line, const std::string& name
 );
 
-/// The length of a polyline, with the segment that closes it.
-[[nodiscard]] double lengthOf(const SurfacePolyline& line);
-
 }  // namespace bspline_curve

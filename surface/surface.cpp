@@ -2,12 +2,12 @@
 #include "surface/surface.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "surface/face_adjacency.h"
 #include "surface/mesh_checks.h"
 #include "surface/repair.h"
 #include "surface/seams.h"
 #include "surface/surface_point.h"
-#include "utility/report_progress.h"
 #include "utility/worker_task.h"
 
 #include <Eigen/Geometry>

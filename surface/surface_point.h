@@ -15,25 +15,6 @@ inline constexpr double kOnEdgeBarycentric = 1e-12;
 /// Vertices of polylines that are nearer to an edge or a vertex than this are put on it.
 inline constexpr double kSnapBarycentric = 1e-9;
 
-/// The position of a point of a mesh, whatever that is.
-[[nodiscard]] inline Vec3 positionOf(const TriangleMesh& mesh, const SurfacePoint& point) {
-    const Triangle& face = mesh.faces[point.face];
-    return point.barycentric[0] * mesh.vertices[face[0]] +
-           point.barycentric[1] * mesh.vertices[face[1]] +
-           point.barycentric[2] * mesh.vertices[face[2]];
-}
-
-/// A value at a point of a mesh with these faces, linear in each, from those at its vertices.
-[[nodiscard]] inline double valueAt(
-    const std::vector<Triangle>& faces, std::span<const double> values, const SurfacePoint& point
-) {
-    double value = 0.0;
-    for (int k = 0; k < 3; ++k) {
-        value += point.barycentric[k] * values[faces[point.face][k]];
-    }
-    return value;
-}
-
 /// All faces that hold a point: its own, the neighbour where it lies on an edge, the whole star
 /// where it lies on a vertex. Ascending.
 [[nodiscard]] std::vector<int> facesHolding(const Surface& surface, const SurfacePoint& point);

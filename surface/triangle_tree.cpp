@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/triangle_tree.h"
 
+#include "bspline_curve/progress.h"
 #include "surface/closest_point.h"
 #include "surface/spatial_order.h"
 #include "utility/large_array.h"
-#include "utility/report_progress.h"
 
 #include <bit>
 #include <cmath>

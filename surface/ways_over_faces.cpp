@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/ways_over_faces.h"
 
+#include "bspline_curve/progress.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <cmath>

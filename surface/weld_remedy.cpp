@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/weld_remedy.h"
 
+#include "bspline_curve/progress.h"
 #include "surface/near_vertices.h"
 #include "surface/picks.h"
 #include "surface/repair.h"
 #include "utility/disjoint_sets.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 
 #include <algorithm>
 #include <array>

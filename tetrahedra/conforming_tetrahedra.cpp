@@ -2,12 +2,12 @@
 #include "tetrahedra/conforming_tetrahedra.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "shell/affine_form.h"
 #include "surface/error_messages.h"
 #include "surface/predicates.h"
 #include "surface/surface_point.h"
 #include "tetrahedra/facet_complex.h"
-#include "utility/report_progress.h"
 
 #include <tetgen.h>
 

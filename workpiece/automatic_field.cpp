@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "workpiece/automatic_field.h"
+#include "bspline_curve/curve_options.h"
 
 #include <algorithm>
 #include <cmath>

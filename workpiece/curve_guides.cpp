@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workpiece/curve_guides.h"
 
+#include "bspline_curve/curve_options.h"
 #include "bspline_curve/error.h"
 #include "field/make_field.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
-#include "workpiece/automatic_field.h"
 #include "workpiece/layer_ids.h"
 
 #include <cstddef>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/curve_options.h"
+#include "bspline_curve/field.h"
 #include "bspline_curve/progress.h"
-#include "bspline_curve/scalar_field.h"
 #include "surface/surface.h"
-#include "workpiece/curve_options.h"
 #include "workpiece/layer_input.h"
 
 #include <span>

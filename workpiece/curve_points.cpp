@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "workpiece/curve_points.h"
-
 #include "bspline_curve/error.h"
+#include "bspline_curve/lines.h"
 #include "spline/spline_sections.h"
 #include "spline/spline_space.h"
 #include "surface/error_messages.h"

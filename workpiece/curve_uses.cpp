@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "workpiece/curve_uses.h"
-
+#include "bspline_curve/imprint.h"
+#include "bspline_curve/offset.h"
+#include "bspline_curve/parts.h"
+#include "bspline_curve/progress.h"
+#include "fill/part_filling.h"
 #include "fill/raised_parts.h"
 #include "fill/unjoined_parts.h"
+#include "imprint/imprint.h"
+#include "imprint/mesh_parts.h"
+#include "imprint/part_choice.h"
 #include "imprint/slits.h"
 #include "imprint/unjoined_imprint.h"
+#include "offset/offset_curves.h"
 #include "shell/extended_surface.h"
 #include "surface/error_messages.h"
 #include "surface/lines_over_parted_edges.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
+#include "workpiece/imprint_source.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -100,9 +108,7 @@ CutMeshes::Piece pieceOf(const Imprint& imprint, std::vector<int> parts, FilledP
     if (imprint.mesh != imprint.joined) {
         taken = unjoined(taken, *imprint.joined, *imprint.mesh);
     }
-    return {
-        std::move(parts), MadeMesh(imprint.surface, imprint.joined, imprint.mesh, std::move(taken))
-    };
+    return {std::move(parts), MadeMesh(imprint, std::move(taken))};
 }
 
 }  // namespace
@@ -115,18 +121,15 @@ Imprint imprintOn(
 ) {
     report(progress, 0.0, "imprinting");
     Stopwatch watch;
-    JoinedLines joined = joinedFor(workpiece.sharedSurface(), lines);
+    JoinedLines joined = joinedFor(workpiece.parts().surface, lines);
     const Surface& surface = *joined.surface;
-    Imprint result{
-        .surface = std::move(joined.surface),
-        .joined = std::make_shared<const ImprintedMesh>(imprint(surface, joined.lines, options)),
-        .mesh = {},
-        .parts = {}
-    };
+    Imprint result;
+    result.joined = std::make_shared<const ImprintedMesh>(imprint(surface, joined.lines, options));
     result.mesh = surface.provenance().hasInputCorners()
                       ? std::make_shared<const ImprintedMesh>(unjoined(surface, *result.joined))
                       : result.joined;
     result.seconds = watch.lap();
+    result.source = std::make_shared<const Imprint::Source>(std::move(joined.surface));
     report(progress, kImprintedShare, "finding parts");
     result.parts = partsOf(*result.joined);
     report(progress, 1.0, "finding parts");
@@ -134,9 +137,7 @@ Imprint imprintOn(
 }
 
 MadeMesh wholeMesh(const Imprint& imprint) {
-    return {
-        imprint.surface, imprint.joined, imprint.mesh, wholeImprint(*imprint.mesh, imprint.parts)
-    };
+    return {imprint, wholeImprint(*imprint.mesh, imprint.parts)};
 }
 
 CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress& progress) {
@@ -201,7 +202,7 @@ OffsetLines linesBeside(
     bool withBand,
     const Progress& progress
 ) {
-    const Surface& surface = workpiece.surface();
+    const Surface& surface = surfaceOf(workpiece);
     const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
     OffsetLines result;
     result.band.resize(withBand ? workpiece.mesh().faces.size() : 0, 0);
@@ -221,6 +222,15 @@ OffsetLines linesBeside(
         }
     }
     return result;
+}
+
+std::vector<char> facesWithin(
+    const Workpiece& workpiece,
+    const SurfacePolyline& line,
+    const OffsetOptions& options,
+    const Progress& progress
+) {
+    return facesWithin(surfaceOf(workpiece), line, options, progress);
 }
 
 }  // namespace bspline_curve

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "workpiece/fitted_lines.h"
-
 #include "bspline_curve/error.h"
-#include "utility/report_progress.h"
+#include "bspline_curve/lines.h"
+#include "bspline_curve/progress.h"
 
 #include <cstddef>
 #include <utility>

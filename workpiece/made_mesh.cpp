@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "workpiece/made_mesh.h"
-
+#include "bspline_curve/parts.h"
+#include "imprint/imprint.h"
 #include "surface/surface_point.h"
+#include "workpiece/imprint_source.h"
 
 #include <cstddef>
 #include <utility>
 
 namespace bspline_curve {
 
-MadeMesh::MadeMesh(
-    std::shared_ptr<const Surface> surface,
-    std::shared_ptr<const ImprintedMesh> joined,
-    std::shared_ptr<const ImprintedMesh> imprint,
-    FilledParts taken
-)
-    : surface_(std::move(surface)),
-      joined_(std::move(joined)),
-      imprint_(std::move(imprint)),
+MadeMesh::MadeMesh(const Imprint& imprint, FilledParts taken)
+    : source_(imprint.source),
+      joined_(imprint.joined),
+      imprint_(imprint.mesh),
       taken_(std::move(taken)) {}
 
 int MadeMesh::vertexOf(int vertex) const {
     const int imprinted = taken_.source[vertex];
-    const auto inputCount = static_cast<int>(surface_->input().vertices.size());
+    const auto inputCount = static_cast<int>(source_->surface->input().vertices.size());
     return imprinted < inputCount ? imprinted : imprint_->doubledVertices[imprinted - inputCount];
 }
 
@@ -35,15 +31,17 @@ Vec3 MadeMesh::placeOf(int face, int corner) const {
     const int own = joined_->ownParents[taken_.faces[face]];
     SurfacePoint place{.face = own};
     if (vertex < joined_->surfaceVertexCount) {
-        place.barycentric = Vec3::Unit(cornerOf(surface_->faces()[own], vertex));
+        place.barycentric = Vec3::Unit(cornerOf(source_->surface->faces()[own], vertex));
     } else {
-        place = inFace(*surface_, joined_->ownPlaces[vertex - joined_->surfaceVertexCount], own);
+        place = inFace(
+            *source_->surface, joined_->ownPlaces[vertex - joined_->surfaceVertexCount], own
+        );
     }
-    return surface_->provenance().toInput(place).barycentric;
+    return source_->surface->provenance().toInput(place).barycentric;
 }
 
 std::vector<double> MadeMesh::carried(std::span<const double> values) const {
-    return taken_.carried(interpolated(*imprint_, surface_->input().faces, values));
+    return taken_.carried(interpolated(*imprint_, source_->surface->input().faces, values));
 }
 
 std::vector<double> MadeMesh::curveFlags() const {

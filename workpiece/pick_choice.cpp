@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "workpiece/pick_choice.h"
-
+#include "bspline_curve/curve_options.h"
 #include "bspline_curve/error.h"
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workpiece/workpiece_cache.h"
 
-#include "utility/report_progress.h"
+#include "bspline_curve/progress.h"
 #include "workpiece/layer_ids.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <bit>
@@ -85,7 +86,7 @@ WorkpieceCache::Found WorkpieceCache::findOrMake(
                    isSame(mesh, entry.workpiece->mesh());
         });
         if (found != entries_.end()) {
-            const auto refusal = found->workpiece->surface().provenance().refusal();
+            const auto refusal = surfaceOf(*found->workpiece).provenance().refusal();
             if (refusal && options.mending.strict) {
                 throw InputError(*refusal);
             }
@@ -111,7 +112,9 @@ WorkpieceCache::Found WorkpieceCache::ready(
     constexpr double kSurfaceShare = 0.2;
     return madeFrom(layer, [&] {
         Found found = findOrMake(layer.mesh, options, partOf(progress, 0.0, kSurfaceShare));
-        static_cast<void>(found.workpiece->designer(partOf(progress, kSurfaceShare, 1.0), store));
+        static_cast<void>(
+            sharedDesignerOf(*found.workpiece, partOf(progress, kSurfaceShare, 1.0), store)
+        );
         return found;
     });
 }

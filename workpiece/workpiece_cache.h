@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/workpiece.h"
 #include "utility/threads.h"
-#include "workpiece/workpiece.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +10,8 @@
 #include <memory>
 
 namespace bspline_curve {
+
+class ShellStore;
 
 /// The workpieces of the last few meshes, for further curves in the same session. What belongs to a
 /// mesh is decided by its content alone (every bit of the vertices, the faces, the options), so

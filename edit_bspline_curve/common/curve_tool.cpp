@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/curve_tool.h"
 
-#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
 #include "edit_bspline_curve/common/kept_settings.h"
 #include "edit_bspline_curve/common/sketch_painter.h"
-#include "field/make_field.h"
-#include "surface/field_on_surface.h"
 
 #include <QAction>
 #include <QApplication>
@@ -114,7 +111,7 @@ CurveTool::Prepared CurveTool::prepare(LayerArrays surface, const Progress& prog
     prepared.ofLayer = checksumOf(surface);
     // Strictness is the filter's.
     prepared.workpiece = workpieceOf(surface.input, {}, progress);
-    static_cast<void>(prepared.workpiece->designer(progress));
+    prepared.workpiece->prepare(progress);
     prepared.layer = std::move(surface.input);
     return prepared;
 }
@@ -174,7 +171,7 @@ void CurveTool::begin(Prepared prepared) {
     settings.wake = [this] {
         QMetaObject::invokeMethod(this, [this] { refresh(); }, Qt::QueuedConnection);
     };
-    session_ = std::make_unique<DrawingSession>(workpiece_->sharedDesigner(), std::move(settings));
+    session_ = std::make_unique<DrawingSession>(workpiece_, std::move(settings));
     std::vector<SketchCurve> curves;
     for (const TakenUp& taken : start_.curves) {
         curves.push_back(toSketch(taken.curve, taken.layer >= 0));
@@ -198,11 +195,8 @@ SketchCurve CurveTool::toSketch(const DrawnCurve& drawn, bool isOnMesh) {
     curve.picks = drawn.picks;
     curve.options = options_->toSketch(drawn.options);
     if (!isOnMesh) {
-        const CurveDesigner& designer = workpiece_->designer();
         for (SketchPick& pick : curve.picks) {
-            pick.point = designer.surface().provenance().toInput(
-                designer.tree().closestPoint(pick.position).point
-            );
+            pick.point = workpiece_->closestPoint(pick.position).place;
         }
     }
     return curve;
@@ -227,8 +221,7 @@ void CurveTool::prepareCrests() {
     preparingCrests_ =
         std::async(std::launch::async, [workpiece = workpiece_, progress = untilTheEnd()] {
             const auto field = [&](FieldKind kind) {
-                const Surface& surface = workpiece->surface();
-                return valuesOn(surface, makeField(surface, {.kind = kind}, {}, progress));
+                return workpiece->field({}, {.options = {.kind = kind}}, progress);
             };
             SnapOptions snapping;
             snapping.ridge = field(FieldKind::Ridge);
@@ -256,7 +249,7 @@ void CurveTool::refresh() {
     state.isHostsCamera = isHostsCamera();
     state.isMaking = isMaking_;
     state.notice = notice_;
-    state.edge = session_ ? workpiece_->surface().averageEdgeLength() : 0.0;
+    state.edge = session_ ? workpiece_->meanEdgeLength() : 0.0;
     panel_->show(state);
     view_.update();
 }

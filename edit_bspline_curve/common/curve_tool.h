@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/drawing_session.h"
+#include "bspline_curve/workpiece.h"
 #include "edit_bspline_curve/common/curve_uses.h"
 #include "edit_bspline_curve/common/sketch_layers.h"
 #include "edit_bspline_curve/common/tool_keys.h"
@@ -8,8 +10,6 @@
 #include "edit_bspline_curve/common/view.h"
 #include "filters/drawn_curve_file.h"
 #include "filters/option_book.h"
-#include "sketch/drawing_session.h"
-#include "workpiece/workpiece.h"
 
 #include <QObject>
 #include <QPointer>

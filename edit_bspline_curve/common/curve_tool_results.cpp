@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of the curves that are drawn with the tool: layers and files.
-#include "bspline_curve/designer.h"
 #include "edit_bspline_curve/common/curve_tool.h"
 #include "edit_bspline_curve/common/curve_words.h"
 #include "edit_bspline_curve/common/kept_settings.h"
@@ -138,7 +137,7 @@ CurveFileSurface CurveTool::fileSurface() const {
     return {
         .mesh = workpiece_->mesh(),
         .checksum = workpiece_->checksum(),
-        .designer = &workpiece_->designer()
+        .workpiece = workpiece_.get()
     };
 }
 

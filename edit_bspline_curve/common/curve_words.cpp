@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/curve_words.h"
 
+#include "bspline_curve/curve.h"
 #include "filters/labels.h"
 #include "surface/error_messages.h"
-#include "surface/strict_line.h"
 
 #include <string>
 

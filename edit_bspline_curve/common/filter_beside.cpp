@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/filter_beside.h"
 
-#include "utility/report_progress.h"
+#include "bspline_curve/progress.h"
 
 #include <QCoreApplication>
 #include <chrono>

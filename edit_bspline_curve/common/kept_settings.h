@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sketch/sketch.h"
+#include "bspline_curve/sketch.h"
 
 #include <QString>
 #include <QVariant>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/reopen.h"
 
+#include "bspline_curve/mesh.h"
 #include "filter_bspline_curve/common/curve_source.h"
-#include "surface/surface_point.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/sketch.h"
 #include "edit_bspline_curve/common/screen_line.h"
-#include "sketch/sketch.h"
 
 #include <cstdint>
 #include <vector>

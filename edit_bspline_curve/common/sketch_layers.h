@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/sketch.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filters/drawn_curve.h"
 #include "filters/run_filters.h"
 #include "host_filters.h"
-#include "sketch/sketch.h"
 
 #include <QGLWidget>
 #include <cstdint>

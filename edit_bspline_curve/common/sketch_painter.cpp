@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/sketch_painter.h"
 
-#include "bspline_curve/designer.h"
 #include "edit_bspline_curve/common/handle_glyph.h"
 #include "edit_bspline_curve/common/line_style.h"
 #include "edit_bspline_curve/common/snap_glyph.h"
+#include "sketch/hit_test.h"
 #include "surface/surface_point.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ public:
     Painter(const DrawingSession& session, const View& view)
         : session_(session),
           view_(view),
-          surface_(session.designer().surface()),
+          surface_(surfaceOf(session.workpiece())),
           projection_(view, kLift) {}
 
     // What lies on the surface.
@@ -164,7 +165,7 @@ private:
     [[nodiscard]] bool isHidden(const SketchPick& pick) const {
         const Pointer pointer = view_.pointerAt(view_.positionOf(pick.position));
         const TriangleTree::Hit seen =
-            session_.designer().tree().firstHit(pointer.start, pointer.direction);
+            designerOf(session_.workpiece()).tree().firstHit(pointer.start, pointer.direction);
         const double along = (pick.position - pointer.start).dot(pointer.direction);
         const bool isFromBehind = normalAt(pick.point).dot(pointer.direction) > 0.0;
         return !isInSight(pointer, seen, pick.position) ||

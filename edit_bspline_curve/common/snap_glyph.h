@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/drawing_session.h"
 #include "edit_bspline_curve/common/screen_batch.h"
-#include "sketch/snapping.h"
 
 namespace bspline_curve {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sketch/pointer.h"
+#include "bspline_curve/drawing_session.h"
 
 #include <optional>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/drawing_session.h"
 #include "edit_bspline_curve/common/curve_list.h"
 #include "edit_bspline_curve/common/filter_beside.h"
 #include "edit_bspline_curve/common/options_form.h"
 #include "filters/drawn_options.h"
-#include "sketch/drawing_session.h"
 
 #include <QDockWidget>
 #include <optional>

@@ -5,9 +5,9 @@
 #include <GL/glew.h>  // before gl.h, which Qt includes
 // clang-format on
 
-#include "sketch/pointer.h"
+#include "bspline_curve/drawing_session.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <QGLWidget>
 #include <QPointF>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/common/curve_source.h"
 
-#include "spline/spline_sections.h"
+#include "bspline_curve/spline.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/common/host_meshes.h"
 
+#include "bspline_curve/progress.h"
 #include "filter_bspline_curve/common/layer_making.h"
 #include "imprint/part_colours.h"
-#include "utility/report_progress.h"
 
 #include <vcg/complex/algorithms/update/normal.h>
 

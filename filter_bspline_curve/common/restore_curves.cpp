@@ -2,6 +2,7 @@
 #include "filter_bspline_curve/common/restore_curves.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/mesh.h"
 #include "filter_bspline_curve/common/curve_side_file.h"
 #include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
@@ -13,7 +14,6 @@
 #include "filters/drawn_curve_file.h"
 #include "filters/utf8_path.h"
 #include "io/text_parsing.h"
-#include "surface/surface_point.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,6 +2,7 @@
 #include "filter_bspline_curve/common/run_on_document.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/progress.h"
 #include "filter_bspline_curve/common/curve_layers.h"
 #include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
@@ -19,7 +20,6 @@
 #include "filters/labels.h"
 #include "filters/run_curve_uses.h"
 #include "filters/run_pattern.h"
-#include "utility/report_progress.h"
 #include "workpiece/curve_notes.h"
 
 #include <algorithm>

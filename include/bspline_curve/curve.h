@@ -33,6 +33,10 @@ struct SurfacePolyline {
     std::vector<int> picks;          ///< index of each pick's vertex
 };
 
+/// The length of a polyline in the user's unit, with the segment that closes it.
+[[nodiscard]] double lengthOf(const SurfacePolyline& line);
+
+/// A curve that was drawn.
 struct Curve {
     SurfacePolyline polyline;
     /// The picks, as points of the surface, where the curve need not pass them; else empty: they

@@ -20,8 +20,9 @@ struct MendingOptions {
 /// What to bend (4): the whole second derivative, as in the paper, or only the part that the
 /// surface does not force.
 enum class Bending { Geodesic, Ambient };
-/// c(x) of the field term (5).
-enum class FieldCost { Identity, Square, ExpMinus };
+/// c(x) of the field term (5). Natural: that which the field is meant for, see
+/// ScalarField::naturalCost().
+enum class FieldCost { Identity, Square, ExpMinus, Natural };
 /// How the first spline is made: a fit to the geodesic through the picks, or Alg. 2 of the paper.
 enum class InitialCurve { GeodesicFit, ControlPolygon };
 /// Where the integrals are taken: at samples by their foot points on the surface, which is quick on
@@ -103,7 +104,7 @@ struct SolverOptions {
     MeshLength pickTolerance{};
     double fieldWeight = 2000.0;  ///< mu of (7), >= 0, for costs between 0 and 1; has no effect
                                   ///< without a field
-    FieldCost fieldCost = FieldCost::Identity;
+    FieldCost fieldCost = FieldCost::Natural;
     bool fieldGuidesPath = true;  ///< the first curve follows the field as well, not only geodesics
 
     double avoidMargin = 0.02;  ///< what is avoided pushes the curve from this far away on,

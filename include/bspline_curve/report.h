@@ -94,14 +94,14 @@ struct SolveReport {
     bool isSampled = false;             ///< at foot points, not cell by cell
     double maxDistance = 0.0;  ///< largest distance of spline and surface, in average edge lengths
     /// What that was to stay below, in average edge lengths: more than the option says where edges
-    /// are very short (PreparedSurface::finestEdge). Set by CurveDesigner.
+    /// are very short (kFinestEdge).
     double allowedDistance = 0.0;
     double maxPickGap = 0.0;  ///< largest |P(t_ki) - x_i|, relative to the diagonal
-    /// What distances are relative to above, in the user's unit. Set by CurveDesigner.
+    /// What distances are relative to above, in the user's unit.
     double meanEdgeLength = 0.0, diagonal = 0.0;
     int newtonIterations = 0;
     /// Of its weight, what the field had: less than 1 where it drew the ends of an open curve past
-    /// their picks. Set by CurveSolver.
+    /// their picks.
     double fieldShare = 1.0;
     double fieldCost = 0.0;  ///< E_ext (5), the mean of c over t; 0 without a field
     /// False where the iterations ended although the field still pulled: a sharper curve would cost
@@ -111,12 +111,12 @@ struct SolveReport {
     /// the curve passes that point once.
     std::vector<int> repeatedPicks;
     /// Of each pick, as a point of the surface, its distance from the polyline, in the user's unit,
-    /// where the curve need not pass the picks; else empty. Set by CurveDesigner.
+    /// where the curve need not pass the picks; else empty.
     std::vector<double> pickDistances;
     /// Of a curve that was fitted to a line: how far it is from it at most, in the user's unit.
     std::optional<double> lineDistance;
-    std::vector<Detour> detours;       ///< by pick; set by CurveDesigner
-    std::vector<MetTangent> tangents;  ///< of picks with one, ascending; set by CurveDesigner
+    std::vector<Detour> detours;       ///< by pick
+    std::vector<MetTangent> tangents;  ///< of picks with one, ascending
     int avoidedFaces = 0;
     /// Least distance of a vertex of the polyline to the avoided faces, user's unit; infinite where
     /// there are none.
@@ -126,7 +126,7 @@ struct SolveReport {
 
     struct Seconds {
         double path = 0.0, initial = 0.0, minimise = 0.0, knots = 0.0, polyline = 0.0;
-        /// Set by CurveSolver: attempts that led to no curve, before the one that did, and the
+        /// Attempts that led to no curve, before the one that did, and the
         /// shell of the whole surface where this curve was the first to need it.
         double failedAttempts = 0.0, shell = 0.0;
     } seconds;

@@ -82,9 +82,9 @@ class Drawing(NamedTuple):
     def resolved(self, progress: Progress | None = None) -> tuple[dict[str, Value], _core.Field | None, Int32s | None]:
         """Options, field, and faces to avoid, as the core takes them."""
         made = self.made_field(progress)
-        options, kind = self.options, self.kind()
-        if kind is not None and "field_cost" not in options:
-            options = {**options, "field_cost": _core.natural_cost({"kind": kind})}
+        options = self.options
+        if self.kind() is None and "field_cost" not in options:  # values are their own cost, whatever they were made from
+            options = {**options, "field_cost": "identity"}
         return options, made, self.avoided(made)
 
     def renumbered(self, moved: Callable[[int], int | None]) -> Drawing:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/curve.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
-#include "surface/strict_line.h"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>

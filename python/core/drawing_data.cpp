@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/drawing_session.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
 #include "python/core/option_values.h"
-#include "sketch/drawing_session.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -81,7 +81,7 @@ void makeSession(
             .field = field != nullptr ? *field : ScalarField(), .avoid = toVector(avoid)
         });
     }
-    new (place) DrawingSession(mesh->sharedDesigner(), std::move(settings));
+    new (place) DrawingSession(mesh.workpiece, std::move(settings));
 }
 
 // (picks, points to be shown, whether it is closed, why it is not what its picks ask for).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/files.h"
 #include "io/curve_formats.h"
-#include "io/mesh_reader.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves along lines that exist, and boundaries of labels.
+#include "bspline_curve/lines.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
 #include "python/core/option_values.h"
 #include "python/core/python_progress.h"
-#include "surface/boundary_lines.h"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The module bspline_curve._core: what the Python files of the package are made on.
+#include "bspline_curve/curve_options.h"
+#include "bspline_curve/mesh.h"
+#include "bspline_curve/progress.h"
 #include "bspline_curve/version.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
 #include "python/core/option_values.h"
 #include "python/core/python_progress.h"
-#include "surface/region.h"
-#include "surface/triangle_tree.h"
-#include "utility/report_progress.h"
-#include "workpiece/automatic_field.h"
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
@@ -16,7 +15,6 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -46,7 +44,7 @@ void makeMesh(
             preparing,
             partOf(goesOn, 0.0, kSurfaceShare)
         );
-        static_cast<void>(workpiece->designer(partOf(goesOn, kSurfaceShare, 1.0)));
+        workpiece->prepare(partOf(goesOn, kSurfaceShare, 1.0));
         new (place) Mesh{std::move(workpiece)};
     });
 }
@@ -73,10 +71,7 @@ DesignedCurve draw(
         .start = start != nullptr ? &start->curve : nullptr
     };
     return PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
-        return mesh->finished(
-            mesh->designer().design(through, chosen.solver, chosen.sampling, inputs, goesOn),
-            inputs.field
-        );
+        return mesh->draw(through, chosen.solver, chosen.sampling, inputs, goesOn);
     });
 }
 
@@ -105,10 +100,10 @@ nb::tuple project(const Mesh& mesh, const Points& queries) {
     {
         const nb::gil_scoped_release unlocked;
         for (const Vec3& query : toVectors(queries)) {
-            const TriangleTree::Closest closest = mesh->designer().tree().closestPoint(query);
-            places.push_back(mesh->surface().provenance().toInput(closest.point));
+            const ClosestPoint closest = mesh->closestPoint(query);
+            places.push_back(closest.place);
             positions.push_back(closest.position);
-            distances.push_back(std::sqrt(closest.squaredDistance));
+            distances.push_back(closest.distance);
         }
     }
     return nb::make_tuple(
@@ -120,7 +115,7 @@ nb::tuple project(const Mesh& mesh, const Points& queries) {
 nb::tuple shellLayers(const Mesh& mesh) {
     const ShellLayers layers = [&] {
         const nb::gil_scoped_release unlocked;
-        return mesh->designer().shellLayers();
+        return mesh->shellLayers();
     }();
     return nb::make_tuple(arraysOf(layers.top), arraysOf(layers.bottom));
 }
@@ -155,7 +150,7 @@ nb::tuple repaired(const Points& vertices, const Rows<Id, 3>& faces, const nb::d
     changes["reversed_faces"] = report.reversedFaces;
     changes["cut_edges"] = cuts;
     changes["duplicated_vertices"] = copies;
-    const TriangleMesh& mesh = workpiece.surface().mesh();
+    const TriangleMesh& mesh = workpiece.mendedMesh();
     return nb::make_tuple(arrayOf(mesh.vertices), arrayOf(mesh.faces), changes, report.summary());
 }
 
@@ -167,7 +162,7 @@ Array facesBeside(const Mesh& mesh, const Values& values, double threshold) {
 
 // Of preparing it.
 double preparingSeconds(const Mesh& mesh) {
-    const StageSeconds seconds = mesh->designer().seconds();
+    const StageSeconds seconds = mesh->seconds();
     return seconds.validate + seconds.tree + seconds.shell;
 }
 
@@ -180,12 +175,12 @@ void bindMesh(nb::module_& module) {
         .def("__init__", makeMesh<std::int64_t>, nb::arg(), nb::arg(), nb::arg(), nb::arg().none())
         .def_prop_ro("vertices", view(&TriangleMesh::vertices))
         .def_prop_ro("faces", view(&TriangleMesh::faces))
-        .def_prop_ro("mending", [](const Mesh& m) { return m->surface().provenance().note(); })
+        .def_prop_ro("mending", [](const Mesh& m) { return m->mending(); })
         .def_prop_ro("notes", [](const Mesh& m) { return m->notes(); })
         .def_prop_ro("seconds", preparingSeconds)
-        .def_prop_ro("diagonal", [](const Mesh& m) { return m->surface().diagonal(); })
+        .def_prop_ro("diagonal", [](const Mesh& m) { return m->diagonal(); })
         .def_prop_ro("checksum", [](const Mesh& m) { return m->checksum().crc32; })
-        .def_prop_ro("components", [](const Mesh& m) { return m->surface().componentCount(); })
+        .def_prop_ro("components", [](const Mesh& m) { return m->componentCount(); })
         .def(
             "draw",
             draw,
@@ -222,9 +217,6 @@ void bindMesh(nb::module_& module) {
     });
     module.def("faces_under", facesBeside<facesUnder>);
     module.def("faces_over", facesBeside<facesOver>);
-    module.def("natural_cost", [](const nb::dict& options) {
-        return name(naturalCost(fieldOptions(options).kind));
-    });
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/error.h"
+#include "bspline_curve/pattern.h"
 #include "io/drawing_formats.h"
-#include "pattern/draw_pattern.h"
 #include "pattern/drawing_builder.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
@@ -130,12 +130,10 @@ Pattern drawn(
 ) {
     if (place.along != nullptr) {
         const SurfacePolyline& along = place.along->curve.polyline;
-        return patternAlongCurve(
-            mesh->designer(), drawing, along, place.row, place.pattern, goesOn
-        );
+        return patternAlongCurve(*mesh.workpiece, drawing, along, place.row, place.pattern, goesOn);
     }
     return patternRoundPoint(
-        mesh->designer(),
+        *mesh.workpiece,
         drawing,
         vectorOf(place.centre),
         place.up ? std::optional(vectorOf(*place.up)) : std::nullopt,

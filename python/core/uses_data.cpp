@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/imprint.h"
+#include "bspline_curve/lines.h"
+#include "bspline_curve/offset.h"
+#include "bspline_curve/parts.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
 #include "python/core/python_progress.h"
-#include "workpiece/curve_points.h"
-#include "workpiece/curve_uses.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -154,7 +156,7 @@ Array facesNear(
 ) {
     const auto within = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
         return facesWithin(
-            mesh->surface(), drawn.curve.polyline, optionsOf(distance, side), goesOn
+            *mesh.workpiece, drawn.curve.polyline, optionsOf(distance, side), goesOn
         );
     });
     return arrayOf(std::vector<std::uint8_t>(within.begin(), within.end()));
@@ -165,8 +167,7 @@ nb::dict pointsAlong(
     const Mesh& mesh, const DesignedCurve& drawn, const std::vector<double>& distances
 ) {
     const std::vector<CurvePoint> points =
-        CurvePoints(mesh->surface().input())
-            .at(drawn.curve.polyline, &drawn.curve.spline, distances);
+        CurvePoints(mesh->mesh()).at(drawn.curve.polyline, &drawn.curve.spline, distances);
     std::vector<SurfacePoint> places;
     for (const CurvePoint& point : points) {
         places.push_back(point.place);

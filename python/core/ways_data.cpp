@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "imprint/projected_polyline.h"
-#include "offset/distances_to_lines.h"
-#include "offset/fitted_line.h"
+#include "bspline_curve/lines.h"
+#include "bspline_curve/spline.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
 #include "python/core/python_progress.h"
-#include "surface/geodesic_path.h"
-#include "surface/strict_line.h"
-#include "surface/surface_point.h"
 
 #include <nanobind/stl/vector.h>
 
@@ -33,8 +29,7 @@ DesignedCurve curveOf(SurfacePolyline line) {
 DesignedCurve projected(const Mesh& mesh, const Points& points, bool closed, double distance) {
     const SpacePolyline line{.points = toVectors(points), .closed = closed};
     const nb::gil_scoped_release unlocked;
-    const TriangleTree& tree = mesh->designer().tree();
-    return curveOf(projectedPolyline(mesh->surface(), tree, line, distance));
+    return curveOf(projectedPolyline(*mesh.workpiece, line, distance));
 }
 
 std::vector<SurfacePoint> pointsOf(const Ids& faces, const Points& barycentrics) {
@@ -58,39 +53,8 @@ std::optional<DesignedCurve> shortestWay(
 ) {
     const std::vector<SurfacePoint> given = pointsOf(faces, barycentrics);
     const nb::gil_scoped_release unlocked;
-    const Surface& surface = mesh->surface();
-    const SurfacePolyline start = strictLine(surface, lineOfOne(given[0]), "the start");
-    const SurfacePolyline goal = strictLine(surface, lineOfOne(given[1]), "the end");
-    const std::optional<GeodesicPath> path =
-        GeodesicPathFinder(surface, {})
-            .findShortest(start.surfacePoints.front(), goal.surfacePoints.front());
-    if (!path) {
-        return std::nullopt;
-    }
-    SurfacePolyline line;
-    double length = 0.0;
-    for (const SurfacePoint& passed : path->points) {
-        // On the vertex or edge that it is near, so that points at one place are the same.
-        const SurfacePoint point = snapped(passed, kSnapBarycentric);
-        const Vec3 position = surface.position(point);
-        if (!line.points.empty()) {
-            if (position == line.points.back()) {
-                continue;
-            }
-            length += (position - line.points.back()).norm();
-        }
-        line.surfacePoints.push_back(point);
-        line.points.push_back(position);
-        line.parameters.push_back(length);
-    }
-    if (line.points.size() < 2) {
-        return std::nullopt;
-    }
-    for (double& t : line.parameters) {
-        t /= length;
-    }
-    surface.provenance().bringToInput(line);
-    return curveOf(std::move(line));
+    std::optional<SurfacePolyline> line = shortestPath(*mesh.workpiece, given[0], given[1]);
+    return line ? std::optional(curveOf(*std::move(line))) : std::nullopt;
 }
 
 /// Of each vertex to the nearest of some curves and points.
@@ -110,7 +74,7 @@ Array distances(
         lines.push_back(lineOfOne(point));
     }
     return arrayOf(PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
-        return distancesToLines(mesh->surface(), lines, reach, goesOn);
+        return distancesToLines(*mesh.workpiece, lines, reach, goesOn);
     }));
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/progress.h"
 #include "shell/simplify/operations.h"
 #include "surface/surface_point.h"
 #include "utility/index_sets.h"
-#include "utility/report_progress.h"
 
 #include <Eigen/Geometry>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves on meshes that are mended for them.
 #include "bspline_curve/error.h"
+#include "bspline_curve/mesh.h"
 #include "design/curve_checks.h"
 #include "design/detours.h"
 #include "support/meshes.h"
 #include "support/refusal.h"
 #include "surface/repair.h"
-#include "surface/surface_point.h"
 
 #include <gtest/gtest.h>
 

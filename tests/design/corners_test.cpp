@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves with corners, judged from the outside: each section is the open curve of its own picks.
 #include "bspline_curve/error.h"
+#include "bspline_curve/spline.h"
 #include "design/curve_checks.h"
 #include "offset/offset_curves.h"
-#include "spline/spline_sections.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>

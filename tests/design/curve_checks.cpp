@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curve_checks.h"
 
-#include "bspline_curve/designer.h"
+#include "design/curve_designer.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>

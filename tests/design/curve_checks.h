@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bspline_curve/designer.h"
+#include "design/curve_designer.h"
 #include "support/meshes.h"
 #include "support/places.h"
 #include "support/random.h"

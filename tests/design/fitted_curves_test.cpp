@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smooth curves along lines that are there already, judged from the outside.
 #include "bspline_curve/error.h"
+#include "bspline_curve/lines.h"
 #include "design/curve_checks.h"
 #include "support/meshes.h"
 #include "support/refusal.h"
-#include "surface/boundary_lines.h"
 
 #include <gtest/gtest.h>
 

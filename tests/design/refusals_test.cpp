@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bad input is refused by name; progress only rises and cancels at once.
-#include "bspline_curve/designer.h"
 #include "bspline_curve/options.h"
 #include "curve_checks.h"
+#include "design/curve_designer.h"
 #include "support/places.h"
 #include "support/refusal.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves with given directions at their picks, judged from the outside.
 #include "bspline_curve/error.h"
+#include "bspline_curve/spline.h"
 #include "design/curve_checks.h"
-#include "spline/spline_sections.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "painted_scene.h"
 
-#include "bspline_curve/designer.h"
+#include "bspline_curve/mesh.h"
 #include "edit_bspline_curve/common/line_style.h"
 
 #include <QImage>
@@ -75,8 +75,8 @@ void Pixels::save(const std::string& name) const {
 }
 
 PaintedScene::PaintedScene(const TriangleMesh& mesh)
-    : designer_(std::make_shared<const CurveDesigner>(mesh)),
-      session_(std::make_unique<DrawingSession>(designer_)) {
+    : workpiece_(std::make_shared<const Workpiece>(mesh)),
+      session_(std::make_unique<DrawingSession>(workpiece_)) {
     Vec3 low = mesh.vertices.front();
     Vec3 high = low;
     for (const Vec3& vertex : mesh.vertices) {
@@ -91,9 +91,9 @@ void PaintedScene::drawMesh() {
     useTexture(look);
     glColor4ub(255, 255, 255, 255);
     glBegin(GL_TRIANGLES);
-    for (const Triangle& face : designer_->mesh().faces) {
+    for (const Triangle& face : workpiece_->mesh().faces) {
         for (int k = 0; k < 3; ++k) {
-            const Vec3& p = designer_->mesh().vertices[face[k]];
+            const Vec3& p = workpiece_->mesh().vertices[face[k]];
             glTexCoord2d(p.x() / diagonal_, p.y() / diagonal_);
             glVertex3d(p.x(), p.y(), p.z());
         }
@@ -153,11 +153,11 @@ void PaintedScene::addPicks(const std::vector<Vec3>& points) {
 }
 
 SurfacePoint PaintedScene::nearest(const Vec3& point) const {
-    return designer_->tree().closestPoint(point).point;
+    return workpiece_->closestPoint(point).place;
 }
 
 Vec3 PaintedScene::positionOf(const SurfacePoint& point) const {
-    return designer_->surface().position(point);
+    return bspline_curve::positionOf(workpiece_->mesh(), point);
 }
 
 void PaintedScene::preview(const Pointer& pointer) {

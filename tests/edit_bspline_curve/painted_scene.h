@@ -81,7 +81,7 @@ public:
 private:
     void drawMesh();
 
-    std::shared_ptr<const CurveDesigner> designer_;
+    std::shared_ptr<const Workpiece> workpiece_;
     std::unique_ptr<DrawingSession> session_;
     std::unique_ptr<View> view_;
     Vec3 centre_;

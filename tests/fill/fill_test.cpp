@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bspline_curve/designer.h"
+#include "design/curve_designer.h"
 #include "fill/fill_holes.h"
 #include "fill/part_filling.h"
 #include "imprint/random_curves.h"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/drawn_curve_file.h"
 
-#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
+#include "design/curve_designer.h"
 #include "filters/fitting_picks.h"
 #include "io/curve_reader.h"
-#include "io/curve_writer.h"
 #include "io/damage.h"
-#include "io/polyline_reader.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
 
@@ -267,9 +266,9 @@ TEST_F(DrawnCurveFile, OnABrokenMeshHasItsFaces) {
     TriangleMesh mesh = designer_.mesh();
     mesh.faces.insert(mesh.faces.begin() + 10, mesh.faces[10]);  // twice
     std::swap(mesh.faces[5][0], mesh.faces[5][1]);               // turned over
-    const CurveDesigner designer(mesh);
+    const Workpiece workpiece(mesh);
     const CurveFileSurface broken{
-        .mesh = mesh, .checksum = checksumOf(mesh), .designer = &designer
+        .mesh = mesh, .checksum = checksumOf(mesh), .workpiece = &workpiece
     };
     CurveToSave curve{.drawn = curves_[0].drawn, .curve = nullptr};
     curve.drawn.picks = {pickAt(mesh, 5, {0.1, 0.2, 0.7}), pickAt(mesh, 101, {0.1, 0.2, 0.7})};
@@ -282,7 +281,7 @@ TEST_F(DrawnCurveFile, OnABrokenMeshHasItsFaces) {
         EXPECT_EQ(opened.curves[0].picks[i].position, curve.drawn.picks[i].position);
     }
     // Elsewhere they are projected to the surface, whose faces are others.
-    const CurveFileSurface moved{.mesh = mesh, .checksum = {}, .designer = &designer};
+    const CurveFileSurface moved{.mesh = mesh, .checksum = {}, .workpiece = &workpiece};
     const OpenedCurves projected = openDrawnCurves(path("a.json"), moved);
     EXPECT_EQ(projected.curves[0].picks[1].point.face, 101);
 }

@@ -28,7 +28,7 @@ TEST(DrawnOptions, ComeBackFromTheRequestThatIsMadeOfThem) {
     };
     const CurveRequest request = curveRequest(valuesOf(options));
     EXPECT_EQ(drawnOptions(request), options);
-    EXPECT_EQ(request.solver.fieldCost, naturalCost(FieldKind::Valley));
+    EXPECT_EQ(request.solver.fieldCost, FieldCost::Natural);
     for (const EnumOption& field : curveFilter().parameter("field").options) {
         options = {.field = field.id};
         EXPECT_EQ(drawnOptions(curveRequest(valuesOf(options))), options) << field.id;

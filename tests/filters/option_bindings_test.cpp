@@ -37,8 +37,7 @@ consteval std::size_t memberCount() {
 }
 
 bool leavesAsItIs(const std::string& option) {
-    return option == "preset" || option == "natural" || option == "none" ||
-           option == kAutomaticField;
+    return option == "preset" || option == "none" || option == kAutomaticField;
 }
 
 /// A value of the parameter that differs from `value`; one that the options accept.

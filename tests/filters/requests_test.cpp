@@ -102,7 +102,7 @@ TEST(CurveRequest, TakesTheNaturalCostOfItsFieldUnlessAnotherIsGiven) {
     CurveRequest request = curveRequest(values);
     ASSERT_TRUE(request.field);
     EXPECT_EQ(request.field->options.kind, FieldKind::CreaseDistance);
-    EXPECT_EQ(request.solver.fieldCost, FieldCost::Square);
+    EXPECT_EQ(request.solver.fieldCost, FieldCost::Natural);
     values.set("field_cost", Text("exp-minus"));
     EXPECT_EQ(curveRequest(values).solver.fieldCost, FieldCost::ExpMinus);
     values.set("field", Text("none"));

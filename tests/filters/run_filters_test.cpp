@@ -2,12 +2,12 @@
 #include "filters/run_filters.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "filters/filter_description.h"
 #include "filters/labels.h"
 #include "filters/parameter_values.h"
 #include "filters/requests.h"
 #include "filters/runs_on_plates.h"
-#include "io/curve_writer.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
 #include "surface/surface.h"

@@ -30,7 +30,7 @@ TEST(WorkpieceCache, MissesWhereTheLastBitOfAVertexMoved) {
     x = std::nextafter(x, 2.0);
     const WorkpieceCache::Found moved = cache.findOrMake(mesh, {});
     EXPECT_FALSE(moved.isKept);
-    EXPECT_EQ(moved->surface().vertices()[12], mesh.vertices[12]);
+    EXPECT_EQ(moved->mendedMesh().vertices[12], mesh.vertices[12]);
 }
 
 TEST(WorkpieceCache, TellsTheSignsOfZerosApart) {
@@ -99,7 +99,7 @@ TEST(WorkpieceCache, WhatItGaveUpLivesOnForThoseWhoHoldIt) {
     WorkpieceCache cache(1);
     const WorkpieceCache::Found first = cache.findOrMake(plate(3, 3), {});
     static_cast<void>(cache.findOrMake(plate(4, 4), {}));
-    EXPECT_EQ(first->surface().faceCount(), 18);
+    EXPECT_EQ(first->mendedMesh().faces.size(), 18U);
 }
 
 }  // namespace

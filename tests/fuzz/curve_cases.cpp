@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
+#include "design/curve_designer.h"
 #include "fuzz/byte_source.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/mesh_of_bytes.h"
@@ -41,7 +41,7 @@ SolverOptions solverOf(ByteSource& bytes) {
         options.distanceTolerance = 0.001 + bytes.unit();
     }
     if (bytes.oneIn(4)) {
-        options.fieldCost = static_cast<FieldCost>(bytes.integer(0, 2));
+        options.fieldCost = static_cast<FieldCost>(bytes.integer(0, 3));
         options.fieldGuidesPath = bytes.oneIn(2);
         options.bending = bytes.oneIn(2) ? Bending::Ambient : Bending::Geodesic;
         options.quadrature = bytes.oneIn(2) ? Quadrature::Cells : options.quadrature;

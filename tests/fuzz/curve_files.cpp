@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
+#include "bspline_curve/mesh.h"
 #include "filters/drawn_curve_file.h"
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
 #include "io/byte_stream.h"
 #include "io/curve_reader.h"
 #include "io/curves_on_surface.h"
-#include "io/drawing_reader.h"
 #include "io/picks_formats.h"
 #include "io/shell_file.h"
 #include "shell/extended_surface.h"
 #include "support/meshes.h"
 #include "surface/strict_line.h"
-#include "surface/surface_point.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -64,9 +64,9 @@ namespace {
 /// A mesh that curves are read on.
 struct CurveMesh {
     MeshChecksum checksum;
-    CurveDesigner designer;
+    Workpiece workpiece;
 
-    explicit CurveMesh(const TriangleMesh& mesh) : checksum(checksumOf(mesh)), designer(mesh) {}
+    explicit CurveMesh(const TriangleMesh& mesh) : checksum(checksumOf(mesh)), workpiece(mesh) {}
 };
 
 /// The sphere with a face turned over and another one twice.
@@ -87,9 +87,9 @@ const std::array<CurveMesh, 2>& curveMeshes() {
 
 void readCurveBytes(std::string_view bytes) {
     const FuzzFile file("curve.json", bytes);
-    for (const auto& [checksum, designer] : curveMeshes()) {
+    for (const auto& [checksum, workpiece] : curveMeshes()) {
         try {
-            const Surface& surface = designer.surface();
+            const Surface& surface = surfaceOf(workpiece);
             const SurfacePolyline line = readCurve(file.path(), surface, checksum);
             require(
                 isStrict(surface, strictLine(surface, line, "it")), "every segment lies in a face"
@@ -108,8 +108,8 @@ void readForeignCurveBytes(std::string_view bytes) {
     const FuzzFile file(
         kNames[static_cast<unsigned char>(bytes[0]) % kNames.size()], bytes.substr(1)
     );
-    for (const auto& [checksum, designer] : curveMeshes()) {
-        const Surface& surface = designer.surface();
+    for (const auto& [checksum, workpiece] : curveMeshes()) {
+        const Surface& surface = surfaceOf(workpiece);
         try {
             CurvesOnSurface curves(surface, checksum, surface.diagonal());
             for (const SurfacePolyline& line : curves.read(file.path(), "").lines) {
@@ -149,9 +149,9 @@ void openDrawnBytes(std::string_view bytes) {
     const FuzzFile file(
         kNames[static_cast<unsigned char>(bytes[0]) % kNames.size()], bytes.substr(1)
     );
-    for (const auto& [checksum, designer] : curveMeshes()) {
-        const TriangleMesh& mesh = designer.mesh();
-        const CurveFileSurface surface{.mesh = mesh, .checksum = checksum, .designer = &designer};
+    for (const auto& [checksum, workpiece] : curveMeshes()) {
+        const TriangleMesh& mesh = workpiece.mesh();
+        const CurveFileSurface surface{.mesh = mesh, .checksum = checksum, .workpiece = &workpiece};
         try {
             for (const DrawnCurve& curve : openDrawnCurves(file.path(), surface).curves) {
                 for (const SketchPick& pick : curve.picks) {

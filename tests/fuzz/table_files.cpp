@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
-#include "io/field_reader.h"
 #include "io/job_results.h"
-#include "io/region_reader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The library as a project outside sees it: installed and found, and as a subdirectory."""
+"""The library as a project outside sees it: installed and found, by CMake and pkg-config, and as a subdirectory."""
 import json
+import math
 import os
 import re
 import shlex
@@ -12,7 +13,9 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 HEADERS = sorted(path.name for path in (ROOT / "include" / "bspline_curve").glob("*.h"))
-CORE_ALONE = ["-DBSPLINE_CURVE_PROGRAM=OFF", "-DBSPLINE_CURVE_PLUGIN=OFF", "-DBSPLINE_CURVE_TESTS=OFF"]
+LIBRARY_ALONE = ["-DBSPLINE_CURVE_PROGRAM=OFF", "-DBSPLINE_CURVE_PLUGIN=OFF", "-DBSPLINE_CURVE_TESTS=OFF"]
+WITHOUT_FILES = [*LIBRARY_ALONE, "-DBSPLINE_CURVE_FILES=OFF"]
+ARCHIVES = [f"libbspline_curve_{name}.a" for name in ("core", "field", "sketch", "workpiece")]
 FOREIGN = ["TetGen", "MeshLabSource", "Qt5", "GTest", "CLI11", "nlohmann_json", "tinyxml2", "benchmark"]
 
 pytestmark = pytest.mark.slow
@@ -51,7 +54,7 @@ int main() {{
     if (!curve.report.usable || !curve.polyline.closed) return 2;
     if (curve.spline.knots.size() != curve.spline.controlPoints.size() + 4) return 3;
     try {{
-        bspline_curve::CurveDesigner({{vertices, {{{{0, 0, 1}}}}}});
+        bspline_curve::Workpiece({{vertices, {{{{0, 0, 1}}}}}});
         return 4;
     }} catch (const bspline_curve::InputError& error) {{
         if (error.code() != bspline_curve::InputErrorCode::DegenerateFace) return 5;
@@ -90,11 +93,11 @@ def configure(source, build, *options):
     run("cmake", "-S", source, "-B", build, "-G", "Ninja", *foreign, *options, XDG_CACHE_HOME=str(build))
 
 
-def write_consumer(folder, library, names=(*(name for name in HEADERS if name != "field.h"), "version.h")):
+def write_consumer(folder, library, names=(*HEADERS, "version.h")):
     example = re.search(r"^## C\+\+\n.*?```cpp\n(.*?)```", (ROOT / "README.md").read_text(), re.M | re.S).group(1)
     lines = example.splitlines()
     includes = [line for line in lines if line.startswith("#include")]
-    assert includes == ["#include <bspline_curve/designer.h>"]
+    assert includes == ["#include <bspline_curve/workpiece.h>"]
     code = [line for line in lines if line not in includes]
     includes.append("#include <bspline_curve/error.h>")
     folder.mkdir()
@@ -122,22 +125,29 @@ def check_consumer(build):
 
 
 @pytest.fixture(scope="session")
-def core_alone(build_folder):
-    """The core, configured and built with Eigen alone, as the release build is: where there is ccache, it has the objects."""
-    build = build_folder.parent / "core_alone"
+def without_files(build_folder):
+    """Configured and built with Eigen alone, as the release build is: where there is ccache, it has the objects."""
+    build = build_folder.parent / "without_files"
     shutil.rmtree(build, ignore_errors=True)
     launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
-    configure(ROOT, build, *CORE_ALONE, "-DCMAKE_BUILD_TYPE=Release", *launcher)
+    configure(ROOT, build, *WITHOUT_FILES, "-DCMAKE_BUILD_TYPE=Release", *launcher)
     run("cmake", "--build", build)
     return build
 
 
 @pytest.fixture(scope="session")
-def prefix(core_alone, tmp_path_factory):
-    """Where the core is installed, without fields."""
-    prefix = tmp_path_factory.mktemp("install") / "prefix"
-    run("cmake", "--install", core_alone, "--prefix", prefix)
+def prefix_without_files(without_files, tmp_path_factory):
+    prefix = tmp_path_factory.mktemp("without_files") / "prefix"
+    run("cmake", "--install", without_files, "--prefix", prefix)
     return prefix
+
+
+@pytest.fixture(scope="session")
+def prefix(build_folder, tmp_path_factory):
+    """Where the whole library is installed, and moved to from where that was done."""
+    first = tmp_path_factory.mktemp("install") / "first"
+    run("cmake", "--install", build_folder, "--prefix", first, "--component", "library")
+    return first.rename(first.parent / "prefix")
 
 
 def commands_of_the_core(build, generated):
@@ -153,68 +163,168 @@ def commands_of_the_core(build, generated):
     return found
 
 
-def test_as_a_subdirectory_the_core_alone_is_compiled_as_by_itself(core_alone, tmp_path):
+def test_as_a_subdirectory_the_library_alone_is_compiled_as_by_itself(without_files, tmp_path):
     """The same commands, so that it need not be compiled again; public headers and the consumer are compiled."""
     build = tmp_path / "build"
     write_consumer(tmp_path / "consumer", f"add_subdirectory({ROOT} library)")
     configure(tmp_path / "consumer", build, "-DCMAKE_BUILD_TYPE=Release", "-DBSPLINE_CURVE_WERROR=ON",
-              "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
-    expected = commands_of_the_core(core_alone, core_alone)
+              "-DBSPLINE_CURVE_FILES=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+    expected = commands_of_the_core(without_files, without_files)
     assert len(expected) > 10 and commands_of_the_core(build, build / "library") == expected
     outputs = {line.split(":")[0] for line in run("ninja", "-C", build, "-t", "targets", "all").splitlines()}
-    assert {Path(name).name for name in outputs if name.endswith((".a", ".so"))} == {"libbspline_curve_core.a"}
+    assert sorted({Path(name).name for name in outputs if name.endswith((".a", ".so"))}) == ARCHIVES
     run("cmake", "--build", build, "--target", "headers")
     main = "CMakeFiles/consumer.dir/main.cpp.o"  # what it is linked with are the same objects
     run("ninja", "-C", build, main)
-    run("c++", build / main, core_alone / "libbspline_curve_core.a", "-pthread", "-o", build / "consumer")
+    archives = [next(without_files.rglob(f"libbspline_curve_{name}.a")) for name in ("workpiece", "field", "core")]
+    run("c++", build / main, *archives, "-pthread", "-o", build / "consumer")
     check_consumer(build)
 
 
 def test_as_a_subdirectory_it_installs_nothing_unasked(tmp_path):
     write_consumer(tmp_path / "consumer", f"add_subdirectory({ROOT} library)")
-    configure(tmp_path / "consumer", tmp_path / "build")
+    configure(tmp_path / "consumer", tmp_path / "build", "-DBSPLINE_CURVE_FILES=OFF")
     assert not (tmp_path / "build" / "library" / "bspline_curve-config.cmake").exists()
 
 
-def test_the_core_is_built_with_eigen_alone(core_alone):
-    assert (core_alone / "bspline_curve-config.cmake").exists()
-    assert [path.name for path in core_alone.rglob("*.a")] == ["libbspline_curve_core.a"]
+def test_without_files_it_is_built_with_eigen_alone(without_files):
+    assert (without_files / "bspline_curve-config.cmake").exists()
+    assert sorted(path.name for path in without_files.rglob("*.a")) == ARCHIVES
 
 
-def test_an_installed_core_is_found_and_runs_the_example_of_the_readme(prefix, tmp_path):
-    write_consumer(tmp_path / "consumer", "find_package(bspline_curve 0.1 REQUIRED COMPONENTS core)")
-    build_and_run(tmp_path / "consumer", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+def test_an_installed_library_is_found_and_runs_the_example_of_the_readme(prefix_without_files, tmp_path):
+    names = [*(name for name in HEADERS if name != "files.h"), "version.h"]
+    write_consumer(tmp_path / "consumer", "find_package(bspline_curve 0.1 REQUIRED)", names)
+    build_and_run(tmp_path / "consumer", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix_without_files}")
 
 
-def test_an_installation_holds_the_library_and_public_headers_alone(prefix):
-    files = sorted(path.relative_to(prefix) for path in prefix.rglob("*") if path.is_file())
+def test_every_public_header_compiles_by_itself(prefix, tmp_path):
+    write_consumer(tmp_path / "consumer", "find_package(bspline_curve 0.1 REQUIRED)")
+    run("cmake", "-S", tmp_path / "consumer", "-B", tmp_path / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", tmp_path / "build", "--target", "headers")
+
+
+@pytest.mark.parametrize("installed", ["prefix", "prefix_without_files"])
+def test_an_installation_holds_the_library_and_public_headers_alone(installed, request):
+    folder, has_files = request.getfixturevalue(installed), installed == "prefix"
+    files = sorted(path.relative_to(folder) for path in folder.rglob("*") if path.is_file())
     headers = [path.name for path in files if path.parts[:2] == ("include", "bspline_curve")]
-    assert headers == sorted([*(name for name in HEADERS if name != "field.h"), "version.h"])
-    assert [path.name for path in files if path.suffix == ".a"] == ["libbspline_curve_core.a"]
-    assert {path.suffix for path in files} == {".a", ".h", ".cmake"}
-    package = "".join((prefix / path).read_text() for path in files if path.suffix == ".cmake")
-    assert str(ROOT) not in package
+    assert headers == sorted([*(name for name in HEADERS if has_files or name != "files.h"), "version.h"])
+    archives = sorted(path.name for path in files if path.suffix == ".a")
+    assert archives == sorted([*ARCHIVES, *(["libbspline_curve_io.a"] if has_files else [])])
+    assert {path.suffix for path in files} == {".a", ".h", ".cmake", ".pc"}
+    package = "".join((folder / path).read_text() for path in files if path.suffix in (".cmake", ".pc"))
+    assert str(ROOT) not in package and str(folder.parent) not in package
 
 
-def test_a_component_that_was_not_built_is_refused(prefix, tmp_path):
-    write_consumer(tmp_path / "consumer", "find_package(bspline_curve REQUIRED COMPONENTS core field)")
-    with pytest.raises(AssertionError, match="without the component field"):
-        configure(tmp_path / "consumer", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+def test_a_component_that_was_not_built_is_refused(prefix_without_files, tmp_path):
+    write_consumer(tmp_path / "consumer", "find_package(bspline_curve REQUIRED COMPONENTS files)")
+    with pytest.raises(AssertionError, match="without the component files"):
+        configure(tmp_path / "consumer", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix_without_files}")
 
 
-def test_fields_are_a_component_of_a_build_that_has_them(tmp_path, build_folder):
-    run("cmake", "--install", build_folder, "--prefix", tmp_path / "prefix", "--component", "library")
-    consumer = tmp_path / "consumer"
-    write_consumer(consumer, "find_package(bspline_curve REQUIRED COMPONENTS core field)", ["field.h"])
-    program = (consumer / "main.cpp").read_text()
-    (consumer / "main.cpp").write_text("#include <bspline_curve/field.h>\n" + program.replace("    std::printf", """
-    bspline_curve::FieldOptions kind;
-    kind.kind = bspline_curve::FieldKind::BoundaryDistance;
-    if (bspline_curve::makeField(designer.mesh(), kind).values().size() != vertices.size()) return 6;
-    std::printf"""))
-    with (consumer / "CMakeLists.txt").open("a") as lists:
-        lists.write("target_link_libraries(consumer PRIVATE bspline_curve::field)\n")
-    build_and_run(consumer, tmp_path / "build", f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}")
+# ---- examples/cpp, as docs/CPP.md builds them: with what is installed ----
+
+
+@pytest.fixture(scope="session")
+def examples(prefix, tmp_path_factory):
+    build = tmp_path_factory.mktemp("examples")
+    run("cmake", "-S", ROOT / "examples" / "cpp", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+        f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror")
+    run("cmake", "--build", build)
+    return build
+
+
+@pytest.fixture(scope="session")
+def ball(tmp_path_factory):
+    """A mesh of a ball of radius 1 with a face twice, so that it is mended, and a ring of picks round its north pole."""
+    folder = tmp_path_factory.mktemp("ball")
+    rings, around = 24, 48
+    lines = ["v 0 0 1", "v 0 0 -1"]
+    for i in range(1, rings):
+        for j in range(around):
+            polar, turn = math.pi * i / rings, 2 * math.pi * j / around
+            lines.append(f"v {math.sin(polar) * math.cos(turn)} {math.sin(polar) * math.sin(turn)} {math.cos(polar)}")
+    at = lambda i, j: 3 + (i - 1) * around + j % around  # noqa: E731
+    for j in range(around):
+        lines += [f"f 1 {at(1, j)} {at(1, j + 1)}", f"f 2 {at(rings - 1, j + 1)} {at(rings - 1, j)}"]
+        for i in range(1, rings - 1):
+            lines += [f"f {at(i, j)} {at(i + 1, j)} {at(i + 1, j + 1)}", f"f {at(i, j)} {at(i + 1, j + 1)} {at(i, j + 1)}"]
+    lines.append(lines[-1])
+    (folder / "ball.obj").write_text("\n".join(lines) + "\n")
+    picks = [(math.cos(turn), math.sin(turn), 1) for turn in (0, 1.2, 2.5, 3.7, 5)]
+    picks = [[c / math.sqrt(2) for c in pick] for pick in picks]
+    (folder / "picks.json").write_text(json.dumps({"picks": picks}))
+    return folder
+
+
+def numbers(text):
+    return [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text)]
+
+
+RING = 2 * math.pi / math.sqrt(2)  # round the pole
+
+
+def test_draw_to_step(examples, ball, tmp_path):
+    said = run(examples / "draw_to_step", ball / "ball.obj", ball / "picks.json", tmp_path / "ring.step")
+    assert "the mesh was mended: 1 duplicate face removed" in said
+    usable, length, controls = numbers(said.splitlines()[-1])
+    assert usable == 1 and length == pytest.approx(RING, rel=0.02)
+    text = (tmp_path / "ring.step").read_text()
+    assert text.startswith("ISO-10303-21") and "B_SPLINE_CURVE_WITH_KNOTS" in text and controls > 8
+
+
+def test_move_pick(examples, ball):
+    usable, before, after = numbers(run(examples / "move_pick", ball / "ball.obj", ball / "picks.json"))
+    assert usable == 1 and 0.001 < abs(after - before) < 0.3
+
+
+def test_fit_boundary(examples, ball, tmp_path):
+    said = run(examples / "fit_boundary", ball / "ball.obj", tmp_path / "curves.json")
+    assert len(json.loads((tmp_path / "curves.json").read_text())["curves"]) == len(said.splitlines()) >= 1
+    assert 0 < numbers(said)[0] < 0.1
+
+
+def test_cut_and_fill(examples, ball, tmp_path):
+    filled, faces = numbers(run(examples / "cut_and_fill", ball / "ball.obj", ball / "picks.json", tmp_path / "cut.ply"))
+    assert filled == 1 and faces > 2000
+    header = (tmp_path / "cut.ply").read_bytes()[:600].decode("latin1")
+    assert f"element face {int(faces)}\n" in header and "label" in header
+
+
+def test_offset_and_imprint(examples, ball, tmp_path):
+    said = run(examples / "offset_and_imprint", ball / "ball.obj", ball / "picks.json", "0.2", tmp_path / "band.ply")
+    assert numbers(said) == [2]
+    assert (tmp_path / "band.ply").stat().st_size > 50_000
+
+
+def test_pattern(examples, ball, tmp_path):
+    said = run(examples / "pattern", ball / "ball.obj", ROOT / "examples" / "star.svg", "0", "0.6", "0.8", tmp_path / "star.obj")
+    curves, shortest, longest = numbers(said)
+    assert curves >= 1 and 0.8 < shortest <= longest < 1.1
+    assert (tmp_path / "star.obj").read_text().count("\nl ") > 20
+
+
+def test_refusals_end_with_their_message(examples, ball):
+    done = subprocess.run([examples / "move_pick", ball / "none.obj", ball / "picks.json"], capture_output=True, text=True)
+    assert done.returncode == 1 and "none.obj" in done.stderr
+
+
+@pytest.mark.skipif(shutil.which("pkg-config") is None, reason="pkg-config is not installed")
+def test_pkg_config_links_an_example(prefix, ball, tmp_path):
+    flags = run("pkg-config", "--cflags", "--libs", "bspline_curve", PKG_CONFIG_PATH=str(prefix / "lib" / "pkgconfig"))
+    run("c++", "-std=c++20", "-O1", ROOT / "examples" / "cpp" / "cut_and_fill.cpp", *shlex.split(flags), "-o", tmp_path / "cut_and_fill")
+    filled, _ = numbers(run(tmp_path / "cut_and_fill", ball / "ball.obj", ball / "picks.json", tmp_path / "cut.ply"))
+    assert filled == 1
+
+
+def test_examples_are_short_and_include_public_headers_alone():
+    programs = sorted((ROOT / "examples" / "cpp").glob("*.cpp"))
+    assert len(programs) == 6
+    for program in programs:
+        text = program.read_text()
+        assert len(text.splitlines()) <= 40, program.name
+        assert all(re.fullmatch(r"<(bspline_curve/\w+\.h|\w+)>", header) for header in re.findall(r"^#include (.+)", text, re.M))
 
 
 def test_what_the_fuzzer_is_linked_with_is_built(tmp_path):

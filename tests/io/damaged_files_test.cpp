@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/files.h"
 #include "io/damage.h"
-#include "io/mesh_reader.h"
 #include "io/temporary_files.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings of files, as paths.
-#include "io/drawing_reader.h"
-
-#include "io/text_outlines.h"
+#include "bspline_curve/files.h"
+#include "pattern/drawing.h"
 #include "temporary_files.h"
 
 #include <gtest/gtest.h>

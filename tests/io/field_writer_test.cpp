@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/field_writer.h"
-
-#include "io/field_reader.h"
+#include "bspline_curve/files.h"
 #include "io/field_report.h"
 #include "io/json_values.h"
-#include "io/mesh_reader.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/json_reader.h"
 
+#include "bspline_curve/files.h"
 #include "io/curve_reader.h"
 #include "io/job_results.h"
-#include "io/picks_reader.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/mesh_reader.h"
-
+#include "bspline_curve/files.h"
 #include "io/temporary_files.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/picks_reader.h"
-
+#include "bspline_curve/files.h"
 #include "io/temporary_files.h"
 
 namespace bspline_curve::io_tests {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/polyline_reader.h"
-
-#include "io/curve_writer.h"
+#include "bspline_curve/files.h"
 #include "io/small_curve.h"
 #include "io/temporary_files.h"
 

@@ -3,9 +3,9 @@
 #include "offset/distances_to_lines.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/mesh.h"
 #include "support/meshes.h"
 #include "surface/geodesic_path.h"
-#include "surface/surface_point.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // Offsets against exact answers: on the plane and on the sphere.
 #include "offset/offset_curves.h"
 
-#include "bspline_curve/designer.h"
 #include "bspline_curve/error.h"
+#include "design/curve_designer.h"
 #include "imprint/imprint.h"
 #include "offset/distance_beams.h"
 #include "shell/extended_surface.h"

@@ -2,9 +2,9 @@
 // Drawings on surfaces: on a plane they come out as drawn.
 #include "pattern/carried_drawing.h"
 
-#include "bspline_curve/designer.h"
+#include "bspline_curve/pattern.h"
+#include "design/curve_designer.h"
 #include "pattern/curve_chart.h"
-#include "pattern/draw_pattern.h"
 #include "pattern/drawing_builder.h"
 #include "pattern/pattern_layout.h"
 #include "pattern/point_chart.h"
@@ -174,11 +174,11 @@ TEST(CarriedDrawing, RepeatsAMotifRoundAClosedCurve) {
 }
 
 TEST(CarriedDrawing, ComesOutMoreEvenlyWhereARoughSurfaceIsSmoothed) {
-    const CurveDesigner designer(withNoise(icosphere(4), 0.008, 3));
+    const Workpiece workpiece(withNoise(icosphere(4), 0.008, 3));
     const Vec3 centre = Vec3(0.2, 0.3, 0.9).normalized();
     const auto worst = [&](int passes) {
         const Pattern pattern = patternRoundPoint(
-            designer, shapes(), centre, std::nullopt, {.size = 0.9}, {.smoothing = passes}
+            workpiece, shapes(), centre, std::nullopt, {.size = 0.9}, {.smoothing = passes}
         );
         return std::max(pattern.longest.ratio - 1.0, 1.0 - pattern.shortest.ratio);
     };
@@ -277,7 +277,7 @@ TEST(Drawing, LeavesOutSpecksWhereItIsParted) {
 }
 
 TEST(Drawing, WithHugeNumbersIsRefused) {
-    const CurveDesigner designer(test_support::icosphere(1));
+    const Workpiece workpiece(test_support::icosphere(1));
     DrawingBuilder pen;
     pen.moveTo({-1.7e308, 0});
     pen.lineTo({1.7e308, 1});
@@ -285,12 +285,7 @@ TEST(Drawing, WithHugeNumbersIsRefused) {
     test_support::expectRefused(
         [&] {
             return patternRoundPoint(
-                designer,
-                drawing,
-                designer.surface().vertices()[0],
-                Vec3(1, 2, 3),
-                {.size = 0.1},
-                {}
+                workpiece, drawing, workpiece.mesh().vertices[0], Vec3(1, 2, 3), {.size = 0.1}, {}
             );
         },
         InputErrorCode::BadOption,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Planes carried to surfaces: exact on the plane, near great circles on the sphere.
-#include "bspline_curve/designer.h"
+#include "design/curve_designer.h"
 #include "pattern/curve_chart.h"
 #include "pattern/point_chart.h"
 #include "support/meshes.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sketch/drawing_session.h"
+#include "bspline_curve/drawing_session.h"
 
+#include "bspline_curve/spline.h"
 #include "session_fixture.h"
-#include "spline/spline_sections.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using namespace test_support;
 class ASession : public testing::TestWithParam<bool> {
 protected:
     ASession() : s_(withNoise(icosphere(4), 0.003, 7), Vec3::UnitZ()) {
-        s_.camera = Camera(*s_.designer, Vec3::UnitZ(), GetParam());
+        s_.camera = Camera(*s_.workpiece, Vec3::UnitZ(), GetParam());
     }
 
     [[nodiscard]] const SketchCurve& curve(int i = 0) const {
@@ -72,7 +72,7 @@ TEST_P(ASession, HidesWhatLiesBehindTheSurface) {
     const auto hides = [&](const Vec3& point) {
         return s_.session.hides(s_.camera.over(point), point);
     };
-    for (const Vec3& vertex : s_.designer->mesh().vertices) {
+    for (const Vec3& vertex : s_.workpiece->mesh().vertices) {
         if (std::abs(vertex.z()) > 0.25) {
             EXPECT_EQ(hides(vertex), vertex.z() < 0.0) << vertex.transpose();
         }
@@ -160,7 +160,7 @@ TEST_P(ASession, HighlightsWhatIsUnderThePointerButNotWhatIsHidden) {
     EXPECT_EQ(s_.session.hovered(), (SketchHit{0, 0, -1}));
     s_.session.move(s_.camera.over({0.0, -0.6, 0.8}));
     EXPECT_EQ(s_.session.hovered(), SketchHit());
-    s_.camera = Camera(*s_.designer, -Vec3::UnitZ(), GetParam());
+    s_.camera = Camera(*s_.workpiece, -Vec3::UnitZ(), GetParam());
     s_.session.move(s_.camera.over(points_[0]));
     EXPECT_EQ(s_.session.hovered(), SketchHit());
     s_.session.leave();
@@ -234,9 +234,9 @@ TEST_P(ASession, SnapsWhileTheKeyIsHeld) {
 TEST_P(ASession, SnapsToRidgesOnceTheyAreKnown) {
     SessionSettings settings;
     settings.snapPixels = 30.0;  // one and a half edges
-    SessionFixture s(s_.designer->mesh(), Vec3::UnitZ(), settings);
+    SessionFixture s(s_.workpiece->mesh(), Vec3::UnitZ(), settings);
     s.camera = s_.camera;
-    const std::vector<Vec3>& vertices = s.designer->mesh().vertices;
+    const std::vector<Vec3>& vertices = s.workpiece->mesh().vertices;
     const auto nearestTo = [&](const Vec3& place, const Vec3& other) {
         return *std::ranges::min_element(vertices, {}, [&](const Vec3& vertex) {
             return vertex == other ? 10.0 : (vertex - place).norm();
@@ -253,7 +253,7 @@ TEST_P(ASession, SnapsToRidgesOnceTheyAreKnown) {
     std::vector<double> ridge(vertices.size(), 0.0);
     ridge[std::ranges::find(vertices, beside) - vertices.begin()] = 1.0;
     SnapOptions snapping;
-    snapping.ridge = std::make_shared<const std::vector<double>>(std::move(ridge));
+    snapping.ridge = std::move(ridge);
     s.session.setSnapping(snapping);
     s.click(pointer);
     EXPECT_EQ(s.session.sketch().curves[0]->positions(), std::vector<Vec3>{beside});
@@ -262,7 +262,7 @@ TEST_P(ASession, SnapsToRidgesOnceTheyAreKnown) {
 TEST_P(ASession, TakesFieldsAndOtherOptionsPerCurve) {
     drawArc();
     std::vector<double> field;
-    for (const Vec3& v : s_.designer->mesh().vertices) {
+    for (const Vec3& v : s_.workpiece->mesh().vertices) {
         field.push_back(0.5 + 0.5 * std::sin(4.0 * v.x()) * v.y());
     }
     SketchCurveOptions options;
@@ -286,7 +286,7 @@ TEST_P(ASession, MakesAFieldOnceAndSaysWhyItCannot) {
     options.guides = std::make_shared<const SketchGuides>([&](const Progress&) {
         ++made;
         return SketchGuides::Values{
-            std::vector<double>(s_.designer->mesh().vertices.size(), 0.5), {}
+            std::vector<double>(s_.workpiece->mesh().vertices.size(), 0.5), {}
         };
     });
     s_.session.setOptions(options);
@@ -318,7 +318,7 @@ TEST_P(ASession, DoesByKeysAndCallsWhatTheMouseDoes) {
     const Vec3 to(0.1, 0.2, 0.97);
     s_.drag(s_.camera.over(points_[1]), s_.camera.over(to));
 
-    SessionFixture keys(s_.designer->mesh(), Vec3::UnitZ());
+    SessionFixture keys(s_.workpiece->mesh(), Vec3::UnitZ());
     keys.camera = s_.camera;
     for (const Vec3& p : points_) {
         EXPECT_TRUE(keys.session.key(SketchKey::Add, keys.camera.over(p)));
@@ -327,7 +327,7 @@ TEST_P(ASession, DoesByKeysAndCallsWhatTheMouseDoes) {
     keys.session.key(SketchKey::Previous, {});
     EXPECT_TRUE(keys.session.key(SketchKey::Move, keys.camera.over(to)));
 
-    SessionFixture calls(s_.designer->mesh(), Vec3::UnitZ());
+    SessionFixture calls(s_.workpiece->mesh(), Vec3::UnitZ());
     for (const SketchPick& pick : curve().picks) {
         calls.session.addPick(pick.point);
     }
@@ -359,7 +359,7 @@ TEST_P(ASession, CancelsADrag) {
 TEST_P(ASession, BeginsWithCurvesThatUndoDoesNotRemove) {
     drawArc();
     const SketchCurve first = curve();
-    DrawingSession later(s_.designer);
+    DrawingSession later(s_.workpiece);
     later.begin({first, first}, 1);
     later.settle();
     ASSERT_EQ(later.sketch().curves.size(), 2U);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any events in any order: nothing is lost, undo and redo lead to the same curves, and what the
 // mouse reached is reached by keys and by calls as well.
-#include "bspline_curve/designer.h"
 #include "session_fixture.h"
 #include "support/many_cases.h"
 #include "support/meshes.h"
 #include "support/random.h"
+#include "workpiece/workpiece_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ constexpr double kSeenTwice = 1e-9;
 class RandomEvents : public testing::TestWithParam<Ground> {};
 
 Pointer randomPointer(const SessionFixture& s, Random& random) {
-    const std::vector<Vec3>& vertices = s.designer->mesh().vertices;
+    const std::vector<Vec3>& vertices = s.workpiece->mesh().vertices;
     const auto last = static_cast<int>(vertices.size()) - 1;
     Pointer pointer =
         random.integer(0, 9) == 0
@@ -126,7 +126,7 @@ void showAll(DrawingSession& session) {
 
 // The same state by calls.
 void reachByCalls(const SessionFixture& s) {
-    DrawingSession calls(s.designer);
+    DrawingSession calls(s.workpiece);
     const Sketch& wanted = s.session.sketch();
     for (const std::shared_ptr<SketchCurve>& curve : wanted.curves) {
         calls.newCurve();
@@ -148,7 +148,7 @@ bool seesPicks(const SessionFixture& s, const Sketch& sketch) {
         for (const Vec3& position : curve->positions()) {
             const Pointer pointer = s.camera.over(position);
             const TriangleTree::Hit seen =
-                s.designer->tree().firstHit(pointer.start, pointer.direction);
+                designerOf(*s.workpiece).tree().firstHit(pointer.start, pointer.direction);
             if (seen.point.face < 0 || (seen.position - position).norm() > kSeenTwice) {
                 return false;
             }
@@ -159,7 +159,7 @@ bool seesPicks(const SessionFixture& s, const Sketch& sketch) {
 
 // A pick at the end of the active curve, wherever there is room for one.
 void addSomewhere(SessionFixture& keys, Random& random) {
-    const std::vector<Vec3>& vertices = keys.designer->mesh().vertices;
+    const std::vector<Vec3>& vertices = keys.workpiece->mesh().vertices;
     const auto last = static_cast<int>(vertices.size()) - 1;
     while (true) {
         const Pointer pointer = keys.camera.over(vertices[random.integer(0, last)]);
@@ -173,7 +173,7 @@ void addSomewhere(SessionFixture& keys, Random& random) {
 // The same state by keys, where the mouse only points.
 void reachByKeys(const SessionFixture& s, Random& random) {
     const Sketch& wanted = s.session.sketch();
-    SessionFixture keys(s.designer->mesh(), Vec3::UnitZ());
+    SessionFixture keys(s.workpiece->mesh(), Vec3::UnitZ());
     keys.camera = s.camera;
     const auto press = [&](SketchKey key) { keys.session.key(key, s.camera.off()); };
     for (const std::shared_ptr<SketchCurve>& curve : wanted.curves) {

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_fixture.h"
 
-#include "bspline_curve/designer.h"
-
 #include <gtest/gtest.h>
 
 #include <utility>
 
 namespace bspline_curve::test_support {
 
-Camera::Camera(const CurveDesigner& designer, const Vec3& from, bool isOrthographic)
-    : diagonal_(designer.surface().diagonal()), isOrthographic_(isOrthographic) {
-    Vec3 low = designer.mesh().vertices.front();
+Camera::Camera(const Workpiece& workpiece, const Vec3& from, bool isOrthographic)
+    : diagonal_(workpiece.diagonal()), isOrthographic_(isOrthographic) {
+    Vec3 low = workpiece.mesh().vertices.front();
     Vec3 high = low;
-    for (const Vec3& vertex : designer.mesh().vertices) {
+    for (const Vec3& vertex : workpiece.mesh().vertices) {
         low = low.cwiseMin(vertex);
         high = high.cwiseMax(vertex);
     }
@@ -47,9 +45,9 @@ Pointer Camera::off() const {
 }
 
 SessionFixture::SessionFixture(TriangleMesh mesh, const Vec3& from, SessionSettings settings)
-    : designer(std::make_shared<const CurveDesigner>(std::move(mesh))),
-      camera(*designer, from),
-      session(designer, std::move(settings)) {}
+    : workpiece(std::make_shared<const Workpiece>(std::move(mesh))),
+      camera(*workpiece, from),
+      session(workpiece, std::move(settings)) {}
 
 void SessionFixture::click(const Pointer& pointer) {
     session.press(pointer);
@@ -74,7 +72,7 @@ Curve SessionFixture::drawn(const SketchCurve& curve) const {
         inputs.field = curve.options.guides->values().field;
         inputs.avoid = curve.options.guides->values().avoid;
     }
-    return designer->design(curve.positions(), curve.options.solver, {}, inputs);
+    return workpiece->draw(curve.positions(), curve.options.solver, {}, inputs).curve;
 }
 
 void SessionFixture::expectAsDrawn() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sketch/drawing_session.h"
+#include "bspline_curve/drawing_session.h"
 
 #include <Eigen/Geometry>
 
@@ -14,7 +14,7 @@ namespace bspline_curve::test_support {
 /// thousandth of the diagonal on its near side, about.
 class Camera {
 public:
-    Camera(const CurveDesigner& designer, const Vec3& from, bool isOrthographic = false);
+    Camera(const Workpiece& workpiece, const Vec3& from, bool isOrthographic = false);
 
     /// Over a point of space.
     [[nodiscard]] Pointer over(const Vec3& point) const;
@@ -37,11 +37,11 @@ struct SessionFixture {
     void drag(const Pointer& from, const Pointer& to);
     /// Clicks where the surface is seen over some points.
     void click(const std::vector<Vec3>& points);
-    /// The curve that the designer draws for the picks of a curve, with nothing to start from.
+    /// The curve that is drawn for the picks of a curve, with nothing to start from.
     [[nodiscard]] Curve drawn(const SketchCurve& curve) const;
     void expectAsDrawn() const;  ///< every settled curve, to the last bit
 
-    std::shared_ptr<const CurveDesigner> designer;
+    std::shared_ptr<const Workpiece> workpiece;
     Camera camera;
     DrawingSession session;
 };

@@ -53,7 +53,7 @@ TEST(PicksSnap, ToRidgesAndValleysWhereTheseAreHigh) {
     values[(5 * 11) + 5] = 0.9;  // at (0.5, 0.5)
     values[(5 * 11) + 6] = 0.6;
     SnapOptions options;
-    options.valley = std::make_shared<const std::vector<double>>(values);
+    options.valley = ScalarField(values);
     EXPECT_LT(
         (snappedTo(sheet, {0.57, 0.5, 0}, 0.12, SnapKind::Valley, {}, options) - Vec3(0.5, 0.5, 0))
             .norm(),

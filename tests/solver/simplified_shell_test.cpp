@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solver in shells whose prisms hold many faces.
+#include "bspline_curve/curve.h"
 #include "design/curve_checks.h"
 #include "design/strict_polyline.h"
 #include "problem_fixture.h"
@@ -11,7 +12,6 @@
 #include "solver/problem_traces.h"
 #include "support/meshes.h"
 #include "support/random.h"
-#include "surface/strict_line.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spline/clamped_spline.h"
-
+#include "bspline_curve/spline.h"
 #include "spline/spline_space.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/mesh.h"
 #include "bspline_curve/options.h"
 #include "shell/extended_surface.h"
-#include "surface/region.h"
 #include "surface/surface.h"
 #include "surface/triangle_tree.h"
 

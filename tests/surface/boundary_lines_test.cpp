@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/boundary_lines.h"
-
+#include "bspline_curve/lines.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>

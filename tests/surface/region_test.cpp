@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/region.h"
-
 #include "bspline_curve/error.h"
+#include "bspline_curve/mesh.h"
 #include "support/meshes.h"
 #include "support/refusal.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/seams.h"
 
+#include "bspline_curve/mesh.h"
 #include "support/meshes.h"
 #include "surface/surface.h"
-#include "surface/surface_point.h"
 
 #include <gtest/gtest.h>
 

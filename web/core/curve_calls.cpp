@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves through picks, and in files.
+#include "bspline_curve/files.h"
 #include "filters/requests.h"
 #include "filters/utf8_path.h"
-#include "io/curve_writer.h"
-#include "io/curves_on_surface.h"
-#include "surface/picks.h"
+#include "io/length_unit.h"
 #include "web/core/calls.h"
 #include "web/core/files_in_memory.h"
-#include "workpiece/curve_guides.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,14 +14,6 @@
 namespace bspline_curve::web {
 
 namespace {
-
-double lengthOf(const SurfacePolyline& line) {
-    double length = 0.0;
-    for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-        length += (line.points[i + 1] - line.points[i]).norm();
-    }
-    return line.closed ? length + (line.points.front() - line.points.back()).norm() : length;
-}
 
 // Curves that are drawn one after the other mostly have the same options, and reading these takes a
 // tenth of the time of a curve.
@@ -61,22 +51,11 @@ Json draw(const Json& arguments, Reply& reply) {
     const CurveRequest request = requestOf(arguments);
     auto made = std::make_shared<DrawnOnMesh>();
     made->mesh = mesh;
-    if (arguments.contains("start")) {
-        const auto start = curveOf(arguments["start"].get<int>());
-        const CurveGuides guides =
-            curveGuides(mesh->layer, mesh->workpiece->surface(), request, hostProgress());
-        const CurveInputs inputs{
-            .field = guides.field, .avoid = guides.avoid, .start = &start->drawn.curve
-        };
-        made->drawn = mesh->workpiece->finished(
-            mesh->workpiece->designer().design(
-                picks, request.solver, request.sampling, inputs, hostProgress()
-            ),
-            guides.field
-        );
-    } else {
-        made->drawn = mesh->workpiece->draw(picks, request, mesh->layer, hostProgress());
-    }
+    const auto start =
+        arguments.contains("start") ? curveOf(arguments["start"].get<int>()) : nullptr;
+    made->drawn = mesh->workpiece->draw(
+        picks, request, mesh->layer, hostProgress(), start ? &start->drawn.curve : nullptr
+    );
     return curveJson(std::move(made), reply);
 }
 
@@ -119,12 +98,8 @@ Json readCurves(const Json& arguments, Reply& reply) {
     const auto mesh = meshOf(arguments.at("mesh").get<int>());
     const std::filesystem::path path = utf8Path(arguments.at("name").get<std::string>());
     const FileInMemory file(path, std::string(bytesOf(arguments.at("bytes"))));
-    const Surface& surface = mesh->workpiece->surface();
     CurvesOfFile found =
-        CurvesOnSurface(
-            surface, mesh->workpiece->checksum(), kPickReachRelative * surface.diagonal()
-        )
-            .read(path, "draw them nearer to the mesh");
+        readCurvesOn(*mesh->workpiece, path, 0.0, {}, "draw them nearer to the mesh");
     Json curves = Json::array();
     for (std::size_t i = 0; i < found.lines.size(); ++i) {
         auto made = std::make_shared<DrawnOnMesh>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the module exports and imports: JSON in, JSON out, and memory for arrays.
-#include "utility/report_progress.h"
+#include "bspline_curve/progress.h"
 #include "web/core/calls.h"
 
 #include <algorithm>

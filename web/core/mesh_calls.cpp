@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes: from files and arrays, to files and arrays; fields on them.
+#include "bspline_curve/files.h"
+#include "bspline_curve/progress.h"
 #include "filters/requests.h"
 #include "filters/utf8_path.h"
-#include "io/mesh_reader.h"
-#include "io/mesh_writer.h"
-#include "utility/report_progress.h"
 #include "web/core/calls.h"
 #include "web/core/files_in_memory.h"
 
@@ -100,7 +99,7 @@ std::shared_ptr<const Mesh> prepared(
     const Progress progress = hostProgress();
     auto mesh = std::make_shared<Mesh>();
     mesh->workpiece = workpieceOf(layer, options, partOf(progress, 0.0, kSurfaceShare));
-    static_cast<void>(mesh->workpiece->designer(partOf(progress, kSurfaceShare, 1.0)));
+    mesh->workpiece->prepare(partOf(progress, kSurfaceShare, 1.0));
     layer.mesh = {};  // the workpiece has it
     mesh->layer = std::move(layer);
     mesh->extras = std::move(extras);
@@ -193,11 +192,9 @@ Json project(const Json& arguments, Reply& reply) {
     std::vector<Vec3> barycentrics;
     std::vector<Vec3> points;
     for (const Vec3& query : pointsOf(arguments.at("points"))) {
-        const TriangleTree::Closest closest =
-            mesh->workpiece->designer().tree().closestPoint(query);
-        const SurfacePoint place = mesh->workpiece->surface().provenance().toInput(closest.point);
-        faces.push_back(place.face);
-        barycentrics.push_back(place.barycentric);
+        const ClosestPoint closest = mesh->workpiece->closestPoint(query);
+        faces.push_back(closest.place.face);
+        barycentrics.push_back(closest.place.barycentric);
         points.push_back(closest.position);
     }
     return {
@@ -238,9 +235,9 @@ Json meshJson(std::shared_ptr<const Mesh> mesh, Reply& reply) {
         {"vertices", reply.view(mesh->workpiece, shown.vertices)},
         {"faces", reply.view(mesh->workpiece, shown.faces)},
         {"colours", colours.empty() ? Json() : reply.array(std::move(colours))},
-        {"diagonal", workpiece.surface().diagonal()},
-        {"components", workpiece.surface().componentCount()},
-        {"mending", workpiece.surface().provenance().note()},
+        {"diagonal", workpiece.diagonal()},
+        {"components", workpiece.componentCount()},
+        {"mending", workpiece.mending()},
         {"notes", workpiece.notes()}
     };
     if (!mesh->extras.cornerTexture.empty()) {

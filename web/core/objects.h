@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/drawing_session.h"
+#include "bspline_curve/files.h"
+#include "bspline_curve/imprint.h"
+#include "bspline_curve/offset.h"
+#include "bspline_curve/parts.h"
+#include "bspline_curve/workpiece.h"
 #include "filters/option_book.h"
-#include "io/mesh_extras.h"
-#include "sketch/drawing_session.h"
-#include "workpiece/curve_uses.h"
-#include "workpiece/workpiece.h"
 
 #include <cstdint>
 #include <map>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawing with a mouse, a pen or fingers: the session of sketch/. Every call answers stateJson().
+#include "bspline_curve/files.h"
 #include "filters/drawn_curve_file.h"
 #include "filters/requests.h"
 #include "filters/utf8_path.h"
-#include "io/points_writer.h"
 #include "web/core/calls.h"
 #include "web/core/files_in_memory.h"
 #include "web/core/session_state.h"
@@ -44,11 +44,7 @@ DrawnCurve drawnCurve(const Session& session, const SketchCurve& curve) {
 
 CurveFileSurface fileSurface(const Session& session) {
     const Workpiece& workpiece = *session.mesh->workpiece;
-    return {
-        .mesh = workpiece.mesh(),
-        .checksum = workpiece.checksum(),
-        .designer = &workpiece.designer()
-    };
+    return {.mesh = workpiece.mesh(), .checksum = workpiece.checksum(), .workpiece = &workpiece};
 }
 
 DrawnOptions drawnOptions(const Json& options) {
@@ -67,12 +63,12 @@ Json begin(const Json& arguments, Reply& reply) {
             arguments["radii"].at("curve").get<double>()
         };
     }
-    auto designer = mesh->workpiece->sharedDesigner();
+    std::shared_ptr<const Workpiece> workpiece = mesh->workpiece;
     // NOLINTNEXTLINE(modernize-make-shared): an aggregate of what cannot be moved
     auto session = std::shared_ptr<Session>(new Session{
         .mesh = std::move(mesh),
         .options = std::move(book),
-        .drawing = DrawingSession(std::move(designer), settings)
+        .drawing = DrawingSession(std::move(workpiece), settings)
     });
     Json json{{"state", stateJson(*session, reply)}};
     json["session"] = keep(std::move(session));
@@ -155,12 +151,9 @@ Json changed(const Json& arguments, Reply& reply, const Change& change) {
 Json addCurve(const Json& arguments, Reply& reply) {
     return changed(arguments, reply, [&](Session& session) {
         DrawnCurve drawn;
-        const CurveDesigner& designer = session.drawing.designer();
         for (const Vec3& position : pointsOf(arguments.at("picks"))) {
-            const TriangleTree::Closest closest = designer.tree().closestPoint(position);
-            drawn.picks.push_back(
-                {designer.surface().provenance().toInput(closest.point), closest.position}
-            );
+            const ClosestPoint closest = session.drawing.workpiece().closestPoint(position);
+            drawn.picks.push_back({closest.place, closest.position});
         }
         drawn.options = drawnOptions(arguments.value("options", Json()));
         session.drawing.add({sketchCurve(session, drawn)});

@@ -145,7 +145,7 @@ std::shared_ptr<const Mesh> madeMesh(const Mesh& of, const MadeMesh& made) {
         PreparingOptions{.mending = {.slits = true}, .shell = of.workpiece->options().shell},
         hostProgress()
     );
-    static_cast<void>(mesh->workpiece->designer());
+    mesh->workpiece->prepare();
     mesh->layer = of.layer;
     mesh->layer.selectedVertices.clear();
     mesh->layer.selectedFaces.clear();

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline_curve/drawing_session.h"
+#include "design/curve_designer.h"
+#include "sketch/curve_worker.h"
+#include "surface/triangle_tree.h"
+
+#include <memory>
+
+namespace bspline_curve {
+
+struct DrawingSession::Seen : TriangleTree::Hit {};
+
+struct DrawingSession::Answer : SolveAnswer {};
+
+struct DrawingSession::Solver {
+    std::shared_ptr<const CurveDesigner> designer;
+    CurveWorker worker;
+};
+
+}  // namespace bspline_curve
