@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 
 namespace bspline_curve {
 
@@ -20,6 +21,10 @@ namespace {
 // below which rounding may turn a triangle over, and 1.
 constexpr double kSliverHeight = 0x1p-20;
 constexpr double kLeastHeight = 0x1p-23;
+/// How often a part of the mesh is prepared before the whole is.
+constexpr int kMostMoves = 8;
+/// A region is that much longer than what is in it, at either end.
+constexpr double kRegionMargin = 0.5;
 
 }  // namespace
 
@@ -36,16 +41,41 @@ std::vector<int> Crossings::faces() const {
 CrossingFinder::CrossingFinder(
     const std::vector<Vec3>& vertices, const std::vector<Triangle>& kept, bool isRounded
 )
-    : vertices_(vertices), isRounded_(isRounded) {
-    keep(kept);
+    : vertices_(vertices), mesh_(kept), isRounded_(isRounded) {}
+
+CrossingFinder::Box CrossingFinder::boxOf(const Triangle& face) const {
+    Box box(vertices_[face[0]]);
+    return box.extend(vertices_[face[1]]).extend(vertices_[face[2]]);
 }
 
-void CrossingFinder::keep(const std::vector<Triangle>& faces) {
+std::unique_ptr<const CrossingFinder::Kept> CrossingFinder::madeReady(
+    const std::vector<Triangle>& faces
+) const {
     std::vector<Triangle> kept;
     std::ranges::copy_if(faces, std::back_inserter(kept), [&](const Triangle& face) {
         return !isRounded_ || !isSliver(face);
     });
-    kept_.push_back(std::make_unique<const Kept>(vertices_, std::move(kept)));
+    return std::make_unique<const Kept>(vertices_, std::move(kept));
+}
+
+/// Makes the faces of the mesh ready that a box meets.
+void CrossingFinder::prepareNear(const Box& box) {
+    if (near_ && region_.contains(box)) {
+        return;
+    }
+    const Vec3 margin = kRegionMargin * box.sizes();
+    Box wider(box.min() - margin, box.max() + margin);
+    region_ = region_.intersects(box) ? region_.merged(wider) : wider;
+    if (++moves_ == kMostMoves) {
+        region_ =
+            Box(Vec3::Constant(-std::numeric_limits<double>::infinity()),
+                Vec3::Constant(std::numeric_limits<double>::infinity()));
+    }
+    std::vector<Triangle> inRegion;
+    std::ranges::copy_if(mesh_, std::back_inserter(inRegion), [&](const Triangle& face) {
+        return region_.intersects(boxOf(face));
+    });
+    near_ = madeReady(inRegion);
 }
 
 bool CrossingFinder::isBroad(const Triangle& face, double leastHeight) const {
@@ -83,21 +113,30 @@ bool CrossingFinder::cross(const Triangle& a, const Triangle& b) const {
     return !isSame && trianglesIntersect(vertices_, a, other);
 }
 
-bool CrossingFinder::crossesKept(const Triangle& face) const {
+bool CrossingFinder::crossesKept(const Triangle& face) {
+    prepareNear(boxOf(face));
+    return crossesPrepared(face);
+}
+
+bool CrossingFinder::crossesPrepared(const Triangle& face) const {
     if (!counts(face)) {
         return false;
     }
     const std::array corners{vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
-    return std::ranges::any_of(kept_, [&](const std::unique_ptr<const Kept>& kept) {
-        bool crosses = false;
-        kept->tree.forEachMeeting(corners, [&](int other) {
-            crosses = crosses || cross(face, kept->faces[other]);
+    const auto isCrossed = [&](const std::unique_ptr<const Kept>& kept) {
+        return kept->tree.anyMeeting(corners, [&](int other) {
+            return cross(face, kept->faces[other]);
         });
-        return crosses;
-    });
+    };
+    return isCrossed(near_) || std::ranges::any_of(patches_, isCrossed);
 }
 
-Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces) const {
+Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces) {
+    Box box;
+    for (const Triangle& face : faces) {
+        box.extend(boxOf(face));
+    }
+    prepareNear(box);
     Crossings found;
     const TriangleTree tree(vertices_, faces);
     tree.forEachOverlappingPair([&](int i, int j) {
@@ -107,7 +146,7 @@ Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces) const 
     });
     std::ranges::sort(found.pairs);
     found.withKept =
-        indicesWhere<int>(faces.size(), [&](std::size_t f) { return crossesKept(faces[f]); });
+        indicesWhere<int>(faces.size(), [&](std::size_t f) { return crossesPrepared(faces[f]); });
     return found;
 }
 

@@ -4,6 +4,8 @@
 #include "bspline_curve/mesh.h"
 #include "surface/triangle_tree.h"
 
+#include <Eigen/Geometry>
+
 #include <memory>
 #include <utility>
 #include <vector>
@@ -23,10 +25,11 @@ struct Crossings {
 
 /// Finds where new faces cross each other or those that are there, exactly: faces cross where they
 /// meet anywhere but in the corners and the edge that they share by index. New faces must have
-/// area.
+/// area. Of the mesh only what is near the new faces is prepared for that, anew where they are
+/// elsewhere, O(n); the whole one when that was so a few times.
 class CrossingFinder {
 public:
-    /// `vertices` must outlive it and may grow; those of kept faces stay where they are.
+    /// The arrays must outlive it. `vertices` may grow; those of kept faces stay where they are.
     /// `isRounded`: they were rounded to single precision, so that kept faces that this may have
     /// turned over and new ones without area do not count, and corners that became one place are
     /// one.
@@ -35,16 +38,16 @@ public:
     );
 
     /// From now on these are kept as well. O(n log n).
-    void keep(const std::vector<Triangle>& faces);
+    void keep(const std::vector<Triangle>& faces) { patches_.push_back(madeReady(faces)); }
 
     /// Whether a face is so narrow that rounding to single precision may turn it over.
     [[nodiscard]] bool isSliver(const Triangle& face) const;
 
     /// O(log n) where few kept faces are near.
-    [[nodiscard]] bool crossesKept(const Triangle& face) const;
+    [[nodiscard]] bool crossesKept(const Triangle& face);
 
     /// O(n log n) where few faces overlap.
-    [[nodiscard]] Crossings crossingsOf(const std::vector<Triangle>& faces) const;
+    [[nodiscard]] Crossings crossingsOf(const std::vector<Triangle>& faces);
 
 private:
     struct Kept {
@@ -55,13 +58,23 @@ private:
         TriangleTree tree;
     };
 
+    using Box = Eigen::AlignedBox3d;
+
+    [[nodiscard]] Box boxOf(const Triangle& face) const;
+    [[nodiscard]] std::unique_ptr<const Kept> madeReady(const std::vector<Triangle>& faces) const;
+    void prepareNear(const Box& box);
+    [[nodiscard]] bool crossesPrepared(const Triangle& face) const;
     [[nodiscard]] bool isBroad(const Triangle& face, double leastHeight) const;
     [[nodiscard]] bool counts(const Triangle& face) const;
     [[nodiscard]] bool cross(const Triangle& a, const Triangle& b) const;
 
     const std::vector<Vec3>& vertices_;
+    const std::vector<Triangle>& mesh_;
     bool isRounded_;
-    std::vector<std::unique_ptr<const Kept>> kept_;
+    Box region_;     // where faces of the mesh are ready
+    int moves_ = 0;  // of the region
+    std::unique_ptr<const Kept> near_;
+    std::vector<std::unique_ptr<const Kept>> patches_;
 };
 
 }  // namespace bspline_curve

@@ -18,8 +18,11 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <span>
@@ -31,27 +34,41 @@ namespace bspline_curve {
 
 namespace {
 
-constexpr int kFairingSteps = 20;
+constexpr int kFairingSteps = 10;
 /// Edges at a rim may be as short as its own ones, but not below this share of those around.
 constexpr double kLeastSizeRelative = 0.3;
+/// Where a patch is fair, edges at the end of a short one of the rim may at most be that much
+/// longer, but again not be below a share of those around.
+constexpr double kSizeOverShortest = 2.0;
+constexpr double kLeastFineRelative = 0.1;
 /// First, a patch is refined and faired in few steps, in turn, until its faces become less than
 /// this many times more.
-constexpr int kMostRefinements = 6;
+constexpr int kMostRefinements = 5;
 constexpr int kFewFairingSteps = 3;
-constexpr double kGrowth = 1.1;
-constexpr std::size_t kManyFaces = 20000;  // of patches that are refined twice alone, for time
+constexpr double kGrowth = 1.15;
+/// Patches are first made with about so many faces, or twice those that their rim asks for, then
+/// with four times as many as before, in turn.
+constexpr double kFewFaces = 800.0;
+constexpr int kMostDivisions = 8;
 /// Points of a rim that is filled smoothly that are triangulated at once.
 constexpr int kFewRimPoints = 120;
+/// A patch is not divided into more than so many times the faces that it should have.
+constexpr double kMostOverExpected = 4.0;
 /// How far a middle in line with an edge is lifted off it, relative to the edges around.
 constexpr double kLift = 1e-3;
 /// Rims that are as near to a plane, relative to their extent, are triangulated in it.
 constexpr double kPlanarRelative = 1e-3;
 /// Triangulations tried, each without the triangles that crossed others before.
+/// Smooth patches are untangled where at most one of so many faces crosses others.
+constexpr std::size_t kFacesPerTangle = 5;
+constexpr int kUntanglings = 12;
 constexpr int kMostTriangulations = 12;
-constexpr int kMostRings = 16;  // of faces around those that cross, to be triangulated anew
+constexpr int kMostRings = 4;  // of faces around those that cross, to be triangulated anew
 /// A sheet is first moved off the faces that it copies by this share of the length of its edges,
 /// then by halves of it where it crosses.
 constexpr double kSheetMove = 0.2;
+/// Sheets of up to so many faces are looked for first.
+constexpr std::size_t kSmallSheet = 5000;
 constexpr int kSheetHalvings = 10;
 
 /// The fewer of its faces cross others the better.
@@ -69,6 +86,19 @@ std::vector<double> rimLengths(const std::vector<Vec3>& points) {
                             (points[(i + count - 1) % count] - points[i]).norm());
     }
     return lengths;
+}
+
+/// Has edges at short ones of the rim nearly as short as these.
+void lowerSizesAtRim(Patch& patch) {
+    for (int i = 0; i < patch.rimCount; ++i) {
+        const int next = (i + 1) % patch.rimCount;
+        const double length = (patch.points[next] - patch.points[i]).norm();
+        for (const int end : {i, next}) {
+            const double fine =
+                std::max(kSizeOverShortest * length, kLeastFineRelative * patch.most[end]);
+            patch.sizes[end] = std::min(patch.sizes[end], fine);
+        }
+    }
 }
 
 /// With inner points that are harmonic between those of the rim.
@@ -165,21 +195,75 @@ private:
         if (smooth.faces.empty() || isFaceOfMesh()) {
             closeWithMiddle(smooth);
         }
-        refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.3));
-        fairPatch(smooth, around, 1, partOf(progress, 0.3, 0.4));
+        const int divisions = divisionsOf(smooth);
+        scaleSizes(smooth, std::ldexp(1.0, divisions));
+        refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.2));
+        fairPatch(smooth, around, 1, partOf(progress, 0.2, 0.3));
         // A patch that bulges has longer edges than before, so that it is refined again.
         for (int pass = 0; pass < kMostRefinements; ++pass) {
             const std::size_t before = smooth.faces.size();
-            refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.4, 0.5));
+            refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.3, 0.4));
             const bool hasGrown =
                 static_cast<double>(smooth.faces.size()) >= kGrowth * static_cast<double>(before);
-            if (smooth.faces.size() > kManyFaces || (pass > 0 && !hasGrown)) {
+            if (pass > 0 && !hasGrown) {
                 break;
             }
-            fairPatch(smooth, around, kFewFairingSteps, partOf(progress, 0.5, 0.6));
+            fairPatch(smooth, around, kFewFairingSteps, partOf(progress, 0.4, 0.5));
         }
-        fairPatch(smooth, around, kFairingSteps, partOf(progress, 0.6, 0.9));
-        return accept(std::move(smooth));
+        fairPatch(smooth, around, kFairingSteps, partOf(progress, 0.5, 0.6));
+        for (int division = 0; division < divisions; ++division) {
+            scaleSizes(smooth, 0.5);
+            refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.6, 0.9));
+            fairDivided(smooth, around);
+        }
+        if (divisions == 0) {  // else few of the faces are at the rim
+            lowerSizesAtRim(smooth);
+            refinePatch(smooth, Relaxing::Tangential);
+            fairDivided(smooth, around);
+        }
+        return accept(smooth) || accept(untangled(std::move(smooth)));
+    }
+
+    /// A patch of which few faces cross others, with the points there between their neighbours.
+    [[nodiscard]] Patch untangled(Patch patch) {
+        for (int round = 0; round < kUntanglings; ++round) {
+            const std::vector<int> bad = checker_.badFaces(patch, true);
+            if (bad.empty() || bad.size() * kFacesPerTangle > patch.faces.size()) {
+                break;
+            }
+            relaxAround(patch, grown(patch.faces, bad, round / 2));
+        }
+        return patch;
+    }
+
+    /// How many faces there are when edges have their size.
+    [[nodiscard]] static double expectedFaces(const Patch& patch) {
+        double area = 0.0;
+        for (const auto& [a, b, c] : patch.faces) {
+            const Vec3& p = patch.points[a];
+            area += 0.5 * (patch.points[b] - p).cross(patch.points[c] - p).norm();
+        }
+        double size = 0.0;
+        for (int i = 0; i < patch.rimCount; ++i) {
+            size += patch.most[i] / patch.rimCount;
+        }
+        return area / (0.25 * std::numbers::sqrt3 * size * size);  // equilateral triangles
+    }
+
+    /// How often edges are to be halved until they have their size, after there are few faces.
+    [[nodiscard]] static int divisionsOf(const Patch& patch) {
+        const double few = std::max(kFewFaces, 2.0 * patch.rimCount);
+        const double divisions =
+            std::ceil(0.5 * std::log2(std::max(expectedFaces(patch), 1.0) / few));
+        return std::clamp(static_cast<int>(divisions), 0, kMostDivisions);
+    }
+
+    /// Has edges far from the rim longer so many times.
+    static void scaleSizes(Patch& patch, double times) {
+        for (std::size_t i = 0; i < patch.most.size(); ++i) {
+            patch.most[i] *= times;
+            patch.sizes[i] = std::min(patch.sizes[i], patch.most[i]);
+        }
     }
 
     /// Triangulates a rim without new points, in one way after the other.
@@ -200,7 +284,7 @@ private:
         Patch bent = rim;
         bent.faces = triangulateRim(rim.points, rim.forbidden);
         return accept(std::move(bent)) || (!isPlanar && inPlane()) || repair() ||
-               triangulateAround(rim) || repair();
+               triangulateAround(rim);
     }
 
     /// Triangulates the best patch anew around its faces that cross, without triangles that cross
@@ -266,7 +350,11 @@ private:
         for (const Relaxing relaxing : {Relaxing::Tangential, Relaxing::None}) {
             Patch divided = flat->patch;
             refinePatch(divided, relaxing, progress);
-            if (hasFlatFace(divided) || !checker_.crossingsOf(divided).isEmpty()) {
+            // Slivers that stay as they are are divided too often.
+            const double most =
+                kMostOverExpected * (expectedFaces(flat->patch) + 2.0 * rim.rimCount);
+            if (static_cast<double>(divided.faces.size()) > most || hasFlatFace(divided) ||
+                !checker_.crossingsOf(divided).isEmpty()) {
                 continue;
             }
             Patch fair = divided;
@@ -281,12 +369,17 @@ private:
     /// Copies what was before the rim, or is behind it, whichever is smaller, moved towards a patch
     /// that is stretched over the rim.
     bool fillWithSheets(const Progress& progress) {
-        const std::optional<Sheet> behind = sheetBeside(mesh_, rims_[rim_], true);
-        const std::optional<Sheet> removed = given_.removed ? given_.removed(rim_) : std::nullopt;
-        if (removed && (!behind || removed->patch.faces.size() < behind->patch.faces.size())) {
-            return fillWith(*removed, removed->patch.points, progress);
+        for (const std::size_t most : {kSmallSheet, std::numeric_limits<std::size_t>::max()}) {
+            const auto behind = sheetBeside(mesh_, rims_[rim_], true, most);
+            const auto removed = given_.removed ? given_.removed(rim_, most) : std::nullopt;
+            if (removed && (!behind || removed->patch.faces.size() < behind->patch.faces.size())) {
+                return fillWith(*removed, removed->patch.points, progress);
+            }
+            if (behind) {
+                return fillWith(*behind, movedOff(*behind), progress);
+            }
         }
-        return behind && fillWith(*behind, movedOff(*behind), progress);
+        return false;
     }
 
     /// Moves a sheet off the faces that it copies, so far as it crosses nothing.
@@ -299,7 +392,7 @@ private:
                 moved.points[p] = patch.points[p] - shares[p] * patch.sizes[p] * sheet.normals[p];
             }
             std::set<int> corners;
-            for (const int face : checker_.badFaces(moved)) {
+            for (const int face : checker_.badFaces(moved, false)) {
                 corners.insert(patch.faces[face].begin(), patch.faces[face].end());
             }
             if (corners.empty()) {
@@ -316,7 +409,7 @@ private:
         Patch sound = sheet.patch;
         sound.points = std::move(points);
         accept(sound);
-        return checker_.badFaces(sound).empty() &&
+        return checker_.badFaces(sound, false).empty() &&
                accept(between(sound, stretched(sound), progress));
     }
 
@@ -327,8 +420,7 @@ private:
         const bool isStrict = !hasFlatFace(sound) && checker_.crossingsOf(sound).isEmpty();
         const auto crossing = [&](const std::vector<Vec3>& points) {
             patch.points = points;
-            const std::vector<int> bad = checker_.badFaces(patch);
-            return isStrict && bad.empty() ? checker_.crossingsOf(patch).narrowly : bad;
+            return checker_.badFaces(patch, isStrict);
         };
         patch.points = retreated(sound.points, wanted.points, sound.faces, crossing, progress);
         return patch;

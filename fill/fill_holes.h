@@ -21,8 +21,9 @@ namespace bspline_curve {
 /// What is known of a mesh beside it.
 struct FillSurroundings {
     std::vector<double> sizes;  ///< for each vertex the length of edges around; empty: measured
-    /// What was in a hole before, of which the number is given; where that is a disc.
-    std::function<std::optional<Sheet>(std::size_t rim)> removed;
+    /// What was in a hole before, of which the number is given; where that is a disc of at most so
+    /// many faces.
+    std::function<std::optional<Sheet>(std::size_t rim, std::size_t most)> removed;
 };
 
 struct FilledMesh {
@@ -40,7 +41,7 @@ struct FilledMesh {
 /// hole or is behind it, stretched over the rim as far as it crosses nothing. Smooth: a faired
 /// patch, then a flat one that is divided and faired as far as it crosses nothing, then as flat.
 /// Throws InputError (NoPath) where a rim cannot be filled, as one that is a face of the mesh.
-/// O(n^3) for rims of up to 250 vertices, O(n) beyond; O(n log n) checks.
+/// O(n^3) for rims of up to 160 vertices, O(n) beyond; O(n log n) checks.
 [[nodiscard]] FilledMesh fillHoles(
     const TriangleMesh& mesh,
     const std::vector<std::vector<int>>& rims,

@@ -134,17 +134,19 @@ TriangleMesh removedFrom(
 void findRims(
     const std::vector<std::array<int, 2>>& edges,
     const CutMesh& cut,
-    const SubMesh& opened,
     const SubMesh& kept,
     FilledParts& result
 ) {
-    const auto sourceOf = [&](int vertex) { return cut.source[opened.vertices[vertex]]; };
-    for (const std::vector<int>& rim : rimsOf(opened.mesh.faces)) {
+    std::vector<Triangle> opened;
+    for (const int face : kept.faces) {
+        opened.push_back(cut.mesh.faces[face]);
+    }
+    for (const std::vector<int>& rim : rimsOf(opened)) {
         std::size_t around = 0;
         std::vector<int> walk;
         for (std::size_t i = 0; i < rim.size(); ++i) {
-            const int from = sourceOf(rim[i]);
-            const int to = sourceOf(rim[(i + 1) % rim.size()]);
+            const int from = cut.source[rim[i]];
+            const int to = cut.source[rim[(i + 1) % rim.size()]];
             const auto [low, high] = std::minmax(from, to);
             around += std::ranges::binary_search(edges, std::array{low, high}) ? 1 : 0;
             walk.push_back(indexIn(kept.vertices, from));
@@ -172,10 +174,9 @@ FilledParts fillAround(
     // Rims are walked round the chosen faces. Where they meet themselves in a vertex, each loop is
     // a hole of its own, and the vertex is one again when all are filled.
     const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
-    const SubMesh opened = facesWithLabels(cut.mesh, parts.labels, chosen);
     const SubMesh kept = facesWithLabels(imprinted.mesh, parts.labels, chosen);
     FilledParts result;
-    findRims(edges, cut, opened, kept, result);
+    findRims(edges, cut, kept, result);
     if (result.rims.empty()) {
         throw InputError(
             InputErrorCode::NoPath,
@@ -184,12 +185,12 @@ FilledParts fillAround(
         );
     }
     const FillSurroundings surroundings{
-        .sizes = sizesAt(imprinted, kept), .removed = [&](std::size_t rim) {
+        .sizes = sizesAt(imprinted, kept), .removed = [&](std::size_t rim, std::size_t most) {
             std::vector<int> vertices;
             for (const int vertex : result.rims[rim]) {
                 vertices.push_back(kept.vertices[vertex]);
             }
-            return sheetBeside(removedFrom(imprinted, parts, chosen), vertices, false);
+            return sheetBeside(removedFrom(imprinted, parts, chosen), vertices, false, most);
         }
     };
     FilledMesh filled = fillHoles(kept.mesh, result.rims, shape, surroundings, progress);

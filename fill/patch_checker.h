@@ -44,8 +44,9 @@ public:
     /// The faces of the patch need area.
     [[nodiscard]] PatchCrossings crossingsOf(const Patch& patch);
 
-    /// Faces that have no area; where all have some, those that clearly cross others.
-    [[nodiscard]] std::vector<int> badFaces(const Patch& patch);
+    /// Faces that have no area; where all have some, those that clearly cross others; where none
+    /// does and `isStrict`, those that narrowly do.
+    [[nodiscard]] std::vector<int> badFaces(const Patch& patch, bool isStrict);
 
     /// Of faces that cross each other and have area.
     [[nodiscard]] std::vector<std::pair<int, int>> crossingPairs(const Patch& patch);

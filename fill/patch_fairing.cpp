@@ -23,6 +23,12 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 constexpr double kMoveRelative = 1e-4;
 /// Areas of points are at least this of their size's square, so that needles do not outweigh all.
 constexpr double kLeastAreaRelative = 1e-3;
+/// The size of a point is at least this of that far from the rim there.
+constexpr double kLeastSizeForArea = 0.3;
+/// Conjugate gradients: rounds, each with a curvature of its own, and steps in each. Waves of up to
+/// about four edges' length, which halving edges makes, are gone then.
+constexpr int kSmoothingRounds = 2;
+constexpr int kSmoothingSteps = 12;
 
 /// The patch as finite elements: #points rows, one column for each inner point.
 struct Elements {
@@ -73,7 +79,8 @@ Elements elementsOf(const Patch& patch, const RimSurroundings& around) {
         }
     }
     for (int i = 0; i < count; ++i) {
-        const double least = kLeastAreaRelative * patch.sizes[i] * patch.sizes[i];
+        const double size = std::max(patch.sizes[i], kLeastSizeForArea * patch.most[i]);
+        const double least = kLeastAreaRelative * size * size;
         result.area[i] = std::max(result.area[i], least);
         result.normal.row(i).stableNormalize();
     }
@@ -87,6 +94,72 @@ double meanCurvature(const Elements& elements, const Rows& laplacians, int rimCo
     const double sum =
         laplacians.bottomRows(inner).cwiseProduct(elements.normal.bottomRows(inner)).sum();
     return sum / elements.area.tail(inner).sum();
+}
+
+/// What the inner points minimise: the weighted square of laplacian * points + constant - aim.
+struct LeastSquares {
+    Eigen::VectorXd weight;  // of each row
+    Rows aim;
+};
+
+LeastSquares leastSquares(
+    const Elements& elements, const RimSurroundings& around, int rimCount, double curvature
+) {
+    LeastSquares result{
+        .weight = elements.area.cwiseInverse(),
+        .aim = curvature * (elements.area.asDiagonal() * elements.normal)
+    };
+    for (int i = 0; i < rimCount; ++i) {
+        result.weight[i] *= around.isKnown[i] != 0 ? 1.0 : 0.0;
+    }
+    return result;
+}
+
+Rows innerPoints(const Patch& patch) {
+    Rows points(std::ssize(patch.points) - patch.rimCount, 3);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        points.row(i) = patch.points[patch.rimCount + i];
+    }
+    return points;
+}
+
+void setInnerPoints(Patch& patch, const Rows& points) {
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        patch.points[patch.rimCount + i] = points.row(i);
+    }
+}
+
+/// A few steps of conjugate gradients towards the least squares, scaled by the diagonal.
+void approach(Rows& points, const Elements& elements, const LeastSquares& squares) {
+    const Sparse& laplacian = elements.laplacian;
+    const auto dots = [](const Rows& a, const Rows& b) -> Eigen::RowVector3d {
+        return a.cwiseProduct(b).colwise().sum();
+    };
+    Eigen::VectorXd scale = Eigen::VectorXd::Zero(points.rows());
+    for (int column = 0; column < laplacian.outerSize(); ++column) {
+        for (Sparse::InnerIterator entry(laplacian, column); entry; ++entry) {
+            scale[column] += squares.weight[entry.row()] * entry.value() * entry.value();
+        }
+    }
+    scale = scale.cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
+    Rows missing = squares.aim - elements.constant - laplacian * points;
+    Rows residual = laplacian.transpose() * (squares.weight.asDiagonal() * missing);
+    Rows direction = scale.asDiagonal() * residual;
+    Eigen::RowVector3d size = dots(residual, direction);
+    const auto shares = [](const Eigen::RowVector3d& of, const Eigen::RowVector3d& whole) {
+        return of.cwiseQuotient(whole.cwiseMax(std::numeric_limits<double>::min())).eval();
+    };
+    for (int step = 0; step < kSmoothingSteps; ++step) {
+        const Rows change = laplacian * direction;
+        const Rows weighted = squares.weight.asDiagonal() * change;
+        const Eigen::RowVector3d length = shares(size, dots(change, weighted));
+        points += direction * length.asDiagonal();
+        residual -= (laplacian.transpose() * weighted) * length.asDiagonal();
+        const Rows scaled = scale.asDiagonal() * residual;
+        const Eigen::RowVector3d next = dots(residual, scaled);
+        direction = scaled + direction * shares(next, size).asDiagonal();
+        size = next;
+    }
 }
 
 double extentOf(const Patch& patch) {
@@ -112,19 +185,12 @@ void fairPatch(Patch& patch, const RimSurroundings& around, int steps, const Pro
     for (int step = 0; step < steps; ++step) {
         report(progress, static_cast<double>(step) / steps, "fairing a patch");
         const Elements elements = elementsOf(patch, around);
-        Rows points(inner, 3);
-        for (int i = 0; i < inner; ++i) {
-            points.row(i) = patch.points[patch.rimCount + i];
-        }
+        const Rows points = innerPoints(patch);
         // The first step has no curvature to go by: the patch is still flat.
         const Rows laplacians = elements.laplacian * points + elements.constant;
         const double curvature =
             step == 0 ? 0.0 : meanCurvature(elements, laplacians, patch.rimCount);
-        const Rows aim = curvature * (elements.area.asDiagonal() * elements.normal);
-        Eigen::VectorXd weight = elements.area.cwiseInverse();
-        for (int i = 0; i < patch.rimCount; ++i) {
-            weight[i] *= around.isKnown[i] != 0 ? 1.0 : 0.0;
-        }
+        const auto [weight, aim] = leastSquares(elements, around, patch.rimCount, curvature);
         const Sparse weighted = weight.asDiagonal() * elements.laplacian;
         const Sparse system = elements.laplacian.transpose() * weighted;
         const Rows right = weighted.transpose() * (aim - elements.constant);
@@ -143,13 +209,30 @@ void fairPatch(Patch& patch, const RimSurroundings& around, int steps, const Pro
         if (leadsAway) {
             return;
         }
-        for (int i = 0; i < inner; ++i) {
-            patch.points[patch.rimCount + i] = solution.row(i);
-        }
+        setInnerPoints(patch, solution);
         if (move < enough) {
             return;
         }
         lastMove = move;
+    }
+}
+
+void fairDivided(Patch& patch, const RimSurroundings& around) {
+    if (std::ssize(patch.points) == patch.rimCount) {
+        return;
+    }
+    for (int round = 0; round < kSmoothingRounds; ++round) {
+        const Elements elements = elementsOf(patch, around);
+        Rows points = innerPoints(patch);
+        const Rows laplacians = elements.laplacian * points + elements.constant;
+        const double curvature = meanCurvature(elements, laplacians, patch.rimCount);
+        approach(points, elements, leastSquares(elements, around, patch.rimCount, curvature));
+        const Eigen::VectorXd moves = (points - innerPoints(patch)).rowwise().norm();
+        const double size = *std::ranges::max_element(patch.most);
+        if (!(moves.maxCoeff() <= size)) {
+            return;  // it leads away (NaN too); the last positions are kept
+        }
+        setInnerPoints(patch, points);
     }
 }
 

@@ -23,4 +23,8 @@ void fairPatch(
     Patch& patch, const RimSurroundings& around, int steps, const Progress& progress = {}
 );
 
+/// Likewise for a patch that was fair before its faces were divided: takes out the short waves that
+/// this left, by a few steps of conjugate gradients. O(n).
+void fairDivided(Patch& patch, const RimSurroundings& around);
+
 }  // namespace bspline_curve

@@ -26,7 +26,7 @@ constexpr double kLongRelative = 1.4;
 constexpr double kLongChordRelative = 0.5;
 /// Sums of cotangents below minus this are not Delaunay; a margin against endless turns.
 constexpr double kDelaunayMargin = 1e-9;
-/// How much longer edges become from short ones at the rim inwards, for each length.
+/// How much longer edges may become for each length away from a point whose edges are short.
 constexpr double kGrading = 0.5;
 constexpr int kMostRounds = 40;
 /// Rounds end with less than one edge that is too long in so many faces: points that relax make a
@@ -36,10 +36,19 @@ constexpr std::size_t kMostFlips = 150;  // tried, for each face
 constexpr int kRelaxations = 2;          // in each round
 constexpr double kRelaxationStep = 0.5;
 
+/// The size halfway between two points.
+double sizeBetween(const Patch& patch, int a, int b) {
+    const double length = (patch.points[a] - patch.points[b]).norm();
+    return std::min(
+        0.5 * (patch.sizes[a] + patch.sizes[b]),
+        std::min(patch.sizes[a], patch.sizes[b]) + 0.5 * kGrading * length
+    );
+}
+
 /// Length over size; chords of the rim count more.
 double excess(const Patch& patch, const InnerEdge& edge) {
     const double length = (patch.points[edge.a] - patch.points[edge.b]).norm();
-    const double size = 0.5 * (patch.sizes[edge.a] + patch.sizes[edge.b]);
+    const double size = sizeBetween(patch, edge.a, edge.b);
     const bool isChord = patch.isOnRim(edge.a) && patch.isOnRim(edge.b);
     return length / (size * (isChord ? kLongChordRelative : kLongRelative));
 }
@@ -66,7 +75,8 @@ std::size_t halveLongEdges(Patch& patch) {
         patch.most.push_back(0.5 * (patch.most[a] + patch.most[b]));
         patch.sizes.push_back(
             std::min(
-                patch.most.back(), 0.5 * (patch.sizes[a] + patch.sizes[b]) + 0.5 * kGrading * length
+                patch.most.back(),
+                std::min(patch.sizes[a], patch.sizes[b]) + 0.5 * kGrading * length
             )
         );
         patch.faces[first] = {a, middle, c};
@@ -150,7 +160,7 @@ private:
         const auto [low, high] = std::minmax(c, d);
         if (patch_.isOnRim(c) && patch_.isOnRim(d)) {
             const double length = (patch_.points[c] - patch_.points[d]).norm();
-            const double size = 0.5 * (patch_.sizes[c] + patch_.sizes[d]);
+            const double size = sizeBetween(patch_, c, d);
             if (length > kLongChordRelative * size) {
                 return false;  // it would be halved again
             }
@@ -228,6 +238,18 @@ void relax(Patch& patch, Relaxing relaxing) {
 }
 
 }  // namespace
+
+void relaxAround(Patch& patch, const std::vector<int>& faces) {
+    Patch relaxed = patch;
+    relax(relaxed, Relaxing::Free);
+    for (const int face : faces) {
+        for (const int corner : patch.faces[face]) {
+            if (!patch.isOnRim(corner)) {
+                patch.points[corner] = relaxed.points[corner];
+            }
+        }
+    }
+}
 
 void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress) {
     const bool isMoving = relaxing != Relaxing::None;

@@ -26,6 +26,9 @@ enum class Relaxing {
     None,        ///< nor are edges flipped, so that the surface stays as it is
 };
 
+/// Moves the inner corners of some faces to the middle of their neighbours. O(n).
+void relaxAround(Patch& patch, const std::vector<int>& faces);
+
 /// Halves edges that are longer than their points ask for, and long ones between points of the
 /// rim; flips edges to Delaunay's; and relaxes points, in turn (after P. Liepa, Filling holes in
 /// meshes, 2003). O(n log n) a round, of which there are O(log of the largest length over size).

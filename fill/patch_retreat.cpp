@@ -10,11 +10,11 @@ namespace bspline_curve {
 
 namespace {
 
-constexpr int kMostRetreats = 40;
+constexpr int kMostRetreats = 12;
 /// Corners of faces that cross keep this share of their way, in each round.
-constexpr double kBack = 0.6;
+constexpr double kBack = 0.5;
 /// Ways shorter than this share are none.
-constexpr double kLeastShare = 0.02;
+constexpr double kLeastShare = 0.1;
 /// Shares of neighbours differ by at most this, so that no step is left where points went back.
 constexpr double kSteepest = 0.25;
 

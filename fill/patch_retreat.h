@@ -14,7 +14,7 @@ using CrossingFaces = std::function<std::vector<int>(const std::vector<Vec3>& po
 
 /// Points on straight ways from a patch that crosses nothing to one that may: as far along as they
 /// can go with little effort. Where faces cross, their corners go back, and those around them less.
-/// Returns the first positions where all else crosses. At most 40 rounds of O(n) and one search for
+/// Returns the first positions where all else crosses. At most 12 rounds of O(n) and one search for
 /// crossings each. Throws Cancelled.
 [[nodiscard]] std::vector<Vec3> retreated(
     const std::vector<Vec3>& sound,

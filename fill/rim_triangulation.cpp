@@ -46,11 +46,12 @@ public:
           count_(static_cast<int>(places_.size())),
           best_(static_cast<std::size_t>(count_) * count_) {
         for (int i = 0; i + 1 < count_; ++i) {
-            best_[at(i, i + 1)].cost = {.bend = 0.0, .area = 0.0};
+            best_[at(i, i + 1)].cost = best_[at(i + 1, i)].cost = {.bend = 0.0, .area = 0.0};
         }
         for (int width = 2; width < count_; ++width) {
             for (int i = 0; i + width < count_; ++i) {
                 choose(i, i + width);
+                best_[at(i + width, i)] = best_[at(i, i + width)];
             }
         }
     }
@@ -75,7 +76,8 @@ public:
     }
 
 private:
-    /// The best triangulation of the points from i to j.
+    /// The best triangulation of the points from i to j; also at (j, i), so that those that lead to
+    /// one point follow each other.
     struct Best {
         Cost cost;
         int middle = -1;             ///< the third corner of its triangle on the chord from i to j
@@ -110,7 +112,7 @@ private:
 
     void consider(Best& best, int i, int m, int j) const {
         const Best& left = best_[at(i, m)];
-        const Best& right = best_[at(m, j)];
+        const Best& right = best_[at(j, m)];
         Cost cost{
             .bend = std::max(left.cost.bend, right.cost.bend),
             .area = left.cost.area + right.cost.area

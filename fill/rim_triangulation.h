@@ -13,8 +13,8 @@ namespace bspline_curve {
 /// Edges between points, each (lower, higher).
 using EdgeSet = std::set<std::array<int, 2>>;
 
-/// So many points of a polygon are triangulated in tenths of a second.
-inline constexpr int kMostRimPoints = 250;
+/// So many points of a polygon are triangulated in hundredths of a second.
+inline constexpr int kMostRimPoints = 160;
 
 /// Whether a triangulation may have a triangle, given by three places in the polygon.
 using TriangleTest = std::function<bool(const Triangle&)>;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <set>
 #include <span>
 #include <utility>
@@ -16,47 +17,86 @@ namespace bspline_curve {
 
 namespace {
 
-/// For each face the face across the side opposite to each corner; -1: none, or several.
-std::vector<Triangle> facesBeside(const std::vector<Triangle>& faces) {
-    Triangle none;
-    none.fill(-1);
-    std::vector<Triangle> beside(faces.size(), none);
-    forEachEdge(sortedHalfEdges(faces), [&](std::span<const HalfEdge> sides) {
-        if (sides.size() == 2) {
-            beside[sides[0].face][sides[0].k] = sides[1].face;
-            beside[sides[1].face][sides[1].k] = sides[0].face;
+/// The faces around each vertex.
+class VertexFaces {
+public:
+    VertexFaces(const std::vector<Triangle>& faces, std::size_t vertexCount)
+        : faces_(faces), first_(vertexCount + 2, 0), around_(3 * faces.size()) {
+        for (const Triangle& face : faces) {
+            for (const int vertex : face) {
+                ++first_[vertex + 2];
+            }
         }
-    });
-    return beside;
-}
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+            for (const int vertex : faces[f]) {
+                around_[first_[vertex + 1]++] = static_cast<int>(f);
+            }
+        }
+    }
+
+    [[nodiscard]] std::span<const int> around(int vertex) const {
+        return std::span(around_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
+    }
+
+    /// The face across the side opposite to a corner; -1: none, or several.
+    [[nodiscard]] int across(int face, int k) const {
+        const int from = faces_[face][(k + 1) % 3];
+        const int to = faces_[face][(k + 2) % 3];
+        int found = -1;
+        for (const int other : around(from)) {
+            if (other != face && std::ranges::find(faces_[other], to) != faces_[other].end()) {
+                if (found >= 0) {
+                    return -1;
+                }
+                found = other;
+            }
+        }
+        return found;
+    }
+
+private:
+    const std::vector<Triangle>& faces_;
+    std::vector<std::size_t> first_;  // of each vertex in `around_`
+    std::vector<int> around_;
+};
 
 using DirectedEdges = std::set<std::pair<int, int>>;
 
-/// The faces that are joined to those on some directed sides, without crossing these.
-std::vector<Triangle> facesJoinedTo(const std::vector<Triangle>& faces, const DirectedEdges& rim) {
-    const std::vector<Triangle> beside = facesBeside(faces);
+/// The faces that are joined to those on some directed sides, without crossing these, ascending;
+/// none where they are more than `most`.
+std::vector<Triangle> facesJoinedTo(
+    const TriangleMesh& mesh, const DirectedEdges& rim, std::size_t most
+) {
+    const std::vector<Triangle>& faces = mesh.faces;
+    const VertexFaces vertices(faces, mesh.vertices.size());
     const auto isOnRim = [&](int f, int k) {
         return rim.contains({faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]});
     };
     std::vector<char> isFound(faces.size(), 0);
     std::vector<int> found;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        const auto face = static_cast<int>(f);
-        if (isOnRim(face, 0) || isOnRim(face, 1) || isOnRim(face, 2)) {
-            isFound[f] = 1;
-            found.push_back(face);
+    for (const auto& [from, to] : rim) {
+        for (const int face : vertices.around(from)) {
+            if (isFound[face] == 0 && (isOnRim(face, 0) || isOnRim(face, 1) || isOnRim(face, 2))) {
+                isFound[face] = 1;
+                found.push_back(face);
+            }
         }
     }
-    for (std::size_t i = 0; i < found.size(); ++i) {
+    for (std::size_t i = 0; i < found.size() && found.size() <= most; ++i) {
         const int face = found[i];
         for (int k = 0; k < 3; ++k) {
-            const int other = isOnRim(face, k) ? -1 : beside[face][k];
+            const int other = isOnRim(face, k) ? -1 : vertices.across(face, k);
             if (other >= 0 && isFound[other] == 0) {
                 isFound[other] = 1;
                 found.push_back(other);
             }
         }
     }
+    if (found.size() > most) {
+        return {};
+    }
+    std::ranges::sort(found);
     std::vector<Triangle> joined;
     joined.reserve(found.size());
     for (const int face : found) {
@@ -154,7 +194,7 @@ void measure(Sheet& sheet) {
 }  // namespace
 
 std::optional<Sheet> sheetBeside(
-    const TriangleMesh& mesh, const std::vector<int>& rim, bool isBehind
+    const TriangleMesh& mesh, const std::vector<int>& rim, bool isBehind, std::size_t most
 ) {
     DirectedEdges sides;
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -162,7 +202,7 @@ std::optional<Sheet> sheetBeside(
         const int to = rim[(i + 1) % rim.size()];
         sides.insert(isBehind ? std::pair{to, from} : std::pair{from, to});
     }
-    const std::vector<Triangle> faces = facesJoinedTo(mesh.faces, sides);
+    const std::vector<Triangle> faces = facesJoinedTo(mesh, sides, most);
     if (faces.empty() || !isDisc(faces, sides)) {
         return std::nullopt;
     }

@@ -3,6 +3,8 @@
 
 #include "fill/patch_refinement.h"
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -19,10 +21,13 @@ struct Sheet {
 /// The sheet beside a rim, which its faces pass in the rim's order, or in the other one where
 /// `isBehind`; then the sheet is turned over, so that it passes the rim in its order, and inner
 /// edges between two points of the rim are halved, so that it has no edge that the mesh has. None
-/// where the faces beside the rim are no disc with this boundary alone. O(n log n) for n faces of
-/// the mesh.
+/// where the faces beside the rim are no disc with this boundary alone, or more than `most`. O(n)
+/// for n faces of the mesh, and O(m log m) for m of the sheet.
 [[nodiscard]] std::optional<Sheet> sheetBeside(
-    const TriangleMesh& mesh, const std::vector<int>& rim, bool isBehind
+    const TriangleMesh& mesh,
+    const std::vector<int>& rim,
+    bool isBehind,
+    std::size_t most = std::numeric_limits<std::size_t>::max()
 );
 
 }  // namespace bspline_curve

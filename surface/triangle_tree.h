@@ -69,11 +69,11 @@ public:
     template <class Visitor>
     void forEachOverlapping(int triangle, const Visitor& visit) const;
 
-    /// Calls visit(j) for every triangle whose box overlaps that of a triangle, given by its
-    /// corners, and is not wholly on one side of its plane. The order is the same on every
-    /// platform. O(log n) where few do, also for a large triangle in the middle of a mesh.
-    template <class Visitor>
-    void forEachMeeting(const std::array<Vec3, 3>& corners, const Visitor& visit) const;
+    /// Whether test(j) holds for some triangle whose box overlaps that of a triangle, given by its
+    /// corners, and is not wholly on one side of its plane. O(log n) where few are, also for a
+    /// large triangle in the middle of a mesh.
+    template <class Test>
+    [[nodiscard]] bool anyMeeting(const std::array<Vec3, 3>& corners, const Test& test) const;
 
 private:
     static constexpr int kLeafSize = 4;
@@ -197,16 +197,17 @@ void TriangleTree::forEachNear(const Vec3& point, double reach, const Visitor& v
     }
 }
 
-template <class Visitor>
-void TriangleTree::forEachMeeting(const std::array<Vec3, 3>& corners, const Visitor& visit) const {
+template <class Test>
+bool TriangleTree::anyMeeting(const std::array<Vec3, 3>& corners, const Test& test) const {
     /// Beyond what rounding does to the distance from a plane, relative to its terms.
     constexpr double kPlaneRounding = 1e-14;
     const auto& [a, b, c] = corners;
     const Box box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
     const Vec3 normal = (b - a).cross(c - a);
     const double slack = kPlaneRounding * (b - a).norm() * (c - a).norm();
+    bool isFound = false;
     const auto mayMeet = [&](const Box& other) {
-        if (!other.overlaps(box)) {
+        if (isFound || !other.overlaps(box)) {
             return false;
         }
         const Vec3 middle = 0.5 * (other.low + other.high);
@@ -215,8 +216,9 @@ void TriangleTree::forEachMeeting(const std::array<Vec3, 3>& corners, const Visi
         return std::abs(normal.dot(middle - a)) <= normal.cwiseAbs().dot(half) + slack * terms;
     };
     if (!nodes_.empty()) {
-        forEachWhere(mayMeet, visit);
+        forEachWhere(mayMeet, [&](int j) { isFound = test(j); });
     }
+    return isFound;
 }
 
 template <class Test, class Visitor>

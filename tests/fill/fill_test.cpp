@@ -122,6 +122,68 @@ TEST(Fill, SmoothFacesAreWellShaped) {
     }
 }
 
+/// Longest side over the height on it, 1 for an equilateral triangle, of new faces, ascending.
+std::vector<double> aspectsOfNewFaces(const FilledParts& parts) {
+    std::vector<double> aspects;
+    for (std::size_t f = parts.firstFace.at(0); f < parts.mesh.faces.size(); ++f) {
+        const auto& [a, b, c] = parts.mesh.faces[f];
+        const Vec3& p = parts.mesh.vertices[a];
+        const Vec3& q = parts.mesh.vertices[b];
+        const Vec3& r = parts.mesh.vertices[c];
+        const double longest = std::max({(p - q).norm(), (q - r).norm(), (r - p).norm()});
+        aspects.push_back(
+            0.5 * std::numbers::sqrt3 * longest * longest / (q - p).cross(r - p).norm()
+        );
+    }
+    std::ranges::sort(aspects);
+    return aspects;
+}
+
+TEST(Fill, SmoothFacesBesideShortPiecesOfACurveAreWellShaped) {
+    // A curve passes edges near their ends as well, so that its rim has long and short edges.
+    const TriangleMesh mesh = icosphere(4);
+    const CurveDesigner designer(mesh);
+    SolverOptions options;
+    options.closed = true;
+    for (const double height : {0.5, 0.8}) {
+        std::vector<Vec3> picks;
+        for (int i = 0; i < 5; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / 5 + 0.3;
+            picks.push_back(
+                Vec3(std::cos(angle), std::sin(angle), height + (i % 2) * 0.2).normalized()
+            );
+        }
+        const std::array lines{designer.design(picks, options).polyline};
+        const ImprintedMesh imprinted = imprint(Surface(mesh), lines, {});
+        const std::vector<double> aspects =
+            aspectsOfNewFaces(fillAround(imprinted, partsOf(imprinted), {0}, FillShape::Smooth));
+        EXPECT_LT(aspects[aspects.size() * 95 / 100], 8.0) << "height " << height;
+    }
+}
+
+TEST(Fill, ALargeSmoothCapIsFairAndWellShaped) {
+    // So many faces that the patch is made coarse first.
+    const TriangleMesh sphere = icosphere(6);
+    const TriangleMesh open = without(sphere, [](const Vec3& v) { return v.z() > 0.2; });
+    const FilledMesh result = filled(open, FillShape::Smooth);
+    const std::size_t added = result.mesh.faces.size() - open.faces.size();
+    EXPECT_NEAR(static_cast<double>(added), 0.4 * static_cast<double>(sphere.faces.size()), 8000.0);
+    double farthest = 0.0;
+    for (std::size_t v = open.vertices.size(); v < result.mesh.vertices.size(); ++v) {
+        farthest = std::max(farthest, std::abs(result.mesh.vertices[v].norm() - 1.0));
+    }
+    EXPECT_LT(farthest, 0.02);
+    double sharpest = 1.0;
+    for (std::size_t f = open.faces.size(); f < result.mesh.faces.size(); ++f) {
+        const auto& [a, b, c] = result.mesh.faces[f];
+        const Vec3& p = result.mesh.vertices[a];
+        const Vec3 normal =
+            (result.mesh.vertices[b] - p).cross(result.mesh.vertices[c] - p).normalized();
+        sharpest = std::min(sharpest, normal.dot(p.normalized()));
+    }
+    EXPECT_GT(sharpest, 0.98);
+}
+
 TEST(Fill, LongRimsAreFilledInTwoSteps) {
     const TriangleMesh open = openCylinder(1500, 1);
     ASSERT_EQ(rimsOf(open.faces)[0].size(), 1500U);

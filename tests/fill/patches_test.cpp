@@ -161,6 +161,25 @@ TEST(CrossingFinder, FindsWhatTheSearchOverAllPairsFinds) {
     });
 }
 
+TEST(CrossingFinder, FindsWhatIsFarFromWhereItLookedBefore) {
+    TriangleMesh row = plate(60, 2);
+    std::vector<Triangle> across;
+    for (int i = 0; i < 20; ++i) {
+        // Upright, through the middle of the plate.
+        const double x = (i + 0.4) / 20.0;
+        const auto first = static_cast<int>(row.vertices.size());
+        row.vertices.insert(
+            row.vertices.end(), {Vec3(x, 0.51, -0.01), Vec3(x, 0.52, 0.02), Vec3(x, 0.53, -0.01)}
+        );
+        across.push_back({first, first + 1, first + 2});
+    }
+    CrossingFinder finder(row.vertices, row.faces, false);
+    for (const int i : {0, 19, 1, 18, 10, 3, 15, 7, 12, 5, 9, 0}) {
+        EXPECT_EQ(finder.crossingsOf({across[i]}).withKept.size(), 1U) << i;
+        EXPECT_TRUE(finder.crossesKept(across[i])) << i;
+    }
+}
+
 TEST(CrossingFinder, TakesPointsThatRoundingJoinsAsOne) {
     // Two faces beside each other, with the edge between them twice.
     const std::vector<Vec3> points{
@@ -281,6 +300,8 @@ TEST(SheetBeside, CopiesADiscAndNothingElse) {
         EXPECT_EQ(sheet->normals[i].isZero(), isOnRim);
         EXPECT_TRUE(isOnRim || sheet->normals[i].dot(sheet->patch.points[i]) > 0.9);
     }
+    EXPECT_TRUE(sheetBeside(cap, rim, true, cap.faces.size()));
+    EXPECT_FALSE(sheetBeside(cap, rim, true, cap.faces.size() - 1));
     EXPECT_FALSE(sheetBeside(cap, rim, false));  // on that side there is nothing
     const TriangleMesh ring = openCylinder(12, 3);
     std::vector<int> lower(12);
