@@ -33,6 +33,7 @@ void printError(const std::string& message);
 
 /// The verb cut: the mesh opened along curves, whole or in parts.
 [[nodiscard]] ExitCode runCut(Arguments arguments);
+[[nodiscard]] ExitCode runFill(Arguments arguments);
 
 /// The verb field: values at the vertices of a mesh that curves can follow or avoid.
 [[nodiscard]] ExitCode runField(Arguments arguments);

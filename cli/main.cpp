@@ -41,6 +41,7 @@ constexpr std::array kVerbs{
         .run = runCut,
         .help = "the mesh opened along curves, parts of it, holes filled, reliefs"
     },
+    Verb{.name = "fill", .run = runFill, .help = "holes that a mesh has closed, flat or smooth"},
     Verb{
         .name = "segment",
         .run = runSegment,
@@ -83,7 +84,7 @@ ExitCode printOverview() {
     }
     std::cout
         << "\n"
-           "  bspline_curve VERB --help: its options; bspline_curve --version: the version\n\n"
+           "  bspline_curve VERB --help: its options; bspline_curve --version: the version\n"
            "Examples:\n"
            "  bspline_curve scan.ply --picks picks.json --closed --output curve.json\n"
            "  bspline_curve cut scan.ply --curve curve.json --keep inside --output cut.ply\n\n"

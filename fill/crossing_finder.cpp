@@ -64,7 +64,7 @@ void CrossingFinder::prepareNear(const Box& box) {
         return;
     }
     const Vec3 margin = kRegionMargin * box.sizes();
-    Box wider(box.min() - margin, box.max() + margin);
+    const Box wider(box.min() - margin, box.max() + margin);
     region_ = region_.intersects(box) ? region_.merged(wider) : wider;
     if (++moves_ == kMostMoves) {
         region_ =

@@ -142,7 +142,7 @@ void approach(Rows& points, const Elements& elements, const LeastSquares& square
         }
     }
     scale = scale.cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
-    Rows missing = squares.aim - elements.constant - laplacian * points;
+    const Rows missing = squares.aim - elements.constant - laplacian * points;
     Rows residual = laplacian.transpose() * (squares.weight.asDiagonal() * missing);
     Rows direction = scale.asDiagonal() * residual;
     Eigen::RowVector3d size = dots(residual, direction);

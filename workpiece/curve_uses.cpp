@@ -3,6 +3,7 @@
 #include "bspline_curve/offset.h"
 #include "bspline_curve/parts.h"
 #include "bspline_curve/progress.h"
+#include "fill/mesh_holes.h"
 #include "fill/part_filling.h"
 #include "fill/raised_parts.h"
 #include "fill/unjoined_parts.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -41,7 +43,7 @@ std::string crossingNote(const std::vector<int>& faces) {
     }
     return describeCount(faces.size(), "new face crosses", "new faces cross") +
            " others, since the rim allows no fill that does not: " + named +
-           (faces.size() > kMostNamed ? ", ..." : "") + "; move the curve";
+           (faces.size() > kMostNamed ? ", ..." : "");
 }
 
 /// The parts that one mesh gets; adds what to say of them.
@@ -63,7 +65,7 @@ FilledParts partsMeant(
             );
         }
         if (!taken.crossing.empty()) {
-            notes.push_back(crossingNote(taken.crossing));
+            notes.push_back(crossingNote(taken.crossing) + "; move the curve");
         }
         return taken;
     }
@@ -167,6 +169,27 @@ CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress&
     for (std::string& note : slitNotes(imprint, !choice.keep)) {
         result.notes.push_back(std::move(note));
     }
+    return result;
+}
+
+CutMeshes holesFilled(
+    const Imprint& imprint, const HoleChoice& choice, FillShape shape, const Progress& progress
+) {
+    FilledParts filled = withHolesFilled(*imprint.joined, imprint.parts, choice, shape, progress);
+    CutMeshes result;
+    result.filledHoles = static_cast<int>(filled.rims.size());
+    if (filled.openRims > 0) {
+        result.notes.push_back(
+            describeCount(static_cast<std::size_t>(filled.openRims), "hole stays", "holes stay") +
+            " open"
+        );
+    }
+    if (!filled.crossing.empty()) {
+        result.notes.push_back(crossingNote(filled.crossing));
+    }
+    std::vector<int> parts(imprint.parts.parts.size());
+    std::iota(parts.begin(), parts.end(), 0);
+    result.pieces.push_back(pieceOf(imprint, std::move(parts), std::move(filled)));
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "bspline_curve/progress.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -119,6 +120,21 @@ struct CutMeshes {
 /// The mesh opened along the curves. Throws InputError (NoPath) where they open nothing.
 [[nodiscard]] CutMeshes cutOn(
     const Imprint& imprint, const CutChoice& choice, const Progress& progress = {}
+);
+
+/// Which of the holes that a mesh has are closed: those for which all of this holds.
+struct HoleChoice {
+    double mostLength =
+        std::numeric_limits<double>::infinity();      ///< of the rim, in the mesh's unit
+    int mostEdges = std::numeric_limits<int>::max();  ///< of the rim
+    std::optional<Vec3> seed{};  ///< the hole whose rim has the vertex nearest to it
+};
+
+/// The whole mesh with holes closed that it has, in one piece. The outer boundary of an open surface
+/// is a hole like the others. Throws InputError (NoPath) where no hole is chosen or a rim cannot be
+/// filled, Cancelled. New faces cross others only where a note names them.
+[[nodiscard]] CutMeshes holesFilled(
+    const Imprint& imprint, const HoleChoice& choice, FillShape shape, const Progress& progress = {}
 );
 
 /// Each part by itself, and those together that no curve parts from another. Throws InputError

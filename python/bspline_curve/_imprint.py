@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Literal, NamedTuple, TypeAlias, cast
 
@@ -21,6 +22,9 @@ SNAP = Option("double", 1e-9, 0.0, 0.01, False, ())
 KEEP = Option("enum", "largest", None, None, False, ("largest", "smallest", "inside", "outside"))
 HEIGHT = Option("double", 0.0, None, None, False, ())
 FILL = Option("enum", "none", None, None, False, ("none", "flat", "smooth"))
+SHAPE = Option("enum", "smooth", None, None, False, ("smooth", "flat"))
+LENGTH = Option("double", 0.0, 0.0, None, True, ())
+EDGES = Option("int", 3, 3, None, False, ())
 
 
 def parts_meant(name: str, keep: Keep | None) -> tuple[str | None, list[float]]:
@@ -31,6 +35,26 @@ def parts_meant(name: str, keep: Keep | None) -> tuple[str | None, list[float]]:
     if seeds.shape != (3,) and (seeds.ndim != 2 or seeds.shape[1] != 3 or len(seeds) == 0):
         raise InputError(f"{name} has shape {seeds.shape}, but must be a word or have (3,) or (k, 3)", "bad-array")
     return "seed", seeds.ravel().tolist()
+
+
+def with_holes_filled(
+    core: _core.Mesh,
+    shape: str,
+    max_length: float | None,
+    max_edges: int | None,
+    seed: npt.ArrayLike | None,
+    progress: Progress | None,
+) -> Cut:
+    """See Mesh.fill_holes()."""
+    meant = str(checked_value("shape", SHAPE, shape))
+    length = math.inf if max_length is None else float(checked_number("max_length", LENGTH, max_length))
+    edges = 2**31 - 1 if max_edges is None else int(checked_number("max_edges", EDGES, max_edges))
+    point = [] if seed is None else numbers(seed, "seed").ravel().tolist()
+    if len(point) not in (0, 3):
+        raise InputError(f"seed has {len(point)} numbers, but must be a point", "bad-array")
+    cut, notes = _core.imprint(core, [], SNAP.default).fill_holes(meant, length, edges, point, progress)
+    warn(notes, 3)
+    return Cut(*cut)
 
 
 class Part(NamedTuple):

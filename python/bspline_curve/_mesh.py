@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, get_args
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +18,7 @@ from ._drawing import THRESHOLDS, Drawing
 from ._errors import FieldError, InputError, OptionError, warn
 from ._fit import curve_along, curves_round
 from ._identity import remember
-from ._imprint import SNAP, Cut, Fill, Imprint, Keep
+from ._imprint import SNAP, Cut, Fill, Imprint, Keep, with_holes_filled
 from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Avoid, Field, MeshKeywords
 from ._lines import Line, curves_on
@@ -442,6 +442,54 @@ class Mesh(MeshKeywords):
         (3, np.True_)
         """
         return self.imprint(curves, snap, max_distance)._cut(keep, fill, progress, drop_untouched)
+
+    def fill_holes(
+        self,
+        shape: Literal["smooth", "flat"] = "smooth",
+        max_length: float | None = None,
+        max_edges: int | None = None,
+        seed: npt.ArrayLike | None = None,
+        progress: Progress | None = None,
+    ) -> Cut:
+        """Close holes of a copy of the mesh, which is mended where it had to be for curves. No new face crosses another one.
+
+        The outer boundary of an open mesh is a hole like the others. A MeshWarning says how many holes stay open, and which new
+        faces cross others, where a rim allows no fill that does not.
+
+        Parameters
+        ----------
+        shape : {"smooth", "flat"}, default "smooth"
+            Patches as dense as around, with the tangent planes at their rims, or triangulations of these that bend least.
+        max_length : float > 0, optional
+            Holes whose rim is longer stay open; in the unit of the mesh.
+        max_edges : int ≥ 3, optional
+            Holes whose rim has more edges stay open.
+        seed : (3,) array of float, optional
+            Close the hole alone whose rim has the vertex nearest to this point.
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
+
+        Returns
+        -------
+        Cut
+            The whole mesh; new faces are the last ones, with the label -1.
+
+        Raises
+        ------
+        InputError
+            The mesh has no such hole (a PickError), or one cannot be filled.
+        OptionError
+            `shape`, `max_length` or `max_edges` is none of these.
+        Cancelled
+            `progress` returned False.
+
+        Examples
+        --------
+        >>> closed = mesh.fill_holes("flat")
+        >>> bool((closed.labels == -1).any())
+        True
+        """
+        return with_holes_filled(self._core, shape, max_length, max_edges, seed, progress)
 
     def segment(self, curves: Line | Iterable[Line], snap: float = 1e-9, max_distance: float = 0.0) -> Imprint:
         """Label the parts that curves leave: an imprint whose `labels` and `parts` are more than those of the mesh.

@@ -80,6 +80,18 @@ std::optional<PartChoice> choiceOf(
     return choice;
 }
 
+/// Vertices, faces, sources and labels of a mesh that is in one piece; and notes.
+nb::tuple arraysAndNotes(const CutMeshes& cut) {
+    const FilledParts& made = cut.pieces.front().mesh.parts();
+    const nb::tuple arrays = nb::make_tuple(
+        arrayOf(made.mesh.vertices),
+        arrayOf(made.mesh.faces),
+        arrayOf(made.source),
+        arrayOf(made.labels)
+    );
+    return nb::make_tuple(arrays, cut.notes);
+}
+
 // ((vertices, faces, imprinted vertex of each vertex, part of each face), notes); -1: new.
 nb::tuple cutTuple(
     const Imprint& imprint,
@@ -99,14 +111,27 @@ nb::tuple cutTuple(
     const CutMeshes cut = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
         return cutOn(imprint, choice, goesOn);
     });
-    const FilledParts& made = cut.pieces.front().mesh.parts();
-    const nb::tuple arrays = nb::make_tuple(
-        arrayOf(made.mesh.vertices),
-        arrayOf(made.mesh.faces),
-        arrayOf(made.source),
-        arrayOf(made.labels)
-    );
-    return nb::make_tuple(arrays, cut.notes);
+    return arraysAndNotes(cut);
+}
+
+/// The mesh with holes closed, and notes. `shape`: "flat" or "smooth"; `seed`: none, or a point.
+nb::tuple filledTuple(
+    const Imprint& imprint,
+    const std::string& shape,
+    double mostLength,
+    int mostEdges,
+    const std::vector<double>& seed,
+    nb::object progress
+) {
+    HoleChoice choice{.mostLength = mostLength, .mostEdges = mostEdges};
+    if (!seed.empty()) {
+        choice.seed = Vec3(seed.at(0), seed.at(1), seed.at(2));
+    }
+    const CutMeshes filled = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        const FillShape fill = shape == "flat" ? FillShape::Flat : FillShape::Smooth;
+        return holesFilled(imprint, choice, fill, goesOn);
+    });
+    return arraysAndNotes(filled);
 }
 
 std::vector<std::string> segmentNotes(const Imprint& imprint) {
@@ -224,6 +249,15 @@ void bindUses(nb::module_& module) {
             nb::arg("relief") = 0.0,
             nb::arg("drop_untouched") = false,
             nb::arg("progress") = nb::none()
+        )
+        .def(
+            "fill_holes",
+            filledTuple,
+            nb::arg("shape"),
+            nb::arg("max_length"),
+            nb::arg("max_edges"),
+            nb::arg("seed"),
+            nb::arg("progress").none()
         );
     module.def("imprint", imprinted);
     const auto define = [&](const char* name, auto* function) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/curve_designer.h"
 #include "fill/fill_holes.h"
+#include "fill/mesh_holes.h"
 #include "fill/part_filling.h"
 #include "imprint/random_curves.h"
 #include "support/many_cases.h"
@@ -386,6 +387,44 @@ TEST(Fill, NamesTheFacesOfAKnottedRimThatCross) {
             EXPECT_TRUE(std::ranges::binary_search(result.crossing, other)) << one << ' ' << other;
         }
     }
+}
+
+TEST(WithHolesFilled, ClosesThoseThatAreChosen) {
+    // Holes round both poles, of 0.2 and 0.5 radians.
+    const TriangleMesh open = without(icosphere(4), [](const Vec3& v) {
+        return v.z() > std::cos(0.2) || v.z() < -std::cos(0.5);
+    });
+    const ImprintedMesh imprinted = imprint(Surface(open), {}, {});
+    const MeshParts parts = partsOf(imprinted);
+    const auto openRims = [&](const HoleChoice& choice) {
+        const FilledParts result = withHolesFilled(imprinted, parts, choice, FillShape::Smooth);
+        EXPECT_EQ(result.rims.size() + result.openRims, 2U);
+        EXPECT_EQ(rimsOf(result.mesh.faces).size(), static_cast<std::size_t>(result.openRims));
+        EXPECT_TRUE(findSelfIntersections(result.mesh.vertices, result.mesh.faces).empty());
+        return result.openRims;
+    };
+    EXPECT_EQ(openRims({}), 0);
+    EXPECT_EQ(openRims({.mostLength = 2.0}), 1);
+    EXPECT_EQ(openRims({.mostEdges = 40}), 1);
+    EXPECT_EQ(openRims({.seed = Vec3(0, 0, -1)}), 1);
+    const auto firstNewOf = [&](const Vec3& seed) {
+        const FilledParts result =
+            withHolesFilled(imprinted, parts, {.seed = seed}, FillShape::Smooth);
+        return result.mesh.vertices.at(result.firstNew.at(0));
+    };
+    EXPECT_GT(firstNewOf(Vec3(0, 0, 3)).z(), 0.9);
+    EXPECT_LT(firstNewOf(Vec3(0, 0, -3)).z(), -0.8);
+    expectRefused(
+        [&] { return withHolesFilled(imprinted, parts, {.mostEdges = 3}, FillShape::Flat); },
+        InputErrorCode::NoPath,
+        "none of 2 holes is as small as that"
+    );
+    const ImprintedMesh closed = imprint(Surface(icosphere(1)), {}, {});
+    expectRefused(
+        [&] { return withHolesFilled(closed, partsOf(closed), {}, FillShape::Flat); },
+        InputErrorCode::NoPath,
+        "no hole"
+    );
 }
 
 TEST(Fill, RefusesWhereTheBoundaryIsPartOfTheRim) {

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bspline_curve fill MESH --output FILE …: the holes that a mesh has, closed.
+#include "bspline_curve/files.h"
+#include "cli/result_files.h"
+#include "cli/use_input.h"
+#include "cli/verb_parser.h"
+#include "utility/stopwatch.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace bspline_curve::cli {
+
+namespace {
+
+struct FillArguments : UseArguments {
+    HoleChoice choice;
+    FillShape shape = FillShape::Smooth;
+};
+
+struct FillParser {
+    FillParser() {
+        addMesh(app, arguments.drawing.mesh);
+        addOutput(
+            app,
+            arguments.output,
+            "Mesh to write: " + meshExtensions() + "; .ply has -1 as `label` of new faces"
+        );
+        app.add_option(
+               "--shape",
+               shape,
+               "Whether patches go on in the tangent planes at their rims, or are "
+               "triangulations of these that bend least; default: smooth"
+        )
+            ->check(CLI::IsMember({"smooth", "flat"}).description(""))
+            ->type_name("smooth|flat");
+        const Interval<double> lengths{
+            .low = 0.0, .high = std::numeric_limits<double>::max(), .withLow = false
+        };
+        app.add_option(
+               "--max-length",
+               arguments.choice.mostLength,
+               "Leave holes open whose rim is longer than this, in the mesh's unit"
+        )
+            ->check(lengths.validator())
+            ->type_name("NUMBER");
+        app.add_option(
+               "--max-edges",
+               arguments.choice.mostEdges,
+               "Leave holes open whose rim has more edges than this"
+        )
+            ->check(atLeast(3).validator())
+            ->type_name("NUMBER");
+        app.add_option("--seed", seed, "Close the hole alone whose rim comes nearest to this point")
+            ->delimiter(',')
+            ->type_size(3)
+            ->type_name("x,y,z");
+        addReport(app, arguments.report, "Write counts, parts and times");
+    }
+
+    FillArguments finish() {
+        arguments.shape = shape == "flat" ? FillShape::Flat : FillShape::Smooth;
+        if (!seed.empty()) {
+            arguments.choice.seed = Vec3(seed[0], seed[1], seed[2]);
+        }
+        return arguments;
+    }
+
+    CLI::App app{
+        "Closes the holes that a mesh has: all, those whose rims are short, or the one at a point. "
+        "No new\nface crosses another one or the mesh. The outer boundary of an open mesh is a "
+        "hole "
+        "as well.\n\n"
+        "Exit status: 0 done; 1 bad mesh or file, or no such hole; 2 wrong usage; 130 interrupted "
+        "by\nCtrl-C. No output is written unless the status is 0.\n",
+        "bspline_curve fill"
+    };
+    FillArguments arguments;
+    std::string shape = "smooth";
+    std::vector<double> seed;
+};
+
+ExitCode closeHoles(const FillArguments& arguments, ProgressBar& bar) {
+    checkOutput(arguments.output, checkMeshExtension);
+    checkOutput(arguments.report);
+    const ImprintedFile file = imprintedFile(arguments, {}, bar);
+    Stopwatch watch;
+    const CutMeshes filled = holesFilled(
+        file.imprint, arguments.choice, arguments.shape, progressPart(bar, kImprintedShare, 1.0)
+    );
+    CutFigures figures{
+        .doubledVertices = 0,
+        .cutSeconds = 0.0,
+        .kept = filled.pieces.front().parts,
+        .filledHoles = filled.filledHoles
+    };
+    ResultFiles files;
+    files.add(arguments.output, file.bytesOf(arguments.output, filled.pieces.front().mesh));
+    figures.cutSeconds = watch.lap();
+    if (!arguments.report.empty()) {
+        files.add(
+            arguments.report,
+            cutReportBytes(*file.imprint.mesh, file.imprint.parts, file.figures, figures)
+        );
+    }
+    bar.clear();
+    files.commit();
+    printNotes(file.notesFor(arguments.output));
+    printNotes(filled.notes);
+    return ExitCode::Success;
+}
+
+}  // namespace
+
+ExitCode runFill(Arguments arguments) {
+    return runParsed<FillParser>(arguments, closeHoles);
+}
+
+}  // namespace bspline_curve::cli
