@@ -3,6 +3,7 @@
 #include "bspline_curve/offset.h"
 #include "bspline_curve/parts.h"
 #include "bspline_curve/progress.h"
+#include "fill/capped_handles.h"
 #include "fill/mesh_holes.h"
 #include "fill/part_filling.h"
 #include "fill/raised_parts.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -142,7 +144,39 @@ MadeMesh wholeMesh(const Imprint& imprint) {
     return {imprint, wholeImprint(*imprint.mesh, imprint.parts)};
 }
 
+namespace {
+
+/// Where the whole mesh is to be closed after a cut along curves that part nothing; or nothing.
+std::optional<CutMeshes> cutThroughHandles(
+    const Imprint& imprint, const CutChoice& choice, const Progress& progress
+) {
+    const bool isMeant = choice.fill && choice.relief == 0.0 && choice.keep &&
+                         choice.keep->which == PartChoice::Which::Largest &&
+                         partedParts(*imprint.joined, imprint.parts).empty();
+    std::optional<FilledParts> capped =
+        isMeant ? cappedHandles(*imprint.joined, imprint.parts, progress) : std::nullopt;
+    if (!capped) {
+        return std::nullopt;
+    }
+    CutMeshes result;
+    result.filledHoles = static_cast<int>(capped->rims.size());
+    result.doubledVertices =
+        static_cast<int>(capped->firstNew.front() - std::ssize(imprint.joined->mesh.vertices));
+    if (!capped->crossing.empty()) {
+        result.notes.push_back(crossingNote(capped->crossing) + "; move the curve");
+    }
+    std::vector<int> parts(imprint.parts.parts.size());
+    std::iota(parts.begin(), parts.end(), 0);
+    result.pieces.push_back(pieceOf(imprint, std::move(parts), *std::move(capped)));
+    return result;
+}
+
+}  // namespace
+
 CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress& progress) {
+    if (std::optional<CutMeshes> cut = cutThroughHandles(imprint, choice, progress)) {
+        return *std::move(cut);
+    }
     const CutMesh cut = openedAlongCurves(*imprint.joined);
     CutMeshes result;
     result.doubledVertices =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/curve_designer.h"
+#include "fill/capped_handles.h"
 #include "fill/fill_holes.h"
 #include "fill/mesh_holes.h"
 #include "fill/part_filling.h"
@@ -18,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -425,6 +427,58 @@ TEST(WithHolesFilled, ClosesThoseThatAreChosen) {
         InputErrorCode::NoPath,
         "no hole"
     );
+}
+
+/// The vertices round the tube of a torus about the z axis, at an angle, in order.
+std::vector<int> meridian(const TriangleMesh& mesh, double angle) {
+    std::vector<std::pair<double, int>> round;
+    const Vec3 outwards(std::cos(angle), std::sin(angle), 0.0);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const Vec3& p = mesh.vertices[v];
+        if (std::abs(p.x() * outwards.y() - p.y() * outwards.x()) < 1e-9 && p.dot(outwards) > 0) {
+            const double radius = std::hypot(p.x(), p.y()) - 1.0;
+            round.emplace_back(std::atan2(p.z(), radius), static_cast<int>(v));
+        }
+    }
+    std::ranges::sort(round);
+    std::vector<int> vertices;
+    for (const auto& [at, vertex] : round) {
+        vertices.push_back(vertex);
+    }
+    return vertices;
+}
+
+TEST(CappedHandles, GetTheSameTrianglesOnEitherSide) {
+    const Surface surface(torus(24, 12));
+    const std::vector<int> ring = meridian(surface.mesh(), 0.0);
+    ASSERT_EQ(ring.size(), 12U);
+    const std::vector<int> other = meridian(surface.mesh(), std::numbers::pi);
+    const std::vector<int> slit(other.begin(), other.begin() + 3);
+    const std::vector lines{
+        polylineAlong(surface, ring, true), polylineAlong(surface, slit, false)
+    };
+    const ImprintedMesh imprinted = imprint(surface, lines, {});
+    const MeshParts parts = partsOf(imprinted);
+    const std::optional<FilledParts> capped = cappedHandles(imprinted, parts);
+    ASSERT_TRUE(capped);
+    EXPECT_TRUE(capped->crossing.empty());
+    ASSERT_EQ(capped->rims.size(), 2U);
+    const Surface whole(capped->mesh);
+    EXPECT_TRUE(isWatertight(whole));
+    // A torus that is cut through is a sphere.
+    const auto faces = static_cast<int>(capped->mesh.faces.size());
+    EXPECT_EQ(static_cast<int>(capped->mesh.vertices.size()) - faces / 2, 2);
+    const int caps = (faces - capped->firstFace[0]) / 2;
+    EXPECT_EQ(caps, 10);
+    for (int f = 0; f < caps; ++f) {
+        const auto& [a, b, c] = capped->mesh.faces[capped->firstFace[0] + f];
+        const auto& [p, q, r] = capped->mesh.faces[capped->firstFace[1] + f];
+        EXPECT_EQ(capped->mesh.vertices[a], capped->mesh.vertices[p]);
+        EXPECT_EQ(capped->mesh.vertices[b], capped->mesh.vertices[r]);
+        EXPECT_EQ(capped->mesh.vertices[c], capped->mesh.vertices[q]);
+    }
+    const ImprintedMesh slitAlone = imprint(surface, {&lines[1], 1}, {});
+    EXPECT_FALSE(cappedHandles(slitAlone, partsOf(slitAlone)));
 }
 
 TEST(Fill, RefusesWhereTheBoundaryIsPartOfTheRim) {

@@ -146,6 +146,28 @@ def test_a_part_is_moved_along_its_normals(mesh, ring, part):
     np.testing.assert_array_equal(relief.origins[: len(imprint.vertices)], np.arange(len(imprint.vertices)))
 
 
+def test_holes_of_a_mesh_are_closed():
+    vertices, faces = meshes.plate(cells=24)
+    middle = vertices[faces].mean(axis=1) - vertices.mean(axis=0)
+    pierced = faces[np.hypot(middle[:, 0], middle[:, 1]) > 0.2 * np.ptp(vertices[:, 0])]
+    mesh = Mesh(vertices, pierced)
+    with pytest.warns(MeshWarning, match="1 hole stays open"):
+        closed = mesh.fill_holes("flat", seed=vertices.mean(axis=0))
+    assert (closed.labels == np.r_[np.zeros(len(pierced)), np.full(len(closed.faces) - len(pierced), -1)]).all()
+    assert areas(closed.vertices, closed.faces).sum() == pytest.approx(areas(vertices, faces).sum())
+    with pytest.warns(MeshWarning):
+        smooth = mesh.fill_holes(max_edges=90, progress=lambda share, stage: True)
+    assert len(smooth.vertices) > len(mesh.vertices) and (smooth.origins[len(mesh.vertices) :] == -1).all()
+    with pytest.raises(InputError, match="none of 2 holes"):
+        mesh.fill_holes(max_length=1e-3)
+    with pytest.raises(OptionError, match="max_edges"):
+        mesh.fill_holes(max_edges=2)
+    with pytest.raises(OptionError, match="shape"):
+        mesh.fill_holes("round")
+    with pytest.raises(InputError, match="seed"):
+        mesh.fill_holes(seed=[1, 2])
+
+
 def test_curves_that_part_the_mesh_are_not_warned_of(mesh, arrays, ring):
     low, high = arrays[0].min(axis=0), arrays[0].max(axis=0)
     ends = [arrays[0][np.abs(arrays[0][:, :2] - end).sum(axis=1).argmin()] for end in (low[:2], high[:2])]
