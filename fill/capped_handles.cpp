@@ -40,6 +40,23 @@ std::vector<CutRim> rimsAlong(const CutMesh& cut, const Edges& edges) {
     return found;
 }
 
+/// Those with the same edges.
+std::vector<std::pair<CutRim, CutRim>> pairsOf(std::vector<CutRim> rims) {
+    std::vector<std::pair<CutRim, CutRim>> pairs;
+    std::map<Edges, CutRim> single;
+    for (CutRim& rim : rims) {
+        const auto other = single.find(rim.edges);
+        if (other != single.end()) {
+            pairs.emplace_back(std::move(other->second), std::move(rim));
+            single.erase(other);
+        } else {
+            Edges key = rim.edges;
+            single.emplace(std::move(key), std::move(rim));
+        }
+    }
+    return pairs;
+}
+
 /// Adds a patch, whose points are those of a rim on one side of a cut.
 void append(
     FilledParts& result,
@@ -82,18 +99,7 @@ std::optional<FilledParts> cappedHandles(
     }
     sortUnique(edges);
     const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
-    std::vector<std::pair<CutRim, CutRim>> pairs;
-    std::map<Edges, CutRim> single;
-    for (CutRim& rim : rimsAlong(cut, edges)) {
-        const auto other = single.find(rim.edges);
-        if (other != single.end()) {
-            pairs.emplace_back(std::move(other->second), std::move(rim));
-            single.erase(other);
-        } else {
-            Edges key = rim.edges;
-            single.emplace(std::move(key), std::move(rim));
-        }
-    }
+    const std::vector<std::pair<CutRim, CutRim>> pairs = pairsOf(rimsAlong(cut, edges));
     if (pairs.empty()) {
         return std::nullopt;
     }

@@ -43,13 +43,13 @@ constexpr double kSizeOverShortest = 2.0;
 constexpr double kLeastFineRelative = 0.1;
 /// First, a patch is refined and faired in few steps, in turn, until its faces become less than
 /// this many times more.
-constexpr int kMostRefinements = 5;
+constexpr std::size_t kMostRefinements = 5;
 constexpr int kFewFairingSteps = 3;
 constexpr double kGrowth = 1.15;
 /// Patches are first made with about so many faces, or twice those that their rim asks for, then
 /// with four times as many as before, in turn.
 constexpr double kFewFaces = 800.0;
-constexpr int kMostDivisions = 8;
+constexpr double kMostDivisions = 8.0;
 /// Points of a rim that is filled smoothly that are triangulated at once.
 constexpr int kFewRimPoints = 120;
 /// A patch is not divided into more than so many times the faces that it should have.
@@ -195,25 +195,28 @@ private:
         if (smooth.faces.empty() || isFaceOfMesh()) {
             closeWithMiddle(smooth);
         }
-        const int divisions = divisionsOf(smooth);
-        scaleSizes(smooth, std::ldexp(1.0, divisions));
+        const std::size_t divisions = divisionsOf(smooth);
+        scaleSizes(smooth, std::exp2(static_cast<double>(divisions)));
         refinePatch(smooth, Relaxing::Free, partOf(progress, 0.1, 0.2));
         fairPatch(smooth, around, 1, partOf(progress, 0.2, 0.3));
         // A patch that bulges has longer edges than before, so that it is refined again.
-        for (int pass = 0; pass < kMostRefinements; ++pass) {
+        const Progress passes = partOf(progress, 0.3, 0.5);
+        for (std::size_t pass = 0; pass < kMostRefinements; ++pass) {
             const std::size_t before = smooth.faces.size();
-            refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.3, 0.4));
+            const Progress step = stepOf(passes, pass, kMostRefinements);
+            refinePatch(smooth, Relaxing::Tangential, partOf(step, 0.0, 0.5));
             const bool hasGrown =
                 static_cast<double>(smooth.faces.size()) >= kGrowth * static_cast<double>(before);
             if (pass > 0 && !hasGrown) {
                 break;
             }
-            fairPatch(smooth, around, kFewFairingSteps, partOf(progress, 0.4, 0.5));
+            fairPatch(smooth, around, kFewFairingSteps, partOf(step, 0.5, 1.0));
         }
         fairPatch(smooth, around, kFairingSteps, partOf(progress, 0.5, 0.6));
-        for (int division = 0; division < divisions; ++division) {
+        const Progress halvings = partOf(progress, 0.6, 0.9);
+        for (std::size_t division = 0; division < divisions; ++division) {
             scaleSizes(smooth, 0.5);
-            refinePatch(smooth, Relaxing::Tangential, partOf(progress, 0.6, 0.9));
+            refinePatch(smooth, Relaxing::Tangential, stepOf(halvings, division, divisions));
             fairDivided(smooth, around);
         }
         if (divisions == 0) {  // else few of the faces are at the rim
@@ -251,11 +254,11 @@ private:
     }
 
     /// How often edges are to be halved until they have their size, after there are few faces.
-    [[nodiscard]] static int divisionsOf(const Patch& patch) {
+    [[nodiscard]] static std::size_t divisionsOf(const Patch& patch) {
         const double few = std::max(kFewFaces, 2.0 * patch.rimCount);
         const double divisions =
             std::ceil(0.5 * std::log2(std::max(expectedFaces(patch), 1.0) / few));
-        return std::clamp(static_cast<int>(divisions), 0, kMostDivisions);
+        return static_cast<std::size_t>(std::clamp(divisions, 0.0, kMostDivisions));
     }
 
     /// Has edges far from the rim longer so many times.
