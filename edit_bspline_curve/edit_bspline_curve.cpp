@@ -2,6 +2,7 @@
 #include "edit_bspline_curve/edit_bspline_curve.h"
 
 #include "edit_bspline_curve/common/tool_icon.h"
+#include "edit_bspline_curve/common/view.h"
 
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -13,7 +14,7 @@ bool EditBsplineCurve::startEdit(
     MeshDocument& document, GLArea* /*area*/, MLSceneGLSharedDataContext* shared
 ) {
     try {
-        drawing_ = std::make_unique<DocumentDrawing>(document, *shared);
+        drawing_ = std::make_unique<DocumentDrawing>(document, *shared, currentView());
     } catch (const std::exception& error) {
         host::log(document, GLLogStream::WARNING, error.what());
         return false;

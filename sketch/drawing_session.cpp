@@ -272,10 +272,20 @@ void DrawingSession::movePick(int pick, const SurfacePoint& point) {
     enter();
 }
 
+// Ends a drag. Whether there is an active curve, and it is none that the drag had begun.
+bool DrawingSession::staysWithoutDrag() {
+    const std::uint64_t before = sketch_.active < 0 ? 0 : sketch_.activeCurve()->id;
+    cancel();
+    return before != 0 && sketch_.active >= 0 && sketch_.activeCurve()->id == before;
+}
+
 void DrawingSession::setCorner(int pick, bool isCorner) {
     requirePick(pick);
+    if (!staysWithoutDrag()) {
+        return;
+    }
+    requirePick(pick);
     if (sketch_.activeCurve()->picks[pick].isCorner != isCorner) {
-        cancel();
         changed().picks[pick].isCorner = isCorner;
         sketch_.selected = pick;
         enter();
@@ -309,13 +319,12 @@ void DrawingSession::select(int curve, int pick) {
 }
 
 void DrawingSession::setClosed(bool closed) {
-    if (sketch_.active < 0) {
+    if (!staysWithoutDrag()) {
         return;
     }
     SketchCurveOptions options = sketch_.activeCurve()->options;
     options.solver.closed = closed && sketch_.activeCurve()->picks.size() >= 3;
     if (options.solver.closed != sketch_.activeCurve()->options.solver.closed) {
-        cancel();
         changed().options = std::move(options);
         enter();
     }

@@ -117,9 +117,16 @@ bool DrawingSession::isSettled() const {
     });
 }
 
+// Whether more answers of that kind are to come: none for a curve whose pick is being dragged.
+bool DrawingSession::isSettling() const {
+    return std::ranges::any_of(asked_, [](const Asked& asked) {
+        return asked.kind == Asking::Settled;
+    });
+}
+
 void DrawingSession::settle() {
     static_cast<void>(update());
-    while (!isSettled()) {
+    while (isSettling()) {
         solver_->worker.wait();
         static_cast<void>(update());
     }
@@ -128,7 +135,7 @@ void DrawingSession::settle() {
 bool DrawingSession::settleWithin(std::chrono::milliseconds time) {
     const auto end = std::chrono::steady_clock::now() + time;
     static_cast<void>(update());
-    while (!isSettled() && solver_->worker.waitUntil(end)) {
+    while (isSettling() && solver_->worker.waitUntil(end)) {
         static_cast<void>(update());
     }
     return isSettled();

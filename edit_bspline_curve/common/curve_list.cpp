@@ -4,6 +4,7 @@
 #include <QColorDialog>
 #include <QHeaderView>
 #include <QPixmap>
+#include <QPointer>
 #include <utility>
 
 namespace bspline_curve {
@@ -79,9 +80,10 @@ void CurveList::clicked(QTreeWidgetItem* item, int column) {
     const int row = indexOfTopLevelItem(item);
     if (column == kColour) {
         SketchLook look = shown_[row];
+        const QPointer<CurveList> self(this);
         const QColor chosen =
             QColorDialog::getColor(toColor(look.colour), window(), tr("Colour of the curve"));
-        if (chosen.isValid()) {
+        if (self && chosen.isValid()) {
             look.colour = {
                 static_cast<std::uint8_t>(chosen.red()),
                 static_cast<std::uint8_t>(chosen.green()),

@@ -143,12 +143,13 @@ void CurveTool::takePrepared() {
 }
 
 // What the filter made is the current layer then, the surface is hidden, and the drawing is over:
-// so this waits for the end of a drag.
+// so this waits for the end of a drag, and for answers to what is asked.
 void CurveTool::takeUse() {
     if (panel_ != nullptr) {
         panel_->showUse(uses_.running());
     }
-    if (!uses_.waits() || (session_ && session_->isDragging())) {
+    if (!uses_.waits() || (session_ && session_->isDragging()) ||
+        QApplication::activeModalWidget() != nullptr) {
         return;
     }
     try {
@@ -322,8 +323,16 @@ void CurveTool::setOptions(const DrawnOptions& options, bool isLive) {
     refresh();
 }
 
+// Of a curve that a list names, which may be one that a drag has just begun: it ends with the drag.
+bool CurveTool::has(int curve) {
+    if (session_) {
+        session_->cancel();
+    }
+    return session_ && curve < static_cast<int>(session_->sketch().curves.size());
+}
+
 void CurveTool::setLook(int curve, const SketchLook& look) {
-    if (!session_ || curve >= static_cast<int>(session_->sketch().curves.size())) {
+    if (!has(curve)) {
         return;
     }
     if (!(look.colour == session_->sketch().curves[curve]->look.colour)) {
@@ -335,7 +344,7 @@ void CurveTool::setLook(int curve, const SketchLook& look) {
 }
 
 void CurveTool::choose(int curve) {
-    if (session_ && curve < static_cast<int>(session_->sketch().curves.size())) {
+    if (has(curve)) {
         session_->select(curve);
         refresh();
     }

@@ -64,6 +64,9 @@ public:
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
+    /// What is drawn; null until the surface is prepared.
+    [[nodiscard]] const DrawingSession* session() const { return session_.get(); }
+
 private:
     /// What is prepared on a thread of its own.
     struct Prepared {
@@ -87,6 +90,7 @@ private:
     void setOptions(const DrawnOptions& options, bool isLive);
     void setLook(int curve, const SketchLook& look);
     void choose(int curve);
+    [[nodiscard]] bool has(int curve);
     [[nodiscard]] CurveMaker maker();
 
     // Layers, when all curves are settled.

@@ -27,7 +27,7 @@ bool CurveTool::eventFilter(QObject* watched, QEvent* event) {
             if (watched == view_.window()) {
                 const bool may = mayClose();
                 event->setAccepted(may);
-                return !may;
+                return !may;  // nothing of the tool from here on: it may have ended
             }
             if (const auto* const widget = qobject_cast<QWidget*>(watched);
                 widget != nullptr && widget->isAncestorOf(&view_)) {
@@ -149,7 +149,11 @@ bool CurveTool::mayClose() {
     QPushButton* const stay = question.addButton(tr("Go on drawing"), QMessageBox::RejectRole);
     question.setDefaultButton(stay);
     question.setEscapeButton(stay);
+    const QPointer<CurveTool> self(this);
     question.exec();
+    if (!self) {
+        return true;  // the tool ended, and made layers
+    }
     if (question.clickedButton() == saves) {
         return save();
     }

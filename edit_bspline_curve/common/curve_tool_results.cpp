@@ -143,10 +143,12 @@ CurveFileSurface CurveTool::fileSurface() const {
 
 // Whether all curves are in a file now.
 bool CurveTool::save() {
+    session_->cancel();
+    const QPointer<CurveTool> self(this);
     const QString file = QFileDialog::getSaveFileName(
         view_.window(), tr("Save curves"), QDir(kept::folder()).filePath("curves.json"), kFiles
     );
-    if (file.isEmpty()) {
+    if (file.isEmpty() || !self || !session_) {  // the tool may end while somebody chooses
         return false;
     }
     static_cast<void>(session_->settleWithin(kPatience));  // others are saved with their picks
@@ -170,9 +172,10 @@ bool CurveTool::save() {
 }
 
 void CurveTool::open() {
+    const QPointer<CurveTool> self(this);
     const QString file =
         QFileDialog::getOpenFileName(view_.window(), tr("Open curves"), kept::folder(), kFiles);
-    if (file.isEmpty() || !session_) {
+    if (file.isEmpty() || !self || !session_) {
         return;
     }
     try {

@@ -7,27 +7,13 @@
 #include "filter_bspline_curve/common/restore_curves.h"
 #include "filter_bspline_curve/common/surface_choice.h"
 
-#include <stdexcept>
 #include <utility>
 
 namespace bspline_curve {
 
-namespace {
-
-// MeshLab makes the view's context current before it calls a tool.
-QGLWidget& currentView() {
-    const QGLContext* const context = QGLContext::currentContext();
-    auto* const view = context == nullptr ? nullptr : dynamic_cast<QGLWidget*>(context->device());
-    if (view == nullptr) {
-        throw std::runtime_error("there is no view to draw in");
-    }
-    return *view;
-}
-
-}  // namespace
-
-DocumentDrawing::DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataContext& shared) {
-    QGLWidget& view = currentView();
+DocumentDrawing::DocumentDrawing(
+    MeshDocument& document, MLSceneGLSharedDataContext& shared, QGLWidget& view
+) {
     const RestoredCurves restored = restoreCurves(document);
     const MeshModel* const surface = defaultSurface(document);
     if (surface == nullptr) {

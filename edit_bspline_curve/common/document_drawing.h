@@ -16,7 +16,7 @@ public:
     /// On the layer that a curve would be drawn on (see defaultSurface()). All curves that the
     /// document has of it are taken up again; the one that is the current layer is the active one.
     /// Throws InputError where there is no surface or it has no faces.
-    DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataContext& shared);
+    DocumentDrawing(MeshDocument& document, MLSceneGLSharedDataContext& shared, QGLWidget& view);
 
     /// Makes layers of what is drawn, and keeps the rest with the surface.
     ~DocumentDrawing();

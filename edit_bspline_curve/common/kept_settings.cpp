@@ -19,7 +19,10 @@ QVariant value(const QString& name, const QVariant& standard) {
 }
 
 void setValue(const QString& name, const QVariant& value) {
-    QSettings().setValue(keyOf(name), value);
+    QSettings settings;
+    if (settings.value(keyOf(name)) != value) {  // else the window waits for the disk for nothing
+        settings.setValue(keyOf(name), value);
+    }
 }
 
 SketchColour colour() {

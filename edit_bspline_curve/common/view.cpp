@@ -4,8 +4,18 @@
 #include <Eigen/LU>
 
 #include <array>
+#include <stdexcept>
 
 namespace bspline_curve {
+
+QGLWidget& currentView() {
+    const QGLContext* const context = QGLContext::currentContext();
+    auto* const view = context == nullptr ? nullptr : dynamic_cast<QGLWidget*>(context->device());
+    if (view == nullptr) {
+        throw std::runtime_error("there is no view to draw in");
+    }
+    return *view;
+}
 
 View::View(const QGLWidget& widget)
     : View(widget.devicePixelRatioF(), widget.height() * widget.devicePixelRatioF()) {}

@@ -14,6 +14,10 @@
 
 namespace bspline_curve {
 
+/// The view whose context is current, which MeshLab makes it before it calls a tool. Throws
+/// std::runtime_error where there is none.
+[[nodiscard]] QGLWidget& currentView();
+
 /// How a view of MeshLab shows the world: the matrices of OpenGL, as they are while it draws.
 class View {
 public:

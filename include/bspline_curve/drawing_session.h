@@ -183,7 +183,7 @@ public:
     /// Whether the surface hides a point that the pointer points at.
     [[nodiscard]] bool hides(const Pointer& pointer, const Vec3& point) const;
 
-    /// Waits until all curves are settled.
+    /// Waits until all curves are settled, but for the one whose pick is being dragged.
     void settle();
 
     /// The same for a limited time; whether they are.
@@ -220,6 +220,8 @@ private:
     SurfacePoint pointUnder(const Pointer& pointer, const Seen& seen);
     [[nodiscard]] bool hasMoved(const Pointer& pointer) const;
 
+    bool staysWithoutDrag();
+
     // Of key().
     bool moveSelected(const Pointer& pointer);
     bool change(SketchKey key);
@@ -240,6 +242,7 @@ private:
     void askSettled();
     std::uint64_t ask(Asking kind, std::shared_ptr<SketchCurve> curve);
     void dropLive();
+    [[nodiscard]] bool isSettling() const;
     bool take(const Answer& answer);
     void show(const Sketch& state);
     void requireCurve(int curve) const;

@@ -466,5 +466,33 @@ TEST_P(ASession, WaitsForCurvesNoLongerThanAsked) {
     EXPECT_TRUE(curve().settled);
 }
 
+TEST_P(ASession, WaitsForNoCurveWhosePickIsDragged) {
+    drawArc();
+    s_.session.press(s_.camera.over(curve().picks[1].position));
+    s_.session.move(s_.camera.beside(curve().picks[1].position, 30.0));
+    s_.session.settle();
+    EXPECT_FALSE(s_.session.settleWithin(std::chrono::minutes(1)));
+    EXPECT_TRUE(s_.session.isDragging());
+    s_.session.release(s_.camera.over(curve().picks[1].position));
+    s_.session.settle();
+    EXPECT_TRUE(curve().settled);
+}
+
+TEST_P(ASession, ChangesNoCurveThatEndsWithItsDrag) {
+    drawArc();
+    s_.session.newCurve();
+    s_.session.press(s_.camera.over({0.0, -0.4, 0.9}));
+    ASSERT_TRUE(s_.session.isDragging());
+    ASSERT_EQ(count(), 2U);
+    s_.session.setClosed(true);
+    EXPECT_EQ(count(), 1U);
+    s_.session.newCurve();
+    s_.session.press(s_.camera.over({0.0, -0.4, 0.9}));
+    s_.session.setCorner(0, true);
+    EXPECT_EQ(count(), 1U);
+    EXPECT_FALSE(curve().options.solver.closed);
+    EXPECT_TRUE(curve().corners().empty());
+}
+
 }  // namespace
 }  // namespace bspline_curve
