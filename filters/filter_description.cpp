@@ -335,4 +335,8 @@ const FilterDescription& patternFilter() {
     return filterNamed("pattern_on_surface");
 }
 
+const FilterDescription& fitFilter() {
+    return filterNamed("fit_curve_to_selection_boundary");
+}
+
 }  // namespace bspline_curve

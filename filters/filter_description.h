@@ -126,4 +126,7 @@ struct FilterDescription {
 [[nodiscard]] const FilterDescription& offsetFilter();
 [[nodiscard]] const FilterDescription& patternFilter();
 
+/// The filter that makes curves of boundaries of faces, parsed once.
+[[nodiscard]] const FilterDescription& fitFilter();
+
 }  // namespace bspline_curve

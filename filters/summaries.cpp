@@ -144,6 +144,17 @@ std::string offsetSummary(const Figures& figures) {
            lengthIn(figures, "largest_deviation") + "." + timeIn(figures);
 }
 
+std::string fitSummary(const Figures& figures) {
+    std::string text =
+        "Curves along " + counted(countIn(figures, "curves"), "boundary", "boundaries") +
+        ", together " + lengthIn(figures, "length") + " long, nowhere farther from them than " +
+        lengthIn(figures, "largest_deviation") + ".";
+    if (const int left = countIn(figures, "left_out"); left > 0) {
+        text += " " + counted(left, "boundary is", "boundaries are") + " left out.";
+    }
+    return text + timeIn(figures);
+}
+
 std::string patternSummary(const Figures& figures) {
     return "Pattern of " + counted(countIn(figures, "curves"), "curve", "curves") + ", together " +
            lengthIn(figures, "length") + " long, within " + lengthIn(figures, "largest_deviation") +

@@ -6,6 +6,7 @@
 #include "filter_bspline_curve/common/curve_layers.h"
 #include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/dialog_parameters.h"
+#include "filter_bspline_curve/common/face_labels.h"
 #include "filter_bspline_curve/common/kept_font.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/layer_making.h"
@@ -19,6 +20,7 @@
 #include "filter_bspline_curve/common/window.h"
 #include "filters/labels.h"
 #include "filters/run_curve_uses.h"
+#include "filters/run_fit.h"
 #include "filters/run_pattern.h"
 #include "workpiece/curve_notes.h"
 
@@ -262,6 +264,29 @@ Computing drawPattern(const Run& run) {
     };
 }
 
+Computing fitCurves(const Run& run) {
+    const FitRequest request = fitRequest(run.values);
+    const MeshModel& surface = layerNamed(run.document, request.surface, "surface_layer");
+    const auto taken = std::make_shared<const TakenLayer>(run.document, surface);
+    return [taken,
+            request,
+            labels = faceLabels(surface, taken->arrays, request.labels),
+            &workpieces = run.workpieces](const Progress& progress) -> Bringing {
+        return [taken,
+                result = runFitFilter(taken->arrays.input, labels, request, workpieces, progress)] {
+            const MeshModel& layer = taken->layer();
+            addLines(taken->document, [&] {
+                for (const FitResult::FittedCurve& curve : result.curves) {
+                    addResultLayers(
+                        taken->document, layer, taken->arrays, curve.request, curve.result
+                    );
+                }
+            });
+            return Answered{.figures = result.figures, .log = result.log};
+        };
+    };
+}
+
 /// A filter, what starts it, and what it makes, for messages.
 struct Entry {
     const FilterDescription* filter;
@@ -278,6 +303,7 @@ const std::vector<Entry>& entries() {
         {.filter = &segmentFilter(), .start = segmentBy, .product = "segmentation"},
         {.filter = &offsetFilter(), .start = offsetCurves, .product = "offset"},
         {.filter = &patternFilter(), .start = drawPattern, .product = "pattern"},
+        {.filter = &fitFilter(), .start = fitCurves, .product = "fit"},
     };
     return all;
 }

@@ -38,6 +38,7 @@ Keep: TypeAlias = Literal["all", "largest", "smallest", "inside", "outside", "se
 Fill: TypeAlias = Literal["none", "flat", "smooth"]
 Side: TypeAlias = Literal["both", "left", "right"]
 Place: TypeAlias = Literal["point", "curve"]
+Boundaries: TypeAlias = Literal["selected-faces", "face-quality", "face-colour", "vertex-quality"]
 
 
 def generate_bspline_curve_on_surface(
@@ -971,6 +972,91 @@ def pattern_on_surface(
     )
 
 
+def fit_curve_to_selection_boundary(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    boundaries: Boundaries = "selected-faces",
+    deviation: float | str = "0",
+    degree: int = 3,
+    tension: float = 0.0,
+    samples: int = 256,
+    max_segment_length: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    distance_tolerance: float = 0.1,
+    strict: bool = False,
+    weld: float = 0.0,
+    slits: bool = False,
+) -> dict[str, Any]:
+    """Makes smooth curves along the boundaries of selected faces, or of labels.
+
+    Makes smooth curves along the jagged boundaries of the selected faces, or of all labels of a segmentation, as new
+    layers that are curves of this plugin: the drawing tool takes them up. Nowhere is a curve farther from its boundary
+    than the deviation; it turns where the boundary really turns. A boundary between two labels is drawn once, from
+    junction to junction, and junctions stay single points.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh that the curve is drawn on. Default: the current layer. If that has no faces,
+        or is the tube of a curve: the layer that it was drawn on, else the only other layer with faces.
+    boundaries : {'selected-faces', 'face-quality', 'face-colour', 'vertex-quality'}, default 'selected-faces'
+        Which boundaries become curves. selected-faces: round all that is selected; face-quality: whole numbers; others
+        are rounded; face-colour: each colour is a label; vertex-quality: likewise; a face has the label of most of its
+        vertices, else the least one.
+    deviation : float or str, default '0'
+        How far from its boundary a curve may be, anywhere: a length in the unit of the mesh, or in mean edges of it, as
+        1.5 edges. 0: one mean edge, and no more than the jags of the boundary ask for.
+    degree : int in [2, 4], default 3
+        Polynomial degree of the spline.
+    tension : float in [0, 1], default 0.0
+        From 0 (as smooth as possible) to 1 (as straight as possible: geodesics between the picks). No unit.
+    samples : int ≥ 0, default 256
+        At least this many vertices at even steps of the spline's parameter, besides those where the curve crosses mesh
+        edges and the picks. 0: none.
+    max_segment_length : float ≥ 0, default 0.0
+        No segment of the polyline is longer than this, in the unit of the mesh. 0: not limited.
+    distance_tolerance : float > 0, default 0.1
+        Largest distance of the spline to the surface, in mean edge lengths; edges shorter than a hundredth of the
+        square root of the surface's area count as that long. The polyline lies on the surface in any case.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "fit_curve_to_selection_boundary",
+        {
+            "surface_layer": surface_layer,
+            "boundaries": boundaries,
+            "deviation": deviation,
+            "degree": degree,
+            "tension": tension,
+            "samples": samples,
+            "max_segment_length": max_segment_length,
+            "distance_tolerance": distance_tolerance,
+            "strict": strict,
+            "weld": weld,
+            "slits": slits,
+        },
+    )
+
+
 def bind() -> None:
     """Makes them methods of pymeshlab.MeshSet."""
     pymeshlab.MeshSet.generate_bspline_curve_on_surface = generate_bspline_curve_on_surface
@@ -980,3 +1066,4 @@ def bind() -> None:
     pymeshlab.MeshSet.segment_by_curves = segment_by_curves
     pymeshlab.MeshSet.offset_curve_on_surface = offset_curve_on_surface
     pymeshlab.MeshSet.pattern_on_surface = pattern_on_surface
+    pymeshlab.MeshSet.fit_curve_to_selection_boundary = fit_curve_to_selection_boundary

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "filters/description_html.h"
+#include "filters/fit_requests.h"
 #include "filters/labels.h"
 #include "filters/parameter_values.h"
 #include "filters/requests.h"
@@ -44,7 +45,7 @@ FilterDescription parsed(const json& document) {
 }
 
 TEST(FilterDescription, TheEmbeddedOneIsWhole) {
-    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 7u);
+    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 8u);
     EXPECT_EQ(curveFilter().name, "B-spline Curve on Surface");
     EXPECT_EQ(fieldFilter().name, "Scalar Field for Curves");
     EXPECT_EQ(imprintFilter().name, "Imprint Curves");
@@ -52,6 +53,7 @@ TEST(FilterDescription, TheEmbeddedOneIsWhole) {
     EXPECT_EQ(segmentFilter().name, "Segment by Curves");
     EXPECT_EQ(offsetFilter().name, "Offset Curve on Surface");
     EXPECT_EQ(patternFilter().name, "Pattern on Surface");
+    EXPECT_EQ(fitFilter().name, "Fit Curve to Selection Boundary");
     EXPECT_EQ(curveFilter().publications.at(0).year, 2023);
 }
 
@@ -166,6 +168,17 @@ TEST(FilterDescription, FiltersThatUseCurvesSayTheSameOfTheSameParameters) {
             EXPECT_EQ(parameter.min, other.min) << parameter.id;
             EXPECT_EQ(parameter.max, other.max) << parameter.id;
         }
+    }
+}
+
+TEST(FilterDescription, TheFitSaysTheSameOfParametersOfCurves) {
+    for (const std::string& id : fittedParameters()) {
+        const ParameterDescription& of = curveFilter().parameter(id);
+        const ParameterDescription& here = fitFilter().parameter(id);
+        EXPECT_EQ(of.help, here.help);
+        EXPECT_EQ(of.group, here.group);
+        EXPECT_EQ(of.defaultValue, here.defaultValue) << id;
+        EXPECT_EQ(of.max, here.max) << id;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "filters/filter_description.h"
+#include "filters/fit_requests.h"
 #include "filters/imprint_requests.h"
 #include "filters/parameter_values.h"
 #include "filters/pattern_requests.h"
@@ -148,6 +149,10 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
     addIds(pattern, rowBindings());
     addIds(pattern, carryingBindings());
     EXPECT_EQ(pattern, idsOf(patternFilter()));
+    std::multiset<std::string> fit(fittedParameters().begin(), fittedParameters().end());
+    addIds(fit, fitBindings());
+    addIds(fit, deviationBindings());
+    EXPECT_EQ(fit, idsOf(fitFilter()));
     addIds(use, imprintBindings());
     EXPECT_EQ(use, idsOf(imprintFilter()));
     std::multiset<std::string> cut = use;
@@ -201,6 +206,7 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(patternFilter(), scaleBindings());
     expectDefaults(patternFilter(), rowBindings());
     expectDefaults(patternFilter(), carryingBindings());
+    expectDefaults(fitFilter(), deviationBindings());
     const CutWords choice;
     for (const Binding<CutWords>& binding : cutBindings()) {
         EXPECT_EQ(cutFilter().parameter(binding.id).defaultValue, binding.write(choice));
@@ -265,6 +271,7 @@ TEST(OptionBindings, EnumOptionsAreTheEnumerators) {
     expectEnumerators(cutFilter(), named(cutBindings(), "keep"), &CutWords::keep);
     expectEnumerators(offsetFilter(), named(offsetBindings(), "side"), &OffsetOptions::sides);
     expectEnumerators(patternFilter(), named(patternBindings(), "place"), &PatternRequest::place);
+    expectEnumerators(fitFilter(), named(fitBindings(), "boundaries"), &FitRequest::labels);
 }
 
 TEST(OptionBindings, EnumOptionsAreWhatCanBeAvoided) {
@@ -304,6 +311,8 @@ bool isAccepted(
         } else if (&filter == &patternFilter()) {
             values.set("drawing", std::string("a.svg"));
             static_cast<void>(patternRequest(values));
+        } else if (&filter == &fitFilter()) {
+            static_cast<void>(fitRequest(values));
         } else {
             static_cast<void>(fieldRequest(values));
         }
@@ -348,7 +357,12 @@ void expectRealRange(const FilterDescription& filter, const ParameterDescription
 
 TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
     for (const FilterDescription* const filter :
-         {&curveFilter(), &fieldFilter(), &cutFilter(), &offsetFilter(), &patternFilter()}) {
+         {&curveFilter(),
+          &fieldFilter(),
+          &cutFilter(),
+          &offsetFilter(),
+          &patternFilter(),
+          &fitFilter()}) {
         for (const ParameterDescription& parameter : filter->parameters) {
             if (parameter.type == ParameterType::Int) {
                 expectWholeRange(*filter, parameter);

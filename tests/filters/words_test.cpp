@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/fit_requests.h"
 #include "filters/imprint_requests.h"
 #include "filters/labels.h"
 #include "filters/pattern_requests.h"
@@ -40,7 +41,8 @@ const std::vector<const FilterDescription*>& filters() {
         &cutFilter(),
         &segmentFilter(),
         &offsetFilter(),
-        &patternFilter()
+        &patternFilter(),
+        &fitFilter()
     };
     return all;
 }
@@ -108,6 +110,8 @@ std::string refusedBelow(const FilterDescription& filter, const ParameterDescrip
             static_cast<void>(segmentRequest(values));
         } else if (&filter == &offsetFilter()) {
             static_cast<void>(offsetRequest(values));
+        } else if (&filter == &fitFilter()) {
+            static_cast<void>(fitRequest(values));
         } else {
             values.set("drawing", std::string("a.svg"));
             static_cast<void>(patternRequest(values));

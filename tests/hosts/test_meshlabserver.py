@@ -19,6 +19,7 @@ EXAMPLES = ROOT / "examples"
 SCRIPTS = sorted(path.name for path in (EXAMPLES / "mlx").glob("*.mlx"))
 CURVE = "generate_bspline_curve_on_surface"
 FIELD = "compute_scalar_field_for_curves_per_vertex"
+FIT = "fit_curve_to_selection_boundary"
 CUT, SEGMENT = "cut_along_curves", "segment_by_curves"
 ALL_OPTIONS = CURVE + "_all_options"
 SPHERE_PICKS = "1 0 0; 0 1 0; 0 0 1; -1 0 0"
@@ -153,6 +154,23 @@ def test_picks_of_a_layer_and_matrices_of_a_project(serve, sphere, write_script,
     # The layer has the surface's coordinates and matrix, so both are the same in it.
     assert polylines.distance(*curves) <= 2e-5
     assert polylines.distance_to(picks, *curves[0]) <= 2e-5
+
+
+def test_a_boundary_becomes_the_same_curve_as_in_pymeshlab(serve, sphere, write_script, tmp_path, loaded_plugin):
+    document = pymeshlab.MeshSet()
+    document.load_new_mesh(str(sphere))
+    faces = document.current_mesh().face_matrix()
+    middles = document.current_mesh().vertex_matrix()[faces].mean(1)
+    labels = (middles[:, 2] > 0.3).astype(float)
+    labelled = pymeshlab.MeshSet()
+    labelled.add_mesh(pymeshlab.Mesh(document.current_mesh().vertex_matrix(), faces, f_scalar_array=labels))
+    labelled.save_current_mesh(str(tmp_path / "labelled.ply"), save_face_quality=True)
+    script = write_script((FIT, {"boundaries": "face-quality"}))
+    run = serve("-i", tmp_path / "labelled.ply", "-s", script, "-o", tmp_path / "fitted.obj")
+    assert run.status == 0, run.output
+    assert run.figures[-1]["curves"] == "1"
+    expected = labelled.apply_filter(FIT, boundaries="face-quality")
+    assert float(run.figures[-1]["length"]) == pytest.approx(expected["length"], rel=1e-5)
 
 
 def test_a_second_curve_needs_no_second_shell(serve, sphere, write_script, tmp_path):

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/run_fit.h"
+
+#include "bspline_curve/error.h"
+#include "filters/summaries.h"
+#include "surface/strict_line.h"
+#include "utility/report_progress.h"
+#include "utility/stopwatch.h"
+#include "workpiece/curve_notes.h"
+#include "workpiece/fitted_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bspline_curve {
+
+namespace {
+
+constexpr double kReadyToFitShare = 0.4;  // of the work, for progress only
+
+}  // namespace
+
+FitResult runFitFilter(
+    const LayerInput& layer,
+    std::span<const int> labels,
+    const FitRequest& request,
+    WorkpieceCache& workpieces,
+    const Progress& progress
+) {
+    Stopwatch watch;
+    const bool ofSelection = request.labels == FaceLabels::Selection;
+    if (ofSelection && std::ranges::find_if(labels, [](int l) { return l != 0; }) == labels.end()) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "no face is selected: select some, or choose other boundaries by the option boundaries"
+        );
+    }
+    const WorkpieceCache::Found found =
+        workpieces.ready(layer, request.curve, partOf(progress, 0.0, kReadyToFitShare));
+    const std::vector<LineToFit> lines = linesBetween(layer.mesh, labels);
+    FittedLines fitted = fitLines(
+        *found.workpiece, lines, request.fit, request.curve, partOf(progress, kReadyToFitShare, 1.0)
+    );
+
+    FitResult result;
+    double length = 0.0;
+    double farthest = 0.0;
+    int closed = 0;
+    for (DesignedCurve& drawn : fitted.curves) {
+        drawn.notes.clear();  // they are among those of all, with the names of their lines
+        const bool isKept = found.isKept || !result.curves.empty();
+        CurveRequest own = request.curve;
+        own.solver.closed = drawn.curve.polyline.closed;
+        length += lengthOf(drawn.curve.polyline);
+        farthest = std::max(farthest, drawn.curve.report.lineDistance.value_or(0.0));
+        closed += own.solver.closed ? 1 : 0;
+        CurveResult made = curveResult(std::move(drawn), {found.workpiece, isKept}, own);
+        result.curves.push_back({std::move(own), std::move(made)});
+    }
+    result.figures = {
+        {"curves", static_cast<int>(result.curves.size())},
+        {"closed_curves", closed},
+        {"length", length},
+        {"largest_deviation", farthest},
+        {"left_out", static_cast<int>(lines.size() - result.curves.size())},
+        {"seconds", watch.lap()},
+    };
+    result.log.figures = keyValueText(result.figures);
+    result.log.summary = fitSummary(result.figures);
+    result.log.warnings = layerNotes(*found.workpiece);
+    for (const std::string& note : fitted.notes) {
+        result.log.warnings.push_back(asSentence(note));
+    }
+    return result;
+}
+
+}  // namespace bspline_curve
