@@ -166,6 +166,12 @@ SolveAnswer CurveWorker::answerTo(const SolveRequest& request, const Progress& p
     inputs.isPreview = request.start != nullptr;  // from scratch once the pick is let go
     inputs.corners = request.corners;
     try {
+        if (!request.line.empty()) {
+            answer.curve = std::make_shared<const Curve>(
+                designer_->fit(request.line, request.fit, request.options.solver, {}, progress)
+            );
+            return answer;
+        }
         if (request.options.guides) {
             // Further requests need it as well, so it is finished where this one is given up.
             const SketchGuides::Values& values = request.options.guides->values(untilTheEnd());

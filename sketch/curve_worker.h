@@ -21,6 +21,10 @@ struct SolveRequest {
     std::vector<int> corners;  ///< of these
     SketchCurveOptions options;
     std::shared_ptr<const Curve> start;  ///< see CurveInputs::start; null: from scratch
+    /// A curve along this line is asked for, see CurveDesigner::fit(), in place of one through the
+    /// picks; empty: none.
+    std::vector<Vec3> line{};
+    FitOptions fit{};
 };
 
 struct SolveAnswer {

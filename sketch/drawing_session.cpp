@@ -71,6 +71,10 @@ bool DrawingSession::press(const Pointer& pointer) {
     }
     const Seen seen = seenBy(pointer);
     const SketchHit hit = hitTest(sketch_, pointer, seen, settings_.radii);
+    if (pointer.strokes && seen.point.face >= 0) {
+        beginStroke(pointer, seen, hit);
+        return true;
+    }
     if (hit.pick >= 0) {
         if (pointer.removes) {
             sketch_.active = hit.curve;
@@ -111,6 +115,10 @@ bool DrawingSession::press(const Pointer& pointer) {
 bool DrawingSession::move(const Pointer& pointer) {
     const Seen seen = seenBy(pointer);
     snapped_ = {};
+    if (mode_ == Mode::Stroking) {
+        goOnWithStroke(seen);
+        return true;
+    }
     if (mode_ == Mode::Pressed && hasMoved(pointer)) {
         mode_ = Mode::Dragging;
         closesOnRelease_ = false;
@@ -139,6 +147,10 @@ bool DrawingSession::move(const Pointer& pointer) {
 bool DrawingSession::release(const Pointer& pointer) {
     if (mode_ == Mode::Idle) {
         return false;
+    }
+    if (mode_ == Mode::Stroking) {
+        endStroke(pointer);
+        return true;
     }
     static_cast<void>(move(pointer));
     const bool wasDragging = mode_ == Mode::Dragging;
@@ -382,6 +394,7 @@ void DrawingSession::cancel() {
         show(history_.now());
     }
     mode_ = Mode::Idle;
+    stroke_.clear();
     closesOnRelease_ = isLiveChange_ = false;
 }
 

@@ -4,6 +4,7 @@
 #include "bspline_curve/drawing_session.h"
 #include "design/curve_designer.h"
 #include "sketch/curve_worker.h"
+#include "sketch/stroke.h"
 #include "surface/triangle_tree.h"
 
 #include <memory>
@@ -13,6 +14,13 @@ namespace bspline_curve {
 struct DrawingSession::Seen : TriangleTree::Hit {};
 
 struct DrawingSession::Answer : SolveAnswer {};
+
+/// A stroke whose curve is asked for.
+struct DrawingSession::AskedStroke {
+    std::shared_ptr<SketchCurve> curve;  ///< until then
+    Stroke stroke;
+    double pixel = 0.0;  ///< width of a pixel there, user's unit
+};
 
 struct DrawingSession::Solver {
     std::shared_ptr<const CurveDesigner> designer;

@@ -37,21 +37,37 @@ void DrawingSession::askPreview(const SurfacePoint& point) {
     );
 }
 
-// From scratch, in the order of the sketch.
+bool DrawingSession::isOfDrag(Asking kind) {
+    return kind == Asking::Live || kind == Asking::Preview;
+}
+
+// Strokes first, then curves from scratch in the order of the sketch.
 void DrawingSession::askSettled() {
-    std::erase_if(asked_, [&](const Asked& asked) {
-        return asked.kind == Asking::Settled &&
+    const auto isGone = [&](const auto& asked) {
+        return asked.curve != nullptr &&
                std::ranges::find(sketch_.curves, asked.curve) == sketch_.curves.end();
+    };
+    std::erase_if(strokes_, isGone);
+    std::erase_if(asked_, [&](const Asked& asked) {
+        return !isOfDrag(asked.kind) && isGone(asked);
     });
+    const auto idOf = [&](Asking kind, const std::shared_ptr<SketchCurve>& curve) {
+        const auto before = std::ranges::find_if(asked_, [&](const Asked& asked) {
+            return asked.kind == kind && asked.curve == curve;
+        });
+        return before != asked_.end() ? before->id : ask(kind, curve);
+    };
     std::vector<SolveRequest> requests;
+    for (const AskedStroke& stroke : strokes_) {
+        requests.push_back(fitRequest(stroke, idOf(Asking::Stroke, stroke.curve)));
+    }
     for (const std::shared_ptr<SketchCurve>& curve : sketch_.curves) {
-        if (curve->isSettled()) {
+        const bool isFitted =
+            std::ranges::find(strokes_, curve, &AskedStroke::curve) != strokes_.end();
+        if (curve->isSettled() || isFitted) {
             continue;
         }
-        const auto before = std::ranges::find_if(asked_, [&](const Asked& asked) {
-            return asked.kind == Asking::Settled && asked.curve == curve;
-        });
-        const std::uint64_t id = before != asked_.end() ? before->id : ask(Asking::Settled, curve);
+        const std::uint64_t id = idOf(Asking::Settled, curve);
         requests.push_back({id, curve->positions(), curve->corners(), curve->options, nullptr});
     }
     solver_->worker.askOthers(std::move(requests));
@@ -60,7 +76,7 @@ void DrawingSession::askSettled() {
 void DrawingSession::dropLive() {
     preview_.reset();
     solver_->worker.dropLive();
-    std::erase_if(asked_, [](const Asked& asked) { return asked.kind != Asking::Settled; });
+    std::erase_if(asked_, [](const Asked& asked) { return isOfDrag(asked.kind); });
 }
 
 bool DrawingSession::update() {
@@ -89,9 +105,13 @@ bool DrawingSession::take(const Answer& answer) {
         }
         return true;
     }
+    if (asked.kind == Asking::Stroke) {
+        takeStroke(answer, asked.curve);
+        return true;
+    }
     // Answers come in the order of their requests; older requests were replaced.
     std::erase_if(asked_, [&](const Asked& other) {
-        return other.kind != Asking::Settled && other.id < answer.id;
+        return isOfDrag(other.kind) && other.id < answer.id;
     });
     if (asked.kind == Asking::Preview) {
         preview_ = mode_ == Mode::Idle ? answer.curve : nullptr;
@@ -119,9 +139,7 @@ bool DrawingSession::isSettled() const {
 
 // Whether more answers of that kind are to come: none for a curve whose pick is being dragged.
 bool DrawingSession::isSettling() const {
-    return std::ranges::any_of(asked_, [](const Asked& asked) {
-        return asked.kind == Asking::Settled;
-    });
+    return std::ranges::any_of(asked_, [](const Asked& asked) { return !isOfDrag(asked.kind); });
 }
 
 void DrawingSession::settle() {

@@ -268,7 +268,7 @@ void CurveTool::draw() {
 Pointer CurveTool::pointerOf(const QMouseEvent& event, const View& seen) {
     Pointer pointer = seen.pointerAt(event.localPos());
     pointer.snaps = event.modifiers().testFlag(Qt::ControlModifier) != kept::isMagnetOn();
-    pointer.removes = event.modifiers().testFlag(Qt::ShiftModifier);
+    pointer.removes = pointer.strokes = event.modifiers().testFlag(Qt::ShiftModifier);
     if (pointer.snaps) {
         prepareCrests();
     }

@@ -55,6 +55,7 @@ public:
                 addCurve(batch, c);
             }
         }
+        addFreehand(batch);
         if (session_.preview()) {
             addPreview(batch, session_.preview()->polyline);
         }
@@ -135,6 +136,21 @@ private:
                     style.addDot(batch, *node, kDot);
                 }
             }
+        }
+    }
+
+    // As the preview, but whole.
+    void addFreehand(ScreenBatch& batch) const {
+        const std::vector<SketchPick>& stroke = session_.stroke();
+        std::vector<Vec3> points;
+        for (const SketchPick& pick : stroke) {
+            points.push_back(pick.position);
+        }
+        const auto normalOf = [&](std::size_t i) { return normalAt(stroke[i].point); };
+        const double ratio = view_.ratio();
+        for (const ScreenLine& line : projection_.lines(points, normalOf, false)) {
+            batch.addStroke(line, kPreviewHalo * ratio, {kDark, kPreviewHaloAlpha});
+            batch.addStroke(line, kPreview * ratio, {kPreviewColour});
         }
     }
 

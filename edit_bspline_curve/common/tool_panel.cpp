@@ -281,9 +281,8 @@ QString ToolPanel::textOf(const PanelState& state) const {
         return wordsFor(*curve, state.edge, kept::unit()) + snapped;
     }
     return tr("Click points on the surface in the order of the curve. Drag picks; click the curve "
-              "to insert one, the first pick to close it. Shift removes. The right button turns "
-              "the "
-              "view.") +
+              "to insert one, the first pick to close it. Shift removes a pick; drag with Shift to "
+              "draw freehand. The right button turns the view.") +
            snapped;
 }
 

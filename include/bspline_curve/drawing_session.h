@@ -14,6 +14,9 @@
 
 namespace bspline_curve {
 
+struct SolveRequest;
+struct Stroke;
+
 /// Where the mouse is: the ray into the scene through its pixel, in the mesh's unit.
 struct Pointer {
     Vec3 start = Vec3::Zero();
@@ -24,6 +27,7 @@ struct Pointer {
     bool isOrthographic = false;
     bool snaps = false;    ///< the key that snaps picks to features is held
     bool removes = false;  ///< the key that turns clicks on picks into their removal is held
+    bool strokes = false;  ///< the key that makes a drag a line drawn freehand is held
 
     [[nodiscard]] double pixelAt(double distance) const {
         return isOrthographic ? pixel : pixel * distance;
@@ -102,6 +106,10 @@ struct SessionSettings {
 /// on the first pick of an open curve closes it, one on another curve makes that the active one.
 /// Each drag and each click is one entry of the history.
 ///
+/// A drag with Pointer::strokes draws freehand: the line becomes a curve of few picks along it
+/// (Workpiece::fit()), closed where it ends where it began. A line from a curve to the same
+/// curve replaces the stretch between; picks outside of it stay.
+///
 /// While a pick is dragged the curve is solved from the one before (CurveInputs::start). When it is
 /// let go the curve is solved from scratch, so that it is the one that a filter draws for the same
 /// picks; undo and redo lead to the same curves again. All calls from one thread.
@@ -162,7 +170,13 @@ public:
 
     [[nodiscard]] const SketchHit& hovered() const { return hovered_; }
 
-    [[nodiscard]] bool isDragging() const { return mode_ == Mode::Dragging; }
+    /// Whether a drag goes on, of a pick or of a line.
+    [[nodiscard]] bool isDragging() const {
+        return mode_ == Mode::Dragging || mode_ == Mode::Stroking;
+    }
+
+    /// The line that is being drawn freehand; empty: none.
+    [[nodiscard]] const std::vector<SketchPick>& stroke() const { return stroke_; }
 
     [[nodiscard]] bool canUndo() const { return history_.canUndo(); }
 
@@ -202,9 +216,10 @@ private:
     struct Seen;    // where the surface meets a ray
     struct Solver;  // what solves curves beside
     struct Answer;  // of it
+    struct AskedStroke;  // whose curve is asked for
 
-    enum class Mode { Idle, Pressed, Dragging };
-    enum class Asking { Live, Preview, Settled };
+    enum class Mode { Idle, Pressed, Dragging, Stroking };
+    enum class Asking { Live, Preview, Settled, Stroke };
 
     struct Asked {
         std::uint64_t id;
@@ -221,6 +236,15 @@ private:
     [[nodiscard]] bool hasMoved(const Pointer& pointer) const;
 
     bool staysWithoutDrag();
+
+    // Lines drawn freehand.
+    void beginStroke(const Pointer& pointer, const Seen& seen, const SketchHit& hit);
+    void goOnWithStroke(const Seen& seen);
+    void endStroke(const Pointer& pointer);
+    void enterStroke(Stroke stroke);
+    [[nodiscard]] SolveRequest fitRequest(const AskedStroke& asked, std::uint64_t id) const;
+    [[nodiscard]] double tolerance(const AskedStroke& asked) const;  ///< user's unit
+    void takeStroke(const Answer& answer, const std::shared_ptr<SketchCurve>& of);
 
     // Of key().
     bool moveSelected(const Pointer& pointer);
@@ -243,6 +267,7 @@ private:
     std::uint64_t ask(Asking kind, std::shared_ptr<SketchCurve> curve);
     void dropLive();
     [[nodiscard]] bool isSettling() const;
+    [[nodiscard]] static bool isOfDrag(Asking kind);
     bool take(const Answer& answer);
     void show(const Sketch& state);
     void requireCurve(int curve) const;
@@ -258,6 +283,11 @@ private:
     Vec3 pressedAt_ = Vec3::Zero();
     bool closesOnRelease_ = false;
     bool isLiveChange_ = false;  ///< the newest entry of the history is not complete yet
+    Pointer strokeStart_;
+    int strokeFrom_ = -1;  ///< the curve where the line begins; -1: none
+    double strokePixel_ = 0.0;
+    std::vector<SketchPick> stroke_;  ///< while it is drawn
+    std::vector<AskedStroke> strokes_;
     std::shared_ptr<const Curve> preview_;
     std::uint64_t lastId_ = 0;  // of requests
     std::uint64_t lastCurveId_ = 0;

@@ -92,6 +92,23 @@ TEST_F(PaintedLines, OfThePreviewAreSeenOnAnyMesh) {
     }
 }
 
+TEST_F(PaintedLines, OfAStrokeAreSeenOnAnyMeshWhileItIsDrawn) {
+    PaintedScene scene(plate(10, 10));
+    static_cast<void>(scene.withoutSketch());
+    std::vector<Vec3> points;
+    for (int i = 0; i <= 40; ++i) {
+        points.emplace_back(0.15 + 0.7 * i / 40.0, 0.5 + 0.2 * std::sin(0.2 * i), 0.0);
+        Pointer pointer = scene.over(points.back());
+        pointer.strokes = true;
+        i == 0 ? scene.session().press(pointer) : scene.session().move(pointer);
+    }
+    for (const NamedLook& named : allLooks()) {
+        scene.look = named.look;
+        EXPECT_GE(along(scene, points).least, kClear) << named.name;
+        scene.withSketch().save("stroke-" + named.name);
+    }
+}
+
 TEST_F(PaintedLines, OfOtherCurvesAreSeenUnlessTheyAreHidden) {
     PaintedScene scene(plate(10, 10));
     scene.addPicks(arcOnPlate());

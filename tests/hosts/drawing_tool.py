@@ -85,6 +85,17 @@ class Tool:
             self._mouse("mousemove", *(self.middle + start + way * step // steps))
         self._mouse("mouseup", 1)
 
+    def stroke(self, offsets, steps=10):
+        """Drags through these places with Shift held."""
+        self.display.xdotool("keydown", "shift")
+        self._mouse("mousemove", *(self.middle + offsets[0]))
+        self._mouse("mousedown", 1)
+        for start, end in zip(offsets, offsets[1:]):
+            for step in range(1, steps + 1):
+                self._mouse("mousemove", *(self.middle + start + (end - start) * step // steps))
+        self._mouse("mouseup", 1)
+        self.display.xdotool("keyup", "shift")
+
     def hold(self, start, way):
         """Begins a drag, and does not end it."""
         self._mouse("mousemove", *(self.middle + start))

@@ -33,6 +33,22 @@ def test_a_curve_is_clicked_dragged_undone_closed_and_made_a_layer(meshlab):
     assert re.search("^Closed curve through 5 picks, .* usable", line), line
 
 
+def test_a_drag_with_shift_draws_freehand(meshlab):
+    tool = Tool(meshlab)
+    tool.wait_until_ready()
+    tool.stroke(CLICKS)
+    meshlab.wait_for_still_picture()
+    meshlab.key("Return")
+    (first,) = curves_told([meshlab.wait_for_log(MADE)])
+    meshlab.key("ctrl+z")
+    meshlab.key("Return")
+    wait_until(lambda: meshlab.layers() == 1, "no curve")
+    meshlab.key("ctrl+y")
+    meshlab.key("Return")
+    (again,) = curves_told([meshlab.wait_for_log(MADE, 2)])
+    assert first["length"] == again["length"]
+
+
 def test_a_layer_of_a_curve_is_taken_up_again(meshlab):
     tool = Tool(meshlab)
     tool.draw()
