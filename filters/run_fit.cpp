@@ -2,12 +2,12 @@
 #include "filters/run_fit.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/lines.h"
+#include "bspline_curve/progress.h"
 #include "filters/summaries.h"
 #include "surface/strict_line.h"
-#include "utility/report_progress.h"
 #include "utility/stopwatch.h"
 #include "workpiece/curve_notes.h"
-#include "workpiece/fitted_lines.h"
 
 #include <algorithm>
 #include <utility>

@@ -454,8 +454,14 @@ ExtendedSurface extendSurface(
     return std::move(rough.extended);
 }
 
-ExtendedSurface extendSurface(const Surface& surface, int smoothingPasses) {
-    return extendSurface(surface, makeRoughBase(surface), smoothingPasses, PatchLevels(surface));
+ExtendedSurface extendSurface(
+    const Surface& surface, int smoothingPasses, const Progress& progress
+) {
+    RoughBase rough = makeRoughBase(surface, partOf(progress, 0.0, 0.4));
+    const PatchLevels patches(surface);
+    return extendSurface(
+        surface, std::move(rough), smoothingPasses, patches, partOf(progress, 0.4, 1.0)
+    );
 }
 
 }  // namespace bspline_curve

@@ -101,6 +101,8 @@ struct RoughBase {
 );
 
 /// All of that.
-[[nodiscard]] ExtendedSurface extendSurface(const Surface& surface, int smoothingPasses);
+[[nodiscard]] ExtendedSurface extendSurface(
+    const Surface& surface, int smoothingPasses, const Progress& progress = {}
+);
 
 }  // namespace bspline_curve

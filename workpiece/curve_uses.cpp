@@ -35,6 +35,7 @@ namespace {
 
 // Shares of the work, for progress only.
 constexpr double kImprintedShare = 0.6;
+constexpr double kExtendedShare = 0.1;
 constexpr double kLinesShare = 0.8;     // of an offset, without its band
 constexpr std::size_t kMostNamed = 10;  // faces, in a note
 
@@ -177,7 +178,10 @@ CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress&
     if (std::optional<CutMeshes> cut = cutThroughHandles(imprint, choice, progress)) {
         return *std::move(cut);
     }
+    const auto goOn = [&] { report(progress, 0.0, "cutting"); };
+    goOn();
     const CutMesh cut = openedAlongCurves(*imprint.joined);
+    goOn();
     CutMeshes result;
     result.doubledVertices =
         static_cast<int>(cut.mesh.vertices.size() - imprint.joined->mesh.vertices.size());
@@ -187,6 +191,7 @@ CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress&
     } else {
         perMesh = partsPerMesh(*imprint.joined, imprint.parts, choice.keep, choice.split);
     }
+    goOn();
     if (choice.keep && choice.relief == 0.0) {
         result.dropped = droppedParts(imprint, perMesh.front());
         const std::string note = untouchedNote(imprint, result.dropped);
@@ -194,6 +199,7 @@ CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress&
             result.notes.push_back(note);
         }
     }
+    goOn();
     for (std::size_t i = 0; i < perMesh.size(); ++i) {
         const Progress step = stepOf(progress, i, perMesh.size());
         FilledParts taken = partsMeant(imprint, cut, choice, perMesh[i], result.notes, step);
@@ -260,11 +266,14 @@ OffsetLines linesBeside(
     const Progress& progress
 ) {
     const Surface& surface = surfaceOf(workpiece);
-    const ExtendedSurface extended = extendSurface(surface, ShellOptions().smoothingPasses);
+    const ExtendedSurface extended = extendSurface(
+        surface, ShellOptions().smoothingPasses, partOf(progress, 0.0, kExtendedShare)
+    );
+    const Progress drawing = partOf(progress, kExtendedShare, 1.0);
     OffsetLines result;
     result.band.resize(withBand ? workpiece.mesh().faces.size() : 0, 0);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const Progress step = stepOf(progress, i, lines.size());
+        const Progress step = stepOf(drawing, i, lines.size());
         std::vector<FittedLine> fitted =
             offsetCurves(surface, extended, lines[i], options, partOf(step, 0.0, kLinesShare));
         for (FittedLine& line : fitted) {

@@ -203,7 +203,8 @@ void HostWindow::keepEnd() {
             if (state.isDragging && static_cast<int>(c) == sketch.active) {
                 continue;
             }
-            state.curves.push_back(sketch.curves[c]->positions());
+            const bool isChanging = !sketch.curves[c]->isSettled();
+            (isChanging ? state.changing : state.curves).push_back(sketch.curves[c]->positions());
             state.settled += sketch.curves[c]->settled ? 1 : 0;
         }
     }

@@ -65,7 +65,8 @@ using PicksOfCurves = std::vector<std::vector<Vec3>>;
 /// What was drawn when the tool ended.
 struct EndState {
     PicksOfCurves curves;
-    int settled = 0;          ///< how many of these are solved
+    PicksOfCurves changing;   ///< not solved: of those along a line, better picks may come
+    int settled = 0;          ///< how many are solved
     bool isDragging = false;  ///< the active curve may go back to what it was
     bool isSurfaceThere = true;
 };

@@ -529,16 +529,27 @@ private:
         prepare();
         ASSERT_TRUE(host_->session() != nullptr);
         PicksOfCurves now = picksOf(host_->session()->sketch());
+        int others = 0;
+        for (const std::vector<Vec3>& curve : last->changing) {
+            others += takeOut(now, curve) ? 0 : 1;
+        }
         for (const std::vector<Vec3>& curve : last->curves) {
-            const auto found =
-                std::ranges::find_if(now, [&](const auto& other) { return areSame(curve, other); });
-            EXPECT_TRUE(found != now.end())
+            EXPECT_TRUE(takeOut(now, curve))
                 << "a curve of " << curve.size() << " picks is lost: " << describe(curve)
                 << "; there are " << describeAll(now);
-            if (found != now.end()) {
-                now.erase(found);
-            }
         }
+        EXPECT_GE(static_cast<int>(now.size()), others);
+    }
+
+    // Whether it was among them.
+    static bool takeOut(PicksOfCurves& curves, const std::vector<Vec3>& wanted) {
+        const auto found =
+            std::ranges::find_if(curves, [&](const auto& other) { return areSame(wanted, other); });
+        if (found == curves.end()) {
+            return false;
+        }
+        curves.erase(found);
+        return true;
     }
 
     [[nodiscard]] int countOfLines() {
