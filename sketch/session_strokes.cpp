@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines that a session's user draws freehand.
+#include "bspline_curve/spline.h"
 #include "sketch/hit_test.h"
 #include "sketch/session_parts.h"
-#include "spline/spline_sections.h"
 #include "surface/provenance.h"
 
 #include <algorithm>
