@@ -15,11 +15,16 @@ namespace {
 
 using namespace test_support;
 
+// A round curve through them leaves the boundary alone.
+const std::vector<Vec3> kInnerPicks = {{0.3, 0.3, 0.0}, {0.5, 0.7, 0.0}, {0.7, 0.35, 0.0}};
+
 /// The layer, and a closed curve that was drawn on it.
 CurvesOnLayer withCurve(const LayerInput& layer) {
     CurveRequest request;
     request.solver.closed = true;
-    const CurveResult drawn = draw(layer, request);
+    WorkpieceCache cache;
+    const CurveResult drawn =
+        runCurveFilter(layer, {.tool = kInnerPicks, .layer = {}}, request, cache);
     CurvesOnLayer input{.surface = layer, .checksum = checksumOf(layer.mesh), .curves = {}};
     PolylineLayer curve;
     curve.label = "curve";
@@ -74,7 +79,7 @@ TEST(CurveUsesOnBrokenLayers, MakeMeshesOfWhatIsTheLayers) {
         expectPart(imprinted.log.warnings[0], broken.said);
         expectMadeFrom(input.surface, imprinted.layers.at(0).made);
         CutRequest request;
-        request.words.keep = KeptParts::Inside;
+        request.words.keep = KeptParts::Outside;
         request.words.fill = FillKind::Flat;
         const MeshesResult cut = runCutFilter(input, {}, request);
         expectMadeFrom(input.surface, cut.layers.at(0).made);
