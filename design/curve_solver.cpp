@@ -375,7 +375,7 @@ CurveProblem CurveSolver::problemOn(
     problem.field = context_.field.values;
     problem.fieldCosts = context_.field.costs;
     problem.obstacles = context_.obstacles;
-    problem.keepsKnots = context_.isPreview;
+    problem.keepsKnots = context_.keepsKnots;
     problem.side = side_;
     problem.progress = progress;
     return problem;

@@ -22,7 +22,7 @@ struct DesignContext {
     const ValidatedField& field;
     const Obstacles* obstacles = nullptr;  ///< null: nothing to avoid
     const Curve* start = nullptr;          ///< a curve through picks nearby; null: none
-    bool isPreview = false;                ///< see CurveInputs
+    bool keepsKnots = false;               ///< those that the curve does not need stay in
     std::span<const int> pickNumbers{};    ///< see PathConstraints
     /// Of each pick, see PickConstraint; empty: none has any.
     std::span<const Vec3> tangents{};

@@ -336,7 +336,7 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         .obstacles = obstacles ? &*obstacles : nullptr,
         // With as many picks as were asked for.
         .start = repeated.empty() && !demands.isNear ? task.start : nullptr,
-        .isPreview = task.isPreview,
+        .keepsKnots = task.isPreview,
         .pickNumbers = numbers,
         .tangents = demands.tangents
     };
@@ -381,7 +381,8 @@ Curve SurfaceCurves::fit(const LineTask& task, const Progress& progress) const {
     const LocatedPicks located = locatePicks(surface(), tree(), line, options.closed);
     const std::shared_ptr<const ValidatedField> none =
         fieldCache_.find(surface(), *extended(), {}, options.fieldCost);
-    const DesignContext context{.field = *none};
+    // Without some of its knots a curve leaves the smoothed line.
+    const DesignContext context{.field = *none, .keepsKnots = true};
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {
         side.emplace();

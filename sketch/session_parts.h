@@ -15,6 +15,10 @@ struct DrawingSession::Seen : TriangleTree::Hit {};
 
 struct DrawingSession::Answer : SolveAnswer {};
 
+struct DrawingSession::Request : SolveRequest {};
+
+struct DrawingSession::Freehand : Stroke {};
+
 /// A stroke whose curve is asked for.
 struct DrawingSession::AskedStroke {
     std::shared_ptr<SketchCurve> curve;  ///< until then

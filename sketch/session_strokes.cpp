@@ -68,7 +68,7 @@ void DrawingSession::endStroke(const Pointer& pointer) {
     if (over >= 0 && over == strokeFrom_) {
         if (auto stroke = strokeInto(*sketch_.curves[over], line, reach)) {
             sketch_.active = over;
-            enterStroke(*std::move(stroke));
+            enterStroke({*std::move(stroke)});
             return;
         }
     }
@@ -77,11 +77,11 @@ void DrawingSession::endStroke(const Pointer& pointer) {
                     lengthOf(stroke.line) > kLeastRound * reach && stroke.line.size() > 3;
     sketch_.active = -1;
     begun().options.solver.closed = stroke.closed;
-    enterStroke(std::move(stroke));
+    enterStroke({std::move(stroke)});
 }
 
 // With few picks of the line, until those of the fitted curve are known.
-void DrawingSession::enterStroke(Stroke stroke) {
+void DrawingSession::enterStroke(Freehand stroke) {
     SketchCurve& curve = changed();
     curve.picks = stroke.joined(stroke.thinned());
     sketch_.selected = -1;
@@ -89,8 +89,10 @@ void DrawingSession::enterStroke(Stroke stroke) {
     enter();
 }
 
-SolveRequest DrawingSession::fitRequest(const AskedStroke& asked, std::uint64_t id) const {
-    SolveRequest request;
+DrawingSession::Request DrawingSession::fitRequest(
+    const AskedStroke& asked, std::uint64_t id
+) const {
+    Request request;
     request.id = id;
     request.options = asked.curve->options;
     for (const SketchPick& pick : asked.stroke.line) {

@@ -14,8 +14,6 @@
 
 namespace bspline_curve {
 
-struct SolveRequest;
-struct Stroke;
 
 /// Where the mouse is: the ray into the scene through its pixel, in the mesh's unit.
 struct Pointer {
@@ -216,6 +214,8 @@ private:
     struct Seen;    // where the surface meets a ray
     struct Solver;  // what solves curves beside
     struct Answer;  // of it
+    struct Request;      // to it
+    struct Freehand;     // a line that was drawn so
     struct AskedStroke;  // whose curve is asked for
 
     enum class Mode { Idle, Pressed, Dragging, Stroking };
@@ -241,8 +241,8 @@ private:
     void beginStroke(const Pointer& pointer, const Seen& seen, const SketchHit& hit);
     void goOnWithStroke(const Seen& seen);
     void endStroke(const Pointer& pointer);
-    void enterStroke(Stroke stroke);
-    [[nodiscard]] SolveRequest fitRequest(const AskedStroke& asked, std::uint64_t id) const;
+    void enterStroke(Freehand stroke);
+    [[nodiscard]] Request fitRequest(const AskedStroke& asked, std::uint64_t id) const;
     [[nodiscard]] double tolerance(const AskedStroke& asked) const;  ///< user's unit
     void takeStroke(const Answer& answer, const std::shared_ptr<SketchCurve>& of);
 

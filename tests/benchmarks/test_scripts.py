@@ -81,7 +81,7 @@ def test_the_rows_of_table_1_have_their_vertices_and_picks(script, bench_program
     succeed(script("table1.py", "--quick", "--program", bench_program, "--json", tmp_path / "t.json"))
     rows = json.loads((tmp_path / "t.json").read_text())["rows"]
     assert [(round(row["vertices"], -3), row["picks"]) for row in rows] == [(1000, 7), (3000, 4)]
-    assert all(row["warm"] > 0 and row["cold"] > 0 and row["knots"][1] >= row["knots"][0] for row in rows)
+    assert all(row["warm"] > 0 and row["cold"] > 0 and min(row["knots"]) > 0 for row in rows)
 
 
 def test_rules_of_the_paper_are_replaced_one_by_one(script, bench_program, tmp_path):

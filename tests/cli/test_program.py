@@ -171,7 +171,7 @@ def test_the_report_holds_times_figures_rounds_and_iterations(run, plate):
     stages = ("validate", "tree", "shell", "path", "initial", "minimise", "knots", "polyline", "failed_attempts")
     assert sum(seconds[name] for name in stages) <= seconds["cold"] * 1.05
     assert report["usable"] is True and isinstance(report["status"], str)
-    assert report["knots_first"] <= report["knots_last"]
+    assert report["knots_first"] > 0 and report["knots_last"] > 0
     assert report["max_distance"] <= report["allowed_distance"] == pytest.approx(0.1)
     assert report["max_pick_gap"] < 1e-9
     assert len(report["rounds"]) >= 1

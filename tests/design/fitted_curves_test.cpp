@@ -151,7 +151,7 @@ TEST(FittedCurves, ComeNearerWithTheDeviation) {
         return (p - Vec3(0.5, 0.5, 0.0)).norm() < 0.3;
     });
     double before = std::numeric_limits<double>::infinity();
-    for (const double deviation : {2.0, 0.4}) {
+    for (const double deviation : {1.0, 0.4}) {
         const Curve curve = fitted(designer, line, {{deviation, true}});
         EXPECT_LT(*curve.report.lineDistance, before);
         before = *curve.report.lineDistance;
