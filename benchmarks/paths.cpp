@@ -156,11 +156,11 @@ void addDesigns(const Scene& scene, std::vector<MeasuredPath>& paths) {
     std::vector<Vec3> moved = scene.picks;
     moved.front() = scene.vertexNear(0, kMovedEdges);
     const auto before = std::make_shared<const Curve>(designer->design(scene.picks, scene.options));
-    paths.push_back(
-        {"design_moved", "curve", 1, [&scene, designer, moved, before] {
-             static_cast<void>(designer->design(moved, scene.options, {}, {.start = before.get(), .isPreview = true}));
-         }}
-    );
+    paths.push_back({"design_moved", "curve", 1, [&scene, designer, moved, before] {
+                         static_cast<void>(designer->design(
+                             moved, scene.options, {}, {.start = before.get(), .isPreview = true}
+                         ));
+                     }});
     // As all curves were drawn before there were foot points, and as some still are.
     const auto whole = std::make_shared<const CurveDesigner>(
         scene.mesh, ShellOptions{.kind = ShellKind::FullResolution}

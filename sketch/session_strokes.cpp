@@ -32,9 +32,7 @@ double lengthOf(const std::vector<SketchPick>& line) {
 
 }  // namespace
 
-void DrawingSession::beginStroke(
-    const Pointer& pointer, const Seen& seen, const SketchHit& hit
-) {
+void DrawingSession::beginStroke(const Pointer& pointer, const Seen& seen, const SketchHit& hit) {
     strokeStart_ = pointer;
     strokeFrom_ = hit.curve;
     strokePixel_ = pointer.pixelAt(seen.distance);

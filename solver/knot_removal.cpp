@@ -131,8 +131,8 @@ SplineCurve KnotRemoval::curveOf(const Fit& fit) const {
     return result;
 }
 
-// Nothing where no spline on these breaks passes the picks. `like`: a fit that has some of its spans,
-// or null.
+// Nothing where no spline on these breaks passes the picks. `like`: a fit that has some of its
+// spans, or null.
 std::optional<KnotRemoval::Fit> KnotRemoval::fitOn(std::vector<int> kept, const Fit* like) const {
     const SplineSpace& before = curve_.space;
     std::vector<double> breaks;

@@ -52,8 +52,8 @@ public:
     /// The spline with the fewest knots found. Where all are needed, the spline itself.
     [[nodiscard]] SplineCurve run();
 
-    /// The same with all knots again inside the marked spans of what was returned last, which are out
-    /// of the limits after all.
+    /// The same with all knots again inside the marked spans of what was returned last, which are
+    /// out of the limits after all.
     [[nodiscard]] SplineCurve withKnotsBack(const std::vector<char>& spans);
 
 private:
@@ -119,7 +119,7 @@ private:
     std::vector<int> firstSamples_;  // by span of the spline before, and of all
     std::vector<char> isLocked_;     // by break of the spline before: stays for good
     Eigen::VectorXd answer_;         // of moveWithout(): by control point
-    std::vector<int> kept_;       // breaks of what run() has returned, as indices
+    std::vector<int> kept_;          // breaks of what run() has returned, as indices
 };
 
 }  // namespace bspline_curve

@@ -51,8 +51,8 @@ public:
     /// Solves A x = right. O(points bandwidth).
     [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd right) const;
 
-    /// The same in place for rows first to last, none of them of the border, where `right` is 0 before
-    /// first and unknowns behind last are held at 0. Others are left alone. O((last - first)
+    /// The same in place for rows first to last, none of them of the border, where `right` is 0
+    /// before first and unknowns behind last are held at 0. Others are left alone. O((last - first)
     /// bandwidth).
     void solveBetween(int first, int last, Eigen::VectorXd& right) const;
 

@@ -14,7 +14,6 @@
 
 namespace bspline_curve {
 
-
 /// Where the mouse is: the ray into the scene through its pixel, in the mesh's unit.
 struct Pointer {
     Vec3 start = Vec3::Zero();
@@ -211,9 +210,9 @@ public:
     void add(std::vector<SketchCurve> curves);
 
 private:
-    struct Seen;    // where the surface meets a ray
-    struct Solver;  // what solves curves beside
-    struct Answer;  // of it
+    struct Seen;         // where the surface meets a ray
+    struct Solver;       // what solves curves beside
+    struct Answer;       // of it
     struct Request;      // to it
     struct Freehand;     // a line that was drawn so
     struct AskedStroke;  // whose curve is asked for

@@ -130,9 +130,9 @@ struct HoleChoice {
     std::optional<Vec3> seed{};  ///< the hole whose rim has the vertex nearest to it
 };
 
-/// The whole mesh with holes closed that it has, in one piece. The outer boundary of an open surface
-/// is a hole like the others. Throws InputError (NoPath) where no hole is chosen or a rim cannot be
-/// filled, Cancelled. New faces cross others only where a note names them.
+/// The whole mesh with holes closed that it has, in one piece. The outer boundary of an open
+/// surface is a hole like the others. Throws InputError (NoPath) where no hole is chosen or a rim
+/// cannot be filled, Cancelled. New faces cross others only where a note names them.
 [[nodiscard]] CutMeshes holesFilled(
     const Imprint& imprint, const HoleChoice& choice, FillShape shape, const Progress& progress = {}
 );

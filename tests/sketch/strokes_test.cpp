@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines drawn freehand.
-#include "session_fixture.h"
 #include "bspline_curve/drawing_session.h"
+#include "session_fixture.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
