@@ -308,6 +308,20 @@ void reportNearPicks(const Surface& surface, const LocatedPicks& located, Curve&
     curve.report.pickDistances = distancesTo(curve.polyline, curve.nearPickPositions);
 }
 
+/// What the curve avoids, and no pick is on.
+void placeObstacles(
+    const PreparedSurface& prepared,
+    const CurveTask& task,
+    const LocatedPicks& located,
+    std::optional<Obstacles>& obstacles
+) {
+    requireExactAvoidance(task.options);
+    const Surface& surface = prepared.surface();
+    const double margin = task.options.avoidMargin * surface.diagonal();
+    obstacles.emplace(surface, *prepared.extended(), task.avoid, margin);
+    refuseAvoidedPicks(surface, *obstacles, located);
+}
+
 }  // namespace
 
 Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) const {
@@ -323,11 +337,7 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     const std::vector<int> repeated = located.repeated();
     std::optional<Obstacles> obstacles;
     if (!avoid.empty()) {
-        requireExactAvoidance(options);
-        obstacles.emplace(
-            surface(), *extended(), avoid, options.avoidMargin * surface().diagonal()
-        );
-        refuseAvoidedPicks(surface(), *obstacles, located);
+        placeObstacles(*this, task, located, obstacles);
     }
     const PointDemands demands = demandsOf(*this, task, located);
     const std::vector<int> numbers = located.firstPicks();

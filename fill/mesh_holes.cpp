@@ -2,6 +2,8 @@
 #include "fill/mesh_holes.h"
 
 #include "bspline_curve/error.h"
+#include "fill/fill_holes.h"
+#include "fill/part_filling.h"
 #include "surface/error_messages.h"
 
 #include <algorithm>

@@ -83,7 +83,7 @@ void CurveList::clicked(QTreeWidgetItem* item, int column) {
         const QPointer<CurveList> self(this);
         const QColor chosen =
             QColorDialog::getColor(toColor(look.colour), window(), tr("Colour of the curve"));
-        if (self && chosen.isValid()) {
+        if (!self.isNull() && chosen.isValid()) {
             look.colour = {
                 static_cast<std::uint8_t>(chosen.red()),
                 static_cast<std::uint8_t>(chosen.green()),

@@ -151,7 +151,7 @@ bool CurveTool::mayClose() {
     question.setEscapeButton(stay);
     const QPointer<CurveTool> self(this);
     question.exec();
-    if (!self) {
+    if (self.isNull()) {
         return true;  // the tool ended, and made layers
     }
     if (question.clickedButton() == saves) {

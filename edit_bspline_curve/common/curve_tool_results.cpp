@@ -148,7 +148,7 @@ bool CurveTool::save() {
     const QString file = QFileDialog::getSaveFileName(
         view_.window(), tr("Save curves"), QDir(kept::folder()).filePath("curves.json"), kFiles
     );
-    if (file.isEmpty() || !self || !session_) {  // the tool may end while somebody chooses
+    if (file.isEmpty() || self.isNull() || !session_) {  // the tool may end while somebody chooses
         return false;
     }
     static_cast<void>(session_->settleWithin(kPatience));  // others are saved with their picks
@@ -175,7 +175,7 @@ void CurveTool::open() {
     const QPointer<CurveTool> self(this);
     const QString file =
         QFileDialog::getOpenFileName(view_.window(), tr("Open curves"), kept::folder(), kFiles);
-    if (file.isEmpty() || !self || !session_) {
+    if (file.isEmpty() || self.isNull() || !session_) {
         return;
     }
     try {
