@@ -12,8 +12,8 @@ namespace {
 
 /// Edges shorter than this, relative to the largest coordinate, are too fine for single precision.
 constexpr double kFineRelative = 1e-5;
-/// Of single triangles for one rim: hundredths of a second. All of 60 rims that could be repaired
-/// needed less.
+/// Of single triangles for one rim: hundredths of a second. Of the flat fills looked at, those that
+/// could be repaired needed at most 3300.
 constexpr int kMostTests = 4000;
 
 std::vector<Vec3> inSinglePrecision(std::vector<Vec3> points) {
