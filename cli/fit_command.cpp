@@ -8,18 +8,17 @@
 #include "cli/region_options.h"
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
+#include "filters/fit_requests.h"
 #include "filters/requests.h"
 #include "io/fit_report.h"
 #include "io/report_writer.h"
 #include "surface/error_messages.h"
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,18 +28,6 @@ namespace {
 
 // Shares of the progress, up to the end of preparing the mesh.
 constexpr double kReadyShare = 0.4;
-
-/// The options of curves that have a meaning here.
-constexpr std::array<std::string_view, 8> kOfCurves = {
-    "degree",
-    "tension",
-    "samples",
-    "max_segment_length",
-    "distance_tolerance",
-    "strict",
-    "weld",
-    "slits"
-};
 
 struct FitArguments : CurveOptions, PreparingOptions {
     std::filesystem::path mesh, output, report;  ///< report: empty: none asked for
@@ -98,7 +85,7 @@ struct FitParser {
         addReport(
             app, arguments.report, "Write length, deviation and spline of each curve, and seconds"
         );
-        for (const std::string_view id : kOfCurves) {
+        for (const std::string& id : fittedParameters()) {
             described.add(id);
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sketch/stroke.h"
 
-#include "surface/segment_distance.h"
+#include "surface/line_simplification.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
@@ -141,26 +141,15 @@ std::vector<SketchPick> describing(
     }
     kept.push_back(closed ? count : count - 1);
     sortUnique(kept);
-    for (std::size_t k = 0; k + 1 < kept.size();) {
-        const Vec3& a = along[kept[k]].position;
-        const Vec3& b = along[kept[k + 1] % count].position;
-        double most = within;
-        int farthest = -1;
-        for (int i = kept[k] + 1; i < kept[k + 1]; ++i) {
-            const double far = distanceToSegment(along[i].position, a, b);
-            if (far > most) {
-                most = far;
-                farthest = i;
-            }
-        }
-        if (farthest < 0) {
-            ++k;
-        } else {
-            kept.insert(kept.begin() + static_cast<std::ptrdiff_t>(k) + 1, farthest);
-        }
+    std::vector<Vec3> line;
+    for (const SketchPick& pick : along) {
+        line.push_back(pick.position);
+    }
+    if (closed) {
+        line.push_back(line.front());
     }
     std::vector<SketchPick> picks;
-    for (const int i : kept) {
+    for (const int i : simplified(line, std::move(kept), within)) {
         if (i < count) {
             picks.push_back(along[i]);
         }

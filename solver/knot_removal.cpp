@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/knot_removal.h"
 
+#include "spline/constrained_fit.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -31,23 +33,6 @@ struct RemovalConstants {
 };
 
 constexpr RemovalConstants kRemoval;
-
-void addProducts(
-    const SplineSpace& space,
-    int span,
-    const SplineSpace::BasisMatrix& products,
-    BandCholesky<1>& factor
-) {
-    for (int j = 0; j < space.basisCount(); ++j) {
-        for (int k = 0; k < space.basisCount(); ++k) {
-            const int row = space.control(span, j);
-            const int column = space.control(span, k);
-            if (row >= column) {
-                factor.add(row, column, &products(std::max(j, k), std::min(j, k)), 1);
-            }
-        }
-    }
-}
 
 // The squared geodesic curvature times the speed, of turn = n . (P' x P'').
 double bendOf(double turn, double squaredSpeed) {
@@ -147,27 +132,14 @@ std::optional<KnotRemoval::Fit> KnotRemoval::fitOn(std::vector<int> kept, const 
     ControlPoints right = ControlPoints::Zero(fit.space.controlCount(), 3);
     sumSamples(fit, like);
     addSums(fit, right);
-    addPicks(fit, picks);
+    addProducts(fit.factor, fit.space, picks, kRemoval.pickWeight);
     if (!fit.factor.factorise()) {
         return std::nullopt;
     }
     if (fit.kept.size() == before.breaks().size()) {
         fit.controls = curve_.controls;
     } else {
-        fit.controls = ControlPoints::Zero(fit.space.controlCount(), 3);
-        const Eigen::VectorXd flat = picks.minimiser(
-            Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()),
-            picks.residual(fit.controls),
-            kRemoval.pickWeight,
-            [&](Eigen::VectorXd&& pulled) {
-                Eigen::Map<ControlPoints> axes(pulled.data(), fit.space.controlCount(), 3);
-                for (int axis = 0; axis < 3; ++axis) {
-                    axes.col(axis) = fit.factor.solve(axes.col(axis));
-                }
-                return std::move(pulled);
-            }
-        );
-        fit.controls = Eigen::Map<const ControlPoints>(flat.data(), fit.space.controlCount(), 3);
+        fit.controls = constrainedFit(fit.factor, picks, right, kRemoval.pickWeight);
     }
     if (!(picks.residual(fit.controls).lpNorm<Eigen::Infinity>() < kRemoval.pickAccuracy)) {
         return std::nullopt;
@@ -254,19 +226,8 @@ void KnotRemoval::addSums(Fit& fit, ControlPoints& right) const {
             right.row(space.control(span, j)) +=
                 (sums.nearRight[j] + stiffness * sums.bentRight[j]).transpose();
         }
-        addProducts(space, span, sums.near + stiffness * sums.bent, fit.factor);
-    }
-}
-
-void KnotRemoval::addPicks(Fit& fit, const PickConstraints& picks) const {
-    for (const InterpolationRow& row : picks.rows()) {
-        SplineSpace::BasisMatrix products;
-        for (int j = 0; j < fit.space.basisCount(); ++j) {
-            for (int k = 0; k <= j; ++k) {
-                products(j, k) = kRemoval.pickWeight * row.values[j] * row.values[k];
-            }
-        }
-        addProducts(fit.space, row.span, products, fit.factor);
+        const SplineSpace::BasisMatrix products = sums.near + stiffness * sums.bent;
+        addProducts(fit.factor, space, span, products.selfadjointView<Eigen::Lower>());
     }
 }
 

@@ -104,7 +104,6 @@ private:
     void sumSamples(Fit& fit, const Fit* like) const;
     void sumSpan(Fit& fit, int span) const;
     void addSums(Fit& fit, ControlPoints& right) const;
-    void addPicks(Fit& fit, const PickConstraints& picks) const;
     void measure(Fit& fit) const;
     [[nodiscard]] std::vector<Candidate> nextBatch(const Fit& fit);
     [[nodiscard]] Vec3 moveWithout(const Fit& fit, int index);

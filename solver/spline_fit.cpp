@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/spline_fit.h"
 
+#include "spline/constrained_fit.h"
 #include "spline/spline_system.h"
 
 #include <algorithm>
@@ -47,20 +48,6 @@ BasisMatrix fitProducts(const SplineSpace& space, int span) {
     return products;
 }
 
-void addToMatrix(
-    BandCholesky<1>& factor, const SplineSpace& space, int span, const BasisMatrix& products
-) {
-    for (int j = 0; j < space.basisCount(); ++j) {
-        for (int i = 0; i < space.basisCount(); ++i) {
-            const int row = space.control(span, i);
-            const int column = space.control(span, j);
-            if (row >= column) {
-                factor.add(row, column, &products(i, j), 1);
-            }
-        }
-    }
-}
-
 }  // namespace
 
 SpanTarget::SpanTarget(const InitialPath& initialPath, double begin, double end) {
@@ -83,7 +70,7 @@ ControlPoints fitSpline(
     BandCholesky<1> factor = bandCholeskyOf<1>(space);
     ControlPoints right = ControlPoints::Zero(space.controlCount(), 3);
     for (int span = 0; span < space.spanCount(); ++span) {
-        addToMatrix(factor, space, span, fitProducts(space, span));
+        addProducts(factor, space, span, fitProducts(space, span));
         for (int j = 0; j < space.basisCount(); ++j) {
             Vec3 mean = Vec3::Zero();
             for (int m = 0; m < space.basisCount(); ++m) {
@@ -92,31 +79,10 @@ ControlPoints fitSpline(
             right.row(space.control(span, j)) += space.spanLength(span) * mean.transpose();
         }
     }
-    for (const InterpolationRow& row : picks.rows()) {
-        BasisMatrix products = BasisMatrix::Zero();
-        for (int j = 0; j < space.basisCount(); ++j) {
-            for (int k = 0; k < space.basisCount(); ++k) {
-                products(j, k) = kFitConstraintWeight * row.values[j] * row.values[k];
-            }
-        }
-        addToMatrix(factor, space, row.span, products);
-    }
-    ControlPoints controls = ControlPoints::Zero(space.controlCount(), 3);
-    if (factor.factorise()) {
-        const Eigen::VectorXd flat = picks.minimiser(
-            Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()),
-            picks.residual(controls),
-            kFitConstraintWeight,
-            [&](Eigen::VectorXd&& pulled) {
-                Eigen::Map<ControlPoints> axes(pulled.data(), space.controlCount(), 3);
-                for (int axis = 0; axis < 3; ++axis) {
-                    axes.col(axis) = factor.solve(axes.col(axis));
-                }
-                return std::move(pulled);
-            }
-        );
-        controls = Eigen::Map<const ControlPoints>(flat.data(), space.controlCount(), 3);
-    }
+    addProducts(factor, space, picks, kFitConstraintWeight);
+    ControlPoints controls = factor.factorise()
+                                 ? constrainedFit(factor, picks, right, kFitConstraintWeight)
+                                 : ControlPoints(ControlPoints::Zero(space.controlCount(), 3));
     // To rounding, before it is asked whether the curve stays inside.
     picks.meet(controls);
     return controls;

@@ -116,6 +116,13 @@ CutMeshes::Piece pieceOf(const Imprint& imprint, std::vector<int> parts, FilledP
     return {std::move(parts), MadeMesh(imprint, std::move(taken))};
 }
 
+/// With all parts.
+CutMeshes::Piece wholePiece(const Imprint& imprint, FilledParts made) {
+    std::vector<int> parts(imprint.parts.parts.size());
+    std::iota(parts.begin(), parts.end(), 0);
+    return pieceOf(imprint, std::move(parts), std::move(made));
+}
+
 }  // namespace
 
 Imprint imprintOn(
@@ -166,9 +173,7 @@ std::optional<CutMeshes> cutThroughHandles(
     if (!capped->crossing.empty()) {
         result.notes.push_back(crossingNote(capped->crossing) + "; move the curve");
     }
-    std::vector<int> parts(imprint.parts.parts.size());
-    std::iota(parts.begin(), parts.end(), 0);
-    result.pieces.push_back(pieceOf(imprint, std::move(parts), *std::move(capped)));
+    result.pieces.push_back(wholePiece(imprint, *std::move(capped)));
     return result;
 }
 
@@ -227,9 +232,7 @@ CutMeshes holesFilled(
     if (!filled.crossing.empty()) {
         result.notes.push_back(crossingNote(filled.crossing));
     }
-    std::vector<int> parts(imprint.parts.parts.size());
-    std::iota(parts.begin(), parts.end(), 0);
-    result.pieces.push_back(pieceOf(imprint, std::move(parts), std::move(filled)));
+    result.pieces.push_back(wholePiece(imprint, std::move(filled)));
     return result;
 }
 
