@@ -23,6 +23,8 @@ namespace {
 
 /// Components that vertices within so many diagonals part only look parted.
 constexpr double kGapRelative = 1e-6;
+/// Projections of a place come to rest, or go round among a few neighbouring doubles, sooner.
+constexpr std::size_t kMostSettling = 64;
 
 using Closest = TriangleTree::Closest;
 
@@ -170,6 +172,31 @@ std::optional<std::vector<Closest>> onCommonComponent(
     return std::nullopt;
 }
 
+// The place in its face that projections from place to place come to, the same bit for bit from
+// wherever among them they start: a pick that was saved with its curve leads to that curve again.
+void settle(const Surface& surface, Closest& pick) {
+    const auto projected = [&](const Vec3& position) {
+        return closestPointOnTriangle(
+            surface.vertices(), surface.faces()[pick.point.face], position
+        );
+    };
+    std::vector<Vec3> passed{pick.position};
+    while (passed.size() < kMostSettling) {
+        const Vec3 next = projected(passed.back()).position;
+        const auto again = std::ranges::find(passed, next);
+        if (again != passed.end()) {
+            const auto isLess = [](const Vec3& a, const Vec3& b) {
+                return std::ranges::lexicographical_compare(a, b);
+            };
+            const auto place = projected(*std::ranges::min_element(again, passed.end(), isLess));
+            pick.point.barycentric = place.barycentric;
+            pick.position = place.position;
+            return;
+        }
+        passed.push_back(next);
+    }
+}
+
 }  // namespace
 
 LocatedPicks locatePicks(
@@ -212,6 +239,9 @@ LocatedPicks locatePicks(
         "pick points on one component"
     );
 
+    for (Closest& projection : projections) {
+        settle(surface, projection);
+    }
     return withoutRepeats(projections, kPickSeparationRelative * surface.diagonal(), closed);
 }
 

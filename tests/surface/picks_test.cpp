@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "support/meshes.h"
+#include "support/random.h"
 #include "support/refusal.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +57,26 @@ TEST_F(PicksTest, AreProjectedToTheSurfaceInOrder) {
     for (std::size_t i = 0; i < picks.size(); ++i) {
         const Vec3 expected(picks[i][0], picks[i][1], 0.0);
         EXPECT_LT((surface.position(points[i]) - expected).norm(), 1e-14);
+    }
+}
+
+TEST(Picks, ThatWereLocatedAreLocatedInTheSamePlaceBitForBit) {
+    const Surface surface(icosphere(3));
+    const TriangleTree tree(surface.vertices(), surface.faces());
+    Random random(5);
+    std::vector<Vec3> picks;
+    for (int i = 0; i < 500; ++i) {
+        picks.push_back(random.point(-1.0, 1.0).normalized());
+    }
+    const std::vector<SurfacePoint> first = locatePicks(surface, tree, picks, false).points;
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        picks[i] = surface.position(first[i]);
+    }
+    const std::vector<SurfacePoint> second = locatePicks(surface, tree, picks, false).points;
+    ASSERT_EQ(second.size(), first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        EXPECT_EQ(second[i].face, first[i].face);
+        EXPECT_EQ(second[i].barycentric, first[i].barycentric);
     }
 }
 
