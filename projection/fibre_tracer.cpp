@@ -19,6 +19,8 @@ namespace {
 // cross, two faces may hand it back and forth, by 1e-14 of the span at a time.
 constexpr int kMaxStalled = 128;
 constexpr double kStalledShare = 1e-7;
+// And one that crosses more faces of a span than this many times all that there are.
+constexpr std::size_t kMaxRounds = 2;
 // A curve passes a pick where it is so near to the surface, in diagonals: a hundred times the
 // rounding of heights, and a thousandth of the thinnest plate whose sides are told apart.
 constexpr double kAtPick = 1e-12;
@@ -106,7 +108,8 @@ private:
         double tau = 0.0;
         double advanced = 0.0;
         int stalled = 0;  // crossings since then
-        while (true) {
+        const std::size_t before = trace_.crossings.size();
+        while (trace_.crossings.size() - before <= kMaxRounds * extended_.faces.size()) {
             farthest = std::max(farthest, distanceOf(here_));
             const std::optional<FibreExit> exit = findExit(fibres_, curve, tau, here_, there_);
             if (!exit) {
@@ -143,6 +146,7 @@ private:
                 return false;
             }
         }
+        return false;
     }
 
     // Half way to there_ on this face, without a search: by values and derivatives at both ends.
