@@ -14,6 +14,8 @@ build_packages=(
 test_packages=(
     libgtest-dev libbenchmark-dev valgrind libtet1.5-dev
     ccache  # the Python package is built from the objects of the release build
+    doxygen  # the reference of the public headers, on the site
+    zsh fish man-db  # completion and manual pages of the program
     meshlab  # 2020.09 in bookworm, with meshlabserver
     xvfb xauth openbox xdotool imagemagick libgl1-mesa-dri  # to show, drive and photograph its window
 )

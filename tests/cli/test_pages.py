@@ -7,7 +7,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = [*ROOT.glob("*.md"), *sorted((ROOT / "docs").glob("*.md"))]
-FOLDERS = "utility|web|surface|shell|spline|projection|solver|design|field|io|filters|cli|python|scripts|tests|benchmarks|cmake|examples|docs|include"
+FOLDERS = "utility|web|surface|shell|spline|projection|solver|design|field|io|filters|cli|python|scripts|tests|benchmarks|cmake|examples|docs|include|site"
 
 
 def anchor_of(title):
