@@ -408,6 +408,7 @@ ExitCode runJobs(const BatchArguments& arguments, ProgressBar& bar) {
     batch.run();
     bar.clear();
     if (batch.done() == batch.total()) {
+        bar.tell(arguments.results, describeCount(batch.done(), "job", "jobs") + " done");
         return ExitCode::Success;
     }
     const std::string ofAll = " of " + describeCount(batch.total(), "job", "jobs");

@@ -8,6 +8,7 @@
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
 #include "io/report_writer.h"
+#include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 #include "workpiece/workpiece_parts.h"
 
@@ -90,6 +91,12 @@ RunFigures figuresOf(
     return figures;
 }
 
+std::string describeCurve(const SurfacePolyline& line) {
+    return std::string(line.closed ? "a closed" : "an open") + " curve, " +
+           describeNumber(lengthOf(line)) + " long, of " +
+           describeCount(line.points.size(), "point", "points");
+}
+
 ExitCode drawAndWrite(
     const CurveArguments& arguments,
     const std::vector<Vec3>& picks,
@@ -120,6 +127,8 @@ ExitCode drawAndWrite(
     files.commit();
     if (isRefused) {
         printError(notes.back());
+    } else {
+        bar.tell(arguments.output, describeCurve(curve.polyline));
     }
     return isRefused ? ExitCode::Failure : ExitCode::Success;
 }
@@ -137,12 +146,17 @@ ExitCode draw(CurveArguments& arguments, ProgressBar& bar) {
 }  // namespace
 
 ExitCode drawOn(const LoadedMesh& loaded, CurveArguments arguments) {
-    return runVerb([&](ProgressBar& bar) {
-        checkFiles(arguments);
-        const std::vector<Vec3> picks = picksFrom(arguments.picks, arguments);
-        readDrawingFiles(arguments, loaded.workpiece->mesh());
-        return drawAndWrite(arguments, picks, loaded, bar);
-    });
+    constexpr bool kIsQuiet = true;  // what a job prints is a message in the table of results
+    return runVerb(
+        [&](ProgressBar& bar) {
+            checkFiles(arguments);
+            const std::vector<Vec3> picks = picksFrom(arguments.picks, arguments);
+            readDrawingFiles(arguments, loaded.workpiece->mesh());
+            return drawAndWrite(arguments, picks, loaded, bar);
+        },
+        AfterInterrupt::EndSoon,
+        kIsQuiet
+    );
 }
 
 ExitCode runCurve(Arguments arguments) {

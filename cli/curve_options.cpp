@@ -5,6 +5,7 @@
 #include "bspline_curve/version.h"
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
+#include "io/text_parsing.h"
 
 namespace bspline_curve::cli {
 
@@ -12,13 +13,9 @@ namespace {
 
 void addFiles(CLI::App& app, CurveArguments& arguments) {
     addMesh(app, arguments.mesh);
-    addFile(
-        app,
-        "--picks",
-        arguments.picks,
-        "Points to pass through, in order: " + std::string(kPicksExtensions)
-    )
-        ->required();
+    const std::string picks = "Points to pass through, in order: " + std::string(kPicksExtensions) +
+                              "; -: standard input, as .json";
+    orStandardStream(addFile(app, "--picks", arguments.picks, picks), ".json")->required();
     addPickDistance(app, arguments.pickDistance);
     addOutput(
         app,
@@ -85,7 +82,13 @@ std::vector<CurveOption> curveOptions() {
 CurveArguments readCurveArguments(Arguments arguments) {
     CurveParser parser;
     try {
-        return parsedBy(parser, arguments);
+        CurveArguments parsed = parsedBy(parser, arguments);
+        for (const auto& file : {parsed.mesh, parsed.picks, parsed.output, parsed.report}) {
+            if (isStandardStream(file)) {
+                throw InputError(InputErrorCode::BadOption, "a job needs files in place of -");
+            }
+        }
+        return parsed;
     } catch (const CLI::ParseError& error) {
         throw InputError(InputErrorCode::BadOption, error.what());
     }

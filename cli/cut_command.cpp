@@ -7,7 +7,6 @@
 #include "utility/stopwatch.h"
 
 #include <algorithm>
-#include <iostream>
 
 namespace bspline_curve::cli {
 
@@ -26,7 +25,7 @@ struct CutArguments : UseArguments {
 
 struct CutParser {
     CutParser() {
-        addOutput(
+        addMeshOutput(
             app,
             arguments.output,
             "Mesh to write: " + meshExtensions() +
@@ -121,10 +120,7 @@ ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
     printRemoved(files.stale());
     printNotes(file.notesFor(arguments.output));
     printNotes(cut.notes);
-    if (cut.pieces.size() > 1) {
-        std::cerr << "bspline_curve: the mesh is in " << cut.pieces.size() << " files, the last is "
-                  << last.string() << '\n';
-    }
+    bar.tell(arguments.output, describeSeries(cut.pieces.size(), "mesh", "meshes", last));
     return ExitCode::Success;
 }
 

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/drawing_options.h"
 
+#include "cli/manual.h"
 #include "filters/requests.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace bspline_curve::cli {
 
 namespace {
 
-constexpr const char* kAdvanced = "Advanced options";
-constexpr const char* kFieldGroup = "Options of the field";
+constexpr const char* kFieldGroup = "Field";
+constexpr const char* kMendingGroup = "Mending of the mesh";
 constexpr const char* kFieldPrefix = "--field-";
 
 /// Parameters of the filter that have no meaning here: layers, selections, and files, which the
@@ -34,11 +36,35 @@ constexpr std::array<std::string_view, 10> kOfHosts = {
 /// Those that say how the mesh is mended.
 constexpr std::array<std::string_view, 3> kOfMending = {"strict", "weld", "slits"};
 
+/// The groups of the filter's dialog, in fewer groups of the help.
+constexpr std::array<std::pair<std::string_view, const char*>, 9> kGroups{{
+    {"further.picks", "Picks"},
+    {"further.field", kFieldGroup},
+    {"advanced.field", kFieldGroup},
+    {"further.avoid", "Faces to avoid"},
+    {"advanced.avoid", "Faces to avoid"},
+    {"further.polyline", "Polyline"},
+    {"further.shell", "Shell and limits"},
+    {"advanced.shell", "Shell and limits"},
+    {"advanced.limits", "Shell and limits"},
+}};
+
+/// Settings of the method that are not of the paper alone.
+constexpr std::array<std::string_view, 2> kOfMethod = {"preset", "distance_tolerance"};
+
+bool isOfPaper(const ParameterDescription& parameter) {
+    return parameter.group == "advanced.paper" ||
+           (parameter.group == "advanced.method" &&
+            std::ranges::find(kOfMethod, parameter.id) == kOfMethod.end());
+}
+
 std::string groupOf(const ParameterDescription& parameter) {
-    if (parameter.group == "advanced.field") {
-        return kFieldGroup;
+    if (isOfPaper(parameter)) {
+        return std::string(kPaperGroup);
     }
-    return parameter.isAdvanced() ? kAdvanced : kMainGroup;
+    const auto* const found =
+        std::ranges::find(kGroups, parameter.group, [](const auto& each) { return each.first; });
+    return found == kGroups.end() ? kMainGroup : found->second;
 }
 
 }  // namespace
@@ -51,8 +77,9 @@ void DrawingOptions::add(const std::string& group) {
         const std::string& id = parameter.id;
         if (std::ranges::find(kOfHosts, id) == kOfHosts.end()) {
             const bool isOfMending = std::ranges::find(kOfMending, id) != kOfMending.end();
-            const std::string used = isOfMending ? kMainGroup : group;
-            options_.add(id, extrasOf(id), group.empty() ? groupOf(parameter) : used);
+            const bool isSorted = group.empty() || isOfPaper(parameter);
+            const std::string used = isSorted ? groupOf(parameter) : group;
+            options_.add(id, extrasOf(id), isOfMending ? kMendingGroup : used);
         }
     }
     region_ =

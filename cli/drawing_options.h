@@ -29,7 +29,7 @@ public:
     DrawingOptions(CLI::App& app, DrawingArguments& arguments);
 
     /// Declares them, in groups of their own; or in one group, but those of mending, which are for
-    /// every mesh, with the main ones.
+    /// every mesh, and the settings of the paper.
     void add(const std::string& group = "");
 
     /// Whether one of them was on the command line that is of use for drawing only.

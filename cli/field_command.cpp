@@ -9,8 +9,11 @@
 #include "filters/requests.h"
 #include "io/field_report.h"
 #include "io/report_writer.h"
+#include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 #include "workpiece/workpiece_parts.h"
+
+#include <algorithm>
 
 namespace bspline_curve::cli {
 
@@ -30,7 +33,9 @@ struct FieldParser {
         addOutput(
             app,
             arguments.output,
-            "Field to write: .ply (the mesh with the field as per-vertex quality), .npy or .txt"
+            "Field to write: .ply (the mesh with the field as per-vertex quality), .npy or .txt",
+            "FILE",
+            ".txt"
         );
         addReport(
             app,
@@ -97,6 +102,11 @@ ExitCode compute(FieldArguments& arguments, ProgressBar& bar) {
         files.add(arguments.report, fieldReportText(surfaceOf(workpiece), field.values(), figures));
     }
     files.commit();
+    const auto [least, most] = std::ranges::minmax(field.values());
+    bar.tell(
+        arguments.output,
+        figures.kind + ", from " + describeNumber(least) + " to " + describeNumber(most)
+    );
     return ExitCode::Success;
 }
 

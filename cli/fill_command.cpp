@@ -4,6 +4,7 @@
 #include "cli/result_files.h"
 #include "cli/use_input.h"
 #include "cli/verb_parser.h"
+#include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 
 #include <limits>
@@ -22,7 +23,7 @@ struct FillArguments : UseArguments {
 struct FillParser {
     FillParser() {
         addMesh(app, arguments.drawing.mesh);
-        addOutput(
+        addMeshOutput(
             app,
             arguments.output,
             "Mesh to write: " + meshExtensions() + "; .ply has -1 as `label` of new faces"
@@ -108,6 +109,11 @@ ExitCode closeHoles(const FillArguments& arguments, ProgressBar& bar) {
     files.commit();
     printNotes(file.notesFor(arguments.output));
     printNotes(filled.notes);
+    bar.tell(
+        arguments.output,
+        describeCount(filled.filledHoles, "hole", "holes") + " filled, " +
+            describeCount(filled.pieces.front().mesh.mesh().faces.size(), "face", "faces")
+    );
     return ExitCode::Success;
 }
 

@@ -16,7 +16,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <iostream>
 #include <limits>
 #include <string>
 #include <utility>
@@ -194,10 +193,7 @@ ExitCode fitAndWrite(FitArguments& arguments, ProgressBar& bar) {
     printNotes(fitted.notes);
     files.commit();
     printRemoved(files.stale());
-    if (figures.size() > 1) {
-        std::cerr << "bspline_curve: " << figures.size() << " curves, the last in " << last.string()
-                  << '\n';
-    }
+    bar.tell(arguments.output, describeSeries(figures.size(), "curve", "curves", last));
     return ExitCode::Success;
 }
 

@@ -4,6 +4,7 @@
 #include "cli/result_files.h"
 #include "cli/use_input.h"
 #include "cli/verb_parser.h"
+#include "surface/error_messages.h"
 
 namespace bspline_curve::cli {
 
@@ -16,7 +17,7 @@ struct ImprintArguments : UseArguments {
 
 struct ImprintParser {
     ImprintParser() {
-        addOutput(
+        addMeshOutput(
             app,
             arguments.output,
             "Mesh to write: " + meshExtensions() +
@@ -71,6 +72,11 @@ ExitCode imprintCurves(const ImprintArguments& arguments, ProgressBar& bar) {
     bar.clear();
     files.commit();
     printNotes(file.notesFor(arguments.output));
+    bar.tell(
+        arguments.output,
+        describeCount(parts.parts.size(), "part", "parts") + ", " +
+            describeCount(whole.mesh().faces.size(), "face", "faces")
+    );
     return ExitCode::Success;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
+#include "cli/manual.h"
 #include "cli/process_figures.h"
 #include "cli/value_checks.h"
 
@@ -8,6 +9,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +21,7 @@ namespace {
 struct Verb {
     std::string_view name;
     ExitCode (*run)(Arguments);
-    std::string_view help;
+    const char* help;
 };
 
 // A first argument that is none of these is a mesh, or an option of `curve`.
@@ -84,13 +86,54 @@ ExitCode printOverview() {
     }
     std::cout
         << "\n"
-           "  bspline_curve VERB --help: its options; bspline_curve --version: the version\n"
+           "  VERB --help: its options; --help paper; --version; --completion bash|zsh|fish\n"
            "Examples:\n"
            "  bspline_curve scan.ply --picks picks.json --closed --output curve.json\n"
            "  bspline_curve cut scan.ply --curve curve.json --keep inside --output cut.ply\n\n"
            "Exit status: 0 done; 1 bad mesh, picks or file; 2 wrong usage; 130 interrupted\n"
            "by Ctrl-C. No output is written unless the status is 0.\n";
     return ExitCode::Success;
+}
+
+std::vector<VerbSummary> summaries() {
+    std::vector<VerbSummary> all;
+    for (const Verb& verb : kVerbs) {
+        all.emplace_back(verb.name, verb.help);
+    }
+    return all;
+}
+
+/// --completion SHELL
+ExitCode printCompletionFor(const std::string& shell) {
+    const std::array words{kCompletion, shell.c_str()};
+    const auto printVerb = [&](std::string_view name) {
+        static_cast<void>(std::ranges::find(kVerbs, name, &Verb::name)->run(words));
+    };
+    if (printCompletion(shell, summaries(), printVerb)) {
+        return ExitCode::Success;
+    }
+    printError("--completion is for bash, zsh or fish");
+    return ExitCode::Usage;
+}
+
+/// What is asked of the program as a whole; else nothing.
+std::optional<ExitCode> runWithoutVerb(Arguments arguments) {
+    const std::string word = arguments.front();
+    const bool isAlone = arguments.size() == 1;
+    if (word == kMeshProcess) {
+        return runMeshProcess();
+    }
+    if (isAlone && (word == "help" || word == "--help" || word == "-h")) {
+        return printOverview();
+    }
+    if (isAlone && word == kManual) {
+        std::cout << programManual(summaries());
+        return ExitCode::Success;
+    }
+    if (word == kCompletion) {
+        return printCompletionFor(isAlone ? "" : arguments[1]);
+    }
+    return std::nullopt;
 }
 
 ExitCode refuseVerb(const std::string& word) {
@@ -115,22 +158,25 @@ ExitCode run(Arguments arguments) {
     if (arguments.empty()) {
         return runCurve(arguments);
     }
+    if (const std::optional<ExitCode> done = runWithoutVerb(arguments)) {
+        return *done;
+    }
     const std::string word = arguments.front();
-    if (word == kMeshProcess) {
-        return runMeshProcess();
-    }
-    const bool asksForHelp = word == "help" || word == "--help" || word == "-h";
-    if (asksForHelp && arguments.size() == 1) {
-        return printOverview();
-    }
     if (word == "help") {
+        // `help VERB paper` is `VERB --help paper`, and `help paper` is `--help paper`.
         std::vector<const char*> words(arguments.begin() + 1, arguments.end());
-        words.push_back("--help");
+        words.insert(
+            words.begin() + (std::string_view(words.front()) == "paper" ? 0 : 1), "--help"
+        );
         return run(words);
     }
     const auto* const verb = std::ranges::find(kVerbs, word, &Verb::name);
     if (verb != kVerbs.end()) {
-        return verb->run(arguments.subspan(1));
+        const Arguments rest = arguments.subspan(1);
+        if (rest.size() == 1 && std::string_view(rest.front()) == kManual) {
+            return verb->run(std::array{kManual, verb->help});
+        }
+        return verb->run(rest);
     }
     return isNoMesh(word) ? refuseVerb(word) : runCurve(arguments);
 }

@@ -10,7 +10,6 @@
 #include "utility/stopwatch.h"
 
 #include <algorithm>
-#include <iostream>
 #include <limits>
 
 namespace bspline_curve::cli {
@@ -139,10 +138,7 @@ ExitCode drawBeside(const OffsetArguments& arguments, ProgressBar& bar) {
     }
     files.commit();
     printRemoved(files.stale());
-    if (pieces.size() > 1) {
-        std::cerr << "bspline_curve: the offset has " << pieces.size() << " pieces, the last in "
-                  << last.string() << '\n';
-    }
+    bar.tell(arguments.output, describeSeries(pieces.size(), "curve", "curves", last));
     return ExitCode::Success;
 }
 

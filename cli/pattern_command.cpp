@@ -12,6 +12,7 @@
 #include "io/font_search.h"
 #include "io/pattern_report.h"
 #include "io/report_writer.h"
+#include "surface/error_messages.h"
 #include "surface/picks.h"
 #include "utility/stopwatch.h"
 #include "workpiece/workpiece_parts.h"
@@ -222,6 +223,7 @@ ExitCode carry(const PatternArguments& arguments, ProgressBar& bar) {
     bar.clear();
     printNotes(drawing.notes);
     files.commit();
+    bar.tell(arguments.output, describeCount(curves.size(), "curve", "curves"));
     return ExitCode::Success;
 }
 

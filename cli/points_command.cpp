@@ -8,6 +8,7 @@
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
 #include "filters/imprint_requests.h"
+#include "surface/error_messages.h"
 
 #include <optional>
 #include <vector>
@@ -117,6 +118,11 @@ ExitCode placePoints(const PointsArguments& arguments, ProgressBar& bar) {
     files.add(arguments.output, pointsBytes(arguments.output, curves));
     bar.clear();
     files.commit();
+    std::size_t count = 0;
+    for (const PointsOfCurve& curve : curves) {
+        count += curve.points.size();
+    }
+    bar.tell(arguments.output, describeCount(count, "point", "points"));
     return ExitCode::Success;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/progress_bar.h"
 
+#include "io/text_parsing.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,8 +20,10 @@ constexpr std::size_t kWidth = 30;
 
 }  // namespace
 
-ProgressBar::ProgressBar()
-    : isTerminal_(::isatty(STDERR_FILENO) != 0), next_(Clock::now() + kDelay) {}
+ProgressBar::ProgressBar(bool isQuiet)
+    : isQuiet_(isQuiet),
+      isTerminal_(!isQuiet && ::isatty(STDERR_FILENO) != 0),
+      next_(Clock::now() + kDelay) {}
 
 ProgressBar::~ProgressBar() {
     clear();
@@ -42,6 +46,13 @@ void ProgressBar::clear() {
     if (isShown_) {
         std::cerr << "\r\x1b[K" << std::flush;
         isShown_ = false;
+    }
+}
+
+void ProgressBar::tell(const std::filesystem::path& file, const std::string& content) {
+    if (!isQuiet_ && !isStandardStream(file)) {
+        clear();
+        std::cout << file.string() << ": " << content << '\n';
     }
 }
 

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 
 namespace bspline_curve::cli {
 
-/// One line on stderr that shows how far the work is. Shows nothing where stderr is not a terminal,
-/// and nothing within the first moments, so that quick work does not flicker.
+/// One line on stderr that shows how far the work is, and the lines of result on stdout. The bar
+/// shows nothing where stderr is not a terminal, and nothing within the first moments, so that
+/// quick work does not flicker.
 class ProgressBar {
 public:
-    ProgressBar();
+    /// A quiet one prints nothing.
+    explicit ProgressBar(bool isQuiet = false);
     ~ProgressBar();  ///< clears the line
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
@@ -20,9 +23,14 @@ public:
     /// Removes the line, before other output to stderr.
     void clear();
 
+    /// A line of result: a file that was written, and what is in it. None of standard output, which
+    /// has the file itself.
+    void tell(const std::filesystem::path& file, const std::string& content);
+
 private:
     using Clock = std::chrono::steady_clock;
 
+    bool isQuiet_;
     bool isTerminal_;
     bool isShown_ = false;
     Clock::time_point next_;

@@ -3,8 +3,11 @@
 
 #include "bspline_curve/error.h"
 #include "cli/interrupt.h"
+#include "io/text_parsing.h"
+#include "surface/error_messages.h"
 
 #include <chrono>
+#include <iostream>
 #include <string_view>
 #include <system_error>
 
@@ -25,7 +28,23 @@ std::filesystem::path numbered(const std::filesystem::path& first, std::size_t n
            (name.substr(0, end) + "-" + std::to_string(number) + name.substr(end));
 }
 
+void ResultFiles::add(const std::filesystem::path& file, const std::string& bytes) {
+    if (!isStandardStream(file)) {
+        files_.emplace_back(file, bytes);
+        return;
+    }
+    if (!printed_.empty()) {
+        refuseWriting(file, "standard output can take one file; name the others");
+    }
+    printed_ = bytes;
+}
+
 std::filesystem::path ResultFiles::nextAfter(const std::filesystem::path& first) const {
+    if (!printed_.empty()) {
+        refuseWriting(
+            first, "there are several files, and standard output can take one; name them"
+        );
+    }
     return numbered(first, files_.size() + 1);
 }
 
@@ -52,6 +71,9 @@ void ResultFiles::commit() {
     for (AtomicFile& file : files_) {
         file.commit();
     }
+    if (!printed_.empty() && !(std::cout << printed_ << std::flush)) {
+        throw InputError(InputErrorCode::UnwritableFile, "standard output cannot be written");
+    }
     for (const std::filesystem::path& file : stale_) {
         std::error_code error;
         std::filesystem::remove(file, error);
@@ -64,6 +86,13 @@ void ResultFiles::commit() {
     }
 }
 
+std::string describeSeries(
+    std::size_t count, const char* one, const char* many, const std::filesystem::path& last
+) {
+    const std::string all = describeCount(count, one, many);
+    return count == 1 ? all : all + ", the last in " + last.string();
+}
+
 void checkOutput(const std::filesystem::path& file, void (*check)(const std::filesystem::path&)) {
     if (file.empty()) {
         return;
@@ -71,7 +100,9 @@ void checkOutput(const std::filesystem::path& file, void (*check)(const std::fil
     if (check != nullptr) {
         check(file);
     }
-    checkWritable(file);
+    if (!isStandardStream(file)) {
+        checkWritable(file);
+    }
 }
 
 }  // namespace bspline_curve::cli

@@ -15,12 +15,10 @@ namespace bspline_curve::cli {
 class ResultFiles {
 public:
     /// Throws InputError (UnwritableFile).
-    void add(const std::filesystem::path& file, const std::string& bytes) {
-        files_.emplace_back(file, bytes);
-    }
+    void add(const std::filesystem::path& file, const std::string& bytes);
 
     /// The name of the next one of several files, which come first: FILE.ply, FILE-2.ply, …; also
-    /// FILE-2.bspline.dxf.
+    /// FILE-2.bspline.dxf. Throws InputError (UnwritableFile) for a second one of standard output.
     [[nodiscard]] std::filesystem::path nextAfter(const std::filesystem::path& first) const;
 
     /// Takes note of further files of an earlier run, behind those of this one: FILE-3.ply where
@@ -36,12 +34,18 @@ public:
 
 private:
     std::list<AtomicFile> files_;
+    std::string printed_;  // the file that is standard output; empty: none
     std::vector<std::filesystem::path> stale_;
 };
 
 /// The name of a file of a series by its number: FILE.ply, FILE-2.ply, …; also FILE-2.bspline.dxf.
 [[nodiscard]] std::filesystem::path numbered(
     const std::filesystem::path& first, std::size_t number
+);
+
+/// "1 curve", or "3 curves, the last in FILE-3.ply": what the files of a series hold.
+[[nodiscard]] std::string describeSeries(
+    std::size_t count, const char* one, const char* many, const std::filesystem::path& last
 );
 
 /// Refuses a file, where one is asked for, that could not be written after the work. `check`: of

@@ -5,6 +5,7 @@
 #include "cli/use_input.h"
 #include "cli/verb_parser.h"
 #include "io/text_parsing.h"
+#include "surface/error_messages.h"
 
 namespace bspline_curve::cli {
 
@@ -17,7 +18,7 @@ struct SegmentArguments : UseArguments {
 
 struct SegmentParser {
     SegmentParser() {
-        addOutput(
+        addMeshOutput(
             app,
             arguments.output,
             "Mesh to write, with the part of each face as `label`, quality and colour",
@@ -78,6 +79,7 @@ ExitCode segmentBy(const SegmentArguments& arguments, ProgressBar& bar) {
     files.commit();
     printNotes(file.notesFor(arguments.output));
     printNotes(segments.notes);
+    bar.tell(arguments.output, describeCount(file.imprint.parts.parts.size(), "part", "parts"));
     return ExitCode::Success;
 }
 

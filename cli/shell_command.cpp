@@ -13,6 +13,7 @@
 #include "io/tetrahedral_grid.h"
 #include "io/text_parsing.h"
 #include "shell/shell_store.h"
+#include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 #include "workpiece/workpiece_parts.h"
 #ifdef BSPLINE_CURVE_TETGEN
@@ -313,6 +314,13 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
         printError(failureMessage(*check));
         return ExitCode::Failure;
     }
+    const std::filesystem::path& file =
+        arguments.output.empty() ? arguments.mesh : arguments.output;
+    bar.tell(
+        file,
+        "a shell of " + describeCount(built.shell().prismCount(), "prism", "prisms") +
+            (check ? ", every invariant holds" : "")
+    );
     return ExitCode::Success;
 }
 

@@ -110,7 +110,9 @@ UseOptions::UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescr
               "Draw a curve through these points first: " + std::string(kPicksExtensions) +
                   "; the options of curves say how. May be given again"
           )}) {
-        app.add_option(flag, *files, help)->allow_extra_args(false)->type_name("FILE");
+        orStandardStream(app.add_option(flag, *files, help), ".json")
+            ->allow_extra_args(false)
+            ->type_name("FILE");
     }
     described.add(
         "max_distance",

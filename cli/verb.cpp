@@ -66,12 +66,14 @@ void printRemoved(std::span<const std::filesystem::path> files) {
     }
 }
 
-ExitCode runVerb(const std::function<ExitCode(ProgressBar&)>& work, AfterInterrupt after) {
+ExitCode runVerb(
+    const std::function<ExitCode(ProgressBar&)>& work, AfterInterrupt after, bool isQuiet
+) {
     if (after == AfterInterrupt::EndSoon) {
         endSoonAfterInterrupt();
     }
     catchInterrupts();
-    ProgressBar bar;
+    ProgressBar bar(isQuiet);
     try {
         return work(bar);
     } catch (const InputError& error) {

@@ -31,10 +31,11 @@ inline constexpr RemedyWords kRemedyWords{
 };
 
 /// Does the work of a verb; what it throws becomes one line on stderr and an exit code. From
-/// here on the first Ctrl-C cancels.
+/// here on the first Ctrl-C cancels. `isQuiet`: of the bar.
 [[nodiscard]] ExitCode runVerb(
     const std::function<ExitCode(ProgressBar&)>& work,
-    AfterInterrupt after = AfterInterrupt::EndSoon
+    AfterInterrupt after = AfterInterrupt::EndSoon,
+    bool isQuiet = false
 );
 
 /// A part [from, to] of the whole bar, and a way out for Ctrl-C.

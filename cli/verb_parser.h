@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/error.h"
+#include "cli/manual.h"
 #include "cli/value_checks.h"
 #include "cli/verb.h"
 #include "io/length_unit.h"
@@ -34,15 +35,30 @@ template <class Parser, class Parsed>
     AfterInterrupt after = AfterInterrupt::EndSoon
 ) {
     Parser parser;
+    bool isQuiet = false;
+    parser.app.add_flag(
+        "--quiet", isQuiet, "Print no line of result and no progress; notes and errors stay"
+    );
+    groupHelp(parser.app);
+    if (printsText(parser.app, words)) {
+        return ExitCode::Success;
+    }
     try {
         auto arguments = parsedBy(parser, words);
-        return runVerb([&](ProgressBar& bar) { return work(arguments, bar); }, after);
+        return runVerb([&](ProgressBar& bar) { return work(arguments, bar); }, after, isQuiet);
     } catch (const CLI::ParseError& error) {
         return explainParseError(parser.app, error);
     } catch (const InputError& error) {
         printError(error.what());
         return ExitCode::Usage;
     }
+}
+
+/// Takes "-" for standard input or output, which then holds this format; see isStandardStream().
+inline CLI::Option* orStandardStream(CLI::Option* option, const std::string& extension) {
+    return option->transform(
+        [extension](const std::string& name) { return name == "-" ? name + extension : name; }, ""
+    );
 }
 
 /// An option that names a file.
@@ -56,21 +72,35 @@ inline CLI::Option* addFile(
     return app.add_option(flag, file, help)->type_name(type);
 }
 
-/// --output, which has to be given.
+/// --output, which has to be given. `standard`: the format of standard output.
 inline void addOutput(
+    CLI::App& app,
+    std::filesystem::path& file,
+    const std::string& help,
+    const char* type = "FILE",
+    const std::string& standard = ".json"
+) {
+    const std::string all = help + "; -: standard output, as " + standard;
+    orStandardStream(addFile(app, "--output", file, all, type), standard)->required();
+}
+
+/// --output of a mesh.
+inline void addMeshOutput(
     CLI::App& app, std::filesystem::path& file, const std::string& help, const char* type = "FILE"
 ) {
-    addFile(app, "--output", file, help, type)->required();
+    addOutput(app, file, help, type, ".ply");
 }
 
 /// --report.
 inline void addReport(CLI::App& app, std::filesystem::path& file, const std::string& help) {
-    addFile(app, "--report", file, help, "FILE.json");
+    orStandardStream(addFile(app, "--report", file, help, "FILE.json"), ".json");
 }
 
 /// MESH, and --repair, which asked for what is done by default now: accepted, not listed.
 inline void addMesh(CLI::App& app, std::filesystem::path& mesh) {
-    addFile(app, "MESH", mesh, "Triangle mesh: .ply, .obj, .off or .stl", "")->required();
+    constexpr const char* kHelp =
+        "Triangle mesh: .ply, .obj, .off or .stl; -: standard input, as .ply";
+    orStandardStream(addFile(app, "MESH", mesh, kHelp, ""), ".ply")->required();
     constexpr const char* kHidden = "";
     app.add_flag("--repair")->group(kHidden);
 }

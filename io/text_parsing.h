@@ -24,6 +24,10 @@ namespace bspline_curve {
 /// The same; nothing where there is no such file, also where another process deletes it meanwhile.
 [[nodiscard]] std::optional<std::string> readWholeFileIfThere(const std::filesystem::path& file);
 
+/// Whether a name means standard input or output: "-.ply", which holds what a .ply file would.
+/// Files of that name are "./-.ply".
+[[nodiscard]] bool isStandardStream(const std::filesystem::path& file);
+
 /// The extension in lower case, with its dot: ".ply".
 [[nodiscard]] std::string lowerCaseExtension(const std::filesystem::path& file);
 [[nodiscard]] std::string lowerCase(std::string_view text);

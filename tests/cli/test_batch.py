@@ -60,7 +60,7 @@ def test_every_job_is_drawn_as_by_itself(run, hill, at_once):
     rows = ["hill.ply,picks.json,a.ply,,,", "hill.ply,picks.json,b.ply,4,yes,0.5", 'hill.ply,picks.json,"c, 1.json",2,no,']
     write_jobs(hill, *rows, columns="mesh,picks,output,Degree,closed,--tension")
     process = run("batch", "jobs.csv", "--jobs", at_once)
-    assert (process.returncode, process.stdout, process.stderr) == (0, "", "")
+    assert (process.returncode, process.stdout, process.stderr) == (0, "jobs.results.csv: 3 jobs done\n", "")
     assert status(hill) == {1: "done", 2: "done", 3: "done"}
     words = {"a.ply": (), "b.ply": ("--degree", 4, "--closed", "--tension", 0.5), "c, 1.json": ("--degree", 2)}
     for (name, options), row in zip(words.items(), results(hill).values() if at_once == 1 else [None] * 3):

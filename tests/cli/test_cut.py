@@ -157,7 +157,7 @@ def test_components_that_no_curve_parts_stay_in_one_file(run, tmp_path, ring):
         "".join("v %r %r %r\n" % tuple(p) for p in points) + f"l {' '.join(str(i + 1) for i in range(len(points)))} 1\n"
     )
     result = run.ok("cut", "three.ply", "--curve", "ring.obj", "--split", "--output", "part.ply")
-    assert result.stderr == "bspline_curve: the mesh is in 3 files, the last is part-3.ply\n"
+    assert (result.stdout, result.stderr) == ("part.ply: 3 meshes, the last in part-3.ply\n", "")
     assert [load(tmp_path / f"part{end}.ply").body_count for end in ("", "-2", "-3")] == [1, 1, 2]
 
 

@@ -70,7 +70,7 @@ def test_labels_give_each_boundary_once_and_keep_junctions(run, plate, tmp_path)
         ends += [tuple(points[0]), tuple(points[-1])]
     counts = sorted(ends.count(end) for end in set(ends))
     assert counts == [1, 1, 1, 3, 3, 3]
-    assert "6 curves" in said.stderr
+    assert said.stdout == "c.json: 6 curves, the last in c-6.json\n"
 
 
 def test_lines_without_a_curve_so_near_are_refused_with_their_name(run, refused, plate, tmp_path):

@@ -4,10 +4,10 @@
 import json
 import os
 import pty
+import re
 import signal
 import subprocess
 import time
-from pathlib import Path
 
 import made_meshes as meshes
 import numpy as np
@@ -270,14 +270,6 @@ def test_help_tells_all_verbs_on_one_screen(run):
         assert run(verb, "--help").returncode == 0
 
 
-def test_the_program_is_installed_with_its_completion(build_folder, tmp_path):
-    command = ["cmake", "--install", build_folder, "--component", "program", "--prefix", tmp_path]
-    subprocess.run(command, check=True, capture_output=True)
-    done = subprocess.run([tmp_path / "bin" / "bspline_curve", "--version"], capture_output=True, text=True)
-    assert done.stdout.startswith("bspline_curve ")
-    assert (tmp_path / "share" / "bash-completion" / "completions" / "bspline_curve").is_file()
-
-
 @pytest.mark.parametrize("words, said", [
     (("plate.ply", "--tensoin", "0.2"), "unknown argument --tensoin; did you mean --tension?"),
     (("plate.ply", "--lambada=0.2"), "unknown argument --lambada=0.2; did you mean --lambda?"),
@@ -290,24 +282,6 @@ def test_a_mistyped_option_is_corrected(run, words, said):
     assert process.returncode == 2 and said in process.stderr
 
 
-@pytest.mark.parametrize("words, completed", [
-    (["of"], ["offset"]),
-    (["cut", "--ke"], ["--keep"]),
-    (["segment", "plate.ply", "--sli"], ["--slits"]),
-    (["--tens"], ["--tension"]),
-    (["plate.ply", "--field-cost", "ex"], ["exp-minus"]),
-    (["plate.ply", "--picks", "pla"], ["plate.ply"]),
-])
-def test_bash_completes_verbs_options_and_words(build_folder, plate, words, completed):
-    script = Path(__file__).resolve().parents[2] / "cli" / "completion" / "bspline_curve.bash"
-    program = build_folder / "bin" / "bspline_curve"
-    line = " ".join(f"'{word}'" for word in [program, *words])
-    previous = words[-2] if len(words) > 1 else program
-    code = f"source '{script}'; COMP_WORDS=({line}); COMP_CWORD={len(words)}; _bspline_curve '{program}' '{words[-1]}' '{previous}'"
-    done = subprocess.run(["bash", "-c", code + '; printf "%s\\n" "${COMPREPLY[@]}"'], cwd=plate, capture_output=True, text=True)
-    assert (done.stdout.split(), done.stderr) == (completed, "")
-
-
 def test_help_names_every_option_with_range_and_default(run):
     process = run("curve", "--help")
     assert process.returncode == 0 and process.stderr == ""
@@ -315,6 +289,64 @@ def test_help_names_every_option_with_range_and_default(run):
                  "--shell local|full|simplified|preset=", "--target-thickness", "--target-edge-length", "--shell-thickness", "edge lengths",
                  "--max-rounds", "Exit status"):
         assert text in process.stdout
+
+
+def test_the_settings_of_the_paper_have_a_help_of_their_own(run):
+    paper = {"quadrature", "barrier-width", "knot-rule", "alpha-min", "feature-tolerance", "gauss-points"}
+    shown = {words: set(re.findall(r"^  --([a-z-]+)", run(*words).stdout, re.M)) for words in (
+        ("curve", "--help"), ("--help", "paper"), ("curve", "--help", "paper"), ("help", "curve", "paper"), ("cut", "--help", "paper"))}
+    assert not shown["curve", "--help"] & paper and {"preset", "distance-tolerance"} <= shown["curve", "--help"]
+    assert "Settings of the paper: --help paper lists them" in run("curve", "--help").stdout
+    for words in list(shown)[1:]:
+        assert paper <= shown[words] and not shown[words] & shown["curve", "--help"], words
+    assert run("field", "--help", "paper").stdout == run("field", "--help").stdout, "a verb without them"
+
+
+def test_a_line_of_result_is_on_stdout_unless_quiet(run, plate):
+    told = run.ok(*DEFAULT)
+    points, _, _ = read_curve(plate / "curve.ply")
+    length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+    said = re.fullmatch(r"curve\.ply: an open curve, ([\d.]+) long, of (\d+) points\n", told.stdout)
+    assert float(said[1]) == pytest.approx(length, rel=1e-3) and int(said[2]) == len(points) and told.stderr == ""
+    quiet = run.ok(*DEFAULT, "--quiet")
+    assert (quiet.stdout, quiet.stderr) == ("", "")
+    noted = run.ok("cut", "plate.ply", "--curve", "curve.ply", "--output", "cut.ply", "--quiet")
+    assert noted.stdout == "" and "note: " in noted.stderr, "notes stay"
+
+
+def test_verbs_are_joined_by_standard_streams(program, run, plate):
+    """Meshes are .ply there, all else is .json."""
+    run.ok(*DEFAULT[:-1], "curve.json")
+    run.ok("imprint", "plate.ply", "--curve", "curve.json", "--output", "imprinted.ply")
+    line = '"$0" - --picks picks.json --output - < plate.ply | "$0" imprint plate.ply --curve - --output - > piped.ply'
+    done = subprocess.run(["bash", "-eo", "pipefail", "-c", line, program], cwd=plate, capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert (plate / "piped.ply").read_bytes() == (plate / "imprinted.ply").read_bytes()
+    given = subprocess.run([program, "plate.ply", "--picks", "-", "--output", "-"], cwd=plate, input=(plate / "picks.json").read_bytes(),
+                           capture_output=True)
+    assert given.stdout == (plate / "curve.json").read_bytes()
+    assert sorted(p.name for p in plate.iterdir()) == ["curve.json", "imprinted.ply", "picks.json", "piped.ply", "plate.ply"]
+
+
+@pytest.mark.parametrize("words, said", [
+    (("plate.ply", "--picks", "picks.json", "--output", "-", "--report", "-"), "standard output can take one file"),
+    (("-", "--picks", "picks.json", "--output", "c.ply"), "the file is empty"),
+])
+def test_a_standard_stream_is_one_file(refused, plate, words, said):
+    refused(1, *words, says=[said])
+
+
+def test_standard_input_is_not_two_files(program, plate):
+    words = [program, "-", "--picks", "-", "--output", "c.ply"]
+    done = subprocess.run(words, cwd=plate, input=(plate / "picks.json").read_bytes(), capture_output=True)
+    assert done.returncode == 1 and b"standard input is -.json already" in done.stderr
+
+
+def test_standard_output_takes_no_series_and_a_batch_needs_files(run, refused, plate):
+    run.ok(*DEFAULT[:-1], "curve.json")
+    run.ok("imprint", "plate.ply", "--curve", "curve.json", "--output", "imprinted.ply")
+    (plate / "jobs.csv").write_text("mesh,picks,output\nplate.ply,picks.json,-\n")
+    refused(1, "batch", "jobs.csv", says=["a job needs files in place of -"])
 
 
 @pytest.mark.parametrize("words, usage", [(("help", "curve"), "--picks"), (("help", "shell"), "--check"), (("help", "batch"), "--resume")])

@@ -21,16 +21,17 @@ OF_HOSTS = {"surface_layer", "replace", "picks_layer", "picks_file", "picks", "f
 # What the program alone has.
 OF_PROGRAM = {
     (): {"picks", "output", "report", "repeat", "require-usable", "no-cache", "field-region",
-         "field-region-under", "field-region-over", "pick-distance", "unit"},
-    ("field",): {"output", "report", "region", "region-under", "region-over"},
-    ("shell",): {"output", "report", "check", "conforming-to-surface", "no-cache"},
+         "field-region-under", "field-region-over", "pick-distance", "unit", "quiet"},
+    ("field",): {"output", "report", "region", "region-under", "region-over", "quiet"},
+    ("shell",): {"output", "report", "check", "conforming-to-surface", "no-cache", "quiet"},
 }
 OF_SHELLS = {"shell", "target_thickness", "target_edge_length", "shell_thickness", "shell_smoothing_passes", "strict", "weld", "slits"}
 
 
 def helped(run, *verb):
     """Option -> (default, help); the default is "" where there is none."""
-    text = run(*(verb or ("curve",)), "--help").stdout
+    verb = verb or ("curve",)
+    text = run(*verb, "--help").stdout + (run(*verb, "--help", "paper").stdout if verb == ("curve",) else "")
     found = re.findall(r"^  (?:-h,)?--([\w-]+)[\w,-]*(?: [^\s=]+(?:=(\S+))?)?(?: REQUIRED)?\s+(\S.*)$", text, re.M)
     return {name: (default, words) for name, default, words in found if name not in ("help", "version")}
 
