@@ -36,8 +36,8 @@ def checkout(program, tmp_path):
 
 
 @pytest.mark.parametrize(("page", "section", "made"), [
-    ("README.md", "Command line", ["build/curve.ply", "build/report.json", "build/ridge.ply", "build/shell.vtu", "build/filled.ply",
-                                   "examples/batch/jobs.results.csv", "examples/batch/bunny-straight.dxf"]),
+    ("README.md", "Five uses", ["build/ring.json", "build/filled.ply", "build/curve.step", "build/ridge.ply", "build/offset.ply"]),
+    ("docs/COMMAND_LINE.md", "Batches", ["examples/batch/jobs.results.csv", "examples/batch/bunny-straight.dxf"]),
     ("docs/COMMAND_LINE.md", "Fields", ["build/ridge.ply"]),
     ("docs/COMMAND_LINE.md", "Shells", ["build/shell.vtu"]),
     ("docs/COMMAND_LINE.md", "Imprints", ["build/imprinted.ply", "build/map.json"]),
@@ -56,6 +56,6 @@ def test_the_commands_of_a_page_make_what_they_say(checkout, page, section, made
 def test_every_command_of_readme_is_run_by_a_test():
     """Here, in tests/package and tests/hosts; scripts/quickstart and scripts/test are run by whoever runs this."""
     text = (ROOT / "README.md").read_text()
-    run = [command for section in ("Command line", "Python", "MeshLab") for command in commands_of("README.md", section)]
+    run = [command for section in ("Five uses", "Python", "MeshLab") for command in commands_of("README.md", section)]
     code = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
     assert [c for c in re.findall(r"^    (.+)$", code, re.M) if c not in run] == ["scripts/quickstart", "scripts/test"]
