@@ -37,6 +37,17 @@ def test_the_example_of_readme_runs(plain_home):
     assert done.stderr == ""
 
 
+@pytest.mark.skipif(not Path("/usr/include/CLI").is_dir(), reason="CLI11 is not installed")
+def test_the_program_is_in_the_package(plain_home, program):
+    folder = plain_home.python.parent
+    for words in (["--version"], ["curve", "--help"], ["--completion", "bash"]):
+        by_itself = subprocess.run([program, *words], capture_output=True, text=True)
+        for name in ("bspline_curve", "bspline-curve"):
+            if (name, words) != ("bspline-curve", ["--version"]):
+                done = subprocess.run([folder / name, *words], capture_output=True, text=True)
+                assert (done.returncode, done.stdout) == (0, by_itself.stdout)
+
+
 def test_a_second_install_compiles_nothing(plain_home):
     command = [plain_home.python, "-m", "pip", "install", "-v", "--force-reinstall", "--no-deps", "."]
 
