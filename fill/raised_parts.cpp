@@ -2,6 +2,8 @@
 #include "fill/raised_parts.h"
 
 #include "bspline_curve/error.h"
+#include "fill/crossing_finder.h"
+#include "surface/mesh_checks.h"
 #include "surface/vertex_normals.h"
 
 #include <Eigen/Geometry>
@@ -42,9 +44,10 @@ public:
         const ImprintedMesh& imprinted,
         const MeshParts& parts,
         const std::vector<int>& chosen,
-        double height
+        double height,
+        const std::vector<double>& shares
     )
-        : imprinted_(imprinted), parts_(parts), chosen_(chosen), height_(height) {
+        : imprinted_(imprinted), parts_(parts), chosen_(chosen), height_(height), shares_(shares) {
         edges_ = edgesAround(imprinted, parts, chosen);
         cut_ = cutAlongEdges(imprinted.mesh, edges_);
         result_.whole = wholeImprint(imprinted, parts);
@@ -59,7 +62,10 @@ public:
                 raise(f, normals);
             }
         }
-        addWalls();
+        if (shares_.empty()) {
+            addWalls();
+        }
+        result_.whole.crossing = crossingFaces();
         return std::move(result_);
     }
 
@@ -92,16 +98,20 @@ private:
             if (raised < 0) {
                 const int vertex = imprinted_.mesh.faces[face][k];
                 raised = vertex;
+                if (isBase_[vertex] && !shares_.empty()) {
+                    continue;
+                }
                 if (isBase_[vertex]) {
                     raised = static_cast<int>(mesh.vertices.size());
                     mesh.vertices.push_back(mesh.vertices[vertex]);
                     result_.whole.source.push_back(vertex);
                 }
-                mesh.vertices[raised] += height_ * normals[vertex];
+                mesh.vertices[raised] +=
+                    (shares_.empty() ? height_ : height_ * shares_[vertex]) * normals[vertex];
             }
             mesh.faces[face][k] = raised;
         }
-        result_.turnedFaces += isTurned(face) ? 1 : 0;
+        result_.turnedFaces += shares_.empty() && isTurned(face) ? 1 : 0;
     }
 
     /// Past one centre of curvature a face is turned over; past both, its sides point back.
@@ -145,10 +155,37 @@ private:
         whole.labels.resize(whole.mesh.faces.size(), -1);
     }
 
+    /// Of those that were moved and the walls.
+    [[nodiscard]] std::vector<int> crossingFaces() const {
+        const TriangleMesh& mesh = result_.whole.mesh;
+        std::vector<Triangle> kept;
+        std::vector<Triangle> moved;
+        std::vector<int> ids;
+        std::vector<int> crossing;
+        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+            const auto& [a, b, c] = mesh.faces[f];
+            if (f < parts_.labels.size() && !isChosen(f)) {
+                kept.push_back(mesh.faces[f]);
+            } else if (hasArea(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c])) {
+                moved.push_back(mesh.faces[f]);
+                ids.push_back(static_cast<int>(f));
+            } else {
+                crossing.push_back(static_cast<int>(f));
+            }
+        }
+        CrossingFinder finder(mesh.vertices, kept, false);
+        for (const int i : finder.crossingsOf(moved).faces()) {
+            crossing.push_back(ids[i]);
+        }
+        std::ranges::sort(crossing);
+        return crossing;
+    }
+
     const ImprintedMesh& imprinted_;
     const MeshParts& parts_;
     const std::vector<int>& chosen_;
     double height_;
+    const std::vector<double>& shares_;
     std::vector<std::array<int, 2>> edges_;    // of curves around the parts
     CutMesh cut_;                              // parts it into fans of raised faces and of others
     std::vector<bool> isBase_;                 // for each imprinted vertex
@@ -163,7 +200,8 @@ RaisedParts raisedParts(
     const ImprintedMesh& imprinted,
     const MeshParts& parts,
     const std::vector<int>& chosen,
-    double height
+    double height,
+    const std::vector<double>& shares
 ) {
     if (!std::isfinite(height)) {
         throw InputError(InputErrorCode::BadOption, "the height of a relief must be finite");
@@ -171,7 +209,7 @@ RaisedParts raisedParts(
     if (height == 0.0) {
         return {.whole = wholeImprint(imprinted, parts), .turnedFaces = 0};
     }
-    return PartRaiser(imprinted, parts, chosen, height).run();
+    return PartRaiser(imprinted, parts, chosen, height, shares).run();
 }
 
 }  // namespace bspline_curve

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/parts.h"
 #include "imprint/imprint.h"
-#include "surface/surface_point.h"
 #include "workpiece/imprint_source.h"
 
 #include <cstddef>
@@ -27,16 +26,7 @@ int MadeMesh::faceOf(int face) const {
 }
 
 Vec3 MadeMesh::placeOf(int face, int corner) const {
-    const int vertex = joined_->mesh.faces[taken_.faces[face]][corner];
-    const int own = joined_->ownParents[taken_.faces[face]];
-    SurfacePoint place{.face = own};
-    if (vertex < joined_->surfaceVertexCount) {
-        place.barycentric = Vec3::Unit(cornerOf(source_->surface->faces()[own], vertex));
-    } else {
-        place = inFace(
-            *source_->surface, joined_->ownPlaces[vertex - joined_->surfaceVertexCount], own
-        );
-    }
+    const SurfacePoint place = ownPlace(*source_->surface, *joined_, taken_.faces[face], corner);
     return source_->surface->provenance().toInput(place).barycentric;
 }
 

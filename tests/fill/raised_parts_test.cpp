@@ -4,6 +4,7 @@
 #include "imprint/part_choice.h"
 #include "imprint/projected_polyline.h"
 #include "support/meshes.h"
+#include "support/orientation.h"
 #include "support/refusal.h"
 #include "surface/surface.h"
 
@@ -21,14 +22,6 @@ namespace bspline_curve {
 namespace {
 
 using namespace test_support;
-
-double volumeOf(const TriangleMesh& mesh) {
-    double sum = 0.0;
-    for (const auto& [a, b, c] : mesh.faces) {
-        sum += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6.0;
-    }
-    return sum;
-}
 
 int boundaryEdges(const TriangleMesh& mesh) {
     const Surface surface(mesh);  // throws where it is not manifold

@@ -368,7 +368,8 @@ TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
                 expectWholeRange(*filter, parameter);
             } else if (std::holds_alternative<double>(parameter.defaultValue) &&
                        parameter.id != "avoid_threshold" && parameter.id != "shift" &&
-                       parameter.id != "relief") {
+                       parameter.id != "relief" && parameter.id != "thickness" &&
+                       parameter.id != "base_height") {
                 // Those may be any number.
                 expectRealRange(*filter, parameter);
             }
