@@ -58,7 +58,7 @@ struct CutParser {
         auto* const stroke = options.described.add("stroke");
         app.add_option("--slot", slot, kSlotHelp)
             ->delimiter(',')
-            ->expected(1)
+            ->expected(2)
             ->type_name("WIDTH,DEPTH")
             ->excludes(relief)
             ->excludes(stroke)

@@ -4,19 +4,21 @@
 #include "bspline_curve/error.h"
 #include "fill/part_sheet.h"
 #include "fill/patch_checker.h"
-#include "surface/half_edges.h"
+#include "fill/settled_ways.h"
 #include "surface/vertex_normals.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <utility>
 
 namespace bspline_curve {
 
 namespace {
+
+/// Walls are made no thinner than this, relative to what was asked for.
+constexpr double kLeastThickness = 0.02;
 
 /// For each vertex of the imprint the way to where all faces around have moved by 1.
 std::vector<Vec3> unitWays(const ImprintedMesh& imprinted) {
@@ -48,188 +50,57 @@ TriangleMesh joinedMesh(const PartSheet& sheet) {
     return mesh;
 }
 
-/// The other side of a wall, and how much of the thickness it has.
+/// The other side of a wall and what joins it to the part, over the vertices of the rim.
 class OtherSide {
 public:
-    OtherSide(const PartSheet& sheet, std::vector<Vec3> ways, double thickness)
-        : first_(sheet.first),
-          sheet_(joinedMesh(sheet)),
-          ways_(std::move(ways)),
-          shares_(ways_.size(), 1.0),
-          thickness_(std::abs(thickness)),
-          checker_(sheet_) {
+    /// `mesh`: joinedMesh() of the sheet, which must outlive this.
+    OtherSide(const PartSheet& sheet, const TriangleMesh& mesh, double thickness) : checker_(mesh) {
         for (const int vertex : sheet.rimVertices()) {
-            rim_.push_back(first_[vertex]);
+            rim_.push_back(sheet.first[vertex]);
         }
         sortUnique(rim_);
-        checker_.begin(rim_, thickness_);
-        forEachEdge(sortedHalfEdges(sheet_.faces), [&](std::span<const HalfEdge> sides) {
-            const auto& [low, high, face, k] = sides[0];
-            edges_.push_back(
-                {.a = low,
-                 .b = high,
-                 .length = (sheet_.vertices[low] - sheet_.vertices[high]).norm(),
-                 .isOnRim = sides.size() == 1}
-            );
-        });
-        for (const int vertex : rim_) {
-            isOnRim_[vertex] = 1;
-        }
+        checker_.begin(rim_, std::abs(thickness));
         const auto rimCount = static_cast<int>(rim_.size());
         patch_.rimCount = rimCount;
-        for (const auto& [a, b, c] : sheet_.faces) {
+        for (const auto& [a, b, c] : mesh.faces) {
             patch_.faces.push_back({rimCount + a, rimCount + c, rimCount + b});
         }
-        for (const auto& [from, to, face] : sheet.rim) {
-            const int movedFrom = rimCount + first_[from];
-            const int movedTo = rimCount + first_[to];
-            const int a = indexIn(rim_, first_[from]);
-            const int b = indexIn(rim_, first_[to]);
-            patch_.faces.push_back({b, a, movedFrom});
-            patch_.faces.push_back({b, movedFrom, movedTo});
+        for (const RimEdge& edge : sheet.rim) {
+            const int from = sheet.first[edge.from];
+            const int to = sheet.first[edge.to];
+            patch_.faces.push_back({indexIn(rim_, to), indexIn(rim_, from), rimCount + from});
+            patch_.faces.push_back({indexIn(rim_, to), rimCount + from, rimCount + to});
         }
         for (const int vertex : rim_) {
-            patch_.points.push_back(sheet_.vertices[vertex]);
+            patch_.points.push_back(mesh.vertices[vertex]);
         }
     }
 
-    /// Faces that cross in the end: those of the other side, then those of walls.
-    [[nodiscard]] std::vector<int> settle(const Progress& progress) {
-        const std::vector<Vec3> straight = ways_;
-        std::vector<int> bad = crossing();
-        const std::size_t before = bad.size();
-        int round = 0;
-        const auto goOn = [&] {
-            report(progress, static_cast<double>(++round) / kMostRounds, "thickening");
-            return !bad.empty() && round <= kMostRounds;
-        };
-        while (goOn() && round <= kSmoothingRounds) {
-            smoothAround(cornersOf(bad), round);
-            bad = crossing();
-        }
-        if (!bad.empty() && bad.size() >= before) {
-            ways_ = straight;
-            bad = crossing();
-        }
-        while (goOn() && makeThinner(cornersOf(bad))) {
-            bad = crossing();
-        }
-        return bad;
-    }
-
-    [[nodiscard]] std::vector<Vec3> points() const {
-        std::vector<Vec3> points = sheet_.vertices;
-        for (std::size_t v = 0; v < points.size(); ++v) {
-            points[v] += shareOf(v) * ways_[first_[v]];
-        }
-        return points;
-    }
-
-    /// Of the thickness, at a vertex.
-    [[nodiscard]] double shareOf(std::size_t vertex) const { return shares_[first_[vertex]]; }
-
-private:
-    struct Edge {
-        int a, b;
-        double length;
-        bool isOnRim;
-    };
-
-    static constexpr int kMostRounds = 32;
-    /// In the first rounds directions are smoothed alone, so that walls keep their thickness.
-    static constexpr int kSmoothingRounds = 6;
-    static constexpr int kPasses = 4;  // of smoothing, in a round
-    /// Where faces cross, the wall keeps this share of its thickness in each round ...
-    static constexpr double kThinner = 0.7;
-    /// ... and is not made thinner than this one.
-    static constexpr double kLeastShare = 0.02;
-    /// Of the thickness along edges, where it was reduced.
-    static constexpr double kSteepest = 0.5;
-
-    std::vector<int> crossing() {
+    /// Vertices of the other side, given where they are, whose faces and walls cross something.
+    std::vector<int> crossing(const std::vector<Vec3>& moved, bool isStrict) {
         patch_.points.resize(rim_.size());
-        const std::vector<Vec3> moved = points();
         patch_.points.insert(patch_.points.end(), moved.begin(), moved.end());
-        return checker_.badFaces(patch_, false);
-    }
-
-    /// Flags of vertices.
-    [[nodiscard]] std::vector<char> cornersOf(const std::vector<int>& patchFaces) const {
-        std::vector<char> flags(sheet_.vertices.size(), 0);
-        for (const int face : patchFaces) {
+        crossingFaces_ = checker_.badFaces(patch_, isStrict);
+        std::vector<int> vertices;
+        for (const int face : crossingFaces_) {
             for (const int corner : patch_.faces[face]) {
                 if (!patch_.isOnRim(corner)) {
-                    flags[corner - patch_.rimCount] = 1;
+                    vertices.push_back(corner - patch_.rimCount);
                 }
             }
         }
-        return flags;
+        sortUnique(vertices);
+        return vertices;
     }
 
-    /// Ways become means of those around, of their own length; on the rim of those along it, so
-    /// that walls do not fold. The region grows with the rounds.
-    void smoothAround(std::vector<char> near, int rings) {
-        for (int ring = 0; ring < rings; ++ring) {
-            std::vector<char> wider = near;
-            for (const Edge& edge : edges_) {
-                wider[edge.a] = static_cast<char>(wider[edge.a] | near[edge.b]);
-                wider[edge.b] = static_cast<char>(wider[edge.b] | near[edge.a]);
-            }
-            near = std::move(wider);
-        }
-        for (int pass = 0; pass < kPasses; ++pass) {
-            std::vector<Vec3> sums(ways_.size(), Vec3::Zero());
-            std::vector<double> weights(ways_.size(), 0.0);
-            for (const Edge& edge : edges_) {
-                for (const auto& [to, from] :
-                     {std::pair{edge.a, edge.b}, std::pair{edge.b, edge.a}}) {
-                    if (edge.isOnRim || isOnRim_[to] == 0) {
-                        sums[to] += ways_[from] / edge.length;
-                        weights[to] += 1.0 / edge.length;
-                    }
-                }
-            }
-            for (std::size_t v = 0; v < ways_.size(); ++v) {
-                if (near[v] != 0) {
-                    const Vec3 mean = ways_[v] + sums[v] / weights[v];
-                    ways_[v] = ways_[v].norm() * mean.stableNormalized();
-                }
-            }
-        }
-    }
+    /// The faces that crossed then: those of the other side, then those of walls.
+    [[nodiscard]] const std::vector<int>& crossingFaces() const { return crossingFaces_; }
 
-    /// False where nothing can be made thinner.
-    bool makeThinner(const std::vector<char>& near) {
-        bool isThinner = false;
-        for (std::size_t v = 0; v < shares_.size(); ++v) {
-            if (near[v] != 0 && shares_[v] > kLeastShare) {
-                shares_[v] = std::max(kThinner * shares_[v], kLeastShare);
-                isThinner = true;
-            }
-        }
-        for (bool isLowered = isThinner; isLowered;) {
-            isLowered = false;
-            for (const auto& [a, b, length, isOnRim] : edges_) {
-                const double most =
-                    std::min(shares_[a], shares_[b]) + kSteepest * length / thickness_;
-                isLowered = isLowered || shares_[a] > most || shares_[b] > most;
-                shares_[a] = std::min(shares_[a], most);
-                shares_[b] = std::min(shares_[b], most);
-            }
-        }
-        return isThinner;
-    }
-
-    const std::vector<int>& first_;  // see PartSheet
-    TriangleMesh sheet_;
-    std::vector<Vec3> ways_;
-    std::vector<double> shares_;  // of the thickness
-    double thickness_;
+private:
     std::vector<int> rim_;
-    std::vector<char> isOnRim_ = std::vector<char>(ways_.size(), 0);
-    std::vector<Edge> edges_;
     PatchChecker checker_;
-    Patch patch_;  // the other side and walls, over the vertices of the rim
+    Patch patch_;
+    std::vector<int> crossingFaces_;
 };
 
 }  // namespace
@@ -250,15 +121,28 @@ ThickParts thickened(
     for (const int vertex : sheet.parts.source) {
         ways.emplace_back(thickness * unit[vertex]);
     }
-    OtherSide other(sheet, std::move(ways), thickness);
-    const std::vector<int> crossing = other.settle(progress);
+    const TriangleMesh joined = joinedMesh(sheet);
+    SettledWays settled(joined, std::move(ways), thickness, kLeastThickness);
+    OtherSide other(sheet, joined, thickness);
+    settled.settle(
+        [&](const std::vector<Vec3>& points, bool isStrict) {
+            return other.crossing(points, isStrict);
+        },
+        progress
+    );
 
     ThickParts result{.solid = sheet.parts};
     FilledParts& solid = result.solid;
     const auto vertexCount = static_cast<int>(sheet.parts.mesh.vertices.size());
     const auto faceCount = static_cast<int>(sheet.parts.mesh.faces.size());
     const bool isOutwards = thickness > 0.0;
-    const std::vector<Vec3> moved = other.points();
+    std::vector<Vec3> moved = settled.points();
+    for (std::size_t v = 0; v < moved.size(); ++v) {
+        const double share = settled.shares()[sheet.first[v]];
+        moved[v] = moved[sheet.first[v]];
+        result.thinner += share < 1.0 ? 1 : 0;
+        result.least = std::min(result.least, share);
+    }
     const std::vector<Vec3>& inner = isOutwards ? sheet.parts.mesh.vertices : moved;
     if (isOutwards) {
         solid.mesh.vertices = moved;
@@ -276,12 +160,8 @@ ThickParts thickened(
         addWall(solid, edge, vertexCount + edge.from, vertexCount + edge.to);
     }
     endSolid(solid);
-    for (const int face : crossing) {
+    for (const int face : other.crossingFaces()) {
         solid.crossing.push_back(isOutwards && face < faceCount ? face : faceCount + face);
-    }
-    for (std::size_t v = 0; v < sheet.first.size(); ++v) {
-        result.thinner += other.shareOf(v) < 1.0 ? 1 : 0;
-        result.least = std::min(result.least, other.shareOf(v));
     }
     return result;
 }

@@ -40,6 +40,7 @@ namespace {
 // Shares of the work, for progress only.
 constexpr double kImprintedShare = 0.6;
 constexpr double kExtendedShare = 0.1;
+constexpr double kProfiledShare = 0.7;
 constexpr double kLinesShare = 0.8;     // of an offset, without its band
 constexpr std::size_t kMostNamed = 10;  // faces, in a note
 
@@ -68,6 +69,12 @@ std::string solidCrossingNote(const std::vector<int>& faces, const std::string& 
            "; " + remedy;
 }
 
+/// Of a wall or relief that had to be less than was asked for.
+std::string lessNote(int vertices, double least) {
+    return " at " + describeCount(static_cast<std::size_t>(vertices), "vertex", "vertices") +
+           ", at least " + describeNumber(least) + ", since there is no more room";
+}
+
 FilledParts thickParts(
     const Imprint& imprint,
     const std::vector<int>& chosen,
@@ -81,10 +88,8 @@ FilledParts thickParts(
     }
     if (thick.thinner > 0) {
         notes.push_back(
-            "the wall is thinner than asked at " +
-            describeCount(static_cast<std::size_t>(thick.thinner), "vertex", "vertices") +
-            ", at least " + describeNumber(thick.least * std::abs(thickness)) +
-            ", since the part leaves no more room"
+            "the wall is thinner than asked" +
+            lessNote(thick.thinner, thick.least * std::abs(thickness))
         );
     }
     return std::move(thick.solid);
@@ -96,16 +101,19 @@ FilledParts reliefOf(
     const std::vector<int>& chosen,
     double height,
     const std::vector<double>& shares,
-    std::vector<std::string>& notes
+    std::vector<std::string>& notes,
+    const Progress& progress
 ) {
-    RaisedParts raised = raisedParts(*imprint.joined, imprint.parts, chosen, height, shares);
-    if (raised.turnedFaces > 0) {
-        notes.push_back(
-            "the relief turns " + std::to_string(raised.turnedFaces) +
-            " faces over; take a smaller height"
-        );
-    } else if (!raised.whole.crossing.empty()) {
+    RaisedParts raised =
+        raisedParts(*imprint.joined, imprint.parts, chosen, height, shares, progress);
+    if (!raised.whole.crossing.empty()) {
         notes.push_back(solidCrossingNote(raised.whole.crossing, "take a smaller height"));
+    }
+    if (raised.lower > 0) {
+        notes.push_back(
+            "the relief is lower than asked" +
+            lessNote(raised.lower, raised.least * std::abs(height))
+        );
     }
     return std::move(raised.whole);
 }
@@ -145,7 +153,7 @@ FilledParts partsMeant(
         }
         return taken;
     }
-    return reliefOf(imprint, chosen, choice.relief, {}, notes);
+    return reliefOf(imprint, chosen, choice.relief, {}, notes, progress);
 }
 
 /// What to say of curves that part nothing, where `isCut` what a cut did there; or nothing.
@@ -255,10 +263,17 @@ CutMeshes profiledRelief(
     const Imprint& imprint, const CutChoice& choice, const Progress& progress
 ) {
     std::vector<int> chosen = chosenParts(*imprint.joined, imprint.parts, *choice.keep);
-    const ProfiledImprint profiled = profiledImprint(imprint, chosen, choice, progress);
+    const ProfiledImprint profiled =
+        profiledImprint(imprint, chosen, choice, partOf(progress, 0.0, kProfiledShare));
     CutMeshes result;
-    FilledParts whole =
-        reliefOf(profiled.imprint, chosen, choice.relief, profiled.shares, result.notes);
+    FilledParts whole = reliefOf(
+        profiled.imprint,
+        chosen,
+        choice.relief,
+        profiled.shares,
+        result.notes,
+        partOf(progress, kProfiledShare, 1.0)
+    );
     result.pieces.push_back(pieceOf(profiled.imprint, std::move(chosen), std::move(whole)));
     return result;
 }

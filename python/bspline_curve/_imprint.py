@@ -219,8 +219,8 @@ class Imprint:
         Parameters
         ----------
         height : float
-            Outwards where it is positive, in the unit of the mesh. A MeshWarning says where faces are turned over or cross
-            others.
+            Outwards where it is positive, in the unit of the mesh. A MeshWarning says where the relief had to be lower so
+            that it crosses nothing, or crosses something in spite of that.
         part : "largest", "smallest", "inside", "outside" or (3,) or (k, 3) array of float, default "inside"
             The parts to move, as `keep` of cut(). Where the imprint has strokes, "inside" are these.
         profile : {"step", "ramp", "round"}, default "step"

@@ -230,7 +230,7 @@ def test_curves_that_part_the_mesh_are_not_warned_of(mesh, arrays, ring):
 
 def test_a_relief_says_where_it_cannot_be(mesh, ring):
     imprint = mesh.imprint([ring])
-    with pytest.warns(bspline_curve.MeshWarning, match=r"turns \d+ faces over"):
+    with pytest.warns(bspline_curve.MeshWarning, match=r"lower than asked at \d+ vertices"):
         imprint.relief(-50.0)
     with pytest.raises(bspline_curve.OptionError, match="height is nan"):
         imprint.relief(float("nan"))
