@@ -49,8 +49,8 @@ struct CutWords {
     /// Length of the base that parts become solids by; 0: none, or to `baseHeight` where a
     /// direction is given.
     double base = 0.0;
-    std::string baseDirection;  ///< "x y z"; empty: against the parts' mean normal
-    double baseHeight = 0.0;    ///< of the plane along the direction
+    std::string baseDirection{};  ///< "x y z"; empty: against the parts' mean normal
+    double baseHeight = 0.0;      ///< of the plane along the direction
 
     /// Whether parts become solids on a base.
     [[nodiscard]] bool isBased() const { return base != 0.0 || !baseDirection.empty(); }

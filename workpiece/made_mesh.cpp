@@ -16,6 +16,9 @@ MadeMesh::MadeMesh(const Imprint& imprint, FilledParts taken)
 
 int MadeMesh::vertexOf(int vertex) const {
     const int imprinted = taken_.source[vertex];
+    if (imprinted < 0 || taken_.mesh.vertices[vertex] != imprint_->mesh.vertices[imprinted]) {
+        return -1;  // new, or moved by a relief or wall
+    }
     const auto inputCount = static_cast<int>(source_->surface->input().vertices.size());
     return imprinted < inputCount ? imprinted : imprint_->doubledVertices[imprinted - inputCount];
 }

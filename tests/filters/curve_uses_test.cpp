@@ -181,6 +181,13 @@ TEST(CutFilter, MovesAPartAlongItsNormals) {
     const MadeMesh& made = result.layers[0].made;
     const auto perimeters = figure<std::vector<double>>(result.figures, "part_perimeters");
     EXPECT_NEAR(areaOf(made.mesh()), 1.0 + 0.125 * perimeters[1], 1e-9);
+    // Hosts take the places of vertices that did not move from the layer.
+    for (std::size_t i = 0; i < made.mesh().vertices.size(); ++i) {
+        const int id = made.vertexOf(static_cast<int>(i));
+        if (id >= 0) {
+            EXPECT_EQ(made.mesh().vertices[i], input.surface.mesh.vertices[id]);
+        }
+    }
     const std::vector<double> carried = made.carried(xOf(input.surface.mesh));
     for (std::size_t i = 0; i < carried.size(); ++i) {
         EXPECT_NEAR(carried[i], made.mesh().vertices[i].x(), 1e-12);

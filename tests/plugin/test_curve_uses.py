@@ -143,6 +143,8 @@ def test_a_part_becomes_a_relief(ringed):
     figures = document.apply_filter("cut_along_curves", keep="inside", relief=0.05)
     assert document.current_mesh().label() == "plate relief"
     walls = document.current_mesh().face_custom_scalar_attribute_array("parent") == -1
+    raised = document.current_mesh().vertex_matrix()[np.unique(document.current_mesh().face_matrix()[walls])]
+    assert len(np.unique(raised, axis=0)) == len(raised)  # the walls have a top beside their foot
     assert areas(document.current_mesh())[walls].sum() == pytest.approx(0.05 * figures["part_perimeters"][1], rel=0.03)
 
 
