@@ -146,9 +146,9 @@ void checkSolid(const CutWords& words) {
     if (!isThick && !words.isBased()) {
         return;
     }
-    if (!std::isfinite(words.thickness) || !std::isfinite(words.base) ||
-        !std::isfinite(words.baseHeight)) {
-        refuseChoice("thickness, base and base_height must be finite");
+    checkLength("base", words.base);
+    if (!std::isfinite(words.thickness) || !std::isfinite(words.baseHeight)) {
+        refuseChoice("thickness and base_height must be finite");
     }
     if (words.keep == KeptParts::All && !words.split) {
         refuseChoice(
