@@ -7,6 +7,9 @@
 #include "utility/stopwatch.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 namespace bspline_curve::cli {
 
@@ -15,7 +18,11 @@ namespace {
 struct CutArguments : UseArguments {
     ImprintRequest request;
     CutChoice choice;
+    double stroke = 0.0;
 };
+
+constexpr const char* kSlotHelp =
+    "Sink slots of this width and depth along the curves: --stroke WIDTH --relief -DEPTH";
 
 [[noreturn]] void refuseKeep(const std::string& word) {
     throw CLI::ValidationError(
@@ -46,7 +53,21 @@ struct CutParser {
             ->excludes(keep);
         auto* const fill = options.described.add("fill")->needs(keep);
         options.described.add("drop_untouched")->needs(keep);
-        options.described.add("relief")->needs(keep)->excludes(fill);
+        auto* const relief = options.described.add("relief")->excludes(fill);
+        auto* const stroke = options.described.add("stroke");
+        app.add_option("--slot", slot, kSlotHelp)
+            ->delimiter(',')
+            ->expected(2)
+            ->type_name("WIDTH,DEPTH")
+            ->excludes(relief)
+            ->excludes(stroke)
+            ->excludes(fill);
+        options.described.add("profile");
+        options.described.add("profile_width");
+        auto* const thickness = options.described.add("thickness");
+        for (const char* id : {"base", "base_direction", "base_height"}) {
+            options.described.add(id, {.otherType = "X,Y,Z"})->excludes(thickness);
+        }
         options.described.add("snap");
         addReport(app, arguments.report, "Write counts, parts, moves and times");
     }
@@ -54,6 +75,18 @@ struct CutParser {
     CutArguments finish() {
         options.finish();
         DescribedOptions& described = options.described;
+        if (!slot.empty()) {
+            const bool isSlot = slot.size() == 2 && std::isfinite(slot[0]) && slot[0] > 0.0 &&
+                                std::isfinite(slot[1]) && slot[1] != 0.0;
+            if (!isSlot) {
+                throw CLI::ValidationError(
+                    "--slot", "needs a width above 0, a comma and a depth that is not 0"
+                );
+            }
+            described.set("stroke", slot[0]);
+            described.set("relief", -slot[1]);
+        }
+        checkPartsAreMeant();
         const std::string seed = "seed=";
         if (keepWord.starts_with(seed)) {
             std::string point = keepWord.substr(seed.size());
@@ -65,12 +98,27 @@ struct CutParser {
         }
         const CutRequest request = cutRequest(described.values());
         arguments.request = request.imprint;
+        arguments.stroke = request.words.stroke;
         try {
             arguments.choice = cutChoice(request.words, {});
         } catch (const InputError&) {  // no point
             refuseKeep(keepWord.empty() ? "seed" : keepWord);
         }
         return arguments;
+    }
+
+    void checkPartsAreMeant() const {
+        if (!keepWord.empty() || options.described.isGiven("keep")) {
+            return;
+        }
+        if (options.described.isGiven("relief") && !options.described.isGiven("stroke")) {
+            throw CLI::ValidationError("--relief", "requires --keep or --stroke");
+        }
+        for (const char* id : {"thickness", "base", "base_direction"}) {
+            if (options.described.isGiven(id) && !options.described.isGiven("split")) {
+                throw CLI::ValidationError(flagOf(id), "requires --keep or --split");
+            }
+        }
     }
 
     CLI::App app{
@@ -85,12 +133,13 @@ struct CutParser {
     CutArguments arguments;
     UseOptions options{app, arguments, cutFilter()};
     std::string keepWord;
+    std::vector<double> slot;  // width and depth
 };
 
 ExitCode cutAlong(const CutArguments& arguments, ProgressBar& bar) {
     checkOutput(arguments.output, checkMeshExtension);
     checkOutput(arguments.report);
-    const ImprintedFile file = imprintedFile(arguments, arguments.request, bar);
+    const ImprintedFile file = imprintedFile(arguments, arguments.request, bar, arguments.stroke);
     Stopwatch watch;
     const CutMeshes cut =
         cutOn(file.imprint, arguments.choice, progressPart(bar, kImprintedShare, 1.0));

@@ -150,6 +150,15 @@ CLI::Option* DescribedOptions::add(
             )
                          ->type_name("PICK:X,Y,Z");
             break;
+        case ParameterType::Text:
+            option =
+                app_.add_option_function<std::string>(
+                        flags,
+                        [this, key = parameter.id](const std::string& text) { keep(key, text); },
+                        extras.help.empty() ? parameter.help : extras.help
+                )
+                    ->type_name(extras.otherType);
+            break;
         default:
             throw std::invalid_argument(parameter.id + " is no option of the program");
     }

@@ -24,11 +24,12 @@ struct OptionExtras {
     std::string aliases{};  ///< ",--lambda"
     /// Of an enumeration: any other word goes here.
     std::string* other = nullptr;
-    std::string otherHelp{};         ///< what such a word is
-    std::string otherType{"|FILE"};  ///< follows the words that are listed
-    bool isRequired = false;         ///< of an enumeration
-    bool hasDefault = true;          ///< of a number; false: the help names none
-    std::string help{};              ///< of a switch or number, in place of what is described
+    std::string otherHelp{};  ///< what such a word is
+    /// Follows the words that are listed; of a text: what it is.
+    std::string otherType{"|FILE"};
+    bool isRequired = false;  ///< of an enumeration
+    bool hasDefault = true;   ///< of a number; false: the help names none
+    std::string help{};       ///< of a switch or number, in place of what is described
 };
 
 /// Options of a verb that the parameters of a filter describe: avoid_margin is --avoid-margin, with

@@ -216,17 +216,15 @@ std::vector<std::string> ImprintedFile::notesFor(const std::filesystem::path& fi
 }
 
 ImprintedFile imprintedFile(
-    const UseArguments& arguments, const ImprintRequest& request, ProgressBar& bar
+    const UseArguments& arguments, const ImprintRequest& request, ProgressBar& bar, double stroke
 ) {
     constexpr double kReadShare = 0.4;
     CurvesOnMesh read = curvesOnMesh(arguments, request.use.placing.distance, bar, kReadShare);
+    const Workpiece& workpiece = *read.loaded.workpiece;
+    const Progress step = progressPart(bar, kReadShare, kImprintedShare);
     ImprintedFile result{
-        .imprint = imprintOn(
-            *read.loaded.workpiece,
-            read.lines,
-            request.imprint,
-            progressPart(bar, kReadShare, kImprintedShare)
-        ),
+        .imprint = stroke > 0.0 ? strokesOn(workpiece, read.lines, stroke, request.imprint, step)
+                                : imprintOn(workpiece, read.lines, request.imprint, step),
         .quality = std::move(read.loaded.layer.quality),
         .extras = readMeshExtras(arguments.drawing.mesh),
         .faces = read.workpiece().mesh().faces,

@@ -88,9 +88,12 @@ struct ImprintedFile {
 /// The share of the progress that imprintedFile() takes.
 inline constexpr double kImprintedShare = 0.7;
 
-/// Reads, draws and imprints. Throws InputError, Cancelled.
+/// Reads, draws and imprints; the lines, or strokes of a width. Throws InputError, Cancelled.
 [[nodiscard]] ImprintedFile imprintedFile(
-    const UseArguments& arguments, const ImprintRequest& request, ProgressBar& bar
+    const UseArguments& arguments,
+    const ImprintRequest& request,
+    ProgressBar& bar,
+    double stroke = 0.0
 );
 
 }  // namespace bspline_curve::cli

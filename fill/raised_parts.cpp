@@ -2,7 +2,10 @@
 #include "fill/raised_parts.h"
 
 #include "bspline_curve/error.h"
+#include "fill/patch_checker.h"
+#include "fill/settled_ways.h"
 #include "surface/vertex_normals.h"
+#include "utility/index_sets.h"
 
 #include <Eigen/Geometry>
 
@@ -16,10 +19,8 @@ namespace bspline_curve {
 
 namespace {
 
-Vec3 areaVector(const TriangleMesh& mesh, const Triangle& face) {
-    const Vec3& corner = mesh.vertices[face[0]];
-    return (mesh.vertices[face[1]] - corner).cross(mesh.vertices[face[2]] - corner);
-}
+/// Walls are no lower than this, relative to the height.
+constexpr double kLeastHeightShare = 0.02;
 
 /// Unit normals at the vertices of an imprint: those of the mesh without it, linear in each face,
 /// so that they change little across small faces.
@@ -42,24 +43,29 @@ public:
         const ImprintedMesh& imprinted,
         const MeshParts& parts,
         const std::vector<int>& chosen,
-        double height
+        double height,
+        const std::vector<double>& shares
     )
-        : imprinted_(imprinted), parts_(parts), chosen_(chosen), height_(height) {
+        : imprinted_(imprinted), parts_(parts), chosen_(chosen), height_(height), shares_(shares) {
         edges_ = edgesAround(imprinted, parts, chosen);
         cut_ = cutAlongEdges(imprinted.mesh, edges_);
         result_.whole = wholeImprint(imprinted, parts);
         raised_.resize(cut_.mesh.vertices.size(), -1);
     }
 
-    RaisedParts run() {
+    RaisedParts run(const Progress& progress) {
         findBase();
+        ways_.resize(imprinted_.mesh.vertices.size(), Vec3::Zero());
         const std::vector<Vec3> normals = normalsOn(imprinted_);
         for (std::size_t f = 0; f < parts_.labels.size(); ++f) {
             if (isChosen(f)) {
                 raise(f, normals);
             }
         }
-        addWalls();
+        if (shares_.empty()) {
+            addWalls();
+        }
+        settle(progress);
         return std::move(result_);
     }
 
@@ -92,31 +98,20 @@ private:
             if (raised < 0) {
                 const int vertex = imprinted_.mesh.faces[face][k];
                 raised = vertex;
+                if (isBase_[vertex] && !shares_.empty()) {
+                    continue;
+                }
                 if (isBase_[vertex]) {
                     raised = static_cast<int>(mesh.vertices.size());
                     mesh.vertices.push_back(mesh.vertices[vertex]);
                     result_.whole.source.push_back(vertex);
                 }
-                mesh.vertices[raised] += height_ * normals[vertex];
+                ways_.resize(mesh.vertices.size(), Vec3::Zero());
+                ways_[raised] =
+                    (shares_.empty() ? height_ : height_ * shares_[vertex]) * normals[vertex];
             }
             mesh.faces[face][k] = raised;
         }
-        result_.turnedFaces += isTurned(face) ? 1 : 0;
-    }
-
-    /// Past one centre of curvature a face is turned over; past both, its sides point back.
-    [[nodiscard]] bool isTurned(std::size_t face) const {
-        const TriangleMesh& before = imprinted_.mesh;
-        const TriangleMesh& after = result_.whole.mesh;
-        const Triangle& from = before.faces[face];
-        const Triangle& to = after.faces[face];
-        bool turned = areaVector(before, from).dot(areaVector(after, to)) < 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            const Vec3 side = before.vertices[from[next]] - before.vertices[from[k]];
-            turned |= side.dot(after.vertices[to[next]] - after.vertices[to[k]]) < 0.0;
-        }
-        return turned;
     }
 
     /// Between the edges of raised faces on the rim and those of the faces beside them.
@@ -145,15 +140,106 @@ private:
         whole.labels.resize(whole.mesh.faces.size(), -1);
     }
 
+    /// For each vertex of the whole mesh itself, of copies the first one that was raised: where the
+    /// parts meet themselves in a vertex they do not cross.
+    [[nodiscard]] std::vector<int> firstCopies() const {
+        std::vector<int> first(result_.whole.source.size());
+        std::vector<int> copyOf(imprinted_.mesh.vertices.size(), -1);
+        for (std::size_t v = 0; v < first.size(); ++v) {
+            first[v] = static_cast<int>(v);
+            if (v >= copyOf.size()) {
+                int& copy = copyOf[result_.whole.source[v]];
+                copy = copy < 0 ? first[v] : copy;
+                first[v] = copy;
+            }
+        }
+        return first;
+    }
+
+    /// Moves vertices as far as that crosses nothing.
+    void settle(const Progress& progress) {
+        TriangleMesh& mesh = result_.whole.mesh;
+        const std::vector<int> first = firstCopies();
+        TriangleMesh kept{.vertices = imprinted_.mesh.vertices, .faces = {}};
+        TriangleMesh sheet{.vertices = mesh.vertices, .faces = {}};
+        std::vector<int> ids;  // of faces that are moved and walls
+        std::vector<int> rim;
+        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+            if (f < parts_.labels.size() && !isChosen(f)) {
+                kept.faces.push_back(mesh.faces[f]);
+                continue;
+            }
+            ids.push_back(static_cast<int>(f));
+            Triangle& face = sheet.faces.emplace_back(mesh.faces[f]);
+            for (int& corner : face) {
+                corner = first[corner];
+                if (isOnBase(corner)) {
+                    rim.push_back(corner);
+                }
+            }
+        }
+        sortUnique(rim);
+        Patch patch;
+        patch.rimCount = static_cast<int>(rim.size());
+        for (const int vertex : rim) {
+            patch.points.push_back(mesh.vertices[vertex]);
+        }
+        patch.faces = sheet.faces;
+        for (Triangle& face : patch.faces) {
+            for (int& corner : face) {
+                corner = isOnBase(corner) ? indexIn(rim, corner) : patch.rimCount + corner;
+            }
+        }
+        sheet.faces.resize(sheet.faces.size() - result_.whole.walls.size());  // without walls
+        PatchChecker checker(kept);
+        checker.begin(rim, std::abs(height_));
+        const double least = shares_.empty() ? kLeastHeightShare : 0.0;
+        SettledWays settled(sheet, ways_, height_, least);
+        std::vector<int> bad;
+        const auto crossing = [&](const std::vector<Vec3>& points, bool isStrict) {
+            patch.points.resize(rim.size());
+            patch.points.insert(patch.points.end(), points.begin(), points.end());
+            bad = checker.badFaces(patch, isStrict);
+            std::vector<int> vertices;
+            for (const int face : bad) {
+                for (const int corner : patch.faces[face]) {
+                    if (!patch.isOnRim(corner)) {
+                        vertices.push_back(corner - patch.rimCount);
+                    }
+                }
+            }
+            sortUnique(vertices);
+            return vertices;
+        };
+        settled.settle(crossing, progress);
+        mesh.vertices = settled.points();
+        for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+            mesh.vertices[v] = mesh.vertices[first[v]];
+            const double share = settled.shares()[first[v]];
+            result_.lower += share < 1.0 ? 1 : 0;
+            result_.least = std::min(result_.least, share);
+        }
+        for (const int face : bad) {
+            result_.whole.crossing.push_back(ids[face]);
+        }
+    }
+
+    /// Whether a vertex of the whole mesh stays where it is.
+    [[nodiscard]] bool isOnBase(int vertex) const {
+        return vertex < static_cast<int>(isBase_.size()) && isBase_[vertex];
+    }
+
     const ImprintedMesh& imprinted_;
     const MeshParts& parts_;
     const std::vector<int>& chosen_;
     double height_;
+    const std::vector<double>& shares_;
     std::vector<std::array<int, 2>> edges_;    // of curves around the parts
     CutMesh cut_;                              // parts it into fans of raised faces and of others
     std::vector<bool> isBase_;                 // for each imprinted vertex
     std::map<std::array<int, 2>, int> below_;  // by edges around the parts: faces that stay
     std::vector<int> raised_;                  // for each vertex of the cut; -1: not raised
+    std::vector<Vec3> ways_;                   // for each vertex of the whole mesh
     RaisedParts result_;
 };
 
@@ -163,15 +249,17 @@ RaisedParts raisedParts(
     const ImprintedMesh& imprinted,
     const MeshParts& parts,
     const std::vector<int>& chosen,
-    double height
+    double height,
+    const std::vector<double>& shares,
+    const Progress& progress
 ) {
     if (!std::isfinite(height)) {
         throw InputError(InputErrorCode::BadOption, "the height of a relief must be finite");
     }
     if (height == 0.0) {
-        return {.whole = wholeImprint(imprinted, parts), .turnedFaces = 0};
+        return {.whole = wholeImprint(imprinted, parts)};
     }
-    return PartRaiser(imprinted, parts, chosen, height).run();
+    return PartRaiser(imprinted, parts, chosen, height, shares).run(progress);
 }
 
 }  // namespace bspline_curve

@@ -6,7 +6,9 @@
 #include "filters/binding_makers.h"
 #include "filters/requests.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -54,6 +56,21 @@ Bindings<CutWords> cutBindings() {
         ),
         bound("split", &C::split),
         bound("relief", &C::relief),
+        chosen(
+            "profile",
+            &C::profile,
+            Names<ReliefProfile>{
+                {"step", ReliefProfile::Step},
+                {"ramp", ReliefProfile::Ramp},
+                {"round", ReliefProfile::Round}
+            }
+        ),
+        bound("profile_width", &C::profileWidth),
+        bound("stroke", &C::stroke),
+        bound("thickness", &C::thickness),
+        bound("base", &C::base),
+        bound("base_direction", &C::baseDirection),
+        bound("base_height", &C::baseHeight),
     };
 }
 
@@ -100,10 +117,59 @@ ImprintRequest imprintRequest(const ParameterValues& values) {
     return request;
 }
 
+namespace {
+
+/// The base that is meant, if one is.
+std::optional<PartBase> baseOf(const CutWords& words) {
+    if (!words.isBased()) {
+        return std::nullopt;
+    }
+    PartBase base{.length = words.base, .direction = std::nullopt, .height = std::nullopt};
+    if (!words.baseDirection.empty()) {
+        std::string text = words.baseDirection;
+        std::ranges::replace(text, ',', ' ');
+        const std::vector<Vec3> directions = parsePicksText(text);
+        if (directions.size() != 1) {
+            refuseChoice("base_direction must be one direction, as \"x y z\"");
+        }
+        base.direction = directions.front();
+        if (words.base == 0.0) {
+            base.height = words.baseHeight;
+        }
+    }
+    return base;
+}
+
+/// Of walls and bases.
+void checkSolid(const CutWords& words) {
+    const bool isThick = words.thickness != 0.0;
+    if (!isThick && !words.isBased()) {
+        return;
+    }
+    checkLength("base", words.base);
+    if (!std::isfinite(words.thickness) || !std::isfinite(words.baseHeight)) {
+        refuseChoice("thickness and base_height must be finite");
+    }
+    if (words.keep == KeptParts::All && !words.split) {
+        refuseChoice(
+            "the options thickness and base need the option keep or split: which parts are meant"
+        );
+    }
+    if ((isThick && words.isBased()) || words.relief != 0.0 || words.fill != FillKind::None) {
+        refuseChoice("the options thickness, base, fill and relief exclude each other");
+    }
+    static_cast<void>(baseOf(words));
+}
+
+}  // namespace
+
 CutRequest cutRequest(const ParameterValues& values) {
     CutRequest request{.imprint = imprintRequest(values), .words = {}};
-    const CutWords& choice = request.words;
-    readAll(values, cutBindings(), request.words);
+    CutWords& choice = request.words;
+    readAll(values, cutBindings(), choice);
+    if (choice.stroke != 0.0 && choice.relief != 0.0 && choice.keep == KeptParts::All) {
+        choice.keep = KeptParts::Inside;  // a slot, or a ridge
+    }
     if (choice.keep == KeptParts::All && choice.fill != FillKind::None) {
         refuseChoice(
             "the option fill needs the option keep: with all parts there is no hole to fill"
@@ -118,6 +184,13 @@ CutRequest cutRequest(const ParameterValues& values) {
     if (choice.relief != 0.0 && choice.fill != FillKind::None) {
         refuseChoice("with relief the whole surface is kept, so there is no hole to fill");
     }
+    if (choice.relief == 0.0 &&
+        (choice.profile != ReliefProfile::Step || choice.profileWidth != 0.0)) {
+        refuseChoice("the options profile and profile_width need the option relief");
+    }
+    checkLength("profile_width", choice.profileWidth);
+    checkLength("stroke", choice.stroke);
+    checkSolid(choice);
     return request;
 }
 
@@ -178,7 +251,11 @@ CutChoice cutChoice(const CutWords& words, const std::vector<Vec3>& toolPoints) 
         .keep = partChoice(words, toolPoints),
         .split = words.split,
         .fill = std::nullopt,
-        .relief = words.relief
+        .relief = words.relief,
+        .profile = words.profile,
+        .profileWidth = words.profileWidth,
+        .thickness = words.thickness,
+        .base = baseOf(words)
     };
     if (words.fill != FillKind::None) {
         choice.fill = words.fill == FillKind::Flat ? FillShape::Flat : FillShape::Smooth;

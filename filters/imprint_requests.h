@@ -42,6 +42,18 @@ struct CutWords {
     FillKind fill = FillKind::None;
     bool split = false;   ///< where all are kept: a layer for each part
     double relief = 0.0;  ///< height that the parts to keep are moved by; 0: they are cut
+    ReliefProfile profile = ReliefProfile::Step;
+    double profileWidth = 0.0;
+    double stroke = 0.0;     ///< width that the curves are drawn with, see strokesOn(); 0: none
+    double thickness = 0.0;  ///< of the walls that parts become; 0: none
+    /// Length of the base that parts become solids by; 0: none, or to `baseHeight` where a
+    /// direction is given.
+    double base = 0.0;
+    std::string baseDirection{};  ///< "x y z"; empty: against the parts' mean normal
+    double baseHeight = 0.0;      ///< of the plane along the direction
+
+    /// Whether parts become solids on a base.
+    [[nodiscard]] bool isBased() const { return base != 0.0 || !baseDirection.empty(); }
 };
 
 struct CutRequest {

@@ -73,14 +73,17 @@ struct Imprinted {
 };
 
 Imprinted imprinted(
-    const CurvesOnLayer& input, const ImprintRequest& request, const Progress& progress
+    const CurvesOnLayer& input,
+    const ImprintRequest& request,
+    const Progress& progress,
+    double stroke = 0.0
 ) {
     PlacedInput placed = placedInput(input, request.use, progress);
     const std::vector<SurfacePolyline> lines = placed.lines();
+    const Progress step = partOf(progress, kPlacedShare, kPartsShare);
     Imprinted result{
-        .imprint = imprintOn(
-            *placed.workpiece, lines, request.imprint, partOf(progress, kPlacedShare, kPartsShare)
-        ),
+        .imprint = stroke > 0.0 ? strokesOn(*placed.workpiece, lines, stroke, request.imprint, step)
+                                : imprintOn(*placed.workpiece, lines, request.imprint, step),
         .figures = {},
         .warnings = std::move(placed.warnings)
     };
@@ -181,7 +184,7 @@ MeshesResult runCutFilter(
 ) {
     Stopwatch watch;
     const CutChoice choice = cutChoice(request.words, toolPoints);
-    Imprinted from = imprinted(input, request.imprint, progress);
+    Imprinted from = imprinted(input, request.imprint, progress, request.words.stroke);
     CutMeshes cut = cutOn(from.imprint, choice, partOf(progress, kPartsShare, 1.0));
     from.warn(cut.notes);
     std::vector<MeshLayer> layers;

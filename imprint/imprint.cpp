@@ -412,6 +412,17 @@ ImprintedMesh imprint(
     return imprinted;
 }
 
+SurfacePoint ownPlace(
+    const Surface& surface, const ImprintedMesh& imprinted, int face, int corner
+) {
+    const int vertex = imprinted.mesh.faces[face].at(corner);
+    const int own = imprinted.ownParents[face];
+    if (vertex >= imprinted.surfaceVertexCount) {
+        return inFace(surface, imprinted.ownPlaces[vertex - imprinted.surfaceVertexCount], own);
+    }
+    return {.face = own, .barycentric = Vec3::Unit(cornerOf(surface.faces()[own], vertex))};
+}
+
 ImprintedMesh imprintOwn(
     const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
 ) {

@@ -26,6 +26,11 @@ namespace bspline_curve {
     const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
 );
 
+/// Where a corner of a face is on the surface that was imprinted, in the face that it is part of.
+[[nodiscard]] SurfacePoint ownPlace(
+    const Surface& surface, const ImprintedMesh& imprinted, int face, int corner
+);
+
 /// The surface's mesh without its imprint: as it was, bit for bit. O(n).
 [[nodiscard]] TriangleMesh withoutImprint(const ImprintedMesh& imprinted);
 

@@ -171,10 +171,14 @@ std::vector<int> chosenParts(
             return {parted.back()};
         case PartChoice::Which::Inside:
         case PartChoice::Which::Outside: {
-            const std::vector<char> isOdd = oddParts(imprinted, parts);
+            const bool areStrokes = !parts.strokes.empty();
+            const std::vector<char> isOdd =
+                areStrokes ? std::vector<char>() : oddParts(imprinted, parts);
             const bool wanted = choice.which == PartChoice::Which::Inside;
             std::ranges::copy_if(parted, std::back_inserter(chosen), [&](int part) {
-                return (isOdd[part] != 0) == wanted;
+                const bool isInside =
+                    areStrokes ? std::ranges::binary_search(parts.strokes, part) : isOdd[part] != 0;
+                return isInside == wanted;
             });
             break;
         }

@@ -170,6 +170,23 @@ void OffsetOptions::validate() const {
     }
 }
 
+std::vector<SurfacePolyline> wholeLinesAt(
+    const Surface& surface,
+    const DistanceBeams& beams,
+    double distance,
+    double step,
+    const Progress& progress
+) {
+    std::vector<SurfacePolyline> lines;
+    for (const LevelLine& level : levelLines(surface, beams, distance, step, progress)) {
+        lines.push_back(polylineOf(surface, level).second);
+    }
+    std::erase_if(lines, [](const SurfacePolyline& line) {
+        return line.points.size() < (line.closed ? 3U : 2U);
+    });
+    return lines;
+}
+
 std::vector<SurfacePolyline> offsetPolylines(
     const Surface& surface,
     const SurfacePolyline& line,

@@ -4,6 +4,7 @@
 #include "bspline_curve/curve.h"
 #include "bspline_curve/offset.h"
 #include "bspline_curve/progress.h"
+#include "offset/distance_beams.h"
 #include "offset/fitted_line.h"
 #include "shell/extended_surface.h"
 #include "surface/surface.h"
@@ -23,6 +24,16 @@ namespace bspline_curve {
     const Surface& surface,
     const SurfacePolyline& line,
     const OffsetOptions& options,
+    const Progress& progress = {}
+);
+
+/// All lines at a distance that `beams` has in its range, whole, with the surface's own faces.
+/// `step`: see OffsetOptions. Throws Cancelled.
+[[nodiscard]] std::vector<SurfacePolyline> wholeLinesAt(
+    const Surface& surface,
+    const DistanceBeams& beams,
+    double distance,
+    double step,
     const Progress& progress = {}
 );
 

@@ -40,6 +40,7 @@ GROUPS = {
     "advanced.method": "The method",
     "advanced.shell": "The shell",
     "advanced.paper": "The paper's numbers",
+    "advanced.solids": "Solids",
     "advanced.limits": "Limits",
 }
 

@@ -171,15 +171,21 @@ def hole(folder):
         [surface(*closed[:2], colours)])]
 
 
-def relief(folder):
-    """A relief is outlined by a curve along its foot, and lifted off."""
+def outlined(folder):
+    """The plaque and a curve along the foot of its star."""
     vertices, faces = plaque()
     work = Work(folder, vertices, faces)
     turn = np.arange(20) * np.pi / 10
     away = 0.50 + 0.17 * np.cos(5 * turn) + 0.035
     picks = np.stack([away * np.cos(turn), away * np.sin(turn)], 1)
     near = [vertices[np.linalg.norm(vertices[:, :2] - p, axis=1).argmin()] for p in picks]
-    line = work.curve("outline", near)
+    return work, work.curve("outline", near)
+
+
+def relief(folder):
+    """A relief is outlined by a curve along its foot, and lifted off."""
+    work, line = outlined(folder)
+    vertices, faces = work.vertices, work.faces
     work.run("cut", "--curve", "outline.json", "--split", "--output", "part.ply")
     ground, star = work.mesh("part.ply"), work.mesh("part-2.ply")
     lifted = star[0] + [0, 0, 0.45]
@@ -253,7 +259,57 @@ def emboss(folder):
     return images
 
 
-FIGURES = {"hole": hole, "relief": relief, "head": head, "margin": margin, "emboss": emboss}
+def sharp(told, cut, labels):
+    """The parts of a mesh by label, each with normals of its own: they meet in sharp edges."""
+    return [surface(told, cut[labels == label], STONE if label == 0 else NEW) for label in np.unique(labels)]
+
+
+def slot(folder):
+    """Slots of three profiles along two curves that cross."""
+    vertices, faces = packaged_mesh("bunny")
+    work, view = Work(folder, vertices, faces), (0.25, 0.25, 1.0)
+    size = np.linalg.norm(np.ptp(vertices, axis=0))
+    words = []
+    for name, places in {"one": [(0.50, 0.24), (0.58, 0.33), (0.66, 0.27), (0.75, 0.36)],
+                         "other": [(0.53, 0.40), (0.60, 0.31), (0.66, 0.20)]}.items():
+        work.curve(name, seen_at(vertices, faces, view, places), closed=False)
+        words += ["--curve", name + ".json"]
+    window, images = (seen_at(vertices, faces, view, [(0.62, 0.3)])[0], 0.17 * size), []
+    for profile in ("step", "ramp", "round"):
+        work.run("cut", *words, "--slot", f"{0.03 * size},{0.015 * size}", "--profile", profile, "--output", "slot.ply")
+        images.append(picture(sharp(*work.mesh("slot.ply")), view, (420, 420), window))
+    return images
+
+
+def wall(folder):
+    """A part of the bunny's side becomes a wall."""
+    vertices, faces = packaged_mesh("bunny")
+    work, view = Work(folder, vertices, faces), (0.25, 0.25, 1.0)
+    size = np.linalg.norm(np.ptp(vertices, axis=0))
+    line = work.curve("ring", seen_at(vertices, faces, view, circle((0.62, 0.3), 0.2, 8)))
+    work.run("cut", "--curve", "ring.json", "--keep", "inside", "--drop-untouched", "--thickness", 0.02 * size, "--output", "wall.ply")
+    shapes = sharp(*work.mesh("wall.ply"))
+    window = (line.mean(0), 0.2 * size)
+    return [picture([surface(vertices, faces), line_shape(line, 0.004 * size)], view, (420, 420), window),
+            picture(shapes, (1.0, 0.6, 0.8), (420, 420), window), picture(shapes, (-0.6, 0.5, -1.0), (420, 420), window)]
+
+
+def base(folder):
+    """The star of the plaque stands on a base."""
+    work, line = outlined(folder)
+    work.run("cut", "--curve", "outline.json", "--keep", "inside", "--base", 0.2, "--base-direction", "0,0,-1",
+             "--output", "die.ply")
+    told, cut, labels = work.mesh("die.ply")
+    ground = np.ptp(told[cut][:, :, 2], axis=1) < 1e-9
+    shapes = [surface(told, cut[kind], colour) for kind, colour in (
+        (labels >= 0, STONE), ((labels < 0) & ground, NEW), ((labels < 0) & ~ground, NEW))]
+    up = (0, 1, 0)
+    return [picture([surface(work.vertices, work.faces), line_shape(line, 0.009)], (0.0, -1.0, 1.0), (420, 420), up=up),
+            picture(shapes, (0.0, -1.0, 0.8), (420, 420), up=up), picture(shapes, (0.3, -1.0, -0.8), (420, 420), up=up)]
+
+
+FIGURES = {"hole": hole, "relief": relief, "head": head, "margin": margin, "emboss": emboss, "slot": slot, "wall": wall,
+           "base": base}
 
 
 def main():

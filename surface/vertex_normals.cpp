@@ -8,8 +8,19 @@
 
 namespace bspline_curve {
 
-std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
-    std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+namespace {
+
+/// For each vertex the sum of its faces' normals, weighted by angles, and of these angles.
+struct NormalSums {
+    std::vector<Vec3> normals;
+    std::vector<double> angles;
+};
+
+NormalSums normalSums(const TriangleMesh& mesh) {
+    NormalSums sums{
+        .normals = std::vector<Vec3>(mesh.vertices.size(), Vec3::Zero()),
+        .angles = std::vector<double>(mesh.vertices.size(), 0.0)
+    };
     for (const Triangle& face : mesh.faces) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto at = static_cast<std::size_t>(face[k]);
@@ -18,11 +29,30 @@ std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
             const Vec3 previous = mesh.vertices[face[(k + 2) % 3]] - corner;
             const Vec3 doubleArea = next.cross(previous);
             const double length = doubleArea.norm();
-            normals[at] += doubleArea / length * std::atan2(length, next.dot(previous));
+            const double angle = std::atan2(length, next.dot(previous));
+            sums.normals[at] += doubleArea / length * angle;
+            sums.angles[at] += angle;
         }
     }
+    return sums;
+}
+
+}  // namespace
+
+std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
+    std::vector<Vec3> normals = normalSums(mesh).normals;
     for (Vec3& normal : normals) {
         normal.normalize();
+    }
+    return normals;
+}
+
+std::vector<Vec3> meanNormals(const TriangleMesh& mesh) {
+    auto [normals, angles] = normalSums(mesh);
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+        if (angles[v] > 0.0) {
+            normals[v] /= angles[v];
+        }
     }
     return normals;
 }

@@ -12,4 +12,7 @@ namespace bspline_curve {
 /// where a vertex has no faces or their normals cancel. O(n).
 [[nodiscard]] std::vector<Vec3> vertexNormals(const TriangleMesh& mesh);
 
+/// Those means themselves, #V, not longer than 1: the shorter, the more the faces around bend.
+[[nodiscard]] std::vector<Vec3> meanNormals(const TriangleMesh& mesh);
+
 }  // namespace bspline_curve

@@ -3,10 +3,12 @@
 #include "bspline_curve/offset.h"
 #include "bspline_curve/parts.h"
 #include "bspline_curve/progress.h"
+#include "fill/based_parts.h"
 #include "fill/capped_handles.h"
 #include "fill/mesh_holes.h"
 #include "fill/part_filling.h"
 #include "fill/raised_parts.h"
+#include "fill/thick_parts.h"
 #include "fill/unjoined_parts.h"
 #include "imprint/imprint.h"
 #include "imprint/mesh_parts.h"
@@ -20,9 +22,11 @@
 #include "utility/index_sets.h"
 #include "utility/stopwatch.h"
 #include "workpiece/imprint_source.h"
+#include "workpiece/relief_profile.h"
 #include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -36,17 +40,82 @@ namespace {
 // Shares of the work, for progress only.
 constexpr double kImprintedShare = 0.6;
 constexpr double kExtendedShare = 0.1;
+constexpr double kProfiledShare = 0.7;
 constexpr double kLinesShare = 0.8;     // of an offset, without its band
 constexpr std::size_t kMostNamed = 10;  // faces, in a note
 
-std::string crossingNote(const std::vector<int>& faces) {
+/// `count`: how many there are of what.
+std::string namedFaces(const std::string& count, const std::vector<int>& faces) {
     std::string named;
     for (std::size_t i = 0; i < std::min(faces.size(), kMostNamed); ++i) {
         named += (i > 0 ? ", " : "") + std::to_string(faces[i]);
     }
-    return describeCount(faces.size(), "new face crosses", "new faces cross") +
-           " others, since the rim allows no fill that does not: " + named +
-           (faces.size() > kMostNamed ? ", ..." : "");
+    return count + named + (faces.size() > kMostNamed ? ", ..." : "");
+}
+
+std::string crossingNote(const std::vector<int>& faces) {
+    return namedFaces(
+        describeCount(faces.size(), "new face crosses", "new faces cross") +
+            " others, since the rim allows no fill that does not: ",
+        faces
+    );
+}
+
+/// Of a solid that is no fill.
+std::string solidCrossingNote(const std::vector<int>& faces, const std::string& remedy) {
+    return namedFaces(
+               describeCount(faces.size(), "face crosses", "faces cross") + " others: ", faces
+           ) +
+           "; " + remedy;
+}
+
+/// Of a wall or relief that had to be less than was asked for.
+std::string lessNote(int vertices, double least) {
+    return " at " + describeCount(static_cast<std::size_t>(vertices), "vertex", "vertices") +
+           ", at least " + describeNumber(least) + ", since there is no more room";
+}
+
+FilledParts thickParts(
+    const Imprint& imprint,
+    const std::vector<int>& chosen,
+    double thickness,
+    std::vector<std::string>& notes,
+    const Progress& progress
+) {
+    ThickParts thick = thickened(*imprint.joined, imprint.parts, chosen, thickness, progress);
+    if (!thick.solid.crossing.empty()) {
+        notes.push_back(solidCrossingNote(thick.solid.crossing, "take a smaller thickness"));
+    }
+    if (thick.thinner > 0) {
+        notes.push_back(
+            "the wall is thinner than asked" +
+            lessNote(thick.thinner, thick.least * std::abs(thickness))
+        );
+    }
+    return std::move(thick.solid);
+}
+
+/// `shares`: of the height, see raisedParts().
+FilledParts reliefOf(
+    const Imprint& imprint,
+    const std::vector<int>& chosen,
+    double height,
+    const std::vector<double>& shares,
+    std::vector<std::string>& notes,
+    const Progress& progress
+) {
+    RaisedParts raised =
+        raisedParts(*imprint.joined, imprint.parts, chosen, height, shares, progress);
+    if (!raised.whole.crossing.empty()) {
+        notes.push_back(solidCrossingNote(raised.whole.crossing, "take a smaller height"));
+    }
+    if (raised.lower > 0) {
+        notes.push_back(
+            "the relief is lower than asked" +
+            lessNote(raised.lower, raised.least * std::abs(height))
+        );
+    }
+    return std::move(raised.whole);
 }
 
 /// The parts that one mesh gets; adds what to say of them.
@@ -58,6 +127,18 @@ FilledParts partsMeant(
     std::vector<std::string>& notes,
     const Progress& progress
 ) {
+    if (choice.thickness != 0.0) {
+        return thickParts(imprint, chosen, choice.thickness, notes, progress);
+    }
+    if (choice.base) {
+        FilledParts solid = based(*imprint.joined, imprint.parts, chosen, *choice.base);
+        if (!solid.crossing.empty()) {
+            notes.push_back(
+                solidCrossingNote(solid.crossing, "move the curve, or give the base a direction")
+            );
+        }
+        return solid;
+    }
     if (choice.relief == 0.0) {
         FilledParts taken =
             takenParts(*imprint.joined, cut, imprint.parts, chosen, choice.fill, progress);
@@ -72,14 +153,7 @@ FilledParts partsMeant(
         }
         return taken;
     }
-    RaisedParts raised = raisedParts(*imprint.joined, imprint.parts, chosen, choice.relief);
-    if (raised.turnedFaces > 0) {
-        notes.push_back(
-            "the relief turns " + std::to_string(raised.turnedFaces) +
-            " faces over; take a smaller height"
-        );
-    }
-    return std::move(raised.whole);
+    return reliefOf(imprint, chosen, choice.relief, {}, notes, progress);
 }
 
 /// What to say of curves that part nothing, where `isCut` what a cut did there; or nothing.
@@ -125,6 +199,21 @@ CutMeshes::Piece wholePiece(const Imprint& imprint, FilledParts made) {
 
 }  // namespace
 
+Imprint imprintOf(
+    Imprint::Source source, std::span<const SurfacePolyline> lines, const ImprintOptions& options
+) {
+    Stopwatch watch;
+    const Surface& surface = *source.surface;
+    Imprint result;
+    result.joined = std::make_shared<const ImprintedMesh>(imprint(surface, lines, options));
+    result.mesh = surface.provenance().hasInputCorners()
+                      ? std::make_shared<const ImprintedMesh>(unjoined(surface, *result.joined))
+                      : result.joined;
+    result.source = std::make_shared<const Imprint::Source>(std::move(source));
+    result.seconds = watch.lap();
+    return result;
+}
+
 Imprint imprintOn(
     const Workpiece& workpiece,
     std::span<const SurfacePolyline> lines,
@@ -132,16 +221,8 @@ Imprint imprintOn(
     const Progress& progress
 ) {
     report(progress, 0.0, "imprinting");
-    Stopwatch watch;
     JoinedLines joined = joinedFor(workpiece.parts().surface, lines);
-    const Surface& surface = *joined.surface;
-    Imprint result;
-    result.joined = std::make_shared<const ImprintedMesh>(imprint(surface, joined.lines, options));
-    result.mesh = surface.provenance().hasInputCorners()
-                      ? std::make_shared<const ImprintedMesh>(unjoined(surface, *result.joined))
-                      : result.joined;
-    result.seconds = watch.lap();
-    result.source = std::make_shared<const Imprint::Source>(std::move(joined.surface));
+    Imprint result = imprintOf({.surface = std::move(joined.surface)}, joined.lines, options);
     report(progress, kImprintedShare, "finding parts");
     result.parts = partsOf(*result.joined);
     report(progress, 1.0, "finding parts");
@@ -177,9 +258,32 @@ std::optional<CutMeshes> cutThroughHandles(
     return result;
 }
 
+/// The whole mesh with a relief that has a profile.
+CutMeshes profiledRelief(
+    const Imprint& imprint, const CutChoice& choice, const Progress& progress
+) {
+    std::vector<int> chosen = chosenParts(*imprint.joined, imprint.parts, *choice.keep);
+    const ProfiledImprint profiled =
+        profiledImprint(imprint, chosen, choice, partOf(progress, 0.0, kProfiledShare));
+    CutMeshes result;
+    FilledParts whole = reliefOf(
+        profiled.imprint,
+        chosen,
+        choice.relief,
+        profiled.shares,
+        result.notes,
+        partOf(progress, kProfiledShare, 1.0)
+    );
+    result.pieces.push_back(pieceOf(profiled.imprint, std::move(chosen), std::move(whole)));
+    return result;
+}
+
 }  // namespace
 
 CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress& progress) {
+    if (choice.relief != 0.0 && choice.keep && choice.profile != ReliefProfile::Step) {
+        return profiledRelief(imprint, choice, progress);
+    }
     if (std::optional<CutMeshes> cut = cutThroughHandles(imprint, choice, progress)) {
         return *std::move(cut);
     }

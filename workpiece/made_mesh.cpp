@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/parts.h"
 #include "imprint/imprint.h"
-#include "surface/surface_point.h"
 #include "workpiece/imprint_source.h"
 
 #include <cstddef>
@@ -17,6 +16,9 @@ MadeMesh::MadeMesh(const Imprint& imprint, FilledParts taken)
 
 int MadeMesh::vertexOf(int vertex) const {
     const int imprinted = taken_.source[vertex];
+    if (imprinted < 0 || taken_.mesh.vertices[vertex] != imprint_->mesh.vertices[imprinted]) {
+        return -1;  // new, or moved by a relief or wall
+    }
     const auto inputCount = static_cast<int>(source_->surface->input().vertices.size());
     return imprinted < inputCount ? imprinted : imprint_->doubledVertices[imprinted - inputCount];
 }
@@ -27,16 +29,7 @@ int MadeMesh::faceOf(int face) const {
 }
 
 Vec3 MadeMesh::placeOf(int face, int corner) const {
-    const int vertex = joined_->mesh.faces[taken_.faces[face]][corner];
-    const int own = joined_->ownParents[taken_.faces[face]];
-    SurfacePoint place{.face = own};
-    if (vertex < joined_->surfaceVertexCount) {
-        place.barycentric = Vec3::Unit(cornerOf(source_->surface->faces()[own], vertex));
-    } else {
-        place = inFace(
-            *source_->surface, joined_->ownPlaces[vertex - joined_->surfaceVertexCount], own
-        );
-    }
+    const SurfacePoint place = ownPlace(*source_->surface, *joined_, taken_.faces[face], corner);
     return source_->surface->provenance().toInput(place).barycentric;
 }
 

@@ -66,6 +66,8 @@ struct MeshPart {
 struct MeshParts {
     std::vector<int> labels;  ///< for each face of the imprinted mesh its part
     std::vector<MeshPart> parts;
+    /// Where strokes were imprinted: the parts (ascending) within half the width of the lines.
+    std::vector<int> strokes{};
 };
 
 /// Curves as edges of the workpiece's mesh, and the parts between them.
@@ -93,6 +95,19 @@ struct Imprint {
 [[nodiscard]] Imprint imprintOn(
     const Workpiece& workpiece,
     std::span<const SurfacePolyline> lines,
+    const ImprintOptions& options = {},
+    const Progress& progress = {}
+);
+
+/// Lines drawn with a width: makes the lines at half of it, along the surface, edges of the mesh,
+/// on both sides and round the ends of open ones. Together they bound what is nearer to any of the
+/// lines, so that strokes may cross. PartChoice::Which::Inside then means the strokes. `width`: in
+/// the user's unit. Throws likewise; InputError (BadOption: the width; NoPath where no point of the
+/// mesh is as far from the lines).
+[[nodiscard]] Imprint strokesOn(
+    const Workpiece& workpiece,
+    std::span<const SurfacePolyline> lines,
+    double width,
     const ImprintOptions& options = {},
     const Progress& progress = {}
 );

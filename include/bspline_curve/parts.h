@@ -21,8 +21,9 @@ struct PartChoice {
     enum class Which {
         Largest,
         Smallest,
-        Inside,   ///< those that an odd number of curves parts from the largest of their component
-        Outside,  ///< those that an even number does
+        Inside,   ///< those that an odd number of curves parts from the largest of their component;
+                  ///< where strokes were imprinted, these
+        Outside,  ///< those that an even number does; those that are no strokes
         Seeds,    ///< those at some points
     };
 
@@ -44,8 +45,8 @@ struct FilledParts {
     std::vector<int> source;  ///< for each vertex that of the imprinted mesh; -1: new
     std::vector<int> faces;   ///< for each face that of the imprinted mesh; -1: new
     std::vector<int> labels;  ///< for each face its part; -1: new
-    /// For the last faces, walls of a relief: the face of the imprinted mesh, at the wall's foot or
-    /// top, that each corner is on.
+    /// For the last faces, those of a relief or solid that have no face of the imprinted mesh: one
+    /// of its faces that each corner is on, so at a wall's foot or top.
     std::vector<Triangle> walls;
     std::vector<std::vector<int>> rims;  ///< of the filled holes, vertices of `mesh`
     std::vector<int> firstNew;           ///< for each of these its first new vertex
@@ -69,6 +70,9 @@ public:
     [[nodiscard]] const TriangleMesh& mesh() const { return taken_.mesh; }
 
     [[nodiscard]] const FilledParts& parts() const { return taken_; }
+
+    /// The imprint that it is made of: where a relief has a profile, one with further edges.
+    [[nodiscard]] const ImprintedMesh& imprinted() const { return *imprint_; }
 
     /// For each face its part; -1: it fills a hole.
     [[nodiscard]] const std::vector<int>& labels() const { return taken_.labels; }
@@ -97,12 +101,37 @@ private:
 /// The whole imprint as a mesh.
 [[nodiscard]] MadeMesh wholeMesh(const Imprint& imprint);
 
+/// A base of parts, as of a die: their rims go straight to a plane, in which they are closed.
+struct PartBase {
+    /// From the parts' farthest point to the plane, > 0; or a height is given.
+    double length = 0.0;
+    /// From the rims to the plane; none: against the parts' mean normal.
+    std::optional<Vec3> direction{};
+    /// Of the plane, whose points p have direction . p = height for the direction made a unit
+    /// vector; needs a direction.
+    std::optional<double> height{};
+};
+
+/// How a relief rises from its rim inwards, over a width.
+enum class ReliefProfile : std::uint8_t {
+    Step,   ///< at once, by a wall
+    Ramp,   ///< straight
+    Round,  ///< as a quarter of an ellipse, upright at the rim
+};
+
 /// What a cut leaves.
 struct CutChoice {
-    std::optional<PartChoice> keep;  ///< none: all parts
-    bool split = false;              ///< where all are kept: a mesh for each part
-    std::optional<FillShape> fill;   ///< of holes that the other parts leave; none: open
+    std::optional<PartChoice> keep{};  ///< none: all parts
+    bool split = false;                ///< where all are kept: a mesh for each part
+    std::optional<FillShape> fill{};   ///< of holes that the other parts leave; none: open
     double relief = 0.0;  ///< height that the parts to keep are moved by; 0: they are cut out
+    ReliefProfile profile = ReliefProfile::Step;
+    /// Of the profile, along the surface; 0: the relief's height, of strokes half their width.
+    double profileWidth = 0.0;
+    /// Of the walls that parts become, closed solids, which are cut out then; outwards where it is
+    /// positive, inwards where it is negative; 0: they become none. Alternative to `fill`.
+    double thickness = 0.0;
+    std::optional<PartBase> base{};  ///< that makes solids of parts which are cut out; likewise
 };
 
 struct CutMeshes {

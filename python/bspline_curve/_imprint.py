@@ -16,12 +16,15 @@ from ._errors import FieldError, InputError, OptionError, warn
 from ._options import Option, Progress, checked_number, checked_value
 
 Keep: TypeAlias = "Literal['largest', 'smallest', 'inside', 'outside'] | Sequence[float] | Sequence[Sequence[float]] | Floats"
+Profile: TypeAlias = Literal["step", "ramp", "round"]
 Fill: TypeAlias = Literal["none", "flat", "smooth"]
 
 SNAP = Option("double", 1e-9, 0.0, 0.01, False, ())
 KEEP = Option("enum", "largest", None, None, False, ("largest", "smallest", "inside", "outside"))
 HEIGHT = Option("double", 0.0, None, None, False, ())
 FILL = Option("enum", "none", None, None, False, ("none", "flat", "smooth"))
+PROFILE = Option("enum", "step", None, None, False, ("step", "ramp", "round"))
+STROKE = Option("double", 0.0, 0.0, None, False, ())
 SHAPE = Option("enum", "smooth", None, None, False, ("smooth", "flat"))
 LENGTH = Option("double", 0.0, 0.0, None, True, ())
 EDGES = Option("int", 3, 3, None, False, ())
@@ -52,7 +55,7 @@ def with_holes_filled(
     point = [] if seed is None else numbers(seed, "seed").ravel().tolist()
     if len(point) not in (0, 3):
         raise InputError(f"seed has {len(point)} numbers, but must be a point", "bad-array")
-    cut, notes = _core.imprint(core, [], SNAP.default).fill_holes(meant, length, edges, point, progress)
+    cut, notes = _core.imprint(core, [], SNAP.default, 0.0).fill_holes(meant, length, edges, point, progress)
     warn(notes, 3)
     return Cut(*cut)
 
@@ -208,30 +211,39 @@ class Imprint:
         warn(notes, 3)
         return Cut(*cut)
 
-    def relief(self, height: float, part: Keep = "inside") -> Cut:
-        """Move parts along their normals, with walls between them and the rest: a relief, or an engraving. O(m log m).
+    def relief(
+        self, height: float, part: Keep = "inside", profile: Profile = "step", profile_width: float | None = None
+    ) -> Cut:
+        """Move parts along their normals: a relief, or an engraving. O(m log m).
 
         Parameters
         ----------
         height : float
-            Outwards where it is positive, in the unit of the mesh. A MeshWarning says where faces are turned over.
+            Outwards where it is positive, in the unit of the mesh. A MeshWarning says where the relief had to be lower so
+            that it crosses nothing, or crosses something in spite of that.
         part : "largest", "smallest", "inside", "outside" or (3,) or (k, 3) array of float, default "inside"
-            The parts to move, as `keep` of cut().
+            The parts to move, as `keep` of cut(). Where the imprint has strokes, "inside" are these.
+        profile : {"step", "ramp", "round"}, default "step"
+            How the parts rise from their rim: by a wall, straight, or as a quarter of an ellipse.
+        profile_width : float, optional
+            Over which they rise, along the surface, in the unit of the mesh. None: the height; of strokes half their width.
 
         Returns
         -------
         Cut
-            The whole mesh: watertight where it was. The walls are its last faces, and new.
+            The whole mesh: watertight where it was. The walls are its last faces, and new. With a profile there are none, but
+            further vertices, whose origin is -1.
 
         Raises
         ------
         InputError
             The curves part nothing (a PickError), or no part or two are at the point.
         OptionError
-            `part` is none of these, or `height` is not finite.
+            `part` or `profile` is none of these, `height` is not finite, or `profile_width` is not above 0.
 
         Examples
         --------
+        >>> slot = mesh.imprint(curve, stroke=0.02).relief(-0.01, profile="round")
         >>> raised = mesh.imprint(ring).relief(0.02)
         >>> bool((raised.origins >= 0).any())
         True
@@ -240,9 +252,109 @@ class Imprint:
         raised = checked_number("height", HEIGHT, height)
         if raised == 0:
             return Cut(self.vertices, self.faces, np.arange(len(self.vertices), dtype=np.int32), self.labels)
-        relief, notes = self._core.cut(*meant, relief=raised)
+        shape = cast(str, checked_value("profile", PROFILE, profile))
+        width = 0.0 if profile_width is None else checked_number("profile_width", LENGTH, profile_width)
+        relief, notes = self._core.cut(*meant, relief=raised, profile=shape, profile_width=width)
         warn(notes, 2)
         return Cut(*relief)
+
+    def thicken(self, thickness: float, part: Keep = "inside", progress: Progress | None = None) -> Cut:
+        """Make parts closed walls: solids of this thickness. O(m log m) a round of checks.
+
+        Parameters
+        ----------
+        thickness : float
+            Outwards where it is positive, inwards where it is negative, in the unit of the mesh. The other side is at this
+            distance from the planes of the faces, so that sharp edges stay sharp.
+        part : "largest", "smallest", "inside", "outside" or (3,) or (k, 3) array of float, default "inside"
+            The parts, as `keep` of cut(); components that no curve parts are dropped.
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
+
+        Returns
+        -------
+        Cut
+            A watertight mesh, oriented as a solid. The faces of the imprint come first; outwards, they are the moved side.
+            A MeshWarning says where the wall had to be thinner so that it crosses nothing, or crosses something in spite of
+            that.
+
+        Raises
+        ------
+        InputError
+            The curves part nothing (a PickError), or no part or two are at the point.
+        OptionError
+            `part` is none of these, or `thickness` is 0 or not finite.
+        Cancelled
+            `progress` returned False.
+
+        Examples
+        --------
+        >>> shell = mesh.imprint(ring).thicken(0.02)
+        >>> bool((shell.origins >= 0).all())
+        True
+        """
+        which, seeds = parts_meant("part", part)
+        meant = checked_number("thickness", HEIGHT, thickness)
+        if meant == 0:
+            raise OptionError("thickness is 0, which makes no wall", "bad-option")
+        cut, notes = self._core.cut(which, seeds, thickness=meant, drop_untouched=True, progress=progress)
+        warn(notes, 2)
+        return Cut(*cut)
+
+    def add_base(
+        self,
+        length: float | None = None,
+        part: Keep = "inside",
+        direction: npt.ArrayLike | None = None,
+        height: float | None = None,
+    ) -> Cut:
+        """Stand parts on a base, as of a die: their rims go straight to a plane, and are closed there. O(m log m).
+
+        Parameters
+        ----------
+        length : float, optional
+            How far the plane is beyond the farthest point of the parts, in the unit of the mesh. Needed without `height`.
+        part : "largest", "smallest", "inside", "outside" or (3,) or (k, 3) array of float, default "inside"
+            The parts, as `keep` of cut(); components that no curve parts are dropped.
+        direction : (3,) array of float, optional
+            From the parts to the plane, at right angles to that. None: against their mean normal.
+        height : float, optional
+            Where the plane is along `direction`, from the origin, in place of `length`.
+
+        Returns
+        -------
+        Cut
+            A watertight mesh, oriented as a solid. A MeshWarning names faces that cross others, as where a part hangs over
+            its rim.
+
+        Raises
+        ------
+        InputError
+            The curves part nothing (a PickError), no part or two are at the point, a part has no rim or reaches beyond the
+            plane, or the rim crosses itself as seen along the direction.
+        OptionError
+            `part` is none of these; `length` is not above 0; both or none of `length` and `height` are given, or `height`
+            without `direction`.
+
+        Examples
+        --------
+        >>> die = mesh.imprint(ring).add_base(0.1)
+        >>> bool((die.origins >= 0).all())
+        True
+        """
+        which, seeds = parts_meant("part", part)
+        if (length is None) == (height is None):
+            raise OptionError("one of length and height is needed: where the plane of the base is", "bad-option")
+        if height is not None and direction is None:
+            raise OptionError("height needs direction: along which it is", "bad-option")
+        towards = [] if direction is None else numbers(direction, "direction").ravel().tolist()
+        if len(towards) not in (0, 3):
+            raise InputError(f"direction has {len(towards)} numbers, but must have 3", "bad-array")
+        far = 0.0 if length is None else checked_number("length", LENGTH, length)
+        at = None if height is None else checked_number("height", HEIGHT, height)
+        cut, notes = self._core.cut(which, seeds, base=(far, towards, at), drop_untouched=True)
+        warn(notes, 2)
+        return Cut(*cut)
 
     def values(self, given: npt.ArrayLike, faces: npt.ArrayLike) -> Floats:
         """Values at the vertices of the mesh, at those of the imprint: linear in each face of the mesh.

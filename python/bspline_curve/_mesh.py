@@ -18,7 +18,7 @@ from ._drawing import THRESHOLDS, Drawing
 from ._errors import FieldError, InputError, OptionError, warn
 from ._fit import curve_along, curves_round
 from ._identity import remember
-from ._imprint import SNAP, Cut, Fill, Imprint, Keep, with_holes_filled
+from ._imprint import SNAP, STROKE, Cut, Fill, Imprint, Keep, with_holes_filled
 from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Avoid, Field, MeshKeywords
 from ._lines import Line, curves_on
@@ -388,7 +388,9 @@ class Mesh(MeshKeywords):
         options = {"degree": degree, "tension": tension, "samples": samples, "max_segment_length": max_segment_length}
         return curves_round(self, faces, labels, deviation, options, progress)
 
-    def imprint(self, curves: Line | Iterable[Line], snap: float = 1e-9, max_distance: float = 0.0) -> Imprint:
+    def imprint(
+        self, curves: Line | Iterable[Line], snap: float = 1e-9, max_distance: float = 0.0, stroke: float = 0.0
+    ) -> Imprint:
         """Make curves edges of a copy of the mesh, which is mended where it had to be for curves.
 
         Parameters
@@ -401,6 +403,9 @@ class Mesh(MeshKeywords):
             Points that are nearer are taken as one: relative to the altitudes of a face, on an edge to its length.
         max_distance : float ≥ 0, default 0
             Polylines and splines that are farther from the mesh anywhere are refused, in its unit; 0: 1 % of its diagonal.
+        stroke : float ≥ 0, default 0
+            A width: the lines at half of it beside the curves, round the ends of open ones, become edges, and the parts
+            between them are "inside". 0: the curves do.
 
         Returns
         -------
@@ -412,7 +417,7 @@ class Mesh(MeshKeywords):
             A curve is of another mesh or not near to this one, or passes from sheet to sheet in more ways than can be joined at
             once.
         OptionError
-            `snap` or `max_distance` is not in its range.
+            `snap`, `max_distance` or `stroke` is not in its range.
 
         Examples
         --------
@@ -421,7 +426,8 @@ class Mesh(MeshKeywords):
         (2, True)
         """
         given = [curve._core for curve in curves_on(self, curves, max_distance)]
-        return Imprint(_core.imprint(self._core, given, checked_number("snap", SNAP, snap)))
+        width = checked_number("stroke", STROKE, stroke)
+        return Imprint(_core.imprint(self._core, given, checked_number("snap", SNAP, snap), width))
 
     def cut(
         self,

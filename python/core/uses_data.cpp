@@ -10,12 +10,16 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,13 +27,17 @@ namespace bspline_curve::python {
 
 namespace {
 
-Imprint imprinted(const Mesh& mesh, const std::vector<const DesignedCurve*>& curves, double snap) {
+/// `stroke`: a width; 0: the curves themselves.
+Imprint imprinted(
+    const Mesh& mesh, const std::vector<const DesignedCurve*>& curves, double snap, double stroke
+) {
     const nb::gil_scoped_release unlocked;  // curves do not change
     std::vector<SurfacePolyline> lines;
     for (const DesignedCurve* drawn : curves) {
         lines.push_back(drawn->curve.polyline);
     }
-    return imprintOn(*mesh.workpiece, lines, {.snap = snap});
+    return stroke > 0.0 ? strokesOn(*mesh.workpiece, lines, stroke, {.snap = snap})
+                        : imprintOn(*mesh.workpiece, lines, {.snap = snap});
 }
 
 nb::list curvesOf(const Imprint& imprint) {
@@ -80,17 +88,43 @@ std::optional<PartChoice> choiceOf(
     return choice;
 }
 
+/// For each vertex of a mesh that of the imprint; -1: it is new, also where a relief has a profile.
+std::vector<int> originsIn(const Imprint& imprint, const MadeMesh& made) {
+    std::vector<int> origins = made.parts().source;
+    if (&made.imprinted() == imprint.mesh.get()) {
+        return origins;
+    }
+    const std::vector<Vec3>& before = imprint.mesh->mesh.vertices;
+    const auto inputCount = static_cast<int>(before.size() - imprint.mesh->newVertices.size());
+    std::map<std::array<double, 3>, int> onCurves;
+    for (auto v = static_cast<std::size_t>(inputCount); v < before.size(); ++v) {
+        onCurves.try_emplace({before[v].x(), before[v].y(), before[v].z()}, static_cast<int>(v));
+    }
+    for (int& origin : origins) {
+        if (origin >= inputCount) {
+            const Vec3& place = made.imprinted().mesh.vertices[origin];
+            const auto found = onCurves.find({place.x(), place.y(), place.z()});
+            origin = found == onCurves.end() ? -1 : found->second;
+        }
+    }
+    return origins;
+}
+
 /// Vertices, faces, sources and labels of a mesh that is in one piece; and notes.
-nb::tuple arraysAndNotes(const CutMeshes& cut) {
-    const FilledParts& made = cut.pieces.front().mesh.parts();
+nb::tuple arraysAndNotes(const Imprint& imprint, const CutMeshes& cut) {
+    const MadeMesh& mesh = cut.pieces.front().mesh;
+    const FilledParts& made = mesh.parts();
     const nb::tuple arrays = nb::make_tuple(
         arrayOf(made.mesh.vertices),
         arrayOf(made.mesh.faces),
-        arrayOf(made.source),
+        arrayOf(originsIn(imprint, mesh)),
         arrayOf(made.labels)
     );
     return nb::make_tuple(arrays, cut.notes);
 }
+
+/// Length; direction, empty: none; height.
+using BaseTuple = std::tuple<double, std::vector<double>, std::optional<double>>;
 
 // ((vertices, faces, imprinted vertex of each vertex, part of each face), notes); -1: new.
 nb::tuple cutTuple(
@@ -100,18 +134,34 @@ nb::tuple cutTuple(
     const std::string& fill,
     double relief,
     bool dropUntouched,
+    double thickness,
+    const std::optional<BaseTuple>& base,
+    const std::string& profile,
+    double profileWidth,
     nb::object progress
 ) {
     CutChoice choice;
     choice.keep = choiceOf(which, seeds, dropUntouched);
     choice.relief = relief;
+    choice.profile = profile == "ramp"    ? ReliefProfile::Ramp
+                     : profile == "round" ? ReliefProfile::Round
+                                          : ReliefProfile::Step;
+    choice.profileWidth = profileWidth;
+    choice.thickness = thickness;
+    if (base) {
+        const auto& [length, direction, height] = *base;
+        choice.base = PartBase{.length = length, .direction = std::nullopt, .height = height};
+        if (!direction.empty()) {
+            choice.base->direction = Vec3(direction.at(0), direction.at(1), direction.at(2));
+        }
+    }
     if (fill != "none") {
         choice.fill = fill == "flat" ? FillShape::Flat : FillShape::Smooth;
     }
     const CutMeshes cut = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
         return cutOn(imprint, choice, goesOn);
     });
-    return arraysAndNotes(cut);
+    return arraysAndNotes(imprint, cut);
 }
 
 /// The mesh with holes closed, and notes. `shape`: "flat" or "smooth"; `seed`: none, or a point.
@@ -131,7 +181,7 @@ nb::tuple filledTuple(
         const FillShape fill = shape == "flat" ? FillShape::Flat : FillShape::Smooth;
         return holesFilled(imprint, choice, fill, goesOn);
     });
-    return arraysAndNotes(filled);
+    return arraysAndNotes(imprint, filled);
 }
 
 std::vector<std::string> segmentNotes(const Imprint& imprint) {
@@ -248,6 +298,10 @@ void bindUses(nb::module_& module) {
             nb::arg("fill") = "none",
             nb::arg("relief") = 0.0,
             nb::arg("drop_untouched") = false,
+            nb::arg("thickness") = 0.0,
+            nb::arg("base") = nb::none(),
+            nb::arg("profile") = "step",
+            nb::arg("profile_width") = 0.0,
             nb::arg("progress") = nb::none()
         )
         .def(

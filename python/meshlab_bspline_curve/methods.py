@@ -36,6 +36,7 @@ Kind: TypeAlias = Literal[
 Region: TypeAlias = Literal["selected-faces", "selected-vertices"]
 Keep: TypeAlias = Literal["all", "largest", "smallest", "inside", "outside", "seed"]
 Fill: TypeAlias = Literal["none", "flat", "smooth"]
+Profile: TypeAlias = Literal["step", "ramp", "round"]
 Side: TypeAlias = Literal["both", "left", "right"]
 Place: TypeAlias = Literal["point", "curve"]
 Boundaries: TypeAlias = Literal["selected-faces", "face-quality", "face-colour", "vertex-quality"]
@@ -580,6 +581,13 @@ def cut_along_curves(
     relief: float = 0.0,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     drop_untouched: bool = False,
+    stroke: float = 0.0,
+    profile: Profile = "step",
+    profile_width: float = 0.0,
+    thickness: float = 0.0,
+    base: float = 0.0,
+    base_direction: str = "",
+    base_height: float = 0.0,
     project_curves: bool = False,
     snap: float = 1e-09,
     strict: bool = False,
@@ -628,6 +636,29 @@ def cut_along_curves(
     drop_untouched : bool, default False
         Drops components that no curve parts as well; a seed keeps one. Only with keep largest or smallest or inside or
         outside or seed.
+    stroke : float ≥ 0, default 0.0
+        Cuts along both sides of the curves, round their ends, at half of this width from them, in the unit of the mesh:
+        the parts inside are strokes, as for slots and ridges by a relief. 0: along the curves.
+    profile : {'step', 'ramp', 'round'}, default 'step'
+        How a relief rises from its rim inwards. step: up at once, by a wall; ramp: straight up over a width; round: as
+        a quarter of an ellipse.
+    profile_width : float ≥ 0, default 0.0
+        Over which a relief rises, along the surface, in the unit of the mesh. 0: its height; of strokes half their
+        width. Only with profile ramp or round.
+    thickness : float, default 0.0
+        Makes each part that is cut out a closed wall of this thickness, in the unit of the mesh: outwards, or inwards
+        where it is negative. Where that would cross itself the wall is thinner, and a warning says so. 0: none.
+        Excludes filled holes and reliefs.
+    base : float ≥ 0, default 0.0
+        Makes each part that is cut out a closed solid on a base: its rims go straight to a plane, this far beyond the
+        farthest point of the part, in the unit of the mesh. 0: none, but to the height of the base where a direction is
+        given.
+    base_direction : str, optional
+        "x y z": from the part to the plane of its base, at right angles to that. Empty: against the mean normal of the
+        part.
+    base_height : float, default 0.0
+        Where the plane of the base is, along its direction from the origin, if the length of the base is 0 and a
+        direction is given.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -667,6 +698,13 @@ def cut_along_curves(
             "relief": relief,
             "max_distance": max_distance,
             "drop_untouched": drop_untouched,
+            "stroke": stroke,
+            "profile": profile,
+            "profile_width": profile_width,
+            "thickness": thickness,
+            "base": base,
+            "base_direction": base_direction,
+            "base_height": base_height,
             "project_curves": project_curves,
             "snap": snap,
             "strict": strict,

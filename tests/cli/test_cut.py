@@ -118,9 +118,79 @@ def test_a_part_is_moved_along_its_normals(run, tmp_path, ring, height):
     assert (np.sign(moved[labels(imprint) == 1][..., 2]) == np.sign(height)).all()
 
 
-def test_a_relief_that_turns_faces_over_says_so(run, tmp_path, ring):
+def test_a_relief_without_room_is_lower_and_says_so(run, tmp_path, ring):
     result = run("cut", "hill.ply", *RING, "--keep", "inside", "--relief", -5, "--output", "relief.ply")
-    assert result.returncode == 0 and re.search(r"the relief turns \d+ faces over; take a smaller height", result.stderr)
+    assert result.returncode == 0 and re.search(r"the relief is lower than asked at \d+ vertices, at least [\d.e-]+, since", result.stderr)
+
+
+def is_solid(mesh):
+    return mesh.is_watertight and mesh.is_winding_consistent and mesh.volume > 0
+
+
+@pytest.mark.parametrize("thickness", [0.01, -0.01])
+def test_a_part_becomes_a_wall(run, tmp_path, ring, thickness):
+    result = run("cut", "hill.ply", *RING, "--keep", "inside", "--thickness", thickness, "--output", "wall.ply")
+    assert (result.returncode, result.stderr) == (0, "")
+    run.ok("cut", "hill.ply", *RING, "--keep", "inside", "--output", "part.ply")
+    wall, part = load(tmp_path / "wall.ply"), load(tmp_path / "part.ply")
+    assert is_solid(wall)
+    assert wall.volume == pytest.approx(abs(thickness) * part.area, rel=0.05)
+    assert (labels(wall)[: len(part.faces)] == 1).all() and (labels(wall)[len(part.faces) :] == -1).all()
+
+
+def test_walls_of_two_parts_fit_each_other(run, tmp_path, ring):
+    run.ok("cut", "hill.ply", *RING, "--split", "--thickness", 0.02, "--output", "wall.ply")
+    outer, inner = load(tmp_path / "wall.ply"), load(tmp_path / "wall-2.ply")
+    assert is_solid(outer) and is_solid(inner)
+    moved = {tuple(v) for v in outer.vertices} & {tuple(v) for v in inner.vertices}
+    points = json.loads((tmp_path / "ring.json").read_text())["polyline"]["points"]
+    assert len(moved) >= 2 * len(points)
+
+
+def test_a_wall_without_room_is_thinner_and_says_so(run, tmp_path, ring):
+    result = run("cut", "hill.ply", *RING, "--keep", "inside", "--thickness", -5, "--output", "wall.ply")
+    assert result.returncode == 0 and is_solid(load(tmp_path / "wall.ply"))
+    assert re.search(r"note: the wall is thinner than asked at \d+ vertices, at least [\d.e-]+, since", result.stderr)
+
+
+def test_a_part_stands_on_a_base(run, tmp_path, ring):
+    cut = ("cut", "hill.ply", *RING, "--keep", "inside")
+    run.ok(*cut, "--output", "part.ply")
+    part = load(tmp_path / "part.ply")
+    flat = (part.area_faces * part.face_normals[:, 2]).sum()
+    above = (part.area_faces * part.face_normals[:, 2] * part.triangles_center[:, 2]).sum()
+    for words, low in ((("--base", 0.3, "--base-direction=0,0,-2"), part.vertices[:, 2].min() - 0.3),
+                       (("--base-direction", "0 0 -1", "--base-height", 0.5), -0.5)):
+        result = run(*cut, *words, "--output", "die.ply")
+        assert (result.returncode, result.stderr) == (0, "")
+        die = load(tmp_path / "die.ply")
+        assert is_solid(die) and die.vertices[:, 2].min() == pytest.approx(low, abs=1e-12)
+        assert die.volume == pytest.approx(above - low * flat, rel=1e-9)
+    run.ok(*cut, "--base", 0.3, "--output", "die.ply")
+    assert is_solid(load(tmp_path / "die.ply"))
+
+
+@pytest.mark.parametrize("profile, share", [("step", 1.0), ("ramp", 0.5), ("round", np.pi / 4)])
+def test_slots_are_sunk_along_curves(run, tmp_path, ring, profile, share):
+    words = ("--slot", "0.08,0.02", "--profile", profile)
+    result = run("cut", "hill.ply", "--curve", "slit.json", *RING, *words, "--output", "slot.ply")
+    assert (result.returncode, result.stderr) == (0, "")
+    slot, whole = load(tmp_path / "slot.ply"), trimesh.Trimesh(*ring, process=False)
+    assert slot.is_winding_consistent and slot.euler_number == 1  # the plate, with grooves
+    under = lambda mesh: (mesh.area_faces * mesh.face_normals[:, 2] * mesh.triangles_center[:, 2]).sum()  # noqa: E731
+    length = sum(
+        np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+        for points in (
+            np.vstack([told["points"], told["points"][:1]] if closed else told["points"])
+            for name, closed in (("slit", False), ("ring", True))
+            for told in [json.loads((tmp_path / f"{name}.json").read_text())["polyline"]]
+        )
+    )
+    assert under(whole) - under(slot) == pytest.approx(share * 0.08 * 0.02 * length, rel=0.06)  # without ends and bends
+    # --slot is short for the two.
+    run.ok("cut", "hill.ply", "--curve", "slit.json", *RING, "--stroke", 0.08, "--relief", -0.02, "--profile", profile,
+           "--output", "same.ply")
+    assert (tmp_path / "same.ply").read_bytes() == (tmp_path / "slot.ply").read_bytes()
 
 
 def test_an_open_curve_becomes_a_slit(run, tmp_path, ring):
@@ -190,6 +260,14 @@ def test_refuses_by_name_and_writes_nothing(refused, tmp_path, ring):
     refused(2, *cut, "--keep", "inside", "--fill", "flat", "--relief", "1", says=["--relief", "--fill"])
     refused(2, *cut, "--keep", "largest", "--split", says=["--split"])
     refused(2, *cut, "--fill", "flat", says=["--keep"])
+    refused(2, *cut, "--thickness", "1", says=["--thickness", "--keep"])
+    refused(2, *cut, "--base", "1", says=["--base", "--split"])
+    refused(2, *cut, "--keep", "inside", "--base", "1", "--thickness", "1", says=["--base", "--thickness"])
+    refused(2, *cut, "--slot", "1,0", says=["--slot"])
+    refused(2, *cut, "--slot", "1", says=["--slot"])
+    refused(2, *cut, "--keep", "inside", "--profile", "ramp", says=["profile", "relief"])
+    refused(1, *cut, "--keep", "inside", "--base-direction", "0,0,-1", "--base-height=-9", says=["the base", "beyond the plane"])
+    refused(1, *cut, "--stroke", "99", says=["no point of the surface"])
     refused(2, *cut, "--keep", "largest", "--fill", "round", says=["--fill", "none"])
     point = json.loads((tmp_path / "ring.json").read_text())["polyline"]["points"][3]
     refused(1, *cut, "--keep", "seed=" + ",".join(map(str, point)), says=["the seed", "lies on a curve"])

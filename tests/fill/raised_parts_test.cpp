@@ -4,6 +4,7 @@
 #include "imprint/part_choice.h"
 #include "imprint/projected_polyline.h"
 #include "support/meshes.h"
+#include "support/orientation.h"
 #include "support/refusal.h"
 #include "surface/surface.h"
 
@@ -21,14 +22,6 @@ namespace bspline_curve {
 namespace {
 
 using namespace test_support;
-
-double volumeOf(const TriangleMesh& mesh) {
-    double sum = 0.0;
-    for (const auto& [a, b, c] : mesh.faces) {
-        sum += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6.0;
-    }
-    return sum;
-}
 
 int boundaryEdges(const TriangleMesh& mesh) {
     const Surface surface(mesh);  // throws where it is not manifold
@@ -74,7 +67,8 @@ TEST(RaisedParts, OfASphereAreShellsOfTheirHeight) {
     for (const double height : {0.1, -0.1, 1e-6}) {
         const RaisedParts raised = raisedParts(given.imprinted, given.parts, given.cap, height);
         EXPECT_EQ(boundaryEdges(raised.whole.mesh), 0);
-        EXPECT_EQ(raised.turnedFaces, 0);
+        EXPECT_EQ(raised.lower, 0);
+        EXPECT_TRUE(raised.whole.crossing.empty());
         const double grown = share * (std::pow(1.0 + height, 3) - 1.0) * before;
         EXPECT_NEAR(volumeOf(raised.whole.mesh) - before, grown, 0.02 * std::abs(grown));
         // What is not raised is as it was.
@@ -96,10 +90,15 @@ TEST(RaisedParts, OfNoHeightAreTheImprint) {
     EXPECT_EQ(raised.whole.mesh.vertices, given.imprinted.mesh.vertices);
 }
 
-TEST(RaisedParts, ThatTurnFacesOverSaySo) {
+TEST(RaisedParts, ThatWouldPassThroughThemselvesAreLower) {
     const Cap given;
     const RaisedParts raised = raisedParts(given.imprinted, given.parts, given.cap, -1.5);
-    EXPECT_GT(raised.turnedFaces, 100);
+    EXPECT_TRUE(raised.whole.crossing.empty());
+    EXPECT_GT(raised.lower, 100);
+    EXPECT_GT(raised.least, 0.1);
+    EXPECT_LT(raised.least, 1.0 / 1.5);
+    EXPECT_EQ(boundaryEdges(raised.whole.mesh), 0);
+    EXPECT_GT(volumeOf(raised.whole.mesh), 0.0);
 }
 
 // Two lobes that meet in one vertex, on a plate whose boundary a third part reaches.
@@ -114,7 +113,10 @@ TEST(RaisedParts, ThatMeetInAVertexStayManifold) {
     ASSERT_EQ(parts.parts.size(), 3U);
     const RaisedParts lobes = raisedParts(imprinted, parts, {1, 2}, 0.1);
     EXPECT_EQ(boundaryEdges(lobes.whole.mesh), 48);
+    EXPECT_TRUE(lobes.whole.crossing.empty());
     const RaisedParts around = raisedParts(imprinted, parts, {0}, 0.1);
+    EXPECT_TRUE(around.whole.crossing.empty());
+    EXPECT_EQ(around.lower, 0);
     EXPECT_EQ(boundaryEdges(around.whole.mesh), 48);
     const double walls = 0.1 * parts.parts[0].perimeter;
     EXPECT_NEAR(Surface(lobes.whole.mesh).area(), 1.0 + walls - 0.1 * 4.0, 1e-9);

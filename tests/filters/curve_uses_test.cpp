@@ -181,10 +181,48 @@ TEST(CutFilter, MovesAPartAlongItsNormals) {
     const MadeMesh& made = result.layers[0].made;
     const auto perimeters = figure<std::vector<double>>(result.figures, "part_perimeters");
     EXPECT_NEAR(areaOf(made.mesh()), 1.0 + 0.125 * perimeters[1], 1e-9);
+    // Hosts take the places of vertices that did not move from the layer.
+    for (std::size_t i = 0; i < made.mesh().vertices.size(); ++i) {
+        const int id = made.vertexOf(static_cast<int>(i));
+        if (id >= 0) {
+            EXPECT_EQ(made.mesh().vertices[i], input.surface.mesh.vertices[id]);
+        }
+    }
     const std::vector<double> carried = made.carried(xOf(input.surface.mesh));
     for (std::size_t i = 0; i < carried.size(); ++i) {
         EXPECT_NEAR(carried[i], made.mesh().vertices[i].x(), 1e-12);
     }
+}
+
+TEST(CutFilter, MakesSolidsOfParts) {
+    const CurvesOnLayer input = onPlate({square()});
+    CutRequest request;
+    request.words = {.keep = KeptParts::Inside, .seed = "", .thickness = -0.125};
+    MeshesResult result = runCutFilter(input, {}, request);
+    ASSERT_EQ(result.layers.size(), 1U);
+    EXPECT_EQ(result.layers[0].suffix, " part");
+    EXPECT_TRUE(result.log.warnings.empty());
+    const double area = figure<std::vector<double>>(result.figures, "part_areas")[1];
+    const double perimeter = figure<std::vector<double>>(result.figures, "part_perimeters")[1];
+    EXPECT_NEAR(areaOf(result.layers[0].made.mesh()), 2.0 * area + 0.125 * perimeter, 1e-9);
+    request.words = {.keep = KeptParts::Inside, .seed = "", .base = 0.25};
+    result = runCutFilter(input, {}, request);
+    EXPECT_TRUE(result.log.warnings.empty());
+    EXPECT_NEAR(areaOf(result.layers[0].made.mesh()), 2.0 * area + 0.25 * perimeter, 1e-9);
+}
+
+TEST(CutFilter, DrawsStrokesOfAWidth) {
+    ParameterValues values(cutFilter());
+    values.set("stroke", 0.1);
+    values.set("relief", -0.05);
+    const CutRequest request = cutRequest(values);
+    EXPECT_EQ(request.words.keep, KeptParts::Inside);
+    const CurvesOnLayer input = onPlate({polyline("line", {{0.3, 0.5, 0}, {0.7, 0.5, 0}}, false)});
+    const MeshesResult result = runCutFilter(input, {}, request);
+    const auto perimeters = figure<std::vector<double>>(result.figures, "part_perimeters");
+    ASSERT_EQ(perimeters.size(), 2U);
+    EXPECT_NEAR(perimeters[1], 0.8 + 0.1 * 3.14159, 1e-3);
+    EXPECT_NEAR(areaOf(result.layers[0].made.mesh()), 1.0 + 0.05 * perimeters[1], 1e-9);
 }
 
 TEST(CutFilter, RefusesWhatCannotBeByName) {
@@ -209,6 +247,19 @@ TEST(CutFilter, RefusesWhatCannotBeByName) {
     expectPart(refusal([&] { return cutRequest(values); }), "relief needs the option keep");
     values.set("relief", std::numeric_limits<double>::infinity());
     expectPart(refusal([&] { return cutRequest(values); }), "relief must be finite");
+    values.set("relief", 0.0);
+    values.set("thickness", 1.0);
+    expectPart(refusal([&] { return cutRequest(values); }), "need the option keep or split");
+    values.set("keep", std::string("inside"));
+    values.set("base", 1.0);
+    expectPart(refusal([&] { return cutRequest(values); }), "exclude each other");
+    values.set("thickness", 0.0);
+    values.set("base_direction", std::string("1 0 0; 0 1 0"));
+    expectPart(refusal([&] { return cutRequest(values); }), "must be one direction");
+    values.set("base", 0.0);
+    values.set("base_direction", std::string());
+    values.set("profile", std::string("ramp"));
+    expectPart(refusal([&] { return cutRequest(values); }), "need the option relief");
 }
 
 TEST(CutFilter, ALayerForEachPartIsWhereAllAreKept) {

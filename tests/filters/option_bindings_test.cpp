@@ -305,6 +305,10 @@ bool isAccepted(
         if (isCurve) {
             static_cast<void>(curveRequest(values));
         } else if (&filter == &cutFilter()) {
+            values.set("keep", std::string("inside"));  // which parts become what is asked for
+            if (id.starts_with("profile")) {
+                values.set("relief", 1.0);
+            }
             static_cast<void>(cutRequest(values));
         } else if (&filter == &offsetFilter()) {
             static_cast<void>(offsetRequest(values));
@@ -368,7 +372,8 @@ TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
                 expectWholeRange(*filter, parameter);
             } else if (std::holds_alternative<double>(parameter.defaultValue) &&
                        parameter.id != "avoid_threshold" && parameter.id != "shift" &&
-                       parameter.id != "relief") {
+                       parameter.id != "relief" && parameter.id != "thickness" &&
+                       parameter.id != "base_height") {
                 // Those may be any number.
                 expectRealRange(*filter, parameter);
             }

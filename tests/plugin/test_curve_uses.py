@@ -120,11 +120,31 @@ def test_a_hole_is_filled(ringed, fill):
     assert (parents == -1).any() and np.isfinite(mesh.vertex_matrix()).all()
 
 
+@pytest.mark.parametrize("words, share", [({"thickness": 0.02}, 0.02), ({"base": 0.1, "base_direction": "0 0 -1"}, 0.1)])
+def test_a_part_becomes_a_solid(ringed, words, share):
+    document, _ = ringed
+    figures = document.apply_filter("cut_along_curves", keep="inside", **words)
+    assert document.current_mesh().label() == "plate part"
+    measured = document.get_topological_measures()
+    assert measured["boundary_edges"] == 0 and measured["is_mesh_two_manifold"]
+    assert document.get_geometric_measures()["mesh_volume"] > 0.9 * share * figures["part_areas"][1]
+
+
+@pytest.mark.parametrize("profile", ["step", "ramp", "round"])
+def test_curves_are_slots(ringed, profile):
+    document, _ = ringed
+    document.apply_filter("cut_along_curves", stroke=0.04, relief=-0.01, profile=profile)
+    assert document.current_mesh().label() == "plate relief"
+    assert document.get_topological_measures()["number_holes"] == 1  # the plate's own rim
+
+
 def test_a_part_becomes_a_relief(ringed):
     document, _ = ringed
     figures = document.apply_filter("cut_along_curves", keep="inside", relief=0.05)
     assert document.current_mesh().label() == "plate relief"
     walls = document.current_mesh().face_custom_scalar_attribute_array("parent") == -1
+    raised = document.current_mesh().vertex_matrix()[np.unique(document.current_mesh().face_matrix()[walls])]
+    assert len(np.unique(raised, axis=0)) == len(raised)  # the walls have a top beside their foot
     assert areas(document.current_mesh())[walls].sum() == pytest.approx(0.05 * figures["part_perimeters"][1], rel=0.03)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import bspline_curve
-from bspline_curve import FileError, InputError, Mesh, MeshWarning, OptionError
+from bspline_curve import Cut, FileError, InputError, Mesh, MeshWarning, OptionError
 
 
 @pytest.fixture(scope="module")
@@ -146,6 +146,56 @@ def test_a_part_is_moved_along_its_normals(mesh, ring, part):
     np.testing.assert_array_equal(relief.origins[: len(imprint.vertices)], np.arange(len(imprint.vertices)))
 
 
+def volume(cut):
+    a, b, c = (cut.vertices[cut.faces[:, k]] for k in range(3))
+    return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
+
+
+def test_parts_become_solids(mesh, ring):
+    imprint = mesh.imprint([ring])
+    inner = imprint.parts[1]
+    wall = imprint.thicken(0.01)
+    assert max(boundary_edges(wall.faces)) == 0 and volume(wall) == pytest.approx(0.01 * inner.area, rel=0.05)
+    np.testing.assert_array_equal(wall.faces[: len(inner.faces)].shape, imprint.faces[inner.faces].shape)
+    np.testing.assert_array_equal(wall.origins[wall.faces[: len(inner.faces)]], imprint.faces[inner.faces])
+    assert (wall.labels[: len(inner.faces)] == 1).all() and (wall.labels[len(inner.faces) :] == -1).all()
+    normal = np.cross(*(imprint.vertices[imprint.faces[inner.faces][:, k]] - imprint.vertices[imprint.faces[inner.faces][:, 0]]
+                        for k in (1, 2))).sum(axis=0)
+    die, same = imprint.add_base(0.2), imprint.add_base(0.2, direction=-normal)
+    assert max(boundary_edges(die.faces)) == 0 and volume(die) > 0.2 * 0.5 * np.linalg.norm(normal)
+    np.testing.assert_allclose(same.vertices, die.vertices, atol=1e-9)
+    height = (die.vertices @ -normal).max() / np.linalg.norm(normal)
+    np.testing.assert_allclose(imprint.add_base(direction=-normal, height=height).vertices, die.vertices, atol=1e-9)
+    with pytest.warns(MeshWarning, match=r"thinner than asked at \d+ vertices"):
+        imprint.thicken(-1.5, progress=lambda share, stage: True)
+    with pytest.raises(OptionError, match="thickness is 0"):
+        imprint.thicken(0)
+    with pytest.raises(OptionError, match="one of length and height"):
+        imprint.add_base()
+    with pytest.raises(OptionError, match="height needs direction"):
+        imprint.add_base(height=1.0)
+    with pytest.raises(InputError, match="beyond the plane"):
+        imprint.add_base(direction=-normal, height=-1e3)
+
+
+@pytest.mark.parametrize("profile, share", [("step", 1.0), ("ramp", 0.5), ("round", np.pi / 4)])
+def test_slots_follow_curves_with_a_profile(mesh, ring, profile, share):
+    strokes = mesh.imprint([ring], stroke=0.04)
+    assert len(strokes.parts) == 3
+    slot = strokes.relief(-0.01, profile=profile)
+    assert boundary_edges(slot.faces) == boundary_edges(strokes.faces)
+    sunk = volume(Cut(strokes.vertices, strokes.faces, None, None)) - volume(slot)
+    assert sunk == pytest.approx(share * 0.01 * 0.04 * ring.length, rel=0.06)
+    known = slot.origins >= 0
+    still = np.linalg.norm(slot.vertices[known] - strokes.vertices[slot.origins[known]], axis=1)
+    assert (still <= 0.01 + 1e-12).all() and (still == 0).sum() > len(mesh.vertices) / 2
+    assert known.all() == (profile == "step")
+    with pytest.raises(OptionError, match="profile is 'sharp'"):
+        strokes.relief(-0.01, profile="sharp")
+    with pytest.raises(OptionError, match="stroke is -1"):
+        mesh.imprint([ring], stroke=-1)
+
+
 def test_holes_of_a_mesh_are_closed():
     vertices, faces = meshes.plate(cells=24)
     middle = vertices[faces].mean(axis=1) - vertices.mean(axis=0)
@@ -180,7 +230,7 @@ def test_curves_that_part_the_mesh_are_not_warned_of(mesh, arrays, ring):
 
 def test_a_relief_says_where_it_cannot_be(mesh, ring):
     imprint = mesh.imprint([ring])
-    with pytest.warns(bspline_curve.MeshWarning, match=r"turns \d+ faces over"):
+    with pytest.warns(bspline_curve.MeshWarning, match=r"lower than asked at \d+ vertices"):
         imprint.relief(-50.0)
     with pytest.raises(bspline_curve.OptionError, match="height is nan"):
         imprint.relief(float("nan"))
