@@ -4,6 +4,7 @@
 #include "sketch/hit_test.h"
 #include "sketch/session_parts.h"
 #include "surface/provenance.h"
+#include "surface/surface.h"
 
 #include <algorithm>
 #include <utility>
