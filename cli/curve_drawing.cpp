@@ -79,6 +79,9 @@ std::vector<Vec3> picksFrom(const std::filesystem::path& file, DrawingArguments&
     if (arguments.corners == PickChoice()) {
         arguments.corners.ids = std::move(picks.corners);
     }
+    if (arguments.tangents.entries.empty()) {
+        arguments.tangents = std::move(picks.tangents);
+    }
     return std::move(picks.picks);
 }
 

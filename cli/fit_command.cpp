@@ -73,6 +73,13 @@ struct FitParser {
                "about a quarter of that. Default: 1edge, and no more than the line's own noise"
         )
             ->type_name("LENGTH");
+        app.add_option(
+               "--corner-angle",
+               arguments.fit.cornerAngle,
+               "Where its line turns by so many degrees and more, a curve has a corner; jags and "
+               "trembling alone make none. 180: no corners"
+        )
+            ->capture_default_str();
         addLayers(app, arguments.layers);
         addOutput(
             app,
@@ -82,7 +89,9 @@ struct FitParser {
         );
         addUnit(app, arguments.unit);
         addReport(
-            app, arguments.report, "Write length, deviation and spline of each curve, and seconds"
+            app,
+            arguments.report,
+            "Write length, deviation, spline and corners of each curve, and seconds"
         );
         for (const std::string& id : fittedParameters()) {
             described.add(id);
@@ -104,6 +113,7 @@ struct FitParser {
                 throw CLI::ValidationError("--deviation must be above 0");
             }
         }
+        arguments.fit.validate();
         return arguments;
     }
 

@@ -15,6 +15,13 @@ void FitOptions::validate() const {
                 ", but must be finite and not negative"
         );
     }
+    if (!(cornerAngle >= 1.0 && cornerAngle <= 180.0)) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "corner_angle is " + std::to_string(cornerAngle) +
+                ", but must be in [1, 180] degrees; 180: no corners"
+        );
+    }
 }
 
 }  // namespace bspline_curve

@@ -10,16 +10,15 @@
 namespace bspline_curve {
 
 /// A smooth curve along the line through the task's picks, nowhere farther from it than
-/// `deviation` (user's unit, > 0; see FitOptions). Its picks are points of the curve.
+/// the deviation (see FitOptions). Its picks are points of the curve.
 ///
-/// The line is made smooth as a path (see fittedPath()) that the spline then follows; where the
-/// curve comes too far from the line, the path is drawn nearer to it, and again. `isNoiseKnown`:
-/// the line may be as far off as the deviation says; else waves of more than twelve of its points
-/// are taken for meant.
+/// The line is made smooth as a path (see fittedPath()) that the spline then follows, with as few
+/// knots as that allows; where the curve comes too far from the line, the path is drawn nearer to
+/// it, and again. O(n log n) for n points.
 ///
 /// Throws InputError (NoPath, also where no curve was found so near), Cancelled.
-[[nodiscard]] NearCurve fitLine(
-    const LocatedTask& line, double deviation, bool isNoiseKnown, const Progress& progress
+[[nodiscard]] Curve fitLine(
+    const LocatedTask& line, const FitOptions& fit, const Progress& progress
 );
 
 }  // namespace bspline_curve

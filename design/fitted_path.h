@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "design/initial_path.h"
+#include "design/line_smoother.h"
 #include "shell/extended_surface.h"
 #include "surface/patch_levels.h"
 
@@ -10,38 +10,29 @@
 
 namespace bspline_curve {
 
-/// A line on the surface that is to become smooth, and the points that it is known by.
-struct MeasuredLine {
-    InitialPath path;  ///< closed: ends where it starts
-    bool closed = false;
-
-    struct Point {
-        double parameter;  ///< of the path, ascending
-        Vec3 position;
-        double weight;  ///< > 0
-    };
-
-    std::vector<Point> points;
-};
-
 /// How smooth, in the shell's frame.
 struct FitTarget {
     double spread;      ///< root of the mean square distance of the points to be reached, > 0
     double wavelength;  ///< of waves that are half flattened at first, > 0
     double shortest, longest;  ///< bounds of that
+    LineSmoother::Stiffness stiffness;
+    double cornerAngle;    ///< radians; pi: there are none
+    double cornerWave;     ///< corners are looked for with waves so long flattened, or longer ones
+    double chordDistance;  ///< of the path's chords from the surface, > 0
 };
 
+/// From one corner of a line to the next, or to its ends; the first of a closed line with corners
+/// begins at a corner.
 struct FittedPath {
-    InitialPath path;
-    double spread = 0.0;      ///< that was reached
-    double wavelength = 0.0;  ///< of waves that are half flattened
+    std::vector<InitialPath> sections;  ///< parameters of each from 0 to 1 by length
+    std::vector<double> turns;          ///< of the line at its corners, radians
+    double spread = 0.0;                ///< that was reached
+    double wavelength = 0.0;            ///< of waves that are half flattened
 };
 
-/// A smooth path near a line: the curve x over the length s of the line with the least
-///   sum_k weight_k |x(s_k) - y_k|^2 / sum_k weight_k + (wavelength / 2 pi)^4 / L integral |x''|^2
-/// in space (a smoothing spline, Reinsch 1967; an open one ends where the line does), with the
-/// wavelength at which the points y_k are as far from it as the target says, and its feet on the
-/// surface. The length of the line is L.
+/// A smooth path near a line (see LineSmoother), with the wavelength at which the points are as far
+/// from it as the target says, corners where it turns by the target's angle and more, and its feet
+/// on the surface.
 ///
 /// O(n), about 10 microseconds a point. Nothing where the path leaves the surface over its boundary
 /// or does not hold together.

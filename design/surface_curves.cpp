@@ -391,8 +391,7 @@ Curve SurfaceCurves::fit(const LineTask& task, const Progress& progress) const {
     const LocatedPicks located = locatePicks(surface(), tree(), line, options.closed);
     const std::shared_ptr<const ValidatedField> none =
         fieldCache_.find(surface(), *extended(), {}, options.fieldCost);
-    // Without some of its knots a curve leaves the smoothed line.
-    const DesignContext context{.field = *none, .keepsKnots = true};
+    const DesignContext context{.field = *none};
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {
         side.emplace();
@@ -400,13 +399,8 @@ Curve SurfaceCurves::fit(const LineTask& task, const Progress& progress) const {
     const LocatedTask here{
         *this, located.points, options, sampling, context, side ? &*side : nullptr
     };
-    const double edge = surface().averageEdgeLength();
-    const bool isKnown = fit.deviation.value > 0.0;
-    NearCurve drawn = fitLine(here, isKnown ? fit.deviation.in(edge) : edge, isKnown, progress);
-    auto& [curve, solved] = drawn;
-    const CurveProblem& problem = solved.problem;
-    curve.report.allowedDistance = problem.distanceTolerance / problem.averageEdgeLength;
-    curve.report.meanEdgeLength = edge;
+    Curve curve = fitLine(here, fit, progress);
+    curve.report.meanEdgeLength = surface().averageEdgeLength();
     curve.report.diagonal = surface().diagonal();
     bspline_curve::report(progress, 1.0, "done");
     return curve;

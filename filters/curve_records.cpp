@@ -79,6 +79,14 @@ Json recordJson(const CurveRecord& record, bool isShort) {
     if (record.curve && !isShort) {
         result.update(contentJson({.curve = *record.curve}));
     }
+    result.erase("tangents");  // the picks' own, as they were asked for
+    std::vector<std::pair<int, Vec3>> tangents;
+    for (std::size_t i = 0; i < record.picks.size(); ++i) {
+        if (!record.picks[i].tangent.isZero(0.0)) {
+            tangents.emplace_back(static_cast<int>(i), record.picks[i].tangent);
+        }
+    }
+    addTangents(tangents, result);
     return result;
 }
 
@@ -178,6 +186,9 @@ private:
                     picks[corner].isCorner = true;
                 }
             }
+        }
+        for (const auto& [pick, direction] : tangentsOfJson(file_, curve, picks.size()).entries) {
+            picks[pick].tangent = direction;
         }
         if (picks.empty()) {
             refuseFile(file_, R"(has neither "picks" nor a "polyline" with "picks")");

@@ -151,7 +151,7 @@ private:
         const ClosestPoint closest = closestTo(pick.position);
         ++placed.projected;
         placed.farthest = std::max(placed.farthest, (closest.position - pick.position).norm());
-        return {closest.place, closest.position, pick.isCorner};
+        return {closest.place, closest.position, pick.isCorner, pick.tangent};
     }
 
     ClosestPoint closestTo(const Vec3& position) {

@@ -92,8 +92,7 @@ std::optional<DrawnOptions> drawnOptions(const CurveRequest& request) {
     const bool isOffered = areSame(solverBindings(), request.solver, same.solver) &&
                            areSame(samplingBindings(), request.sampling, same.sampling) &&
                            areSame(shellBindings(), request.shell, same.shell) &&
-                           areSame(request.field, same.field) && request.mending == same.mending &&
-                           request.tangents == same.tangents;
+                           areSame(request.field, same.field) && request.mending == same.mending;
     return isOffered ? std::optional(options) : std::nullopt;
 }
 

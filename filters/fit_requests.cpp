@@ -21,8 +21,11 @@ Bindings<FitRequest> fitBindings() {
     };
 }
 
-Bindings<FitOptions> deviationBindings() {
-    return {boundLength("deviation", &FitOptions::deviation)};
+Bindings<FitOptions> fitOptionBindings() {
+    return {
+        boundLength("deviation", &FitOptions::deviation),
+        bound("corner_angle", &FitOptions::cornerAngle)
+    };
 }
 
 const std::vector<std::string>& fittedParameters() {
@@ -42,7 +45,7 @@ const std::vector<std::string>& fittedParameters() {
 FitRequest fitRequest(const ParameterValues& values) {
     FitRequest request;
     readAll(values, fitBindings(), request);
-    readAll(values, deviationBindings(), request.fit);
+    readAll(values, fitOptionBindings(), request.fit);
     request.fit.validate();
     ParameterValues ofCurve(curveFilter());
     ofCurve.set("surface_layer", request.surface);

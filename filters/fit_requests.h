@@ -24,7 +24,7 @@ struct FitRequest {
 };
 
 [[nodiscard]] Bindings<FitRequest> fitBindings();
-[[nodiscard]] Bindings<FitOptions> deviationBindings();
+[[nodiscard]] Bindings<FitOptions> fitOptionBindings();
 
 /// The parameters that fitFilter() has from curveFilter().
 [[nodiscard]] const std::vector<std::string>& fittedParameters();

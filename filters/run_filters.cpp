@@ -69,6 +69,9 @@ CurveResult runCurveFilter(
     if (options.corners == PickChoice()) {
         options.corners.ids = chosen.corners;
     }
+    if (options.tangents.entries.empty()) {
+        options.tangents = chosen.tangents;
+    }
     const std::optional<ShellCache> cache = ShellCache::ofUser();
     const WorkpieceCache::Found found = workpieces.ready(
         layer, request, partOf(progress, 0.0, kCurveSurfaceShare), cache ? &*cache : nullptr

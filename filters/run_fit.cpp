@@ -46,6 +46,7 @@ FitResult runFitFilter(
     double length = 0.0;
     double farthest = 0.0;
     int closed = 0;
+    int corners = 0;
     for (DesignedCurve& drawn : fitted.curves) {
         drawn.notes.clear();  // they are among those of all, with the names of their lines
         const bool isKept = found.isKept || !result.curves.empty();
@@ -54,12 +55,14 @@ FitResult runFitFilter(
         length += lengthOf(drawn.curve.polyline);
         farthest = std::max(farthest, drawn.curve.report.lineDistance.value_or(0.0));
         closed += own.solver.closed ? 1 : 0;
+        corners += static_cast<int>(drawn.curve.report.cornerTurns.size());
         CurveResult made = curveResult(std::move(drawn), {found.workpiece, isKept}, own);
         result.curves.push_back({std::move(own), std::move(made)});
     }
     result.figures = {
         {"curves", static_cast<int>(result.curves.size())},
         {"closed_curves", closed},
+        {"corners", corners},
         {"length", length},
         {"largest_deviation", farthest},
         {"left_out", static_cast<int>(lines.size() - result.curves.size())},

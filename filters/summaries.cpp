@@ -149,6 +149,9 @@ std::string fitSummary(const Figures& figures) {
         "Curves along " + counted(countIn(figures, "curves"), "boundary", "boundaries") +
         ", together " + lengthIn(figures, "length") + " long, nowhere farther from them than " +
         lengthIn(figures, "largest_deviation") + ".";
+    if (const int corners = countIn(figures, "corners"); corners > 0) {
+        text += " They have " + counted(corners, "corner", "corners") + ".";
+    }
     if (const int left = countIn(figures, "left_out"); left > 0) {
         text += " " + counted(left, "boundary is", "boundaries are") + " left out.";
     }

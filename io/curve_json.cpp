@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/curve_json.h"
 
+#include "bspline_curve/spline.h"
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"
@@ -127,7 +128,7 @@ Json surfacePointsJson(
 
 Json contentJson(const CurveContent& content) {
     const SplineData& spline = content.curve.spline;
-    return {
+    Json result = {
         {"closed", content.curve.polyline.closed},
         {"polyline", polylineJson(content)},
         {"spline",
@@ -137,6 +138,16 @@ Json contentJson(const CurveContent& content) {
           {"control_points", pointsJson(spline.controlPoints)},
           {"pick_parameters", spline.pickParameters}}},
     };
+    addTangents(tangentsAtPicks(content.curve), result);
+    return result;
+}
+
+void addTangents(const std::vector<std::pair<int, Vec3>>& tangents, Json& curve) {
+    for (const auto& [pick, direction] : tangents) {
+        curve["tangents"].push_back(
+            {{"pick", pick}, {"direction", {direction.x(), direction.y(), direction.z()}}}
+        );
+    }
 }
 
 Json meshJson(const MeshChecksum& mesh) {

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Parts of curve files in JSON. Readers throw InputError (UnreadableFile) naming the file.
@@ -25,8 +26,12 @@ namespace bspline_curve {
     const std::vector<Vec3>& positions, const std::vector<SurfacePoint>& points
 );
 
-/// {"closed", "polyline", "spline"}.
+/// {"closed", "polyline", "spline"}, and "tangents" where picks have any.
 [[nodiscard]] Json contentJson(const CurveContent& content);
+
+/// Writes "tangents" of picks into a curve: [{"pick", "direction"}, …]; nothing where there are
+/// none.
+void addTangents(const std::vector<std::pair<int, Vec3>>& tangents, Json& curve);
 
 /// {"vertices", "faces", "crc32"}.
 [[nodiscard]] Json meshJson(const MeshChecksum& mesh);

@@ -2,6 +2,7 @@
 #include "io/fit_report.h"
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/spline.h"
 #include "io/json_text.h"
 
 #include <cstddef>
@@ -12,6 +13,11 @@ std::string fitReportBytes(std::span<const FitFigures> curves, std::span<const s
     Json list = Json::array();
     for (const auto& [line, curve, seconds] : curves) {
         const SplineData& spline = curve->spline;
+        Json corners = Json::array();
+        const std::vector<int> picks = cornersOf(spline);
+        for (std::size_t i = 0; i < curve->report.cornerTurns.size(); ++i) {
+            corners.push_back({{"pick", picks[i]}, {"turn", curve->report.cornerTurns[i]}});
+        }
         const std::size_t repeated = spline.closed ? static_cast<std::size_t>(spline.degree) : 0;
         list.push_back({
             {"line", line},
@@ -21,6 +27,7 @@ std::string fitReportBytes(std::span<const FitFigures> curves, std::span<const s
             {"degree", spline.degree},
             {"control_points", spline.controlPoints.size() - repeated},
             {"picks", curve->polyline.picks.size()},
+            {"corners", corners},
             {"status", name(curve->report.status)},
             {"usable", curve->report.usable},
             {"seconds", seconds},

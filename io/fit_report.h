@@ -16,7 +16,8 @@ struct FitFigures {
 };
 
 /// JSON: of each curve line, closed, length, deviation (farthest from the line, user's unit),
-/// degree, control_points and picks (how many), status, usable, seconds; the notes.
+/// degree, control_points and picks (how many), corners (pick, turn of the line in degrees),
+/// status, usable, seconds; the notes.
 [[nodiscard]] std::string fitReportBytes(
     std::span<const FitFigures> curves, std::span<const std::string> notes
 );

@@ -44,6 +44,12 @@ namespace bspline_curve {
     const std::filesystem::path& file, const nlohmann::json& object, std::size_t picks
 );
 
+/// What an object says of directions at so many picks: a list "tangents" of {"pick", "direction"},
+/// or nothing.
+[[nodiscard]] PickDirections tangentsOfJson(
+    const std::filesystem::path& file, const nlohmann::json& object, std::size_t picks
+);
+
 /// A coordinate of a file: a finite number.
 [[nodiscard]] double coordinateOf(
     const std::filesystem::path& file, std::size_t line, std::string_view word

@@ -54,6 +54,39 @@ std::vector<int> cornersOfJson(const path& file, const nlohmann::json& object, s
     return corners;
 }
 
+PickDirections tangentsOfJson(const path& file, const nlohmann::json& object, std::size_t picks) {
+    PickDirections tangents;
+    if (!object.contains("tangents")) {
+        return tangents;
+    }
+    const nlohmann::json& written = object.at("tangents");
+    const auto count = static_cast<std::int64_t>(picks);
+    const bool areOfPicks =
+        written.is_array() && std::ranges::all_of(written, [&](const nlohmann::json& each) {
+            return each.is_object() && each.contains("pick") && each.contains("direction") &&
+                   each.at("pick").is_number_integer() &&
+                   each.at("pick").get<std::int64_t>() >= 0 &&
+                   each.at("pick").get<std::int64_t>() < count;
+        });
+    if (!areOfPicks) {
+        refuseFile(
+            file,
+            R"("tangents" is no list of {"pick": …, "direction": [x, y, z]} with picks in [0, )" +
+                std::to_string(count - 1) + "]"
+        );
+    }
+    for (const nlohmann::json& each : written) {
+        const int pick = each.at("pick").get<int>();
+        const Vec3 direction =
+            pointOfJson(file, each.at("direction"), "the direction of " + describePicks({pick}));
+        if (direction.isZero(0.0)) {
+            refuseFile(file, "the direction of " + describePicks({pick}) + " is zero");
+        }
+        tangents.entries.emplace_back(pick, direction);
+    }
+    return tangents;
+}
+
 PicksFile picksOfJson(const path& file, const std::string& bytes) {
     const nlohmann::json document = jsonOfBytes(file, bytes);
     if (document.is_object() && document.contains("markups")) {
@@ -72,6 +105,7 @@ PicksFile picksOfJson(const path& file, const std::string& bytes) {
     }
     const nlohmann::json& beside = &where == &ofCurve ? document.at("picks") : document;
     result.corners = cornersOfJson(file, beside, result.picks.size());
+    result.tangents = tangentsOfJson(file, document, result.picks.size());
     if (document.contains("closed")) {
         if (!document["closed"].is_boolean()) {
             refuseFile(file, R"("closed" must be true or false)");

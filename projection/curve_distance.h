@@ -19,6 +19,10 @@ struct CurveDistance {
     CurveTrace trace;
 };
 
+/// Marks spans that are farther than the tolerance, as far as that is known: after one where the
+/// curve leaves the shell it is not.
+[[nodiscard]] std::vector<char> farSpans(const CurveDistance& distance, double tolerance);
+
 /// Samples every piece of the curve at its start and middle. In a shell of full resolution the
 /// distance is |P - M_S(P)|; in a simplified one, whose fibres are oblique, that to the face of the
 /// shadow and those next to it. Beyond a boundary it is the distance to the boundary.

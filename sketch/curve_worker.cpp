@@ -165,6 +165,7 @@ SolveAnswer CurveWorker::answerTo(const SolveRequest& request, const Progress& p
     inputs.start = request.start.get();
     inputs.isPreview = request.start != nullptr;  // from scratch once the pick is let go
     inputs.corners = request.corners;
+    inputs.tangents = request.tangents;
     try {
         if (!request.line.empty()) {
             answer.curve = std::make_shared<const Curve>(

@@ -298,7 +298,26 @@ void DrawingSession::setCorner(int pick, bool isCorner) {
     }
     requirePick(pick);
     if (sketch_.activeCurve()->picks[pick].isCorner != isCorner) {
-        changed().picks[pick].isCorner = isCorner;
+        SketchPick& changedPick = changed().picks[pick];
+        changedPick.isCorner = isCorner;
+        if (isCorner) {
+            changedPick.tangent = Vec3::Zero();
+        }
+        sketch_.selected = pick;
+        enter();
+    }
+}
+
+void DrawingSession::setTangent(int pick, const Vec3& tangent) {
+    requirePick(pick);
+    if (!staysWithoutDrag()) {
+        return;
+    }
+    requirePick(pick);
+    if (sketch_.activeCurve()->picks[pick].tangent != tangent) {
+        SketchPick& changedPick = changed().picks[pick];
+        changedPick.tangent = tangent;
+        changedPick.isCorner = changedPick.isCorner && tangent.isZero(0.0);
         sketch_.selected = pick;
         enter();
     }

@@ -23,6 +23,7 @@ void DrawingSession::askLive() {
         {ask(Asking::Live, curve),
          curve->positions(),
          curve->corners(),
+         curve->tangents(),
          curve->options,
          canStart ? curve->last : nullptr}
     );
@@ -32,8 +33,17 @@ void DrawingSession::askPreview(const SurfacePoint& point) {
     const SketchCurve& curve = *sketch_.activeCurve();
     std::vector<Vec3> picks = curve.positions();
     picks.push_back(pickAt(point).position);
+    std::vector<Vec3> tangents = curve.tangents();
+    if (!tangents.empty()) {
+        tangents.push_back(Vec3::Zero());
+    }
     solver_->worker.askLive(
-        {ask(Asking::Preview, nullptr), std::move(picks), curve.corners(), curve.options, nullptr}
+        {ask(Asking::Preview, nullptr),
+         std::move(picks),
+         curve.corners(),
+         std::move(tangents),
+         curve.options,
+         nullptr}
     );
 }
 
@@ -68,7 +78,9 @@ void DrawingSession::askSettled() {
             continue;
         }
         const std::uint64_t id = idOf(Asking::Settled, curve);
-        requests.push_back({id, curve->positions(), curve->corners(), curve->options, nullptr});
+        requests.push_back(
+            {id, curve->positions(), curve->corners(), curve->tangents(), curve->options, nullptr}
+        );
     }
     solver_->worker.askOthers(std::move(requests));
 }

@@ -4,6 +4,7 @@
 #include "sketch/hit_test.h"
 #include "sketch/session_parts.h"
 #include "surface/provenance.h"
+#include "surface/surface.h"
 
 #include <algorithm>
 #include <utility>
@@ -97,6 +98,9 @@ DrawingSession::Request DrawingSession::fitRequest(
         request.line.push_back(pick.position);
     }
     request.options.solver.closed = asked.stroke.closed;
+    if (!asked.stroke.before.empty() || !asked.stroke.after.empty()) {
+        request.fit.cornerAngle = 180.0;  // it comes to the curve at an angle, and is to join it
+    }
     // Else what the mesh and the line itself ask for.
     if (tolerance(asked) > solver_->designer->surface().averageEdgeLength()) {
         request.fit.deviation.value = tolerance(asked);

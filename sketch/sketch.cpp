@@ -10,7 +10,7 @@ namespace bspline_curve {
 bool SketchCurve::asksForTheSame(const SketchCurve& other) const {
     const auto samePick = [](const SketchPick& a, const SketchPick& b) {
         return a.point.face == b.point.face && a.point.barycentric == b.point.barycentric &&
-               a.position == b.position && a.isCorner == b.isCorner;
+               a.position == b.position && a.isCorner == b.isCorner && a.tangent == b.tangent;
     };
     return options.solver == other.options.solver && options.guides == other.options.guides &&
            std::ranges::equal(picks, other.picks, samePick);
@@ -26,6 +26,15 @@ std::vector<Vec3> SketchCurve::positions() const {
 
 std::vector<int> SketchCurve::corners() const {
     return indicesWhere<int>(picks.size(), [this](std::size_t i) { return picks[i].isCorner; });
+}
+
+std::vector<Vec3> SketchCurve::tangents() const {
+    std::vector<Vec3> tangents;
+    for (const SketchPick& pick : picks) {
+        tangents.push_back(pick.tangent);
+    }
+    const bool isAny = std::ranges::any_of(tangents, [](const Vec3& t) { return !t.isZero(0.0); });
+    return isAny ? tangents : std::vector<Vec3>();
 }
 
 std::vector<Vec3> SketchCurve::shownPoints() const {

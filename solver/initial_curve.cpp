@@ -162,9 +162,14 @@ std::optional<SplineCurve> makeFirstCurve(
 }
 
 SplineCurve fitLoosely(
-    const CurveProblem& problem, const InitialPath& initialPath, double distance
+    const CurveProblem& problem,
+    const InitialPath& initialPath,
+    double distance,
+    std::vector<double> breaks
 ) {
-    std::vector<double> breaks = firstBreaks(problem);
+    if (breaks.empty()) {
+        breaks = firstBreaks(problem);
+    }
     SplineSpace space(problem.options.degree, problem.options.closed, breaks);
     std::vector<SpanTarget> targets = targetsOf(initialPath, space);
     while (true) {

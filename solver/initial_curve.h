@@ -47,9 +47,12 @@ struct SplineCurve {
 );
 
 /// The same within a distance of the initial path, in the shell's frame, instead of within the
-/// shell.
+/// shell. `breaks`: to begin with; empty: those of the picks.
 [[nodiscard]] SplineCurve fitLoosely(
-    const CurveProblem& problem, const InitialPath& initialPath, double distance
+    const CurveProblem& problem,
+    const InitialPath& initialPath,
+    double distance,
+    std::vector<double> breaks = {}
 );
 
 }  // namespace bspline_curve

@@ -44,17 +44,6 @@ struct SampledEnergyConstants {
 
 constexpr SampledEnergyConstants kSampledEnergy;
 
-// Spans that leave the tolerance, as far as that is known.
-std::vector<char> farSpans(const CurveDistance& distance, double tolerance) {
-    const std::vector<double>& perSpan = distance.perSpan;
-    std::vector<char> marked(perSpan.size(), 0);
-    for (std::size_t span = 0; span < perSpan.size(); ++span) {
-        const bool isKnown = span == 0 || std::isfinite(perSpan[span - 1]);
-        marked[span] = perSpan[span] >= tolerance && isKnown ? 1 : 0;
-    }
-    return marked;
-}
-
 }  // namespace
 
 SampledEnergy::SampledEnergy(

@@ -228,4 +228,13 @@ std::vector<int> cornersOf(const SplineData& spline) {
     });
 }
 
+std::vector<std::pair<int, Vec3>> tangentsAtPicks(const Curve& curve) {
+    std::vector<std::pair<int, Vec3>> tangents;
+    for (const MetTangent& met : curve.report.tangents) {
+        const double t = curve.spline.pickParameters[met.pick];
+        tangents.emplace_back(met.pick, derivativeOf(curve.spline, t).normalized());
+    }
+    return tangents;
+}
+
 }  // namespace bspline_curve

@@ -53,6 +53,9 @@ std::optional<DrawnCurve> reopened(
     for (const int corner : source->corners) {
         curve.picks[corner].isCorner = true;
     }
+    for (const auto& [pick, direction] : source->tangents) {
+        curve.picks[pick].tangent = direction;
+    }
     curve.options = *source->options;
     curve.options.closed = source->closed;
     curve.name = layer.label().toStdString();

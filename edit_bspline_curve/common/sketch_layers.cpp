@@ -219,6 +219,13 @@ RichParameterList SketchLayers::parametersOf(
     set("surface_layer", LayerId{surface_});
     set("picks", picksText(curve));
     set("corners", describe(PickChoice{.ids = curve.corners()}));
+    PickDirections tangents;
+    for (std::size_t i = 0; i < curve.picks.size(); ++i) {
+        if (!curve.picks[i].tangent.isZero(0.0)) {
+            tangents.entries.emplace_back(static_cast<int>(i), curve.picks[i].tangent);
+        }
+    }
+    set("tangents", describe(tangents));
     if (parameters.hasParameter("replace")) {  // each curve has a layer of its own
         set("replace", false);
     }

@@ -87,6 +87,10 @@ std::vector<SketchPick> picksInLayer(
         pick.isCorner = contains(source.corners, static_cast<int>(i));
         picks.push_back(pick);
     }
+    for (const auto& [pick, direction] : source.tangents) {
+        const Vec3 end = fromWorld.inDoubles(source.positions[pick] + direction);
+        picks[pick].tangent = end - picks[pick].position;
+    }
     return picks;
 }
 

@@ -36,6 +36,7 @@ void keepSource(
     }
     source.positions = pickPositions(result.curve);
     source.corners = cornersOf(result.curve.spline);
+    source.tangents = tangentsAtPicks(result.curve);
     source.closed = polyline.closed;
     source.options = drawnOptions(request);
     source.curve = std::make_shared<const Curve>(result.curve);

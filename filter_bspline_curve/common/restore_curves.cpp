@@ -107,7 +107,7 @@ private:
         CurveSource source = sourceOn(surface);
         for (const SketchPick& pick : record().picks) {
             source.positions.push_back(worldPosition(arrays, pick.point));
-            addCorner(pick, source);
+            addDemands(pick, inWorld(toWorld, pick), source);
             source.picks.push_back(
                 {.face = arrays.faceIds[pick.point.face], .barycentric = pick.point.barycentric}
             );
@@ -119,11 +119,20 @@ private:
         keepSource(layer_, std::move(source));
     }
 
-    /// `pick`: the last of the source's.
-    static void addCorner(const SketchPick& pick, CurveSource& source) {
+    /// `pick`: the last of the source's. `tangent`: its own, in world coordinates.
+    static void addDemands(const SketchPick& pick, const Vec3& tangent, CurveSource& source) {
+        const int index = static_cast<int>(source.positions.size()) - 1;
         if (pick.isCorner) {
-            source.corners.push_back(static_cast<int>(source.positions.size()) - 1);
+            source.corners.push_back(index);
         }
+        if (!tangent.isZero(0.0)) {
+            source.tangents.emplace_back(index, tangent);
+        }
+    }
+
+    /// The direction of a pick that is still in the layer's coordinates.
+    static Vec3 inWorld(const ToWorld& toWorld, const SketchPick& pick) {
+        return toWorld(pick.position + pick.tangent) - toWorld(pick.position);
     }
 
     [[nodiscard]] Vec3 worldPosition(const LayerArrays& arrays, const SurfacePoint& point) const {
@@ -148,6 +157,7 @@ private:
         const ToWorld toWorld(layer_);
         CurveRecords moved = records_;
         for (SketchPick& pick : moved.curves.front().picks) {
+            pick.tangent = inWorld(toWorld, pick);
             pick.position = toWorld(pick.position);
         }
         for (const MeshModel* const surface : surfaces_) {
@@ -177,7 +187,7 @@ private:
         CurveSource source = sourceOn(surface);
         for (const SketchPick& pick : opened.curves.front().picks) {
             source.positions.push_back(pick.position);
-            addCorner(pick, source);
+            addDemands(pick, pick.tangent, source);
             source.picks.push_back(
                 {.face = arrays.faceIds[pick.point.face], .barycentric = pick.point.barycentric}
             );

@@ -137,6 +137,9 @@ public:
     void removePick(int pick);
     /// Whether the curve may turn at a pick, see CurveInputs::corners.
     void setCorner(int pick, bool isCorner);
+    /// The direction in which the curve passes a pick, see CurveInputs::tangents; zero: any. A pick
+    /// inside the curve with one is no corner, and a corner has none.
+    void setTangent(int pick, const Vec3& tangent);
     void select(int curve, int pick = -1);
     void setClosed(bool closed);
     /// Of the active curve, where there is one, and of new ones. `isLive`: more of the same change

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/curve_options.h"
 #include "bspline_curve/lines.h"
 #include "bspline_curve/mesh.h"
 #include "bspline_curve/pattern.h"
@@ -235,6 +236,7 @@ struct PicksFile {
     std::vector<Vec3> picks;     ///< finite, in the order of the file
     std::optional<bool> closed;  ///< what the file says about it, if it can
     std::vector<int> corners{};  ///< indices of picks
+    PickDirections tangents{};
 };
 
 /// The ends of names of files of picks, for help and messages.
@@ -243,8 +245,9 @@ inline constexpr std::string_view kPicksExtensions =
 
 /// Picked points by extension:
 ///   .pp        MeshLab's PickPoints (points that are not active are left out)
-///   .json      {"picks": [[x, y, z], …], "closed": true or false, "corners": [0, …]}: indices of
-///              picks that are corners; other keys are left alone
+///   .json      {"picks": [[x, y, z], …], "closed": true or false, "corners": [0, …], "tangents":
+///              [{"pick": 0, "direction": [x, y, z]}, …]}: picks by index that are corners, and
+///              that have a direction; other keys are left alone
 ///   .mrk.json  (or .json) the markups of 3D Slicer: the placed control points of the one Fiducial,
 ///              Curve, ClosedCurve or Line that has any, in LPS; curves and lines say whether they
 ///              are closed

@@ -146,9 +146,15 @@ struct SolverOptions {
 /// How a curve is fitted to a line that is there already.
 struct FitOptions {
     /// How far from the line the curve may be, >= 0: nowhere farther, and as fair as it can be
-    /// where the line is off by about a third of that. 0: by a mean edge length, and no more than
-    /// the line's own noise, waves of up to a dozen of its points, asks for.
+    /// where the line is off by about a quarter of that. 0: by a mean edge length, and no more than
+    /// the line's own noise, waves of up to a dozen of its points, asks for. The spline has as few
+    /// knots as this allows: it may be off the surface by a tenth of it, where that is more than
+    /// SolverOptions::distanceTolerance.
     MeshLength deviation{};
+    /// In degrees, in [1, 180]: where the line turns by as much and more, along the surface and by
+    /// more than its noise explains, the curve has a corner. 180: it has none. Steps along mesh
+    /// edges and hands that tremble make no corners; the report tells which there are.
+    double cornerAngle = 60.0;
 
     /// Throws InputError (BadOption).
     void validate() const;

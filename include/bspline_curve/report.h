@@ -115,6 +115,8 @@ struct SolveReport {
     std::vector<double> pickDistances;
     /// Of a curve that was fitted to a line: how far it is from it at most, in the user's unit.
     std::optional<double> lineDistance;
+    /// And by how many degrees the line turns at each of the curve's corners, along the curve.
+    std::vector<double> cornerTurns;
     std::vector<Detour> detours;       ///< by pick
     std::vector<MetTangent> tangents;  ///< of picks with one, ascending
     int avoidedFaces = 0;

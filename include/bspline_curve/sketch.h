@@ -51,6 +51,7 @@ struct SketchPick {
     SurfacePoint point;
     Vec3 position = Vec3::Zero();  ///< of the point, user's unit
     bool isCorner = false;         ///< see CurveInputs::corners
+    Vec3 tangent = Vec3::Zero();   ///< see CurveInputs::tangents; zero: any direction
 };
 
 /// Why a curve is not what its picks ask for.
@@ -101,6 +102,8 @@ struct SketchCurve {
     [[nodiscard]] std::vector<Vec3> positions() const;
     /// Picks that are corners.
     [[nodiscard]] std::vector<int> corners() const;
+    /// Of each pick, see CurveInputs::tangents; empty: no pick has any.
+    [[nodiscard]] std::vector<Vec3> tangents() const;
 
     /// The polyline to be shown: the settled one; else the last one, displaced with its picks where
     /// there are as many. Empty where there is none.

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/curve.h"
 
+#include <utility>
 #include <vector>
 
 // All functions here expect a spline as SplineData says: knots that ascend, degree + 1 more of them
@@ -38,6 +39,10 @@ struct BezierPiece {
 
 /// Picks that are corners, by the knots at their parameters; ascending.
 [[nodiscard]] std::vector<int> cornersOf(const SplineData& spline);
+
+/// Of the picks at which the curve was asked to have a direction (SolveReport::tangents), that of
+/// its spline, of unit length.
+[[nodiscard]] std::vector<std::pair<int, Vec3>> tangentsAtPicks(const Curve& curve);
 
 /// The polyline as a spline of degree 1: its vertices are the control points, its t the knots.
 [[nodiscard]] SplineData polygonSpline(const SurfacePolyline& line);

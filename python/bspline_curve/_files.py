@@ -40,8 +40,11 @@ def document_of(curve: Curve) -> dict[str, Any]:
     }
     if made is not None:
         polyline["quality"] = curve.values.tolist()
+    asked: Any = drawing.options.get("tangents", ())
+    tangents = [{"pick": pick, "direction": list(direction)} for pick, direction in asked]
     return {
         "closed": curve.closed,
+        **({"tangents": tangents} if tangents else {}),
         "polyline": polyline,
         "spline": {
             "degree": curve.degree,
@@ -216,7 +219,8 @@ def parts_of(document: Any, mesh: Mesh, path: Path) -> tuple[Drawing, dict[str, 
             "alpha": told["rounds"][-1]["alpha"] if told.get("rounds") else 0.0,
         }
         picks = rows(drawn["picks"]) if drawn else state["points"][np.array(line["picks"], dtype=np.intp)]
-        of_spline = {"closed": document["closed"], "degree": spline["degree"], "corners": corners_of(spline)}
+        tangents = [(each["pick"], each["direction"]) for each in document.get("tangents", ())]
+        of_spline = {"closed": document["closed"], "degree": spline["degree"], "corners": corners_of(spline), "tangents": tangents}
         options = drawn.get("options", of_spline)
         guides = {name: drawn.get(name) for name in ("field", "avoid", "quality", "field_region")}
         drawing = Drawing(

@@ -19,14 +19,17 @@ if TYPE_CHECKING:
     from ._mesh import Mesh
 
 
+Allowed = tuple[str, float]  # how far from its line a curve may be, and from which angle on it has corners
+
+
 def curve_along(
-    mesh: Mesh, line: Any, closed: bool, deviation: float | str | None, options: dict[str, Any], progress: Progress | None
+    mesh: Mesh, line: Any, closed: bool, allowed: Allowed, options: dict[str, Any], progress: Progress | None
 ) -> Curve:
-    return _fitted(mesh, finite_points(line, "line", InputError, ""), closed, _allowed(deviation), options, progress)
+    return _fitted(mesh, finite_points(line, "line", InputError, ""), closed, allowed, options, progress)
 
 
 def curves_round(
-    mesh: Mesh, faces: Any, labels: Any, deviation: float | str | None, options: dict[str, Any], progress: Progress | None
+    mesh: Mesh, faces: Any, labels: Any, allowed: Allowed, options: dict[str, Any], progress: Progress | None
 ) -> list[Curve]:
     count = len(mesh.faces)
     if (faces is None) == (labels is None):
@@ -43,26 +46,26 @@ def curves_round(
     lines = _core.boundaries(mesh._core, np.ascontiguousarray(chosen))
     if not lines:
         raise InputError("there is no boundary: all faces are alike", "no-path")
-    allowed, vertices = _allowed(deviation), mesh.vertices
+    vertices = mesh.vertices
     return [
         _fitted(mesh, vertices[line], closed, allowed, options, part_of(progress, i / len(lines), (i + 1) / len(lines)))
         for i, (line, closed, _, _) in enumerate(lines)
     ]
 
 
-def _allowed(deviation: float | str | None) -> str:
-    """0: as the line's own noise asks for."""
+def allowed(deviation: float | str | None, corner_angle: float) -> Allowed:
+    """Checked, with the deviation as text; 0: as the line's own noise asks for."""
     text = "0" if deviation is None else checked_length("deviation", deviation)
     if deviation is not None and text in ("0", "0.0"):
         raise InputError("deviation is 0, but must be above 0; None: as the line's own noise asks for", "bad-option")
-    return text
+    return text, float(corner_angle)
 
 
 def _fitted(
-    mesh: Mesh, line: Floats, closed: bool, deviation: str, options: dict[str, Any], progress: Progress | None
+    mesh: Mesh, line: Floats, closed: bool, allowed: Allowed, options: dict[str, Any], progress: Progress | None
 ) -> Curve:
     chosen = changed(CURVE, {**options, "closed": closed})
-    found = _core.fit(mesh._core, np.ascontiguousarray(line), chosen, deviation, progress)
+    found = _core.fit(mesh._core, np.ascontiguousarray(line), chosen, *allowed, progress)
     curve = Curve(found, Drawing(mesh, np.empty((0, 3)), chosen))
     curve._drawing = curve._drawing._replace(picks=curve.points[curve.pick_vertices])
     return curve

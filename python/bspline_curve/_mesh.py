@@ -16,7 +16,7 @@ from ._arrays import Floats, Int32s, Picks, face_ids, file_name, finite_points, 
 from ._curve import Curve, drawn
 from ._drawing import THRESHOLDS, Drawing
 from ._errors import FieldError, InputError, OptionError, warn
-from ._fit import curve_along, curves_round
+from ._fit import allowed, curve_along, curves_round
 from ._identity import remember
 from ._imprint import SNAP, STROKE, Cut, Fill, Imprint, Keep, with_holes_filled
 from ._inputs import mesh_arrays
@@ -285,6 +285,7 @@ class Mesh(MeshKeywords):
         *,
         closed: bool = False,
         deviation: float | str | None = None,
+        corner_angle: float = 60.0,
         degree: int = 3,
         tension: float = 0.0,
         samples: int = 256,
@@ -303,6 +304,9 @@ class Mesh(MeshKeywords):
             How far from the line the curve may be anywhere: a length in the unit of the mesh, or text like '1edge', in mean edges.
             It is as smooth as it can be where the line is off by about a quarter of that. None: by a mean edge, and no smoother
             than the line's own noise asks for: waves of more than a dozen of its points stay.
+        corner_angle : float in [1, 180], default 60.0
+            Where the line turns by so many degrees and more, along the surface and by more than its noise explains, the curve has
+            a corner. 180: it has none. report["corner_turns"]: by how much, for each.
         degree : int in [2, 4], default 3
         tension : float in [0, 1], default 0.0
         samples : int ≥ 0, default 256
@@ -332,7 +336,7 @@ class Mesh(MeshKeywords):
         True
         """
         options = {"degree": degree, "tension": tension, "samples": samples, "max_segment_length": max_segment_length}
-        return curve_along(self, line, closed, deviation, options, progress)
+        return curve_along(self, line, closed, allowed(deviation, corner_angle), options, progress)
 
     def fit_boundary(
         self,
@@ -340,6 +344,7 @@ class Mesh(MeshKeywords):
         *,
         labels: npt.ArrayLike | None = None,
         deviation: float | str | None = None,
+        corner_angle: float = 60.0,
         degree: int = 3,
         tension: float = 0.0,
         samples: int = 256,
@@ -359,6 +364,9 @@ class Mesh(MeshKeywords):
             How far from its line a curve may be anywhere: a length in the unit of the mesh, or text like '1edge', in mean edges.
             It is as smooth as it can be where the line is off by about a quarter of that. None: by a mean edge, and no smoother
             than the line's own noise asks for: waves of more than a dozen of its points stay.
+        corner_angle : float in [1, 180], default 60.0
+            Where the line turns by so many degrees and more, along the surface and by more than its noise explains, the curve has
+            a corner. 180: it has none. report["corner_turns"]: by how much, for each.
         degree : int in [2, 4], default 3
         tension : float in [0, 1], default 0.0
         samples : int ≥ 0, default 256
@@ -386,7 +394,7 @@ class Mesh(MeshKeywords):
         [True]
         """
         options = {"degree": degree, "tension": tension, "samples": samples, "max_segment_length": max_segment_length}
-        return curves_round(self, faces, labels, deviation, options, progress)
+        return curves_round(self, faces, labels, allowed(deviation, corner_angle), options, progress)
 
     def imprint(
         self, curves: Line | Iterable[Line], snap: float = 1e-9, max_distance: float = 0.0, stroke: float = 0.0

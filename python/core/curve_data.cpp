@@ -118,6 +118,7 @@ nb::dict reportDict(const DesignedCurve& drawn) {
     result["repeated_picks"] = report.repeatedPicks;
     result["pick_distances"] = report.pickDistances;
     result["line_distance"] = report.lineDistance;
+    result["corner_turns"] = report.cornerTurns;
     result["detours"] = detoursOf(report);
     result["tangents"] = tangentsOf(report);
     result["avoided_faces"] = report.avoidedFaces;

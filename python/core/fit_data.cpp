@@ -23,10 +23,11 @@ DesignedCurve fit(
     const Points& line,
     const nb::dict& options,
     const std::string& deviation,
+    double cornerAngle,
     nb::object progress
 ) {
     const CurveOptions chosen = curveOptions(options);
-    const FitOptions wanted{parseLength(deviation, "deviation")};
+    const FitOptions wanted{parseLength(deviation, "deviation"), cornerAngle};
     const std::vector<Vec3> points = toVectors(line);
     return PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
         return mesh->fit(points, wanted, chosen, goesOn);
@@ -50,7 +51,7 @@ std::vector<nb::tuple> boundaries(const Mesh& mesh, const Ids& labels) {
 }  // namespace
 
 void bindFits(nb::module_& module) {
-    module.def("fit", fit, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
+    module.def("fit", fit, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
     module.def("boundaries", boundaries);
 }
 

@@ -1016,6 +1016,7 @@ def fit_curve_to_selection_boundary(
     surface_layer: int | None = None,
     boundaries: Boundaries = "selected-faces",
     deviation: float | str = "0",
+    corner_angle: float = 60.0,
     degree: int = 3,
     tension: float = 0.0,
     samples: int = 256,
@@ -1044,6 +1045,9 @@ def fit_curve_to_selection_boundary(
     deviation : float or str, default '0'
         How far from its boundary a curve may be, anywhere: a length in the unit of the mesh, or in mean edges of it, as
         1.5 edges. 0: one mean edge, and no more than the jags of the boundary ask for.
+    corner_angle : float in [1, 180], default 60.0
+        Where a boundary turns by this and more, in degrees, its curve has a corner; jags alone make none. 180: no
+        corners.
     degree : int in [2, 4], default 3
         Polynomial degree of the spline.
     tension : float in [0, 1], default 0.0
@@ -1083,6 +1087,7 @@ def fit_curve_to_selection_boundary(
             "surface_layer": surface_layer,
             "boundaries": boundaries,
             "deviation": deviation,
+            "corner_angle": corner_angle,
             "degree": degree,
             "tension": tension,
             "samples": samples,

@@ -46,6 +46,20 @@ def test_a_jagged_line_becomes_a_smooth_curve_within_the_deviation(run, plate, t
     run.ok("imprint", "plate.ply", "--curve", "c.json", "--output", "imprinted.ply")
 
 
+def test_corners_are_told_and_can_be_switched_off(run, plate, tmp_path):
+    V, F, middles = plate
+    a, b = (middles - 0.5) @ np.array([[1, 1], [1, -1]]) / np.sqrt(2), 0.25
+    inside = np.flatnonzero((np.abs(a) < b).all(1))
+    (tmp_path / "faces.txt").write_text(" ".join(map(str, inside)))
+    fit = ("fit", "plate.ply", "--selection", "faces.txt", "--output", "c.json", "--report", "r.json")
+    for words, count in (((), 4), (("--corner-angle", "180"), 0)):
+        run.ok(*fit, *words)
+        corners = curve(tmp_path / "r.json")["curves"][0]["corners"]
+        assert len(corners) == count and all(60 <= each["turn"] <= 120 for each in corners)
+        spline = curve(tmp_path / "c.json")["spline"]
+        assert all(spline["knots"].count(spline["pick_parameters"][each["pick"]]) >= 3 for each in corners)
+
+
 def test_the_boundary_of_a_selection(run, plate, tmp_path):
     V, F, middles = plate
     inside = np.flatnonzero(np.linalg.norm(middles - 0.5, axis=1) < 0.3)
@@ -78,6 +92,7 @@ def test_lines_without_a_curve_so_near_are_refused_with_their_name(run, refused,
     inside = np.flatnonzero(np.linalg.norm(middles - 0.5, axis=1) < 0.3)
     (tmp_path / "faces.txt").write_text(" ".join(map(str, inside)))
     refused(1, "fit", "plate.ply", "--selection", "faces.txt", "--deviation", "1e-6", "--output", "c.json", says=["boundary 1 of the faces", "larger deviation"])
+    refused(2, "fit", "plate.ply", "--selection", "faces.txt", "--corner-angle", "0", "--output", "c.json", says=["corner_angle"])
     refused(2, "fit", "plate.ply", "--output", "c.json", says=["--line, --selection and --labels"])
     refused(2, "fit", "plate.ply", "--selection", "faces.txt", "--deviation", "much", "--output", "c.json", says=["deviation"])
     (tmp_path / "labels.txt").write_text("1 2 3")

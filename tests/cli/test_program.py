@@ -103,7 +103,20 @@ def test_a_curve_turns_at_its_corners_and_passes_picks_in_given_directions(run, 
     assert abs(points[-1] - points[-2])[0] < 1e-9 and points[-1, 1] < points[-2, 1]
     tangents = json.loads((plate / "report.json").read_text())["tangents"]
     assert [each["pick"] for each in tangents] == [0, 2] and all(each["angle_of_spline"] < 1e-6 for each in tangents)
-    # A file of picks may name corners; the option goes before it.
+    # A curve keeps its directions, and a file of picks may name some; the option goes before it.
+    kept = json.loads((plate / "curve.json").read_text())["tangents"]
+    assert [each["pick"] for each in kept] == [0, 2]
+    np.testing.assert_allclose(kept[0]["direction"], [0, 1, 0], atol=1e-9)
+    document = json.loads((plate / "picks.json").read_text())
+    (plate / "picks.json").write_text(json.dumps({**document, "tangents": kept}))
+    for words, picks in (((), [0, 2]), (("--tangents", "2: 1,0,0"), [1])):
+        run.ok(*DEFAULT[:-1], "curve.json", *words, "--report", "report.json")
+        assert [each["pick"] for each in json.loads((plate / "report.json").read_text())["tangents"]] == picks
+    (plate / "bad.json").write_text(json.dumps({**document, "tangents": [{"pick": 7, "direction": [1, 0, 0]}]}))
+    bad = run(*["bad.json" if word == "picks.json" else word for word in DEFAULT])
+    assert bad.returncode == 1 and "tangents" in bad.stderr
+    (plate / "picks.json").write_text(json.dumps(document))
+    # The same of corners.
     document = json.loads((plate / "picks.json").read_text())
     (plate / "picks.json").write_text(json.dumps({**document, "corners": [1]}))
     for words, multiplicity in (((), 3), (("--corners", "1"), 0)):

@@ -2,6 +2,7 @@
 // Smooth curves along lines that are there already, judged from the outside.
 #include "bspline_curve/error.h"
 #include "bspline_curve/lines.h"
+#include "bspline_curve/spline.h"
 #include "design/curve_checks.h"
 #include "support/meshes.h"
 #include "support/refusal.h"
@@ -134,6 +135,80 @@ TEST(FittedCurves, FollowStrokesThatShake) {
     EXPECT_LE(curve.spline.controlPoints.size(), 100U);
 }
 
+TEST(FittedCurves, HaveNoCornersWhereBoundariesAreJagged) {
+    for (const unsigned seed : {3U, 4U, 5U}) {
+        const CurveDesigner designer(jitteredPlate(60, 60, 0.2, seed));
+        for (const double radius : {0.1, 0.2, 0.4}) {
+            const Line line = boundaryOf(designer.mesh(), [&](const Vec3& p) {
+                return (p - Vec3(0.47, 0.52, 0.0)).norm() < radius;
+            });
+            for (const FitOptions& fit : {FitOptions{}, FitOptions{{1.0, true}}}) {
+                EXPECT_TRUE(cornersOf(fitted(designer, line, fit).spline).empty())
+                    << "seed " << seed << ", radius " << radius;
+            }
+        }
+    }
+}
+
+/// A square that stands on a corner, with half circles on its upper sides: a heart, whose corners
+/// are the tip below and the notch above.
+bool isInHeart(const Vec3& p) {
+    constexpr double kHalfSide = 0.17;
+    const double along = (p.x() + p.y() - 1.0) * std::numbers::sqrt2 / 2.0;
+    const double across = (p.y() - p.x()) * std::numbers::sqrt2 / 2.0;
+    return (std::abs(along) <= kHalfSide && std::abs(across) <= kHalfSide) ||
+           std::hypot(along - kHalfSide, across) < kHalfSide ||
+           std::hypot(along, across - kHalfSide) < kHalfSide;
+}
+
+TEST(FittedCurves, TurnAtTheCornersOfAHeart) {
+    const CurveDesigner designer(jitteredPlate(70, 70, 0.2, 9));
+    const Line line = boundaryOf(designer.mesh(), isInHeart);
+    const double edge = designer.surface().averageEdgeLength();
+    const double corner = 0.17 * std::numbers::sqrt2;
+    for (const FitOptions& fit : {FitOptions{}, FitOptions{{1.0, true}}}) {
+        const Curve curve = fitted(designer, line, fit);
+        const std::vector<int> corners = cornersOf(curve.spline);
+        ASSERT_EQ(corners.size(), 2U);
+        ASSERT_EQ(curve.report.cornerTurns.size(), 2U);
+        for (const Vec3& meant : {Vec3(0.5, 0.5 - corner, 0.0), Vec3(0.5, 0.5 + corner, 0.0)}) {
+            double least = 1.0;
+            for (const int pick : corners) {
+                least = std::min(
+                    least, (curve.polyline.points[curve.polyline.picks[pick]] - meant).norm()
+                );
+            }
+            EXPECT_LE(least, 1.5 * edge);
+        }
+        for (const double turn : curve.report.cornerTurns) {
+            EXPECT_GE(turn, fit.cornerAngle);
+            EXPECT_NEAR(turn, 90.0, 25.0);
+        }
+    }
+    FitOptions without;
+    without.cornerAngle = 180.0;
+    EXPECT_TRUE(cornersOf(fitted(designer, line, without).spline).empty());
+}
+
+TEST(FittedCurves, TurnWhereAShakyStrokeDoes) {
+    const CurveDesigner designer(plate(50, 50));
+    std::mt19937 random(2);
+    std::normal_distribution<double> noise(0.0, 0.004);
+    Line stroke;
+    for (int i = 0; i <= 200; ++i) {
+        const double way = 0.006 * i - 0.6;
+        stroke.points.emplace_back(
+            std::min(way, 0.0) + 0.7 + noise(random), std::max(way, 0.0) + 0.2 + noise(random), 0.0
+        );
+    }
+    const Curve curve = fitted(designer, stroke, {{0.02, false}});
+    const std::vector<int> corners = cornersOf(curve.spline);
+    ASSERT_EQ(corners.size(), 1U);
+    const Vec3& at = curve.polyline.points[curve.polyline.picks[corners.front()]];
+    EXPECT_LE((at - Vec3(0.7, 0.2, 0.0)).norm(), 0.01);
+    EXPECT_NEAR(curve.report.cornerTurns.front(), 90.0, 10.0);
+}
+
 TEST(FittedCurves, KeepTheEndsOfOpenLines) {
     const CurveDesigner designer(jitteredPlate(40, 40, 0.2, 5));
     const Line line = boundaryOf(designer.mesh(), [](const Vec3& p) {
@@ -221,6 +296,9 @@ TEST(FittedCurves, SayWhatIsWrong) {
         return [&, fit] { return designer.fit(line.points, fit, optionsOf(line)); };
     };
     expectRefused(fitWith({{-1.0, false}}), InputErrorCode::BadOption, "deviation");
+    FitOptions angle;
+    angle.cornerAngle = 0.0;
+    expectRefused(fitWith(angle), InputErrorCode::BadOption, "corner_angle");
     // Steps along edges turn by right angles, within a thousandth of an edge.
     expectRefused(fitWith({{1e-3, true}}), InputErrorCode::NoPath, "allow a larger deviation");
 }

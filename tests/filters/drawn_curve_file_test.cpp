@@ -3,6 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
+#include "bspline_curve/spline.h"
 #include "design/curve_designer.h"
 #include "filters/fitting_picks.h"
 #include "io/curve_reader.h"
@@ -129,6 +130,33 @@ TEST_F(DrawnCurveFile, OfACurveWithoutItsPicksHasTheCornersOfTheSpline) {
     for (int i = 0; i < 4; ++i) {
         EXPECT_EQ(opened.curves[0].picks[i].isCorner, i % 2 == 0) << i;
     }
+}
+
+TEST_F(DrawnCurveFile, KeepsDirectionsOfPicks) {
+    curves_[0].drawn.picks[0].tangent = Vec3(0.25, -1.0, 3.0);
+    for (const char* const name : {"a.json", "a.obj", "a.dxf"}) {
+        saveDrawnCurves(path(name), curves_, surface_);
+        const OpenedCurves opened = openDrawnCurves(path(name), surface_);
+        EXPECT_EQ(opened.curves.at(0).picks.at(0).tangent, Vec3(0.25, -1.0, 3.0)) << name;
+        EXPECT_EQ(opened.curves.at(0).picks.at(2).tangent, Vec3::Zero()) << name;
+        EXPECT_EQ(opened.curves.at(1).picks.at(0).tangent, Vec3::Zero()) << name;
+    }
+}
+
+TEST_F(DrawnCurveFile, OfACurveWithoutItsPicksHasTheDirectionsOfTheSpline) {
+    std::vector<Vec3> picks;
+    for (const SketchPick& pick : curves_[1].drawn.picks) {
+        picks.push_back(pick.position);
+    }
+    std::vector<Vec3> tangents(picks.size(), Vec3::Zero());
+    tangents[1] = picks[2] - picks[0];
+    const Curve curve = designer_.design(picks, {.closed = true}, {}, {.tangents = tangents});
+    writeCurve(path("a.json"), curve);
+    const std::vector<SketchPick> opened =
+        openDrawnCurves(path("a.json"), surface_).curves.at(0).picks;
+    const Vec3 along = derivativeOf(curve.spline, curve.spline.pickParameters[1]).normalized();
+    EXPECT_LE((opened.at(1).tangent - along).norm(), 1e-12);
+    EXPECT_EQ(opened.at(0).tangent, Vec3::Zero());
 }
 
 TEST_F(DrawnCurveFile, KeepsCornersOfPicksThatAreProjected) {

@@ -151,7 +151,7 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
     EXPECT_EQ(pattern, idsOf(patternFilter()));
     std::multiset<std::string> fit(fittedParameters().begin(), fittedParameters().end());
     addIds(fit, fitBindings());
-    addIds(fit, deviationBindings());
+    addIds(fit, fitOptionBindings());
     EXPECT_EQ(fit, idsOf(fitFilter()));
     addIds(use, imprintBindings());
     EXPECT_EQ(use, idsOf(imprintFilter()));
@@ -206,7 +206,7 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(patternFilter(), scaleBindings());
     expectDefaults(patternFilter(), rowBindings());
     expectDefaults(patternFilter(), carryingBindings());
-    expectDefaults(fitFilter(), deviationBindings());
+    expectDefaults(fitFilter(), fitOptionBindings());
     const CutWords choice;
     for (const Binding<CutWords>& binding : cutBindings()) {
         EXPECT_EQ(cutFilter().parameter(binding.id).defaultValue, binding.write(choice));

@@ -336,6 +336,7 @@ def test_corners_stay_with_their_picks(mesh, picks, tmp_path):
     del document["drawn_by"]  # as the program writes it
     (tmp_path / "program.json").write_text(json.dumps(document))
     assert bspline_curve.load(tmp_path / "program.json", mesh).options["corners"] == (1,)
+    assert "tangents" not in document
     # Samples take tangents from the spline, at a corner those behind it.
     at = curve.length * np.linspace(0, 1, 50)
     samples = curve.sample(distances=at)

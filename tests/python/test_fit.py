@@ -39,6 +39,26 @@ def test_a_stroke_becomes_smooth_and_can_be_edited(mesh):
     assert moved.usable and len(moved.picks) == len(curve.picks)
 
 
+def test_a_right_angle_is_a_corner(flat):
+    x, y = np.abs(middles(flat) @ np.array([[1, 1], [1, -1]]) / np.sqrt(2)).T
+    (curve,) = flat.fit_boundary((x < 0.5) & (y < 0.5))
+    assert len(curve.report["corner_turns"]) == 4
+    assert np.abs(np.array(curve.report["corner_turns"]) - 90).max() < 30
+    (smooth,) = flat.fit_boundary((x < 0.5) & (y < 0.5), corner_angle=180)
+    assert smooth.report["corner_turns"] == []
+    with pytest.raises(bc.InputError, match="corner_angle"):
+        flat.fit_boundary((x < 0.5) & (y < 0.5), corner_angle=0)
+
+
+def test_long_lines_take_no_longer_than_their_points_ask_for(flat):
+    t = np.linspace(0, 1, 30000)
+    radius, angle = 0.1 + 0.6 * t, 30 * t
+    shaky = np.random.default_rng(1).normal(0, 0.004, (len(t), 2))
+    line = np.stack([radius * np.cos(angle) + shaky[:, 0], radius * np.sin(angle) + shaky[:, 1], 0 * t], 1)
+    curve = flat.fit(line, deviation=0.03)
+    assert curve.usable and curve.report["line_distance"] <= 0.03 and len(curve.control_points) < 150
+
+
 def test_labels_may_be_any_integers_and_meet_in_junctions(flat):
     angle = np.arctan2(*middles(flat).T)
     labels = np.array([5, -100, 2**40])[np.floor((angle + np.pi) / (2 * np.pi + 1e-9) * 3).astype(int)]

@@ -17,7 +17,7 @@ using namespace test_support;
 class AWorker : public testing::Test {
 protected:
     [[nodiscard]] SolveRequest request(std::uint64_t id) const {
-        return {id, onSurface(designer_->mesh(), kSpherePicks), {}, {}, nullptr};
+        return {id, onSurface(designer_->mesh(), kSpherePicks), {}, {}, {}, nullptr};
     }
 
     // The answers until all is done.
