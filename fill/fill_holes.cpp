@@ -350,13 +350,14 @@ private:
         if (!flat || !flat->crossing.isEmpty()) {
             return false;
         }
+        // Slivers that stay as they are are divided too often.
+        const auto most = static_cast<std::size_t>(
+            kMostOverExpected * (expectedFaces(flat->patch) + 2.0 * rim.rimCount)
+        );
         for (const Relaxing relaxing : {Relaxing::Tangential, Relaxing::None}) {
             Patch divided = flat->patch;
-            refinePatch(divided, relaxing, progress);
-            // Slivers that stay as they are are divided too often.
-            const double most =
-                kMostOverExpected * (expectedFaces(flat->patch) + 2.0 * rim.rimCount);
-            if (static_cast<double>(divided.faces.size()) > most || hasFlatFace(divided) ||
+            refinePatch(divided, relaxing, progress, most);
+            if (divided.faces.size() > most || hasFlatFace(divided) ||
                 !checker_.crossingsOf(divided).isEmpty()) {
                 continue;
             }

@@ -25,6 +25,8 @@ constexpr double kMoveRelative = 1e-4;
 constexpr double kLeastAreaRelative = 1e-3;
 /// The size of a point is at least this of that far from the rim there.
 constexpr double kLeastSizeForArea = 0.3;
+/// Of slivers no more counts: the squares of their cotangents would leave no digits to the others.
+constexpr double kMostCotangent = 1e3;
 /// Conjugate gradients: rounds, each with a curvature of its own, and steps in each. Waves of up to
 /// about four edges' length, which halving edges makes, are gone then.
 constexpr int kSmoothingRounds = 2;
@@ -67,8 +69,9 @@ Elements elementsOf(const Patch& patch, const RimSurroundings& around) {
             const int i = face[(k + 1) % 3];
             const int j = face[(k + 2) % 3];
             const Vec3& apex = patch.points[face[k]];
-            const double weight = 0.5 * (patch.points[i] - apex).dot(patch.points[j] - apex) /
-                                  twiceArea;  // half the cotangent
+            const double cotangent =
+                (patch.points[i] - apex).dot(patch.points[j] - apex) / twiceArea;
+            const double weight = 0.5 * std::clamp(cotangent, -kMostCotangent, kMostCotangent);
             add(i, j, weight);
             add(i, i, -weight);
             add(j, i, weight);

@@ -251,12 +251,12 @@ void relaxAround(Patch& patch, const std::vector<int>& faces) {
     }
 }
 
-void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress) {
+void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress, std::size_t mostFaces) {
     const bool isMoving = relaxing != Relaxing::None;
     if (isMoving) {
         Flips(patch).run();
     }
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostRounds && patch.faces.size() <= mostFaces; ++round) {
         report(progress, 1.0 - 1.0 / (1.0 + round), "refining a patch");
         const std::size_t tooLong = halveLongEdges(patch);
         if (isMoving) {

@@ -4,6 +4,8 @@
 #include "bspline_curve/progress.h"
 #include "fill/rim_triangulation.h"
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace bspline_curve {
@@ -32,7 +34,12 @@ void relaxAround(Patch& patch, const std::vector<int>& faces);
 /// Halves edges that are longer than their points ask for, and long ones between points of the
 /// rim; flips edges to Delaunay's; and relaxes points, in turn (after P. Liepa, Filling holes in
 /// meshes, 2003). O(n log n) a round, of which there are O(log of the largest length over size).
-/// Throws Cancelled.
-void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress = {});
+/// Ends early with more than `mostFaces`. Throws Cancelled.
+void refinePatch(
+    Patch& patch,
+    Relaxing relaxing,
+    const Progress& progress = {},
+    std::size_t mostFaces = std::numeric_limits<std::size_t>::max()
+);
 
 }  // namespace bspline_curve

@@ -2,6 +2,8 @@
 // The parts that fills are made of: triangulations, crossings, retreats, values.
 #include "fill/crossing_finder.h"
 #include "fill/harmonic_values.h"
+#include "fill/patch_fairing.h"
+#include "fill/patch_refinement.h"
 #include "fill/patch_retreat.h"
 #include "fill/planar_triangulation.h"
 #include "fill/rim_triangulation.h"
@@ -222,6 +224,67 @@ TEST(Retreated, GoesBackWhereFacesCrossAndNowhereElse) {
         retreated(grid.vertices, wanted, grid.faces, [&](const auto&) { return all; }),
         grid.vertices
     );
+}
+
+/// A disc of radius 1 in the plane z = 0: a point in the middle, two rings of it, the rim first.
+Patch disc(int count) {
+    Patch patch{
+        .points = {}, .sizes = {}, .most = {}, .faces = {}, .rimCount = count, .forbidden = {}
+    };
+    for (const double radius : {1.0, 0.6}) {
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / count;
+            patch.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+        }
+    }
+    patch.points.emplace_back(Vec3::Zero());
+    for (int i = 0; i < count; ++i) {
+        const int next = (i + 1) % count;
+        patch.faces.push_back({i, next, count + i});
+        patch.faces.push_back({next, count + next, count + i});
+        patch.faces.push_back({count + i, count + next, 2 * count});
+    }
+    patch.sizes.assign(patch.points.size(), 0.3);
+    patch.most = patch.sizes;
+    return patch;
+}
+
+TEST(FairPatch, IsNotLedAwayBySlivers) {
+    // A point hardly beside the middle of an edge between the rings.
+    Patch patch = disc(12);
+    const Triangle cut = patch.faces[2];
+    const auto added = static_cast<int>(patch.points.size());
+    const Vec3 middle = 0.5 * (patch.points[cut[0]] + patch.points[cut[1]]);
+    patch.points.emplace_back(middle + 1e-10 * (patch.points[cut[2]] - middle));
+    patch.sizes.push_back(0.3);
+    patch.most.push_back(0.3);
+    patch.faces[2] = {cut[0], cut[1], added};
+    patch.faces.push_back({cut[1], cut[2], added});
+    patch.faces.push_back({cut[2], cut[0], added});
+    const std::vector<Vec3> before = patch.points;
+    const auto rim = static_cast<std::size_t>(patch.rimCount);
+    fairPatch(
+        patch,
+        {.laplacians = std::vector<Vec3>(rim, Vec3::Zero()),
+         .normals = std::vector<Vec3>(rim, Vec3::UnitZ()),
+         .isKnown = std::vector<char>(rim, 0)},
+        3
+    );
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_LT((patch.points[i] - before[i]).norm(), 1e-3) << i;
+    }
+}
+
+TEST(RefinePatch, EndsWithMoreFacesThanAsked) {
+    Patch fine = disc(12);
+    std::ranges::fill(fine.sizes, 0.006);
+    fine.most = fine.sizes;
+    Patch bounded = fine;
+    refinePatch(fine, Relaxing::Tangential);
+    refinePatch(bounded, Relaxing::Tangential, {}, 200);
+    EXPECT_GT(bounded.faces.size(), 200U);
+    EXPECT_LT(bounded.faces.size(), 800U);
+    EXPECT_GT(fine.faces.size(), 10000U);
 }
 
 TEST(HarmonicFrom, IsLinearInAPlaneAndBetweenTheRimsValues) {

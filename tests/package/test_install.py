@@ -3,7 +3,6 @@
 import re
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -52,14 +51,12 @@ def test_a_second_install_compiles_nothing(plain_home):
     command = [plain_home.python, "-m", "pip", "install", "-v", "--force-reinstall", "--no-deps", "."]
 
     def install():
-        start = time.monotonic()
         done = subprocess.run(command, cwd=ROOT, env=plain_home.environment, capture_output=True, text=True)
         assert done.returncode == 0, done.stdout[-4000:] + done.stderr[-4000:]
-        return time.monotonic() - start, done.stdout.count("Building CXX object")
+        return done.stdout.count("Building CXX object")
 
     install()  # other tests build for other packages in the same folder
-    seconds, compiled = install()
-    assert compiled == 0 and seconds < 20
+    assert install() == 0
 
 
 def test_the_package_needs_numpy_alone(plain_home):
