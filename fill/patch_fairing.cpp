@@ -25,8 +25,10 @@ constexpr double kMoveRelative = 1e-4;
 constexpr double kLeastAreaRelative = 1e-3;
 /// The size of a point is at least this of that far from the rim there.
 constexpr double kLeastSizeForArea = 0.3;
-/// Of slivers no more counts: the squares of their cotangents would leave no digits to the others.
-constexpr double kMostCotangent = 1e3;
+/// The angles of slivers count as if twice their area were this of the longest edge's square: the
+/// squares of their cotangents would leave no digits to the others. Not at the rim, where large
+/// cotangents are of edges that stay.
+constexpr double kLeastAreaOfSliver = 1e-3;
 /// Conjugate gradients: rounds, each with a curvature of its own, and steps in each. Waves of up to
 /// about four edges' length, which halving edges makes, are gone then.
 constexpr int kSmoothingRounds = 2;
@@ -39,6 +41,20 @@ struct Elements {
     Eigen::VectorXd area;
     Rows normal;  // unit
 };
+
+/// By which the cotangents of a face are at least divided.
+double leastTwiceArea(const Patch& patch, const Triangle& face) {
+    const auto isOnRim = [&](int point) { return patch.isOnRim(point); };
+    if (std::ranges::count_if(face, isOnRim) > 1) {
+        return 0.0;
+    }
+    const auto squaredLength = [&](int a, int b) {
+        return (patch.points[a] - patch.points[b]).squaredNorm();
+    };
+    const auto& [a, b, c] = face;
+    return kLeastAreaOfSliver *
+           std::max({squaredLength(a, b), squaredLength(b, c), squaredLength(c, a)});
+}
 
 Elements elementsOf(const Patch& patch, const RimSurroundings& around) {
     const auto count = static_cast<int>(patch.points.size());
@@ -65,13 +81,13 @@ Elements elementsOf(const Patch& patch, const RimSurroundings& around) {
         const Vec3& p = patch.points[face[0]];
         const Vec3 normal = (patch.points[face[1]] - p).cross(patch.points[face[2]] - p);
         const double twiceArea = std::max(normal.norm(), std::numeric_limits<double>::min());
+        const double divisor = std::max(twiceArea, leastTwiceArea(patch, face));
         for (int k = 0; k < 3; ++k) {
             const int i = face[(k + 1) % 3];
             const int j = face[(k + 2) % 3];
             const Vec3& apex = patch.points[face[k]];
-            const double cotangent =
-                (patch.points[i] - apex).dot(patch.points[j] - apex) / twiceArea;
-            const double weight = 0.5 * std::clamp(cotangent, -kMostCotangent, kMostCotangent);
+            const double weight = 0.5 * (patch.points[i] - apex).dot(patch.points[j] - apex) /
+                                  divisor;  // half the cotangent
             add(i, j, weight);
             add(i, i, -weight);
             add(j, i, weight);

@@ -184,11 +184,11 @@ CutRequest cutRequest(const ParameterValues& values) {
     if (choice.relief != 0.0 && choice.fill != FillKind::None) {
         refuseChoice("with relief the whole surface is kept, so there is no hole to fill");
     }
+    checkLength("profile_width", choice.profileWidth);
     if (choice.relief == 0.0 &&
         (choice.profile != ReliefProfile::Step || choice.profileWidth != 0.0)) {
         refuseChoice("the options profile and profile_width need the option relief");
     }
-    checkLength("profile_width", choice.profileWidth);
     checkLength("stroke", choice.stroke);
     checkSolid(choice);
     return request;

@@ -199,7 +199,8 @@ TEST(SampledSteps, NeverRaiseTheEnergy) {
         EXPECT_EQ(static_cast<int>(iterations.size()), quick->report.newtonIterations);
         int falls = 0;
         for (std::size_t i = 0; i < iterations.size(); ++i) {
-            EXPECT_GT(iterations[i].decrement, 0.0) << "step " << i;
+            EXPECT_GT(iterations[i].decrement, -1e-14)
+                << "step " << i;  // 0 but for rounding at last
             if (i > 0 && iterations[i].round == iterations[i - 1].round) {
                 EXPECT_LE(iterations[i].total, iterations[i - 1].total) << "step " << i;
                 ++falls;
