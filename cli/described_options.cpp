@@ -28,6 +28,14 @@ Interval<Number> rangeOf(const ParameterDescription& parameter) {
     };
 }
 
+// Whether a text can be parsed.
+template <class Parse>
+auto parsed(const Parse& parse) {
+    return [parse](const std::string& text, const std::string& flag) {
+        static_cast<void>(parse(text, flag));
+    };
+}
+
 }  // namespace
 
 std::string flagOf(std::string_view parameterId) {
@@ -92,6 +100,24 @@ CLI::Option* DescribedOptions::addChoice(
                              : option->default_str(values_.get<std::string>(parameter.id));
 }
 
+// A text that is kept as it is, where check(text, flag) does not throw.
+CLI::Option* DescribedOptions::addText(
+    const ParameterDescription& parameter,
+    const std::string& flags,
+    const OptionExtras& extras,
+    const TextCheck& check,
+    const std::string& typeName
+) {
+    const auto keepText = [this, key = parameter.id, check](const std::string& text) {
+        if (check) {
+            check(text, flagOf(key));
+        }
+        keep(key, text);
+    };
+    const std::string& help = extras.help.empty() ? parameter.help : extras.help;
+    return app_.add_option_function<std::string>(flags, keepText, help)->type_name(typeName);
+}
+
 CLI::Option* DescribedOptions::add(
     std::string_view id, const OptionExtras& extras, const std::string& group
 ) {
@@ -117,47 +143,17 @@ CLI::Option* DescribedOptions::add(
             option = addChoice(parameter, flags, extras);
             break;
         case ParameterType::Length:
-            option = app_.add_option_function<std::string>(
-                             flags,
-                             [this, key = parameter.id](const std::string& text) {
-                                 static_cast<void>(parseLength(text, flagOf(key)));
-                                 keep(key, text);
-                             },
-                             extras.help.empty() ? parameter.help : extras.help
-            )
-                         ->type_name("LENGTH")
+            option = addText(parameter, flags, extras, parsed(parseLength), "LENGTH")
                          ->default_str(values_.get<std::string>(parameter.id));
             break;
         case ParameterType::Picks:
-            option = app_.add_option_function<std::string>(
-                             flags,
-                             [this, key = parameter.id](const std::string& text) {
-                                 static_cast<void>(parsePickChoice(text, flagOf(key)));
-                                 keep(key, text);
-                             },
-                             extras.help.empty() ? parameter.help : extras.help
-            )
-                         ->type_name("PICKS");
+            option = addText(parameter, flags, extras, parsed(parsePickChoice), "PICKS");
             break;
         case ParameterType::Tangents:
-            option = app_.add_option_function<std::string>(
-                             flags,
-                             [this, key = parameter.id](const std::string& text) {
-                                 static_cast<void>(parsePickDirections(text, flagOf(key)));
-                                 keep(key, text);
-                             },
-                             extras.help.empty() ? parameter.help : extras.help
-            )
-                         ->type_name("PICK:X,Y,Z");
+            option = addText(parameter, flags, extras, parsed(parsePickDirections), "PICK:X,Y,Z");
             break;
         case ParameterType::Text:
-            option =
-                app_.add_option_function<std::string>(
-                        flags,
-                        [this, key = parameter.id](const std::string& text) { keep(key, text); },
-                        extras.help.empty() ? parameter.help : extras.help
-                )
-                    ->type_name(extras.otherType);
+            option = addText(parameter, flags, extras, nullptr, extras.otherType);
             break;
         default:
             throw std::invalid_argument(parameter.id + " is no option of the program");

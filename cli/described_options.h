@@ -3,6 +3,7 @@
 
 #include "filters/parameter_values.h"
 
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
@@ -57,7 +58,17 @@ public:
     [[nodiscard]] bool isAnyGivenBut(std::span<const std::string_view> ids) const;
 
 private:
+    /// Throws where a text is not what the option with a flag takes.
+    using TextCheck = std::function<void(const std::string& text, const std::string& flag)>;
+
     void keep(const std::string& id, ParameterValue value);
+    CLI::Option* addText(
+        const ParameterDescription& parameter,
+        const std::string& flags,
+        const OptionExtras& extras,
+        const TextCheck& check,
+        const std::string& typeName
+    );
     CLI::Option* addChoice(
         const ParameterDescription& parameter, const std::string& flags, const OptionExtras& extras
     );

@@ -15,7 +15,7 @@ void FitOptions::validate() const {
                 ", but must be finite and not negative"
         );
     }
-    if (!(cornerAngle >= 1.0 && cornerAngle <= 180.0)) {
+    if (std::isnan(cornerAngle) || cornerAngle < 1.0 || cornerAngle > 180.0) {
         throw InputError(
             InputErrorCode::BadOption,
             "corner_angle is " + std::to_string(cornerAngle) +

@@ -174,7 +174,7 @@ double tremblingOf(const InitialPath& path, double distance) {
     while (length < distance * static_cast<double>(chain.size())) {
         std::vector<Vec3> coarser = {chain.front()};
         for (std::size_t i = 1; i + 2 < chain.size(); i += 2) {
-            coarser.push_back(0.5 * (chain[i] + chain[i + 1]));
+            coarser.emplace_back(0.5 * (chain[i] + chain[i + 1]));
         }
         coarser.push_back(chain.back());
         const double shorter = lengthOfChain(coarser);

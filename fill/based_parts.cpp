@@ -251,8 +251,10 @@ void checkBase(const PartBase& base) {
             InputErrorCode::BadOption, "the length of a base must be a number above 0"
         );
     }
-    if (base.direction ? !(base.direction->norm() > 0.0 && base.direction->allFinite())
-                       : base.height.has_value()) {
+    const auto isDirection = [](const Vec3& direction) {
+        return direction.allFinite() && direction.norm() > 0.0;
+    };
+    if (base.direction ? !isDirection(*base.direction) : base.height.has_value()) {
         throw InputError(
             InputErrorCode::BadOption, "the direction of a base must have numbers, not all 0"
         );

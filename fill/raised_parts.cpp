@@ -156,60 +156,82 @@ private:
         return first;
     }
 
+    /// The faces that are moved, and walls, with those that stay.
+    struct MovingFaces {
+        TriangleMesh kept, sheet;  // the sheet without walls
+        std::vector<int> ids;      // of the patch's faces in the whole mesh
+        std::vector<int> rim;      // vertices that stay
+        Patch patch;               // with walls; its first points are the rim, then all vertices
+    };
+
+    /// `first`: see firstCopies().
+    [[nodiscard]] MovingFaces movingFaces(const std::vector<int>& first) const {
+        const TriangleMesh& mesh = result_.whole.mesh;
+        MovingFaces moving;
+        moving.kept.vertices = imprinted_.mesh.vertices;
+        moving.sheet.vertices = mesh.vertices;
+        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+            if (f < parts_.labels.size() && !isChosen(f)) {
+                moving.kept.faces.push_back(mesh.faces[f]);
+                continue;
+            }
+            moving.ids.push_back(static_cast<int>(f));
+            Triangle& face = moving.sheet.faces.emplace_back(mesh.faces[f]);
+            for (int& corner : face) {
+                corner = first[corner];
+                if (isOnBase(corner)) {
+                    moving.rim.push_back(corner);
+                }
+            }
+        }
+        sortUnique(moving.rim);
+        Patch& patch = moving.patch;
+        patch.rimCount = static_cast<int>(moving.rim.size());
+        for (const int vertex : moving.rim) {
+            patch.points.push_back(mesh.vertices[vertex]);
+        }
+        patch.faces = moving.sheet.faces;
+        for (Triangle& face : patch.faces) {
+            for (int& corner : face) {
+                corner = isOnBase(corner) ? indexIn(moving.rim, corner) : patch.rimCount + corner;
+            }
+        }
+        moving.sheet.faces.resize(moving.sheet.faces.size() - result_.whole.walls.size());
+        return moving;
+    }
+
+    /// The vertices of some faces of a patch that are no points of its rim, as numbers after it.
+    [[nodiscard]] static std::vector<int> innerCorners(
+        const Patch& patch, const std::vector<int>& faces
+    ) {
+        std::vector<int> vertices;
+        for (const int face : faces) {
+            for (const int corner : patch.faces[face]) {
+                if (!patch.isOnRim(corner)) {
+                    vertices.push_back(corner - patch.rimCount);
+                }
+            }
+        }
+        sortUnique(vertices);
+        return vertices;
+    }
+
     /// Moves vertices as far as that crosses nothing.
     void settle(const Progress& progress) {
         TriangleMesh& mesh = result_.whole.mesh;
         const std::vector<int> first = firstCopies();
-        TriangleMesh kept{.vertices = imprinted_.mesh.vertices, .faces = {}};
-        TriangleMesh sheet{.vertices = mesh.vertices, .faces = {}};
-        std::vector<int> ids;  // of faces that are moved and walls
-        std::vector<int> rim;
-        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-            if (f < parts_.labels.size() && !isChosen(f)) {
-                kept.faces.push_back(mesh.faces[f]);
-                continue;
-            }
-            ids.push_back(static_cast<int>(f));
-            Triangle& face = sheet.faces.emplace_back(mesh.faces[f]);
-            for (int& corner : face) {
-                corner = first[corner];
-                if (isOnBase(corner)) {
-                    rim.push_back(corner);
-                }
-            }
-        }
-        sortUnique(rim);
-        Patch patch;
-        patch.rimCount = static_cast<int>(rim.size());
-        for (const int vertex : rim) {
-            patch.points.push_back(mesh.vertices[vertex]);
-        }
-        patch.faces = sheet.faces;
-        for (Triangle& face : patch.faces) {
-            for (int& corner : face) {
-                corner = isOnBase(corner) ? indexIn(rim, corner) : patch.rimCount + corner;
-            }
-        }
-        sheet.faces.resize(sheet.faces.size() - result_.whole.walls.size());  // without walls
-        PatchChecker checker(kept);
-        checker.begin(rim, std::abs(height_));
+        MovingFaces moving = movingFaces(first);
+        Patch& patch = moving.patch;
+        PatchChecker checker(moving.kept);
+        checker.begin(moving.rim, std::abs(height_));
         const double least = shares_.empty() ? kLeastHeightShare : 0.0;
-        SettledWays settled(sheet, ways_, height_, least);
+        SettledWays settled(moving.sheet, ways_, height_, least);
         std::vector<int> bad;
         const auto crossing = [&](const std::vector<Vec3>& points, bool isStrict) {
-            patch.points.resize(rim.size());
+            patch.points.resize(moving.rim.size());
             patch.points.insert(patch.points.end(), points.begin(), points.end());
             bad = checker.badFaces(patch, isStrict);
-            std::vector<int> vertices;
-            for (const int face : bad) {
-                for (const int corner : patch.faces[face]) {
-                    if (!patch.isOnRim(corner)) {
-                        vertices.push_back(corner - patch.rimCount);
-                    }
-                }
-            }
-            sortUnique(vertices);
-            return vertices;
+            return innerCorners(patch, bad);
         };
         settled.settle(crossing, progress);
         mesh.vertices = settled.points();
@@ -220,7 +242,7 @@ private:
             result_.least = std::min(result_.least, share);
         }
         for (const int face : bad) {
-            result_.whole.crossing.push_back(ids[face]);
+            result_.whole.crossing.push_back(moving.ids[face]);
         }
     }
 

@@ -35,7 +35,7 @@ void DrawingSession::askPreview(const SurfacePoint& point) {
     picks.push_back(pickAt(point).position);
     std::vector<Vec3> tangents = curve.tangents();
     if (!tangents.empty()) {
-        tangents.push_back(Vec3::Zero());
+        tangents.emplace_back(Vec3::Zero());
     }
     solver_->worker.askLive(
         {ask(Asking::Preview, nullptr),

@@ -260,9 +260,12 @@ std::optional<CutMeshes> cutThroughHandles(
 
 /// The whole mesh with a relief that has a profile.
 CutMeshes profiledRelief(
-    const Imprint& imprint, const CutChoice& choice, const Progress& progress
+    const Imprint& imprint,
+    const PartChoice& kept,
+    const CutChoice& choice,
+    const Progress& progress
 ) {
-    std::vector<int> chosen = chosenParts(*imprint.joined, imprint.parts, *choice.keep);
+    std::vector<int> chosen = chosenParts(*imprint.joined, imprint.parts, kept);
     const ProfiledImprint profiled =
         profiledImprint(imprint, chosen, choice, partOf(progress, 0.0, kProfiledShare));
     CutMeshes result;
@@ -282,7 +285,7 @@ CutMeshes profiledRelief(
 
 CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress& progress) {
     if (choice.relief != 0.0 && choice.keep && choice.profile != ReliefProfile::Step) {
-        return profiledRelief(imprint, choice, progress);
+        return profiledRelief(imprint, *choice.keep, choice, progress);
     }
     if (std::optional<CutMeshes> cut = cutThroughHandles(imprint, choice, progress)) {
         return *std::move(cut);

@@ -212,6 +212,36 @@ struct RimDistance {
     }
 };
 
+/// Of an imprint that divides another one more finely: each part has the label of the one there.
+void takeLabels(
+    const Surface& surface, const LabelsAt& labels, const MeshParts& before, Imprint& finer
+) {
+    const ImprintedMesh& joined = *finer.joined;
+    MeshParts parts = partsOf(joined);
+    std::vector<int> labelOf;
+    for (const int face : largestFaces(joined.mesh, parts)) {
+        labelOf.push_back(labels.at(middleOf(surface, joined, face)));
+    }
+    std::ranges::transform(parts.labels, parts.labels.begin(), [&](int label) {
+        return labelOf[label];
+    });
+    finer.parts = {
+        .labels = std::move(parts.labels), .parts = before.parts, .strokes = before.strokes
+    };
+}
+
+/// Keeps of an imprint's lines the curves alone, which are first.
+void keepCurves(Imprint& imprint, std::size_t count) {
+    const auto withCurvesAlone = [&](const ImprintedMesh& mesh) {
+        ImprintedMesh alone = mesh;
+        alone.curves.resize(count);
+        return std::make_shared<const ImprintedMesh>(std::move(alone));
+    };
+    const bool isJoined = imprint.mesh == imprint.joined;
+    imprint.joined = withCurvesAlone(*imprint.joined);
+    imprint.mesh = isJoined ? imprint.joined : withCurvesAlone(*imprint.mesh);
+}
+
 }  // namespace
 
 ProfiledImprint profiledImprint(
@@ -265,34 +295,15 @@ ProfiledImprint profiledImprint(
     }
 
     ProfiledImprint result{.imprint = imprintOf(source, lines, {.snap = kLeastSnap}), .shares = {}};
-    const auto withCurvesAlone = [&](const ImprintedMesh& mesh) {
-        ImprintedMesh alone = mesh;
-        alone.curves.resize(curveCount);
-        return std::make_shared<const ImprintedMesh>(std::move(alone));
-    };
-    const bool isJoined = result.imprint.mesh == result.imprint.joined;
-    result.imprint.joined = withCurvesAlone(*result.imprint.joined);
-    result.imprint.mesh = isJoined ? result.imprint.joined : withCurvesAlone(*result.imprint.mesh);
+    keepCurves(result.imprint, curveCount);
+    takeLabels(surface, labels, imprint.parts, result.imprint);
     const ImprintedMesh& joined = *result.imprint.joined;
-    MeshParts parts = partsOf(joined);
-    std::vector<int> labelOf;
-    for (const int face : largestFaces(joined.mesh, parts)) {
-        labelOf.push_back(labels.at(middleOf(surface, joined, face)));
-    }
-    std::ranges::transform(parts.labels, parts.labels.begin(), [&](int label) {
-        return labelOf[label];
-    });
-    result.imprint.parts = {
-        .labels = std::move(parts.labels),
-        .parts = imprint.parts.parts,
-        .strokes = imprint.parts.strokes
-    };
 
     report(progress, 0.9, "shaping a relief");
     result.shares.resize(joined.mesh.vertices.size(), 0.0);
     for (std::size_t v = 0; v < result.shares.size(); ++v) {
         const auto vertex = static_cast<int>(v);
-        if (vertex >= joined.surfaceVertexCount || surface.facesAround(vertex).size() > 0) {
+        if (vertex >= joined.surfaceVertexCount || !surface.facesAround(vertex).empty()) {
             const double distance = beams.at(placeOf(surface, joined, vertex)).distance;
             result.shares[v] = shareAt(choice.profile, rim.fromRim(distance) / width);
         }

@@ -96,15 +96,11 @@ class Imprint:
 
     def cut(
         self,
-        which: str | None,
-        seeds: Sequence[float],
+        parts: tuple[str | None, list[float], bool],
         fill: str = ...,
-        relief: float = ...,
-        drop_untouched: bool = ...,
+        relief: tuple[float, str, float] = ...,
         thickness: float = ...,
         base: tuple[float, list[float], float | None] | None = ...,
-        profile: str = ...,
-        profile_width: float = ...,
         progress: Any = ...,
     ) -> tuple[tuple[Floats, Int32s, Int32s, Int32s], list[str]]: ...
     def fill_holes(

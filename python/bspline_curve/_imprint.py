@@ -207,7 +207,7 @@ class Imprint:
             raise OptionError(f"fill is {shape!r}, which needs keep", "bad-option")
         if keep is None and drop_untouched:
             raise OptionError("drop_untouched is True, which needs keep", "bad-option")
-        cut, notes = self._core.cut(*parts_meant("keep", keep), fill=shape, drop_untouched=drop_untouched, progress=progress)
+        cut, notes = self._core.cut((*parts_meant("keep", keep), drop_untouched), fill=shape, progress=progress)
         warn(notes, 3)
         return Cut(*cut)
 
@@ -254,7 +254,7 @@ class Imprint:
             return Cut(self.vertices, self.faces, np.arange(len(self.vertices), dtype=np.int32), self.labels)
         shape = cast(str, checked_value("profile", PROFILE, profile))
         width = 0.0 if profile_width is None else checked_number("profile_width", LENGTH, profile_width)
-        relief, notes = self._core.cut(*meant, relief=raised, profile=shape, profile_width=width)
+        relief, notes = self._core.cut((*meant, False), relief=(raised, shape, width))
         warn(notes, 2)
         return Cut(*relief)
 
@@ -293,11 +293,11 @@ class Imprint:
         >>> bool((shell.origins >= 0).all())
         True
         """
-        which, seeds = parts_meant("part", part)
+        parts = parts_meant("part", part)
         meant = checked_number("thickness", HEIGHT, thickness)
         if meant == 0:
             raise OptionError("thickness is 0, which makes no wall", "bad-option")
-        cut, notes = self._core.cut(which, seeds, thickness=meant, drop_untouched=True, progress=progress)
+        cut, notes = self._core.cut((*parts, True), thickness=meant, progress=progress)
         warn(notes, 2)
         return Cut(*cut)
 
@@ -342,7 +342,7 @@ class Imprint:
         >>> bool((die.origins >= 0).all())
         True
         """
-        which, seeds = parts_meant("part", part)
+        parts = parts_meant("part", part)
         if (length is None) == (height is None):
             raise OptionError("one of length and height is needed: where the plane of the base is", "bad-option")
         if height is not None and direction is None:
@@ -352,7 +352,7 @@ class Imprint:
             raise InputError(f"direction has {len(towards)} numbers, but must have 3", "bad-array")
         far = 0.0 if length is None else checked_number("length", LENGTH, length)
         at = None if height is None else checked_number("height", HEIGHT, height)
-        cut, notes = self._core.cut(which, seeds, base=(far, towards, at), drop_untouched=True)
+        cut, notes = self._core.cut((*parts, True), base=(far, towards, at))
         warn(notes, 2)
         return Cut(*cut)
 

@@ -123,26 +123,27 @@ nb::tuple arraysAndNotes(const Imprint& imprint, const CutMeshes& cut) {
     return nb::make_tuple(arrays, cut.notes);
 }
 
+/// A word; coordinates of seeds; whether parts that no curve touches are dropped.
+using PartsTuple = std::tuple<std::optional<std::string>, std::vector<double>, bool>;
+/// Height; profile; its width.
+using ReliefTuple = std::tuple<double, std::string, double>;
 /// Length; direction, empty: none; height.
 using BaseTuple = std::tuple<double, std::vector<double>, std::optional<double>>;
 
 // ((vertices, faces, imprinted vertex of each vertex, part of each face), notes); -1: new.
 nb::tuple cutTuple(
     const Imprint& imprint,
-    const std::optional<std::string>& which,
-    const std::vector<double>& seeds,
+    const PartsTuple& parts,
     const std::string& fill,
-    double relief,
-    bool dropUntouched,
+    const ReliefTuple& relief,
     double thickness,
     const std::optional<BaseTuple>& base,
-    const std::string& profile,
-    double profileWidth,
     nb::object progress
 ) {
     CutChoice choice;
-    choice.keep = choiceOf(which, seeds, dropUntouched);
-    choice.relief = relief;
+    choice.keep = std::apply(choiceOf, parts);
+    const auto& [raised, profile, profileWidth] = relief;
+    choice.relief = raised;
     choice.profile = profile == "ramp"    ? ReliefProfile::Ramp
                      : profile == "round" ? ReliefProfile::Round
                                           : ReliefProfile::Step;
@@ -293,15 +294,11 @@ void bindUses(nb::module_& module) {
         .def(
             "cut",
             cutTuple,
-            nb::arg("which").none(),
-            nb::arg("seeds"),
+            nb::arg("parts"),
             nb::arg("fill") = "none",
-            nb::arg("relief") = 0.0,
-            nb::arg("drop_untouched") = false,
+            nb::arg("relief") = ReliefTuple(0.0, "step", 0.0),
             nb::arg("thickness") = 0.0,
             nb::arg("base") = nb::none(),
-            nb::arg("profile") = "step",
-            nb::arg("profile_width") = 0.0,
             nb::arg("progress") = nb::none()
         )
         .def(
