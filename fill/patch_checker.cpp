@@ -42,6 +42,19 @@ bool hasFlatFace(const Patch& patch) {
     });
 }
 
+std::vector<int> innerCorners(const Patch& patch, const std::vector<int>& faces) {
+    std::vector<int> points;
+    for (const int face : faces) {
+        for (const int corner : patch.faces[face]) {
+            if (!patch.isOnRim(corner)) {
+                points.push_back(corner - patch.rimCount);
+            }
+        }
+    }
+    sortUnique(points);
+    return points;
+}
+
 PatchChecker::PatchChecker(const TriangleMesh& mesh)
     : vertices_(mesh.vertices),
       rounded_(inSinglePrecision(mesh.vertices)),

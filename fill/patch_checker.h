@@ -25,6 +25,9 @@ struct PatchCrossings {
 
 [[nodiscard]] bool hasFlatFace(const Patch& patch);
 
+/// The inner points of some of its faces, numbered from 0 behind the rim, ascending.
+[[nodiscard]] std::vector<int> innerCorners(const Patch& patch, const std::vector<int>& faces);
+
 /// Checks patches for the rims of a mesh, one after the other, against the mesh, the patches before
 /// and themselves: as they are, and rounded to single precision, as in many files and programs,
 /// unless what is around a rim is too fine for that. Exact; O(n log n) where few faces overlap.

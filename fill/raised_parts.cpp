@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "fill/patch_checker.h"
 #include "fill/settled_ways.h"
+#include "imprint/imprint.h"
 #include "surface/vertex_normals.h"
 #include "utility/index_sets.h"
 
@@ -26,13 +27,9 @@ constexpr double kLeastHeightShare = 0.02;
 /// so that they change little across small faces.
 std::vector<Vec3> normalsOn(const ImprintedMesh& imprinted) {
     const TriangleMesh before = withoutImprint(imprinted);
-    std::vector<Vec3> normals = vertexNormals(before);
-    for (const auto& [face, barycentric] : imprinted.ownPlaces) {
-        Vec3 normal = Vec3::Zero();
-        for (int k = 0; k < 3; ++k) {
-            normal += barycentric[k] * normals[before.faces[face][k]];
-        }
-        normals.push_back(normal.stableNormalized());
+    std::vector<Vec3> normals = interpolatedOwn(imprinted, before.faces, vertexNormals(before));
+    for (std::size_t v = before.vertices.size(); v < normals.size(); ++v) {
+        normals[v] = normals[v].stableNormalized();
     }
     return normals;
 }
@@ -198,22 +195,6 @@ private:
         }
         moving.sheet.faces.resize(moving.sheet.faces.size() - result_.whole.walls.size());
         return moving;
-    }
-
-    /// The vertices of some faces of a patch that are no points of its rim, as numbers after it.
-    [[nodiscard]] static std::vector<int> innerCorners(
-        const Patch& patch, const std::vector<int>& faces
-    ) {
-        std::vector<int> vertices;
-        for (const int face : faces) {
-            for (const int corner : patch.faces[face]) {
-                if (!patch.isOnRim(corner)) {
-                    vertices.push_back(corner - patch.rimCount);
-                }
-            }
-        }
-        sortUnique(vertices);
-        return vertices;
     }
 
     /// Moves vertices as far as that crosses nothing.

@@ -5,6 +5,7 @@
 #include "fill/part_sheet.h"
 #include "fill/patch_checker.h"
 #include "fill/settled_ways.h"
+#include "imprint/imprint.h"
 #include "surface/vertex_normals.h"
 #include "utility/index_sets.h"
 
@@ -29,14 +30,7 @@ std::vector<Vec3> unitWays(const ImprintedMesh& imprinted) {
     for (Vec3& way : ways) {
         way /= std::max(way.squaredNorm(), kLeastMean * kLeastMean);
     }
-    for (const SurfacePoint& place : imprinted.ownPlaces) {
-        Vec3 way = Vec3::Zero();
-        for (int k = 0; k < 3; ++k) {
-            way += place.barycentric[k] * ways[before.faces[place.face][k]];
-        }
-        ways.push_back(way);
-    }
-    return ways;
+    return interpolatedOwn(imprinted, before.faces, std::move(ways));
 }
 
 /// With one vertex where the part meets itself in one, so that this is no crossing.
@@ -81,16 +75,7 @@ public:
         patch_.points.resize(rim_.size());
         patch_.points.insert(patch_.points.end(), moved.begin(), moved.end());
         crossingFaces_ = checker_.badFaces(patch_, isStrict);
-        std::vector<int> vertices;
-        for (const int face : crossingFaces_) {
-            for (const int corner : patch_.faces[face]) {
-                if (!patch_.isOnRim(corner)) {
-                    vertices.push_back(corner - patch_.rimCount);
-                }
-            }
-        }
-        sortUnique(vertices);
-        return vertices;
+        return innerCorners(patch_, crossingFaces_);
     }
 
     /// The faces that crossed then: those of the other side, then those of walls.

@@ -23,7 +23,7 @@ struct ThickParts {
 /// around, if that helps, then the wall is made thinner there, with a slope of at most a half.
 /// `solid.crossing` has the faces that cross in spite of that, as where the part crosses itself.
 /// Outwards, the faces of the imprint are on the moved side. Throws InputError (BadOption: not
-/// finite, or 0), Cancelled. O(n log n) a round, of which there are at most 32.
+/// finite, or 0), Cancelled. O(n log n) a round, of which there are at most 64.
 [[nodiscard]] ThickParts thickened(
     const ImprintedMesh& imprinted,
     const MeshParts& parts,

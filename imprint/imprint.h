@@ -42,6 +42,12 @@ namespace bspline_curve {
     std::span<const double> values
 );
 
+/// Vectors at the vertices of the imprinted mesh, from those at the vertices of withoutImprint():
+/// linear in each of its faces, which are given. O(n).
+[[nodiscard]] std::vector<Vec3> interpolatedOwn(
+    const ImprintedMesh& imprinted, const std::vector<Triangle>& ownFaces, std::vector<Vec3> vectors
+);
+
 /// An imprinted curve as a polyline on the imprinted mesh, whose surface is given.
 [[nodiscard]] SurfacePolyline polylineOf(const Surface& imprinted, const ImprintedCurve& curve);
 

@@ -136,6 +136,18 @@ std::vector<char> oddParts(const ImprintedMesh& imprinted, const MeshParts& part
     return isOdd;
 }
 
+/// For each part whether it lies inside strokes, or else inside curves, by even and odd.
+std::vector<char> insideParts(const ImprintedMesh& imprinted, const MeshParts& parts) {
+    if (parts.strokes.empty()) {
+        return oddParts(imprinted, parts);
+    }
+    std::vector<char> isInside(parts.parts.size(), 0);
+    for (const int stroke : parts.strokes) {
+        isInside[stroke] = 1;
+    }
+    return isInside;
+}
+
 }  // namespace
 
 std::vector<int> partedParts(const ImprintedMesh& imprinted, const MeshParts& parts) {
@@ -171,14 +183,10 @@ std::vector<int> chosenParts(
             return {parted.back()};
         case PartChoice::Which::Inside:
         case PartChoice::Which::Outside: {
-            const bool areStrokes = !parts.strokes.empty();
-            const std::vector<char> isOdd =
-                areStrokes ? std::vector<char>() : oddParts(imprinted, parts);
+            const std::vector<char> isInside = insideParts(imprinted, parts);
             const bool wanted = choice.which == PartChoice::Which::Inside;
             std::ranges::copy_if(parted, std::back_inserter(chosen), [&](int part) {
-                const bool isInside =
-                    areStrokes ? std::ranges::binary_search(parts.strokes, part) : isOdd[part] != 0;
-                return isInside == wanted;
+                return (isInside[part] != 0) == wanted;
             });
             break;
         }

@@ -68,6 +68,19 @@ std::vector<double> interpolated(
     return result;
 }
 
+std::vector<Vec3> interpolatedOwn(
+    const ImprintedMesh& imprinted, const std::vector<Triangle>& ownFaces, std::vector<Vec3> vectors
+) {
+    for (const auto& [face, barycentric] : imprinted.ownPlaces) {
+        Vec3 vector = Vec3::Zero();
+        for (int k = 0; k < 3; ++k) {
+            vector += barycentric[k] * vectors[ownFaces[face][k]];
+        }
+        vectors.push_back(vector);
+    }
+    return vectors;
+}
+
 SurfacePolyline polylineOf(const Surface& imprinted, const ImprintedCurve& curve) {
     SurfacePolyline line;
     line.closed = curve.closed;
