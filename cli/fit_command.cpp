@@ -45,7 +45,7 @@ struct FitParser {
                    "--line",
                    arguments.lines,
                    "Lines near the mesh, each of which becomes a curve: .obj, .ply, "
-                   ".dxf, .csv or .vtu. May be given again"
+                   ".dxf, .csv or .vtu. May be repeated"
             )
                 ->allow_extra_args(false)
                 ->type_name("FILE");
@@ -175,11 +175,11 @@ ExitCode fitAndWrite(FitArguments& arguments, ProgressBar& bar) {
     bar.show(0.0, "reading");
     std::vector<LineToFit> lines = linesOf(arguments);
     LoadedMesh loaded = loadMesh(arguments.mesh, arguments.mending.strict);
-    const TriangleMesh& given = loaded.layer.mesh;
+    const TriangleMesh& mesh = loaded.layer.mesh;
     if (!arguments.selection.empty()) {
-        lines = linesRound(given, regionOf(arguments.selection, given));
+        lines = linesRound(mesh, regionOf(arguments.selection, mesh));
     } else if (!arguments.labels.empty()) {
-        lines = linesBetween(given, labelsOf(arguments.labels, given));
+        lines = linesBetween(mesh, labelsOf(arguments.labels, mesh));
     }
     loaded.prepareForCurves(arguments, true, progressPart(bar, 0.0, kReadyShare));
     const Workpiece& workpiece = *loaded.workpiece;

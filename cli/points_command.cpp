@@ -66,7 +66,7 @@ struct PointsParser {
     }
 
     CLI::App app{
-        "Places points along curves on a mesh, at equal distances (semilandmarks), at given ones, "
+        "Places points along curves on a mesh, at equal distances (semilandmarks), at chosen ones, "
         "or at the\ncurve's picks, each with a frame (tangent, normal, left) and curvatures.\n\n"
         "Exit status: 0 done; 1 bad mesh or file, or a curve that is not on this mesh; 2 wrong "
         "usage; 130\ninterrupted by Ctrl-C. No output is written unless the status is 0.\n",

@@ -51,7 +51,7 @@ const FaceChoice& RegionOptions::choice(FieldKind kind) const {
     const std::string names =
         prefix_ + "region, " + prefix_ + "region-under, " + prefix_ + "region-over";
     if (count() > 1) {
-        throw CLI::ValidationError("only one of " + names + " may be given");
+        throw CLI::ValidationError("only one of " + names + " can be used");
     }
     if (kind == FieldKind::Obstacle && !isGiven()) {
         throw CLI::ValidationError("the field obstacle needs one of " + names);

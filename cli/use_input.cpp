@@ -100,15 +100,15 @@ UseOptions::UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescr
               std::string(
                   "Curve on this mesh: .json, .ply, .csv or .vtu, as this program writes it, "
                   "exactly; "
-                  "other .ply, .obj, .dxf, .csv and .vtu are projected onto the mesh. May be given "
-                  "again"
+                  "other .ply, .obj, .dxf, .csv and .vtu are projected onto the mesh. May be "
+                  "repeated"
               )
           ),
           std::tuple(
               "--picks",
               &arguments.picks,
               "Draw a curve through these points first: " + std::string(kPicksExtensions) +
-                  "; the options of curves say how. May be given again"
+                  "; the options of curves say how. May be repeated"
           )}) {
         orStandardStream(app.add_option(flag, *files, help), ".json")
             ->allow_extra_args(false)
@@ -130,7 +130,7 @@ void UseOptions::finish() {
         throw CLI::ValidationError("--curve or --picks is required: there is no curve");
     }
     if (arguments_.picks.empty() && drawing_.isAnyGivenForDrawing()) {
-        throw CLI::ValidationError("options of curves are for --picks, which is not given");
+        throw CLI::ValidationError("options of curves are for --picks: name its file");
     }
     drawing_.finish();
 }

@@ -19,7 +19,7 @@ namespace bspline_curve::cli {
 namespace {
 
 /// The option that may be meant by one that is not known; empty where none is near.
-std::string nearFlag(const CLI::App& app, const std::string& given) {
+std::string nearFlag(const CLI::App& app, const std::string& typed) {
     std::vector<std::string> flags;
     for (const CLI::Option* const option : app.get_options()) {
         for (const std::string& name : option->get_lnames()) {
@@ -28,7 +28,7 @@ std::string nearFlag(const CLI::App& app, const std::string& given) {
             }
         }
     }
-    return didYouMean(given.substr(0, given.find('=')), flags);
+    return didYouMean(typed.substr(0, typed.find('=')), flags);
 }
 
 }  // namespace

@@ -558,9 +558,9 @@ private:
                 continue;
             }
             const Triangle& corners = extended_.faces[piece.face];
-            const Vec3& origin = extended_.vertices[corners[0]];
-            const Vec3 edgeU = extended_.vertices[corners[1]] - origin;
-            const Vec3 edgeV = extended_.vertices[corners[2]] - origin;
+            const Vec3& corner = extended_.vertices[corners[0]];
+            const Vec3 edgeU = extended_.vertices[corners[1]] - corner;
+            const Vec3 edgeV = extended_.vertices[corners[2]] - corner;
             // Most pieces need no look.
             const Vec2 slopes = piece.slopes[0].cwiseAbs() + piece.slopes[1].cwiseAbs();
             const double aside =
@@ -578,7 +578,7 @@ private:
                 const Vec3 p = shadow_.splineAt(t).position;
                 const auto distanceOf = [&](const FairedPiece& way) {
                     const Vec2 uv = way.uvAt(s, p);
-                    return (origin + uv[0] * edgeU + uv[1] * edgeV - p).norm();
+                    return (corner + uv[0] * edgeU + uv[1] * edgeV - p).norm();
                 };
                 const double bent = distanceOf(piece);
                 if (!(bent > usable)) {

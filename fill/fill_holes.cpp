@@ -123,7 +123,7 @@ public:
     )
         : mesh_(mesh),
           rims_(rims),
-          given_(surroundings),
+          beyond_(surroundings),
           places_(rims, mesh.vertices.size()),
           beside_(besideRims(mesh, places_)),
           result_{.mesh = mesh, .firstNew = {}, .firstFace = {}, .crossing = {}},
@@ -375,7 +375,7 @@ private:
     bool fillWithSheets(const Progress& progress) {
         for (const std::size_t most : {kSmallSheet, std::numeric_limits<std::size_t>::max()}) {
             const auto behind = sheetBeside(mesh_, rims_[rim_], true, most);
-            const auto removed = given_.removed ? given_.removed(rim_, most) : std::nullopt;
+            const auto removed = beyond_.removed ? beyond_.removed(rim_, most) : std::nullopt;
             if (removed && (!behind || removed->patch.faces.size() < behind->patch.faces.size())) {
                 return fillWith(*removed, removed->patch.points, progress);
             }
@@ -447,7 +447,7 @@ private:
             localOf.emplace(place, static_cast<int>(patch.points.size()));
             patch.points.push_back(mesh_.vertices[vertex]);
             patch.most.push_back(
-                given_.sizes.empty() ? beside_[place].size() : given_.sizes[vertex]
+                beyond_.sizes.empty() ? beside_[place].size() : beyond_.sizes[vertex]
             );
         }
         patch.most = averagedAlong(std::move(patch.most));
@@ -555,7 +555,7 @@ private:
 
     const TriangleMesh& mesh_;
     const std::vector<std::vector<int>>& rims_;
-    const FillSurroundings& given_;
+    const FillSurroundings& beyond_;
     RimPlaces places_;
     std::vector<Beside> beside_;  // by place
     FilledMesh result_;

@@ -63,9 +63,7 @@ PicksFile choosePicks(const CurveRequest& request, PickCandidates candidates) {
         for (std::size_t i = 1; i < sources.size(); ++i) {
             names += " and " + sources[i];
         }
-        refusePicks(
-            "picks are given more than once, by the options " + names + ": give one of them"
-        );
+        refusePicks("picks come from more than one option: " + names + "; use one of them");
     }
     if (!request.picksText.empty()) {
         return {.picks = parsePicksText(request.picksText), .closed = {}};

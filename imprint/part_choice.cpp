@@ -200,7 +200,7 @@ std::vector<int> chosenParts(
     if (chosen.empty()) {
         throw InputError(
             InputErrorCode::NoPath,
-            "no part is meant: none lies inside the curves, or no seed is given"
+            "no part is meant: none lies inside the curves, or there is no seed"
         );
     }
     return chosen;

@@ -324,10 +324,12 @@ Imprint strokesOn(
         );
     }
     const double half = width / 2.0;
-    JoinedLines given = joinedFor(workpiece.parts().surface, lines);
-    Imprint::Source source{.surface = std::move(given.surface), .spines = {}, .halfWidth = half};
+    JoinedLines onSurface = joinedFor(workpiece.parts().surface, lines);
+    Imprint::Source source{
+        .surface = std::move(onSurface.surface), .spines = {}, .halfWidth = half
+    };
     const Surface& surface = *source.surface;
-    for (const SurfacePolyline& line : given.lines) {
+    for (const SurfacePolyline& line : onSurface.lines) {
         source.spines.push_back(
             strictLine(surface, line, "curve " + std::to_string(source.spines.size()))
         );

@@ -74,7 +74,7 @@ void CurveTool::makeWhatWaits() {
 
 void CurveTool::cancelUse() {
     if (uses_.cancel()) {
-        notice_ = tr("Given up.");
+        notice_ = tr("Stopped.");
         refresh();
     }
 }

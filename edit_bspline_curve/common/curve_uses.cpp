@@ -113,7 +113,7 @@ bool CurveUses::cancel() {
 void CurveUses::finish() {
     if (running_) {
         layers_.say(
-            "\"" + running_->filter().name + "\" was given up, since the drawing tool ended."
+            "\"" + running_->filter().name + "\" was stopped, since the drawing tool ended."
         );
         cancel();
     }

@@ -36,10 +36,10 @@ DesignedCurve fit(
 
 // Of each line (vertices, whether it is closed, the labels on its left and right).
 std::vector<nb::tuple> boundaries(const Mesh& mesh, const Ids& labels) {
-    const std::vector<int> given = toVector(std::optional(labels));
+    const std::vector<int> values = toVector(std::optional(labels));
     const std::vector<BoundaryLine> lines = [&] {
         const nb::gil_scoped_release unlocked;
-        return boundaryLines(mesh->mesh(), given);
+        return boundaryLines(mesh->mesh(), values);
     }();
     std::vector<nb::tuple> found;
     for (const BoundaryLine& line : lines) {

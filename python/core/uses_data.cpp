@@ -89,10 +89,10 @@ std::optional<PartChoice> choiceOf(
 }
 
 /// For each vertex of a mesh that of the imprint; -1: it is new, also where a relief has a profile.
-std::vector<int> originsIn(const Imprint& imprint, const MadeMesh& made) {
-    std::vector<int> origins = made.parts().source;
+std::vector<int> sourcesIn(const Imprint& imprint, const MadeMesh& made) {
+    std::vector<int> sources = made.parts().source;
     if (&made.imprinted() == imprint.mesh.get()) {
-        return origins;
+        return sources;
     }
     const std::vector<Vec3>& before = imprint.mesh->mesh.vertices;
     const auto inputCount = static_cast<int>(before.size() - imprint.mesh->newVertices.size());
@@ -100,14 +100,14 @@ std::vector<int> originsIn(const Imprint& imprint, const MadeMesh& made) {
     for (auto v = static_cast<std::size_t>(inputCount); v < before.size(); ++v) {
         onCurves.try_emplace({before[v].x(), before[v].y(), before[v].z()}, static_cast<int>(v));
     }
-    for (int& origin : origins) {
-        if (origin >= inputCount) {
-            const Vec3& place = made.imprinted().mesh.vertices[origin];
+    for (int& source : sources) {
+        if (source >= inputCount) {
+            const Vec3& place = made.imprinted().mesh.vertices[source];
             const auto found = onCurves.find({place.x(), place.y(), place.z()});
-            origin = found == onCurves.end() ? -1 : found->second;
+            source = found == onCurves.end() ? -1 : found->second;
         }
     }
-    return origins;
+    return sources;
 }
 
 /// Vertices, faces, sources and labels of a mesh that is in one piece; and notes.
@@ -117,7 +117,7 @@ nb::tuple arraysAndNotes(const Imprint& imprint, const CutMeshes& cut) {
     const nb::tuple arrays = nb::make_tuple(
         arrayOf(made.mesh.vertices),
         arrayOf(made.mesh.faces),
-        arrayOf(originsIn(imprint, mesh)),
+        arrayOf(sourcesIn(imprint, mesh)),
         arrayOf(made.labels)
     );
     return nb::make_tuple(arrays, cut.notes);

@@ -51,9 +51,9 @@ SurfacePolyline lineOfOne(const SurfacePoint& point) {
 std::optional<DesignedCurve> shortestWay(
     const Mesh& mesh, const Ids& faces, const Points& barycentrics
 ) {
-    const std::vector<SurfacePoint> given = pointsOf(faces, barycentrics);
+    const std::vector<SurfacePoint> ends = pointsOf(faces, barycentrics);
     const nb::gil_scoped_release unlocked;
-    std::optional<SurfacePolyline> line = shortestPath(*mesh.workpiece, given[0], given[1]);
+    std::optional<SurfacePolyline> line = shortestPath(*mesh.workpiece, ends[0], ends[1]);
     return line ? std::optional(curveOf(*std::move(line))) : std::nullopt;
 }
 

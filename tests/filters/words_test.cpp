@@ -143,7 +143,7 @@ TEST(Labels, TakeThePlaceOfEveryNumberThatIsRefused) {
 
 TEST(Labels, LeaveWordsAndNamesOfLayersAsTheyAre) {
     for (const char* const text :
-         {"picks are given more than once",
+         {"picks come from more than one option",
           "the field has 3 values for 4 vertices: give one value per vertex",
           R"(layer "picks_file" is not near layer "quality": vertex 1)",
           "give a smaller size, fewer copies or another start",

@@ -248,7 +248,7 @@ def test_the_twin_has_the_advanced_options(serve, sphere, write_script, tmp_path
     [
         ({"picks": "1 0 0; 0 1 0; 3 3 3"}, "pick 3"),
         ({"picks_file": "not there.pp"}, "not there.pp"),
-        ({"picks": SPHERE_PICKS, "picks_file": "x.pp"}, "more than once, by the options picks and picks_file"),
+        ({"picks": SPHERE_PICKS, "picks_file": "x.pp"}, "more than one option: picks and picks_file"),
         ({}, "give one of the options picks, picks_file and picks_layer"),
         ({"picks": SPHERE_PICKS, "degree": 5}, "degree"),
         ({"picks": SPHERE_PICKS, "field": "quality"}, "no per-vertex quality"),

@@ -15,7 +15,7 @@ from meshlab_window import MeshLabWindow
 MOST_SECONDS = 0.2
 PATIENCE = 5.0  # with machines that are busy with other things: seconds by the clock per second of computing
 CUT = "^1 curve cut: "
-GIVEN_UP = '" was given up, since the drawing tool ended'
+GIVEN_UP = '" was stopped, since the drawing tool ended'
 
 
 @pytest.fixture(scope="module")
