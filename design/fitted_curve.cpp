@@ -6,6 +6,7 @@
 #include "design/curve_sections.h"
 #include "design/curve_solver.h"
 #include "design/fitted_path.h"
+#include "design/line_points.h"
 #include "design/path_spline.h"
 #include "design/solved_curve.h"
 #include "surface/error_messages.h"
@@ -33,6 +34,9 @@ struct FitConstants {
     /// points that are off at random the farthest is three times as far; and a line that is off by
     /// a quarter is met better where less of its own shape is flattened with that.
     double spreadShare = 0.185;
+    /// The same of a line along edges of the mesh, whose points are known better: see
+    /// findLinePoints().
+    double spreadShareOfEdges = 0.155;
     /// The first guess of the waves that are flattened, in deviations; of a line whose noise is not
     /// known, in mean distances of its points. Steps along mesh edges have waves of up to a dozen.
     double wavelength = 10.0, wavelengthOfPoints = 12.0;
@@ -205,11 +209,18 @@ public:
         if (line_.closed) {
             positions_.pop_back();
         }
-        measure(line.picks);
+        const double alongEdges = findLinePoints(
+            task.prepared.surface(),
+            *task.prepared.extended(),
+            line.picks,
+            {kFit.longestPiece * bound_, kFit.wholePiece * bound_},
+            line_
+        );
+        spreadShare_ = std::lerp(kFit.spreadShare, kFit.spreadShareOfEdges, alongEdges);
     }
 
     [[nodiscard]] Curve fit(const Progress& progress) {
-        double spread = kFit.spreadShare * deviation_ / scale_;
+        double spread = spreadShare_ * deviation_ / scale_;
         double share = 1.0;
         double nearest = std::numeric_limits<double>::infinity();
         for (int i = 0; i < kFit.mostFits; ++i) {
@@ -251,26 +262,6 @@ private:
     }
 
     [[nodiscard]] double edge() const { return task_.prepared.surface().averageEdgeLength(); }
-
-    // The points that the line is known by: the middles of its pieces, which steps from one side to
-    // the other disturb less than its vertices.
-    void measure(const std::vector<PickConstraint>& vertices) {
-        const bool closed = line_.closed;
-        const double length = line_.path.length();
-        const std::size_t legs = vertices.size() - (closed ? 0 : 1);
-        for (std::size_t i = 0; i < legs; ++i) {
-            const double from = vertices[i].parameter;
-            const double to = i + 1 < vertices.size() ? vertices[i + 1].parameter : 1.0;
-            const double piece = (to - from) * length;
-            const auto pieces =
-                std::max(1, static_cast<int>(std::ceil(piece / (kFit.longestPiece * bound_))));
-            const double weight = std::min(1.0, piece / (kFit.wholePiece * bound_));
-            for (int k = 0; k < pieces; ++k) {
-                const double parameter = std::lerp(from, to, (k + 0.5) / pieces);
-                line_.points.push_back({parameter, line_.path.positionAt(parameter), weight});
-            }
-        }
-    }
 
     // `share`: of the usual least wavelength.
     [[nodiscard]] std::optional<FittedPath> pathWithin(double spread, double share) const {
@@ -406,6 +397,7 @@ private:
     double deviation_;  // user's unit
     double bound_;      // by which waves and pieces are measured, in the shell's frame
     MeasuredLine line_;
+    double spreadShare_;           // of the deviation
     double trembling_ = 1.0;       // see tremblingOf()
     std::vector<Vec3> positions_;  // of the line, user's unit
 };
