@@ -102,7 +102,7 @@ TEST(FittedCurves, AreNearTheCircleThatJaggedBoundariesFollow) {
     const double edge = designer.surface().averageEdgeLength();
     for (const FitOptions& fit : {FitOptions{}, FitOptions{{1.0, true}}}) {
         const Curve curve = fitted(designer, line, fit);
-        EXPECT_LE(rootMeanSquare(curve.polyline, offCircle), 0.15 * edge);
+        EXPECT_LE(rootMeanSquare(curve.polyline, offCircle), 0.1 * edge);
         EXPECT_LE(
             std::abs(length(curve.polyline) / (2.0 * std::numbers::pi * kRadius) - 1.0), 0.02
         );
