@@ -59,6 +59,9 @@ inline constexpr const char* kMeshProcess = "--mesh-process";
 /// The verb pattern: a planar drawing carried to the surface.
 [[nodiscard]] ExitCode runPattern(Arguments arguments);
 
+/// The verb edit: curves turned round, cut, joined and made longer.
+[[nodiscard]] ExitCode runEdit(Arguments arguments);
+
 /// The verb points: points at distances along curves.
 [[nodiscard]] ExitCode runPoints(Arguments arguments);
 

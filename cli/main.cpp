@@ -60,6 +60,9 @@ constexpr std::array kVerbs{
         .help = "a planar drawing carried to the surface as curves"
     },
     Verb{
+        .name = "edit", .run = runEdit, .help = "curves turned round, cut, joined and made longer"
+    },
+    Verb{
         .name = "points",
         .run = runPoints,
         .help = "points along curves, with frames and curvatures"

@@ -70,6 +70,9 @@ bool DrawingSession::press(const Pointer& pointer) {
         return true;
     }
     const Seen seen = seenBy(pointer);
+    if (pressHandle(pointer, seen)) {
+        return true;
+    }
     const SketchHit hit = hitTest(sketch_, pointer, seen, settings_.radii);
     if (pointer.strokes && seen.point.face >= 0) {
         beginStroke(pointer, seen, hit);
@@ -123,7 +126,9 @@ bool DrawingSession::move(const Pointer& pointer) {
         mode_ = Mode::Dragging;
         closesOnRelease_ = false;
     }
-    if (mode_ == Mode::Dragging && seen.point.face >= 0) {
+    if (mode_ == Mode::Dragging && turning_ != 0) {
+        turn(pointer);
+    } else if (mode_ == Mode::Dragging && seen.point.face >= 0) {
         const SurfacePoint point = pointUnder(pointer, seen);
         place(changed().picks[sketch_.selected], point);
         askLive();
@@ -132,6 +137,11 @@ bool DrawingSession::move(const Pointer& pointer) {
         return true;
     }
     snapped_ = {};
+    if (const int handle = handleUnder(pointer, seen); handle != 0) {
+        hovered_ = {sketch_.active, sketch_.selected, -1, handle};
+        dropLive();
+        return false;
+    }
     hovered_ = hitTest(sketch_, pointer, seen, settings_.radii);
     const SketchCurve* const curve = sketch_.activeCurve();
     const bool wouldAdd = curve != nullptr && !curve->options.solver.closed &&
@@ -194,6 +204,8 @@ bool DrawingSession::key(SketchKey key, const Pointer& pointer) {
         case SketchKey::NewCurve:
             newCurve();
             return true;
+        case SketchKey::Kind:
+            return changeKind();
         case SketchKey::Undo:
             undo();
             return true;

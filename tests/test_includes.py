@@ -23,7 +23,7 @@ BESIDES = {
     "filter_bspline_curve": {"workpiece/layer_input.h", "workpiece/workpiece_cache.h", "surface/mesh_checksum.h"},
     "filter_bspline_curve_legacy": {"workpiece/workpiece_cache.h"},
     # What of a curve the surface hides, face by face.
-    "edit_bspline_curve": {"sketch/hit_test.h", "surface/surface_point.h", "workpiece/workpiece_parts.h"},
+    "edit_bspline_curve": {"sketch/hit_test.h", "sketch/tangent_handles.h", "surface/surface_point.h", "workpiece/workpiece_parts.h"},
     # The package has no library for JSON and XML: it reads and writes these itself, and takes the formats one by one.
     "python/core": {"io/curve_formats.h", "io/drawing_formats.h", "pattern/drawing_builder.h"},
     # Files in memory, and no XML.

@@ -17,6 +17,9 @@
 namespace bspline_curve {
 namespace {
 
+/// Handles of directions are so far from their picks, in logical pixels.
+constexpr double kTangentReach = 40.0;
+
 QAction* suspendingActionOf(const QWidget& window) {
     for (QAction* const action : window.findChildren<QAction*>()) {
         if (action->shortcut() == QKeySequence(Qt::Key_Escape) && action->isCheckable()) {
@@ -168,6 +171,7 @@ void CurveTool::begin(Prepared prepared) {
     options_ = std::make_unique<OptionBook>(workpiece_, std::move(prepared.layer));
     SessionSettings settings;
     settings.colour = kept::colour();
+    settings.handlePixels = kTangentReach;
     // The session's thread wakes ours.
     settings.wake = [this] {
         QMetaObject::invokeMethod(this, [this] { refresh(); }, Qt::QueuedConnection);

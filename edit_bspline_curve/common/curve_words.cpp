@@ -60,4 +60,19 @@ QString wordsFor(const SketchCurve& curve, double edge, const QString& unit) {
     return text;
 }
 
+QString wordsForKind(const SketchCurve& curve, int pick) {
+    if (pick < 0) {
+        return {};
+    }
+    switch (kindOf(curve.picks[pick])) {
+        case PickKind::Aligned:
+            return QObject::tr(" Pick %1 has a direction: drag its handles.").arg(pick + 1);
+        case PickKind::Corner:
+            return QObject::tr(" Pick %1 is a corner.").arg(pick + 1);
+        case PickKind::Automatic:
+            break;
+    }
+    return {};
+}
+
 }  // namespace bspline_curve

@@ -14,4 +14,7 @@ namespace bspline_curve {
 /// there is none. `edge`: the mean edge length of the surface; `unit`: of lengths, or empty.
 [[nodiscard]] QString wordsFor(const SketchCurve& curve, double edge, const QString& unit);
 
+/// How a curve passes a pick, where that is not as usual; else empty. -1: no pick.
+[[nodiscard]] QString wordsForKind(const SketchCurve& curve, int pick);
+
 }  // namespace bspline_curve

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace bspline_curve {
@@ -22,6 +23,9 @@ constexpr double kDarkRim = 1.5, kLightRim = 1.0;
 constexpr double kLarger = 1.25;  // hovered
 constexpr double kRing = 10.0;
 constexpr LineWidths kRingWidths{1.1, 2.1, 2.9};
+constexpr double kSquare = 7.5;  // half its side
+constexpr LineWidths kDirectionWidths{0.9, 1.9, 2.7};
+constexpr double kDirectionDisc = 3.5;
 constexpr double kCross = 12.0;
 constexpr LineWidths kCrossWidths{1.3, 2.3, 3.1};
 constexpr double kNumberHeight = 8.0, kNumberWidth = 0.75, kNumberHalo = 2.25;
@@ -44,6 +48,28 @@ ScreenLine circle(const ScreenNode& centre, double radius) {
         );
     }
     return line;
+}
+
+ScreenLine square(const ScreenNode& centre, double half) {
+    ScreenLine line;
+    line.closed = true;
+    for (const auto& [x, y] :
+         {std::pair(1, 1), std::pair(-1, 1), std::pair(-1, -1), std::pair(1, -1)}) {
+        line.nodes.push_back(beside(centre, half * Eigen::Vector2d(x, y)));
+    }
+    return line;
+}
+
+void addRimmedDisc(
+    ScreenBatch& batch,
+    const ScreenNode& place,
+    double disc,
+    const SketchColour& colour,
+    double ratio
+) {
+    batch.addDisc(place, disc + ratio * (kDarkRim + kLightRim), {kLight});
+    batch.addDisc(place, disc + ratio * kDarkRim, {kDark});
+    batch.addDisc(place, disc, {colour});
 }
 
 SketchColour colourOf(const HandleState& state) {
@@ -71,10 +97,24 @@ void addHandle(
     if (state.isSelected) {
         LineStyle(kSelected, kRingWidths, ratio).addLine(batch, circle(place, ratio * kRing));
     }
+    if (state.isCorner) {
+        LineStyle(kHandle, kRingWidths, ratio).addLine(batch, square(place, ratio * kSquare));
+    }
     const double disc = ratio * kDisc * (state.isHovered ? kLarger : 1.0);
-    batch.addDisc(place, disc + ratio * (kDarkRim + kLightRim), {kLight});
-    batch.addDisc(place, disc + ratio * kDarkRim, {kDark});
-    batch.addDisc(place, disc, {colourOf(state)});
+    addRimmedDisc(batch, place, disc, colourOf(state), ratio);
+}
+
+void addDirection(
+    ScreenBatch& batch, const ScreenNode& ahead, const ScreenNode& behind, int hovered, double ratio
+) {
+    ScreenLine line;
+    line.nodes = {behind, ahead};
+    LineStyle(kSelected, kDirectionWidths, ratio).addLine(batch, line);
+    for (const auto& [node, side] : {std::pair(ahead, 1), std::pair(behind, -1)}) {
+        const bool isHovered = side == hovered;
+        const double disc = ratio * kDirectionDisc * (isHovered ? kLarger : 1.0);
+        addRimmedDisc(batch, node, disc, isHovered ? kHovered : kSelected, ratio);
+    }
 }
 
 void addHandleNumber(

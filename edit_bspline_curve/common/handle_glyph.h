@@ -7,13 +7,21 @@ namespace bspline_curve {
 
 struct HandleState {
     bool isBad = false, isHovered = false, isSelected = false;
+    bool isCorner = false;
 
     [[nodiscard]] bool isSpecial() const { return isBad || isHovered || isSelected; }
 };
 
 /// A disc with a dark and a light rim. States differ by colour and by shape: what is selected has a
-/// ring around it, what is hovered is larger, what is bad has a cross behind it.
+/// ring around it, what is hovered is larger, what is bad has a cross behind it, a corner lies in a
+/// square.
 void addHandle(ScreenBatch& batch, const ScreenNode& place, const HandleState& state, double ratio);
+
+/// The two handles of a pick's direction: smaller discs at the ends of a line through it.
+/// `hovered`: of which the pointer is over one, 1 ahead, -1 behind; else 0.
+void addDirection(
+    ScreenBatch& batch, const ScreenNode& ahead, const ScreenNode& behind, int hovered, double ratio
+);
 
 /// The number of a pick beside its handle. `direction`: where, unit length.
 void addHandleNumber(

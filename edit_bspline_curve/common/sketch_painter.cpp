@@ -5,12 +5,16 @@
 #include "edit_bspline_curve/common/line_style.h"
 #include "edit_bspline_curve/common/snap_glyph.h"
 #include "sketch/hit_test.h"
+#include "sketch/tangent_handles.h"
 #include "surface/surface_point.h"
 #include "workpiece/workpiece_parts.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 namespace bspline_curve {
@@ -60,6 +64,7 @@ public:
             addPreview(batch, session_.preview()->polyline);
         }
         if (sketch.active >= 0) {
+            addLeeways(batch, curve(sketch.active));
             addCurve(batch, sketch.active);
         }
         return batch;
@@ -72,6 +77,9 @@ public:
         const Sketch& sketch = session_.sketch();
         for (int c = 0; c < static_cast<int>(sketch.curves.size()); ++c) {
             if (hasHandles(c)) {
+                if (c == sketch.active) {
+                    addDirectionOfSelected(hidden, shown);
+                }
                 const std::vector<std::optional<PaintedPick>> picks = paintedPicks(c);
                 addHandles(picks, false, hidden);
                 addHandles(picks, true, shown);
@@ -139,6 +147,35 @@ private:
         }
     }
 
+    // Round each pick that the curve need not pass, how far from it that may be.
+    void addLeeways(ScreenBatch& batch, const SketchCurve& curve) const {
+        constexpr int kCorners = 48;
+        const double reach = curve.options.solver.pickTolerance.in(surface_.averageEdgeLength());
+        if (curve.look.isHidden || !(reach > 0.0)) {
+            return;
+        }
+        for (const SketchPick& pick : curve.picks) {
+            const Vec3 normal = normalAt(pick.point);
+            if (kindOf(pick) != PickKind::Automatic || normal.isZero(0.0)) {
+                continue;
+            }
+            const Vec3 first = normal.unitOrthogonal();
+            const Vec3 second = normal.cross(first);
+            std::vector<Vec3> circle;
+            for (int i = 0; i < kCorners; ++i) {
+                const double angle = 2.0 * std::numbers::pi * i / kCorners;
+                circle.emplace_back(
+                    pick.position + reach * (std::cos(angle) * first + std::sin(angle) * second)
+                );
+            }
+            const auto normalOf = [&](std::size_t) { return normalAt(pick.point); };
+            for (const ScreenLine& line : projection_.lines(circle, normalOf, true)) {
+                batch.addStroke(line, kPreviewHalo * view_.ratio(), {kDark, kPreviewHaloAlpha});
+                batch.addStroke(line, kPreview * view_.ratio(), {kPreviewColour});
+            }
+        }
+    }
+
     // As the preview, but whole.
     void addFreehand(ScreenBatch& batch) const {
         const std::vector<SketchPick>& stroke = session_.stroke();
@@ -172,6 +209,7 @@ private:
             !problem.message.empty() &&
             (problem.picks.empty() || std::ranges::find(problem.picks, i) != problem.picks.end());
         state.isHovered = session_.hovered() == SketchHit{c, i, -1};
+        state.isCorner = curve(c).picks[i].isCorner;
         state.isSelected = c == session_.sketch().active && i == session_.sketch().selected;
         return state;
     }
@@ -212,6 +250,35 @@ private:
                     addHandle(batch, pick->node, pick->state, view_.ratio());
                 }
             }
+        }
+    }
+
+    // Beneath the pick itself.
+    void addDirectionOfSelected(ScreenBatch& hidden, ScreenBatch& shown) const {
+        const int selected = session_.sketch().selected;
+        if (selected < 0 || session_.handlePixels() <= 0.0) {
+            return;
+        }
+        const SketchPick& pick = session_.sketch().activeCurve()->picks[selected];
+        if (pick.tangent.isZero(0.0)) {
+            return;
+        }
+        const Pointer pointer = view_.pointerAt(view_.positionOf(pick.position));
+        const auto nodeAt = [&](int side) {
+            return projection_.node(
+                tangentHandle(pick, side, pointer, session_.handlePixels()), normalAt(pick.point)
+            );
+        };
+        const auto ahead = nodeAt(1);
+        const auto behind = nodeAt(-1);
+        if (ahead && behind) {
+            addDirection(
+                isHidden(pick) ? hidden : shown,
+                *ahead,
+                *behind,
+                session_.hovered().handle,
+                view_.ratio()
+            );
         }
     }
 

@@ -31,6 +31,7 @@ const std::array kBindings = {
     KeyBinding{Qt::Key_Backspace, Qt::NoModifier, SketchKey::Remove},
     KeyBinding{Qt::Key_C, Qt::NoModifier, SketchKey::Close},
     KeyBinding{Qt::Key_N, Qt::NoModifier, SketchKey::NewCurve},
+    KeyBinding{Qt::Key_T, Qt::NoModifier, SketchKey::Kind},
     KeyBinding{Qt::Key_X, Qt::NoModifier, SketchKey::Cancel},
 };
 

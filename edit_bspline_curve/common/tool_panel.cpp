@@ -111,12 +111,19 @@ void ToolPanel::addModes(QVBoxLayout& all) {
         kept::setMagnetOn(isOn);
         emit magnetChanged();
     });
-    all.addLayout(rowOf({turn_, magnet_}));
     const auto keyButton = [this](const QString& text, const QString& help, SketchKey key) {
         auto* const button = buttonOf(text, help);
         connect(button, &QToolButton::clicked, this, [this, key] { emit keyAsked(key); });
         return button;
     };
+    auto* const kind = keyButton(
+        tr("Kind"),
+        tr("T: the curve passes the selected pick smoothly; in a direction, which two handles "
+           "turn; "
+           "or at a corner"),
+        SketchKey::Kind
+    );
+    all.addLayout(rowOf({turn_, magnet_, kind}));
     all.addLayout(rowOf(
         {keyButton(tr("Undo"), tr("Ctrl+Z"), SketchKey::Undo),
          keyButton(tr("Redo"), tr("Ctrl+Y"), SketchKey::Redo),
@@ -278,7 +285,8 @@ QString ToolPanel::textOf(const PanelState& state) const {
                                 ? QString()
                                 : tr("\nSnaps to %1.").arg(nameOf(session.snapped().kind));
     if (const SketchCurve* const curve = session.sketch().activeCurve()) {
-        return wordsFor(*curve, state.edge, kept::unit()) + snapped;
+        return wordsFor(*curve, state.edge, kept::unit()) +
+               wordsForKind(*curve, session.sketch().selected) + snapped;
     }
     return tr("Click points on the surface in the order of the curve. Drag picks; click the curve "
               "to insert one, the first pick to close it. Shift removes a pick; drag with Shift to "

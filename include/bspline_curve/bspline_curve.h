@@ -14,6 +14,7 @@
 #include "bspline_curve/options.h"
 #include "bspline_curve/parts.h"
 #include "bspline_curve/pattern.h"
+#include "bspline_curve/pieces.h"
 #include "bspline_curve/progress.h"
 #include "bspline_curve/repair.h"
 #include "bspline_curve/report.h"

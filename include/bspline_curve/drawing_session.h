@@ -41,6 +41,7 @@ enum class SketchKey {
     Remove,     ///< the selected pick, or the active curve where none is selected
     Close,      ///< close the active curve, or open it
     NewCurve,   ///< the next pick begins a curve
+    Kind,       ///< the next PickKind of the selected pick
     Undo,
     Redo,
     Cancel,  ///< the drag that goes on; else the selection
@@ -51,6 +52,7 @@ struct SketchHit {
     int curve = -1;  ///< -1: none
     int pick = -1;   ///< of that curve; -1: between picks
     int after = -1;  ///< between picks: the pick before
+    int handle = 0;  ///< of the pick's direction: 1 the one ahead, -1 the one behind; 0: none
 
     [[nodiscard]] bool operator==(const SketchHit&) const = default;
 };
@@ -86,8 +88,11 @@ struct Snap {
 struct SessionSettings {
     HitRadii radii{};
     SnapOptions snapping{};
-    double snapPixels = 12.0;      ///< picks snap to what is within
-    double dragPixels = 3.0;       ///< a press becomes a drag after so much
+    double snapPixels = 12.0;  ///< picks snap to what is within
+    double dragPixels = 3.0;   ///< a press becomes a drag after so much
+    /// The handles of the selected pick's direction are so far from it; 0: there are none, as where
+    /// the host draws none.
+    double handlePixels = 0.0;
     SketchCurveOptions options{};  ///< of new curves
     SketchColour colour{};         ///< likewise
     /// Called on a thread of the session's own when an answer waits for update(); may be empty.
@@ -102,6 +107,8 @@ struct SessionSettings {
 /// curve inserts one there, and each can be dragged at once, as can picks that are there. A click
 /// on the first pick of an open curve closes it, one on another curve makes that the active one.
 /// Each drag and each click is one entry of the history.
+///
+/// A selected pick with a direction has a handle on either side; to drag one turns the direction.
 ///
 /// A drag with Pointer::strokes draws freehand: the line becomes a curve of few picks along it
 /// (Workpiece::fit()), closed where it ends where it began. A line from a curve to the same
@@ -140,6 +147,8 @@ public:
     /// The direction in which the curve passes a pick, see CurveInputs::tangents; zero: any. A pick
     /// inside the curve with one is no corner, and a corner has none.
     void setTangent(int pick, const Vec3& tangent);
+    /// The same as one choice; PickKind::Aligned takes the direction that the curve has there.
+    void setKind(int pick, PickKind kind);
     void select(int curve, int pick = -1);
     void setClosed(bool closed);
     /// Of the active curve, where there is one, and of new ones. `isLive`: more of the same change
@@ -169,6 +178,9 @@ public:
     [[nodiscard]] const Sketch& sketch() const { return sketch_; }
 
     [[nodiscard]] const SketchHit& hovered() const { return hovered_; }
+
+    /// SessionSettings::handlePixels.
+    [[nodiscard]] double handlePixels() const { return settings_.handlePixels; }
 
     /// Whether a drag goes on, of a pick or of a line.
     [[nodiscard]] bool isDragging() const {
@@ -248,6 +260,13 @@ private:
     [[nodiscard]] double tolerance(const AskedStroke& asked) const;  ///< user's unit
     void takeStroke(const Answer& answer, const std::shared_ptr<SketchCurve>& of);
 
+    // Kinds of picks, and handles.
+    bool changeKind();
+    [[nodiscard]] Vec3 normalAt(const SurfacePoint& point) const;
+    [[nodiscard]] int handleUnder(const Pointer& pointer, const Seen& seen) const;
+    bool pressHandle(const Pointer& pointer, const Seen& seen);
+    void turn(const Pointer& pointer);
+
     // Of key().
     bool moveSelected(const Pointer& pointer);
     bool change(SketchKey key);
@@ -284,6 +303,7 @@ private:
     Mode mode_ = Mode::Idle;
     Vec3 pressedAt_ = Vec3::Zero();
     bool closesOnRelease_ = false;
+    int turning_ = 0;            ///< the handle that is pressed or dragged, see SketchHit::handle
     bool isLiveChange_ = false;  ///< the newest entry of the history is not complete yet
     Pointer strokeStart_;
     int strokeFrom_ = -1;  ///< the curve where the line begins; -1: none

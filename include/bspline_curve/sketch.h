@@ -54,6 +54,20 @@ struct SketchPick {
     Vec3 tangent = Vec3::Zero();   ///< see CurveInputs::tangents; zero: any direction
 };
 
+/// How a curve passes a pick.
+enum class PickKind {
+    Automatic,  ///< smoothly, in the direction that is fairest
+    Aligned,    ///< smoothly, in a direction of its own
+    Corner      ///< it may turn there
+};
+
+[[nodiscard]] inline PickKind kindOf(const SketchPick& pick) {
+    if (pick.isCorner) {
+        return PickKind::Corner;
+    }
+    return pick.tangent.isZero(0.0) ? PickKind::Automatic : PickKind::Aligned;
+}
+
 /// Why a curve is not what its picks ask for.
 struct SketchProblem {
     std::string message;     ///< one line, for people

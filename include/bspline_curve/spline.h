@@ -37,6 +37,13 @@ struct BezierPiece {
 /// they are.
 [[nodiscard]] SplineData clamped(const SplineData& spline);
 
+/// The same curve from its end to its start: what was at t is at 1 - t. Exact to rounding. O(n).
+[[nodiscard]] SplineData reversedSpline(const SplineData& spline);
+
+/// The part between two parameters as an open spline over [0, 1]; of a closed one `to` may be more
+/// than 1, from < to <= from + 1. Without parameters of picks. Exact to rounding. O(n).
+[[nodiscard]] SplineData partOfSpline(const SplineData& spline, double from, double to);
+
 /// Picks that are corners, by the knots at their parameters; ascending.
 [[nodiscard]] std::vector<int> cornersOf(const SplineData& spline);
 

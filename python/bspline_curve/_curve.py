@@ -672,6 +672,87 @@ class Curve:
             bounds = [0.0, *(each for each in cuts if 0.0 < each < 1.0), 1.0]
         return [self._made_of(*piece(self, a, b)) for a, b in zip(bounds, bounds[1:]) if b - a > 1e-9] or [self]
 
+    def join(
+        self,
+        other: Curve,
+        *,
+        smooth: bool = False,
+        gap: float | str = "1edge",
+        blend: float | str = "3edges",
+        progress: Progress | None = None,
+    ) -> Curve:
+        """Join this open curve and another one of the mesh, by those of their ends that are nearest; it goes the way of this one.
+
+        Parameters
+        ----------
+        other : Curve
+            Open, with a spline of the same degree.
+        smooth : bool, default False
+            True: they meet with one direction (G1); else at a corner where their directions differ.
+        gap : float or str, default "1edge"
+            How far apart, in a straight line, the ends may be, as a length in the unit of the mesh, or as text like '1edge'. A
+            curve through both bridges the gap.
+        blend : float or str, default "3edges"
+            How much of either curve, but at most a third of it, gives way to a smooth passage, likewise. Without effect where the
+            curves meet with one direction already.
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
+
+        Returns
+        -------
+        Curve
+            Outside of the passage both stay what they are. It cannot be drawn again: change the curves, and join them.
+
+        Raises
+        ------
+        InputError
+            A curve is closed, degrees differ, the gap is too wide, or no way leads over it.
+        Cancelled
+            `progress` returned False.
+
+        Examples
+        --------
+        >>> first, second = curve.split(0.5)
+        >>> whole = first.join(second)
+        >>> bool(np.allclose(whole.spline([0, 1]), curve.spline([0, 1])))
+        True
+        """
+        from ._pieces import joined
+
+        return joined(self, other, smooth, gap, blend, progress)
+
+    def extend(self, end: float = 0.0, *, start: float = 0.0, progress: Progress | None = None) -> Curve:
+        """Let the curve go on from its ends, along the surface, as straight as that lets it.
+
+        Parameters
+        ----------
+        end, start : float ≥ 0, default 0
+            Lengths in the unit of the mesh. The boundary of the mesh ends the curve before.
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
+
+        Returns
+        -------
+        Curve
+            With the same tangents where it goes on. It cannot be drawn again: change this one, and extend that.
+
+        Raises
+        ------
+        InputError
+            The curve is closed, a length is negative, or the curve ends at a boundary that it would cross.
+        Cancelled
+            `progress` returned False.
+
+        Examples
+        --------
+        >>> longer = curve.extend(0.1)
+        >>> bool(abs(longer.length - curve.length - 0.1) < 0.01)
+        True
+        """
+        from ._pieces import extended
+
+        return extended(self, start, end, progress)
+
     def save(self, file: str | os.PathLike[str], unit: Unit = "mm") -> None:
         """Write the curve to a file, which appears wholly, or not at all.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curves turned round and cut: spline and polyline at the same parameters."""
+"""Curves turned round, cut, joined and made longer: spline and polyline at the same parameters."""
 
 from __future__ import annotations
 
@@ -12,10 +12,13 @@ from . import _core, _spline
 from ._arrays import Floats, Int32s
 from ._drawing import Drawing
 from ._errors import InputError
+from ._options import Option, Progress, checked_length, checked_number
 
 if TYPE_CHECKING:
     from ._curve import Curve
+    from ._mesh import Mesh
 
+LENGTH = Option("double", 0.0, 0.0, None, False, ())
 SAME = 1e-12  # parameters that differ by less are one
 
 
@@ -126,6 +129,36 @@ def _picks_in(curve: Curve, start: float, end: float, vertices: npt.NDArray[Any]
         0 if at <= SAME else last if at >= 1 - SAME else of_vertex[named[i]] for at, i in found
     ] if len(named) == len(curve.pick_parameters) else []
     return [i for _, i in found], [at for at, _ in found], places
+
+
+def joined(
+    curve: Curve, other: Any, smooth: bool, gap: float | str, blend: float | str, progress: Progress | None
+) -> Curve:
+    from ._curve import Curve as CurveClass
+    from ._lines import curve_on
+
+    if not isinstance(other, CurveClass):
+        raise TypeError(f"other is {type(other).__name__}, but must be a Curve")
+    mesh = curve.mesh
+    second = curve_on(mesh, other, "other")
+    allowed, replaced = checked_length("gap", gap), checked_length("blend", blend)
+    return _fixed(
+        _core.joined(mesh._core, curve._core, second._core, bool(smooth), allowed, replaced, progress), mesh, "joined of others"
+    )
+
+
+def extended(curve: Curve, start: float, end: float, progress: Progress | None) -> Curve:
+    first, last = float(checked_number("start", LENGTH, start)), float(checked_number("end", LENGTH, end))
+    return _fixed(_core.extended(curve.mesh._core, curve._core, first, last, progress), curve.mesh, "longer than it was drawn")
+
+
+def _fixed(core: _core.Curve, mesh: Mesh, what: str) -> Curve:
+    """A curve with picks that it is no longer drawn through."""
+    from ._curve import Curve as CurveClass
+
+    curve = CurveClass(core, Drawing(mesh, np.empty((0, 3)), {}, fixed=what))
+    curve._drawing = curve._drawing._replace(picks=curve.points[curve.pick_vertices])
+    return curve
 
 
 def checked_parameter(name: str, given: Any, closed: bool) -> float:

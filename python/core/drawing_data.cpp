@@ -30,6 +30,7 @@ constexpr std::array kKeys{
     std::pair("remove", SketchKey::Remove),
     std::pair("close", SketchKey::Close),
     std::pair("new-curve", SketchKey::NewCurve),
+    std::pair("kind", SketchKey::Kind),
     std::pair("undo", SketchKey::Undo),
     std::pair("redo", SketchKey::Redo),
     std::pair("cancel", SketchKey::Cancel),

@@ -228,6 +228,7 @@ NB_MODULE(_core, module) {
     bindDrawing(module);
     bindFits(module);
     bindUses(module);
+    bindPieces(module);
     bindWays(module);
     bindFiles(module);
     bindPattern(module);

@@ -87,6 +87,26 @@ def test_labels_give_each_boundary_once_and_keep_junctions(run, plate, tmp_path)
     assert said.stdout == "c.json: 6 curves, the last in c-6.json\n"
 
 
+def test_labels_keep_their_areas_and_junctions(run, tmp_path):
+    V, F = meshes.plate(cells=120)
+    middles = V[F].mean(1)[:, :2]
+    seeds = np.random.default_rng(3).uniform(0.05, 0.95, (12, 2))
+    labels = np.linalg.norm(middles[:, None] - seeds, axis=2).argmin(1)
+    meshes.write_ply(tmp_path / "fine.ply", V, F)
+    np.save(tmp_path / "labels.npy", labels.astype(np.int64))
+    run.ok("fit", "fine.ply", "--labels", "labels.npy", "--output", "c.json")
+    names = sorted(path.name for path in tmp_path.glob("c*.json"))
+    ends = [curve(tmp_path / name)["polyline"]["points"][i] for name in names for i in (0, -1)]
+    inner = [tuple(end) for end in ends if 1e-6 < min(*end[:2], 1 - end[0], 1 - end[1])]
+    assert len(inner) >= 30 and all(inner.count(end) >= 3 for end in inner)
+    run.ok("segment", "fine.ply", *(word for name in names for word in ("--curve", name)), "--output", "p.ply", "--table", "p.csv")
+    table = np.genfromtxt(tmp_path / "p.csv", delimiter=",", names=True)
+    # The faces of a part have mostly the label whose seed is nearest to its middle.
+    centres = np.stack([table["centroid_x"], table["centroid_y"]], 1)
+    found = np.bincount(np.linalg.norm(centres[:, None] - seeds, axis=2).argmin(1), table["area"], minlength=12)
+    np.testing.assert_allclose(found, np.bincount(labels, minlength=12) / len(F), rtol=0.01)
+
+
 def test_lines_without_a_curve_so_near_are_refused_with_their_name(run, refused, plate, tmp_path):
     V, F, middles = plate
     inside = np.flatnonzero(np.linalg.norm(middles - 0.5, axis=1) < 0.3)

@@ -62,7 +62,7 @@ def test_missing_files(refused):
     "status, words, parts",
     [
         (2, ("shel", "plate.ply"), ["shel is neither a mesh file nor one of the verbs help|curve|", "did you mean shell?"]),
-        (2, ("frobnicate", "plate.ply"), ["help|curve|fit|batch|imprint|cut|fill|segment|offset|pattern|points|field|shell\n"]),
+        (2, ("frobnicate", "plate.ply"), ["help|curve|fit|batch|imprint|cut|fill|segment|offset|pattern|edit|points|field|shell\n"]),
         (2, ("help", "bach"), ["did you mean batch?"]),
         (1, (*DEFAULT, "--field", "valey"), ["--field valey: there is no such file", "|valley|", "did you mean valley?"]),
         (1, (*DEFAULT, "--field", "none.npy"), ["none.npy: there is no such file", "|obstacle|auto\n"]),

@@ -9,7 +9,7 @@ import subprocess
 
 import pytest
 
-VERBS = ("curve", "fit", "batch", "imprint", "cut", "fill", "segment", "offset", "pattern", "points", "field", "shell")
+VERBS = ("curve", "fit", "batch", "imprint", "cut", "fill", "segment", "offset", "pattern", "edit", "points", "field", "shell")
 COMPLETED = [
     ("of", "offset"),
     ("cut --ke", "--keep"),

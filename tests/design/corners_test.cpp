@@ -4,6 +4,7 @@
 #include "bspline_curve/spline.h"
 #include "design/curve_checks.h"
 #include "offset/offset_curves.h"
+#include "support/many_cases.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -157,12 +158,12 @@ TEST(Corners, MayBeTheOnlyOneOfAClosedCurve) {
 }
 
 TEST(Corners, AreExactOnRandomCurves) {
-    constexpr int kCurves = 12;
+    const int sets = caseCount(67, 6);  // of picks: with three degrees 201 curves
     const CurveDesigner designer(withNoise(icosphere(4), 0.002, 5));
     const TriangleTree& tree = designer.tree();
     std::mt19937 random(17);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
-    for (int i = 0; i < kCurves; ++i) {
+    for (int i = 0; i < sets; ++i) {
         const bool closed = i % 2 == 0;
         const int count = 4 + i % 5;
         std::vector<Vec3> picks;

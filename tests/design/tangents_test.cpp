@@ -3,6 +3,7 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/spline.h"
 #include "design/curve_checks.h"
+#include "support/many_cases.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -22,6 +23,7 @@ namespace {
 using namespace test_support;
 
 constexpr double kMetTangent = 1e-6;  // radians
+constexpr double kFromLoxodrome = 2e-3;
 
 /// The exported spline's derivative at t, by differences, one-sided at the ends of an open one.
 Vec3 slopeOf(const SplineData& spline, double t) {
@@ -143,12 +145,72 @@ TEST(Tangents, AlongAGreatCircleKeepToIt) {
     }
 }
 
+/// On the unit sphere, at a latitude, the line that crosses all meridians at one angle.
+class Loxodrome {
+public:
+    explicit Loxodrome(double angle) : slope_(std::tan(angle)) {}
+
+    [[nodiscard]] Vec3 at(double latitude) const {
+        const double longitude = longitudeAt(latitude);
+        return {
+            std::cos(latitude) * std::cos(longitude),
+            std::cos(latitude) * std::sin(longitude),
+            std::sin(latitude)
+        };
+    }
+
+    [[nodiscard]] Vec3 directionAt(double latitude) const {
+        const double longitude = longitudeAt(latitude);
+        const Vec3 north(
+            -std::sin(latitude) * std::cos(longitude),
+            -std::sin(latitude) * std::sin(longitude),
+            std::cos(latitude)
+        );
+        const Vec3 east(-std::sin(longitude), std::cos(longitude), 0.0);
+        return (north + slope_ * east).normalized();
+    }
+
+private:
+    [[nodiscard]] double longitudeAt(double latitude) const {
+        return slope_ * std::log(std::tan(0.25 * std::numbers::pi + 0.5 * latitude));
+    }
+
+    double slope_;
+};
+
+TEST(Tangents, OfALoxodromeDrawIt) {
+    const CurveDesigner designer(icosphere(6));
+    for (const double angle : {0.3, 0.9, 1.2}) {
+        const Loxodrome loxodrome(angle);
+        std::vector<Vec3> picks;
+        std::vector<Vec3> tangents;
+        for (int i = 0; i <= 6; ++i) {
+            const double latitude = -0.9 + 0.3 * i;
+            picks.push_back(designer.tree().closestPoint(loxodrome.at(latitude)).position);
+            tangents.push_back(loxodrome.directionAt(latitude));
+        }
+        const Curve curve = withTangents(designer, picks, tangents);
+        ASSERT_EQ(curve.report.tangents.size(), picks.size());
+        double largest = 0.0;
+        for (const Vec3& point : curve.polyline.points) {
+            const Vec3 unit = point.normalized();
+            const Vec3 beside = loxodrome.at(std::asin(unit.z()));
+            // Along the parallel, which the line crosses at that angle.
+            largest = std::max(largest, (unit - beside).norm() * std::cos(angle));
+        }
+        EXPECT_LT(largest, kFromLoxodrome) << angle;
+        for (const MetTangent& met : curve.report.tangents) {
+            EXPECT_LT(met.ofSpline, kMetTangent);
+        }
+    }
+}
+
 TEST(Tangents, AreMetOnRandomCurves) {
-    constexpr int kCurves = 10;
+    const int sets = caseCount(67, 5);  // of picks: with three degrees 201 curves
     const CurveDesigner designer(withNoise(icosphere(4), 0.002, 5));
     std::mt19937 random(21);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    for (int i = 0; i < kCurves; ++i) {
+    for (int i = 0; i < sets; ++i) {
         const bool closed = i % 2 == 0;
         const int count = 4 + i % 4;
         std::vector<Vec3> picks;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_bspline_curve/common/snap_glyph.h"
 #include "painted_sketch.h"
+#include "sketch/tangent_handles.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,6 +20,7 @@ using namespace test_support;
 
 constexpr SketchColour kHandleCentre{255, 255, 255}, kSelectedCentre{255, 191, 26};
 constexpr SketchColour kHoveredCentre{255, 255, 102}, kBadCentre{230, 0, 0};
+constexpr SketchColour kLeeway{255, 245, 215};
 constexpr SketchColour kSnapMark{0, 225, 255};
 constexpr SketchColour kDigit{20, 20, 20};
 
@@ -124,6 +128,67 @@ TEST_F(PaintedHandles, OfOtherCurvesAreDotsUntilThePointerIsThere) {
     static_cast<void>(scene_.session().move(scene_.over(arcOnPlate()[1])));
     EXPECT_TRUE(isFlat(scene_.withSketch(), 2, kHandleCentre));
     EXPECT_TRUE(isFlat(scene_.withSketch(), 1, kHoveredCentre));
+}
+
+TEST_F(PaintedHandles, OfTheSelectedPicksDirectionLieOnEitherSide) {
+    scene_.addPicks(arcOnPlate());
+    scene_.session().setTangent(2, {1.0, 0.5, 0.0});
+    scene_.session().settle();
+    const SketchPick& pick = curve(scene_).picks[2];
+    const auto handle = [&](int side) {
+        return tangentHandle(pick, side, scene_.over(pick.position), kTangentPixels);
+    };
+    const Pixels pixels = scene_.withSketch();
+    pixels.save("direction");
+    for (const int side : {1, -1}) {
+        EXPECT_GT(pixels.countNear(scene_.pixelOf(handle(side)), 3.5, kSelectedCentre), 20) << side;
+        const Vec3 between = 0.5 * (pick.position + handle(side));
+        EXPECT_GT(pixels.countNear(scene_.pixelOf(between), 2.0, kSelectedCentre), 0) << side;
+    }
+    static_cast<void>(scene_.session().move(scene_.over(handle(-1))));
+    const Pixels hovered = scene_.withSketch();
+    EXPECT_GT(hovered.countNear(scene_.pixelOf(handle(-1)), 4.0, kHoveredCentre), 20);
+    EXPECT_EQ(hovered.countNear(scene_.pixelOf(handle(1)), 4.0, kHoveredCentre), 0);
+    // Only of the selected pick.
+    scene_.session().select(0, 0);
+    EXPECT_EQ(scene_.withSketch().countNear(scene_.pixelOf(handle(1)), 3.5, kSelectedCentre), 0);
+}
+
+TEST_F(PaintedHandles, OfCornersLieInASquare) {
+    scene_.addPicks(arcOnPlate());
+    scene_.session().setCorner(1, true);
+    scene_.session().settle();
+    scene_.session().select(0, 4);
+    const Pixels pixels = scene_.withSketch();
+    pixels.save("corner");
+    for (const double side : {7.5, -7.5}) {
+        EXPECT_EQ(beside(pixels, 1, side, 7.0), kHandleCentre);
+        EXPECT_FALSE(beside(pixels, 2, side, 7.0) == kHandleCentre);
+    }
+}
+
+TEST_F(PaintedHandles, LieInDiscsWhereTheCurveNeedNotPassThem) {
+    scene_.addPicks(arcOnPlate());
+    SketchCurveOptions options = curve(scene_).options;
+    const auto dotsRound = [&](int pick) {
+        const Pixels pixels = scene_.withSketch();
+        pixels.save("leeway");
+        int found = 0;
+        for (int i = 0; i < 36; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / 36;
+            const Vec3 offset = 0.06 * Vec3(std::cos(angle), std::sin(angle), 0.0);
+            const Vec3 place = curve(scene_).picks[pick].position + offset;
+            found += pixels.countNear(scene_.pixelOf(place), 2.0, kLeeway) > 0 ? 1 : 0;
+        }
+        return found;
+    };
+    EXPECT_LE(dotsRound(1), 2);
+    options.solver.pickTolerance = {.value = 0.06};
+    scene_.session().setOptions(options);
+    scene_.session().settle();
+    EXPECT_GE(dotsRound(1), 28);  // but where the curve crosses it
+    scene_.session().setCorner(1, true);
+    EXPECT_LE(dotsRound(1), 4);
 }
 
 TEST_F(PaintedHandles, AreMarkedWhereTheySnap) {

@@ -76,7 +76,11 @@ void Pixels::save(const std::string& name) const {
 
 PaintedScene::PaintedScene(const TriangleMesh& mesh)
     : workpiece_(std::make_shared<const Workpiece>(mesh)),
-      session_(std::make_unique<DrawingSession>(workpiece_)) {
+      session_(
+          std::make_unique<DrawingSession>(
+              workpiece_, SessionSettings{.handlePixels = kTangentPixels}
+          )
+      ) {
     Vec3 low = mesh.vertices.front();
     Vec3 high = low;
     for (const Vec3& vertex : mesh.vertices) {

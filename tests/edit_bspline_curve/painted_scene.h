@@ -13,6 +13,7 @@ namespace bspline_curve::test_support {
 
 constexpr int kWidth = 640;
 constexpr int kHeight = 480;
+constexpr double kTangentPixels = 40.0;  // handles of directions are so far from their picks
 
 /// The pixels of a view.
 class Pixels {

@@ -64,6 +64,7 @@ const std::array kToolKeys = {
     Key{Qt::Key_C},
     Key{Qt::Key_N},
     Key{Qt::Key_X},
+    Key{Qt::Key_T},
     Key{Qt::Key_Delete},
     Key{Qt::Key_Backspace},
     Key{Qt::Key_Delete, Qt::ShiftModifier},

@@ -32,6 +32,7 @@ TEST(ToolKeys, MeanWhatTheGuideSays) {
         {Qt::Key_K, SketchKey::NextCurve},
         {Qt::Key_C, SketchKey::Close},
         {Qt::Key_N, SketchKey::NewCurve},
+        {Qt::Key_T, SketchKey::Kind},
         {Qt::Key_X, SketchKey::Cancel},
         {Qt::Key_Delete, SketchKey::Remove},
         {Qt::Key_Backspace, SketchKey::Remove},

@@ -224,6 +224,52 @@ def test_parts_that_are_not_there_are_refused(mesh, picks):
         curve.split(2)
 
 
+@pytest.mark.parametrize("smooth", [False, True])
+def test_curves_are_joined_at_corners_or_smoothly(mesh, picks, smooth):
+    first, second = mesh.curve(picks[:3]), mesh.curve([picks[2], picks[0]])
+    joined = first.join(second, smooth=smooth)
+    np.testing.assert_array_equal(joined.points[[0, -1]], [first.points[0], second.points[-1]])
+    assert (np.diff(joined.t) > 0).all() and mesh.imprint([joined]).largest_move < 1e-9
+    np.testing.assert_allclose(joined.spline(joined.pick_parameters), joined.picks, atol=1e-2)
+    # Where the curve has full knots its directions before and behind them are one, or not.
+    inner = [t for t in np.unique(joined.knots) if (joined.knots == t).sum() == 3 and 0 < t < 1]
+    assert len(inner) == (2 if smooth else 1)
+    for t in inner:
+        before, behind = (joined.spline(t + step, 1) for step in (-1e-9, 1e-9))
+        angle = np.arccos(np.clip(before @ behind / np.linalg.norm(before) / np.linalg.norm(behind), -1, 1))
+        assert (angle < 1e-5) == smooth
+    with pytest.raises(bspline_curve.PickError, match="joined of others"):
+        joined.move(0, picks[0])
+    if not smooth:
+        assert joined.length == pytest.approx(first.length + second.length)
+
+
+def test_curves_apart_are_joined_over_the_gap_that_is_allowed(mesh, picks):
+    whole = mesh.curve(picks)
+    first, _, second = whole.split([0.4, 0.45])
+    gap = np.linalg.norm(first.points[-1] - second.points[0])
+    for smooth in (False, True):
+        assert second.join(first, smooth=smooth, gap=1.01 * gap).length == pytest.approx(whole.length, rel=0.02)
+    with pytest.raises(InputError, match="apart, more than the gap that is allowed"):
+        first.join(second, gap=0.99 * gap)
+    with pytest.raises(InputError, match="a closed curve has no ends"):
+        first.join(mesh.curve(picks, closed=True))
+    with pytest.raises(TypeError, match="other is ndarray"):
+        first.join(picks)
+
+
+def test_curves_go_on_from_their_ends(mesh, picks):
+    curve = mesh.curve(picks).trim(0.2, 0.8)
+    longer = curve.extend(0.05, start=0.1)
+    assert longer.length == pytest.approx(curve.length + 0.15, abs=2e-3)
+    assert mesh.imprint([longer]).largest_move < 1e-9
+    np.testing.assert_array_equal(curve.extend().points, curve.points)
+    with pytest.raises(InputError, match="end is -1"):
+        curve.extend(-1)
+    with pytest.raises(InputError, match="a closed curve has no ends"):
+        mesh.curve(picks, closed=True).extend(0.1)
+
+
 def test_frames_at_the_points_are_those_of_samples(mesh, picks):
     curve = mesh.curve(picks, closed=True)
     n = len(curve)

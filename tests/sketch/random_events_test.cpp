@@ -134,12 +134,20 @@ void reachByCalls(const SessionFixture& s) {
             calls.addPick(pick.point);
         }
         calls.setClosed(curve->options.solver.closed);
+        for (int i = 0; i < static_cast<int>(curve->picks.size()); ++i) {
+            calls.setCorner(i, curve->picks[i].isCorner);
+            calls.setTangent(i, curve->picks[i].tangent);
+        }
     }
     calls.newCurve();
     if (wanted.active >= 0) {
         calls.select(wanted.active, wanted.selected);
     }
     expectSame(calls.sketch(), wanted, 0.0);
+    for (std::size_t c = 0; c < wanted.curves.size(); ++c) {
+        EXPECT_EQ(calls.sketch().curves[c]->corners(), wanted.curves[c]->corners());
+        EXPECT_EQ(calls.sketch().curves[c]->tangents(), wanted.curves[c]->tangents());
+    }
 }
 
 // Whether the camera sees the picks of a sketch: those that were snapped may lie on its far side.
@@ -213,7 +221,9 @@ TEST_P(RandomEvents, LoseNothing) {
     for (int seed = 1; seed <= sequences; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        SessionFixture s(GetParam().mesh, random.point(-1.0, 1.0));
+        SessionFixture s(
+            GetParam().mesh, random.point(-1.0, 1.0), {.handlePixels = seed % 2 == 0 ? 20.0 : 0.0}
+        );
         for (int i = 0; i < kEvents; ++i) {
             const Pointer pointer = randomPointer(s, random);
             switch (random.integer(0, 8)) {

@@ -68,6 +68,10 @@ void SessionFixture::click(const std::vector<Vec3>& points) {
 
 Curve SessionFixture::drawn(const SketchCurve& curve) const {
     CurveInputs inputs;
+    const std::vector<int> corners = curve.corners();
+    const std::vector<Vec3> tangents = curve.tangents();
+    inputs.corners = corners;
+    inputs.tangents = tangents;
     if (curve.options.guides) {
         inputs.field = curve.options.guides->values().field;
         inputs.avoid = curve.options.guides->values().avoid;

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a session's picks are, and the handles of those with a direction.
+#include "bspline_curve/spline.h"
+#include "sketch/session_parts.h"
+#include "sketch/tangent_handles.h"
+#include "surface/provenance.h"
+#include "surface/surface.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace bspline_curve {
+
+namespace {
+
+/// The direction of a curve at one of its picks; zero where it is not known.
+Vec3 directionAt(const SketchCurve& curve, int pick) {
+    const auto count = static_cast<int>(curve.picks.size());
+    if (curve.settled && std::ssize(curve.settled->spline.pickParameters) == count) {
+        const SplineData& spline = curve.settled->spline;
+        return derivativeOf(spline, spline.pickParameters[pick]);
+    }
+    const bool closed = curve.options.solver.closed;
+    const int before = closed ? (pick + count - 1) % count : std::max(pick - 1, 0);
+    const int after = closed ? (pick + 1) % count : std::min(pick + 1, count - 1);
+    return curve.picks[after].position - curve.picks[before].position;
+}
+
+}  // namespace
+
+void DrawingSession::setKind(int pick, PickKind kind) {
+    requirePick(pick);
+    const SketchCurve& curve = *sketch_.activeCurve();
+    switch (kind) {
+        case PickKind::Automatic:
+            if (curve.picks[pick].isCorner) {
+                setCorner(pick, false);
+            } else {
+                setTangent(pick, Vec3::Zero());
+            }
+            break;
+        case PickKind::Aligned:
+            if (curve.picks[pick].tangent.isZero(0.0)) {
+                const Vec3 normal = normalAt(curve.picks[pick].point);
+                const Vec3 along = directionAt(curve, pick);
+                setTangent(pick, (along - along.dot(normal) * normal).normalized());
+            }
+            break;
+        case PickKind::Corner:
+            setCorner(pick, true);
+            break;
+    }
+}
+
+bool DrawingSession::changeKind() {
+    if (sketch_.selected < 0) {
+        return false;
+    }
+    const int pick = sketch_.selected;
+    switch (kindOf(sketch_.activeCurve()->picks[pick])) {
+        case PickKind::Automatic:
+            setKind(pick, PickKind::Aligned);
+            break;
+        case PickKind::Aligned:
+            setKind(pick, PickKind::Corner);
+            break;
+        case PickKind::Corner:
+            setKind(pick, PickKind::Automatic);
+            break;
+    }
+    return true;
+}
+
+Vec3 DrawingSession::normalAt(const SurfacePoint& point) const {
+    const Surface& surface = solver_->designer->surface();
+    const std::optional<SurfacePoint> own = surface.provenance().fromInput(point);
+    return own ? surface.faceNormal(own->face) : Vec3(Vec3::Zero());
+}
+
+int DrawingSession::handleUnder(const Pointer& pointer, const Seen& seen) const {
+    if (settings_.handlePixels <= 0.0 || sketch_.selected < 0 ||
+        sketch_.activeCurve()->look.isHidden) {
+        return 0;
+    }
+    const double depth =
+        seen.point.face >= 0 ? seen.distance : std::numeric_limits<double>::infinity();
+    return tangentHandleUnder(
+        pointer,
+        depth,
+        sketch_.activeCurve()->picks[sketch_.selected],
+        settings_.handlePixels,
+        settings_.radii.pick
+    );
+}
+
+bool DrawingSession::pressHandle(const Pointer& pointer, const Seen& seen) {
+    turning_ = handleUnder(pointer, seen);
+    if (turning_ == 0) {
+        return false;
+    }
+    pressedAt_ = tangentHandle(
+        sketch_.activeCurve()->picks[sketch_.selected], turning_, pointer, settings_.handlePixels
+    );
+    closesOnRelease_ = false;
+    mode_ = Mode::Pressed;
+    dropLive();
+    return true;
+}
+
+void DrawingSession::turn(const Pointer& pointer) {
+    const SketchPick& pick = sketch_.activeCurve()->picks[sketch_.selected];
+    if (const auto direction = directionTowards(pointer, pick, normalAt(pick.point))) {
+        changed().picks[sketch_.selected].tangent = turning_ * *direction;
+        askLive();
+    }
+}
+
+}  // namespace bspline_curve
