@@ -171,9 +171,7 @@ private:
             most = std::max(most, beam.distance(corner));
         }
         if (most + face.size() >= range_.from) {
-            DistanceBeam& kept = beams_[beam.face].emplace_back(beam);
-            kept.left.normalize();
-            kept.right.normalize();
+            beams_[beam.face].push_back(beam);
         }
     }
 
@@ -184,7 +182,7 @@ private:
     void reachCorners(const DistanceBeam& beam, const FaceLayout& face, bool all) {
         const double tolerance = kSlack * face.extent();
         for (int k = 0; k < 3; ++k) {
-            if ((all || k == beam.frame) && reaches(beam, face.corners[k], tolerance)) {
+            if ((all || k == beam.frame) && beam.contains(face.corners[k], tolerance)) {
                 const int vertex = surface_.faces()[beam.face][k];
                 // A line's distances are negative behind it, by rounding.
                 const double distance = std::max(beam.distance(face.corners[k]), 0.0);
@@ -214,14 +212,6 @@ private:
         };
     }
 
-    /// As DistanceBeam::contains, for rays of any length.
-    [[nodiscard]] static bool reaches(
-        const DistanceBeam& beam, const Vec2& point, double tolerance
-    ) {
-        return cross(beam.left, point - beam.leftOrigin) <= tolerance * beam.left.lpNorm<1>() &&
-               cross(beam.right, point - beam.rightOrigin) >= -tolerance * beam.right.lpNorm<1>();
-    }
-
     /// Whether ways along the x axis, from its ends, are shorter than all of a beam.
     [[nodiscard]] bool isHopeless(const Event& beam, const FaceLayout& face, double length) const {
         const Triangle& corners = surface_.faces()[beam.face];
@@ -240,7 +230,7 @@ private:
                isLonger(beam.from, last + (length - beam.from));
     }
 
-    /// The beam of an event, with rays of any length.
+    /// The beam of an event.
     [[nodiscard]] static DistanceBeam beamOf(const Event& event) {
         DistanceBeam beam;
         beam.face = event.face;
@@ -366,8 +356,8 @@ private:
 }  // namespace
 
 bool DistanceBeam::contains(const Vec2& point, double tolerance) const {
-    return cross(left, point - leftOrigin) <= tolerance &&
-           cross(right, point - rightOrigin) >= -tolerance;
+    return cross(left, point - leftOrigin) <= tolerance * left.lpNorm<1>() &&
+           cross(right, point - rightOrigin) >= -tolerance * right.lpNorm<1>();
 }
 
 DistanceBeams::DistanceBeams(
