@@ -9,7 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -50,11 +51,21 @@ void clip(Window& window, double atFirst, double atLast) {
     }
 }
 
+/// A beam that comes to a face through the side on its x axis, or a vertex that was reached. Small,
+/// since there are as many at once as sides that a front crosses, times tens.
 struct Event {
-    int vertex = -1;  ///< -1: a beam
-    DistanceBeam beam;
-    Window window;        ///< on its face's x axis; beams that start in the face: not used
-    bool starts = false;  ///< in its face
+    double key = 0.0;  ///< distance of what it reaches first
+    int face = -1;     ///< or the vertex
+    std::uint8_t frame = 0;
+    bool isVertex = false;
+    bool fromLine = false;
+    CurveSide side = CurveSide::Left;
+    double before = 0.0;
+    double from = 0.0, to = 0.0;  ///< the beam's part of the x axis
+    Vec2 source = Vec2::Zero();
+    Vec2 normal = Vec2::Zero();
+    Vec2 apex = Vec2::Zero();  ///< corner of the face
+    double length = 0.0;
 };
 
 /// Events, by buckets of keys, in the order of creation within one. It need not be sharper: an
@@ -64,14 +75,14 @@ public:
     EventQueue(double width, double longest)
         : width_(width), buckets_(static_cast<std::size_t>(longest / width) + 1) {}
 
-    void push(double key, const Event& event) {
-        const auto place = static_cast<std::size_t>(key / width_);
+    void push(const Event& event) {
+        const auto place = static_cast<std::size_t>(event.key / width_);
         Bucket& bucket = buckets_[std::clamp(place, current_, buckets_.size() - 1)];
         if (bucket.capacity() == 0 && !spare_.empty()) {
             bucket = std::move(spare_.back());
             spare_.pop_back();
         }
-        bucket.emplace_back(key, event);
+        bucket.push_back(event);
     }
 
     /// False where nothing is left.
@@ -90,11 +101,11 @@ public:
         return true;
     }
 
-    /// The next one, with its key, after advance().
-    std::pair<double, Event> pop() { return buckets_[current_][next_++]; }
+    /// The next one, after advance().
+    Event pop() { return buckets_[current_][next_++]; }
 
 private:
-    using Bucket = std::vector<std::pair<double, Event>>;
+    using Bucket = std::vector<Event>;
 
     double width_;
     std::vector<Bucket> buckets_;
@@ -122,42 +133,39 @@ public:
               range.to
           ) {}
 
-    void start(const DistanceBeam& beam) {
-        reachCorners(beam, true);
-        queue_.push(beam.before, {.vertex = -1, .beam = beam, .window = {}, .starts = true});
+    void start(std::span<const DistanceBeam> beams) {
+        for (const DistanceBeam& beam : beams) {
+            reachCorners(beam, layout(beam), true);
+        }
+        for (const DistanceBeam& beam : beams) {
+            goOn(beam, layout(beam));
+        }
     }
 
     void run(const Progress& progress) {
         double reached = 0.0;
         for (std::size_t count = 0; queue_.advance(); ++count) {
-            const auto [key, event] = queue_.pop();
-            reached = std::max(reached, key);
+            const Event event = queue_.pop();
+            reached = std::max(reached, event.key);
             if (count % kEventsPerReport == 0) {
                 report(progress, reached / range_.to, "measuring distances");
             }
-            if (event.vertex >= 0) {
-                if (key == vertices_[event.vertex].distance) {
-                    for (const DistanceBeam& beam : beamsOfVertex(
-                             surface_,
-                             event.vertex,
-                             vertices_[event.vertex],
-                             arrivals_[event.vertex]
-                         )) {
-                        start(beam);
-                    }
-                }
-            } else if (event.starts || !isHopeless(event.beam, event.window)) {
-                keep(event.beam);
-                leave(event.beam);
+            if (!event.isVertex) {
+                goOn(beamOf(event), FaceLayout(event.length, event.apex, event.frame));
+            } else if (const SidedDistance& vertex = vertices_[event.face];
+                       event.key == vertex.distance) {
+                start(beamsOfVertex(surface_, event.face, vertex, arrivals_[event.face]));
             }
         }
     }
 
 private:
     /// Where all of the beam in its face is nearer than the range, the corners bound distances.
-    void keep(const DistanceBeam& beam) {
+    void keep(const DistanceBeam& beam, const FaceLayout& face) {
         isReached_[beam.face] = 1;
-        const FaceLayout face = layout(beam.face, beam.frame);
+        if (range_.from == std::numeric_limits<double>::infinity()) {
+            return;
+        }
         double most = 0.0;
         for (const Vec2& corner : face.corners) {
             most = std::max(most, beam.distance(corner));
@@ -167,13 +175,12 @@ private:
         }
     }
 
-    [[nodiscard]] FaceLayout layout(int face, int frame) const {
-        return {surface_.vertices(), surface_.faces()[face], frame};
+    [[nodiscard]] FaceLayout layout(const DistanceBeam& beam) const {
+        return {surface_.vertices(), surface_.faces()[beam.face], beam.frame};
     }
 
-    void reachCorners(const DistanceBeam& beam, bool all) {
-        const FaceLayout face = layout(beam.face, beam.frame);
-        const double tolerance = kSlack * face.size();
+    void reachCorners(const DistanceBeam& beam, const FaceLayout& face, bool all) {
+        const double tolerance = kSlack * face.extent();
         for (int k = 0; k < 3; ++k) {
             if ((all || k == beam.frame) && beam.contains(face.corners[k], tolerance)) {
                 const int vertex = surface_.faces()[beam.face][k];
@@ -184,9 +191,7 @@ private:
                     vertices_[vertex] = {.distance = distance, .side = beam.side};
                     arrivals_[vertex] = arrivalOf(beam, face, k);
                     if (distance <= range_.to) {
-                        queue_.push(
-                            distance, {.vertex = vertex, .beam = {}, .window = {}, .starts = false}
-                        );
+                        queue_.push({.key = distance, .face = vertex, .isVertex = true});
                     }
                 }
             }
@@ -207,24 +212,49 @@ private:
         };
     }
 
-    /// Whether the ways by the corners of the face are shorter than all of a beam.
-    [[nodiscard]] bool isHopeless(const DistanceBeam& beam, const Window& window) const {
-        const FaceLayout face = layout(beam.face, beam.frame);
+    /// Whether ways along the x axis, from its ends, are shorter than all of a beam.
+    [[nodiscard]] bool isHopeless(const Event& beam, const FaceLayout& face, double length) const {
         const Triangle& corners = surface_.faces()[beam.face];
-        const double length = face.corners[(beam.frame + 2) % 3].x();
-        const double slack = kSlack * face.size();
-        const Vec2 from(window.from * length, 0.0);
-        const Vec2 to(window.to * length, 0.0);
-        const auto worse = [&](const Vec2& end, int corner) {
-            return beam.distance(end) > vertices_[corners[corner]].distance +
-                                            (end - face.corners[corner]).norm() + slack;
+        const double slack = kSlack * face.extent();
+        // Squares save the roots.
+        const auto isLonger = [&](double x, double than) {
+            if (beam.fromLine) {
+                return beam.normal.dot(Vec2(x, 0.0) - beam.source) > than;
+            }
+            than -= beam.before;
+            return than < 0.0 || (Vec2(x, 0.0) - beam.source).squaredNorm() > than * than;
         };
-        return worse(to, (beam.frame + 1) % 3) || worse(from, (beam.frame + 2) % 3);
+        const double first = vertices_[corners[(beam.frame + 1) % 3]].distance + slack;
+        const double last = vertices_[corners[(beam.frame + 2) % 3]].distance + slack;
+        return isLonger(beam.to, first + beam.to) ||
+               isLonger(beam.from, last + (length - beam.from));
+    }
+
+    /// The beam of an event.
+    [[nodiscard]] static DistanceBeam beamOf(const Event& event) {
+        DistanceBeam beam;
+        beam.face = event.face;
+        beam.frame = event.frame;
+        beam.exits = static_cast<std::uint8_t>(7U & ~(1U << static_cast<unsigned>(event.frame)));
+        beam.fromLine = event.fromLine;
+        beam.side = event.side;
+        beam.source = event.source;
+        beam.normal = event.normal;
+        beam.before = event.before;
+        beam.leftOrigin = {event.from, 0.0};
+        beam.rightOrigin = {event.to, 0.0};
+        beam.left = event.fromLine ? event.normal : Vec2(beam.leftOrigin - event.source);
+        beam.right = event.fromLine ? event.normal : Vec2(beam.rightOrigin - event.source);
+        return beam;
+    }
+
+    void goOn(const DistanceBeam& beam, const FaceLayout& face) {
+        keep(beam, face);
+        leave(beam, face);
     }
 
     /// Hands a beam on to the faces across the sides that it may leave through.
-    void leave(const DistanceBeam& beam) {
-        const FaceLayout face = layout(beam.face, beam.frame);
+    void leave(const DistanceBeam& beam, const FaceLayout& face) {
         for (int k = 0; k < 3; ++k) {
             const int across = surface_.faceNeighbours()[beam.face][k];
             if (((beam.exits >> static_cast<unsigned>(k)) & 1U) == 0 || across < 0) {
@@ -261,45 +291,54 @@ private:
         const Vec2 x = (last - first) / length;
         const Vec2 y = turnedLeft(x);
         const auto turned = [&](const Vec2& v) { return Vec2(v.dot(x), v.dot(y)); };
-        DistanceBeam next = beam;
-        next.face = across;
-        for (int k = 0; k < 3; ++k) {
-            if (surface_.faceNeighbours()[across][k] == beam.face &&
-                sharesSide(across, k, beam, first)) {
-                next.frame = k;
-            }
-        }
-        next.exits = static_cast<std::uint8_t>(7U & ~(1U << static_cast<unsigned>(next.frame)));
-        next.source = turned(beam.source - first);
-        next.normal = turned(beam.normal);
-        next.leftOrigin = {window.from * length, 0.0};
-        next.rightOrigin = {window.to * length, 0.0};
-        if (beam.fromLine) {
-            next.left = next.right = next.normal;
-        } else {
-            next.left = (next.leftOrigin - next.source).normalized();
-            next.right = (next.rightOrigin - next.source).normalized();
+        Event next{
+            .face = across,
+            .frame = static_cast<std::uint8_t>(frameOf(across, beam, first)),
+            .fromLine = beam.fromLine,
+            .side = beam.side,
+            .before = beam.before,
+            .from = window.from * length,
+            .to = window.to * length,
+            .source = turned(beam.source - first),
+            .normal = turned(beam.normal)
+        };
+        const DistanceBeam there = beamOf(next);
+        const FaceLayout face = layout(there);
+        if (isHopeless(next, face, length)) {
+            return;
         }
         const double least =
             beam.fromLine
-                ? std::min(next.distance(next.leftOrigin), next.distance(next.rightOrigin))
-                : next.distance(
-                      {std::clamp(next.source.x(), next.leftOrigin.x(), next.rightOrigin.x()), 0.0}
-                  );
-        if (least <= range_.to && !isHopeless(next, window)) {
-            reachCorners(next, false);
-            queue_.push(
-                std::max(least, 0.0),
-                {.vertex = -1, .beam = next, .window = window, .starts = false}
-            );
+                ? std::min(there.distance(there.leftOrigin), there.distance(there.rightOrigin))
+                : there.distance({std::clamp(next.source.x(), next.from, next.to), 0.0});
+        if (least <= range_.to) {
+            reachCorners(there, face, false);
+            next.key = std::max(least, 0.0);
+            next.apex = face.corners[there.frame];
+            next.length = face.corners[(there.frame + 2) % 3].x();
+            queue_.push(next);
         }
+    }
+
+    /// The side of a face that a beam comes through, which begins at `first`.
+    [[nodiscard]] int frameOf(int face, const DistanceBeam& beam, const Vec2& first) const {
+        const Triangle& neighbours = surface_.faceNeighbours()[face];
+        int frame = 0;
+        for (int k = 0; k < 3; ++k) {
+            // Two faces may share two sides.
+            if (neighbours[k] == beam.face && (std::ranges::count(neighbours, beam.face) == 1 ||
+                                               sharesSide(face, k, beam, first))) {
+                frame = k;
+            }
+        }
+        return frame;
     }
 
     /// Whether side k of a face starts at the corner of the beam's face that lies at `first`.
     [[nodiscard]] bool sharesSide(
         int face, int k, const DistanceBeam& beam, const Vec2& first
     ) const {
-        const FaceLayout from = layout(beam.face, beam.frame);
+        const FaceLayout from = layout(beam);
         const int corner =
             cornerOf(surface_.faces()[beam.face], surface_.faces()[face][(k + 1) % 3]);
         return corner >= 0 && from.corners[corner] == first;
@@ -317,8 +356,8 @@ private:
 }  // namespace
 
 bool DistanceBeam::contains(const Vec2& point, double tolerance) const {
-    return cross(left, point - leftOrigin) <= tolerance &&
-           cross(right, point - rightOrigin) >= -tolerance;
+    return cross(left, point - leftOrigin) <= tolerance * left.lpNorm<1>() &&
+           cross(right, point - rightOrigin) >= -tolerance * right.lpNorm<1>();
 }
 
 DistanceBeams::DistanceBeams(
@@ -333,9 +372,7 @@ DistanceBeams::DistanceBeams(
       vertices_(surface.vertexCount()) {
     Propagation propagation(surface, range, beams_, isReached_, vertices_);
     for (const SurfacePolyline& line : lines) {
-        for (const DistanceBeam& beam : beamsOfPolyline(surface, line)) {
-            propagation.start(beam);
-        }
+        propagation.start(beamsOfPolyline(surface, line));
     }
     propagation.run(progress);
 }

@@ -39,7 +39,7 @@ struct DistanceBeam {
     Vec2 source = Vec2::Zero();  ///< the point, or one of the segment's line
     Vec2 normal = Vec2::Zero();  ///< fromLine: the unit direction of all ways
     double before = 0.0;         ///< distance at the source
-    /// The beam lies right of its left ray and left of its right ray; unit directions.
+    /// The beam lies right of its left ray and left of its right ray; directions of any length.
     Vec2 leftOrigin = Vec2::Zero(), left = Vec2::Zero();
     Vec2 rightOrigin = Vec2::Zero(), right = Vec2::Zero();
 
@@ -47,7 +47,7 @@ struct DistanceBeam {
         return fromLine ? normal.dot(point - source) : before + (point - source).norm();
     }
 
-    /// Whether a point is in the beam, or within `tolerance` of it.
+    /// Whether a point is in the beam, or within `tolerance`, and at most half more, of it.
     [[nodiscard]] bool contains(const Vec2& point, double tolerance) const;
 };
 

@@ -13,7 +13,7 @@ namespace bspline_curve {
 /// The exact geodesic distance of each vertex of the surface's input to the nearest of some lines,
 /// in the user's unit; infinite where it is more than `reach` (which may be infinite), or where no
 /// way leads. Lines are on the input; one with a single vertex is a point. As accurate as
-/// DistanceBeams; O(k log k) for k vertices within reach, and more where many ways lead to them.
+/// DistanceBeams; time grows as k^1.5 for k vertices within reach on a smooth surface.
 /// Throws InputError (NoPath where a line is not strict), Cancelled.
 [[nodiscard]] std::vector<double> distancesToLines(
     const Surface& surface,

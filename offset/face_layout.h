@@ -37,6 +37,12 @@ struct FaceLayout {
         corners[frame] = {apex.dot(base) / length, base.cross(apex).norm() / length};
     }
 
+    FaceLayout(double length, const Eigen::Vector2d& apex, int frame) {
+        corners[(frame + 1) % 3] = {0.0, 0.0};
+        corners[(frame + 2) % 3] = {length, 0.0};
+        corners[frame] = apex;
+    }
+
     [[nodiscard]] Eigen::Vector2d position(const Vec3& barycentric) const {
         return barycentric[0] * corners[0] + barycentric[1] * corners[1] +
                barycentric[2] * corners[2];
@@ -49,6 +55,19 @@ struct FaceLayout {
              (corners[2] - corners[1]).norm(),
              (corners[0] - corners[2]).norm()}
         );
+    }
+
+    /// At least the length of the longest side, and less than twice that.
+    [[nodiscard]] double extent() const {
+        double left = 0.0;
+        double right = 0.0;
+        double top = 0.0;
+        for (const Eigen::Vector2d& corner : corners) {
+            left = std::min(left, corner.x());
+            right = std::max(right, corner.x());
+            top = std::max(top, corner.y());
+        }
+        return right - left + top;
     }
 
     std::array<Eigen::Vector2d, 3> corners;

@@ -89,9 +89,9 @@ struct FittedLines {
 
 /// The exact geodesic distance of each vertex to the nearest of some lines, in the user's unit;
 /// infinite where it is more than `reach` (which may be infinite), or where no way leads. A line
-/// with a single vertex is a point. O(k log k) for k vertices within reach, and more where many
-/// ways lead to them. Throws InputError (NoPath where a line is not strictly on the mesh),
-/// Cancelled.
+/// with a single vertex is a point. For k vertices within reach time grows as k^1.5 on a smooth
+/// surface, where tens of beams of ways cross each edge: about 4 s for 68,000 vertices. Throws
+/// InputError (NoPath where a line is not strictly on the mesh), Cancelled.
 [[nodiscard]] std::vector<double> distancesToLines(
     const Workpiece& workpiece,
     std::span<const SurfacePolyline> lines,

@@ -44,6 +44,12 @@ def test_a_wheel_that_needs_a_new_glibc_is_refused_whatever_its_name_says(packag
     assert count == 1 and ("but must be content with manylinux_2_17_x86_64" in said or "is refused by auditwheel" in said)
 
 
+def test_a_wheel_with_code_of_another_processor_is_refused(package, tmp_path):
+    file = packed(tmp_path / f"{NAME}-manylinux_2_17_aarch64.whl", package)
+    count, said = wheels("--check", file)
+    assert count == 1 and "is refused by auditwheel" in said and "x86_64 architecture" in said, said
+
+
 def test_what_a_wheel_lacks_is_told(package, tmp_path):
     file = packed(tmp_path / f"{NAME}-linux_x86_64.whl", package, left_out=("py.typed", "_core.pyi"))
     _, said = wheels("--check", file)

@@ -150,12 +150,19 @@ async def drawn_in_a_page(mesh, picks, folder):
         await asyncio.sleep(1)
         pictures["closed"] = await page.picture()
         closed = picker.curves
+        views = [np.array(picker.plotter.camera.position)]
+        beside = box[0] + 0.04 * box[2], box[1] + 0.92 * box[3]
+        await page.drag(beside, *((beside[0] + step, beside[1] - step / 2) for step in (40, 80, 120)))
+        await asyncio.sleep(1)
+        pictures["turned"] = await page.picture()
+        views.append(np.array(picker.plotter.camera.position))
+        assert all(np.array_equal(now.picks, before.picks) for now, before in zip(picker.curves, closed, strict=True))
     picker.plotter.close()
-    return clicked, dragged, closed, pictures
+    return clicked, dragged, closed, views, pictures
 
 
-def test_curves_are_clicked_and_dragged_in_a_browser(mesh, picks, tmp_path):
-    clicked, dragged, closed, pictures = asyncio.run(drawn_in_a_page(mesh, picks, tmp_path))
+def test_curves_are_clicked_and_dragged_in_a_browser_and_the_view_is_turned(mesh, picks, tmp_path):
+    clicked, dragged, closed, (before, after), pictures = asyncio.run(drawn_in_a_page(mesh, picks, tmp_path))
     kept = Path(os.environ.get("BSPLINE_CURVE_PICTURES", tmp_path))  # to look at them
     for name, picture in pictures.items():
         picture.save(kept / f"notebook-{name}.png")
@@ -166,3 +173,5 @@ def test_curves_are_clicked_and_dragged_in_a_browser(mesh, picks, tmp_path):
     np.testing.assert_array_equal(np.delete(moved.picks, 2, 0), np.delete(curve.picks, 2, 0))
     assert closed[0].closed and len(closed) == 1
     assert red(pictures["empty"]) < 50 < 500 < red(pictures["clicked"]) < red(pictures["closed"])
+    assert np.linalg.norm(after - before) > 0.1 * np.linalg.norm(before) and red(pictures["turned"]) > 300
+    assert (np.asarray(pictures["turned"]) != np.asarray(pictures["closed"])).any(-1).mean() > 0.05
