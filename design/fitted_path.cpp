@@ -120,7 +120,7 @@ public:
 
 private:
     [[nodiscard]] SurfaceNode footAt(double parameter) const {
-        const double own = parameter > 1.0 ? parameter - 1.0 : parameter;
+        const double own = withinOne(parameter);
         SurfaceNode node;
         node.foot = FootPoint::at(line_.path.points[line_.path.indexAt(own)].point);
         finder_.move(smoother_.positionAt(own), node.foot, node.frame);
@@ -138,6 +138,21 @@ private:
         return node;
     }
 
+    // A parameter of a closed line, once round.
+    [[nodiscard]] static double withinOne(double parameter) {
+        return parameter > 1.0 ? parameter - 1.0 : parameter;
+    }
+
+    [[nodiscard]] bool isOnSurface(const SurfaceNode& node) const {
+        return node.foot.face < extended_.surfaceFaceCount;
+    }
+
+    [[nodiscard]] bool follows(const SurfaceNode& before, const SurfaceNode& node) const {
+        return isOnSurface(node) && areJoined(extended_, finder_, before, node);
+    }
+
+    // Where the foot of the smooth line jumps to another part of the surface, at a fold, the line's
+    // own point takes its place.
     [[nodiscard]] std::optional<InitialPath> between(
         double from,
         const SurfaceNode& first,
@@ -151,13 +166,15 @@ private:
         std::vector<SurfacePoint> points;
         SurfaceNode before;
         for (int i = 0; i <= segments; ++i) {
-            const SurfaceNode node =
-                i == 0 ? first
-                       : (i == segments
-                              ? last
-                              : footAt(std::lerp(from, to, static_cast<double>(i) / segments)));
-            if (node.foot.face >= extended_.surfaceFaceCount ||
-                (i > 0 && !areJoined(extended_, finder_, before, node))) {
+            const double parameter = std::lerp(from, to, static_cast<double>(i) / segments);
+            const bool isBetween = i > 0 && i < segments;
+            SurfaceNode node = i == 0 ? first : (isBetween ? footAt(parameter) : last);
+            bool goesOn = i == 0 ? isOnSurface(node) : follows(before, node);
+            if (!goesOn && isBetween) {
+                node = nodeAt(line_.path.points[line_.path.indexAt(withinOne(parameter))]);
+                goesOn = follows(before, node);
+            }
+            if (!goesOn) {
                 return std::nullopt;
             }
             points.push_back(node.foot.surfacePoint());
