@@ -109,6 +109,29 @@ TEST(FittedCurves, AreNearTheCircleThatJaggedBoundariesFollow) {
     }
 }
 
+/// A plate in pleats that lean over each other.
+TriangleMesh pleated(TriangleMesh mesh) {
+    constexpr double kWaves = 2.0 * std::numbers::pi * 6.0;
+    for (Vec3& p : mesh.vertices) {
+        const double wave = kWaves * p.x();
+        p = {p.x() + std::sin(wave) / 40.0, p.y(), std::cos(wave) / 60.0};
+    }
+    return mesh;
+}
+
+TEST(FittedCurves, NeedFewKnotsAcrossPleats) {
+    for (const unsigned seed : {1U, 3U}) {
+        const TriangleMesh plate = jitteredPlate(60, 60, 0.2, seed);
+        const Line flat = boundaryOf(plate, [&](const Vec3& p) {
+            return (p - Vec3(0.47, 0.52, 0.0)).norm() < 0.31;
+        });
+        const CurveDesigner designer(pleated(plate));
+        const Line line{pleated({flat.points, {}}).vertices, flat.closed};
+        const Curve curve = fitted(designer, line, {{1.0, true}});
+        EXPECT_LE(curve.spline.controlPoints.size(), 90U);
+    }
+}
+
 TEST(FittedCurves, FollowStrokesThatShake) {
     const CurveDesigner designer(icosphere(4));
     std::mt19937 random(8);
