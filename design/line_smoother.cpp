@@ -232,9 +232,11 @@ LineSmoother::Turn LineSmoother::turnWithout(int i) const {
     const Vec3 bend = without * (node(i - 1) - 2.0 * node(i) + node(i + 1));
     const auto moved = [&](int k) -> Vec3 { return node(k) + answerAt(k) * stiffness * bend; };
     const double angle = angleBetween(i, moved(i) - moved(i - 1), moved(i + 1) - moved(i));
-    // Of independent points: the sum of the squares of what each adds to the bend's own direction.
+    // Of independent points, whose variances are to each other as the inverses of their weights: the
+    // variance of what they add to the bend's own direction.
     const Vec3 direction = without.transpose() * bend.normalized();
     double squares = 0.0;
+    const auto count = static_cast<double>(line_.points.size());
     const double from = static_cast<double>(first) / segments();
     const double to = static_cast<double>(last) / segments();
     const auto begin =
@@ -242,7 +244,7 @@ LineSmoother::Turn LineSmoother::turnWithout(int i) const {
     for (auto point = begin; point != line_.points.end() && point->parameter <= to; ++point) {
         const auto [a, b, share] = placeOf(point->parameter);
         const Vec3 own = ((1.0 - share) * answerAt(a) + share * answerAt(b)) * direction;
-        squares += (point->weight / weight_ * own).squaredNorm();
+        squares += point->weight / (weight_ * count) * own.squaredNorm();
     }
     return {angle, spread_ * std::sqrt(squares) / step_};
 }

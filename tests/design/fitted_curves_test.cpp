@@ -184,30 +184,43 @@ bool isInHeart(const Vec3& p) {
            std::hypot(along, across - kHalfSide) < kHalfSide;
 }
 
+/// Both corners are of 90 degrees, of which the steps of a boundary leave now and then less than
+/// the 60 from which on fits have a corner.
 TEST(FittedCurves, TurnAtTheCornersOfAHeart) {
+    constexpr int kHearts = 10;
+    const double corner = 0.17 * std::numbers::sqrt2;
+    const Vec3 tip(0.5, 0.5 - corner, 0.0);
+    const Vec3 notch(0.5, 0.5 + corner, 0.0);
+    for (const FitOptions& fit : {FitOptions{}, FitOptions{{1.0, true}}}) {
+        int found = 0;
+        for (unsigned seed = 1; seed <= kHearts; ++seed) {
+            SCOPED_TRACE(seed);
+            const CurveDesigner designer(jitteredPlate(70, 70, 0.2, seed));
+            const Line line = boundaryOf(designer.mesh(), isInHeart);
+            const double edge = designer.surface().averageEdgeLength();
+            const Curve curve = fitted(designer, line, fit);
+            int tips = 0;
+            int notches = 0;
+            for (const int pick : cornersOf(curve.spline)) {
+                const Vec3& point = curve.polyline.points[curve.polyline.picks[pick]];
+                const bool isTip = (point - tip).norm() <= 1.5 * edge;
+                const bool isNotch = (point - notch).norm() <= 1.5 * edge;
+                EXPECT_TRUE(isTip || isNotch) << point.transpose();
+                tips += isTip ? 1 : 0;
+                notches += isNotch ? 1 : 0;
+            }
+            EXPECT_LE(tips, 1);
+            EXPECT_LE(notches, 1);
+            found += tips + notches;
+            for (const double turn : curve.report.cornerTurns) {
+                EXPECT_GE(turn, fit.cornerAngle);
+                EXPECT_NEAR(turn, 90.0, 30.0);
+            }
+        }
+        EXPECT_GE(found, 2 * kHearts - 3);
+    }
     const CurveDesigner designer(jitteredPlate(70, 70, 0.2, 9));
     const Line line = boundaryOf(designer.mesh(), isInHeart);
-    const double edge = designer.surface().averageEdgeLength();
-    const double corner = 0.17 * std::numbers::sqrt2;
-    for (const FitOptions& fit : {FitOptions{}, FitOptions{{1.0, true}}}) {
-        const Curve curve = fitted(designer, line, fit);
-        const std::vector<int> corners = cornersOf(curve.spline);
-        ASSERT_EQ(corners.size(), 2U);
-        ASSERT_EQ(curve.report.cornerTurns.size(), 2U);
-        for (const Vec3& meant : {Vec3(0.5, 0.5 - corner, 0.0), Vec3(0.5, 0.5 + corner, 0.0)}) {
-            double least = 1.0;
-            for (const int pick : corners) {
-                least = std::min(
-                    least, (curve.polyline.points[curve.polyline.picks[pick]] - meant).norm()
-                );
-            }
-            EXPECT_LE(least, 1.5 * edge);
-        }
-        for (const double turn : curve.report.cornerTurns) {
-            EXPECT_GE(turn, fit.cornerAngle);
-            EXPECT_NEAR(turn, 90.0, 25.0);
-        }
-    }
     FitOptions without;
     without.cornerAngle = 180.0;
     EXPECT_TRUE(cornersOf(fitted(designer, line, without).spline).empty());
