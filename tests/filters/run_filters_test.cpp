@@ -390,7 +390,7 @@ TEST(RunCurveFilter, RefusesPicksThatAreMissingOrGivenTwice) {
     const PickCandidates layer{.tool = {}, .layer = PicksLayer{"p", kPicks, false}};
     expectPart(
         refusal([&] { return runCurveFilter(plateLayer(), layer, request, designers); }),
-        "by the options picks and picks_file and picks_layer: give one of them"
+        "more than one option: picks and picks_file and picks_layer; use one of them"
     );
     const PickCandidates mesh{.tool = {}, .layer = PicksLayer{"p", kPicks, true}};
     expectPart(
