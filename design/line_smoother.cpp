@@ -232,8 +232,8 @@ LineSmoother::Turn LineSmoother::turnWithout(int i) const {
     const Vec3 bend = without * (node(i - 1) - 2.0 * node(i) + node(i + 1));
     const auto moved = [&](int k) -> Vec3 { return node(k) + answerAt(k) * stiffness * bend; };
     const double angle = angleBetween(i, moved(i) - moved(i - 1), moved(i + 1) - moved(i));
-    // Of independent points, whose variances are to each other as the inverses of their weights: the
-    // variance of what they add to the bend's own direction.
+    // Of independent points, whose variances are to each other as the inverses of their weights:
+    // the variance of what they add to the bend's own direction.
     const Vec3 direction = without.transpose() * bend.normalized();
     double squares = 0.0;
     const auto count = static_cast<double>(line_.points.size());
