@@ -92,7 +92,7 @@ ExitCode printOverview() {
            "  VERB --help: its options; --help paper; --version; --completion bash|zsh|fish\n"
            "Examples:\n"
            "  bspline_curve scan.ply --picks picks.json --closed --output curve.json\n"
-           "  bspline_curve cut scan.ply --curve curve.json --keep inside --output cut.ply\n\n"
+           "  bspline_curve cut scan.ply --curve curve.json --keep inside --output cut.ply\n"
            "Exit status: 0 done; 1 bad mesh, picks or file; 2 wrong usage; 130 interrupted\n"
            "by Ctrl-C. No output is written unless the status is 0.\n";
     return ExitCode::Success;

@@ -278,7 +278,7 @@ def test_help_tells_all_verbs_on_one_screen(run):
     assert (process.returncode, process.stderr) == (0, "") and process.stdout == run("help").stdout == run("-h").stdout
     lines = process.stdout.splitlines()
     assert len(lines) <= 24 and max(map(len, lines)) <= 80
-    for verb in ("batch", "curve", "cut", "field", "fill", "imprint", "offset", "pattern", "points", "segment", "shell"):
+    for verb in ("batch", "curve", "cut", "edit", "field", "fill", "fit", "imprint", "offset", "pattern", "points", "segment", "shell"):
         assert any(line.startswith(f"  {verb} ") for line in lines)
         assert run(verb, "--help").returncode == 0
 

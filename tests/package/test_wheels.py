@@ -25,11 +25,18 @@ def package(plain_home):
 
 
 def packed(file, package, left_out=()):
-    """A wheel of the installed package, as far as the script looks at it."""
+    """A wheel of the installed package, as far as the script looks at it; its record lists no more than it holds."""
+    folder = package.parent
+    paths = [path for path in folder.glob("bspline_curve*/**/*") if path.is_file() and path.name not in left_out and path.suffix != ".pyc"]
+    names = {str(path.relative_to(folder)) for path in paths}
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path in package.parent.glob("bspline_curve*/**/*"):
-            if path.is_file() and path.name not in left_out and path.suffix != ".pyc":
-                archive.write(path, path.relative_to(package.parent))
+        for path in paths:
+            name = str(path.relative_to(folder))
+            if path.name == "RECORD":
+                rows = path.read_text().splitlines(keepends=True)
+                archive.writestr(name, "".join(row for row in rows if row.split(",")[0] in names))
+            else:
+                archive.write(path, name)
     return file
 
 
