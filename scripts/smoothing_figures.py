@@ -6,18 +6,13 @@
 
 Meshes are those that pymeshlab's wheel ships, and a ball made by a rule.
 """
-import argparse
-import tempfile
-from pathlib import Path
-
 import numpy as np
-from PIL import Image
 from using_curves_figures import (
     BLUE,
     RED,
-    ROOT,
     STONE,
     Work,
+    draw_figures,
     hues,
     line_shape,
     packaged_mesh,
@@ -181,18 +176,5 @@ def join(folder):
 FIGURES = {"labels": labels, "margin": margin, "heart": heart, "direction": direction, "join": join}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--only", choices=FIGURES)
-    parser.add_argument("--output", type=Path, default=ROOT / "docs" / "images")
-    given = parser.parse_args()
-    for name, draw in FIGURES.items():
-        if given.only in (None, name):
-            with tempfile.TemporaryDirectory() as folder:
-                images = draw(folder)
-            Image.fromarray(np.hstack(images)).save(given.output / f"smooth_{name}.png", optimize=True)
-            print(given.output / f"smooth_{name}.png")
-
-
 if __name__ == "__main__":
-    main()
+    draw_figures(__doc__.splitlines()[0], FIGURES, "smooth")

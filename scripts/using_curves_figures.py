@@ -312,18 +312,20 @@ FIGURES = {"hole": hole, "relief": relief, "head": head, "margin": margin, "embo
            "base": base}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--only", choices=FIGURES)
+def draw_figures(description, figures, prefix):
+    """The command line of a script that draws each figure, rows of images by a function of a folder to work in."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--only", choices=figures)
     parser.add_argument("--output", type=Path, default=ROOT / "docs" / "images")
     given = parser.parse_args()
-    for name, draw in FIGURES.items():
+    for name, draw in figures.items():
         if given.only in (None, name):
             with tempfile.TemporaryDirectory() as folder:
                 images = draw(folder)
-            Image.fromarray(np.hstack(images)).save(given.output / f"using_{name}.png", optimize=True)
-            print(given.output / f"using_{name}.png")
+            file = given.output / f"{prefix}_{name}.png"
+            Image.fromarray(np.hstack(images)).save(file, optimize=True)
+            print(file)
 
 
 if __name__ == "__main__":
-    main()
+    draw_figures(__doc__.splitlines()[0], FIGURES, "using")
