@@ -87,14 +87,13 @@ ExitCode printOverview() {
         std::cout << "  " << verb.name << std::string(kColumn - verb.name.size(), ' ') << verb.help
                   << '\n';
     }
-    std::cout
-        << "\n"
-           "  VERB --help: its options; --help paper; --version; --completion bash|zsh|fish\n"
-           "Examples:\n"
-           "  bspline_curve scan.ply --picks picks.json --closed --output curve.json\n"
-           "  bspline_curve cut scan.ply --curve curve.json --keep inside --output cut.ply\n"
-           "Exit status: 0 done; 1 bad mesh, picks or file; 2 wrong usage; 130 interrupted\n"
-           "by Ctrl-C. No output is written unless the status is 0.\n";
+    std::cout << "\n"
+                 "  VERB --help: its options; --help paper; --version; --completion bash|zsh|fish\n"
+                 "Examples:\n"
+                 "  bspline_curve scan.ply --picks picks.json --closed --output curve.json\n"
+                 "  bspline_curve cut scan.ply --curve curve.json --keep inside --output cut.ply\n"
+                 "Exit status: 0 done; 1 bad mesh, picks or file; 2 wrong usage; 130 interrupted\n"
+                 "by Ctrl-C. No output is written unless the status is 0.\n";
     return ExitCode::Success;
 }
 
