@@ -7,7 +7,9 @@
 #include "surface/surface.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -22,6 +24,28 @@ constexpr double kStrokePixels = 4.0;
 
 /// A stroke that ends where it began is closed, if it is so many times longer than the gap may be.
 constexpr double kLeastRound = 4.0;
+
+/// Puts a curve in the place of another, where that is one of the sketch's. The selected pick stays
+/// selected if it is one of the new curve, too; else none is.
+void replaceIn(
+    Sketch& sketch,
+    const std::shared_ptr<SketchCurve>& curve,
+    const std::shared_ptr<SketchCurve>& by
+) {
+    const auto place = std::ranges::find(sketch.curves, curve);
+    if (place == sketch.curves.end()) {
+        return;
+    }
+    *place = by;
+    if (place - sketch.curves.begin() == sketch.active && sketch.selected >= 0) {
+        const Vec3 selected = curve->picks[sketch.selected].position;
+        const auto same = std::ranges::find_if(by->picks, [&](const SketchPick& pick) {
+            return pick.position == selected;
+        });
+        const bool stays = same != by->picks.end();
+        sketch.selected = stays ? static_cast<int>(same - by->picks.begin()) : -1;
+    }
+}
 
 double lengthOf(const std::vector<SketchPick>& line) {
     double length = 0.0;
@@ -140,9 +164,13 @@ void DrawingSession::takeStroke(const Answer& answer, const std::shared_ptr<Sket
                 curve->lastPicks = curve->positions();
             }
             Sketch now = history_.now();
-            std::ranges::replace(now.curves, of, curve);
+            replaceIn(now, of, curve);
             history_.replace(now);
-            std::ranges::replace(sketch_.curves, of, curve);
+            replaceIn(sketch_, of, curve);
+            hovered_ = {};
+            if (mode_ == Mode::Pressed && sketch_.selected < 0) {
+                mode_ = Mode::Idle;  // what was pressed is no more
+            }
         }
     }
     askSettled();

@@ -134,6 +134,49 @@ TEST_F(AStroke, IsThereWhenItIsUndoneBeforeItsCurveIsKnown) {
     EXPECT_TRUE(curve().settled);
 }
 
+// Until its curve is known it has other picks, and more of them.
+TEST_F(AStroke, HasItsPicksReplacedWhileOneOfThemIsSelected) {
+    draw(line(0.3, 0.03));
+    const auto before = static_cast<int>(curve().picks.size());
+    s_.session.select(0, before - 1);
+    s_.session.settle();
+    ASSERT_LT(static_cast<int>(curve().picks.size()), before);
+    EXPECT_EQ(s_.session.sketch().selected, -1);
+    const std::size_t after = curve().picks.size();
+    s_.session.select(0, 1);
+    EXPECT_TRUE(s_.session.key(SketchKey::Remove, {}));
+    EXPECT_EQ(curve().picks.size(), after - 1);
+}
+
+TEST_F(AStroke, HasItsPicksReplacedWhileOneOfThemIsPressed) {
+    draw(line(0.3, 0.03));
+    const Vec3 last = curve().picks.back().position;
+    EXPECT_TRUE(s_.session.press(s_.camera.over(last)));
+    s_.session.settle();
+    EXPECT_FALSE(s_.session.isDragging());
+    const std::vector<Vec3> picks = curve().positions();
+    s_.session.move(s_.camera.over(Vec3(0.0, 0.0, 1.0)));
+    s_.session.release(s_.camera.over(Vec3(0.0, 0.0, 1.0)));
+    EXPECT_EQ(curve().positions(), picks);
+}
+
+TEST_F(AStroke, ThatKeepsTheSelectedPickOfACurveLeavesItSelected) {
+    draw(line(0.0, 0.0));
+    s_.session.settle();
+    const Vec3 first = curve().picks.front().position;
+    std::vector<Vec3> bump;  // over the middle
+    for (int i = 0; i <= 40; ++i) {
+        const double x = -0.2 + i / 100.0;
+        const double y = 0.2 * std::cos(std::numbers::pi * x / 0.4);
+        bump.emplace_back(x, y, std::sqrt(1.0 - x * x - y * y));
+    }
+    draw(bump);
+    s_.session.select(0, 0);
+    s_.session.settle();
+    ASSERT_EQ(s_.session.sketch().selected, 0);
+    EXPECT_EQ(curve().picks.front().position, first);
+}
+
 TEST_F(AStroke, ThatEndsWhereItBeganIsClosed) {
     std::vector<Vec3> points;
     for (int i = 0; i <= 100; ++i) {
