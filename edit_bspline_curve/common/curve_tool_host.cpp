@@ -151,11 +151,9 @@ bool CurveTool::mayClose() {
     question.setEscapeButton(stay);
     const QPointer<CurveTool> self(this);
     question.exec();
-    if (self.isNull()) {
-        return true;  // the tool ended, and made layers
-    }
     if (question.clickedButton() == saves) {
-        return save();
+        // Where the tool ended meanwhile, and made layers, the window stays for these.
+        return !self.isNull() && save();
     }
     return question.clickedButton() != stay;
 }
