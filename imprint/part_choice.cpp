@@ -21,19 +21,34 @@ namespace bspline_curve {
 
 namespace {
 
-/// Calls visit(edge, first label, second label) for each edge with two faces of different parts.
-/// Such an edge is on a curve.
+/// Calls visit(edge, first label, second label) for each edge with two faces of different parts,
+/// ascending. Such an edge is on a curve, so that only faces with two corners on curves are sorted.
 template <class Visitor>
 void forEachPartingEdge(
-    const TriangleMesh& mesh, const std::vector<int>& labels, const Visitor& visit
+    const ImprintedMesh& imprinted, const std::vector<int>& labels, const Visitor& visit
 ) {
-    forEachEdge(sortedHalfEdges(mesh.faces), [&](std::span<const HalfEdge> sides) {
-        if (sides.size() == 2 && labels[sides[0].face] != labels[sides[1].face]) {
-            visit(
-                std::array{sides[0].low, sides[0].high},
-                labels[sides[0].face],
-                labels[sides[1].face]
-            );
+    std::vector<char> isOnCurve(imprinted.mesh.vertices.size(), 0);
+    for (const ImprintedCurve& curve : imprinted.curves) {
+        for (const int vertex : curve.vertices) {
+            isOnCurve[vertex] = 1;
+        }
+    }
+    const std::vector<Triangle>& faces = imprinted.mesh.faces;
+    const std::vector<int> beside = indicesWhere<int>(faces.size(), [&](std::size_t f) {
+        const auto& [a, b, c] = faces[f];
+        return isOnCurve[a] + isOnCurve[b] + isOnCurve[c] > 1;
+    });
+    std::vector<Triangle> triangles;
+    for (const int face : beside) {
+        triangles.push_back(faces[face]);
+    }
+    forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> sides) {
+        if (sides.size() == 2) {
+            const int one = labels[beside[sides[0].face]];
+            const int other = labels[beside[sides[1].face]];
+            if (one != other) {
+                visit(std::array{sides[0].low, sides[0].high}, one, other);
+            }
         }
     });
 }
@@ -109,7 +124,7 @@ std::vector<char> oddParts(const ImprintedMesh& imprinted, const MeshParts& part
     };
 
     std::vector<std::vector<Passage>> passages(parts.parts.size());
-    forEachPartingEdge(imprinted.mesh, parts.labels, [&](const auto& edge, int one, int other) {
+    forEachPartingEdge(imprinted, parts.labels, [&](const auto& edge, int one, int other) {
         const bool isOdd = std::ranges::ssize(std::ranges::equal_range(onCurves, edge)) % 2 != 0;
         passages[one].push_back({other, isOdd});
         passages[other].push_back({one, isOdd});
@@ -152,7 +167,7 @@ std::vector<char> insideParts(const ImprintedMesh& imprinted, const MeshParts& p
 
 std::vector<int> partedParts(const ImprintedMesh& imprinted, const MeshParts& parts) {
     std::vector<int> parted;
-    forEachPartingEdge(imprinted.mesh, parts.labels, [&](const auto&, int one, int other) {
+    forEachPartingEdge(imprinted, parts.labels, [&](const auto&, int one, int other) {
         parted.push_back(one);
         parted.push_back(other);
     });
@@ -267,7 +282,7 @@ std::vector<std::array<int, 2>> edgesAround(
 ) {
     const auto isChosen = [&](int label) { return std::ranges::binary_search(chosen, label); };
     std::vector<std::array<int, 2>> edges;
-    forEachPartingEdge(imprinted.mesh, parts.labels, [&](const auto& edge, int one, int other) {
+    forEachPartingEdge(imprinted, parts.labels, [&](const auto& edge, int one, int other) {
         if (isChosen(one) != isChosen(other)) {
             edges.push_back(edge);
         }
