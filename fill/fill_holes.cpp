@@ -130,14 +130,21 @@ public:
           checker_(mesh) {}
 
     void fill(std::size_t rim, FillShape shape, const Progress& progress) {
-        report(progress, 0.0, "filling a hole");
+        double reached = 0.0;
+        const Progress noted = [&](double fraction, const char* stage) {
+            reached = fraction;
+            return !progress || progress(fraction, stage);
+        };
+        report(noted, reached, "filling a hole");
         rim_ = rim;
         best_.reset();
-        checker_.begin(rims_[rim], std::ranges::min(rimPatch().most));
+        checker_.begin(rims_[rim], std::ranges::min(rimPatch().most), [&] {
+            report(noted, reached, "checking a patch");
+        });
         if (shape == FillShape::Flat) {
-            fillFlat(progress);
+            fillFlat(noted);
         } else {
-            fillSmoothly(progress);
+            fillSmoothly(noted);
         }
         if (const std::optional<Attempt> best = std::exchange(best_, std::nullopt)) {
             append(*best);
@@ -216,14 +223,16 @@ private:
         const Progress halvings = partOf(progress, 0.6, 0.9);
         for (std::size_t division = 0; division < divisions; ++division) {
             scaleSizes(smooth, 0.5);
-            refinePatch(smooth, Relaxing::Tangential, stepOf(halvings, division, divisions));
-            fairDivided(smooth, around);
+            const Progress step = stepOf(halvings, division, divisions);
+            refinePatch(smooth, Relaxing::Tangential, partOf(step, 0.0, 0.5));
+            fairDivided(smooth, around, partOf(step, 0.5, 1.0));
         }
         if (divisions == 0) {  // else few of the faces are at the rim
             lowerSizesAtRim(smooth);
-            refinePatch(smooth, Relaxing::Tangential);
-            fairDivided(smooth, around);
+            refinePatch(smooth, Relaxing::Tangential, partOf(halvings, 0.0, 0.5));
+            fairDivided(smooth, around, partOf(halvings, 0.5, 1.0));
         }
+        report(progress, 0.9, "checking a patch");
         return accept(smooth) || accept(untangled(std::move(smooth)));
     }
 
@@ -598,6 +607,7 @@ FilledMesh fillHoles(
     const FillSurroundings& surroundings,
     const Progress& progress
 ) {
+    report(progress, 0.0, "looking at the rims");
     HoleFiller filler(mesh, rims, surroundings);
     for (std::size_t rim = 0; rim < rims.size(); ++rim) {
         filler.fill(rim, shape, stepOf(progress, rim, rims.size()));

@@ -59,6 +59,10 @@ std::vector<double> FilledParts::carried(std::span<const double> imprintedValues
 
 namespace {
 
+// Of the progress of a fill: what opens the mesh, and all until its patches are there.
+constexpr double kOpenedShare = 0.1;
+constexpr double kFilledShare = 0.9;
+
 /// A closed walk as loops that pass no vertex twice.
 std::vector<std::vector<int>> simpleLoops(const std::vector<int>& walk) {
     std::vector<std::vector<int>> loops;
@@ -170,13 +174,18 @@ FilledParts fillAround(
     FillShape shape,
     const Progress& progress
 ) {
+    const auto goOn = [&](double fraction) { report(progress, fraction, "opening the mesh"); };
+    goOn(0.0);
     const std::vector<std::array<int, 2>> edges = edgesAround(imprinted, parts, chosen);
     // Rims are walked round the chosen faces. Where they meet themselves in a vertex, each loop is
     // a hole of its own, and the vertex is one again when all are filled.
     const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
+    goOn(0.25 * kOpenedShare);
     const SubMesh kept = facesWithLabels(imprinted.mesh, parts.labels, chosen);
+    goOn(0.5 * kOpenedShare);
     FilledParts result;
     findRims(edges, cut, kept, result);
+    goOn(0.75 * kOpenedShare);
     if (result.rims.empty()) {
         throw InputError(
             InputErrorCode::NoPath,
@@ -193,12 +202,19 @@ FilledParts fillAround(
             return sheetBeside(removedFrom(imprinted, parts, chosen), vertices, false, most);
         }
     };
-    FilledMesh filled = fillHoles(kept.mesh, result.rims, shape, surroundings, progress);
+    FilledMesh filled = fillHoles(
+        kept.mesh, result.rims, shape, surroundings, partOf(progress, kOpenedShare, kFilledShare)
+    );
+    const auto close = [&](double fraction) {
+        report(progress, fraction, "joining the patches to the mesh");
+    };
+    close(kFilledShare);
     result.firstFace = std::move(filled.firstFace);
     result.crossing = std::move(filled.crossing);
     result.firstNew = std::move(filled.firstNew);
     result.endOfNew = static_cast<int>(filled.mesh.vertices.size());
     CutMesh parted = partFans(filled.mesh, doubledIn(cut, imprinted.mesh.vertices.size(), kept));
+    close(0.5 * (kFilledShare + 1.0));
     result.mesh = std::move(parted.mesh);
     for (const int vertex : parted.source) {
         const bool isNew = vertex >= static_cast<int>(kept.vertices.size());
@@ -210,6 +226,7 @@ FilledParts fillAround(
     result.faces = kept.faces;
     result.faces.resize(result.mesh.faces.size(), -1);
     result.labels.resize(result.mesh.faces.size(), -1);
+    close(1.0);
     return result;
 }
 

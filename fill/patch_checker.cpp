@@ -65,8 +65,11 @@ PatchChecker::PatchChecker(const TriangleMesh& mesh)
     }
 }
 
-void PatchChecker::begin(const std::vector<int>& rim, double leastSize) {
+void PatchChecker::begin(
+    const std::vector<int>& rim, double leastSize, std::function<void()> goOn
+) {
     rim_ = rim;
+    goOn_ = std::move(goOn);
     testsLeft_ = kMostTests;
     isFine_ = leastSize < kFineRelative * largest_;
 }
@@ -107,11 +110,18 @@ void PatchChecker::withPlaced(const Patch& patch, const Use& use) {
 
 PatchCrossings PatchChecker::crossingsOf(const Patch& patch) {
     PatchCrossings crossing;
+    const auto goOn = [&] {
+        if (goOn_) {
+            goOn_();
+        }
+    };
+    goOn();
     withPlaced(patch, [&](const std::vector<Triangle>& faces) {
         crossing.clearly = finder_.crossingsOf(faces).faces();
         if (!crossing.clearly.empty() || isFine_) {
             return;
         }
+        goOn();
         crossing.narrowly = roundedFinder_.crossingsOf(faces).faces();
         for (const int face : crossing.narrowly) {
             if (!roundedFinder_.isSliver(faces[face])) {

@@ -5,6 +5,7 @@
 #include "fill/patch_refinement.h"
 
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -35,8 +36,9 @@ class PatchChecker {
 public:
     explicit PatchChecker(const TriangleMesh& mesh);
 
-    /// From now on patches are for this rim, around which edges are that long at least.
-    void begin(const std::vector<int>& rim, double leastSize);
+    /// From now on patches are for this rim, around which edges are that long at least. `goOn` is
+    /// called before a check and in its middle; where it throws, the checker is of no more use.
+    void begin(const std::vector<int>& rim, double leastSize, std::function<void()> goOn = {});
 
     /// From now on a patch for the rim is part of the mesh.
     void keep(const Patch& patch);
@@ -68,6 +70,7 @@ private:
     CrossingFinder roundedFinder_;
     double largest_ = 0.0;  // coordinate
     std::vector<int> rim_;
+    std::function<void()> goOn_;
     int testsLeft_ = 0;    // of triangles of the rim's points
     bool isFine_ = false;  // what is around the rim
 };

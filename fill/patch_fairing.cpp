@@ -236,11 +236,12 @@ void fairPatch(Patch& patch, const RimSurroundings& around, int steps, const Pro
     }
 }
 
-void fairDivided(Patch& patch, const RimSurroundings& around) {
+void fairDivided(Patch& patch, const RimSurroundings& around, const Progress& progress) {
     if (std::ssize(patch.points) == patch.rimCount) {
         return;
     }
     for (int round = 0; round < kSmoothingRounds; ++round) {
+        report(progress, static_cast<double>(round) / kSmoothingRounds, "fairing a patch");
         const Elements elements = elementsOf(patch, around);
         Rows points = innerPoints(patch);
         const Rows laplacians = elements.laplacian * points + elements.constant;

@@ -24,7 +24,7 @@ void fairPatch(
 );
 
 /// Likewise for a patch that was fair before its faces were divided: takes out the short waves that
-/// this left, by a few steps of conjugate gradients. O(n).
-void fairDivided(Patch& patch, const RimSurroundings& around);
+/// this left, by a few steps of conjugate gradients. O(n). Throws Cancelled.
+void fairDivided(Patch& patch, const RimSurroundings& around, const Progress& progress = {});
 
 }  // namespace bspline_curve

@@ -277,7 +277,7 @@ TEST(FairPatch, IsNotLedAwayBySlivers) {
 
 TEST(RefinePatch, EndsWithMoreFacesThanAsked) {
     Patch fine = disc(12);
-    std::ranges::fill(fine.sizes, 0.006);
+    std::ranges::fill(fine.sizes, 0.02);
     fine.most = fine.sizes;
     Patch bounded = fine;
     refinePatch(fine, Relaxing::Tangential);
