@@ -68,7 +68,8 @@ install_python_packages() {
     echo "installed"
 }
 
-# Objects are kept over builds and build directories of this checkout, also those made with precompiled headers.
+# Objects are kept over builds, build directories and checkouts, also those that GCC made with precompiled headers. With those
+# of Clang none would be found again, so that its presets have none.
 export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 
