@@ -17,13 +17,14 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::pair<const char*, ParameterType>, 12> kTypes = {{
+constexpr std::array<std::pair<const char*, ParameterType>, 13> kTypes = {{
     {"mesh", ParameterType::Layer},
     {"bool", ParameterType::Bool},
     {"int", ParameterType::Int},
     {"double", ParameterType::Double},
     {"absperc", ParameterType::Percentage},
     {"length", ParameterType::Length},
+    {"tolerances", ParameterType::Tolerances},
     {"picks", ParameterType::Picks},
     {"tangents", ParameterType::Tangents},
     {"enum", ParameterType::Enum},

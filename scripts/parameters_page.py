@@ -78,6 +78,8 @@ def values_of(parameter):
         return ", ".join(f"`{extension}`" for extension in parameter["extensions"])
     if kind == "length":
         return "a length, or so many `edges`"
+    if kind == "tolerances":
+        return "a length, or so many `edges`, or a `weight`; or one for each pick"
     if kind == "picks":
         return "numbers of picks, or `all`"
     if kind == "tangents":

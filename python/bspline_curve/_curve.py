@@ -399,7 +399,7 @@ class Curve:
         """
         index = self._index(pick, len(self.picks) + 1)
         added = one_pick(point, self.mesh, index)
-        drawing = self._bound().renumbered(lambda corner: corner + (corner >= index))
+        drawing = self._bound().renumbered(len(self.picks) + 1, lambda corner: corner + (corner >= index))
         return drawn(drawing._replace(picks=np.insert(drawing.picks, index, added, axis=0)), None, progress)
 
     def remove(self, pick: int, progress: Progress | None = None) -> Curve:
@@ -427,7 +427,7 @@ class Curve:
         -1
         """
         index = self._index(pick, len(self.picks))
-        drawing = self._bound().renumbered(lambda corner: None if corner == index else corner - (corner > index))
+        drawing = self._bound().renumbered(len(self.picks) - 1, lambda corner: None if corner == index else corner - (corner > index))
         return drawn(drawing._replace(picks=np.delete(drawing.picks, index, axis=0)), None, progress)
 
     def with_options(self, progress: Progress | None = None, **options: Unpack[CurveOptions]) -> Curve:

@@ -55,7 +55,7 @@ def reversed_piece(curve: Curve) -> Piece:
     picks = drawing.picks
     turned = turn if len(picks) == count else np.arange(len(picks))[::-1]
     place = {int(pick): i for i, pick in enumerate(turned)}
-    return Piece(state, _turned(drawing.renumbered(place.get))._replace(picks=picks[turned]))
+    return Piece(state, _turned(drawing.renumbered(len(picks), place.get))._replace(picks=picks[turned]))
 
 
 def _turned(drawing: Drawing) -> Drawing:
@@ -89,7 +89,8 @@ def piece(curve: Curve, start: float, end: float) -> Piece:
     state |= {"pick_parameters": at, "pick_vertices": vertices}
     drawing = curve._bound()
     picks = drawing.picks[kept] if len(drawing.picks) == len(curve.pick_parameters) else drawing.picks[:0]
-    options = {name: value for name, value in drawing.options.items() if name not in ("closed", "corners", "tangents")}
+    of_whole = ("closed", "corners", "tangents", "pick_tolerance")
+    options = {name: value for name, value in drawing.options.items() if name not in of_whole}
     return Piece(state, drawing._replace(picks=picks, options=options, fixed="a part of another"))
 
 

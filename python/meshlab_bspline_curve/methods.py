@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias
 
 import pymeshlab
@@ -52,7 +53,7 @@ def generate_bspline_curve_on_surface(
     field: Field = "none",
     field_weight: float = 2000.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
-    pick_tolerance: float | str = "0",
+    pick_tolerance: float | str | Sequence[float | str] = "0",
     corners: str = "",
     tangents: str = "",
     picks_layer: int | None = None,
@@ -146,9 +147,10 @@ def generate_bspline_curve_on_surface(
     tube_radius : float ≥ 0, default 0.0
         A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
         diagonal. 0: no tube.
-    pick_tolerance : float or str, default '0'
+    pick_tolerance : float or str, or a sequence of these, default '0'
         How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
-        of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
+        of the mesh, or in mean edges of it, as 1.5 edges, for all picks; or one for each, as 0.4, 0, 1.5 edges. 0: it
+        passes the picks. In place of a length, weight 100: no bound, but a pull that grows with the distance.
     corners : str, optional
         Picks at which the curve turns, by their numbers from 1, as 1,4; all: every pick. It passes them, and is as fair
         as possible on either side.

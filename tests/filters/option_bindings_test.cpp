@@ -52,7 +52,7 @@ ParameterValue otherValue(const ParameterDescription& parameter, const Parameter
     if (const auto* const number = std::get_if<double>(&value)) {
         return *number == 0.5 ? 0.25 : 0.5;
     }
-    if (parameter.type == ParameterType::Length) {
+    if (parameter.type == ParameterType::Tolerances) {
         return "2 edges";
     }
     if (parameter.type == ParameterType::Tangents) {
