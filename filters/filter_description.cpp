@@ -340,4 +340,8 @@ const FilterDescription& fitFilter() {
     return filterNamed("fit_curve_to_selection_boundary");
 }
 
+const FilterDescription& editFilter() {
+    return filterNamed("edit_curve_on_surface");
+}
+
 }  // namespace bspline_curve

@@ -129,5 +129,6 @@ struct FilterDescription {
 
 /// The filter that makes curves of boundaries of faces, parsed once.
 [[nodiscard]] const FilterDescription& fitFilter();
+[[nodiscard]] const FilterDescription& editFilter();
 
 }  // namespace bspline_curve

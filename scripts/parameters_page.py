@@ -33,6 +33,7 @@ GROUPS = {
     "further.polyline": "The polyline",
     "further.shell": "Where the curve is sought",
     "further.pattern": "More of patterns",
+    "further.join": "More of joints",
     "advanced.curves": "How curves come onto the mesh",
     "advanced.layers": "Further layers",
     "advanced.avoid": "How faces are avoided",
