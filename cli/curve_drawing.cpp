@@ -82,6 +82,10 @@ std::vector<Vec3> picksFrom(const std::filesystem::path& file, DrawingArguments&
     if (arguments.tangents.entries.empty()) {
         arguments.tangents = std::move(picks.tangents);
     }
+    if (arguments.pickTolerances.entries.empty() &&
+        arguments.solver.pickTolerance == MeshLength()) {
+        arguments.pickTolerances = std::move(picks.tolerances);
+    }
     return std::move(picks.picks);
 }
 

@@ -63,14 +63,11 @@ void readLines(CurvesOnMesh& taken, const UseArguments& arguments, double maxDis
 }
 
 void drawLines(
-    CurvesOnMesh& taken, DrawingArguments arguments, const UseArguments& all, ProgressBar& bar
+    CurvesOnMesh& taken, const DrawingArguments& asked, const UseArguments& all, ProgressBar& bar
 ) {
     Stopwatch watch;
-    const bool isClosed = arguments.solver.closed;
-    const PickChoice corners = arguments.corners;
     for (const std::filesystem::path& file : all.picks) {
-        arguments.solver.closed = isClosed;
-        arguments.corners = corners;
+        DrawingArguments arguments = asked;  // what one file says is not of the next
         const std::vector<Vec3> picks = picksFrom(file, arguments);
         DesignedCurve drawn =
             drawThrough(picks, arguments, taken.loaded, progressPart(bar, 0.0, 1.0));

@@ -92,7 +92,8 @@ std::optional<DrawnOptions> drawnOptions(const CurveRequest& request) {
     const bool isOffered = areSame(solverBindings(), request.solver, same.solver) &&
                            areSame(samplingBindings(), request.sampling, same.sampling) &&
                            areSame(shellBindings(), request.shell, same.shell) &&
-                           areSame(request.field, same.field) && request.mending == same.mending;
+                           areSame(request.field, same.field) && request.mending == same.mending &&
+                           request.pickTolerances == same.pickTolerances;
     return isOffered ? std::optional(options) : std::nullopt;
 }
 

@@ -39,9 +39,10 @@ public:
     }
 
     PlacedCurves place() {
-        for (const PolylineLayer& layer : input_.curves) {
+        for (std::size_t i = 0; i < input_.curves.size(); ++i) {
+            const PolylineLayer& layer = input_.curves[i];
             try {
-                addLayer(layer);
+                addLayer(i);
             } catch (const InputError& error) {
                 if (!layer.isOptional) {
                     throw;
@@ -70,21 +71,49 @@ private:
         );
     }
 
-    void addLayer(const PolylineLayer& layer) {
+    void addLayer(std::size_t index) {
+        const PolylineLayer& layer = input_.curves[index];
         const bool isExact = knowsPlaces(layer);
         std::vector<PlacedCurve> placed;
         int projected = 0;
         for (const PolylineChain& chain :
              chainsOf(static_cast<int>(layer.points.size()), layer.edges)) {
             SurfacePolyline line = isExact ? exact(layer, chain) : SurfacePolyline();
+            const bool isDrawn = !line.points.empty() && layer.curve && isAsDrawn(layer);
             if (line.points.empty()) {
                 line = projectedChain(layer, chain);
                 ++projected;
             }
-            placed.push_back({.line = std::move(line), .label = layer.label});
+            placed.push_back(
+                {.line = std::move(line),
+                 .label = layer.label,
+                 .layer = index,
+                 .drawn = isDrawn ? layer.curve : nullptr}
+            );
         }
         std::ranges::move(placed, std::back_inserter(result_.curves));
         result_.projected += projected;
+    }
+
+    // Whether a layer still is the curve that it was drawn as, up to the rounding of hosts with
+    // floats. Chains may begin elsewhere, and go the other way.
+    [[nodiscard]] bool isAsDrawn(const PolylineLayer& layer) const {
+        const SurfacePolyline& line = layer.curve->polyline;
+        const std::size_t count = line.points.size();
+        if (layer.points.size() != count || layer.edges.size() != count - (line.closed ? 0 : 1)) {
+            return false;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const double size = surface_.diagonal() + line.points[i].norm();
+            if (!((line.points[i] - layer.points[i]).norm() <= kSamePositionRelative * size)) {
+                return false;
+            }
+        }
+        const auto last = static_cast<int>(count) - 1;
+        return std::ranges::all_of(layer.edges, [&](const std::array<int, 2>& edge) {
+            const auto [low, high] = std::minmax(edge[0], edge[1]);
+            return high == low + 1 || (line.closed && low == 0 && high == last);
+        });
     }
 
     [[nodiscard]] bool knowsPlaces(const PolylineLayer& layer) const {

@@ -7,6 +7,8 @@
 #include "workpiece/layer_input.h"
 
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +26,10 @@ struct PolylineLayer {
     /// The mesh that the places are of.
     std::optional<MeshChecksum> drawnOn;
     bool isOptional = false;  ///< nobody chose it: it is left out where it is not near the surface
+    /// What it was drawn as, with faces of the surface's layer and in world coordinates; null: it
+    /// is not known.
+    std::shared_ptr<const Curve> curve{};
+    int id = -1;  ///< the host's own; -1: none
 };
 
 /// A surface and the layers of curves that a filter is to use on it.
@@ -43,6 +49,9 @@ struct Placing {
 struct PlacedCurve {
     SurfacePolyline line;
     std::string label;
+    std::size_t layer = 0;  ///< of CurvesOnLayer
+    /// PolylineLayer::curve where the layer still is that; null: it is not, or none was known.
+    std::shared_ptr<const Curve> drawn{};
 };
 
 struct PlacedCurves {

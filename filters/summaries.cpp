@@ -158,6 +158,16 @@ std::string fitSummary(const Figures& figures) {
     return text + timeIn(figures);
 }
 
+std::string editSummary(const Figures& figures) {
+    std::string text = counted(countIn(figures, "curves"), "curve", "curves");
+    if (const int projected = countIn(figures, "projected_curves"); projected > 0) {
+        text += ", " + std::to_string(projected) + " of them projected,";
+    }
+    const int made = countIn(figures, "new_curves");
+    return text + " became " + std::to_string(made) + (made > 1 ? ", together " : ", ") +
+           lengthIn(figures, "length") + " long." + timeIn(figures);
+}
+
 std::string patternSummary(const Figures& figures) {
     return "Pattern of " + counted(countIn(figures, "curves"), "curve", "curves") + ", together " +
            lengthIn(figures, "length") + " long, within " + lengthIn(figures, "largest_deviation") +

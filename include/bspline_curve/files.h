@@ -237,6 +237,7 @@ struct PicksFile {
     std::optional<bool> closed;  ///< what the file says about it, if it can
     std::vector<int> corners{};  ///< indices of picks
     PickDirections tangents{};
+    PickTolerances tolerances{};
 };
 
 /// The ends of names of files of picks, for help and messages.
@@ -246,8 +247,9 @@ inline constexpr std::string_view kPicksExtensions =
 /// Picked points by extension:
 ///   .pp        MeshLab's PickPoints (points that are not active are left out)
 ///   .json      {"picks": [[x, y, z], …], "closed": true or false, "corners": [0, …], "tangents":
-///              [{"pick": 0, "direction": [x, y, z]}, …]}: picks by index that are corners, and
-///              that have a direction; other keys are left alone
+///              [{"pick": 0, "direction": [x, y, z]}, …], "tolerances": [0.4, 0, "1 edge",
+///              "weight 100", …]}: picks by index that are corners, and that have a direction, and
+///              for each pick how far from it the curve may pass; other keys are left alone
 ///   .mrk.json  (or .json) the markups of 3D Slicer: the placed control points of the one Fiducial,
 ///              Curve, ClosedCurve or Line that has any, in LPS; curves and lines say whether they
 ///              are closed

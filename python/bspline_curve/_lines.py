@@ -16,7 +16,6 @@ from ._drawing import Drawing
 from ._errors import InputError, PickError
 from ._identity import difference, require_mesh
 from ._options import Option, checked_number
-from ._pieces import spline_state
 
 if TYPE_CHECKING:
     from ._mesh import Mesh
@@ -104,6 +103,10 @@ def of_spline(given: Any, mesh: Mesh, max_distance: float, name: str) -> Curve:
         "degree": spline.degree, "closed": closed, "usable": True, "is_sampled": False, "alpha": 0.0,
     } | spline_state(spline)  # fmt: skip
     return restored(Drawing(mesh, np.empty((0, 3)), {}, fixed="a spline that was given"), state, None)
+
+
+def spline_state(spline: _spline.Spline) -> dict[str, Any]:
+    return {"control_points": np.ascontiguousarray(spline.control_points), "knots": spline.knots.tolist()}
 
 
 def our_spline(given: Any, name: str) -> tuple[_spline.Spline, bool]:

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias
 
 import pymeshlab
@@ -40,6 +41,8 @@ Profile: TypeAlias = Literal["step", "ramp", "round"]
 Side: TypeAlias = Literal["both", "left", "right"]
 Place: TypeAlias = Literal["point", "curve"]
 Boundaries: TypeAlias = Literal["selected-faces", "face-quality", "face-colour", "vertex-quality"]
+Edit: TypeAlias = Literal["join", "split", "trim", "extend", "reverse"]
+Ends: TypeAlias = Literal["end", "start", "both"]
 
 
 def generate_bspline_curve_on_surface(
@@ -52,7 +55,7 @@ def generate_bspline_curve_on_surface(
     field: Field = "none",
     field_weight: float = 2000.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
-    pick_tolerance: float | str = "0",
+    pick_tolerance: float | str | Sequence[float | str] = "0",
     corners: str = "",
     tangents: str = "",
     picks_layer: int | None = None,
@@ -146,9 +149,10 @@ def generate_bspline_curve_on_surface(
     tube_radius : float ≥ 0, default 0.0
         A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
         diagonal. 0: no tube.
-    pick_tolerance : float or str, default '0'
+    pick_tolerance : float or str, or a sequence of these, default '0'
         How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
-        of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
+        of the mesh, or in mean edges of it, as 1.5 edges, for all picks; or one for each, as 0.4, 0, 1.5 edges. 0: it
+        passes the picks. In place of a length, weight 100: no bound, but a pull that grows with the distance.
     corners : str, optional
         Picks at which the curve turns, by their numbers from 1, as 1,4; all: every pick. It passes them, and is as fair
         as possible on either side.
@@ -1100,6 +1104,109 @@ def fit_curve_to_selection_boundary(
     )
 
 
+def edit_curve_on_surface(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    curve_layer: int | None = None,
+    edit: Edit = "join",
+    at: str = "0.25, 0.75",
+    extension: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    ends: Ends = "end",
+    smooth: bool = False,
+    max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    gap: float | str = "1 edges",
+    blend: float | str = "3 edges",
+    project_curves: bool = False,
+    strict: bool = False,
+    weld: float = 0.0,
+    slits: bool = False,
+) -> dict[str, Any]:
+    """Joins curves, cuts them, turns them round, or makes them longer.
+
+    Joins curves, cuts them, turns them round, or makes them longer, along the surface. Each result is a new layer with
+    a curve like others, whose spline is the same one where nothing was added; the layers that it is made of are hidden.
+    It is no longer one that is drawn through its picks: to draw it again, change the curves that it is made of.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
+    curve_layer : int, optional
+        A layer of polylines: edges without faces. The surface itself (default) stands for its visible curves, and for
+        visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
+        they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
+        MeshLab's window the current layer is chosen if it is a curve.
+    edit : {'join', 'split', 'trim', 'extend', 'reverse'}, default 'join'
+        What is done with the curves. join: all curves become one, each joined to those before by the ends that are
+        nearest; it goes the way of the first; split: the parts between parameters, each a curve of its own; trim: the
+        part between two parameters; extend: goes on along the surface, as straight as that lets it, or to the boundary;
+        reverse: from the end to the start.
+    at : str, default '0.25, 0.75'
+        Parameters t in [0, 1], with commas between them; two for trim. Of a closed curve that is trimmed the first may
+        be larger: the part leads over the curve's start then. Only with edit split or trim.
+    extension : float ≥ 0, default 0.0
+        By how much a curve becomes longer, at each end that is meant. 0: 2 % of the diagonal. Only with edit extend.
+    ends : {'end', 'start', 'both'}, default 'end'
+        Where a curve becomes longer. end: behind its last point; start: before its first point; both: at either end.
+        Only with edit extend.
+    smooth : bool, default False
+        Curves meet with one direction; else at corners. Only with edit join.
+    max_distance : float ≥ 0, default 0.0
+        Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+    gap : float or str, default '1 edges'
+        How far apart the ends that are joined may be: a length in the unit of the mesh, or in mean edges of it, as 1.5
+        edges. A curve through both bridges the gap. Only with edit join.
+    blend : float or str, default '3 edges'
+        Of a smooth joint: how much of either curve, but at most a third of it, gives way to it, likewise. Not used
+        where the curves meet with one direction already. Only with edit join.
+    project_curves : bool, default False
+        Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
+        otherwise.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "edit_curve_on_surface",
+        {
+            "surface_layer": surface_layer,
+            "curve_layer": curve_layer,
+            "edit": edit,
+            "at": at,
+            "extension": extension,
+            "ends": ends,
+            "smooth": smooth,
+            "max_distance": max_distance,
+            "gap": gap,
+            "blend": blend,
+            "project_curves": project_curves,
+            "strict": strict,
+            "weld": weld,
+            "slits": slits,
+        },
+    )
+
+
 def bind() -> None:
     """Makes them methods of pymeshlab.MeshSet."""
     pymeshlab.MeshSet.generate_bspline_curve_on_surface = generate_bspline_curve_on_surface
@@ -1110,3 +1217,4 @@ def bind() -> None:
     pymeshlab.MeshSet.offset_curve_on_surface = offset_curve_on_surface
     pymeshlab.MeshSet.pattern_on_surface = pattern_on_surface
     pymeshlab.MeshSet.fit_curve_to_selection_boundary = fit_curve_to_selection_boundary
+    pymeshlab.MeshSet.edit_curve_on_surface = edit_curve_on_surface

@@ -180,6 +180,22 @@ def test_a_curve_is_turned_round(mesh, picks, closed, degree):
     assert (left != right).sum() <= (0 if closed else 6)  # beside the ends
 
 
+def test_corners_tangents_and_tolerances_go_the_other_way_with_their_picks(mesh, picks):
+    curve = mesh.curve(picks, closed=True, corners=[0, 1], tangents={2: (1, 0, 0)}, pick_tolerance=[0, 0, 0, 0.05])
+    turned = curve.reversed()
+    at = np.linspace(0.01, 0.99, 60)
+    np.testing.assert_allclose(turned.spline(1 - at), curve.spline(at), atol=1e-12)
+    assert turned.options["corners"] == (0, 3) and turned.options["tangents"] == ((2, (-1, 0, 0)),)
+    assert turned.options["pick_tolerance"] == ("0.0", "0.05", "0.0", "0.0")
+    np.testing.assert_array_equal(turned.picks, picks[[0, 3, 2, 1]])
+    # A closed curve that is cut open at a corner, and over its first point.
+    for start, end in ((0.0, 1.0), (curve.pick_parameters[2], curve.pick_parameters[1])):
+        part = curve.trim(start, end)
+        assert part.picks.shape == part.points[part.pick_vertices].shape and len(part.picks) >= 4
+        near = [each for each in range(len(part.picks)) if np.abs(part.picks[each] - picks[3]).max() > 0]  # but the pick with a tolerance
+        np.testing.assert_allclose(part.points[part.pick_vertices][near], part.picks[near], atol=1e-12)
+
+
 @pytest.mark.parametrize("degree", [2, 3, 4])
 @pytest.mark.parametrize("closed", [False, True])
 def test_parts_of_a_curve_are_those_of_spline_and_polyline(mesh, picks, closed, degree):
