@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/cellwise_integrals.h"
 
-#include "solver/paper/pick_penalty.h"
+#include "solver/solve_variant.h"
 
 #include <cmath>
 
@@ -13,7 +13,11 @@ CellwiseIntegrals::CellwiseIntegrals(
     const std::vector<InterpolationRow>& rows,
     const SampleRule& rule
 )
-    : problem_(problem), space_(space), rows_(rows), internal_(problem, space, rule), rule_(rule) {}
+    : problem_(problem),
+      space_(space),
+      internal_(problem, space, rule),
+      moreTerms_(variantOf(problem).moreTerms(problem, space, rows)),
+      rule_(rule) {}
 
 EnergyValue CellwiseIntegrals::evaluate(
     const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
@@ -29,8 +33,9 @@ EnergyValue CellwiseIntegrals::evaluate(
         return value;
     }
     value.terms.internal = internal_.add(controls, derivatives);
-    value.terms.fit =
-        addPickPenalty(problem_.chordLength, space_, rows_, controls, weights.beta, derivatives);
+    for (const std::unique_ptr<SplineTerm>& term : moreTerms_) {
+        term->add(controls, weights, value.terms, derivatives);
+    }
     const double field = fieldWeight(problem_) * value.terms.external;
     const double others = value.terms.internal + weights.alpha * value.terms.distance +
                           weights.beta * value.terms.fit +

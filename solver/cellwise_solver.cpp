@@ -4,8 +4,8 @@
 #include "projection/curve_distance.h"
 #include "solver/algorithm1.h"
 #include "solver/cellwise_energy.h"
-#include "solver/paper/paper_settings.h"
 #include "solver/shell_reach.h"
+#include "solver/solve_variant.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
@@ -101,7 +101,9 @@ EnergyWeights firstWeights(const CurveProblem& problem, Energy& energy) {
     EnergyWeights weights;
     weights.alpha = kCellwise.firstAlpha;
     weights.avoidance = kCellwise.avoidance;
-    PaperSettings(problem).adjustFirst(energy, energy.trace().largestHeight, weights);
+    variantOf(problem).rounds(problem)->adjustFirst(
+        energy, energy.trace().largestHeight, weights
+    );
     if (problem.options.distanceWeight == DistanceWeight::Adaptive) {
         return weights;
     }
