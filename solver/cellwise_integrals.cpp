@@ -3,8 +3,6 @@
 
 #include "solver/solve_variant.h"
 
-#include <cmath>
-
 namespace bspline_curve {
 
 CellwiseIntegrals::CellwiseIntegrals(
@@ -36,14 +34,8 @@ EnergyValue CellwiseIntegrals::evaluate(
     for (const std::unique_ptr<SplineTerm>& term : moreTerms_) {
         term->add(controls, weights, value.terms, derivatives);
     }
-    const double field = fieldWeight(problem_) * value.terms.external;
-    const double others = value.terms.internal + weights.alpha * value.terms.distance +
-                          weights.beta * value.terms.fit +
-                          weights.avoidance * value.terms.avoidance;
-    value.total = others + field;
-    const double aboveLeast =
-        fieldWeight(problem_) * (value.terms.external - problem_.fieldCosts.least);
-    value.scale = others + kFieldShare * std::abs(aboveLeast);
+    value.total = PointTerms::sum(value.terms, problem_, weights);
+    value.scale = PointTerms::scale(value.terms, problem_, weights, 0.0);
     return value;
 }
 

@@ -84,12 +84,8 @@ void SampledEnergy::setControls(const ControlPoints& controls) {
 }
 
 EnergyValue SampledEnergy::valueOf(const EnergyTerms& terms) const {
-    return {
-        true,
-        integrals_->total(terms, weights_.alpha),
-        integrals_->scale(terms, weights_.alpha),
-        terms
-    };
+    const double total = integrals_->total(terms, weights_);
+    return {std::isfinite(total), total, integrals_->scale(terms, weights_), terms};
 }
 
 EnergyValue SampledEnergy::differentiate() {
@@ -103,7 +99,7 @@ EnergyValue SampledEnergy::differentiate() {
 void SampledEnergy::differentiateWith(double negativeShare) {
     negativeShare_ = negativeShare;
     terms_ = integrals_->differentiate(
-        now_, weights_.alpha, negativeShare, derivatives_.gradient, derivatives_.hessian
+        now_, weights_, negativeShare, derivatives_.gradient, derivatives_.hessian
     );
     integrals_->addDamping(damping_, derivatives_.hessian);
 }
@@ -119,12 +115,12 @@ EnergyValue SampledEnergy::tryStep(const Eigen::VectorXd& step, double length) {
     trial_ = now_;
     Eigen::Map<Eigen::VectorXd>(trial_.controls.data(), trial_.controls.size()) += length * step;
     facesSeen_ += integrals_->follow(projector_, trial_);
-    return valueOf(integrals_->terms(trial_, now_.frames));
+    return valueOf(integrals_->terms(trial_, now_.frames, weights_));
 }
 
 bool SampledEnergy::dampModelErrors() {
     const std::vector<SampledIntegrals::ModelError> modelErrors =
-        integrals_->modelErrors(now_, trial_, weights_.alpha);
+        integrals_->modelErrors(now_, trial_, weights_);
     double all = 0.0;
     for (const SampledIntegrals::ModelError& modelError : modelErrors) {
         all += std::max(0.0, modelError.energy);
@@ -218,10 +214,10 @@ KnotDemand SampledEnergy::refinementGain() {
     KnotDemand gain;
     gain.perSpan.resize(space().spanCount());
     forEach(problem_.side, space().spanCount(), kSampledEnergy.spansAtOnce, [&](int span) {
-        gain.perSpan[span] = integrals_->refinementGain(now_, weights_.alpha, span);
+        gain.perSpan[span] = integrals_->refinementGain(now_, weights_, span);
     });
     gain.total = std::accumulate(gain.perSpan.begin(), gain.perSpan.end(), 0.0);
-    const double scale = valueOf(integrals_->terms(now_, now_.frames)).scale;
+    const double scale = valueOf(integrals_->terms(now_, now_.frames, weights_)).scale;
     const double negligible = space().degree() > 2 ? kSampledEnergy.negligibleGain
                                                    : kSampledEnergy.negligibleQuadraticGain;
     gain.isNegligible = gain.total < negligible * std::max(scale, kSampledEnergy.straightEnergy);
