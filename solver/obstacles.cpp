@@ -14,8 +14,6 @@ namespace {
 constexpr double kDeepestBulge = 0.75;
 // A point of an edge keeps at least this share of the clearance that the edge has at most.
 constexpr double kKeptShare = 0.5;
-// What J costs a path: this much of J / (1 - J).
-constexpr double kPathWeight = 1.0;
 
 }  // namespace
 
@@ -127,7 +125,7 @@ double Obstacles::pathCost(int face) const {
         sum += closeness({face, middle}) / 3.0;
     }
     // A face with one free edge has a mean below 1 all the same.
-    return 1.0 + kPathWeight * sum / (1.0 - std::min(sum, 1.0 - 1e-9));
+    return 1.0 + sum / (1.0 - std::min(sum, 1.0 - 1e-9));
 }
 
 Obstacles::FaceCloseness Obstacles::onFace(int face) const {
