@@ -339,4 +339,8 @@ const FilterDescription& fitFilter() {
     return filterNamed("fit_curve_to_selection_boundary");
 }
 
+const FilterDescription& pointsFilter() {
+    return filterNamed("points_on_curve");
+}
+
 }  // namespace bspline_curve

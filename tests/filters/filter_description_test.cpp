@@ -45,7 +45,7 @@ FilterDescription parsed(const json& document) {
 }
 
 TEST(FilterDescription, TheEmbeddedOneIsWhole) {
-    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 8u);
+    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 9u);
     EXPECT_EQ(curveFilter().name, "B-spline Curve on Surface");
     EXPECT_EQ(fieldFilter().name, "Scalar Field for Curves");
     EXPECT_EQ(imprintFilter().name, "Imprint Curves");
@@ -54,6 +54,7 @@ TEST(FilterDescription, TheEmbeddedOneIsWhole) {
     EXPECT_EQ(offsetFilter().name, "Offset Curve on Surface");
     EXPECT_EQ(patternFilter().name, "Pattern on Surface");
     EXPECT_EQ(fitFilter().name, "Fit Curve to Selection Boundary");
+    EXPECT_EQ(pointsFilter().name, "Points on Curve");
     EXPECT_EQ(curveFilter().publications.at(0).year, 2023);
 }
 

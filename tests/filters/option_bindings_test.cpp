@@ -52,6 +52,9 @@ ParameterValue otherValue(const ParameterDescription& parameter, const Parameter
     if (const auto* const number = std::get_if<double>(&value)) {
         return *number == 0.5 ? 0.25 : 0.5;
     }
+    if (parameter.type == ParameterType::Text) {
+        return "0 0 2";
+    }
     if (parameter.type == ParameterType::Length) {
         return "2 edges";
     }
@@ -149,6 +152,9 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
     addIds(pattern, rowBindings());
     addIds(pattern, carryingBindings());
     EXPECT_EQ(pattern, idsOf(patternFilter()));
+    std::multiset<std::string> points = use;
+    addIds(points, pointsBindings());
+    EXPECT_EQ(points, idsOf(pointsFilter()));
     std::multiset<std::string> fit(fittedParameters().begin(), fittedParameters().end());
     addIds(fit, fitBindings());
     addIds(fit, fitOptionBindings());
@@ -207,6 +213,7 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(patternFilter(), rowBindings());
     expectDefaults(patternFilter(), carryingBindings());
     expectDefaults(fitFilter(), fitOptionBindings());
+    expectDefaults(pointsFilter(), pointsBindings());
     const CutWords choice;
     for (const Binding<CutWords>& binding : cutBindings()) {
         EXPECT_EQ(cutFilter().parameter(binding.id).defaultValue, binding.write(choice));
@@ -317,6 +324,8 @@ bool isAccepted(
             static_cast<void>(patternRequest(values));
         } else if (&filter == &fitFilter()) {
             static_cast<void>(fitRequest(values));
+        } else if (&filter == &pointsFilter()) {
+            static_cast<void>(pointsRequest(values));
         } else {
             static_cast<void>(fieldRequest(values));
         }
@@ -366,7 +375,8 @@ TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
           &cutFilter(),
           &offsetFilter(),
           &patternFilter(),
-          &fitFilter()}) {
+          &fitFilter(),
+          &pointsFilter()}) {
         for (const ParameterDescription& parameter : filter->parameters) {
             if (parameter.type == ParameterType::Int) {
                 expectWholeRange(*filter, parameter);

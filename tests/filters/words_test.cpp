@@ -42,7 +42,8 @@ const std::vector<const FilterDescription*>& filters() {
         &segmentFilter(),
         &offsetFilter(),
         &patternFilter(),
-        &fitFilter()
+        &fitFilter(),
+        &pointsFilter()
     };
     return all;
 }
@@ -112,6 +113,8 @@ std::string refusedBelow(const FilterDescription& filter, const ParameterDescrip
             static_cast<void>(offsetRequest(values));
         } else if (&filter == &fitFilter()) {
             static_cast<void>(fitRequest(values));
+        } else if (&filter == &pointsFilter()) {
+            static_cast<void>(pointsRequest(values));
         } else {
             values.set("drawing", std::string("a.svg"));
             static_cast<void>(patternRequest(values));
