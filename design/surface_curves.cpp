@@ -355,7 +355,8 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     const std::shared_ptr<const ValidatedField> validated = fieldCache_.find(
         surface(), *extended(), valuesOn(surface(), task.field), options.fieldCost
     );
-    const LocatedPicks located = locatePicks(surface(), tree(), task.picks, options.closed);
+    const LocatedPicks located =
+        locatePicks(surface(), tree(), task.picks, options.closed, options.pickDistance);
     const std::vector<int> repeated = located.repeated();
     std::optional<Obstacles> obstacles;
     if (!avoid.empty()) {
@@ -410,7 +411,8 @@ Curve SurfaceCurves::fit(const LineTask& task, const Progress& progress) const {
     options.validate();
     sampling.validate();
     fit.validate();
-    const LocatedPicks located = locatePicks(surface(), tree(), line, options.closed);
+    const LocatedPicks located =
+        locatePicks(surface(), tree(), line, options.closed, options.pickDistance);
     const std::shared_ptr<const ValidatedField> none =
         fieldCache_.find(surface(), *extended(), {}, options.fieldCost);
     const DesignContext context{.field = *none};

@@ -344,4 +344,8 @@ const FilterDescription& editFilter() {
     return filterNamed("edit_curve_on_surface");
 }
 
+const FilterDescription& pointsFilter() {
+    return filterNamed("points_on_curve");
+}
+
 }  // namespace bspline_curve

@@ -127,6 +127,9 @@ struct FilterDescription {
 [[nodiscard]] const FilterDescription& offsetFilter();
 [[nodiscard]] const FilterDescription& patternFilter();
 
+/// The filter that places points along curves, parsed once.
+[[nodiscard]] const FilterDescription& pointsFilter();
+
 /// The filter that makes curves of boundaries of faces, parsed once.
 [[nodiscard]] const FilterDescription& fitFilter();
 [[nodiscard]] const FilterDescription& editFilter();

@@ -48,6 +48,7 @@ Bindings<SolverOptions> shapeBindings() {
         bound("degree", &S::degree),
         bound("tension", &S::tension),
         boundTolerance("pick_tolerance", &S::pickTolerance),
+        bound("pick_distance", &S::pickDistance),
         chosen("field_cost", &S::fieldCost, fieldCosts()),
         bound("field_weight", &S::fieldWeight),
         bound("avoid_margin", &S::avoidMargin),

@@ -144,6 +144,13 @@ std::string offsetSummary(const Figures& figures) {
            lengthIn(figures, "largest_deviation") + "." + timeIn(figures);
 }
 
+std::string pointsSummary(const Figures& figures) {
+    const int curves = countIn(figures, "curves");
+    return counted(countIn(figures, "points"), "point", "points") + " on " +
+           counted(curves, "curve", "curves") + ", " + (curves == 1 ? "" : "together ") +
+           lengthIn(figures, "length") + " long." + timeIn(figures);
+}
+
 std::string fitSummary(const Figures& figures) {
     std::string text =
         "Curves along " + counted(countIn(figures, "curves"), "boundary", "boundaries") +

@@ -22,7 +22,7 @@ HELP = {
     "corners": "Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either side.",
 }
 PICKS = ("picks", "(p, 3) array of float, or p pairs (face, barycentrics)",
-         "Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.")
+         "Points that the curve passes, in order. Those farther from the mesh than `pick_distance` are refused.")
 FIELD = ("field", "str or (n,) array of float, optional",
          "Draws the curve to where it costs little: a kind of field(), or a value for each vertex. 'auto': the quality, mapped to "
          "[0, 1], where there is one that is finite and not constant and that no threshold of avoid is for; else none.")

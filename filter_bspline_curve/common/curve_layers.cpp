@@ -112,9 +112,8 @@ std::vector<PolylineLayer> curvesFor(
             polyline.places = placesOf(*layer, arrays);
             const MeshChecksum* const checksum = checksumOfSurface(*layer);
             polyline.drawnOn = checksum == nullptr ? std::nullopt : std::optional(*checksum);
-            if (const CurveSource* const source = sourceOf(*layer)) {
-                polyline.curve = source->curve;
-            }
+            const CurveSource* const source = sourceOf(*layer);
+            polyline.drawn = source == nullptr ? nullptr : source->curve;
         } else {
             polyline.isOptional = chosen == nullptr;
         }

@@ -234,6 +234,21 @@ Computing offsetCurves(const Run& run) {
     };
 }
 
+Computing placePoints(const Run& run) {
+    const PointsRequest request = pointsRequest(run.values);
+    auto taken = std::make_shared<TakenCurves>(run.document, request.use);
+    return [taken, request](const Progress& progress) -> Bringing {
+        return [taken, result = runPointsFilter(taken->takeInput(), request, progress)] {
+            const MeshModel& surface = taken->layer();
+            addLines(taken->document, [&] {
+                const QString name = nameOf(surface) + " points";
+                addCurvePointsLayer(taken->document, {surface, taken->arrays}, result, name);
+            });
+            return Answered{.figures = result.figures, .log = result.log};
+        };
+    };
+}
+
 Computing drawPattern(const Run& run) {
     const PatternRequest request = patternRequest(run.values);
     auto taken = std::make_shared<TakenCurves>(
@@ -319,6 +334,7 @@ const std::vector<Entry>& entries() {
         {.filter = &patternFilter(), .start = drawPattern, .product = "pattern"},
         {.filter = &fitFilter(), .start = fitCurves, .product = "fit"},
         {.filter = &editFilter(), .start = editCurves, .product = "edit"},
+        {.filter = &pointsFilter(), .start = placePoints, .product = "row of points"},
     };
     return all;
 }

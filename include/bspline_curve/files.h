@@ -213,22 +213,25 @@ void writeBytes(const std::filesystem::path& file, std::string_view bytes);
 struct CurvesOfFile {
     std::vector<SurfacePolyline> lines;
     std::vector<std::optional<SplineData>> splines;  ///< of each line, where the file has it
-    std::vector<std::string> notes;                  ///< what of the file was left out
+    std::vector<std::string> notes;                  ///< what of the file was left out, jumps
+};
+
+/// How curves of files come onto a mesh.
+struct CurveReading {
+    /// Of those that are projected, see ProjectionOptions.
+    ProjectionOptions projection{};
+    std::vector<std::string> layers{};  ///< of a DXF, those to read; empty: all that are visible
+    /// What the error of polylines that are too far away advises.
+    const char* remedy = "allow a larger distance";
 };
 
 /// Reads curves of a file onto a mesh. Those of .json are read exactly where they were drawn, by
 /// their faces and barycentric coordinates, and so are polylines of .ply, .csv and .vtu whose
-/// places are on this mesh; all others are projected, see readPolylines() and projectedPolyline().
-/// `distance`: polylines that are farther from the mesh are refused, user's unit; 0: 1 % of its
-/// diagonal. `remedy`: what the error of those advises. `layers`: of a DXF, those to read; empty:
-/// all that are visible. O(n log n). Throws InputError (UnreadableFile; NoPath: a curve of another
-/// mesh; PickTooFar) naming the file.
+/// places are on this mesh; all others are projected, see readPolylines() and projectedLines(); a
+/// note tells where they jump, and where they are beside the mesh. O(n log n). Throws InputError
+/// (UnreadableFile; NoPath: a curve of another mesh; PickTooFar; BadOption) naming the file.
 [[nodiscard]] CurvesOfFile readCurvesOn(
-    const Workpiece& workpiece,
-    const std::filesystem::path& file,
-    double distance = 0.0,
-    const std::vector<std::string>& layers = {},
-    const char* remedy = "allow a larger distance"
+    const Workpiece& workpiece, const std::filesystem::path& file, const CurveReading& reading = {}
 );
 
 /// Picked points.

@@ -148,7 +148,13 @@ class Curve:
 
     @classmethod
     def from_points(
-        cls, points: npt.ArrayLike, mesh: Mesh, *, closed: bool | None = None, max_distance: float = 0.0
+        cls,
+        points: npt.ArrayLike,
+        mesh: Mesh,
+        *,
+        closed: bool | None = None,
+        max_distance: float = 0.0,
+        direction: npt.ArrayLike | None = None,
     ) -> Curve:
         """Lay a polyline on a mesh: its points, and points between them, become the closest ones of the mesh.
 
@@ -162,7 +168,11 @@ class Curve:
         closed : bool, default None
             None: whether the last point is the first.
         max_distance : float ≥ 0, default 0
-            A polyline that is farther from the mesh anywhere is refused, in the unit of the mesh; 0: 1 % of its diagonal.
+            A polyline that is farther from the mesh anywhere is refused, in the unit of the mesh; 0: 1 % of its diagonal, along a
+            direction any distance.
+        direction : (3,) array of float, default None
+            Drape the polyline: move each of its points along this direction to the first face that is met there, coming from
+            outside. It is refused where it leaves the mesh; imprint(), cut() and segment() take its parts.
 
         Returns
         -------
@@ -181,9 +191,9 @@ class Curve:
         >>> line.closed, line.degree
         (True, 1)
         """
-        from ._lines import of_points
+        from ._lines import Placing, of_points, only_one
 
-        return of_points(points, mesh, closed, max_distance, "points")
+        return only_one(of_points(points, mesh, closed, Placing(max_distance, direction), "points"))
 
     @classmethod
     def from_scipy(cls, spline: ScipySpline, mesh: Mesh, *, max_distance: float = 0.0) -> Curve:

@@ -55,6 +55,7 @@ CURVE: dict[str, Option] = {
     "tension": Option("double", 0.0, 0.0, 1.0, False, ()),
     "field_weight": Option("double", 2000.0, 0.0, None, False, ()),
     "pick_tolerance": Option("tolerances", "0", None, None, False, ()),
+    "pick_distance": Option("double", 0.0, 0.0, None, False, ()),
     "corners": Option("picks", (), None, None, False, ()),
     "tangents": Option("tangents", None, None, None, False, ()),
     "field_cost": Option("enum", "natural", None, None, False, ("natural", "identity", "square", "exp-minus")),
@@ -134,6 +135,7 @@ class CurveOptions(TypedDict, total=False):
     tension: float
     field_weight: float
     pick_tolerance: float | str | Sequence[float | str]
+    pick_distance: float
     corners: Sequence[int] | Literal["all"]
     tangents: Mapping[int, npt.ArrayLike] | None
     field_cost: FieldCost
@@ -280,6 +282,7 @@ class MeshKeywords(ABC):
         tension: float = 0.0,
         field_weight: float = 2000.0,
         pick_tolerance: float | str | Sequence[float | str] = "0",
+        pick_distance: float = 0.0,
         corners: Sequence[int] | Literal["all"] = (),
         tangents: Mapping[int, npt.ArrayLike] | None = None,
         field_cost: FieldCost = "natural",
@@ -336,7 +339,7 @@ class MeshKeywords(ABC):
         Parameters
         ----------
         picks : (p, 3) array of float, or p pairs (face, barycentrics)
-            Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.
+            Points that the curve passes, in order. Those farther from the mesh than `pick_distance` are refused.
         closed : bool, default False
             True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.
         degree : int in [2, 4], default 3
@@ -350,6 +353,9 @@ class MeshKeywords(ABC):
             How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
             of the mesh, or text like '1.5 edges', in mean edges; one for all picks, or one for each. 0: it passes the
             picks. In place of a length, 'weight 100': no bound, but a pull that grows with the distance.
+        pick_distance : float ≥ 0, default 0.0
+            Picks that are farther from the mesh are refused; the others are moved to its nearest point. 0: 1 % of the
+            diagonal.
         corners : sequence of int, or 'all', default ()
             Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either
             side.
@@ -498,6 +504,7 @@ class MeshKeywords(ABC):
                 "tension": tension,
                 "field_weight": field_weight,
                 "pick_tolerance": pick_tolerance,
+                "pick_distance": pick_distance,
                 "corners": corners,
                 "tangents": tangents,
                 "field_cost": field_cost,

@@ -56,6 +56,7 @@ def generate_bspline_curve_on_surface(
     field_weight: float = 2000.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     pick_tolerance: float | str | Sequence[float | str] = "0",
+    pick_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     corners: str = "",
     tangents: str = "",
     picks_layer: int | None = None,
@@ -153,6 +154,9 @@ def generate_bspline_curve_on_surface(
         How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
         of the mesh, or in mean edges of it, as 1.5 edges, for all picks; or one for each, as 0.4, 0, 1.5 edges. 0: it
         passes the picks. In place of a length, weight 100: no bound, but a pull that grows with the distance.
+    pick_distance : float ≥ 0, default 0.0
+        Picks that are farther from the mesh are refused; the others are moved to its nearest point. 0: 1 % of the
+        diagonal.
     corners : str, optional
         Picks at which the curve turns, by their numbers from 1, as 1,4; all: every pick. It passes them, and is as fair
         as possible on either side.
@@ -339,6 +343,7 @@ def generate_bspline_curve_on_surface(
             "field_weight": field_weight,
             "tube_radius": tube_radius,
             "pick_tolerance": pick_tolerance,
+            "pick_distance": pick_distance,
             "corners": corners,
             "tangents": tangents,
             "picks_layer": picks_layer,
@@ -504,6 +509,7 @@ def imprint_curves(
     surface_layer: int | None = None,
     curve_layer: int | None = None,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     snap: float = 1e-09,
     strict: bool = False,
@@ -530,7 +536,12 @@ def imprint_curves(
         MeshLab's window the current layer is chosen if it is a curve.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -564,6 +575,7 @@ def imprint_curves(
             "surface_layer": surface_layer,
             "curve_layer": curve_layer,
             "max_distance": max_distance,
+            "direction": direction,
             "project_curves": project_curves,
             "snap": snap,
             "strict": strict,
@@ -592,6 +604,7 @@ def cut_along_curves(
     base: float = 0.0,
     base_direction: str = "",
     base_height: float = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     snap: float = 1e-09,
     strict: bool = False,
@@ -636,7 +649,8 @@ def cut_along_curves(
         outside or seed.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
     drop_untouched : bool, default False
         Drops components that no curve parts as well; a seed keeps one. Only with keep largest or smallest or inside or
         outside or seed.
@@ -663,6 +677,10 @@ def cut_along_curves(
     base_height : float, default 0.0
         Where the plane of the base is, along its direction from the origin, if the length of the base is 0 and a
         direction is given.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -709,6 +727,7 @@ def cut_along_curves(
             "base": base,
             "base_direction": base_direction,
             "base_height": base_height,
+            "direction": direction,
             "project_curves": project_curves,
             "snap": snap,
             "strict": strict,
@@ -725,6 +744,7 @@ def segment_by_curves(
     curve_layer: int | None = None,
     split: bool = False,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     snap: float = 1e-09,
     strict: bool = False,
@@ -752,7 +772,12 @@ def segment_by_curves(
         Makes a layer of each part at curves, the largest first, and one of all that no curve parts.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -787,6 +812,7 @@ def segment_by_curves(
             "curve_layer": curve_layer,
             "split": split,
             "max_distance": max_distance,
+            "direction": direction,
             "project_curves": project_curves,
             "snap": snap,
             "strict": strict,
@@ -805,6 +831,7 @@ def offset_curve_on_surface(
     side: Side = "both",
     select_band: bool = False,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     strict: bool = False,
     weld: float = 0.0,
@@ -834,7 +861,12 @@ def offset_curve_on_surface(
         Selects the faces of the surface whose middle is within the distance, on the side asked for.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -868,6 +900,7 @@ def offset_curve_on_surface(
             "side": side,
             "select_band": select_band,
             "max_distance": max_distance,
+            "direction": direction,
             "project_curves": project_curves,
             "strict": strict,
             "weld": weld,
@@ -887,6 +920,7 @@ def pattern_on_surface(
     centre: str = "",
     curve_layer: int | None = None,
     size: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    layers: str = "",
     scale: float = 0.0,
     up: str = "",
     repeat: int = 0,
@@ -897,6 +931,7 @@ def pattern_on_surface(
     tolerance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     corner_angle: float = 20.0,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     strict: bool = False,
     weld: float = 0.0,
@@ -935,6 +970,9 @@ def pattern_on_surface(
     size : float ≥ 0, default 0.0
         The longer side of the drawing, or of the whole text, in the unit of the mesh. 0: as Scale says; if that is 0 as
         well, 10 % of the diagonal, or along a curve so that copies touch.
+    layers : str, optional
+        The layers of a DXF to read, with commas between them, also where they are off. Empty: all that are not off or
+        frozen.
     scale : float ≥ 0, default 0.0
         Units of the mesh for one of the drawing (of a text: for the height of the font, its em). 0: as Size says.
     up : str, optional
@@ -960,7 +998,12 @@ def pattern_on_surface(
         Paths are parted into curves where they turn by more than this, in degrees.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -996,6 +1039,7 @@ def pattern_on_surface(
             "centre": centre,
             "curve_layer": curve_layer,
             "size": size,
+            "layers": layers,
             "scale": scale,
             "up": up,
             "repeat": repeat,
@@ -1006,6 +1050,7 @@ def pattern_on_surface(
             "tolerance": tolerance,
             "corner_angle": corner_angle,
             "max_distance": max_distance,
+            "direction": direction,
             "project_curves": project_curves,
             "strict": strict,
             "weld": weld,
@@ -1207,6 +1252,98 @@ def edit_curve_on_surface(
     )
 
 
+def points_on_curve(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    curve_layer: int | None = None,
+    count: int = 20,
+    distances: str = "",
+    at_picks: bool = False,
+    max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
+    project_curves: bool = False,
+    strict: bool = False,
+    weld: float = 0.0,
+    slits: bool = False,
+) -> dict[str, Any]:
+    """Places points along curves, at equal distances, at chosen ones or at the picks.
+
+    Places points along curves, on the surface: semilandmarks of morphometrics, drill holes, poses of a tool. They are
+    one new layer, in the order of the curves, which is a layer of picks as well. A point has its distance along the
+    curve as quality and the surface's normal, at right angles to the curve, as its own. Attributes of vertices hold the
+    rest: curve (from 0), distance, tangent, left (to the left of the curve, seen with the normal upwards), curvature (1
+    / radius), normal_curvature, geodesic_curvature, face_index and barycentric. Curvatures are those of the spline
+    where this plugin drew the curve, else of a parabola through three points, 1 % of the length apart.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
+    curve_layer : int, optional
+        A layer of polylines: edges without faces. The surface itself (default) stands for its visible curves, and for
+        visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
+        they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
+        MeshLab's window the current layer is chosen if it is a curve.
+    count : int in [1, 1e+07], default 20
+        Of each curve, at equal distances along it: those of an open one with both ends, those of a closed one from its
+        start on.
+    distances : str, optional
+        In place of a number: distances of the points along each curve from its start, in the unit of the mesh, with
+        commas between them. A closed curve begins anew after its length.
+    at_picks : bool, default False
+        In place of a number: the points where the picks of the curves are. The layers must be curves of this plugin.
+    max_distance : float ≥ 0, default 0.0
+        Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
+    project_curves : bool, default False
+        Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
+        otherwise.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "points_on_curve",
+        {
+            "surface_layer": surface_layer,
+            "curve_layer": curve_layer,
+            "count": count,
+            "distances": distances,
+            "at_picks": at_picks,
+            "max_distance": max_distance,
+            "direction": direction,
+            "project_curves": project_curves,
+            "strict": strict,
+            "weld": weld,
+            "slits": slits,
+        },
+    )
+
+
 def bind() -> None:
     """Makes them methods of pymeshlab.MeshSet."""
     pymeshlab.MeshSet.generate_bspline_curve_on_surface = generate_bspline_curve_on_surface
@@ -1218,3 +1355,4 @@ def bind() -> None:
     pymeshlab.MeshSet.pattern_on_surface = pattern_on_surface
     pymeshlab.MeshSet.fit_curve_to_selection_boundary = fit_curve_to_selection_boundary
     pymeshlab.MeshSet.edit_curve_on_surface = edit_curve_on_surface
+    pymeshlab.MeshSet.points_on_curve = points_on_curve

@@ -55,6 +55,7 @@ TEST(FilterDescription, TheEmbeddedOneIsWhole) {
     EXPECT_EQ(patternFilter().name, "Pattern on Surface");
     EXPECT_EQ(fitFilter().name, "Fit Curve to Selection Boundary");
     EXPECT_EQ(editFilter().name, "Edit Curve on Surface");
+    EXPECT_EQ(pointsFilter().name, "Points on Curve");
     EXPECT_EQ(curveFilter().publications.at(0).year, 2023);
 }
 

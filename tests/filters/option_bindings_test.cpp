@@ -53,7 +53,10 @@ ParameterValue otherValue(const ParameterDescription& parameter, const Parameter
     if (const auto* const number = std::get_if<double>(&value)) {
         return *number == 0.5 ? 0.25 : 0.5;
     }
-    if (parameter.type == ParameterType::Tolerances) {
+    if (parameter.type == ParameterType::Text) {
+        return "0 0 2";
+    }
+    if (parameter.type == ParameterType::Tolerances || parameter.type == ParameterType::Length) {
         return "2 edges";
     }
     if (parameter.type == ParameterType::Tangents) {
@@ -150,6 +153,9 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
     addIds(pattern, rowBindings());
     addIds(pattern, carryingBindings());
     EXPECT_EQ(pattern, idsOf(patternFilter()));
+    std::multiset<std::string> points = use;
+    addIds(points, pointsBindings());
+    EXPECT_EQ(points, idsOf(pointsFilter()));
     std::multiset<std::string> fit(fittedParameters().begin(), fittedParameters().end());
     addIds(fit, fitBindings());
     addIds(fit, fitOptionBindings());
@@ -214,6 +220,7 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(fitFilter(), fitOptionBindings());
     expectDefaults(editFilter(), editBindings());
     expectDefaults(editFilter(), joinBindings());
+    expectDefaults(pointsFilter(), pointsBindings());
     const CutWords choice;
     for (const Binding<CutWords>& binding : cutBindings()) {
         EXPECT_EQ(cutFilter().parameter(binding.id).defaultValue, binding.write(choice));
@@ -328,6 +335,8 @@ bool isAccepted(
             static_cast<void>(fitRequest(values));
         } else if (&filter == &editFilter()) {
             static_cast<void>(editRequest(values));
+        } else if (&filter == &pointsFilter()) {
+            static_cast<void>(pointsRequest(values));
         } else {
             static_cast<void>(fieldRequest(values));
         }
@@ -378,7 +387,8 @@ TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
           &offsetFilter(),
           &patternFilter(),
           &fitFilter(),
-          &editFilter()}) {
+          &editFilter(),
+          &pointsFilter()}) {
         for (const ParameterDescription& parameter : filter->parameters) {
             if (parameter.type == ParameterType::Int) {
                 expectWholeRange(*filter, parameter);

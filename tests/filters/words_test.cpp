@@ -44,7 +44,8 @@ const std::vector<const FilterDescription*>& filters() {
         &offsetFilter(),
         &patternFilter(),
         &fitFilter(),
-        &editFilter()
+        &editFilter(),
+        &pointsFilter()
     };
     return all;
 }
@@ -116,6 +117,8 @@ std::string refusedBelow(const FilterDescription& filter, const ParameterDescrip
             static_cast<void>(fitRequest(values));
         } else if (&filter == &editFilter()) {
             static_cast<void>(editRequest(values));
+        } else if (&filter == &pointsFilter()) {
+            static_cast<void>(pointsRequest(values));
         } else {
             values.set("drawing", std::string("a.svg"));
             static_cast<void>(patternRequest(values));

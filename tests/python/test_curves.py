@@ -324,6 +324,19 @@ def test_tolerances_that_are_none_are_refused(tolerances, error, said, mesh, pic
         mesh.curve(picks, pick_tolerance=tolerances)
 
 
+def test_picks_may_be_farther_from_the_mesh_where_that_is_asked_for(mesh, picks):
+    far = picks + [0, 0, 0.3]
+    with pytest.raises(bspline_curve.PickError, match="1 % of the diagonal"):
+        mesh.curve(far)
+    with pytest.raises(bspline_curve.PickError, match="more than is allowed"):
+        mesh.curve(far, pick_distance=0.01)
+    curve = mesh.curve(far, pick_distance=0.4)
+    assert curve.usable
+    ends = mesh.project(far[[0, -1]]).points
+    np.testing.assert_allclose(curve.points[[0, -1]], ends, rtol=0, atol=1e-12)
+    assert curve.move(1, far[1]).usable
+
+
 def full_knots(curve):
     """Parameters of knots between 0 and 1 that are not simple, and of a closed curve that at 0."""
     values, counts = np.unique(curve.knots, return_counts=True)

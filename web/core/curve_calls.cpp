@@ -99,7 +99,7 @@ Json readCurves(const Json& arguments, Reply& reply) {
     const std::filesystem::path path = utf8Path(arguments.at("name").get<std::string>());
     const FileInMemory file(path, std::string(bytesOf(arguments.at("bytes"))));
     CurvesOfFile found =
-        readCurvesOn(*mesh->workpiece, path, 0.0, {}, "draw them nearer to the mesh");
+        readCurvesOn(*mesh->workpiece, path, {.remedy = "draw them nearer to the mesh"});
     Json curves = Json::array();
     for (std::size_t i = 0; i < found.lines.size(); ++i) {
         auto made = std::make_shared<DrawnOnMesh>();
