@@ -3,6 +3,9 @@
 // back through the drawing, then to the mesh before.
 import { Curve, Session } from "bspline-curve";
 
+import { Brush } from "./brush.js";
+import { HANDLE_PIXELS } from "./handle_pixels.js";
+
 export class Documents {
   #all = [];
   #position = -1;
@@ -28,7 +31,7 @@ export class Documents {
   }
 
   #session(mesh) {
-    return new Session(mesh, this.#options);
+    return new Session(mesh, { ...this.#options, handles: HANDLE_PIXELS });
   }
 
   /** Of the active curve and of new ones, also of meshes to come. */
@@ -173,6 +176,51 @@ export class Documents {
     const lines = curves.flatMap((curve) => curve.offset(length, side, { progress }));
     this.push({ lines: [...this.now.lines, ...lines], labels: this.now.labels });
     return [`${lines.length} ${lines.length === 1 ? "curve" : "curves"} at a distance of ${length.toPrecision(4)}.`];
+  }
+
+  // ---- Faces that are painted, and smooth curves along lines
+
+  /** Whether a ray met the mesh. */
+  paint(rays) {
+    const { here } = this;
+    here.brush ??= new Brush(here.mesh);
+    return rays.map((ray) => here.brush.paint(ray)).includes(true);
+  }
+
+  #smoothed(of, options, { name, bytes }) {
+    const { mesh, brush, labels } = this.here;
+    if (of === "parts") {
+      if (!labels) {
+        throw new Error("The mesh has no parts yet: draw curves and press Segment.");
+      }
+      return mesh.fit_boundary(null, { labels, ...options });
+    }
+    if (of === "painted") {
+      if (!brush?.count) {
+        throw new Error("Paint some faces first.");
+      }
+      brush.close();
+      return mesh.fit_boundary(brush.painted, options);
+    }
+    const { curves: lines, notes } = mesh.read_curves(name, bytes);
+    try {
+      return { curves: lines.map(({ points, closed }) => mesh.fit(points, { closed, ...options })), notes };
+    } finally {
+      lines.forEach((line) => line.free());
+    }
+  }
+
+  /** Draws along what is painted, between parts, or along the lines of a file. */
+  smooth(of, { degree, tension, deviation }, file, progress) {
+    const { curves, notes } = this.#smoothed(of, { degree, tension, deviation, progress }, file);
+    this.dropUndone();
+    this.now.session.add_curves(curves.map((curve) => ({
+      ...this.#options, picks: curve.pick_points(), corners: curve.corners, closed: curve.closed, degree, tension,
+      field: "none", pick_tolerance: "0",
+    })));
+    curves.forEach((curve) => curve.free());
+    const points = curves.reduce((sum, { picks }) => sum + picks.length, 0);
+    return [`${curves.length} smooth ${curves.length === 1 ? "curve" : "curves"} through ${points} points.`, ...notes];
   }
 
   // ---- Files

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The worker: everything that takes time. Requests come in order, each with a number, and are answered; what is to be
 // seen of the drawing is told after each, and after each curve that was solved meanwhile.
-import { init, Mesh } from "bspline-curve";
+import { init, Mesh, PICK_KINDS } from "bspline-curve";
 
 import { Documents } from "./documents.js";
 import { SAMPLES } from "./samples.js";
@@ -43,6 +43,14 @@ function showMesh() {
     { mesh: { ...shown, source }, lines: lines.map(({ points, closed }) => ({ points, closed })) },
     [shown.positions.buffer, shown.normals.buffer, shown.faces.buffer],
   );
+  if (documents.now.brush) {
+    showPainted();
+  }
+}
+
+function showPainted() {
+  const { corners } = documents.now.brush;
+  postMessage({ painted: corners }, [corners.buffer]);
 }
 
 // ---- Curves that wait are solved between requests
@@ -116,6 +124,15 @@ function openFile({ name, bytes, options }) {
 
 // ---- Requests
 
+/** Whether the drawing took an event. */
+function carryOut(event) {
+  const isTaken = documents.now?.session.event(event) ?? false;
+  if (isTaken && event.event !== "move" && event.event !== "leave") {
+    documents.dropUndone();
+  }
+  return isTaken;
+}
+
 /** Values between 0 and 1 that colour the mesh. */
 function fieldColours(kind) {
   const values = documents.here.mesh.field(kind, { normalised: true, progress });
@@ -137,7 +154,9 @@ const requests = {
       : new Mesh(source.vertices, source.faces, { slits: true, progress });
     documents.begin(mesh, source);
     curves.forEach((curve, i) => {
-      documents.now.session.add_curve(curve.picks, curve.options);
+      const { picks, kinds, tangents, options } = curve;
+      const corners = [...kinds.keys()].filter((pick) => PICK_KINDS[kinds[pick]] === "corner");
+      documents.now.session.add_curve(picks, { corners, tangents, ...options });
       documents.now.session.set_look(i, { name: curve.name, colour: curve.colour, hidden: curve.hidden });
     });
     if (active >= 0) {
@@ -145,12 +164,32 @@ const requests = {
     }
     showMesh();
   },
-  event({ event }) {
-    const isTaken = documents.now?.session.event(event) ?? false;
-    if (isTaken && event.event !== "move" && event.event !== "leave") {
-      documents.dropUndone();
+  event: ({ event }) => carryOut(event),
+  events: ({ events }) => events.map(carryOut).includes(true),
+  paint({ rays }) {
+    const isMet = documents.now !== undefined && documents.paint(rays);
+    if (isMet) {
+      showPainted();
     }
-    return isTaken;
+    return isMet;
+  },
+  unpaint() {
+    documents.here.brush = null;
+    postMessage({ painted: null });
+  },
+  kind({ kind }) {
+    const { session } = documents.here;
+    if (session.state.selected >= 0) {
+      documents.dropUndone();
+      session.set_kind(session.state.selected, kind);
+    }
+  },
+  smooth({ of, options, name, bytes }) {
+    const words = documents.smooth(of, options, { name, bytes }, progress);
+    if (of === "painted") {
+      showPainted();
+    }
+    return words;
   },
   options({ options, live }) {
     documents.setOptions(options, live);
