@@ -155,7 +155,16 @@ export interface CutOptions {
   drop_untouched?: boolean;
   fill?: "none" | "flat" | "smooth";
   split?: boolean;
+  /** Lengths in the unit of the mesh. A relief moves the parts to keep along their normals, and keeps the whole mesh. */
   relief?: number;
+  profile?: "step" | "ramp" | "round";
+  profile_width?: number;
+  /** Parts become closed walls, outwards or, below 0, inwards. */
+  thickness?: number;
+  /** Parts become solids: their rims go to a plane so far beyond them, or at a height along a direction "x y z". */
+  base?: number;
+  base_direction?: string;
+  base_height?: number;
   progress?: Progress;
 }
 

@@ -6,10 +6,17 @@ import { Curve, Session } from "bspline-curve";
 import { Brush } from "./brush.js";
 import { HANDLE_PIXELS } from "./handle_pixels.js";
 
+/** Undo leads back over so many meshes at most: each has its tree, some hundred bytes a face. */
+const MOST_MESHES = 20;
+
 export class Documents {
   #all = [];
   #position = -1;
   #options = {}; // of new curves
+
+  get count() {
+    return this.#all.length;
+  }
 
   get now() {
     return this.#all[this.#position];
@@ -62,6 +69,7 @@ export class Documents {
   #add(document) {
     this.dropUndone();
     this.#all.push(document);
+    this.#free(this.#all.splice(0, this.#all.length - MOST_MESHES));
     this.#position = this.#all.length - 1;
     return document;
   }
@@ -159,12 +167,20 @@ export class Documents {
     }, progress);
   }
 
-  use_cut(curves, options, progress) {
+  /** `solid`: what parts become by `height`, in per cent of the diagonal: thickness, base, relief; empty: nothing. */
+  use_cut(curves, { keep, fill, solid, height }, progress) {
+    const size = (height / 100) * this.now.mesh.diagonal;
+    if (solid && size === 0) {
+      throw new Error("Give a height other than 0.");
+    }
+    if (solid === "relief" && keep === "all") {
+      throw new Error("Choose at Keep which parts the relief moves.");
+    }
     return this.#imprinted(curves, (imprint) => {
-      const { pieces, notes, filled_holes, dropped } = imprint.cut({ ...options, progress });
+      const { pieces, notes, filled_holes, dropped } = imprint.cut({ keep, progress, ...(solid ? { [solid]: size } : { fill }) });
       const [first, ...others] = pieces;
       others.forEach(({ mesh }) => mesh.free());
-      this.push({ mesh: first.mesh, labels: options.keep === "all" ? first.labels : null, keepsCurves: false });
+      this.push({ mesh: first.mesh, labels: keep === "all" ? first.labels : null, keepsCurves: false });
       const kept = first.parts.length;
       const holes = filled_holes ? ` ${filled_holes} ${filled_holes === 1 ? "hole was" : "holes were"} filled.` : "";
       return [`${kept} ${kept === 1 ? "part" : "parts"} kept, ${dropped.length} left out.${holes}`, ...notes];

@@ -40,13 +40,18 @@ export class Panel {
     element("imprint").addEventListener("click", () => act.use("imprint", {}));
     element("segment").addEventListener("click", () => act.use("segment", {}));
     element("cut").addEventListener("click", () =>
-      act.use("cut", { keep: element("keep").value, fill: element("fill").value }));
+      act.use("cut", {
+        keep: element("keep").value, fill: element("fill").value, solid: element("solid").value,
+        height: element("height").valueAsNumber || 0,
+      }));
     element("offset").addEventListener("click", () =>
       act.use("offset", { distance: element("distance").valueAsNumber, side: element("side").value }));
     element("save-curves").addEventListener("click", () => act.saveCurves(element("curve-format").value));
     element("save-mesh").addEventListener("click", () => act.saveMesh(element("mesh-format").value));
     element("save-picture").addEventListener("click", () => act.savePicture());
-    element("keep").addEventListener("change", () => this.#enable());
+    for (const id of ["keep", "solid"]) {
+      element(id).addEventListener("change", () => this.#enable());
+    }
     this.#enable();
   }
 
@@ -104,7 +109,8 @@ export class Panel {
       remove: this.#active, turn: this.#hasMesh, freehand: this.#hasMesh, paint: this.#hasMesh, unpaint: this.#hasPainted, smooth: isThere,
       kind: this.#active && drawing.selected >= 0, snap: this.#hasMesh, fit: this.#hasMesh, imprint: hasCurves, segment: hasCurves, cut: hasCurves,
       offset: hasCurves, "save-curves": this.#hasMesh && drawing?.curves.length > 0, "save-mesh": this.#hasMesh,
-      "save-picture": this.#hasMesh, fill: element("keep").value !== "all",
+      "save-picture": this.#hasMesh, fill: element("keep").value !== "all" && element("solid").value === "",
+      height: element("solid").value !== "",
     };
     for (const [id, isOn] of Object.entries(may)) {
       element(id).disabled = !isOn;
