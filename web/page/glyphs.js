@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Picks and what belongs to them: their kinds by shape, how far the curve may pass from soft ones, and the handles of
 // the selected one's direction.
-import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial, Vector3 } from "three";
-import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { BufferAttribute, BufferGeometry, Points, ShaderMaterial, Vector3 } from "three";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
 import { HANDLE_PIXELS } from "./handle_pixels.js";
+import { lineMaterial } from "./line_materials.js";
 
 const PICK_SIZE = 12; // pixels
 const SELECTED_SIZE = 17;
 const HANDLE_SIZE = 11;
 const DISC_CORNERS = 48;
 const DISC_WIDTH = 1.5;
-const DISC_COLOUR = 0x8a6d00;
-const HANDLE_COLOUR = [0.85, 0.55, 0];
+const DISC_COLOUR = [138, 109, 0];
+const HANDLE_COLOUR = [217, 140, 0];
 /** Glyphs are nearer to the viewer than the surface that they lie on. */
 const LIFT = 0.985;
 const AUTOMATIC = 0; // number of a kind
@@ -40,13 +40,15 @@ function pointMaterial(scale) {
   });
 }
 
+const material = pointMaterial(Math.min(devicePixelRatio, 2));
+
 function pointsOf(positions, colours, sizes, shapes) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));
-  geometry.setAttribute("colour", new BufferAttribute(Float32Array.from(colours), 3));
+  geometry.setAttribute("colour", new BufferAttribute(Uint8Array.from(colours), 3, true));
   geometry.setAttribute("size", new BufferAttribute(Float32Array.from(sizes), 1));
   geometry.setAttribute("shape", new BufferAttribute(Float32Array.from(shapes), 1));
-  const points = new Points(geometry, pointMaterial(Math.min(devicePixelRatio, 2)));
+  const points = new Points(geometry, material);
   points.frustumCulled = false;
   return points;
 }
@@ -54,7 +56,7 @@ function pointsOf(positions, colours, sizes, shapes) {
 function segmentsOf(positions, colour, width) {
   const geometry = new LineSegmentsGeometry();
   geometry.setPositions(positions);
-  const segments = new LineSegments2(geometry, new LineMaterial({ color: new Color(colour), linewidth: width }));
+  const segments = new LineSegments2(geometry, lineMaterial(colour, width));
   segments.frustumCulled = false;
   return segments;
 }
@@ -94,7 +96,6 @@ export class Glyphs {
     for (const object of this.#shown.splice(0)) {
       this.#scene.remove(object);
       object.geometry.dispose();
-      object.material.dispose();
     }
     this.#handles = null;
     this.#lifted = [];
@@ -113,7 +114,7 @@ export class Glyphs {
       for (let i = 0; i < places.length / 3; ++i) {
         const isBad = problem && (problem.picks.length === 0 || problem.picks.includes(i));
         const isChosen = (c === active && i === selected) || (c === hovered.curve && i === hovered.pick && !hovered.handle);
-        colours.push(...(isBad ? [0.9, 0, 0] : c === active ? [0.1, 0.12, 0.15] : [0.5, 0.53, 0.57]));
+        colours.push(...(isBad ? [230, 0, 0] : c === active ? [26, 31, 38] : [128, 135, 145]));
         sizes.push(isChosen ? SELECTED_SIZE : PICK_SIZE);
         shapes.push(kinds[i]);
       }
@@ -137,7 +138,7 @@ export class Glyphs {
       const sizes = [1, -1].map((side) => HANDLE_SIZE * (side === hovered ? 1.4 : 1));
       this.#handles = {
         pick: new Vector3().fromArray(places, 3 * selected), tangent: tangent.normalize(),
-        line: this.#add(segmentsOf([0, 0, 0, 0, 0, 0], new Color(...HANDLE_COLOUR), 2)),
+        line: this.#add(segmentsOf([0, 0, 0, 0, 0, 0], HANDLE_COLOUR, 2)),
         ends: this.#add(pointsOf([0, 0, 0, 0, 0, 0], [...HANDLE_COLOUR, ...HANDLE_COLOUR], sizes, [0, 0])),
       };
       this.#lifted.push(this.#handles.line);

@@ -2,15 +2,15 @@
 // What is seen: the mesh, the curves, their picks. Drawn only when something changed.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, ColorManagement, DirectionalLight, DoubleSide, LinearSRGBColorSpace, Mesh,
-  MeshBasicMaterial, MeshLambertMaterial, Scene, Texture, Vector3, WebGLRenderer,
+  MeshBasicMaterial, MeshLambertMaterial, Scene, Sphere, Texture, Vector3, WebGLRenderer,
 } from "three";
 import { Line2 } from "three/addons/lines/Line2.js";
 import { LineGeometry } from "three/addons/lines/LineGeometry.js";
-import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 
 import { Camera } from "./camera.js";
-import { partColour, valueColour } from "./colours.js";
 import { Glyphs } from "./glyphs.js";
+import { lineMaterial } from "./line_materials.js";
+import { atCorners } from "./shown_mesh.js";
 
 // Colours are shown as they are in the file.
 ColorManagement.enabled = false;
@@ -86,7 +86,7 @@ export class View {
     this.#shown = shown;
     this.#showSurface();
     this.paint(null);
-    this.#lines.forEach((line) => this.#remove(line));
+    this.#lines.forEach((line) => this.#removeLine(line));
     this.#lines = lines.map(({ points, closed }) => this.#line(points, closed, [0x1d, 0x6f, 0xb8], LINE_WIDTH));
     this.#lines.forEach((line) => this.#scene.add(line));
     if (isNew) {
@@ -115,47 +115,36 @@ export class View {
     }
   }
 
-  #geometry({ positions, normals, faces, colours, labels, uv }, isTextured) {
+  #geometry({ positions, normals, faces, colours, corners, uv, radius }, isTextured) {
     const geometry = new BufferGeometry();
-    if (labels || isTextured) { // faces look different at one vertex: corners of their own
-      const count = faces.length;
-      const [corners, directions] = [new Float32Array(3 * count), new Float32Array(3 * count)];
-      const tints = new Uint8Array(3 * count).fill(255);
-      for (let i = 0; i < count; ++i) {
-        const at = 3 * faces[i];
-        corners.set(positions.subarray(at, at + 3), 3 * i);
-        directions.set(normals.subarray(at, at + 3), 3 * i);
-        if (labels) {
-          tints.set(partColour(labels[Math.floor(i / 3)]), 3 * i);
-        }
-      }
-      geometry.setAttribute("position", new BufferAttribute(corners, 3));
-      geometry.setAttribute("normal", new BufferAttribute(directions, 3));
-      geometry.setAttribute("color", new BufferAttribute(tints, 3, true));
-      if (isTextured) {
-        geometry.setAttribute("uv", new BufferAttribute(uv, 2));
-      }
-      return geometry;
+    const set = (name, values, size, isNormalised = false) =>
+      geometry.setAttribute(name, new BufferAttribute(values, size, isNormalised));
+    if (corners) {
+      set("position", corners.positions, 3);
+      set("normal", corners.normals, 3);
+      set("color", corners.tints, 3, true);
+    } else if (isTextured) {
+      set("position", atCorners(positions, faces), 3);
+      set("normal", atCorners(normals, faces), 3);
+      set("color", new Uint8Array(3 * faces.length).fill(255), 3, true);
+      set("uv", uv, 2);
+    } else {
+      set("position", positions, 3);
+      set("normal", normals, 3);
+      set("color", colours ?? new Uint8Array(positions.length).fill(205), 3, true);
+      geometry.setIndex(new BufferAttribute(faces, 1));
     }
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-    geometry.setIndex(new BufferAttribute(faces, 1));
-    geometry.setAttribute("color", new BufferAttribute(colours ?? new Uint8Array(positions.length).fill(205), 3, true));
+    geometry.boundingSphere = new Sphere(new Vector3(), radius);
     return geometry;
   }
 
-  /** Colours the mesh by a value in [0, 1] of each vertex; null: as it was. */
-  colourBy(values) {
+  /** Colours the mesh by 3 numbers of each vertex, 0 to 255; null: as it was. */
+  colourBy(tints) {
     if (!this.#shown || this.#shown.labels || !this.#mesh.geometry.index) {
       return;
     }
-    const tints = new Uint8Array(this.#shown.positions.length);
-    if (values) {
-      values.forEach((value, i) => tints.set(valueColour(value), 3 * i));
-    } else {
-      tints.set(this.#shown.colours ?? tints.fill(205));
-    }
-    this.#mesh.geometry.setAttribute("color", new BufferAttribute(tints, 3, true));
+    const colours = tints ?? this.#shown.colours ?? new Uint8Array(this.#shown.positions.length).fill(205);
+    this.#mesh.geometry.setAttribute("color", new BufferAttribute(colours, 3, true));
     this.draw();
   }
 
@@ -168,6 +157,7 @@ export class View {
       if (!this.#painted) {
         const geometry = new BufferGeometry();
         geometry.setAttribute("position", new BufferAttribute(this.#shown.positions, 3));
+        geometry.boundingSphere = new Sphere(new Vector3(), this.#shown.radius);
         geometry.setIndex(new BufferAttribute(new Uint32Array(this.#shown.faces.length), 1));
         this.#painted = new Mesh(geometry, new MeshBasicMaterial(PAINT));
         this.#scene.add(this.#painted);
@@ -183,10 +173,15 @@ export class View {
   }
 
   #remove(object) {
+    this.#removeLine(object);
+    object?.material.dispose();
+  }
+
+  // Whose material is kept.
+  #removeLine(object) {
     if (object) {
       this.#scene.remove(object);
       object.geometry.dispose();
-      object.material.dispose();
     }
   }
 
@@ -202,7 +197,7 @@ export class View {
     const all = isClosed ? Float32Array.from([...local, ...local.subarray(0, 3)]) : local;
     const geometry = new LineGeometry();
     geometry.setPositions(all);
-    const line = new Line2(geometry, new LineMaterial({ color: new Color(...colour.map((c) => c / 255)), linewidth: width }));
+    const line = new Line2(geometry, lineMaterial(colour, width));
     line.frustumCulled = false;
     return line;
   }
@@ -227,14 +222,14 @@ export class View {
         this.#curves.set(curve.id, { curve, line });
       }
     }
-    before.forEach(({ line }) => this.#remove(line));
-    this.#remove(this.#preview);
+    before.forEach(({ line }) => this.#removeLine(line));
+    this.#removeLine(this.#preview);
     this.#preview = null;
     if (preview && active >= 0) {
       this.#preview = this.#line(preview, curves[active].options.closed, [140, 140, 150], PREVIEW_WIDTH);
       this.#scene.add(this.#preview);
     }
-    this.#remove(this.#stroke);
+    this.#removeLine(this.#stroke);
     this.#stroke = stroke.length >= 6 ? this.#line(stroke, false, STROKE_COLOUR, PREVIEW_WIDTH) : null;
     if (this.#stroke) {
       this.#scene.add(this.#stroke);

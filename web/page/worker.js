@@ -2,7 +2,9 @@
 // The worker: everything that takes time. Requests come in order, each with a number, and are answered; what is to be
 // seen of the drawing is told after each, and after each curve that was solved meanwhile.
 import { init, Mesh, PICK_KINDS } from "bspline-curve";
+import { memoryBytes } from "../module/instance.js";
 
+import { valueColour } from "./colours.js";
 import { Documents } from "./documents.js";
 import { SAMPLES } from "./samples.js";
 import { shownMesh } from "./shown_mesh.js";
@@ -41,7 +43,8 @@ function showMesh() {
   const shown = shownMesh(mesh, labels);
   postMessage(
     { mesh: { ...shown, source }, lines: lines.map(({ points, closed }) => ({ points, closed })) },
-    [shown.positions.buffer, shown.normals.buffer, shown.faces.buffer],
+    [shown, shown.corners ?? {}].flatMap(({ positions, normals, faces, tints }) => [positions, normals, faces, tints])
+      .flatMap((array) => array?.buffer ?? []),
   );
   if (documents.now.brush) {
     showPainted();
@@ -133,10 +136,12 @@ function carryOut(event) {
   return isTaken;
 }
 
-/** Values between 0 and 1 that colour the mesh. */
+/** Colours of vertices, 3 numbers of each. */
 function fieldColours(kind) {
   const values = documents.here.mesh.field(kind, { normalised: true, progress });
-  return Float32Array.from(values);
+  const tints = new Uint8Array(3 * values.length);
+  values.forEach((value, i) => tints.set(valueColour(value), 3 * i));
+  return tints;
 }
 
 const requests = {
@@ -230,6 +235,8 @@ const requests = {
   },
   field: ({ kind }) => fieldColours(kind),
   save_curves: ({ name }) => documents.saveCurves(name),
+  /** Of the module. */
+  memory: () => ({ bytes: memoryBytes(), meshes: documents.count }),
   save_mesh: ({ name }) => documents.here.mesh.save(name),
 };
 
@@ -239,7 +246,9 @@ onmessage = async ({ data: { number, request, values } }) => {
     const answer = requests[request](values ?? {});
     postMessage({ number, answer: answer ?? null });
   } catch (error) {
-    postMessage({ number, error: { message: error.message, code: error.code ?? "page" } });
+    // Errors of the page's own have words for people; others are faults of it.
+    const code = error.code ?? (error.constructor === Error ? "page" : "internal");
+    postMessage({ number, error: { message: error.message, code } });
   }
   tell();
   solveSoon();
