@@ -34,7 +34,7 @@ export class Documents {
   begin(mesh, source) {
     this.#free(this.#all.splice(0));
     this.#position = -1;
-    return this.#add({ mesh, source, lines: [], labels: null, session: this.#session(mesh) });
+    return this.#add({ mesh, source, lines: [], labels: null, session: this.#session(mesh), isSharp: false });
   }
 
   #session(mesh) {
@@ -55,15 +55,15 @@ export class Documents {
     return this.now;
   }
 
-  /** What was made of it; `keepsCurves`: they are drawn on it anew. */
-  push({ mesh = this.now.mesh, labels = null, lines = [], keepsCurves = true }) {
+  /** What was made of it; `isSharp`: it has edges to be seen; `keepsCurves`: they are drawn on it anew. */
+  push({ mesh = this.now.mesh, labels = null, lines = [], keepsCurves = true, isSharp = this.now.isSharp }) {
     const before = this.now;
     const session = this.#session(mesh);
     if (keepsCurves && before.session.state.curves.length > 0) {
       session.open("drawing.json", before.session.save("drawing.json"), { first: true });
     }
     const source = mesh === before.mesh ? before.source : { vertices: mesh.vertices, faces: mesh.faces };
-    return this.#add({ mesh, source, lines, labels, session });
+    return this.#add({ mesh, source, lines, labels, session, isSharp });
   }
 
   #add(document) {
@@ -180,10 +180,11 @@ export class Documents {
       const { pieces, notes, filled_holes, dropped } = imprint.cut({ keep, progress, ...(solid ? { [solid]: size } : { fill }) });
       const [first, ...others] = pieces;
       others.forEach(({ mesh }) => mesh.free());
-      this.push({ mesh: first.mesh, labels: keep === "all" ? first.labels : null, keepsCurves: false });
+      this.push({ mesh: first.mesh, labels: keep === "all" ? first.labels : null, keepsCurves: false, isSharp: solid !== "" });
       const kept = first.parts.length;
       const holes = filled_holes ? ` ${filled_holes} ${filled_holes === 1 ? "hole was" : "holes were"} filled.` : "";
-      return [`${kept} ${kept === 1 ? "part" : "parts"} kept, ${dropped.length} left out.${holes}`, ...notes];
+      const parts = kept === 1 ? "part" : "parts";
+      return [solid === "relief" ? "The relief is made." : `${kept} ${parts} kept, ${dropped.length} left out.${holes}`, ...notes];
     }, progress);
   }
 

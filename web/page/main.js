@@ -117,7 +117,10 @@ const act = {
     return ask("smooth", { of, options });
   },
   fit: () => view.fit(),
-  help: () => overlay.showModal(),
+  help() {
+    overlay.showModal();
+    overlay.scrollTop = 0; // its button at the end has the focus
+  },
   choose: () => file.click(),
   open: () => file.click(),
   cancel: () => engine.restart("Given up; the drawing is as it was.").catch(report),

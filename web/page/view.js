@@ -99,7 +99,7 @@ export class View {
     this.#remove(this.#mesh);
     const isTextured = this.#texture !== null && this.#shown.uv !== null && this.#shown.labels === null;
     this.#mesh = new Mesh(this.#geometry(this.#shown, isTextured), new MeshLambertMaterial({
-      color: 0xffffff, vertexColors: true, map: isTextured ? this.#texture : null, side: DoubleSide,
+      color: 0xffffff, vertexColors: true, map: isTextured ? this.#texture : null, side: DoubleSide, flatShading: this.#shown.isSharp,
       polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4, // lines lie on it
     }));
     this.#scene.add(this.#mesh);

@@ -39,10 +39,10 @@ function tell() {
 }
 
 function showMesh() {
-  const { mesh, labels, lines, source } = documents.now;
+  const { mesh, labels, lines, source, isSharp } = documents.now;
   const shown = shownMesh(mesh, labels);
   postMessage(
-    { mesh: { ...shown, source }, lines: lines.map(({ points, closed }) => ({ points, closed })) },
+    { mesh: { ...shown, source, isSharp }, lines: lines.map(({ points, closed }) => ({ points, closed })) },
     [shown, shown.corners ?? {}].flatMap(({ positions, normals, faces, tints }) => [positions, normals, faces, tints])
       .flatMap((array) => array?.buffer ?? []),
   );
