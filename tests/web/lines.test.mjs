@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { before, test } from "node:test";
 
+import { Brush } from "../../web/page/brush.js";
 import { assertClose, dist, folder, meshes, picksOn, runProgram, SAME, write } from "./support.mjs";
 
 const { init, InputError, Mesh, PICK_KINDS, Session } = await import(join(dist, "module/index.js"));
@@ -200,4 +201,54 @@ test("curves are added with corners, tangents and a leeway, as one step", () => 
   session.undo();
   assert.equal(session.state.curves.length, 0);
   session.free();
+});
+
+// ---- Painting faces
+
+/** A flat grid of n by n squares, each of two faces: 2 (n i + j), below its diagonal, and the next. */
+function flat(n) {
+  const vertices = [];
+  const faces = [];
+  for (let i = 0; i <= n; ++i) {
+    for (let j = 0; j <= n; ++j) {
+      vertices.push(i, j, 0);
+      if (i < n && j < n) {
+        const a = (n + 1) * i + j;
+        faces.push(a, a + n + 1, a + n + 2, a, a + n + 2, a + 1);
+      }
+    }
+  }
+  return { vertices: Float64Array.from(vertices), faces: Int32Array.from(faces) };
+}
+
+test("the brush paints what is seen about the pointer, and wipes it", () => {
+  const brush = new Brush(flat(20));
+  const ray = { start: [10.3, 10.1, 100], direction: [0, 0, -1], pixel: 3 / 14 / 100 }; // of radius 3 there
+  assert.equal(brush.paint(ray), true);
+  const area = brush.count / 2;
+  assert.ok(area > 0.8 * 9 * Math.PI && area < 1.2 * 9 * Math.PI, `${area}`);
+  assert.equal(brush.painted.length, brush.count);
+  assert.equal(brush.corners.length, 3 * brush.count);
+  assert.equal(brush.paint({ ...ray, start: [30, 10, 100] }), false);
+  brush.paint({ ...ray, removes: true });
+  assert.equal(brush.count, 0);
+  // The far side of a sheet that is folded back is not painted through it.
+  const [near, far] = [flat(2), flat(2)];
+  const both = {
+    vertices: Float64Array.from([...near.vertices, ...far.vertices.map((value, i) => (i % 3 === 2 ? -1 : value))]),
+    faces: Int32Array.from([...near.faces, ...far.faces.map((vertex) => vertex + near.vertices.length / 3)]),
+  };
+  const two = new Brush(both);
+  two.paint({ ...ray, start: [1.1, 1.05, 100], pixel: 1 });
+  assert.deepEqual([...two.painted], [0, 1, 2, 3, 4, 5, 6, 7]);
+});
+
+test("painted faces that touch at a point are joined there", () => {
+  const brush = new Brush(flat(4));
+  const small = { direction: [0, 0, -1], pixel: 1e-9 };
+  brush.paint({ start: [1.2, 1.7, 9], ...small }); // of the squares (1, 1) and (2, 2), which have the corner (2, 2)
+  brush.paint({ start: [2.7, 2.2, 9], ...small });
+  assert.equal(brush.count, 2);
+  brush.close();
+  assert.equal(brush.count, 6, "all round that corner");
 });
