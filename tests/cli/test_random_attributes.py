@@ -123,7 +123,7 @@ def test_random_attributes_of_ply_go_through(run, tmp_path, seed):
     V, F = scene(random, tmp_path)
     of_vertices, corners, of_faces = write_ply(random, tmp_path / "mesh.ply", V, F)
     for verb, (name, *more) in VERBS.items():
-        run.ok(name, "mesh.ply", "--picks", "ring.json", *more, "--output", "out.ply")
+        run.ok(name, "mesh.ply", "--picks", "ring.json", "--pick-distance", 0.1, *more, "--output", "out.ply")
         raw = trimesh.load(tmp_path / "out.ply", process=False, skip_materials=True).metadata["_ply_raw"]
         v, f = raw["vertex"]["data"], raw["face"]["data"]
         P = np.stack([v[axis] for axis in "xyz"], 1)
@@ -141,7 +141,7 @@ def test_random_attributes_of_ply_go_through(run, tmp_path, seed):
             parents = json.loads((tmp_path / "map.json").read_text())["parents"]
             for name_of, values in of_faces.items():
                 assert (np.asarray(f[name_of]) == values[parents]).all(), (seed, name_of)
-    run.ok("offset", "mesh.ply", "--picks", "ring.json", "--distance", 0.05, "--output", "offset.vtu", "--band", "band.ply")
+    run.ok("offset", "mesh.ply", "--picks", "ring.json", "--pick-distance", 0.1, "--distance", 0.05, "--output", "offset.vtu", "--band", "band.ply")
     import meshio
 
     assert len(meshio.read(tmp_path / "offset.vtu").points) > 3
@@ -173,7 +173,7 @@ def test_random_attributes_of_obj_go_through(run, tmp_path, seed):
     for verb, (name, *more) in VERBS.items():
         if verb == "segment":  # writes .ply
             continue
-        run.ok(name, "mesh.obj", "--picks", "ring.json", *more, "--output", "out.obj")
+        run.ok(name, "mesh.obj", "--picks", "ring.json", "--pick-distance", 0.1, *more, "--output", "out.obj")
         words = [line.split() for line in (tmp_path / "out.obj").read_text().splitlines()]
         rows = lambda key: np.array([w[1:] for w in words if w[0] == key], dtype=float)  # noqa: B023, E731
         P = rows("v")
