@@ -38,7 +38,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <tuple>
 
 namespace bspline_curve {
 
@@ -51,10 +50,10 @@ struct TermJet {
 template <class Ground>
 struct LinearArgument {
     double value;
-    const typename Ground::Linear& form;
-    const typename Ground::Point& point;
+    const Ground::Linear& form;
+    const Ground::Point& point;
 
-    LinearArgument(const typename Ground::Linear& linear, const typename Ground::Point& at)
+    LinearArgument(const Ground::Linear& linear, const Ground::Point& at)
         : value(linear.at(at)), form(linear), point(at) {}
 
     template <class Derivatives>
@@ -185,7 +184,7 @@ public:
     }
 
     template <class Take>
-    bool add(const Vec3& p, double weight, const Take& take) const {
+    [[nodiscard]] bool add(const Vec3& p, double weight, const Take& take) const {
         return take(kShare, weight, alpha_, barrier_, relativeHeightAt(p)) &&
                (!beyond_ || take(
                                 kShare,
@@ -251,7 +250,7 @@ public:
     explicit DistanceTerm(const FootGround& ground) : ground_(ground) {}
 
     template <class Take>
-    bool add(const FootSample& sample, double weight, const Take& take) const {
+    [[nodiscard]] bool add(const FootSample& sample, double weight, const Take& take) const {
         const double alpha = ground_.weights.alpha;
         (void)take(kShare, weight, alpha, SquareFunction{ground_.heightUnit}, FootHeight(sample));
         if (isGhost(ground_)) {
@@ -310,14 +309,14 @@ public:
     }
 
     template <class Take>
-    bool add(const typename Ground::Point& point, double weight, const Take& take) const {
+    [[nodiscard]] bool add(const Ground::Point& point, double weight, const Take& take) const {
         return take(kShare, weight, mu_, cost_, LinearArgument<Ground>(field_, point));
     }
 
 private:
     double mu_;
     CostFunction cost_;
-    typename Ground::Linear field_;
+    Ground::Linear field_;
 };
 
 // ---- E_avoid ----
@@ -326,13 +325,13 @@ struct AvoidanceFunction {
     static constexpr bool kHasPole = true;
     static constexpr bool kMayTouch = true;  // crossings of edges that end on what is avoided
 
-    [[nodiscard]] static double pole() { return 1.0; }
+    [[nodiscard]] double pole() const { return 1.0; }
 
-    [[nodiscard]] static double value(double weight, double x) {
+    [[nodiscard]] double value(double weight, double x) const {
         return weight * avoidanceBarrier(x).value;
     }
 
-    [[nodiscard]] static TermJet jet(double weight, double factor, double x) {
+    [[nodiscard]] TermJet jet(double weight, double factor, double x) const {
         constexpr double kClosest = 1.0 - 1e-12;  // what rounding leaves of a crossing on the pole
         const Barrier g = avoidanceBarrier(std::min(x, kClosest));
         return {weight * g.value, factor * g.slope, factor * g.curvature};
@@ -373,7 +372,7 @@ public:
     }
 
     template <class Take>
-    bool add(const typename Ground::Point& point, double weight, const Take& take) const {
+    [[nodiscard]] bool add(const Ground::Point& point, double weight, const Take& take) const {
         return take(kShare, weight, weight_, AvoidanceFunction(), Closeness(*this, point));
     }
 
@@ -381,9 +380,9 @@ private:
     struct Closeness {
         double value;
         const AvoidanceTerm& term;
-        const typename Ground::Point& point;
+        const Ground::Point& point;
 
-        Closeness(const AvoidanceTerm& of, const typename Ground::Point& at)
+        Closeness(const AvoidanceTerm& of, const Ground::Point& at)
             : value(of.isAvoided_ ? 1.0 : of.affine_.at(at)), term(of), point(at) {
             for (std::size_t k = 0; of.face_.isBulging && k < 3; ++k) {
                 value += of.face_.bulges[k] * of.shadow_[(k + 1) % 3].at(at) *
@@ -420,7 +419,7 @@ private:
     double weight_;
     bool isAvoided_;
     Obstacles::FaceCloseness face_;
-    typename Ground::Linear affine_;
+    Ground::Linear affine_;
     std::array<typename Ground::Linear, 3> shadow_;
 };
 
@@ -439,7 +438,7 @@ struct HeldTerm {
     }
 
     template <class Point, class Take>
-    bool add(const Point& point, double weight, const Take& take) const {
+    [[nodiscard]] bool add(const Point& point, double weight, const Take& take) const {
         return !term || term->add(point, weight, take);
     }
 };
@@ -448,31 +447,21 @@ template <template <class> class... Terms>
 struct TermList {
     /// What all terms hold on a ground.
     template <class Ground>
-    class On {
+    class On : private HeldTerm<Terms<Ground>>... {
     public:
-        explicit On(const Ground& ground) : terms_(sameFor<Terms<Ground>>(ground)...) {}
+        explicit On(const Ground& ground) : HeldTerm<Terms<Ground>>(ground)... {}
 
         /// Lets each term add a point; false where one does not take it.
         template <class Take>
-        bool add(const typename Ground::Point& point, double weight, const Take& take) const {
-            return std::apply(
-                [&](const auto&... term) { return (term.add(point, weight, take) && ...); }, terms_
-            );
+        [[nodiscard]] bool add(const Ground::Point& point, double weight, const Take& take) const {
+            return (HeldTerm<Terms<Ground>>::add(point, weight, take) && ...);
         }
-
-    private:
-        template <class>
-        static const Ground& sameFor(const Ground& ground) {
-            return ground;
-        }
-
-        std::tuple<HeldTerm<Terms<Ground>>...> terms_;
     };
 
     /// The same for one point of a ground alone.
     template <class Ground, class Take>
-    static bool add(
-        const Ground& ground, const typename Ground::Point& point, double weight, const Take& take
+    [[nodiscard]] static bool add(
+        const Ground& ground, const Ground::Point& point, double weight, const Take& take
     ) {
         return (
             (!Terms<Ground>::isOn(ground) || Terms<Ground>(ground).add(point, weight, take)) && ...

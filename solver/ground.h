@@ -86,7 +86,7 @@ template <class Ground, class Value>
 
 /// How far a point lies beyond the boundary over a ghost: 0 at the boundary, 1 at the outer rim.
 template <class Ground>
-[[nodiscard]] typename Ground::Linear beyondOn(const Ground& ground) {
+[[nodiscard]] Ground::Linear beyondOn(const Ground& ground) {
     return ground.linear(atCorners(ground, [&](int v) {
         return v >= ground.problem.extended->surfaceVertexCount ? 1.0 : 0.0;
     }));
