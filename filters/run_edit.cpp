@@ -156,7 +156,7 @@ EditResult runEditFilter(
     result.log.summary = editSummary(result.figures);
     result.log.warnings = layerNotes(*found.workpiece);
     std::ranges::move(
-        leftOutWarnings(placed, input.surface), std::back_inserter(result.log.warnings)
+        placingWarnings(placed, input.surface), std::back_inserter(result.log.warnings)
     );
     if (unusable > 0) {
         result.log.warnings.emplace_back(

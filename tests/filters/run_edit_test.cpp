@@ -32,7 +32,7 @@ PolylineLayer layerOf(const Curve& curve, const std::string& label, int id) {
     }
     layer.places = curve.polyline.surfacePoints;
     layer.drawnOn = checksumOf(plateLayer().mesh);
-    layer.curve = std::make_shared<const Curve>(curve);
+    layer.drawn = std::make_shared<const Curve>(curve);
     layer.id = id;
     return layer;
 }
@@ -47,7 +47,7 @@ Curve drawnThrough(const std::vector<Vec3>& picks, bool closed = false) {
 const std::vector<Vec3> kLeft = {{0.1, 0.2, 0.0}, {0.25, 0.3, 0.0}, {0.4, 0.25, 0.0}};
 const std::vector<Vec3> kRight = {{0.9, 0.3, 0.0}, {0.7, 0.4, 0.0}, {0.45, 0.25, 0.0}};
 
-CurvesOnLayer onPlate(std::vector<PolylineLayer> curves) {
+CurvesOnLayer layersOnPlate(std::vector<PolylineLayer> curves) {
     CurvesOnLayer input{.surface = plateLayer(), .checksum = {}, .curves = std::move(curves)};
     input.checksum = checksumOf(input.surface.mesh);
     return input;
@@ -79,7 +79,8 @@ EditResult edit(const CurvesOnLayer& input, const EditRequest& request) {
 TEST(EditFilter, JoinsTheCurvesOfAllLayersByTheNearestEnds) {
     const Curve left = drawnThrough(kLeft);
     const Curve right = drawnThrough(kRight);
-    const CurvesOnLayer input = onPlate({layerOf(left, "left", 7), layerOf(right, "right", 3)});
+    const CurvesOnLayer input =
+        layersOnPlate({layerOf(left, "left", 7), layerOf(right, "right", 3)});
     const EditResult result = edit(input, askedTo("join"));
     ASSERT_EQ(result.curves.size(), 1U);
     const auto& [curve, label] = result.curves.front();
@@ -102,13 +103,13 @@ TEST(EditFilter, JoinsTheCurvesOfAllLayersByTheNearestEnds) {
 }
 
 TEST(EditFilter, JoinsNothingToASingleCurve) {
-    const CurvesOnLayer input = onPlate({layerOf(drawnThrough(kLeft), "left", 1)});
+    const CurvesOnLayer input = layersOnPlate({layerOf(drawnThrough(kLeft), "left", 1)});
     expectPart(refusal([&] { return edit(input, askedTo("join")); }), "there is 1 curve");
 }
 
 TEST(EditFilter, CutsCurvesWithTheirSplines) {
     const Curve whole = drawnThrough(kLeft);
-    const CurvesOnLayer input = onPlate({layerOf(whole, "left", 1)});
+    const CurvesOnLayer input = layersOnPlate({layerOf(whole, "left", 1)});
     const EditResult parts = edit(input, asked({{"edit", "split"}, {"at", "0.6,0.2"}}));
     ASSERT_EQ(parts.curves.size(), 3U);
     EXPECT_EQ(parts.curves[0].label, "left part 1");
@@ -129,7 +130,7 @@ TEST(EditFilter, CutsCurvesWithTheirSplines) {
 
 TEST(EditFilter, ExtendsEndsThatAreMeant) {
     const Curve curve = drawnThrough(kLeft);
-    const CurvesOnLayer input = onPlate({layerOf(curve, "left", 1)});
+    const CurvesOnLayer input = layersOnPlate({layerOf(curve, "left", 1)});
     const double length = lengthOf(curve.polyline);
     for (const auto& [ends, times] :
          {std::pair("end", 1), std::pair("start", 1), std::pair("both", 2)}) {
@@ -148,7 +149,7 @@ TEST(EditFilter, TurnsClosedCurvesRoundToo) {
         {0.3, 0.3, 0.0}, {0.7, 0.35, 0.0}, {0.65, 0.7, 0.0}, {0.3, 0.65, 0.0}
     };
     const Curve curve = drawnThrough(ring, true);
-    const CurvesOnLayer input = onPlate({layerOf(curve, "ring", 1)});
+    const CurvesOnLayer input = layersOnPlate({layerOf(curve, "ring", 1)});
     const EditResult result = edit(input, askedTo("reverse"));
     ASSERT_EQ(result.curves.size(), 1U);
     EXPECT_TRUE(result.curves[0].curve.polyline.closed);
@@ -163,7 +164,8 @@ TEST(EditFilter, TakesPolylinesWithoutASpline) {
     PolylineLayer line = layerOf(drawnThrough(kLeft), "left", 1);
     // One that was moved is no longer the curve that it was drawn as.
     line.points[4] += Vec3(0.0, 0.02, 0.0);
-    const EditResult result = edit(onPlate({line}), asked({{"edit", "split"}, {"at", "0.5"}}));
+    const EditResult result =
+        edit(layersOnPlate({line}), asked({{"edit", "split"}, {"at", "0.5"}}));
     ASSERT_EQ(result.curves.size(), 2U);
     EXPECT_EQ(result.curves[0].curve.spline.degree, 1);
     EXPECT_EQ(figure<int>(result.figures, "projected_curves"), 1);
