@@ -1162,6 +1162,7 @@ def edit_curve_on_surface(
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     gap: float | str = "1 edges",
     blend: float | str = "3 edges",
+    direction: str = "",
     project_curves: bool = False,
     strict: bool = False,
     weld: float = 0.0,
@@ -1200,13 +1201,18 @@ def edit_curve_on_surface(
         Curves meet with one direction; else at corners. Only with edit join.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
     gap : float or str, default '1 edges'
         How far apart the ends that are joined may be: a length in the unit of the mesh, or in mean edges of it, as 1.5
         edges. A curve through both bridges the gap. Only with edit join.
     blend : float or str, default '3 edges'
         Of a smooth joint: how much of either curve, but at most a third of it, gives way to it, likewise. Not used
         where the curves meet with one direction already. Only with edit join.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -1244,6 +1250,7 @@ def edit_curve_on_surface(
             "max_distance": max_distance,
             "gap": gap,
             "blend": blend,
+            "direction": direction,
             "project_curves": project_curves,
             "strict": strict,
             "weld": weld,

@@ -45,7 +45,7 @@ FilterDescription parsed(const json& document) {
 }
 
 TEST(FilterDescription, TheEmbeddedOneIsWhole) {
-    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 9u);
+    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 10u);
     EXPECT_EQ(curveFilter().name, "B-spline Curve on Surface");
     EXPECT_EQ(fieldFilter().name, "Scalar Field for Curves");
     EXPECT_EQ(imprintFilter().name, "Imprint Curves");
