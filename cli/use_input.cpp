@@ -10,6 +10,7 @@
 #include "io/curves_on_surface.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"
+#include "surface/picks.h"
 #include "utility/stopwatch.h"
 #include "workpiece/curve_notes.h"
 #include "workpiece/workpiece_parts.h"
@@ -40,16 +41,18 @@ void take(
     taken.files.push_back(file);
 }
 
-void readLines(CurvesOnMesh& taken, const UseArguments& arguments, const Placing& placing) {
+void readLines(CurvesOnMesh& taken, const UseArguments& arguments, double maxDistance) {
     Stopwatch watch;
     const Workpiece& workpiece = taken.workpiece();
+    const Surface& surface = surfaceOf(workpiece);
     CurvesOnSurface curves(
-        surfaceOf(workpiece),
+        surface,
         workpiece.checksum(),
-        {.projection = placing.projection(), .layers = arguments.layers, .remedy = kLargerDistance}
+        maxDistance > 0.0 ? maxDistance : kPickReachRelative * surface.diagonal(),
+        arguments.layers
     );
     for (const std::filesystem::path& file : arguments.curves) {
-        CurvesOfFile read = curves.read(file);
+        CurvesOfFile read = curves.read(file, kLargerDistance);
         printNotes(read.notes);
         for (std::size_t i = 0; i < read.lines.size(); ++i) {
             take(taken, file, std::move(read.lines[i]), std::move(read.splines[i]));
@@ -60,11 +63,14 @@ void readLines(CurvesOnMesh& taken, const UseArguments& arguments, const Placing
 }
 
 void drawLines(
-    CurvesOnMesh& taken, const DrawingArguments& asked, const UseArguments& all, ProgressBar& bar
+    CurvesOnMesh& taken, DrawingArguments arguments, const UseArguments& all, ProgressBar& bar
 ) {
     Stopwatch watch;
+    const bool isClosed = arguments.solver.closed;
+    const PickChoice corners = arguments.corners;
     for (const std::filesystem::path& file : all.picks) {
-        DrawingArguments arguments = asked;  // what one file says is not of the next
+        arguments.solver.closed = isClosed;
+        arguments.corners = corners;
         const std::vector<Vec3> picks = picksFrom(file, arguments);
         DesignedCurve drawn =
             drawThrough(picks, arguments, taken.loaded, progressPart(bar, 0.0, 1.0));
@@ -111,10 +117,10 @@ UseOptions::UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescr
     described.add(
         "max_distance",
         {.help = "Refuse polylines that are farther than this from the mesh anywhere, in its "
-                 "unit; 0: 1 % of its diagonal, along --direction any distance"}
+                 "unit; 0: 1 % of its diagonal"}
     );
-    described.add("direction", {.otherType = "X,Y,Z", .help = kDirectionHelp});
     addLayers(app, arguments.layers);
+    addPickDistance(app, arguments.drawing.pickDistance);
     addCacheOption(app, arguments.drawing.noCache);
     drawing_.add("Options of curves, for --picks");
 }
@@ -130,7 +136,7 @@ void UseOptions::finish() {
 }
 
 CurvesOnMesh curvesOnMesh(
-    const UseArguments& arguments, const Placing& placing, ProgressBar& bar, double share
+    const UseArguments& arguments, double maxDistance, ProgressBar& bar, double share
 ) {
     bar.show(0.0, "reading");
     DrawingArguments drawing = arguments.drawing;
@@ -151,7 +157,7 @@ CurvesOnMesh curvesOnMesh(
     taken.surfaceSeconds = watch.lap();
     bar.clear();
     printNotes(loaded.notes());
-    readLines(taken, arguments, placing);
+    readLines(taken, arguments, maxDistance);
     throwIfInterrupted();
     drawLines(taken, std::move(drawing), arguments, bar);
     return taken;
@@ -213,7 +219,7 @@ ImprintedFile imprintedFile(
     const UseArguments& arguments, const ImprintRequest& request, ProgressBar& bar, double stroke
 ) {
     constexpr double kReadShare = 0.4;
-    CurvesOnMesh read = curvesOnMesh(arguments, request.use.placing, bar, kReadShare);
+    CurvesOnMesh read = curvesOnMesh(arguments, request.use.placing.distance, bar, kReadShare);
     const Workpiece& workpiece = *read.loaded.workpiece;
     const Progress step = progressPart(bar, kReadShare, kImprintedShare);
     ImprintedFile result{

@@ -154,7 +154,6 @@ Curve CurveDesigner::design(
         inputs.field,
         provenance.facesFromInput(avoid),
         inputs.pickTolerances,
-        inputs.pickWeights,
         inputs.corners,
         inputs.tangents,
         start,

@@ -3,16 +3,14 @@
 
 #include "bspline_curve/progress.h"
 #include "solver/knot_insertion.h"
+#include "solver/paper/paper_settings.h"
 #include "solver/sample_rule.h"
-#include "solver/solve_variant.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace bspline_curve {
 namespace {
@@ -49,7 +47,7 @@ public:
           weights_(firstWeights),
           roundGoal_(policy.round),
           stopRule_(policy.givesUp),
-          variant_(variantOf(problem).rounds(problem)) {
+          paper_(problem) {
         report_.knotsFirst = knotCount();
     }
 
@@ -70,8 +68,7 @@ public:
                 energy_.makeExact();  // what is left lies between the samples
             }
             double ratio = distanceRatio();
-            if (isSettled && ratio < policy_.schedule.nearShare &&
-                variant_->arePicksNear(energy_)) {
+            if (isSettled && ratio < policy_.schedule.nearShare && paper_.arePicksNear(energy_)) {
                 const SolveStatus status = rest();
                 if (distance_.largest < problem_.distanceTolerance) {
                     report_.status = status;
@@ -91,7 +88,7 @@ public:
             }
             EnergyWeights next = weights_;
             next.alpha = policy_.schedule.next(weights_.alpha, ratio);
-            variant_->adjustNext(weights_, minimum.value.terms, next);
+            paper_.adjustNext(weights_, minimum.value.terms, next);
             if (breaks == energy_.space().breaks() && next.alpha <= weights_.alpha &&
                 next.beta <= weights_.beta) {
                 report_.status = SolveStatus::KnotLimit;
@@ -99,7 +96,7 @@ public:
             }
             weights_ = next;
             insertKnots(std::move(breaks));
-            variant_->setBarrier(energy_, largestHeight, weights_);
+            paper_.setBarrier(energy_, largestHeight, weights_);
         }
         return finish();
     }
@@ -181,10 +178,9 @@ private:
     }
 
     [[nodiscard]] std::vector<double> chooseBreaks(const MinimiseResult& minimum) {
-        const bool isNear = distanceRatio() < policy_.schedule.nearShare;
-        if (std::optional<std::vector<double>> breaks =
-                variant_->chooseBreaks(energy_, weights_, minimum.value.scale, isNear)) {
-            return std::move(*breaks);
+        if (problem_.options.knotRule == KnotRule::FeatureFunction) {
+            const bool isNear = distanceRatio() < policy_.schedule.nearShare;
+            return paper_.chooseBreaks(energy_, weights_, minimum.value.scale, isNear);
         }
         const KnotDemand gain = energy_.refinementGain();
         return gain.isNegligible
@@ -197,7 +193,7 @@ private:
     // for the picks is none any more.
     SolveStatus rest() {
         const SolveStatus status = comeToRest();
-        const double moved = variant_->meetPicks(energy_, policy_.newton);
+        const double moved = paper_.meetPicks(energy_, policy_.newton);
         if (std::optional<TracedSpline> thinned = energy_.withFewerKnots()) {
             thinned_ = std::move(thinned->curve);
             distance_ = std::move(thinned->distance);
@@ -266,7 +262,7 @@ private:
 
     [[nodiscard]] Solution finish() {
         if (!report_.usable && !policy_.tracesAtRestOnly) {
-            variant_->meetPicks(energy_, policy_.newton);
+            paper_.meetPicks(energy_, policy_.newton);
             distance_ = energy_.trace();
             report_.usable = distance_.largest < problem_.distanceTolerance;
             const bool isStopped = round_ < problem_.options.maxRounds;
@@ -295,7 +291,7 @@ private:
     EnergyWeights weights_;
     NewtonGoal roundGoal_;
     StopRule stopRule_;
-    std::unique_ptr<RoundVariant> variant_;
+    PaperSettings paper_;
     CurveDistance distance_;              // of curve and surface, in the shell's frame
     std::optional<SplineCurve> thinned_;  // the curve at rest, without needless knots
     int round_ = 0;

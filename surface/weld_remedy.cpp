@@ -103,11 +103,8 @@ Remedy weldFor(
     const Progress& progress
 ) {
     std::vector<int> components;
-    std::vector<Vec3> places;  // on the surface, however far from it picks may be
     for (const Vec3& pick : picks) {
-        const TriangleTree::Closest closest = tree.closestPoint(pick);
-        components.push_back(surface.faceComponents()[closest.point.face]);
-        places.push_back(closest.position);
+        components.push_back(surface.faceComponents()[tree.closestPoint(pick).point.face]);
     }
     const BoundaryEdges boundaries(surface);
     const Progress untilCancelled = [&](double, const char* stage) {
@@ -124,7 +121,7 @@ Remedy weldFor(
         if (!mayHelp) {
             continue;
         }
-        if (helps(surface.mesh(), distance, places, closed, untilCancelled)) {
+        if (helps(surface.mesh(), distance, picks, closed, untilCancelled)) {
             return {.kind = Remedy::Kind::Weld, .distance = distance};
         }
         ++tries;

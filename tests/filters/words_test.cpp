@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filters/edit_requests.h"
 #include "filters/fit_requests.h"
 #include "filters/imprint_requests.h"
 #include "filters/labels.h"
@@ -43,9 +42,7 @@ const std::vector<const FilterDescription*>& filters() {
         &segmentFilter(),
         &offsetFilter(),
         &patternFilter(),
-        &fitFilter(),
-        &editFilter(),
-        &pointsFilter()
+        &fitFilter()
     };
     return all;
 }
@@ -115,10 +112,6 @@ std::string refusedBelow(const FilterDescription& filter, const ParameterDescrip
             static_cast<void>(offsetRequest(values));
         } else if (&filter == &fitFilter()) {
             static_cast<void>(fitRequest(values));
-        } else if (&filter == &editFilter()) {
-            static_cast<void>(editRequest(values));
-        } else if (&filter == &pointsFilter()) {
-            static_cast<void>(pointsRequest(values));
         } else {
             values.set("drawing", std::string("a.svg"));
             static_cast<void>(patternRequest(values));
